@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+
+#include "core/geometry/vec2.h"
+
+namespace arcway {
+
+/// \file
+/// Signs that are those of exact arithmetic on the given doubles, always: a floating-point filter
+/// first [Shewchuk 1997, adaptive orient2d], expansions where it cannot decide. The file is compiled
+/// without contraction. Exact for coordinates that are zero or of magnitude in
+/// [kMinMagnitude, kMaxMagnitude] (products neither underflow nor overflow there); World refuses all
+/// others at its door. All functions are pure, thread-safe and do not allocate.
+
+inline constexpr double kMinMagnitude = 1e-100;
+inline constexpr double kMaxMagnitude = 1e100;
+
+/// Sign of the area of the triangle (a, b, c): +1 if `c` lies to the left of the line from `a` to
+/// `b`, -1 to the right, 0 on it (or if a == b). Antisymmetric in any two arguments.
+int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
+
+/// How two closed segments meet. Exactly one case holds; a segment may be a single point.
+enum class SegmentRelation {
+  kDisjoint,          ///< no common point
+  kCrossing,          ///< one common point, interior to both (a proper crossing)
+  kTouchingInterior,  ///< one common point, an end of one and interior to the other
+  kTouchingEnds,      ///< one common point, an end of both
+  kOverlapping        ///< collinear with more than one common point (equal segments too)
+};
+SegmentRelation relate(const LineSegment& s, const LineSegment& t);
+
+/// Whether `p` lies on the closed segment.
+bool on_segment(const Vec2& p, const LineSegment& s);
+
+/// Whether `p` lies on the open segment from s.a to s.b (neither end).
+bool on_open_segment(const Vec2& p, const LineSegment& s);
+
+enum class PointLocation { kOutside, kBoundary, kInside };
+
+/// Place of `p` in the closed region of a ring of >= 3 vertices (not closed by a repeated point,
+/// either orientation, pinches allowed; even-odd). O(n).
+PointLocation locate(const Vec2& p, std::span<const Vec2> ring);
+
+/// Whether the direction from `v` towards `p` points strictly into the cone at `v` that lies to the
+/// left of prev -> v -> next, that is, into the obstacle's interior if it lies to the left of its
+/// ring. `p != v`; prev, v, next need not be in convex position.
+bool in_open_cone(const Vec2& prev, const Vec2& v, const Vec2& next, const Vec2& p);
+
+/// Whether a closed segment and a closed convex quadrilateral (corners counter-clockwise, not all
+/// on a line) have a common point. Exact on the given corners: one of the five edge lines
+/// separates two disjoint convex sets.
+bool intersects(const LineSegment& s, std::span<const Vec2, 4> quad);
+
+}  // namespace arcway

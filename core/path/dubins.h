@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/path/path.h"
+
+namespace arcway {
+
+enum class DubinsWord { kLSL, kRSR, kLSR, kRSL, kRLR, kLRL };
+inline constexpr std::array<DubinsWord, 6> kDubinsWords = {DubinsWord::kLSL, DubinsWord::kRSR, DubinsWord::kLSR,
+                                                           DubinsWord::kRSL, DubinsWord::kRLR, DubinsWord::kLRL};
+
+/// The path of one Dubins word between two poses, arcs of the given radius [Dubins 1957; closed
+/// forms of Shkel and Lumelsky 2001], or nothing where the word does not exist. Segments of zero
+/// length are left out; start == goal gives an empty path for LSL and RSR. Constant time.
+/// Absolute error of the end pose: a few units in the last place of the coordinates involved.
+std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, double radius);
+
+}  // namespace arcway

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/path/path.h"
+#include "core/vehicle.h"
+
+namespace arcway {
+
+/// Travel time of a segment of length L with entry speed v1, top speed v2 and exit speed v3 at
+/// acceleration a, by the closed forms (9) (top speed reached) and (10) (not reached).
+/// Preconditions: L > 0, a > 0, 0 <= v1, v3 <= v2, v2 > 0 and |v1^2 - v3^2| <= 2 a L (else neither form holds:
+/// use speed_profile). Constant time.
+double segment_time(double length, double v1, double v2, double v3, double acceleration);
+
+/// Speeds at the joints of a path, and the time between them.
+struct SpeedProfile {
+  std::vector<double> speeds;     ///< n + 1 speeds [m/s] at the joints, ends included
+  std::vector<double> durations;  ///< n durations [s]
+  double total_time = 0.0;        ///< [s]
+};
+
+/// The fastest profile along a path: speed at most `max_speed` on lines and turn_speed(radius) on
+/// arcs, |dv/dt| <= max_acceleration, the given speeds at both ends. One backward and one forward
+/// pass over the joints, then (9) or (10) on each segment, which hold by then. O(n).
+/// Empty path: no durations, total time 0.
+/// @throws std::invalid_argument if an end speed is negative, above its segment's limit, or cannot
+///   be reached within the path.
+SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed = 0.0,
+                           double end_speed = 0.0);
+
+}  // namespace arcway

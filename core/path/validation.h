@@ -1,0 +1,72 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/path/path.h"
+#include "core/path/speed_profile.h"
+#include "core/vehicle.h"
+#include "core/world.h"
+
+namespace arcway {
+
+/// A path with its speeds, as a planner or anyone else claims it.
+struct TimedPath {
+  Path segments;
+  std::vector<double> speed_in;   ///< [m/s], one a segment; all three may be empty: then only the geometry is checked
+  std::vector<double> speed_out;  ///< [m/s]
+  std::vector<double> durations;  ///< [s]
+};
+
+struct ValidationOptions {
+  double position_tolerance = 1e-6;  ///< joints and end poses [m]
+  double heading_tolerance = 1e-6;   ///< joints and end poses [rad]
+  double relative_tolerance = 1e-6;  ///< curvature, speeds, accelerations, durations
+};
+
+enum class Violation {
+  kNotFinite,
+  kStartPose,
+  kGoalPose,
+  kPositionJump,
+  kHeadingJump,
+  kCurvature,
+  kCollision,
+  kOutsideBounds,
+  kSpeedLimit,
+  kSpeedJump,
+  kAcceleration,
+  kDuration,
+  kNegativeLength
+};
+const char* name_of(Violation violation);
+
+struct ValidationIssue {
+  Violation violation;
+  std::size_t segment;  ///< where
+  double arc_length;    ///< from the start of that segment [m]
+  std::string message;  ///< with values and limits
+};
+
+struct ValidationReport {
+  std::vector<ValidationIssue> issues;  ///< at most one a kind and segment
+  double length = 0.0;                  ///< [m]
+  double travel_time = 0.0;             ///< sum of the durations [s]
+  /// A lower bound on the distance between the bare body and the obstacles, proved along the whole path [m];
+  /// within `clearance_tolerance` of the true one; 0 in collision.
+  double min_clearance = 0.0;
+  [[nodiscard]] bool valid() const { return issues.empty(); }
+};
+
+/// Checks a path against world and vehicle: finite numbers, end poses, joints (position and
+/// heading), curvature at most 1 / rho_min, the bare body (no margin) touching no obstacle and not
+/// leaving the bounds at any moment of the continuous motion, speed limits, acceleration limits,
+/// durations equal to the fastest ones for the given joint speeds or longer, rest at both ends.
+/// Shares types with the planner, no decisions: no predicate, query or interval code of the planner is
+/// used. Collision is decided by subdivision of the motion: an interval of the path is free if the body's distance to
+/// the obstacles at its middle exceeds what any body point can move within it; an interval too short to split further
+/// is a collision. Never samples.
+ValidationReport validate(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
+                          const TimedPath& path, const ValidationOptions& options = {});
+
+}  // namespace arcway

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/executor.h"
+#include "core/graph/feasible_graph.h"
+#include "core/graph/visibility_graph.h"
+#include "core/path/path.h"
+#include "core/query/query_set.h"
+#include "core/vehicle.h"
+#include "core/world.h"
+
+namespace arcway {
+
+/// What A* adds to the time so far.
+enum class Heuristic {
+  kTravelTime,     ///< straight distance / v_ms [s]: admissible
+  kPaperDistance,  ///< straight distance in metres taken as seconds, as the paper has it: not admissible when v_ms > 1
+                   ///< m/s
+  kDijkstra        ///< no heuristic
+};
+
+struct PlannerOptions {
+  Heuristic heuristic = Heuristic::kTravelTime;
+  /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: that one alone.
+  std::vector<double> radii;
+  /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; 0 turns
+  /// manoeuvres off.
+  std::uint32_t manoeuvre_poses = 4000;
+};
+
+struct PlanRequest {
+  Pose start;
+  Pose goal;
+};
+
+enum class PlanStatus {
+  kSolved,
+  kStartInCollision,  ///< the body grown by half of the safety margin touches an obstacle at the start
+  kGoalInCollision,
+  kStartOutsideBounds,
+  kGoalOutsideBounds,
+  kStartBlocked,  ///< no forward motion of an arc, a line or a short manoeuvre leads from the start to the graph
+  kGoalBlocked,   ///< none leads from the graph to the goal
+  kNoPath         ///< the graph has no way between start and goal
+};
+/// "solved", "start in collision", ...
+const char* name_of(PlanStatus status);
+
+struct TimedSegment {
+  PathSegment segment;
+  double speed_in = 0.0;   ///< [m/s]
+  double speed_out = 0.0;  ///< [m/s]
+  double duration = 0.0;   ///< [s]
+};
+
+/// Counters and stage times of one query.
+struct PlanStatistics {
+  std::uint64_t nodes_expanded = 0;     ///< arrivals taken from the open list
+  std::uint64_t nodes_pushed = 0;       ///< arrivals put on it
+  std::uint64_t straights_checked = 0;  ///< swept rectangles decided during the query
+  std::uint64_t turns_checked = 0;      ///< heading sets computed during the query
+  std::uint64_t manoeuvre_poses = 0;    ///< poses of start and goal manoeuvres tried
+  double search_seconds = 0.0;
+  double profile_seconds = 0.0;  ///< speed profile and clearance
+  double total_seconds = 0.0;
+};
+
+struct PlanResult {
+  PlanStatus status = PlanStatus::kNoPath;
+  std::string reason;  ///< in words, with the condition that failed and where, unless solved
+  Pose start, goal;    ///< as requested
+  std::vector<TimedSegment> segments;
+  double travel_time = 0.0;  ///< [s]
+  double length = 0.0;       ///< [m]
+  /// No path can take less [s]: the straight line from rest to rest at v_ms and a_max.
+  double lower_bound = 0.0;
+  double min_clearance = 0.0;     ///< of the bare body along the path [m]; infinity in a world without obstacles
+  PathSegment clearance_segment;  ///< the segment where that is
+  std::size_t clearance_index = 0;
+  PlanStatistics statistics;
+  [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
+  [[nodiscard]] Path path() const;
+};
+
+/// What it took to prepare a map.
+struct PrepareStatistics {
+  double visibility_seconds = 0.0;
+  double feasible_seconds = 0.0;
+  FeasibleGraphCounts counts;
+};
+
+/// Plans on one map for one vehicle: builds the reduced and the feasible visibility graph once, then answers any number
+/// of queries.
+///
+///     const Planner planner(world, Vehicle{});
+///     const PlanResult result = planner.plan({.start = {1, 1, 0}, .goal = {50, 40, kPi / 2}});
+///     if (!result.solved()) return report(result.reason);
+///     for (const TimedSegment& s : result.segments) drive(s);
+///
+/// Everything is copied or shared: no argument need outlive the call. `plan` is const and may be called from many
+/// threads at once.
+class Planner {
+ public:
+  /// Queries by brute force, one thread.
+  Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options = {});
+  /// @param queries   about `world`.
+  /// @param executor  used during construction only.
+  /// @throws std::invalid_argument if a radius is below the vehicle's smallest, or the safety margin is too small for
+  ///   doubles at the map's coordinates (below 2^20 units in the last place of the largest).
+  Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
+          const Executor& executor);
+  /// The same from a reduced visibility graph built elsewhere.
+  Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
+          const PlannerOptions& options, const Executor& executor);
+
+  /// The fastest path of the graph. Never throws for want of a path: see PlanResult::status.
+  /// @throws std::invalid_argument if a pose is not finite or beyond 1e9 m.
+  [[nodiscard]] PlanResult plan(const PlanRequest& request) const;
+
+  [[nodiscard]] const World& world() const;
+  [[nodiscard]] const Vehicle& vehicle() const;
+  [[nodiscard]] const VisibilityGraph& visibility_graph() const;
+  [[nodiscard]] const FeasibleGraph& feasible_graph() const;
+  [[nodiscard]] const PrepareStatistics& prepare_statistics() const;
+
+ private:
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace arcway
