@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/path/validation.h"
+#include "core/planner.h"
+#include "core/vehicle.h"
+#include "datasets/file_io.h"
+
+namespace arcway {
+
+/// One JSON object on one line, without a newline at its end. Numbers read back to the same doubles; what is not
+/// finite is null.
+///
+///     {"format":"arcway-plan","version":1,"q":0,"status":"solved","start":[x,y,heading],"goal":[x,y,heading],
+///      "travel_time":..,"length":..,"lower_bound":..,"min_clearance":..,
+///      "path":[{"type":"line"|"arc","start":[x,y,heading],"length":..,"curvature":..,"direction":1,
+///               "speed_in":..,"speed_out":..,"duration":..}],"statistics":{..}}
+///
+/// With "reason" and an empty path unless solved.
+/// @param q  number of the query.
+std::string plan_to_json(const PlanResult& result, std::uint64_t q);
+
+struct CsvSampling {
+  double max_length = 0.5;  ///< between two samples [m], > 0
+  double max_angle = 0.05;  ///< between two samples [rad], > 0
+};
+/// `s,x,y,yaw,curvature,direction,t,v,steer` with a header line: metres, radians, seconds. Sampled by length and
+/// by angle, ends of all segments kept; where the curvature jumps, the joint is written twice, once with each. Time and
+/// speed follow the fastest motion within the segment: accelerate, hold, brake.
+/// The steering angle is the one of the steered axle (of each, if symmetric), left positive at the front.
+std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle,
+                        const CsvSampling& sampling = {});
+
+struct PlanFile {
+  std::string status;
+  Pose start, goal;
+  TimedPath path;  ///< speeds and durations empty if the file has none
+};
+/// Reads what plan_to_json writes; only "format", "version", "start", "goal" and "path" are required, and of its
+/// segments "type", "start", "length" and "curvature". Speeds and durations must be on all segments or on none.
+/// @param name  of the source, for messages.
+/// @throws FormatError, "plan.json: path[3].length: expected a number, found null".
+PlanFile read_plan(std::string_view json, std::string_view name);
+
+}  // namespace arcway

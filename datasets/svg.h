@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+#include "core/path/path.h"
+#include "core/vehicle.h"
+#include "core/world.h"
+
+namespace arcway {
+
+/// How a set of edges is drawn.
+struct EdgeStyle {
+  std::string_view color = "#5b8def";
+  double width = 0.8;     ///< [px]
+  double opacity = 0.35;  ///< in [0, 1]
+};
+
+/// A picture of a world, with layers added on top. y is up in the world and down in the picture; coordinates are
+/// rounded to a tenth of a pixel. The world need not outlive the picture.
+class SvgPicture {
+ public:
+  /// @param width  of the map in the picture [px]; the height follows.
+  explicit SvgPicture(const World& world, double width = 1200.0);
+  /// @param view  part of the map to show, enlarged by a border.
+  SvgPicture(const World& world, const Box& view, double width = 1200.0);
+
+  /// All edges in one path element, as group `id`.
+  void add_edges(std::span<const LineSegment> edges, const EdgeStyle& style = {}, std::string_view id = "graph");
+  /// The path, the body's outlines along it and the poses at its ends.
+  /// @param spacing  between outlines [m]; 0: chosen by the body's length and the picture's scale.
+  void add_path(std::span<const PathSegment> path, const Footprint& body, double spacing = 0.0);
+  /// Start and goal when there is no path.
+  void add_poses(const Pose& start, const Pose& goal, const Footprint& body);
+  /// A line of text below the map.
+  void add_caption(std::string_view text);
+  /// Title and description for readers that do not see the picture.
+  void set_title(std::string_view title, std::string_view description = {});
+
+  /// The document, newline at its end.
+  [[nodiscard]] std::string str() const;
+
+ private:
+  void add_map(const World& world);
+  void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);
+  [[nodiscard]] Vec2 to_picture(const Vec2& p) const;
+
+  Box view_;
+  double scale_ = 1.0;
+  double width_ = 0.0, height_ = 0.0;
+  std::string bounds_, obstacles_, graph_, path_, robot_, markers_;
+  std::vector<std::string> captions_;
+  std::string title_, description_;
+};
+
+}  // namespace arcway
