@@ -1,0 +1,155 @@
+#include "core/graph/visibility_graph.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "core/geometry/predicates.h"
+
+namespace arcway {
+
+namespace {
+
+using Rows = std::vector<std::vector<VertexId>>;
+
+VisibilityGraph compress(const Rows& rows) {
+  std::vector<std::uint64_t> starts(rows.size() + 1, 0);
+  for (std::size_t u = 0; u < rows.size(); ++u) starts[u + 1] = starts[u] + rows[u].size();
+  std::vector<VertexId> targets;
+  targets.reserve(starts.back());
+  for (const auto& row : rows) targets.insert(targets.end(), row.begin(), row.end());
+  return {std::move(starts), std::move(targets)};
+}
+
+// Rows of the pairs u < v of `vertices` that pass `candidate` and see each other.
+template <class Candidate>
+Rows visible_pairs(const World& world, std::span<const VertexId> vertices, const VisibilityQuery& visibility,
+                   const Executor& executor, const Candidate& candidate) {
+  Rows rows(world.vertices().size());
+  executor.for_ranges(vertices.size(), 8, [&](std::size_t begin, std::size_t end) {
+    std::vector<LineSegment> segments;
+    std::vector<VertexId> targets;
+    std::vector<std::uint8_t> visible;
+    for (std::size_t i = begin; i < end; ++i) {
+      const VertexId u = vertices[i];
+      segments.clear();
+      targets.clear();
+      for (const VertexId v : vertices.subspan(i + 1)) {
+        if (!candidate(u, v)) continue;
+        segments.push_back({world.vertex(u), world.vertex(v)});
+        targets.push_back(v);
+      }
+      visible.resize(segments.size());
+      visibility.visible(segments, visible);
+      for (std::size_t k = 0; k < targets.size(); ++k)
+        if (visible[k]) rows[u].push_back(targets[k]);
+    }
+  });
+  return rows;
+}
+
+// Strict weak order by direction about u, counter-clockwise from +x, exact.
+class DirectionOrder {
+ public:
+  DirectionOrder(const World& world, VertexId u) : world_(world), origin_(world.vertex(u)) {}
+
+  bool operator()(VertexId v, VertexId w) const {
+    const bool v_low = in_lower_half(world_.vertex(v));
+    const bool w_low = in_lower_half(world_.vertex(w));
+    if (v_low != w_low) return w_low;
+    return orientation(origin_, world_.vertex(v), world_.vertex(w)) > 0;
+  }
+
+ private:
+  [[nodiscard]] bool in_lower_half(const Vec2& p) const {
+    return p.y() < origin_.y() || (p.y() == origin_.y() && p.x() < origin_.x());
+  }
+  const World& world_;
+  Vec2 origin_;
+};
+
+// (iii): of the neighbours in one direction only the nearest stay, in both rows.
+Rows without_carried_edges(const World& world, const Rows& rows, const Executor& executor) {
+  Rows neighbours(rows.size());
+  for (VertexId u = 0; u < rows.size(); ++u)
+    for (const VertexId v : rows[u]) {
+      neighbours[u].push_back(v);
+      neighbours[v].push_back(u);
+    }
+  Rows kept(rows.size());
+  executor.for_ranges(rows.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto u = static_cast<VertexId>(i);
+      const DirectionOrder before(world, u);
+      std::vector<VertexId>& around = neighbours[u];
+      std::sort(around.begin(), around.end(), before);
+      for (std::size_t first = 0, last = 0; first < around.size(); first = last) {
+        while (last < around.size() && !before(around[first], around[last])) ++last;
+        const std::span<const VertexId> same_direction(around.data() + first, last - first);
+        for (const VertexId v : same_direction) {
+          const LineSegment edge{world.vertex(u), world.vertex(v)};
+          const bool carried = std::any_of(same_direction.begin(), same_direction.end(),
+                                           [&](VertexId w) { return on_open_segment(world.vertex(w), edge); });
+          if (v > u && !carried) kept[u].push_back(v);
+        }
+      }
+      std::sort(kept[u].begin(), kept[u].end());
+    }
+  });
+  return kept;
+}
+
+}  // namespace
+
+VisibilityGraph::VisibilityGraph(std::vector<std::uint64_t> row_starts, std::vector<VertexId> targets)
+    : row_starts_(std::move(row_starts)), targets_(std::move(targets)) {
+  if (row_starts_.empty() || row_starts_.front() != 0 || row_starts_.back() != targets_.size() ||
+      !std::is_sorted(row_starts_.begin(), row_starts_.end()))
+    throw std::invalid_argument("visibility graph: row starts must rise from 0 to the number of targets, " +
+                                std::to_string(targets_.size()));
+  for (std::size_t u = 0; u < vertex_count(); ++u) {
+    std::uint64_t lower = u;
+    for (const VertexId v : row(static_cast<VertexId>(u))) {
+      if (v <= lower || v >= vertex_count())
+        throw std::invalid_argument("visibility graph: row " + std::to_string(u) + " has target " + std::to_string(v) +
+                                    " out of order or range");
+      lower = v;
+    }
+  }
+}
+
+std::span<const VertexId> VisibilityGraph::row(VertexId u) const {
+  return std::span(targets_).subspan(row_starts_[u], row_starts_[u + 1] - row_starts_[u]);
+}
+
+bool is_tangent(const World& world, VertexId v, const Vec2& p) {
+  const Vec2& at = world.vertex(v);
+  if (at == p) return false;
+  return orientation(p, at, world.vertex(world.previous(v))) * orientation(p, at, world.vertex(world.next(v))) >= 0;
+}
+
+Side obstacle_side(const World& world, VertexId v, const Vec2& from) {
+  const Vec2& at = world.vertex(v);
+  const int side =
+      orientation(from, at, world.vertex(world.previous(v))) + orientation(from, at, world.vertex(world.next(v)));
+  return side > 0 ? Side::kLeft : Side::kRight;
+}
+
+VisibilityGraph build_full_visibility_graph(const World& world, const VisibilityQuery& visibility,
+                                            const Executor& executor) {
+  std::vector<VertexId> vertices;
+  for (VertexId v = 0; v < world.vertices().size(); ++v)
+    if (!world.is_covered(v)) vertices.push_back(v);
+  return compress(visible_pairs(world, vertices, visibility, executor,
+                                [&](VertexId u, VertexId v) { return world.vertex(u) != world.vertex(v); }));
+}
+
+VisibilityGraph build_reduced_visibility_graph(const World& world, const VisibilityQuery& visibility,
+                                               const Executor& executor) {
+  const Rows rows = visible_pairs(world, world.convex_vertices(), visibility, executor, [&](VertexId u, VertexId v) {
+    return is_tangent(world, u, world.vertex(v)) && is_tangent(world, v, world.vertex(u));
+  });
+  return compress(without_carried_edges(world, rows, executor));
+}
+
+}  // namespace arcway

@@ -1,0 +1,77 @@
+#include "core/query/heading_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+
+HeadingSet HeadingSet::complement(std::vector<HeadingInterval> blocked) {
+  if (blocked.empty()) return full();
+  std::vector<HeadingInterval> cut;  // within [0, 2 pi], those that pass the seam in two pieces
+  cut.reserve(blocked.size() + 2);
+  for (const HeadingInterval& b : blocked) {
+    const double extent = b.high - b.low;
+    if (extent >= kFullCircle) return {};
+    const double low = wrap_positive(b.low);
+    const double high = low + extent;
+    if (high >= kFullCircle) {
+      cut.push_back({low, kFullCircle});
+      cut.push_back({0.0, high - kFullCircle});
+    } else {
+      cut.push_back({low, high});
+    }
+  }
+  std::sort(cut.begin(), cut.end(), [](const auto& a, const auto& b) { return a.low < b.low; });
+
+  std::vector<HeadingInterval> free;
+  const auto add = [&free](double low, double high) {
+    low = std::nextafter(low, kFullCircle * 2);
+    high = std::nextafter(high, -1.0);
+    if (low <= high && low < kFullCircle) free.push_back({low, high});
+  };
+  double reached = 0.0;
+  const bool open_at_seam = cut.front().low > 0.0;
+  if (open_at_seam) free.push_back({0.0, std::nextafter(cut.front().low, -1.0)});
+  for (const HeadingInterval& b : cut) {
+    if (b.low > reached && reached > 0.0) add(reached, b.low);
+    reached = std::max({reached, b.high, std::numeric_limits<double>::min()});
+  }
+  if (reached < kFullCircle) {
+    if (open_at_seam) {  // one interval across the seam
+      const double high = free.front().high + kFullCircle;
+      free.erase(free.begin());
+      free.push_back({std::nextafter(reached, kFullCircle * 2), std::nextafter(high, -1.0)});
+    } else {
+      add(reached, kFullCircle);
+    }
+  }
+  return HeadingSet(std::move(free));
+}
+
+bool HeadingSet::is_full() const {
+  return intervals_.size() == 1 && intervals_[0].high - intervals_[0].low >= kFullCircle;
+}
+
+int HeadingSet::find(double heading) const {
+  if (intervals_.empty()) return -1;
+  const double h = wrap_positive(heading);
+  const auto after = std::upper_bound(intervals_.begin(), intervals_.end(), h,
+                                      [](double value, const HeadingInterval& i) { return value < i.low; });
+  if (after != intervals_.begin() && h <= (after - 1)->high) return static_cast<int>(after - intervals_.begin()) - 1;
+  if (h + kFullCircle <= intervals_.back().high) return static_cast<int>(intervals_.size()) - 1;
+  return -1;
+}
+
+double HeadingSet::reach(double heading, Side side) const {
+  const int index = find(heading);
+  if (index < 0) return -1.0;
+  if (is_full()) return kFullCircle;
+  const HeadingInterval& interval = intervals_[static_cast<std::size_t>(index)];
+  double h = wrap_positive(heading);
+  if (h < interval.low) h += kFullCircle;
+  return std::max(0.0, side == Side::kLeft ? interval.high - h : h - interval.low);
+}
+
+}  // namespace arcway

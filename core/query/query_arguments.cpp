@@ -1,0 +1,128 @@
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/geometry/predicates.h"
+#include "core/query/distance_query.h"
+#include "core/query/sweep_query.h"
+#include "core/query/visibility_query.h"
+
+// The public halves of the query interfaces: arguments are checked here, once for all implementations.
+namespace arcway {
+
+namespace {
+
+void require_equal_sizes(std::size_t questions, std::size_t answers) {
+  if (questions != answers)
+    throw std::invalid_argument("query: " + std::to_string(questions) + " questions but room for " +
+                                std::to_string(answers) + " answers");
+}
+
+void require_coordinate(double value, std::size_t index) {
+  const double magnitude = std::abs(value);
+  if (magnitude <= kMaxMagnitude && (value == 0.0 || magnitude >= kMinMagnitude)) return;
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  throw std::invalid_argument("query " + std::to_string(index) + ": coordinate " + std::string(text, end) +
+                              " is not zero and not of magnitude 1e-100 to 1e100");
+}
+
+void require_point(const Vec2& p, std::size_t index) {
+  require_coordinate(p.x(), index);
+  require_coordinate(p.y(), index);
+}
+
+void require_points(std::span<const Vec2> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) require_point(points[i], i);
+}
+
+}  // namespace
+
+void VisibilityQuery::visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const {
+  require_equal_sizes(segments.size(), visible.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    require_point(segments[i].a, i);
+    require_point(segments[i].b, i);
+  }
+  do_visible(segments, visible);
+}
+
+bool VisibilityQuery::visible(const LineSegment& segment) const {
+  std::uint8_t answer = 0;
+  visible({&segment, 1}, {&answer, 1});
+  return answer != 0;
+}
+
+void DistanceQuery::closest(std::span<const Vec2> points, std::span<ClosestPoint> result) const {
+  require_equal_sizes(points.size(), result.size());
+  require_points(points);
+  do_closest(points, result);
+}
+
+ClosestPoint DistanceQuery::closest(const Vec2& point) const {
+  ClosestPoint answer;
+  closest({&point, 1}, {&answer, 1});
+  return answer;
+}
+
+void DistanceQuery::closer_than(std::span<const Vec2> points, std::span<const double> distances,
+                                std::span<std::uint8_t> closer) const {
+  require_equal_sizes(points.size(), closer.size());
+  require_equal_sizes(points.size(), distances.size());
+  require_points(points);
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    if (std::isnan(distances[i])) throw std::invalid_argument("query " + std::to_string(i) + ": distance is nan");
+  do_closer_than(points, distances, closer);
+}
+
+void DistanceQuery::containing(std::span<const Vec2> points, std::span<ObstacleId> result) const {
+  require_equal_sizes(points.size(), result.size());
+  require_points(points);
+  do_containing(points, result);
+}
+
+ObstacleId DistanceQuery::containing(const Vec2& point) const {
+  ObstacleId answer = kNone;
+  containing({&point, 1}, {&answer, 1});
+  return answer;
+}
+
+void SweepQuery::straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const {
+  require_equal_sizes(rectangles.size(), free.size());
+  for (std::size_t i = 0; i < rectangles.size(); ++i)
+    for (const Vec2& corner : rectangles[i]) require_point(corner, i);
+  do_straight_free(rectangles, free);
+}
+
+bool SweepQuery::straight_free(const SweptRectangle& rectangle) const {
+  std::uint8_t answer = 0;
+  straight_free({&rectangle, 1}, {&answer, 1});
+  return answer != 0;
+}
+
+void SweepQuery::free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const {
+  require_equal_sizes(bodies.size(), result.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    require_point(bodies[i].center, i);
+    if (!(bodies[i].radius > 0.0) || !std::isfinite(bodies[i].radius))
+      throw std::invalid_argument("query " + std::to_string(i) + ": turning radius must be positive and finite");
+  }
+  do_free_headings(bodies, result);
+}
+
+HeadingSet SweepQuery::free_headings(const TurningBody& body) const {
+  HeadingSet answer;
+  free_headings({&body, 1}, {&answer, 1});
+  return answer;
+}
+
+SweptRectangle swept_rectangle(const Pose& from, double length, const Footprint& body) {
+  const Vec2 along = direction_of(from.heading);
+  const Vec2 left = perpendicular(along) * body.half_width;
+  const Vec2 tail = from.position() - along * body.rear;
+  const Vec2 nose = from.position() + along * (length + body.front);
+  return {Vec2(tail - left), Vec2(nose - left), Vec2(nose + left), Vec2(tail + left)};
+}
+
+}  // namespace arcway
