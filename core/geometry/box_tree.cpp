@@ -1,0 +1,41 @@
+#include "core/geometry/box_tree.h"
+
+#include <algorithm>
+
+namespace arcway {
+namespace {
+
+constexpr std::uint32_t kLeafSize = 4;
+
+}  // namespace
+
+BoxTree::BoxTree(std::span<const Box> boxes) {
+  items_.reserve(boxes.size());
+  for (const Box& box : boxes) items_.push_back({box, static_cast<std::uint32_t>(items_.size())});
+  nodes_.reserve(boxes.size() + 1);
+  if (!items_.empty()) build(0, static_cast<std::uint32_t>(items_.size()));
+}
+
+void BoxTree::build(std::uint32_t first, std::uint32_t last) {
+  Box box;
+  for (std::uint32_t i = first; i < last; ++i) box.extend(items_[i].box);
+  const std::size_t node = nodes_.size();
+  if (last - first <= kLeafSize) {
+    nodes_.push_back({box, first, last, static_cast<std::uint32_t>(node + 1)});
+    return;
+  }
+  nodes_.push_back({box, 0, 0, 0});
+  const Eigen::Index axis = box.max.x() - box.min.x() >= box.max.y() - box.min.y() ? 0 : 1;
+  const auto before = [axis](const Item& a, const Item& b) {
+    const double center_a = a.box.min[axis] + a.box.max[axis];
+    const double center_b = b.box.min[axis] + b.box.max[axis];
+    return center_a != center_b ? center_a < center_b : a.index < b.index;
+  };
+  const std::uint32_t middle = first + (last - first) / 2;
+  std::nth_element(items_.begin() + first, items_.begin() + middle, items_.begin() + last, before);
+  build(first, middle);
+  build(middle, last);
+  nodes_[node].skip = static_cast<std::uint32_t>(nodes_.size());
+}
+
+}  // namespace arcway

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+
+namespace arcway {
+
+/// Static bounding-box tree over a set of boxes, for overlap queries.
+///
+///     const BoxTree tree(boxes);
+///     tree.visit_overlaps(query, [&](std::uint32_t i) { hits.push_back(i); return true; });
+///
+/// Split at the median of the longer side, nodes packed in preorder. Build O(n log n); a query is
+/// O(log n + hits) for boxes that are small beside their spread. Immutable and thread-safe.
+class BoxTree {
+ public:
+  BoxTree() = default;
+  /// Item i is boxes[i]; the boxes must not be empty. They are copied. Fewer than 2^31 of them.
+  explicit BoxTree(std::span<const Box> boxes);
+
+  [[nodiscard]] std::size_t size() const { return items_.size(); }
+
+  /// Calls `visit(index)` for each item whose closed box meets `query`, in no useful but always the
+  /// same order, until a call returns false. Returns whether all calls returned true.
+  template <class Visitor>
+  bool visit_overlaps(const Box& query, Visitor&& visit) const {
+    for (std::uint32_t i = 0; i < nodes_.size();) {
+      const Node& node = nodes_[i];
+      if (!node.box.overlaps(query)) {
+        i = node.skip;
+        continue;
+      }
+      for (std::uint32_t k = node.first; k < node.last; ++k) {
+        if (items_[k].box.overlaps(query) && !visit(items_[k].index)) return false;
+      }
+      ++i;
+    }
+    return true;
+  }
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t first, last;  ///< items of a leaf; none for an inner node
+    std::uint32_t skip;         ///< the node after this one's subtree
+  };
+  struct Item {
+    Box box;
+    std::uint32_t index;
+  };
+  void build(std::uint32_t first, std::uint32_t last);
+
+  std::vector<Node> nodes_;
+  std::vector<Item> items_;
+};
+
+}  // namespace arcway

@@ -1,0 +1,176 @@
+#include "core/geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/geometry/box_tree.h"
+#include "core/geometry/expansion.h"
+#include "core/geometry/predicates.h"
+
+namespace arcway {
+namespace {
+
+// Below this number of edges all pairs beat the tree and need no memory for it.
+constexpr std::size_t kBruteForceEdges = 32;
+
+struct Area {
+  double twice;      // twice the signed area, rounded
+  double magnitude;  // sum of the absolute terms
+};
+
+// Relative to the first vertex, so that maps far from the origin keep their digits.
+Area accumulate_area(std::span<const Vec2> ring) {
+  Area area{0.0, 0.0};
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const Vec2 u = ring[i] - ring[0];
+    const Vec2 v = ring[i + 1] - ring[0];
+    const double left = u.x() * v.y();
+    const double right = u.y() * v.x();
+    area.twice += left - right;
+    area.magnitude += std::abs(left) + std::abs(right);
+  }
+  return area;
+}
+
+struct Edge {
+  LineSegment segment;
+  Vec2 before;  // vertex ahead of segment.a
+  Vec2 after;   // vertex behind segment.b
+  std::size_t ring;
+  std::size_t index;
+};
+
+void append_edges(std::span<const Vec2> ring, std::size_t ring_index, std::vector<Edge>& edges) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    edges.push_back({{ring[i], ring[(i + 1) % n]}, ring[(i + n - 1) % n], ring[(i + 2) % n], ring_index, i});
+  }
+}
+
+// What an edge and its neighbor do at a point of the edge.
+struct Chain {
+  Vec2 from, to;
+};
+Chain chain_at(const Edge& edge, const Vec2& p) {
+  if (p == edge.segment.a) return {edge.before, edge.segment.b};
+  if (p == edge.segment.b) return {edge.segment.a, edge.after};
+  return {edge.segment.a, edge.segment.b};
+}
+
+bool chains_cross(const Edge& e, const Edge& f, const Vec2& p) {
+  const Chain a = chain_at(e, p);
+  const Chain b = chain_at(f, p);
+  // Directions that coincide are overlaps, found by the pair of edges that coincide.
+  return in_open_cone(a.from, p, a.to, b.from) != in_open_cone(a.from, p, a.to, b.to) &&
+         in_open_cone(b.from, p, b.to, a.from) != in_open_cone(b.from, p, b.to, a.to);
+}
+
+Vec2 touching_point(const LineSegment& s, const LineSegment& t) {
+  if (on_segment(s.a, t)) return s.a;
+  if (on_segment(s.b, t)) return s.b;
+  return on_segment(t.a, s) ? t.a : t.b;
+}
+
+Vec2 crossing_point(const LineSegment& s, const LineSegment& t) {
+  const Vec2 u = s.b - s.a;
+  const Vec2 v = t.b - t.a;
+  const double determinant = cross(u, v);
+  // Rounded to zero only if the two are all but parallel; any of their points is as good then.
+  if (determinant == 0.0) return s.a;
+  return s.a + std::clamp(cross(t.a - s.a, v) / determinant, 0.0, 1.0) * u;
+}
+
+std::optional<RingConflict> find_conflict_of(const Edge& e, const Edge& f, bool consecutive) {
+  using Kind = RingConflict::Kind;
+  const auto conflict = [&](Kind kind, const Vec2& place) {
+    return RingConflict{kind, e.ring, e.index, f.ring, f.index, place};
+  };
+  switch (relate(e.segment, f.segment)) {
+    case SegmentRelation::kDisjoint:
+      return std::nullopt;
+    case SegmentRelation::kCrossing:
+      return conflict(Kind::kCrossing, crossing_point(e.segment, f.segment));
+    case SegmentRelation::kOverlapping:
+      return conflict(Kind::kOverlap, touching_point(e.segment, f.segment));
+    case SegmentRelation::kTouchingInterior:
+    case SegmentRelation::kTouchingEnds:
+      break;
+  }
+  if (consecutive) return std::nullopt;
+  const Vec2 p = touching_point(e.segment, f.segment);
+  if (!chains_cross(e, f, p)) return std::nullopt;
+  return conflict(Kind::kCrossing, p);
+}
+
+}  // namespace
+
+double signed_area(std::span<const Vec2> ring) { return 0.5 * accumulate_area(ring).twice; }
+
+int winding(std::span<const Vec2> ring) {
+  // The area's sign rather than a turn at an extreme vertex: pinched rings may visit that vertex more than once.
+  // A term has at most 4 roundings of 2^-53 on either product, the sum one per addend.
+  const Area area = accumulate_area(ring);
+  const double error = (static_cast<double>(ring.size()) + 8.0) * 0x1p-52 * area.magnitude;
+  if (area.twice > error) return 1;
+  if (area.twice < -error) return -1;
+  Expansion exact;
+  for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) {
+    exact.add_product(ring[last].x(), ring[i].y());
+    exact.add_product(-ring[last].y(), ring[i].x());
+  }
+  return exact.sign();
+}
+
+std::optional<RingConflict> find_conflict(const Polygon& polygon) {
+  std::vector<Edge> edges;
+  std::vector<std::size_t> ring_size{polygon.outer.size()};
+  append_edges(polygon.outer, 0, edges);
+  for (const Ring& hole : polygon.holes) {
+    append_edges(hole, ring_size.size(), edges);
+    ring_size.push_back(hole.size());
+  }
+  for (const Edge& e : edges) {
+    if (e.segment.a == e.segment.b) {
+      return RingConflict{RingConflict::Kind::kRepeatedVertex, e.ring, e.index, e.ring, e.index, e.segment.a};
+    }
+  }
+  const auto check = [&](std::size_t i, std::size_t j) {
+    const Edge& e = edges[i];
+    const Edge& f = edges[j];
+    const std::size_t gap = f.index - e.index;
+    const bool consecutive = e.ring == f.ring && (gap == 1 || gap + 1 == ring_size[e.ring]);
+    return find_conflict_of(e, f, consecutive);
+  };
+  if (edges.size() <= kBruteForceEdges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      for (std::size_t j = i + 1; j < edges.size(); ++j) {
+        if (auto conflict = check(i, j)) return conflict;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::vector<Box> boxes(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    boxes[i].extend(edges[i].segment.a);
+    boxes[i].extend(edges[i].segment.b);
+  }
+  const BoxTree tree(boxes);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    std::size_t first = edges.size();
+    std::optional<RingConflict> found;
+    tree.visit_overlaps(boxes[i], [&](std::uint32_t j) {
+      if (j <= i || j >= first) return true;
+      if (auto conflict = check(i, j)) {
+        found = conflict;
+        first = j;
+      }
+      return true;
+    });
+    if (found) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace arcway
