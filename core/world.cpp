@@ -1,0 +1,320 @@
+#include "core/world.h"
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/geometry/box_tree.h"
+#include "core/geometry/ray_parity.h"
+
+namespace arcway {
+namespace {
+
+// Below this number of vertices a scan of all edges beats a tree over them.
+constexpr std::size_t kScanVertices = 64;
+
+// Shortest digits that give the same double, whatever the locale.
+std::string text(double x) {
+  char buffer[32];
+  const auto result = std::to_chars(buffer, buffer + sizeof(buffer), x);
+  return {buffer, result.ptr};
+}
+
+std::string text(const Vec2& p) {
+  std::string result = "(";
+  return result.append(text(p.x())).append(", ").append(text(p.y())).append(")");
+}
+
+// Checks one region; `id` is the number of obstacles for the bounds.
+class Validator {
+ public:
+  Validator(const Polygon& polygon, ObstacleId id, bool is_bounds)
+      : polygon_(polygon), id_(id), name_(is_bounds ? "bounds" : "obstacle " + std::to_string(id)) {}
+
+  void check() const {
+    check_ring(polygon_.outer, 0);
+    for (std::size_t h = 0; h < polygon_.holes.size(); ++h) check_ring(polygon_.holes[h], h + 1);
+    check_conflicts();
+    if (!polygon_.holes.empty()) check_holes();
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& place, const std::string& what) const {
+    throw WorldError(name_ + place + ": " + what, id_);
+  }
+  static std::string ring_text(std::size_t ring) { return ", ring " + std::to_string(ring); }
+  static std::string vertex_text(std::size_t ring, std::size_t vertex) {
+    return ring_text(ring) + ", vertex " + std::to_string(vertex);
+  }
+
+  void check_ring(const Ring& ring, std::size_t index) const {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      for (const Eigen::Index axis : {0, 1}) {
+        const double value = ring[i][axis];
+        const double magnitude = std::abs(value);
+        if (value == 0.0 || (magnitude >= kMinMagnitude && magnitude <= kMaxMagnitude)) continue;
+        std::string what = (axis == 0 ? "x is " : "y is ") + (std::isnan(value) ? "nan" : text(value));
+        if (std::isfinite(value)) {
+          what.append(", its magnitude must be 0 or from ").append(text(kMinMagnitude));
+          what.append(" to ").append(text(kMaxMagnitude));
+        }
+        fail(vertex_text(index, i), what);
+      }
+    }
+    if (ring.size() < 3) {
+      fail(ring_text(index), "a ring needs at least 3 vertices, this one has " + std::to_string(ring.size()));
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const std::size_t next = (i + 1) % ring.size();
+      if (ring[i] == ring[next]) {
+        fail(vertex_text(index, next), "repeats vertex " + std::to_string(i) + " at " + text(ring[i]));
+      }
+    }
+  }
+
+  void check_conflicts() const {
+    const auto conflict = find_conflict(polygon_);
+    // A ring without area overlaps or crosses itself; without a crossing, lack of area says it best.
+    if (!conflict) return;
+    if (conflict->kind == RingConflict::Kind::kOverlap) {
+      for (const std::size_t ring : {conflict->ring_a, conflict->ring_b}) {
+        if (winding(ring_at(ring)) == 0) fail(ring_text(ring), "the ring has zero area");
+      }
+    }
+    const char* verb = conflict->kind == RingConflict::Kind::kOverlap ? " overlap at " : " cross at ";
+    if (conflict->ring_a == conflict->ring_b) {
+      fail(ring_text(conflict->ring_a), "edges " + std::to_string(conflict->edge_a) + " and " +
+                                            std::to_string(conflict->edge_b) + verb + text(conflict->place));
+    }
+    fail("", "ring " + std::to_string(conflict->ring_a) + " edge " + std::to_string(conflict->edge_a) + " and ring " +
+                 std::to_string(conflict->ring_b) + " edge " + std::to_string(conflict->edge_b) + verb +
+                 text(conflict->place));
+  }
+
+  // Rings that neither cross nor overlap lie entirely on one side of each other, so that one step
+  // along the first edge decides.
+  void check_holes() const {
+    std::vector<Box> edge_boxes(polygon_.outer.size());
+    for (std::size_t i = 0; i < polygon_.outer.size(); ++i) {
+      edge_boxes[i].extend(polygon_.outer[i]);
+      edge_boxes[i].extend(polygon_.outer[(i + 1) % polygon_.outer.size()]);
+    }
+    const BoxTree outer_edges(edge_boxes);
+    std::vector<Box> hole_boxes(polygon_.holes.size());
+    for (std::size_t h = 0; h < polygon_.holes.size(); ++h) {
+      for (const Vec2& p : polygon_.holes[h]) hole_boxes[h].extend(p);
+    }
+    const BoxTree hole_tree(hole_boxes);
+
+    for (std::size_t h = 0; h < polygon_.holes.size(); ++h) {
+      const Ring& hole = polygon_.holes[h];
+      StepParity in_outer(hole[0], hole[1]);
+      outer_edges.visit_overlaps(in_outer.ray_box(), [&](std::uint32_t i) {
+        in_outer.add(polygon_.outer[i], polygon_.outer[(i + 1) % polygon_.outer.size()]);
+        return true;
+      });
+      if (!in_outer.inside()) {
+        fail(ring_text(h + 1), "the hole lies outside of its outer ring, vertex 0 at " + text(hole[0]));
+      }
+      hole_tree.visit_overlaps(hole_boxes[h], [&](std::uint32_t other) {
+        if (other != h && starts_inside(hole, polygon_.holes[other])) {
+          fail(ring_text(h + 1), "the hole lies inside the hole of ring " + std::to_string(other + 1));
+        }
+        return true;
+      });
+    }
+  }
+
+  static bool starts_inside(const Ring& ring, const Ring& other) {
+    StepParity parity(ring[0], ring[1]);
+    for (std::size_t i = 0, last = other.size() - 1; i < other.size(); last = i++) parity.add(other[last], other[i]);
+    return parity.inside();
+  }
+
+  [[nodiscard]] const Ring& ring_at(std::size_t ring) const {
+    return ring == 0 ? polygon_.outer : polygon_.holes[ring - 1];
+  }
+
+  const Polygon& polygon_;
+  ObstacleId id_;
+  std::string name_;
+};
+
+}  // namespace
+
+struct World::Data {
+  std::vector<Vec2> vertices;
+  std::vector<LineSegment> edges;
+  std::vector<VertexId> next;
+  std::vector<VertexId> previous;
+  std::vector<ObstacleId> obstacle_of;
+  std::vector<bool> convex;
+  std::vector<bool> covered;
+  std::vector<VertexId> convex_vertices;
+  std::vector<VertexId> region_starts{0};  // one more than regions
+  std::vector<VertexId> ring_starts;
+  std::vector<std::size_t> region_rings{0};  // into ring_starts, one more than regions
+  std::vector<Box> boxes;
+  Box box;
+  bool has_bounds = false;
+
+  void add_region(const Polygon& polygon, bool is_bounds) {
+    const auto region = static_cast<ObstacleId>(boxes.size());
+    boxes.emplace_back();
+    add_ring(polygon.outer, is_bounds ? -1 : 1);
+    for (const Ring& hole : polygon.holes) add_ring(hole, -1);
+    obstacle_of.resize(vertices.size(), region);
+    region_starts.push_back(static_cast<VertexId>(vertices.size()));
+    region_rings.push_back(ring_starts.size());
+    box.extend(boxes.back());
+  }
+
+  void add_ring(const Ring& ring, int wanted_winding) {
+    const auto first = static_cast<VertexId>(vertices.size());
+    const auto n = static_cast<VertexId>(ring.size());
+    ring_starts.push_back(first);
+    const bool as_given = winding(ring) == wanted_winding;
+    for (VertexId i = 0; i < n; ++i) {
+      const VertexId ahead = first + (i + 1 == n ? 0 : i + 1);
+      const VertexId behind = first + (i == 0 ? n - 1 : i - 1);
+      vertices.push_back(ring[i]);
+      boxes.back().extend(ring[i]);
+      next.push_back(as_given ? ahead : behind);
+      previous.push_back(as_given ? behind : ahead);
+    }
+  }
+
+  void finish() {
+    const auto n = static_cast<VertexId>(vertices.size());
+    edges.reserve(n);
+    convex.resize(n);
+    for (VertexId v = 0; v < n; ++v) {
+      edges.push_back({vertices[v], vertices[next[v]]});
+      convex[v] = orientation(vertices[previous[v]], vertices[v], vertices[next[v]]) > 0;
+    }
+    mark_covered();
+    for (VertexId v = 0; v < n; ++v) {
+      if (convex[v] && !covered[v]) convex_vertices.push_back(v);
+    }
+  }
+
+  [[nodiscard]] bool is_bounds(ObstacleId region) const { return has_bounds && region + 1 == boxes.size(); }
+
+  // The place among a region's rings, as seen from the region's side of them.
+  [[nodiscard]] PointLocation side_of(PointLocation in_rings, ObstacleId region) const {
+    if (!is_bounds(region) || in_rings == PointLocation::kBoundary) return in_rings;
+    return in_rings == PointLocation::kInside ? PointLocation::kOutside : PointLocation::kInside;
+  }
+
+  [[nodiscard]] PointLocation locate(const Vec2& p, ObstacleId region) const {
+    if (!boxes[region].contains(p)) return side_of(PointLocation::kOutside, region);
+    RayParity parity(p);
+    for (VertexId v = region_starts[region]; v < region_starts[region + 1]; ++v) {
+      parity.add(vertices[v], vertices[next[v]]);
+    }
+    return side_of(parity.location(), region);
+  }
+
+  void mark_covered() {
+    covered.resize(vertices.size());
+    const ObstacleId obstacles = static_cast<ObstacleId>(boxes.size()) - (has_bounds ? 1 : 0);
+    // Region by region, so that the tree over the edges of a large one lives only for its turn.
+    std::vector<Box> points(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) points[v].extend(vertices[v]);
+    const BoxTree point_tree(points);
+    for (ObstacleId region = 0; region < boxes.size(); ++region) {
+      const VertexId first = region_starts[region];
+      const VertexId last = region_starts[region + 1];
+      BoxTree edge_tree;
+      if (last - first > kScanVertices) {
+        std::vector<Box> edge_boxes(last - first);
+        for (VertexId v = first; v < last; ++v) {
+          edge_boxes[v - first].extend(edges[v].a);
+          edge_boxes[v - first].extend(edges[v].b);
+        }
+        edge_tree = BoxTree(edge_boxes);
+      }
+      const auto visit = [&](std::uint32_t v) {
+        if (obstacle_of[v] == region || covered[v]) return true;
+        PointLocation location;
+        if (edge_tree.size() == 0 || !boxes[region].contains(vertices[v])) {
+          location = locate(vertices[v], region);
+        } else {
+          RayParity parity(vertices[v]);
+          edge_tree.visit_overlaps(parity.ray_box(), [&](std::uint32_t e) {
+            parity.add(edges[first + e].a, edges[first + e].b);
+            return true;
+          });
+          location = side_of(parity.location(), region);
+        }
+        covered[v] = location == PointLocation::kInside;
+        return true;
+      };
+      if (region < obstacles) {
+        point_tree.visit_overlaps(boxes[region], visit);
+      } else {
+        point_tree.visit_overlaps(box, visit);
+      }
+    }
+  }
+};
+
+World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
+  auto data = std::make_shared<Data>();
+  std::size_t vertex_count = bounds ? bounds->size() : 0;
+  for (const Polygon& polygon : obstacles) {
+    vertex_count += polygon.outer.size();
+    for (const Ring& hole : polygon.holes) vertex_count += hole.size();
+  }
+  const auto obstacle_count = static_cast<ObstacleId>(obstacles.size());
+  constexpr std::size_t kMaxVertices = 0x7FFFFFFF;
+  if (vertex_count > kMaxVertices) {
+    throw WorldError(
+        "the map has " + std::to_string(vertex_count) + " vertices, at most " + std::to_string(kMaxVertices) + " fit",
+        obstacle_count);
+  }
+  data->vertices.reserve(vertex_count);
+  data->next.reserve(vertex_count);
+  data->previous.reserve(vertex_count);
+  data->obstacle_of.reserve(vertex_count);
+  for (ObstacleId o = 0; o < obstacle_count; ++o) {
+    Validator(obstacles[o], o, false).check();
+    data->add_region(obstacles[o], false);
+    obstacles[o] = {};
+  }
+  if (bounds) {
+    const Polygon polygon{std::move(*bounds), {}};
+    Validator(polygon, obstacle_count, true).check();
+    data->has_bounds = true;
+    data->add_region(polygon, true);
+  }
+  data->finish();
+  data_ = std::move(data);
+}
+
+std::span<const Vec2> World::vertices() const { return data_->vertices; }
+std::span<const LineSegment> World::edges() const { return data_->edges; }
+VertexId World::next(VertexId v) const { return data_->next[v]; }
+VertexId World::previous(VertexId v) const { return data_->previous[v]; }
+ObstacleId World::obstacle_of(VertexId v) const { return data_->obstacle_of[v]; }
+bool World::is_convex(VertexId v) const { return data_->convex[v]; }
+bool World::is_covered(VertexId v) const { return data_->covered[v]; }
+std::span<const VertexId> World::convex_vertices() const { return data_->convex_vertices; }
+std::size_t World::obstacle_count() const { return data_->boxes.size() - (data_->has_bounds ? 1 : 0); }
+bool World::has_bounds() const { return data_->has_bounds; }
+
+World::VertexRange World::vertices_of(ObstacleId o) const {
+  return {data_->region_starts[o], data_->region_starts[o + 1]};
+}
+
+std::span<const VertexId> World::ring_starts(ObstacleId o) const {
+  const std::size_t first = data_->region_rings[o];
+  return std::span(data_->ring_starts).subspan(first, data_->region_rings[o + 1] - first);
+}
+
+const Box& World::box_of(ObstacleId o) const { return data_->boxes[o]; }
+const Box& World::box() const { return data_->box; }
+PointLocation World::locate(const Vec2& p, ObstacleId o) const { return data_->locate(p, o); }
+
+}  // namespace arcway
