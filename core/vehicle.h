@@ -78,8 +78,8 @@ class Vehicle {
   [[nodiscard]] bool fits_straight(double passage_width) const;
   /// (7): whether a passage of this width lets it turn with this radius, D_min > w_s(radius).
   [[nodiscard]] bool fits_turn(double passage_width, double radius) const;
-  /// (7) solved: the infimum of the radii >= min_turning_radius that fit a passage of this width; nothing if none
-  /// does, (6). Any larger radius fits as well.
+  /// (7) solved: the smallest radius >= min_turning_radius beyond which every radius fits a passage of this width;
+  /// nothing if none does, (6). Closed form, to a few units in the last place.
   [[nodiscard]] std::optional<double> smallest_fitting_radius(double passage_width) const;
 
  private:
