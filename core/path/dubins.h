@@ -15,6 +15,7 @@ inline constexpr std::array<DubinsWord, 6> kDubinsWords = {DubinsWord::kLSL, Dub
 /// forms of Shkel and Lumelsky 2001], or nothing where the word does not exist. Segments of zero
 /// length are left out; start == goal gives an empty path for LSL and RSR. Constant time.
 /// Absolute error of the end pose: a few units in the last place of the coordinates involved.
+/// @throws std::invalid_argument if the radius is not finite and > 0.
 std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, double radius);
 
 }  // namespace arcway

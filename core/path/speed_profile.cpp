@@ -1,0 +1,88 @@
+#include "core/path/speed_profile.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace arcway {
+namespace {
+
+/// An end speed may miss what is reachable by rounding: it is then the reachable speed itself that was asked for.
+constexpr double kRounding = 1e-12;
+
+std::string text_of(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+double reachable(double speed, double acceleration, double length) {
+  return std::sqrt(speed * speed + 2.0 * acceleration * length);
+}
+
+void check_limit(const char* name, double speed, double limit) {
+  if (speed >= 0.0 && speed <= limit) return;
+  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + text_of(speed) +
+                              " m/s, must be >= 0 and <= " + text_of(limit));
+}
+
+void check_reached(const char* name, double speed, double bound) {
+  if (speed <= bound * (1.0 + kRounding)) return;
+  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + text_of(speed) +
+                              " m/s, but the path is long enough for " + text_of(bound) + " only");
+}
+
+}  // namespace
+
+double segment_time(double length, double v1, double v2, double v3, double acceleration) {
+  const double a = acceleration;
+  const double to_top = (2.0 * v2 * v2 - v1 * v1 - v3 * v3) / (2.0 * a);
+  if (to_top <= length) return (2.0 * v2 - v1 - v3) / a + (length - to_top) / v2;  // (9)
+  // (10), with peak - v1 and peak - v3 rationalised: they cancel on short segments.
+  const double peak = std::sqrt(0.5 * (2.0 * a * length + v1 * v1 + v3 * v3));
+  const double half_change = 0.5 * (v3 - v1) * (v3 + v1) / a;
+  return std::max(0.0, length + half_change) / (peak + v1) + std::max(0.0, length - half_change) / (peak + v3);
+}
+
+SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed,
+                           double end_speed) {
+  const std::size_t n = path.size();
+  const double a = vehicle.max_acceleration();
+  const auto limit_of = [&vehicle](const PathSegment& segment) {
+    return segment.is_line() ? vehicle.max_speed() : vehicle.turn_speed(1.0 / std::abs(segment.curvature));
+  };
+  check_limit("start_speed", start_speed, n == 0 ? vehicle.max_speed() : limit_of(path.front()));
+  check_limit("end_speed", end_speed, n == 0 ? vehicle.max_speed() : limit_of(path.back()));
+  if (n == 0) {
+    check_reached("start_speed", start_speed, end_speed);
+    check_reached("end_speed", end_speed, start_speed);
+    return {.speeds = {start_speed}, .durations = {}, .total_time = 0.0};
+  }
+
+  SpeedProfile profile;
+  std::vector<double>& v = profile.speeds;
+  v.resize(n + 1);
+  v[n] = end_speed;
+  for (std::size_t i = n; i-- > 0;) {
+    const double limit = i == 0 ? limit_of(path[0]) : std::min(limit_of(path[i - 1]), limit_of(path[i]));
+    v[i] = std::min(limit, reachable(v[i + 1], a, path[i].length));
+  }
+  check_reached("start_speed", start_speed, v[0]);
+  v[0] = start_speed;
+  for (std::size_t i = 0; i + 1 < n; ++i) v[i + 1] = std::min(v[i + 1], reachable(v[i], a, path[i].length));
+  check_reached("end_speed", end_speed, reachable(v[n - 1], a, path[n - 1].length));
+
+  profile.durations.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double duration =
+        path[i].length > 0.0 ? segment_time(path[i].length, v[i], limit_of(path[i]), v[i + 1], a) : 0.0;
+    profile.durations.push_back(duration);
+    profile.total_time += duration;
+  }
+  return profile;
+}
+
+}  // namespace arcway

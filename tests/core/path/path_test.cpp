@@ -1,0 +1,52 @@
+#include "core/path/path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace arcway {
+namespace {
+
+TEST(PathSegment, Line) {
+  const PathSegment line{{1.0, 2.0, std::atan2(3.0, 4.0)}, 10.0, 0.0};
+  EXPECT_TRUE(line.is_line());
+  EXPECT_NEAR(line.end().x, 9.0, 1e-14);
+  EXPECT_NEAR(line.end().y, 8.0, 1e-14);
+  EXPECT_EQ(line.end().heading, line.start.heading);
+}
+
+TEST(PathSegment, ArcsToBothSides) {
+  const double quarter = std::numbers::pi / 2.0;
+  const PathSegment left{{0.0, 0.0, 0.0}, 2.0 * quarter, 0.5};
+  EXPECT_NEAR(left.end().x, 2.0, 1e-15);
+  EXPECT_NEAR(left.end().y, 2.0, 1e-15);
+  EXPECT_NEAR(left.end().heading, quarter, 1e-15);
+  const PathSegment right{{0.0, 0.0, 0.0}, 2.0 * quarter, -0.5};
+  EXPECT_NEAR(right.end().x, 2.0, 1e-15);
+  EXPECT_NEAR(right.end().y, -2.0, 1e-15);
+  EXPECT_NEAR(right.end().heading, -quarter, 1e-15);
+}
+
+TEST(PathSegment, AccurateAtTinyCurvature) {
+  for (const double curvature : {1e-9, 1e-14, 1e-300}) {
+    const PathSegment arc{{0.0, 0.0, 0.0}, 3.0, curvature};
+    EXPECT_DOUBLE_EQ(arc.end().x, 3.0);
+    EXPECT_DOUBLE_EQ(arc.end().y, 4.5 * curvature);
+  }
+}
+
+TEST(PathSegment, HeadingIsNotWrapped) {
+  const PathSegment circle{{5.0, 6.0, 3.0}, 2.0 * std::numbers::pi, 1.0};
+  EXPECT_NEAR(circle.end().x, 5.0, 1e-14);
+  EXPECT_NEAR(circle.end().y, 6.0, 1e-14);
+  EXPECT_DOUBLE_EQ(circle.end().heading, 3.0 + 2.0 * std::numbers::pi);
+}
+
+TEST(Path, Length) {
+  EXPECT_EQ(length_of({}), 0.0);
+  EXPECT_EQ(length_of(Path{{{}, 1.0, 0.0}, {{}, 2.5, 1.0}}), 3.5);
+}
+
+}  // namespace
+}  // namespace arcway
