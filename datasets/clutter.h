@@ -24,7 +24,7 @@ struct ClutterParameters {
   std::size_t vertices = 8;  ///< of each obstacle, >= 3
   double fill = 0.2;         ///< sum of the obstacles' areas / area of the bounds, met to rounding; in (0, 0.6]
   double min_gap = 0.2;      ///< at least this between two obstacles, and between obstacle and bounds [m]
-  double min_radius = 2.0;   ///< of the circumscribed circles [m]
+  double min_radius = 2.0;   ///< of the circumscribed circles [m], uniform
   double max_radius = 8.0;   ///< [m]
   std::uint64_t seed = 1;
 };
@@ -36,11 +36,11 @@ struct Clutter {
 
 /// Disjoint random obstacles in a square, the same on every platform for the same parameters.
 ///
-/// Each obstacle is drawn on its own; the square's side follows from their areas and `fill`. Obstacles are then
-/// placed by descending size, at random where their circumscribed circles keep the gap. A field too full for that
-/// is packed: each obstacle keeps its shape where it can and becomes rounder or smaller where it cannot, in a
-/// jittered grid of cells, and the field is scaled so that `fill` holds again.
-/// O(obstacles * vertices) on average.
+/// Each obstacle is drawn on its own; the square's side follows from their areas and `fill`. They are then placed,
+/// largest first, at random where their circumscribed circles keep the gap. A field too full for that (from a fill
+/// of about 0.35) is packed instead: the same square is cut into a jittered grid, each obstacle drawn anew and
+/// stretched to its cell, as irregular as the fill allows; rectangles are axis-parallel and triangles right-angled
+/// then, and the radii only set the scale. O(obstacles * vertices) on average.
 /// @throws std::invalid_argument naming the parameter, its value and its limit, or saying that fill and gap cannot
 ///   be had together.
 Clutter generate_clutter(const ClutterParameters& parameters);
