@@ -1,0 +1,69 @@
+#include "datasets/file_io.h"
+
+#include <cerrno>
+#include <fstream>
+#include <random>
+#include <system_error>
+
+namespace arcway {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const char* action, const fs::path& path, int error) {
+  throw FileError(std::string("cannot ") + action + " " + path.string() + ": " +
+                  (error != 0 ? std::generic_category().message(error) : "unknown reason"));
+}
+
+void write_whole(const fs::path& path, std::string_view text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  if (!file) fail("write", path, errno);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  if (!file) fail("write", path, errno);
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) fail("read", path, EISDIR);
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail("read", path, errno);
+  // By chunks: pipes do not know their size.
+  std::string text;
+  char chunk[1 << 16];
+  while (file.read(chunk, sizeof chunk) || file.gcount() > 0)
+    text.append(chunk, static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) fail("read", path, errno);
+  return text;
+}
+
+void write_file_atomically(const fs::path& path, std::string_view text) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) fail("write", path, EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_whole(path, text);  // a device or a pipe
+  // Through links, so that they stay.
+  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
+  fs::path temporary = target;
+  temporary += ".tmp" + std::to_string(std::random_device()());
+  try {
+    write_whole(temporary, text);
+  } catch (const FileError&) {
+    const int reason = errno;
+    fs::remove(temporary, error);
+    fail("write", path, reason);
+  }
+  if (fs::exists(status)) fs::permissions(temporary, status.permissions(), error);
+  fs::rename(temporary, target, error);
+  if (error) {
+    const int reason = error.value();
+    fs::remove(temporary, error);
+    fail("write", path, reason);
+  }
+}
+
+}  // namespace arcway

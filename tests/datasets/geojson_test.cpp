@@ -1,0 +1,162 @@
+#include "datasets/geojson.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace arcway {
+namespace {
+
+constexpr const char* kSquare = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
+
+MapFile read(const std::string& text) { return read_geojson(text, "world.geojson"); }
+
+std::string polygon(const std::string& rings) { return R"({"type":"Polygon","coordinates":[)" + rings + "]}"; }
+std::string feature(const std::string& geometry, const std::string& properties = "null") {
+  return R"({"type":"Feature","properties":)" + properties + R"(,"geometry":)" + geometry + "}";
+}
+std::string collection(const std::string& features, const std::string& members = "") {
+  return R"({"type":"FeatureCollection",)" + members + R"("features":[)" + features + "]}";
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    read(text);
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(GeoJson, ReadsEveryTopLevelShape) {
+  const std::string square = polygon(kSquare);
+  for (const std::string& text : {square, feature(square), collection(feature(square)),
+                                  R"({"type":"GeometryCollection","geometries":[)" + square + "]}",
+                                  "\xEF\xBB\xBF" + collection(feature(square)) + "\r\n\r\n",
+                                  feature(square) + "\n" + feature("null") + "\n", "\x1E" + feature(square) + "\n"}) {
+    const MapFile map = read(text);
+    ASSERT_EQ(map.obstacles.size(), 1u) << text;
+    EXPECT_EQ(map.obstacles[0].outer, (Ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}})) << text;
+    EXPECT_TRUE(map.warnings.empty()) << map.warnings.front();
+  }
+}
+
+TEST(GeoJson, KeepsHolesOrderAndPlaces) {
+  const MapFile map = read(collection(
+      feature("null") + "," +
+      feature(
+          R"({"type":"MultiPolygon","coordinates":[[[[0,0],[0,9],[9,9,7],[9,9],[0,0]],[[2,5],[2,6],[3,6],[2,5]]],[[[20,0],[21,0],[21,1],[20,0]]]]})") +
+      "," + feature(R"({"type":"Polygon","coordinates":[]})")));
+  ASSERT_EQ(map.obstacles.size(), 2u);
+  EXPECT_EQ(map.obstacles[0].outer, (Ring{{0, 0}, {0, 9}, {9, 9}}));
+  ASSERT_EQ(map.obstacles[0].holes.size(), 1u);
+  EXPECT_EQ(map.obstacles[0].holes[0].size(), 3u);
+  EXPECT_EQ(map.places, (std::vector<std::string>{"feature 1, polygon 0", "feature 1, polygon 1"}));
+}
+
+TEST(GeoJson, ReadsRoles) {
+  const MapFile map = read(collection(
+      feature(polygon("[[0,0],[90,0],[90,90],[0,90],[0,0]],[[5,5],[5,6],[6,6],[5,5]]"), R"({"role":"boundary"})") +
+      "," + feature(R"({"type":"Point","coordinates":[1,2]})", R"({"role":"start","heading":3})") + "," +
+      feature(R"({"type":"Point","coordinates":[7,8]})", R"({"role":"goal","heading":-1})")));
+  ASSERT_TRUE(map.bounds);
+  EXPECT_EQ(map.bounds->size(), 4u);
+  EXPECT_EQ(map.obstacles.size(), 1u);
+  EXPECT_EQ(map.places.at(0), "feature 0, ring 1");
+  ASSERT_TRUE(map.start && map.goal);
+  EXPECT_EQ(map.start->heading, 3.0);
+  EXPECT_EQ(map.goal->y, 8.0);
+}
+
+TEST(GeoJson, ReadsTopLevelProperties) {
+  const MapFile map =
+      read(collection("", R"("bbox":[0,0,1,1],"properties":{"bounds":[0,1,20,30],"start":[1,2,3],"goal":[4,5,6]},)"));
+  EXPECT_EQ(map.bounds, (Ring{{0, 1}, {20, 1}, {20, 30}, {0, 30}}));
+  EXPECT_EQ(map.start->y, 2.0);
+  EXPECT_EQ(map.goal->heading, 6.0);
+  EXPECT_FALSE(read(collection("", R"("bbox":[0,0,1,1],"properties":null,)")).bounds);
+}
+
+TEST(GeoJson, ErrorsNamePlaceAndValue) {
+  const auto third = [](const std::string& ring) {
+    return collection(feature("null") + "," + feature("null") + "," + feature(polygon(ring)));
+  };
+  EXPECT_EQ(error_of(third("[[0,0],[1,null],[2,2],[0,0]]")),
+            "world.geojson: feature 2, ring 0, position 1: expected a number, found null");
+  EXPECT_EQ(error_of(third("[[0,0],[1],[2,2],[0,0]]")),
+            "world.geojson: feature 2, ring 0, position 1: expected a position [x, y], found [1]");
+  EXPECT_EQ(error_of(third("[[0,0],[1,1],[0,0]]")),
+            "world.geojson: feature 2, ring 0: needs at least 3 different positions, found 2 in 3 positions");
+  EXPECT_EQ(error_of(""), "world.geojson: empty file, expected JSON");
+  EXPECT_EQ(error_of("[]"), "world.geojson: expected an object, found []");
+  EXPECT_EQ(error_of("{}"), "world.geojson: missing key \"type\"");
+  EXPECT_EQ(error_of(R"({"type":"Circle","coordinates":[1]})"),
+            "world.geojson: geometry: unknown geometry type \"Circle\"");
+  EXPECT_NE(error_of("{\"type\":\n\"Polygon\",\n\"coordinates\":[[[0,NaN],[1,1],[2,3]]]}").find("line 3: found NaN"),
+            std::string::npos);
+  EXPECT_NE(error_of("{\"type\":\n\"Polygon\",\n}").find("world.geojson: line 3: syntax error"), std::string::npos)
+      << error_of("{\"type\":\n\"Polygon\",\n}");
+  EXPECT_NE(error_of(polygon("[[0,0],[1,1e999],[2,2],[0,0]]")).find("1e999"), std::string::npos);
+  EXPECT_NE(error_of(feature("null") + "\n{]\n").find("line 2"), std::string::npos);
+  EXPECT_NE(error_of(collection("", R"("properties":{"bounds":[0,0,-1,1]},)")).find("xmin < xmax"), std::string::npos);
+  const std::string start = feature(R"({"type":"Point","coordinates":[1,2]})", R"({"role":"start","heading":0})");
+  EXPECT_EQ(error_of(collection(start + "," + start)), "world.geojson: feature 1: second start");
+  std::string deep;
+  for (int i = 0; i < 5000; ++i) deep += R"({"type":"GeometryCollection","geometries":[)";
+  EXPECT_NE(error_of(deep + std::string(5000, ' ')).find("line 1"), std::string::npos);
+  for (int i = 0; i < 5000; ++i) deep += "]}";
+  EXPECT_NE(error_of(deep).find("nested"), std::string::npos);
+}
+
+TEST(GeoJson, WarnsOfDegreesAndOtherGeometries) {
+  EXPECT_EQ(read(polygon("[[8.1,48.2],[8.2,48.2],[8.2,48.3],[8.1,48.2]]")).warnings.size(), 1u);
+  EXPECT_EQ(read(polygon("[[0,0],[4,0],[4,4],[0,4]]")).warnings.size(), 1u);
+  const MapFile map = read(collection(feature(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})")));
+  ASSERT_EQ(map.warnings.size(), 1u);
+  EXPECT_NE(map.warnings[0].find("feature 0 (LineString)"), std::string::npos);
+}
+
+TEST(GeoJson, RoundTripIsExact) {
+  MapFile map;
+  map.obstacles = {{{{0.1, 1.0 / 3.0}, {1e22, -1e-99}, {-0.0, 9007199254740993.0}}, {}},
+                   {{{0, 0}, {100, 0}, {0, 100}}, {{{1, 1}, {1, 2.5}, {2, 1}}}}};
+  map.bounds = Ring{{-5, -5}, {std::nextafter(7.0, 8.0), 0}, {0, 7}};
+  map.start = Pose{0.1, 0.2, 0.3};
+  map.goal = Pose{1e-300, 2, -3.14159};
+  const std::string text = to_geojson(map);
+  const MapFile back = read(text);
+  ASSERT_EQ(back.obstacles.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back.obstacles[i].outer, map.obstacles[i].outer);
+    EXPECT_EQ(back.obstacles[i].holes, map.obstacles[i].holes);
+  }
+  EXPECT_TRUE(std::signbit(back.obstacles[0].outer[2].x()));
+  EXPECT_EQ(back.bounds, map.bounds);
+  EXPECT_EQ(back.goal->x, 1e-300);
+  EXPECT_EQ(back.goal->heading, -3.14159);
+  EXPECT_EQ(to_geojson(back), text);
+  EXPECT_TRUE(back.warnings.empty());
+  std::istringstream stream(text);
+  EXPECT_EQ(to_geojson(read_geojson(stream, "s")), text);
+}
+
+TEST(GeoJson, WorldErrorsAreTranslatedToPlaces) {
+  const MapFile map = read(collection(feature("null") + "," + feature(polygon("[[0,0],[5,5],[5,0],[0,5],[0,0]]"))));
+  try {
+    to_world(map, "world.geojson");
+    FAIL();
+  } catch (const FormatError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("world.geojson: feature 1: ", 0), 0u) << error.what();
+  }
+}
+
+TEST(GeoJson, WorldGivesItsPolygonsBack) {
+  const MapFile map = read(collection(feature(polygon("[[0,0],[0,9],[9,9],[9,0],[0,0]],[[2,5],[2,6],[3,6],[2,5]]")) +
+                                          "," + feature(polygon("[[20,0],[21,0],[21,1],[20,0]]")),
+                                      R"("properties":{"bounds":[-5,-5,30,30]},)"));
+  EXPECT_EQ(to_geojson(to_map_file(to_world(map, "w"))), to_geojson(map));
+}
+
+}  // namespace
+}  // namespace arcway
