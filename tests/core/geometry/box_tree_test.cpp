@@ -1,0 +1,50 @@
+#include "core/geometry/box_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+TEST(BoxTree, FindsWhatAScanFinds) {
+  test::Random random(1);
+  for (const std::size_t n : {0u, 1u, 4u, 5u, 33u, 1000u}) {
+    std::vector<Box> boxes(n);
+    for (Box& box : boxes) {
+      box.extend(random.grid_point(0, 50));
+      box.extend(Vec2(box.min + random.point(0, 3)));
+    }
+    const BoxTree tree(boxes);
+    EXPECT_EQ(tree.size(), n);
+    for (int k = 0; k < 200; ++k) {
+      Box query;
+      query.extend(random.grid_point(0, 50));
+      query.extend(Vec2(query.min + random.point(0, 20)));
+      std::vector<std::uint32_t> expected;
+      for (std::uint32_t i = 0; i < n; ++i) {
+        if (boxes[i].overlaps(query)) expected.push_back(i);
+      }
+      std::vector<std::uint32_t> found;
+      EXPECT_TRUE(tree.visit_overlaps(query, [&](std::uint32_t i) {
+        found.push_back(i);
+        return true;
+      }));
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, expected);
+    }
+  }
+}
+
+TEST(BoxTree, StopsWhenTold) {
+  const std::vector<Box> boxes(20, Box{{0, 0}, {1, 1}});
+  int visits = 0;
+  EXPECT_FALSE(BoxTree(boxes).visit_overlaps(boxes[0], [&](std::uint32_t) { return ++visits < 3; }));
+  EXPECT_EQ(visits, 3);
+  EXPECT_TRUE(BoxTree(boxes).visit_overlaps(Box{}, [](std::uint32_t) { return false; }));
+}
+
+}  // namespace
+}  // namespace arcway

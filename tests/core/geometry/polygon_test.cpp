@@ -1,0 +1,116 @@
+#include "core/geometry/polygon.h"
+
+#include <gtest/gtest.h>
+
+#include "core/geometry/predicates.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+using Kind = RingConflict::Kind;
+using test::Random;
+using test::square;
+
+void expect_conflict(const Polygon& polygon, Kind kind, std::size_t edge_a, std::size_t edge_b, const Vec2& place) {
+  const auto conflict = find_conflict(polygon);
+  ASSERT_TRUE(conflict);
+  EXPECT_EQ(conflict->kind, kind);
+  EXPECT_EQ(conflict->edge_a, edge_a);
+  EXPECT_EQ(conflict->edge_b, edge_b);
+  EXPECT_EQ(conflict->place, place);
+}
+
+TEST(Winding, IsExactForSliversFarFromTheOrigin) {
+  const Ring ring{{1e7, 1e7}, {1e7 + 1, 1e7 + 1}, {1e7 + 2, std::nextafter(1e7 + 2, 2e7)}};
+  EXPECT_EQ(winding(ring), 1);
+  EXPECT_EQ(winding(test::reversed(ring)), -1);
+  EXPECT_EQ(winding(Ring{{0.1, 0.1}, {0.2, 0.2}, {0.7, 0.7}}), 0);
+}
+
+TEST(Winding, IsTheSignOfTheArea) {
+  Random random(1);
+  for (std::size_t n = 3; n < 200; n += 7) {
+    const Ring ring = test::random_star(random, {50, -20}, 0.5, 4.0, n + 2);
+    EXPECT_EQ(winding(ring), 1);
+    EXPECT_GT(signed_area(ring), 0.0);
+    EXPECT_EQ(winding(test::reversed(ring)), -1);
+  }
+  EXPECT_DOUBLE_EQ(signed_area(square(1e6, 1e6, 3)), 9.0);
+  // Two squares that share a corner, which is the lowest vertex of the one and inside no edge.
+  EXPECT_EQ(winding(Ring{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}), 1);
+}
+
+TEST(FindConflict, AcceptsSimpleRingsPinchesAndCollinearVertices) {
+  EXPECT_FALSE(find_conflict({square(0, 0, 1), {}}));
+  EXPECT_FALSE(find_conflict({{{0, 0}, {1, 0}, {2, 0}, {2, 2}}, {}}));
+  // Two lobes that meet in (1, 1), each time without crossing.
+  EXPECT_FALSE(find_conflict({{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}, {}}));
+  // A vertex that touches an edge from within.
+  EXPECT_FALSE(find_conflict({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}, {}}));
+  // A hole that touches its outer ring with a vertex, and one whose corners all do.
+  EXPECT_FALSE(find_conflict({square(0, 0, 4), {{{2, 0}, {3, 1}, {2, 2}, {1, 1}}}}));
+  EXPECT_FALSE(find_conflict({square(0, 0, 4), {{{2, 0}, {4, 2}, {2, 4}, {0, 2}}}}));
+}
+
+TEST(FindConflict, FindsTheBowTie) {
+  expect_conflict({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}, Kind::kCrossing, 0, 2, {1, 1});
+}
+
+TEST(FindConflict, FindsChainsThatCrossInASharedVertex) {
+  expect_conflict({{{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}, {}}, Kind::kCrossing, 0, 3, {1, 1});
+}
+
+TEST(FindConflict, FindsAChainThatCrossesThroughAnEdge) {
+  // Vertex (2, 0) lies on edge 0, its neighbors on either side of it.
+  const auto conflict = find_conflict({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {1, -2}, {0, -2}}, {}});
+  ASSERT_TRUE(conflict);
+  EXPECT_EQ(conflict->kind, Kind::kCrossing);
+  EXPECT_EQ(conflict->edge_a, 0u);
+  EXPECT_EQ(conflict->place, Vec2(2, 0));
+}
+
+TEST(FindConflict, FindsOverlapsSpikesAndRepeatedVertices) {
+  expect_conflict({{{0, 0}, {4, 0}, {2, 0}, {2, 3}}, {}}, Kind::kOverlap, 0, 1, {4, 0});
+  expect_conflict({{{0, 0}, {4, 0}, {4, 4}, {4, 2}, {6, 2}, {0, 4}}, {}}, Kind::kOverlap, 1, 2, {4, 4});
+  expect_conflict({{{0, 0}, {4, 0}, {4, 0}, {2, 3}}, {}}, Kind::kRepeatedVertex, 1, 1, {4, 0});
+  expect_conflict({{{0, 0}, {4, 0}, {2, 3}, {0, 0}}, {}}, Kind::kRepeatedVertex, 3, 3, {0, 0});
+}
+
+TEST(FindConflict, NamesRings) {
+  const auto conflict = find_conflict({square(0, 0, 4), {square(1, 1, 1), square(3, 1, 2)}});
+  ASSERT_TRUE(conflict);
+  EXPECT_EQ(conflict->ring_a, 0u);
+  EXPECT_EQ(conflict->edge_a, 1u);
+  EXPECT_EQ(conflict->ring_b, 2u);
+  EXPECT_EQ(conflict->edge_b, 0u);
+}
+
+TEST(FindConflict, FindsTheFirstOfAllPairsInLargeRings) {
+  Random random(2);
+  for (int round = 0; round < 30; ++round) {
+    const auto n = static_cast<std::size_t>(random.integer(40, 300));
+    Ring ring = test::random_star(random, {0, 0}, 5, 9, n);
+    EXPECT_FALSE(find_conflict({ring, {}})) << "round " << round;
+    const auto i = static_cast<std::size_t>(random.integer(0, std::ssize(ring) - 1));
+    std::swap(ring[i], ring[(i + n / 3) % n]);
+    std::size_t first_a = n;
+    std::size_t first_b = n;
+    for (std::size_t a = 0; a < n && first_a == n; ++a) {
+      for (std::size_t b = a + 1; b < n; ++b) {
+        if (relate({ring[a], ring[a + 1]}, {ring[b], ring[(b + 1) % n]}) == SegmentRelation::kCrossing) {
+          first_a = a;
+          first_b = b;
+          break;
+        }
+      }
+    }
+    const auto conflict = find_conflict({ring, {}});
+    ASSERT_TRUE(conflict);
+    EXPECT_EQ(conflict->edge_a, first_a);
+    EXPECT_EQ(conflict->edge_b, first_b);
+  }
+}
+
+}  // namespace
+}  // namespace arcway
