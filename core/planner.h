@@ -29,7 +29,7 @@ struct PlannerOptions {
   std::vector<double> radii;
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; 0 turns
   /// manoeuvres off.
-  std::uint32_t manoeuvre_poses = 4000;
+  std::uint32_t manoeuvre_poses = 800;
 };
 
 struct PlanRequest {

@@ -39,7 +39,7 @@ TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side 
   const Vec2& v = world.vertex(vertex);
   const Vec2 back = (world.vertex(world.previous(vertex)) - v).normalized();
   const Vec2 ahead = (world.vertex(world.next(vertex)) - v).normalized();
-  // Of a needle's two edges the sum is tiny; the difference turned by 90 degrees is as good there.
+  // At a nearly straight vertex the sum is tiny; the inward normal of the chord is as good there.
   const Vec2 sum = back + ahead;
   const Vec2 bisector = sum.squaredNorm() > 1e-3 ? sum.normalized() : Vec2(perpendicular(ahead - back).normalized());
   return {v + swept_annulus(grown_body, radius).inner * bisector, radius, side, vertex};

@@ -1,0 +1,277 @@
+#include "core/planner.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/geometry/angle.h"
+#include "core/path/clearance.h"
+#include "core/path/speed_profile.h"
+#include "core/search/arrival_search.h"
+#include "core/search/manoeuvres.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kLargestPoseCoordinate = 1e9;
+// Units in the last place of the largest coordinate that the safety margin must span: corners, centres and critical
+// angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
+constexpr double kMarginUnits = 1048576.0;
+constexpr std::size_t kFirstManoeuvrePoses = 100;
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string text_of(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string text_of(const Pose& pose) {
+  return "(" + text_of(pose.x) + ", " + text_of(pose.y) + ", " + text_of(pose.heading) + ")";
+}
+
+void require_pose(const char* name, const Pose& pose) {
+  for (const double value : {pose.x, pose.y, pose.heading})
+    if (!(std::abs(value) <= kLargestPoseCoordinate))
+      throw std::invalid_argument(std::string(name) + " pose " + text_of(pose) + ": " + text_of(value) +
+                                  " is not finite or beyond 1e9");
+}
+
+std::vector<double> checked_radii(const Vehicle& vehicle, std::vector<double> radii) {
+  if (radii.empty()) radii.push_back(vehicle.min_turning_radius());
+  std::sort(radii.begin(), radii.end());
+  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
+  for (const double radius : radii)
+    if (!std::isfinite(radius) || radius < vehicle.min_turning_radius())
+      throw std::invalid_argument("radius " + text_of(radius) + " is below the vehicle's smallest turning radius, " +
+                                  text_of(vehicle.min_turning_radius()));
+  return radii;
+}
+
+void require_margin(const World& world, const Vehicle& vehicle) {
+  if (world.box().empty()) return;
+  const double largest = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
+  const double needed = kMarginUnits * (std::nextafter(largest, INFINITY) - largest);
+  if (vehicle.safety_margin() < needed)
+    throw std::invalid_argument("safety margin " + text_of(vehicle.safety_margin()) +
+                                " m is too small for coordinates up to " + text_of(largest) +
+                                ": doubles need at least " + text_of(needed) + " m there; move the map to the origin");
+}
+
+double seconds_per_meter(Heuristic heuristic, const Vehicle& vehicle) {
+  switch (heuristic) {
+    case Heuristic::kTravelTime:
+      return 1.0 / vehicle.max_speed();
+    case Heuristic::kPaperDistance:
+      return 1.0;
+    case Heuristic::kDijkstra:
+      return 0.0;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+struct Planner::Data {
+  Data(World w, Vehicle v, QuerySet q, PlannerOptions o)
+      : world(std::move(w)), vehicle(std::move(v)), queries(std::move(q)), options(std::move(o)) {
+    options.radii = checked_radii(vehicle, std::move(options.radii));
+    require_margin(world, vehicle);
+  }
+
+  // Fills status and reason if the pose itself is not free; true if it is.
+  bool pose_is_free(const Pose& pose, bool start, PlanResult& result) const {
+    const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
+    if (queries.sweep->straight_free(swept_rectangle(pose, 0.0, body))) return true;
+    const auto outside = static_cast<ObstacleId>(world.obstacle_count());
+    const bool out = world.has_bounds() && world.locate(pose.position(), outside) == PointLocation::kInside;
+    if (out) {
+      result.status = start ? PlanStatus::kStartOutsideBounds : PlanStatus::kGoalOutsideBounds;
+    } else {
+      result.status = start ? PlanStatus::kStartInCollision : PlanStatus::kGoalInCollision;
+    }
+    const std::string who = start ? "start " : "goal ";
+    result.reason = who + text_of(pose) + (out ? " lies outside the bounds" : " : the body touches ");
+    if (out) return false;
+    const ObstacleId inside = queries.distance->containing(pose.position());
+    const ObstacleId touched =
+        inside != kNone ? inside : world.obstacle_of(queries.distance->closest(pose.position()).edge);
+    result.reason =
+        who + text_of(pose) + ": the body, grown by half of the safety margin, " +
+        (touched == outside && inside == kNone ? std::string("touches the bounds or an obstacle near them")
+                                               : "collides; nearest is obstacle " + std::to_string(touched));
+    return false;
+  }
+
+  World world;
+  Vehicle vehicle;
+  QuerySet queries;
+  PlannerOptions options;
+  VisibilityGraph visibility_graph;
+  FeasibleGraph feasible_graph;
+  PrepareStatistics prepare_statistics;
+};
+
+const char* name_of(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kSolved:
+      return "solved";
+    case PlanStatus::kStartInCollision:
+      return "start in collision";
+    case PlanStatus::kGoalInCollision:
+      return "goal in collision";
+    case PlanStatus::kStartOutsideBounds:
+      return "start outside bounds";
+    case PlanStatus::kGoalOutsideBounds:
+      return "goal outside bounds";
+    case PlanStatus::kStartBlocked:
+      return "start blocked";
+    case PlanStatus::kGoalBlocked:
+      return "goal blocked";
+    case PlanStatus::kNoPath:
+      return "no path";
+  }
+  return "unknown";
+}
+
+Path PlanResult::path() const {
+  Path path;
+  path.reserve(segments.size());
+  for (const TimedSegment& s : segments) path.push_back(s.segment);
+  return path;
+}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options)
+    : Planner(world, vehicle, make_reference_queries(world), options, SerialExecutor()) {}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
+                 const Executor& executor) {
+  auto data = std::make_shared<Data>(world, vehicle, queries, options);
+  const Stopwatch visibility;
+  data->visibility_graph = build_reduced_visibility_graph(world, *queries.visibility, executor);
+  data->prepare_statistics.visibility_seconds = visibility.seconds();
+  const Stopwatch feasible;
+  data->feasible_graph = FeasibleGraph(world, vehicle, data->visibility_graph, queries, data->options.radii, executor);
+  data->prepare_statistics.feasible_seconds = feasible.seconds();
+  data->prepare_statistics.counts = data->feasible_graph.counts();
+  data_ = std::move(data);
+}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
+                 const PlannerOptions& options, const Executor& executor) {
+  auto data = std::make_shared<Data>(world, vehicle, queries, options);
+  data->visibility_graph = std::move(visibility_graph);
+  const Stopwatch feasible;
+  data->feasible_graph = FeasibleGraph(world, vehicle, data->visibility_graph, queries, data->options.radii, executor);
+  data->prepare_statistics.feasible_seconds = feasible.seconds();
+  data->prepare_statistics.counts = data->feasible_graph.counts();
+  data_ = std::move(data);
+}
+
+PlanResult Planner::plan(const PlanRequest& request) const {
+  require_pose("start", request.start);
+  require_pose("goal", request.goal);
+  const Stopwatch total;
+  const Data& d = *data_;
+  PlanResult result;
+  result.start = request.start;
+  result.goal = request.goal;
+  result.lower_bound = relaxed_segment_time((request.goal.position() - request.start.position()).norm(), 0.0,
+                                            d.vehicle.max_speed(), 0.0, d.vehicle.max_acceleration());
+  if (!d.pose_is_free(request.start, true, result) || !d.pose_is_free(request.goal, false, result)) {
+    result.statistics.total_seconds = total.seconds();
+    return result;
+  }
+
+  const SearchOptions options{seconds_per_meter(d.options.heuristic, d.vehicle), d.options.radii};
+  std::vector<Terminal> starts{{request.start, {}, 0.0}};
+  std::vector<Terminal> goals{{request.goal, {}, 0.0}};
+  SearchResult found;
+  const auto search = [&] {
+    found = search_arrivals(d.feasible_graph, d.vehicle, *d.queries.sweep, starts, goals, options);
+    result.statistics.nodes_expanded += found.nodes_expanded;
+    result.statistics.nodes_pushed += found.nodes_pushed;
+    result.statistics.straights_checked += found.straights_checked;
+    result.statistics.turns_checked += found.turns_checked;
+  };
+  const bool in_place = (request.start.position() - request.goal.position()).isZero(0.0) &&
+                        wrap_signed(request.start.heading - request.goal.heading) == 0.0;
+  if (in_place) {
+    found.path = Path{};
+  } else {
+    search();
+    for (std::size_t poses = kFirstManoeuvrePoses; !found.path && d.options.manoeuvre_poses > 0;
+         poses = std::min<std::size_t>(8 * poses, d.options.manoeuvre_poses)) {
+      poses = std::min<std::size_t>(poses, d.options.manoeuvre_poses);
+      const double radius = d.options.radii.front();
+      starts = find_manoeuvres(request.start, Direction::kFromStart, d.vehicle, radius, *d.queries.sweep, poses);
+      goals = find_manoeuvres(request.goal, Direction::kToGoal, d.vehicle, radius, *d.queries.sweep, poses);
+      result.statistics.manoeuvre_poses += starts.size() + goals.size();
+      search();
+      if (poses == d.options.manoeuvre_poses) break;
+    }
+  }
+  result.statistics.search_seconds = total.seconds();
+
+  if (!found.path) {
+    if (!found.start_connected) {
+      result.status = PlanStatus::kStartBlocked;
+      result.reason = "no forward motion of arcs and lines leads from the start " + text_of(request.start) +
+                      " to a turn circle of the graph";
+    } else if (!found.goal_reached) {
+      result.status = PlanStatus::kGoalBlocked;
+      result.reason = "no forward motion of arcs and lines leads from a turn circle of the graph to the goal " +
+                      text_of(request.goal);
+    } else {
+      result.status = PlanStatus::kNoPath;
+      const FeasibleGraphCounts& c = d.feasible_graph.counts();
+      result.reason = "the feasible visibility graph does not join start and goal (" +
+                      std::to_string(c.rejected_straight) + " straights too narrow by (6), " +
+                      std::to_string(c.rejected_departure + c.rejected_arrival) + " turns by (7) of " +
+                      std::to_string(c.candidates) + " bitangents)";
+    }
+    result.statistics.total_seconds = total.seconds();
+    return result;
+  }
+
+  const Stopwatch finishing;
+  result.status = PlanStatus::kSolved;
+  const SpeedProfile profile = speed_profile(*found.path, d.vehicle);
+  const Footprint bare = d.vehicle.footprint();
+  result.min_clearance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < found.path->size(); ++i) {
+    const PathSegment& segment = (*found.path)[i];
+    result.segments.push_back({segment, profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
+    const Clearance clearance = clearance_along(segment, bare, d.world);
+    if (clearance.distance < result.min_clearance) {
+      result.min_clearance = clearance.distance;
+      result.clearance_index = i;
+      result.clearance_segment = segment;
+    }
+  }
+  if (found.path->empty()) result.min_clearance = clearance_along({request.start, 0.0, 0.0}, bare, d.world).distance;
+  result.travel_time = profile.total_time;
+  result.length = length_of(*found.path);
+  result.statistics.profile_seconds = finishing.seconds();
+  result.statistics.total_seconds = total.seconds();
+  return result;
+}
+
+const World& Planner::world() const { return data_->world; }
+const Vehicle& Planner::vehicle() const { return data_->vehicle; }
+const VisibilityGraph& Planner::visibility_graph() const { return data_->visibility_graph; }
+const FeasibleGraph& Planner::feasible_graph() const { return data_->feasible_graph; }
+const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }
+
+}  // namespace arcway

@@ -1,0 +1,83 @@
+#include "core/search/manoeuvres.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <queue>
+#include <set>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kStepTurn = kPi / 8.0;
+constexpr int kHeadingCells = 32;
+
+using Cell = std::array<std::int64_t, 3>;
+
+Cell cell_of(const Pose& pose, double size) {
+  return {std::llround(pose.x / size), std::llround(pose.y / size),
+          std::llround(wrap_positive(pose.heading) / kTwoPi * kHeadingCells) % kHeadingCells};
+}
+
+struct Node {
+  Terminal terminal;
+  double length;
+};
+
+}  // namespace
+
+std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+                                      const SweepQuery& sweep, std::size_t max_poses) {
+  const bool forwards = direction == Direction::kFromStart;
+  const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
+  const double step = radius * kStepTurn;
+  const double slowest = vehicle.turn_speed(radius);
+
+  std::vector<Node> nodes{{{pose, {}, 0.0}, 0.0}};
+  using Waiting = std::pair<double, std::size_t>;
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> open;
+  open.push({0.0, 0});
+  std::set<Cell> seen{cell_of(pose, 0.5 * step)};
+
+  const auto reach = [&](std::size_t from, const PathSegment& segment, const Pose& reached) {
+    if (!seen.insert(cell_of(reached, 0.5 * step)).second) return;
+    Node node{{reached, nodes[from].terminal.connection, 0.0}, nodes[from].length + segment.length};
+    Path& connection = node.terminal.connection;
+    connection.insert(forwards ? connection.end() : connection.begin(), segment);
+    node.terminal.cost = node.length / slowest;
+    nodes.push_back(std::move(node));
+    open.push({nodes.back().length, nodes.size() - 1});
+  };
+
+  while (!open.empty() && nodes.size() < max_poses) {
+    const std::size_t at = open.top().second;
+    open.pop();
+    const Pose here = nodes[at].terminal.pose;
+    const Vec2 ahead = direction_of(here.heading);
+    {
+      const Vec2 other = here.position() + (forwards ? step : -step) * ahead;
+      const Pose reached{other.x(), other.y(), here.heading};
+      const PathSegment line{forwards ? here : reached, step, 0.0};
+      if (sweep.straight_free(swept_rectangle(line.start, step, body))) reach(at, line, reached);
+    }
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const Vec2 center = here.position() + sign_of(side) * radius * perpendicular(ahead);
+      const HeadingSet free = sweep.free_headings(TurningBody{center, radius, side, body});
+      if (free.reach(here.heading, forwards ? side : opposite(side)) < kStepTurn) continue;
+      const double turn = (forwards ? 1.0 : -1.0) * sign_of(side) * kStepTurn;
+      const Pose reached = pose_on(TurnCircle{center, radius, side, kNone}, here.heading + turn);
+      const PathSegment arc{forwards ? here : reached, step, sign_of(side) / radius};
+      reach(at, arc, reached);
+    }
+  }
+  std::vector<Terminal> terminals;
+  terminals.reserve(nodes.size());
+  for (Node& node : nodes) terminals.push_back(std::move(node.terminal));
+  return terminals;
+}
+
+}  // namespace arcway

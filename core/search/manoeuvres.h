@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/query/sweep_query.h"
+#include "core/search/arrival_search.h"
+#include "core/vehicle.h"
+
+namespace arcway {
+
+/// Where to go by short sequences of arcs of one radius and straight steps.
+enum class Direction { kFromStart, kToGoal };
+
+/// Poses that free forward motions of equal short steps (left arc, right arc, straight) reach from a start, or from
+/// which they reach a goal, nearest first, the pose itself among them; at most one pose for each cell of a grid over
+/// position and heading. Steps are checked exactly; only their number is limited, so a missing pose proves nothing. At
+/// most `max_poses` poses, O(max_poses) queries.
+std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+                                      const SweepQuery& sweep, std::size_t max_poses);
+
+}  // namespace arcway
