@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/executor.h"
+#include "core/geometry/angle.h"
 #include "core/graph/feasible_graph.h"
 #include "core/graph/visibility_graph.h"
 #include "core/path/path.h"
