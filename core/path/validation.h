@@ -53,7 +53,7 @@ struct ValidationReport {
   double length = 0.0;                  ///< [m]
   double travel_time = 0.0;             ///< sum of the durations [s]
   /// A lower bound on the distance between the bare body and the obstacles, proved along the whole path [m];
-  /// within `clearance_tolerance` of the true one; 0 in collision.
+  /// within 1e-6 of the true one; 0 in collision, infinity without obstacles.
   double min_clearance = 0.0;
   [[nodiscard]] bool valid() const { return issues.empty(); }
 };
@@ -63,9 +63,12 @@ struct ValidationReport {
 /// leaving the bounds at any moment of the continuous motion, speed limits, acceleration limits,
 /// durations equal to the fastest ones for the given joint speeds or longer, rest at both ends.
 /// Shares types with the planner, no decisions: no predicate, query or interval code of the planner is
-/// used. Collision is decided by subdivision of the motion: an interval of the path is free if the body's distance to
-/// the obstacles at its middle exceeds what any body point can move within it; an interval too short to split further
-/// is a collision. Never samples.
+/// used. On a straight line the swept rectangle is compared with the edges. On an arc collision is decided by
+/// subdivision of the motion: an interval is free of an edge if their distance at its middle exceeds what any body
+/// point can move within it, or the hull of the edge's extreme places seen from the body, grown by the height of the
+/// arcs between them, keeps away; an interval shorter than 1e-9 m that is neither is a collision. Never samples.
+/// Milliseconds for paths of a hundred segments among ten thousand edges.
+/// @throws std::invalid_argument if speeds or durations are given, but not one a segment.
 ValidationReport validate(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
                           const TimedPath& path, const ValidationOptions& options = {});
 

@@ -1,0 +1,309 @@
+#include "core/path/validation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+namespace arcway {
+namespace {
+
+// The paper's robot, front steering: 1.4 ahead of F, 0.1 behind, 0.4 to either side, rho_min = 1.3.
+const Vehicle kVehicle;
+constexpr double kRadius = 2.0;
+
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
+}
+
+Path straight(double length = 10.0) { return {{{0.0, 0.0, 0.0}, length, 0.0}}; }
+Path half_circle() { return {{{0.0, 0.0, 0.0}, kRadius * std::numbers::pi, 1.0 / kRadius}}; }
+
+TimedPath timed(const Path& path) {
+  const SpeedProfile profile = speed_profile(path, kVehicle);
+  return {path,
+          {profile.speeds.begin(), profile.speeds.end() - 1},
+          {profile.speeds.begin() + 1, profile.speeds.end()},
+          profile.durations};
+}
+
+ValidationReport check(const World& world, const TimedPath& path) {
+  return validate(world, kVehicle, path.segments.front().start, path.segments.back().end(), path);
+}
+ValidationReport check(const World& world, const Path& path) { return check(world, TimedPath{path, {}, {}, {}}); }
+
+std::set<Violation> kinds(const ValidationReport& report) {
+  std::set<Violation> kinds;
+  for (const ValidationIssue& issue : report.issues) kinds.insert(issue.violation);
+  return kinds;
+}
+using Kinds = std::set<Violation>;
+
+const World kEmpty({});
+
+TEST(Validation, AcceptsAFastestPath) {
+  Path path = straight();
+  path.push_back({path.back().end(), 3.0, 1.0 / kRadius});
+  path.push_back({path.back().end(), 4.0, 0.0});
+  const ValidationReport report = check(World({box(4.0, 0.5, 6.0, 1.5)}), timed(path));
+  EXPECT_TRUE(report.valid()) << report.issues.front().message;
+  EXPECT_DOUBLE_EQ(report.length, 17.0);
+  EXPECT_DOUBLE_EQ(report.travel_time, speed_profile(path, kVehicle).total_time);
+  EXPECT_NEAR(report.min_clearance, 0.1, 1e-6);
+  EXPECT_LE(report.min_clearance, 0.1);
+}
+
+TEST(Validation, EmptyWorldHasInfiniteClearance) {
+  EXPECT_EQ(check(kEmpty, straight()).min_clearance, std::numeric_limits<double>::infinity());
+}
+
+TEST(Validation, EmptyPathStaysAtTheStart) {
+  const Pose here{1.0, 1.0, 0.0};
+  EXPECT_TRUE(validate(kEmpty, kVehicle, here, here, {}).valid());
+  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, here, {2.0, 1.0, 0.0}, {})), Kinds{Violation::kGoalPose});
+  EXPECT_EQ(kinds(validate(World({box(0.0, 0.0, 3.0, 3.0)}), kVehicle, here, here, {})), Kinds{Violation::kCollision});
+}
+
+TEST(Validation, Numbers) {
+  TimedPath path{straight(), {}, {}, {}};
+  path.segments[0].length = -1.0;
+  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {}, {}, path)), Kinds{Violation::kNegativeLength});
+  const double nan = std::nan("");
+  for (const PathSegment& bad :
+       {PathSegment{{}, nan, 0.0}, PathSegment{{}, 1.0, nan}, PathSegment{{0, 0, nan}, 1.0, 0.0},
+        PathSegment{{}, 1.0, std::numeric_limits<double>::infinity()}}) {
+    path.segments[0] = bad;
+    EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {}, {}, path)), Kinds{Violation::kNotFinite});
+  }
+  path.segments = straight();
+  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {std::nan(""), 0, 0}, {10, 0, 0}, path)), Kinds{Violation::kNotFinite});
+  TimedPath speeds = timed(straight());
+  speeds.durations[0] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(kinds(check(kEmpty, speeds)), Kinds{Violation::kNotFinite});
+}
+
+TEST(Validation, EndPoses) {
+  const TimedPath path{straight(), {}, {}, {}};
+  const double turn = 2.0 * std::numbers::pi;
+  EXPECT_TRUE(validate(kEmpty, kVehicle, {0, 0, turn}, {10, 0, -turn}, path).valid());
+  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {1e-5, 0, 0}, {10, 0, 0}, path)), Kinds{Violation::kStartPose});
+  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {0, 0, 1e-5}, {10, 0, 0}, path)), Kinds{Violation::kStartPose});
+  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {0, 0, 0}, {10, 1e-5, 0}, path)), Kinds{Violation::kGoalPose});
+  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {0, 0, 0}, {10, 0, 3.14}, path)), Kinds{Violation::kGoalPose});
+}
+
+TEST(Validation, Joints) {
+  Path path = straight();
+  path.push_back({{10.0, 1e-5, 0.0}, 1.0, 0.0});
+  const ValidationReport jump = check(kEmpty, path);
+  EXPECT_EQ(kinds(jump), Kinds{Violation::kPositionJump});
+  EXPECT_EQ(jump.issues[0].segment, 1u);
+  path[1].start = {10.0, 0.0, 1e-5};
+  EXPECT_EQ(kinds(check(kEmpty, path)), Kinds{Violation::kHeadingJump});
+  path[1].start = {10.0, 0.0, 4.0 * std::numbers::pi};
+  EXPECT_TRUE(check(kEmpty, path).valid());
+}
+
+TEST(Validation, Curvature) {
+  EXPECT_TRUE(check(kEmpty, Path{{{}, 1.0, -1.0 / 1.3}}).valid());
+  EXPECT_EQ(kinds(check(kEmpty, Path{{{}, 1.0, -1.0 / 1.299}})), Kinds{Violation::kCurvature});
+}
+
+TEST(Validation, Speeds) {
+  const Path path{{{0, 0, 0}, 50.0, 0.0}, {{50, 0, 0}, 50.0, 0.0}};
+  const TimedPath good = timed(path);
+  EXPECT_TRUE(check(kEmpty, good).valid());
+
+  TimedPath bad = good;
+  bad.speed_out[0] = bad.speed_in[1] = 12.1;
+  EXPECT_EQ(kinds(check(kEmpty, bad)), Kinds{Violation::kSpeedLimit});
+  bad = good;
+  bad.speed_out[0] = bad.speed_in[1] = -1.0;
+  EXPECT_TRUE(kinds(check(kEmpty, bad)).contains(Violation::kSpeedLimit));
+  bad = good;
+  bad.speed_in[1] = 11.9;
+  bad.durations[1] = 10.0;
+  EXPECT_EQ(kinds(check(kEmpty, bad)), Kinds{Violation::kSpeedJump});
+  bad = good;
+  bad.speed_in[0] = 1.0;
+  EXPECT_EQ(kinds(check(kEmpty, bad)), Kinds{Violation::kSpeedJump});  // not at rest at the start
+  bad = good;
+  bad.speed_out[1] = 1.0;
+  EXPECT_EQ(kinds(check(kEmpty, bad)), Kinds{Violation::kSpeedJump});  // nor at the goal
+  bad = good;
+  bad.durations[0] *= 0.99999;
+  EXPECT_EQ(kinds(check(kEmpty, bad)), Kinds{Violation::kDuration});
+  bad.durations[0] = 100.0;
+  EXPECT_TRUE(check(kEmpty, bad).valid());
+  bad.durations.pop_back();
+  EXPECT_THROW(check(kEmpty, bad), std::invalid_argument);
+}
+
+TEST(Validation, Acceleration) {
+  TimedPath path{{{{0, 0, 0}, 1.0, 0.0}, {{1, 0, 0}, 50.0, 0.0}}, {0.0, 10.1}, {10.1, 0.0}, {10.0, 10.0}};
+  EXPECT_EQ(kinds(check(kEmpty, path)), Kinds{Violation::kAcceleration});
+  path.speed_out[0] = path.speed_in[1] = 10.0;
+  EXPECT_TRUE(check(kEmpty, path).valid());
+}
+
+TEST(Validation, StraightContactToATenthOfAMicron) {
+  EXPECT_TRUE(check(World({box(4.0, 0.4004, 6.0, 2.0)}), straight()).valid());
+  EXPECT_NEAR(check(World({box(4.0, 0.4004, 6.0, 2.0)}), straight()).min_clearance, 4e-4, 1e-6);
+  const ValidationReport report = check(World({box(4.0, 0.4 - 1e-7, 6.0, 2.0)}), straight());
+  EXPECT_EQ(kinds(report), Kinds{Violation::kCollision});
+  EXPECT_NEAR(report.issues[0].arc_length, 2.6, 1e-9);
+  EXPECT_EQ(report.min_clearance, 0.0);
+  EXPECT_EQ(kinds(check(World({box(4.0, 0.4, 6.0, 2.0)}), straight())), Kinds{Violation::kCollision});
+}
+
+TEST(Validation, ArcContactToATenthOfAMicron) {
+  // The inner side sweeps the circle of radius 1.6 about (0, 2), the outer front corner that of hypot(1.4, 2.4).
+  const auto inside = [](double reach) { return World({{{Vec2(-0.1, 1.9), Vec2(reach, 2.0), Vec2(-0.1, 2.1)}, {}}}); };
+  const auto outside = [](double reach) { return World({box(reach, 1.5, 9.0, 2.0)}); };
+  const double inner = 1.6;
+  const double outer = std::hypot(1.4, 2.4);
+  const auto valid = [](const World& world) { return check(world, half_circle()).valid(); };
+  EXPECT_TRUE(valid(inside(inner - 4e-4)));
+  EXPECT_FALSE(valid(inside(inner + 1e-7)));
+  EXPECT_TRUE(valid(outside(outer + 4e-4)));
+  EXPECT_FALSE(valid(outside(outer - 1e-7)));
+  EXPECT_NEAR(check(inside(inner - 4e-4), half_circle()).min_clearance, 4e-4, 1.1e-6);
+  EXPECT_NEAR(check(outside(outer + 4e-4), half_circle()).min_clearance, 4e-4, 1.1e-6);
+}
+
+TEST(Validation, SpikeThinnerThanAnyStep) {
+  const auto spike = [](double tip) {
+    return World({{{Vec2(5.0, tip), Vec2(5.0 + 5e-7, 3.0), Vec2(5.0 - 5e-7, 3.0)}, {}}});
+  };
+  EXPECT_EQ(kinds(check(spike(0.399), straight())), Kinds{Violation::kCollision});
+  EXPECT_TRUE(check(spike(0.401), straight()).valid());
+
+  // On the arc, from outside between two poses.
+  const double outer = std::hypot(1.4, 2.4);
+  const auto radial = [outer](double depth) {
+    const Vec2 center(0.0, 2.0);
+    const Vec2 u = direction_of(0.1);
+    const Vec2 tail = center + (outer + 3.0) * u;
+    return World(
+        {{{center + (outer - depth) * u, tail - 5e-7 * perpendicular(u), tail + 5e-7 * perpendicular(u)}, {}}});
+  };
+  EXPECT_EQ(kinds(check(radial(1e-3), half_circle())), Kinds{Violation::kCollision});
+  EXPECT_TRUE(check(radial(-1e-3), half_circle()).valid());
+}
+
+TEST(Validation, NothingIsTunnelledThrough) {
+  EXPECT_EQ(kinds(check(World({box(50.0, -3.0, 50.0 + 1e-9, 3.0)}), straight(100.0))), Kinds{Violation::kCollision});
+  EXPECT_EQ(kinds(check(World({box(5.0, 0.0, 5.0 + 1e-6, 1e-6)}), straight())), Kinds{Violation::kCollision});
+  EXPECT_EQ(kinds(check(World({box(2.0, 2.0, 2.0 + 1e-6, 2.0 + 1e-6)}), half_circle())), Kinds{Violation::kCollision});
+}
+
+TEST(Validation, BodySwallowedByAnObstacle) {
+  const Polygon large = box(-100.0, -100.0, 100.0, 100.0);
+  const ValidationReport report = check(World({box(200.0, 200.0, 201.0, 201.0), large}), straight());
+  EXPECT_EQ(kinds(report), Kinds{Violation::kCollision});
+  EXPECT_EQ(report.issues[0].message, "the body is inside obstacle 1 at 0 m");
+  EXPECT_EQ(report.min_clearance, 0.0);
+  EXPECT_EQ(kinds(check(World({large}), half_circle())), Kinds{Violation::kCollision});
+
+  Polygon courtyard = large;
+  courtyard.holes.push_back({Vec2(-50.0, -50.0), Vec2(50.0, -50.0), Vec2(50.0, 50.0), Vec2(-50.0, 50.0)});
+  EXPECT_TRUE(check(World({courtyard}), straight()).valid());
+  EXPECT_FALSE(check(World({courtyard, box(-60.0, -60.0, 60.0, 60.0)}), straight()).valid());
+}
+
+TEST(Validation, Bounds) {
+  const auto within = [](double x1) { return World({}, box(-5.0, -5.0, x1, 5.0).outer); };
+  EXPECT_TRUE(check(within(11.4004), straight()).valid());
+  EXPECT_NEAR(check(within(11.4004), straight()).min_clearance, 4e-4, 1e-6);
+  const ValidationReport report = check(within(11.3), straight());
+  EXPECT_EQ(kinds(report), Kinds{Violation::kOutsideBounds});
+  EXPECT_NEAR(report.issues[0].arc_length, 9.9, 1e-9);
+  EXPECT_EQ(kinds(check(within(2.5), half_circle())), Kinds{Violation::kOutsideBounds});
+  EXPECT_EQ(kinds(check(World({}, box(20.0, 20.0, 30.0, 30.0).outer), straight())), Kinds{Violation::kOutsideBounds});
+}
+
+/// Smallest distance over many poses: an upper bound that comes near.
+double sampled_clearance(const Path& path, const std::vector<Polygon>& obstacles) {
+  double clearance = std::numeric_limits<double>::infinity();
+  const auto to_segment = [](const Vec2& p, const Vec2& a, const Vec2& b) {
+    const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    return (a + t * (b - a) - p).norm();
+  };
+  for (const PathSegment& s : path) {
+    for (int i = 0; i <= 2000; ++i) {
+      const Pose pose = s.at(s.length * i / 2000.0);
+      const Vec2 u = direction_of(pose.heading);
+      const Vec2 n = 0.4 * perpendicular(u);
+      const std::array<Vec2, 4> body = {pose.position() - 0.1 * u - n, pose.position() + 1.4 * u - n,
+                                        pose.position() + 1.4 * u + n, pose.position() - 0.1 * u + n};
+      for (const Polygon& o : obstacles) {
+        for (std::size_t j = 0; j < o.outer.size(); ++j) {
+          const Vec2& a = o.outer[j];
+          const Vec2& b = o.outer[(j + 1) % o.outer.size()];
+          for (std::size_t k = 0; k < 4; ++k) {
+            clearance = std::min({clearance, to_segment(body[k], a, b), to_segment(a, body[k], body[(k + 1) % 4])});
+          }
+        }
+      }
+    }
+  }
+  return clearance;
+}
+
+TEST(Validation, ClearanceIsThatOfSampledPosesInRandomWorlds) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-6.0, 12.0), size(0.1, 1.0), signed_one(-1.0, 1.0);
+  int valid = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Polygon> obstacles;
+    for (int i = 0; i < 4; ++i) {
+      const double x = place(random);
+      const double y = place(random);
+      obstacles.push_back(box(x, y, x + size(random), y + size(random)));
+    }
+    Path path;
+    Pose pose{0.0, 0.0, 0.3};
+    for (int i = 0; i < 3; ++i) {
+      path.push_back({pose, 2.0 + signed_one(random), i == 1 ? 0.0 : signed_one(random) / 1.3});
+      pose = path.back().end();
+    }
+    const ValidationReport report = check(World(obstacles), path);
+    if (!report.valid()) continue;
+    ++valid;
+    const double sampled = sampled_clearance(path, obstacles);
+    EXPECT_LE(report.min_clearance, sampled + 1e-12) << "round " << round;
+    EXPECT_GE(report.min_clearance, sampled - 2e-3) << "round " << round;
+  }
+  EXPECT_GT(valid, 15);
+}
+
+TEST(Validation, LongPathAmongTenThousandEdges) {
+  std::vector<Polygon> obstacles;
+  for (int i = 0; i < 50; ++i) {
+    for (int j = 0; j < 50; ++j) obstacles.push_back(box(20.0 * i, 20.0 * j, 20.0 * i + 8.0, 20.0 * j + 8.0));
+  }
+  const World world(obstacles);
+  Path path{{{-14.0, 14.0, 0.0}, 5.0, 0.0}};
+  for (int i = 0; i < 100; ++i) path.push_back({path.back().end(), 5.0, 0.0});
+  path.push_back({path.back().end(), kRadius * std::numbers::pi / 2.0, 1.0 / kRadius});
+  for (int i = 0; i < 50; ++i) path.push_back({path.back().end(), 6.0, 0.0});
+  const auto begin = std::chrono::steady_clock::now();
+  const ValidationReport report = check(world, timed(path));
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  EXPECT_TRUE(report.valid()) << report.issues.front().message;
+  EXPECT_LT(time.count(), 1.0);
+  RecordProperty("milliseconds", std::to_string(1e3 * time.count()));
+}
+
+TEST(Violation, Names) {
+  EXPECT_STREQ(name_of(Violation::kNotFinite), "not finite");
+  EXPECT_STREQ(name_of(Violation::kNegativeLength), "negative length");
+}
+
+}  // namespace
+}  // namespace arcway
