@@ -13,7 +13,8 @@
 
 namespace arcway {
 
-/// Robot as JSON; missing keys take the defaults of VehicleParameters, unknown ones are errors.
+/// Robot as JSON; all keys but "format" and "version" may be missing and take the defaults of
+/// VehicleParameters, unknown ones are errors.
 ///
 ///     {"format": "arcway-robot", "version": 1, "length": 1.5, "width": 0.8, "wheelbase": 1.3,
 ///      "steering": "front" | "rear" | "symmetric", "max_steering_angle": 0.785, "max_speed": 12,
@@ -39,13 +40,14 @@ struct Task {
 ///      "tasks": [{"id": "t0", "start": [x, y, heading], "goal": [x, y, heading]}]}
 struct Scenario {
   std::string world;  ///< path, relative to the scenario's folder
-  /// The robot itself, or the path of its file, relative to the scenario's folder. Missing: the defaults.
+  /// The robot itself, or the path of its file, relative to the scenario's folder. Missing: the
+  /// defaults.
   std::variant<VehicleParameters, std::string> robot;
   std::vector<Task> tasks;  ///< a missing id becomes "t" and the index; ids are unique
 };
 /// @throws FormatError naming key and value.
 Scenario read_scenario(std::string_view json, std::string_view name);
-/// Reads the robot's file as well; `world` and `robot` are resolved against the scenario's folder.
+/// Reads the robot's file as well, and puts the scenario's folder before `world`.
 /// @throws FormatError, FileError
 Scenario read_scenario_file(const std::filesystem::path& path);
 std::string to_json(const Scenario& scenario);

@@ -1,0 +1,195 @@
+#include "datasets/plan_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/geometry/angle.h"
+#include "datasets/json_text.h"
+
+namespace arcway {
+namespace {
+
+using detail::append_number;
+using detail::append_pose;
+using detail::JsonPlace;
+
+void append_key(std::string& out, std::string_view key) {
+  out += ",\"";
+  out += key;
+  out += "\":";
+}
+void append_member(std::string& out, std::string_view key, double value) {
+  append_key(out, key);
+  append_number(out, value);
+}
+void append_member(std::string& out, std::string_view key, std::uint64_t value) {
+  append_key(out, key);
+  out += std::to_string(value);
+}
+
+void append_segment(std::string& out, const TimedSegment& timed) {
+  out += timed.segment.is_line() ? R"({"type":"line","start":)" : R"({"type":"arc","start":)";
+  append_pose(out, timed.segment.start);
+  append_member(out, "length", timed.segment.length);
+  append_member(out, "curvature", timed.segment.curvature);
+  out += R"(,"direction":1)";
+  append_member(out, "speed_in", timed.speed_in);
+  append_member(out, "speed_out", timed.speed_out);
+  append_member(out, "duration", timed.duration);
+  out += '}';
+}
+
+// Time and speed along one segment: accelerate at a, hold the top speed, brake at a.
+class Motion {
+ public:
+  Motion(const TimedSegment& timed, const Vehicle& vehicle)
+      : v1_(timed.speed_in), v3_(timed.speed_out), length_(timed.segment.length), a_(vehicle.max_acceleration()) {
+    const double limit =
+        timed.segment.is_line() ? vehicle.max_speed() : vehicle.turn_speed(1.0 / std::abs(timed.segment.curvature));
+    const double peak = std::sqrt(std::max(0.0, a_ * length_ + 0.5 * (v1_ * v1_ + v3_ * v3_)));
+    top_ = std::max({std::min(limit, peak), v1_, v3_});
+    speed_up_ = std::min(length_, (top_ * top_ - v1_ * v1_) / (2.0 * a_));
+    slow_down_ = std::min(length_ - speed_up_, (top_ * top_ - v3_ * v3_) / (2.0 * a_));
+  }
+  [[nodiscard]] double speed(double s) const {
+    if (s <= 0.0) return v1_;
+    if (s >= length_) return v3_;
+    if (s < speed_up_) return std::sqrt(v1_ * v1_ + 2.0 * a_ * s);
+    if (s > length_ - slow_down_) return std::sqrt(v3_ * v3_ + 2.0 * a_ * (length_ - s));
+    return top_;
+  }
+  [[nodiscard]] double time(double s) const {
+    if (s <= speed_up_) return (speed(s) - v1_) / a_;
+    const double at_top = (top_ - v1_) / a_;
+    const double held = length_ - speed_up_ - slow_down_;
+    if (s <= speed_up_ + held) return at_top + (s - speed_up_) / top_;
+    return at_top + (held > 0.0 ? held / top_ : 0.0) + (top_ - speed(s)) / a_;
+  }
+
+ private:
+  double v1_, v3_, length_, a_;
+  double top_ = 0.0, speed_up_ = 0.0, slow_down_ = 0.0;
+};
+
+double steering_angle(double curvature, const VehicleParameters& vehicle) {
+  switch (vehicle.steering) {
+    case Steering::kFront:
+      return std::atan(vehicle.wheelbase * curvature);
+    case Steering::kRear:
+      return -std::atan(vehicle.wheelbase * curvature);
+    case Steering::kSymmetric:
+      return std::atan(0.5 * vehicle.wheelbase * curvature);
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
+  std::string out = R"({"format":"arcway-plan","version":1)";
+  append_member(out, "q", q);
+  append_key(out, "status");
+  detail::append_string(out, name_of(result.status));
+  if (!result.solved()) {
+    append_key(out, "reason");
+    detail::append_string(out, result.reason);
+  }
+  append_key(out, "start");
+  append_pose(out, result.start);
+  append_key(out, "goal");
+  append_pose(out, result.goal);
+  if (result.solved()) {
+    append_member(out, "travel_time", result.travel_time);
+    append_member(out, "length", result.length);
+  }
+  append_member(out, "lower_bound", result.lower_bound);
+  if (result.solved()) append_member(out, "min_clearance", result.min_clearance);
+  append_key(out, "path");
+  out += '[';
+  for (const TimedSegment& segment : result.segments) {
+    if (out.back() != '[') out += ',';
+    append_segment(out, segment);
+  }
+  out += R"(],"statistics":{"nodes_expanded":)" + std::to_string(result.statistics.nodes_expanded);
+  append_member(out, "nodes_pushed", result.statistics.nodes_pushed);
+  append_member(out, "straights_checked", result.statistics.straights_checked);
+  append_member(out, "turns_checked", result.statistics.turns_checked);
+  append_member(out, "manoeuvre_poses", result.statistics.manoeuvre_poses);
+  append_member(out, "search_seconds", result.statistics.search_seconds);
+  append_member(out, "profile_seconds", result.statistics.profile_seconds);
+  append_member(out, "total_seconds", result.statistics.total_seconds);
+  out += "}}";
+  return out;
+}
+
+std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle, const CsvSampling& sampling) {
+  if (!(sampling.max_length > 0.0 && sampling.max_angle > 0.0))
+    throw std::invalid_argument("path_to_csv: sampling steps must be positive");
+  std::string out = "s,x,y,yaw,curvature,direction,t,v,steer\n";
+  double distance = 0.0, time = 0.0;
+  const auto row = [&](const TimedSegment& timed, double s, double t, double v) {
+    const Pose pose = timed.segment.at(s);
+    const double curvature = timed.segment.curvature;
+    for (const double value : {distance + s, pose.x, pose.y, wrap_signed(pose.heading), curvature, 1.0, t, v,
+                               steering_angle(curvature, vehicle.parameters())}) {
+      append_number(out, value == 0.0 ? 0.0 : value);
+      out += ',';
+    }
+    out.back() = '\n';
+  };
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const TimedSegment& timed = segments[k];
+    const double length = timed.segment.length;
+    const Motion motion(timed, vehicle);
+    const double steps = std::ceil(
+        std::max(length / sampling.max_length, length * std::abs(timed.segment.curvature) / sampling.max_angle));
+    const bool joined = k > 0 && segments[k - 1].segment.curvature == timed.segment.curvature;
+    if (!joined) row(timed, 0.0, time, timed.speed_in);
+    for (double i = 1.0; i < steps; ++i) {
+      const double s = length * (i / steps);
+      row(timed, s, time + motion.time(s), motion.speed(s));
+    }
+    // The segment's end; its duration is the plan's, not ours, so that errors do not add up.
+    if (length > 0.0) row(timed, length, time + timed.duration, timed.speed_out);
+    distance += length;
+    time += timed.duration;
+  }
+  return out;
+}
+
+PlanFile read_plan(std::string_view text, std::string_view name) {
+  const nlohmann::json value = detail::parse_json(text, name);
+  const JsonPlace plan{value, std::string(name)};
+  plan.allow_keys({"format", "version", "q", "status", "reason", "start", "goal", "travel_time", "length",
+                   "lower_bound", "min_clearance", "path", "statistics"});
+  plan.require_format("arcway-plan", 1);
+  PlanFile file;
+  file.status = plan.has("status") ? plan.at("status").string() : "";
+  file.start = plan.at("start").pose();
+  file.goal = plan.at("goal").pose();
+  const JsonPlace path = plan.at("path");
+  path.require_array();
+  for (std::size_t i = 0; i < path.value.size(); ++i) {
+    const JsonPlace place = path.at(i);
+    place.allow_keys({"type", "start", "length", "curvature", "direction", "speed_in", "speed_out", "duration"});
+    const PathSegment segment{place.at("start").pose(), place.at("length").number(), place.at("curvature").number()};
+    const std::string type = place.at("type").string();
+    if (type != "line" && type != "arc") place.at("type").expected("\"line\" or \"arc\"");
+    if ((type == "line") != segment.is_line()) place.at("curvature").expected(type == "line" ? "0 on a line" : "not 0");
+    if (place.has("direction") && place.at("direction").number() != 1.0) place.at("direction").expected("1 (forwards)");
+    const bool timed = place.has("speed_in") || place.has("speed_out") || place.has("duration");
+    if (timed) {
+      if (file.path.speed_in.size() != i) place.fail("speeds must be on all segments or on none");
+      file.path.speed_in.push_back(place.at("speed_in").number());
+      file.path.speed_out.push_back(place.at("speed_out").number());
+      file.path.durations.push_back(place.at("duration").number());
+    } else if (!file.path.speed_in.empty()) {
+      place.fail("speeds must be on all segments or on none");
+    }
+    file.path.segments.push_back(segment);
+  }
+  return file;
+}
+
+}  // namespace arcway
