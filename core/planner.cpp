@@ -101,17 +101,20 @@ struct Planner::Data {
     } else {
       result.status = start ? PlanStatus::kStartInCollision : PlanStatus::kGoalInCollision;
     }
-    const std::string who = start ? "start " : "goal ";
-    result.reason = who + text_of(pose) + (out ? " lies outside the bounds" : " : the body touches ");
-    if (out) return false;
-    const ObstacleId inside = queries.distance->containing(pose.position());
-    const ObstacleId touched =
-        inside != kNone ? inside : world.obstacle_of(queries.distance->closest(pose.position()).edge);
     result.reason =
-        who + text_of(pose) + ": the body, grown by half of the safety margin, " +
-        (touched == outside && inside == kNone ? std::string("touches the bounds or an obstacle near them")
-                                               : "collides; nearest is obstacle " + std::to_string(touched));
+        std::string(start ? "the start " : "the goal ") + text_of(pose) +
+        (out ? " lies outside the bounds"
+             : ": the body, grown by half of the safety margin, collides; nearest is " + nearest_region(pose));
     return false;
+  }
+
+  // "obstacle 17" or "the bounds": the region around the pose, else the one nearest to it.
+  [[nodiscard]] std::string nearest_region(const Pose& pose) const {
+    const ObstacleId inside = queries.distance->containing(pose.position());
+    const VertexId edge = queries.distance->closest(pose.position()).edge;
+    if (inside == kNone && edge == kNone) return "nothing";
+    const ObstacleId region = inside != kNone ? inside : world.obstacle_of(edge);
+    return region == world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region);
   }
 
   World world;
@@ -205,34 +208,38 @@ PlanResult Planner::plan(const PlanRequest& request) const {
     result.statistics.straights_checked += found.straights_checked;
     result.statistics.turns_checked += found.turns_checked;
   };
+  std::size_t last_poses = 0;  // asked for; fewer found means that there are no more
   const bool in_place = (request.start.position() - request.goal.position()).isZero(0.0) &&
                         wrap_signed(request.start.heading - request.goal.heading) == 0.0;
   if (in_place) {
     found.path = Path{};
   } else {
     search();
-    for (std::size_t poses = kFirstManoeuvrePoses; !found.path && d.options.manoeuvre_poses > 0;
-         poses = std::min<std::size_t>(8 * poses, d.options.manoeuvre_poses)) {
-      poses = std::min<std::size_t>(poses, d.options.manoeuvre_poses);
+    for (std::size_t poses = kFirstManoeuvrePoses; !found.path; poses *= 8) {
+      const bool exhausted = starts.size() < last_poses || goals.size() < last_poses;
+      if (exhausted || last_poses >= d.options.manoeuvre_poses) break;
+      last_poses = std::min<std::size_t>(poses, d.options.manoeuvre_poses);
       const double radius = d.options.radii.front();
-      starts = find_manoeuvres(request.start, Direction::kFromStart, d.vehicle, radius, *d.queries.sweep, poses);
-      goals = find_manoeuvres(request.goal, Direction::kToGoal, d.vehicle, radius, *d.queries.sweep, poses);
+      starts = find_manoeuvres(request.start, Direction::kFromStart, d.vehicle, radius, *d.queries.sweep, last_poses);
+      goals = find_manoeuvres(request.goal, Direction::kToGoal, d.vehicle, radius, *d.queries.sweep, last_poses);
       result.statistics.manoeuvre_poses += starts.size() + goals.size();
       search();
-      if (poses == d.options.manoeuvre_poses) break;
     }
   }
   result.statistics.search_seconds = total.seconds();
 
   if (!found.path) {
-    if (!found.start_connected) {
+    const std::string nearest = "; nearest is ";
+    if (starts.size() < last_poses || !found.start_connected) {
       result.status = PlanStatus::kStartBlocked;
-      result.reason = "no forward motion of arcs and lines leads from the start " + text_of(request.start) +
-                      " to a turn circle of the graph";
-    } else if (!found.goal_reached) {
+      result.reason = "the start " + text_of(request.start) +
+                      " is hemmed in: no forward motion of arcs and lines that was tried leads from it to the graph" +
+                      nearest + d.nearest_region(request.start);
+    } else if (goals.size() < last_poses || !found.goal_reached) {
       result.status = PlanStatus::kGoalBlocked;
-      result.reason = "no forward motion of arcs and lines leads from a turn circle of the graph to the goal " +
-                      text_of(request.goal);
+      result.reason = "the goal " + text_of(request.goal) +
+                      " is hemmed in: no forward motion of arcs and lines that was tried leads from the graph to it" +
+                      nearest + d.nearest_region(request.goal);
     } else {
       result.status = PlanStatus::kNoPath;
       const FeasibleGraphCounts& c = d.feasible_graph.counts();
