@@ -1,0 +1,257 @@
+#include "datasets/svg.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+namespace {
+
+constexpr double kBorder = 16.0;      // around the map [px]
+constexpr double kLineHeight = 22.0;  // of a caption [px]
+constexpr double kMinOutline = 14.0;  // below this the body cannot be made out [px]
+constexpr const char* kObstacleStyle = R"(fill="#3d4757" stroke="#2b3340" stroke-width="0.8" stroke-linejoin="round")";
+constexpr const char* kPathColor = "#e4572e";
+constexpr const char* kStartColor = "#1b9e5a";
+constexpr const char* kGoalColor = "#7b3fc4";
+
+// To a tenth of a pixel: "12.3", "12".
+void append(std::string& out, double value) {
+  const double tenths = std::round(value * 10.0);
+  char buffer[32];
+  const char* end = std::to_chars(buffer, buffer + sizeof buffer, tenths == 0.0 ? 0.0 : tenths / 10.0).ptr;
+  out.append(static_cast<const char*>(buffer), end);
+}
+
+void append(std::string& out, const Vec2& p) {
+  append(out, p.x());
+  out += ' ';
+  append(out, p.y());
+}
+
+std::string text_of(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;  // control characters are not XML
+    }
+  }
+  return out;
+}
+
+Box region_of(const World& world) {
+  if (!world.box().empty()) return world.box();
+  Box box;
+  box.extend(Vec2(0.0, 0.0));
+  box.extend(Vec2(1.0, 1.0));
+  return box;
+}
+
+}  // namespace
+
+SvgPicture::SvgPicture(const World& world, double width) : SvgPicture(world, region_of(world), width) {}
+
+SvgPicture::SvgPicture(const World& world, const Box& view, double width) : view_(view) {
+  // A view without extent would have no scale.
+  const Vec2 extent = (view.max - view.min).cwiseMax(1e-9 * std::max(1.0, (view.max - view.min).maxCoeff()));
+  scale_ = width / extent.x();
+  if (extent.y() * scale_ > 4.0 * width) scale_ = 4.0 * width / extent.y();
+  width_ = extent.x() * scale_ + 2.0 * kBorder;
+  height_ = extent.y() * scale_ + 2.0 * kBorder;
+  add_map(world);
+}
+
+Vec2 SvgPicture::to_picture(const Vec2& p) const {
+  return {kBorder + (p.x() - view_.min.x()) * scale_, kBorder + (view_.max.y() - p.y()) * scale_};
+}
+
+void SvgPicture::add_map(const World& world) {
+  const auto vertices = world.vertices();
+  for (ObstacleId o = 0; o < world.region_count(); ++o) {
+    const bool bounds = o == world.obstacle_count();
+    if (!bounds && !world.box_of(o).overlaps(view_)) continue;
+    std::string& out = bounds ? bounds_ : obstacles_;
+    const auto starts = world.ring_starts(o);
+    out += "<path d=\"";
+    for (std::size_t r = 0; r < starts.size(); ++r) {
+      const VertexId end = r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(o).last;
+      for (VertexId v = starts[r]; v < end; ++v) {
+        out += v == starts[r] ? 'M' : 'L';
+        append(out, to_picture(vertices[v]));
+      }
+      out += 'Z';
+    }
+    out += "\"/>\n";
+  }
+}
+
+void SvgPicture::add_edges(std::span<const LineSegment> edges, const EdgeStyle& style, std::string_view id) {
+  graph_ += "<g id=\"" + escaped(id) + "\" fill=\"none\" stroke=\"" + escaped(style.color) + "\" stroke-width=\"" +
+            text_of(style.width) + "\" stroke-opacity=\"" + text_of(style.opacity) + "\">\n<path d=\"";
+  for (const LineSegment& edge : edges) {
+    graph_ += 'M';
+    append(graph_, to_picture(edge.a));
+    graph_ += 'L';
+    append(graph_, to_picture(edge.b));
+  }
+  graph_ += "\"/>\n</g>\n";
+}
+
+void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, double spacing) {
+  if (path.empty()) return;
+  std::string line = "M";
+  append(line, to_picture(path.front().start.position()));
+  for (const PathSegment& segment : path) {
+    // By chords: the arc of an SVG path is ambiguous at half a turn and jumps when its ends are rounded.
+    const double turn = std::abs(segment.length * segment.curvature);
+    const double pixels = segment.is_line() ? 0.0 : scale_ / std::abs(segment.curvature);
+    // A chord leaves its arc by radius * angle^2 / 8: at most 0.05 px.
+    const double steps = std::clamp(std::ceil(turn * std::sqrt(pixels / 0.4)), 1.0, 1000.0);
+    for (double i = 1.0; i <= steps; ++i) {
+      line += 'L';
+      append(line, to_picture(segment.at(segment.length * (i / steps)).position()));
+    }
+  }
+  path_ += "<path d=\"" + line + "\" stroke=\"#ffffff\" stroke-width=\"5\" stroke-opacity=\"0.85\"/>\n<path d=\"" +
+           line + "\" stroke=\"" + kPathColor + "\" stroke-width=\"2.6\"/>\n";
+
+  const double length = body.front + body.rear;
+  if (spacing <= 0.0) spacing = std::max(2.0 * length, 40.0 / scale_);
+  const auto outline = [&](const Pose& pose) {
+    const Vec2 u = direction_of(pose.heading), n = perpendicular(u);
+    const Vec2 f = pose.position();
+    robot_ += 'M';
+    append(robot_, to_picture(f - body.rear * u - body.half_width * n));
+    robot_ += 'L';
+    append(robot_, to_picture(f + body.front * u - body.half_width * n));
+    robot_ += 'L';
+    append(robot_, to_picture(f + body.front * u + body.half_width * n));
+    robot_ += 'L';
+    append(robot_, to_picture(f - body.rear * u + body.half_width * n));
+    robot_ += 'Z';
+  };
+  robot_ += "<path d=\"";
+  outline(path.front().start);
+  double next = spacing;  // from the segment's start to the next outline
+  std::size_t left = 20000;
+  for (const PathSegment& segment : path) {
+    for (; next < segment.length && left > 0; next += spacing, --left) outline(segment.at(next));
+    next -= segment.length;
+  }
+  outline(path.back().end());
+  robot_ += "\"/>\n";
+  add_poses(path.front().start, path.back().end(), body);
+}
+
+void SvgPicture::add_poses(const Pose& start, const Pose& goal, const Footprint& body) {
+  add_marker(start, body, kStartColor, "start");
+  add_marker(goal, body, kGoalColor, "goal");
+}
+
+void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label) {
+  const Vec2 p = to_picture(pose.position());
+  // Picture coordinates: y down.
+  const Vec2 u(std::cos(pose.heading), -std::sin(pose.heading)), n(-u.y(), u.x());
+  const double size = std::clamp(body.front * scale_, kMinOutline, 40.0);
+  const auto fill = " fill=\"" + std::string(color) + "\"";
+  markers_ += "<circle cx=\"";
+  append(markers_, p.x());
+  markers_ += "\" cy=\"";
+  append(markers_, p.y());
+  markers_ += "\" r=\"6\"" + fill + R"( stroke="#ffffff" stroke-width="1.5"/>)" + "\n<path d=\"M";
+  append(markers_, p + u * (size + 8.0));
+  markers_ += 'L';
+  append(markers_, p + u * size * 0.6 + n * 5.0);
+  markers_ += 'L';
+  append(markers_, p + u * size * 0.6 - n * 5.0);
+  markers_ += "Z\"" + fill + R"( stroke="#ffffff" stroke-width="1"/>)" + "\n<text x=\"";
+  // Beside the arrow, and within the picture.
+  const bool right = p.x() + 60.0 < width_;
+  append(markers_, p.x() + (right ? 12.0 : -12.0));
+  markers_ += "\" y=\"";
+  append(markers_, std::clamp(p.y() + (u.y() < -0.5 ? 18.0 : -10.0), 16.0, height_ - 6.0));
+  markers_ += right ? "\"" : "\" text-anchor=\"end\"";
+  markers_ += fill + R"( stroke="#ffffff" stroke-width="3" paint-order="stroke">)";
+  markers_ += label;
+  markers_ += "</text>\n";
+}
+
+void SvgPicture::add_caption(std::string_view text) { captions_.push_back(escaped(text)); }
+
+void SvgPicture::set_title(std::string_view title, std::string_view description) {
+  title_ = escaped(title);
+  description_ = escaped(description);
+}
+
+std::string SvgPicture::str() const {
+  const double height = height_ + kLineHeight * static_cast<double>(captions_.size());
+  std::string w, h;
+  append(w, width_);
+  append(h, height);
+  std::string out = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )" + w + ' ' + h + "\" width=\"" + w +
+                    "\" height=\"" + h +
+                    "\" role=\"img\" font-family=\"'DejaVu Sans',Helvetica,Arial,sans-serif\" font-size=\"14\">\n";
+  out += "<title>" + (title_.empty() ? "Map" : title_) + "</title>\n";
+  if (!description_.empty()) out += "<desc>" + description_ + "</desc>\n";
+  out += R"(<rect width="100%" height="100%" fill="#ffffff"/>)";
+  out += '\n';
+  // Layers may reach beyond the view, the caption's ground may not be drawn on.
+  std::string map_w, map_h, border;
+  append(map_w, width_ - kBorder);
+  append(map_h, height_ - kBorder);
+  append(border, 0.5 * kBorder);
+  const std::string area = "x=\"" + border + "\" y=\"" + border + "\" width=\"" + map_w + "\" height=\"" + map_h + '"';
+  out += "<clipPath id=\"view\"><rect " + area + "/></clipPath>\n<g clip-path=\"url(#view)\">\n";
+  out += "<rect " + area + " fill=\"#eef1f5\"/>\n";
+  if (!bounds_.empty())
+    out += R"(<g id="bounds" fill="#fbfcfe" stroke="#2b3340" stroke-width="2" stroke-linejoin="round">)"
+           "\n" +
+           bounds_ + "</g>\n";
+  out += std::string("<g id=\"obstacles\" fill-rule=\"evenodd\" ") + kObstacleStyle + ">\n" + obstacles_ + "</g>\n";
+  out += graph_;
+  if (!robot_.empty())
+    out += R"(<g id="robot" fill="#f6b26b" fill-opacity="0.45" stroke="#a8441c" stroke-width="0.8">)"
+           "\n" +
+           robot_ + "</g>\n";
+  if (!path_.empty())
+    out += R"(<g id="path" fill="none" stroke-linejoin="round" stroke-linecap="round">)"
+           "\n" +
+           path_ + "</g>\n";
+  if (!markers_.empty()) out += "<g id=\"markers\" font-weight=\"bold\">\n" + markers_ + "</g>\n";
+  out += "</g>\n";
+  if (!captions_.empty()) {
+    out += "<g id=\"caption\" fill=\"#2b3340\">\n";
+    for (std::size_t i = 0; i < captions_.size(); ++i) {
+      out += "<text x=\"";
+      append(out, kBorder);
+      out += "\" y=\"";
+      append(out, height_ + kLineHeight * static_cast<double>(i) + 8.0);
+      out += "\">" + captions_[i] + "</text>\n";
+    }
+    out += "</g>\n";
+  }
+  out += "</svg>\n";
+  return out;
+}
+
+}  // namespace arcway
