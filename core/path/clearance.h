@@ -8,16 +8,19 @@
 
 namespace arcway {
 
-/// Smallest distance between a moving body and the obstacles, and the obstacle edge where it is.
+/// Where a body comes nearest to the obstacles.
 struct Clearance {
-  double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinity in a world without edges
-  VertexId edge = kNone;
+  double distance = std::numeric_limits<double>::infinity();  ///< [m]; 0 in contact, infinity without edges
+  double arc_length = 0.0;                                    ///< of the reference point from the segment's start [m]
+  VertexId edge = kNone;                                      ///< the nearest edge
 };
 
-/// Smallest distance between the region boundaries and the body over one path segment, in closed form: of a line, that
-/// of the swept rectangle; of an arc, the least of those between the arcs traced by the body's corners and the obstacle
-/// edges, and, in the body's frame, between the arcs traced by the obstacle vertices and the body's sides. 0 where they
-/// meet. Error: a few units in the last place of the coordinates. O(edges near the segment), thread-safe.
+/// The smallest distance between a body and the edges of the world while it drives along a segment, in closed form.
+/// Straight: from the swept rectangle. Turning: the nearest pair is a body corner on its circle and an edge, an
+/// obstacle vertex on its circle in the body's frame and a side of the body, or occurs at one of the two ends.
+/// Rounding: a few units in the last place of the largest of coordinates and turning radius. The body inside of an
+/// obstacle without touching its boundary is not noticed.
+/// O(regions + edges of regions near by), no allocation; thread-safe.
 Clearance clearance_along(const PathSegment& segment, const Footprint& body, const World& world);
 
 }  // namespace arcway
