@@ -1,0 +1,242 @@
+#include "bench/cli/arguments.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <system_error>
+
+#include "core/geometry/angle.h"
+#include "datasets/file_io.h"
+#include "datasets/geojson.h"
+#include "datasets/paper_example.h"
+#include "datasets/robot.h"
+
+namespace arcway::cli {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t at = text.find(separator);
+    parts.push_back(trimmed(text.substr(0, at)));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+/// Like the strtod family, from_chars takes "nan" and "inf"; unlike it, no leading plus.
+template <class Number>
+std::optional<Number> read_whole(std::string_view text) {
+  text = trimmed(text);
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
+
+}  // namespace
+
+double parse_number(std::string_view text, std::string_view what) {
+  const std::optional<double> value = read_whole<double>(text);
+  if (!value) throw UsageError(std::string(what) + ": expected a number, got " + in_quotes(text));
+  if (!std::isfinite(*value))
+    throw UsageError(std::string(what) + ": expected a finite number, got " + in_quotes(text));
+  return *value;
+}
+
+std::uint64_t parse_count(std::string_view text, std::string_view what) {
+  const std::optional<std::uint64_t> value = read_whole<std::uint64_t>(text);
+  if (!value) throw UsageError(std::string(what) + ": expected a whole number >= 0, got " + in_quotes(text));
+  return *value;
+}
+
+double parse_heading(std::string_view text, std::string_view what) {
+  text = trimmed(text);
+  constexpr std::string_view kDegrees = "deg";
+  if (text.size() > kDegrees.size() && text.substr(text.size() - kDegrees.size()) == kDegrees) {
+    text.remove_suffix(kDegrees.size());
+    return parse_number(text, what) / 180.0 * kPi;
+  }
+  return parse_number(text, what);
+}
+
+Pose parse_pose(std::string_view text, std::string_view what) {
+  const std::vector<std::string_view> parts = split(text, ',');
+  if (parts.size() != 3) {
+    throw UsageError(std::string(what) + ": expected X,Y,HEADING (radians, or degrees as in 90deg), got " +
+                     in_quotes(text));
+  }
+  const std::string name(what);
+  return {parse_number(parts[0], name + " x"), parse_number(parts[1], name + " y"),
+          parse_heading(parts[2], name + " heading")};
+}
+
+void BuildOptions::add_to(CLI::App& command) {
+  command.add_option("--backend", backend, "What answers the geometric queries: reference (exact brute force)")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command.add_option("--threads", threads, "Threads that build the graphs; reference uses one")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void BuildOptions::check() const {
+  if (backend == "embree") {
+    throw UsageError("--backend: this build has no embree backend; use --backend reference");
+  }
+  if (backend != "reference") {
+    throw UsageError("--backend: unknown backend " + in_quotes(backend) + "; this build has: reference");
+  }
+  if (parse_count(threads, "--threads") < 1) throw UsageError("--threads: at least 1, got " + in_quotes(threads));
+}
+
+QuerySet BuildOptions::queries(const World& world) const {
+  check();
+  return make_reference_queries(world);
+}
+
+LoadedMap load_map(const std::string& name) {
+  if (name == kPaper) {
+    PaperExample example = paper_example();
+    return {std::move(example.world), example.start, example.goal, {}};
+  }
+  MapFile map = read_geojson_file(name);
+  return {to_world(map, name), map.start, map.goal, std::move(map.warnings)};
+}
+
+Vehicle load_vehicle(const std::string& file) {
+  if (file.empty()) return Vehicle(paper_example().robot);
+  const VehicleParameters parameters = read_robot_file(file);
+  try {
+    return Vehicle(parameters);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(file + ": " + error.what());
+  }
+}
+
+std::string warning_rows(const LoadedMap& map) {
+  std::string text;
+  for (const std::string& warning : map.warnings) text += row("warning", warning);
+  return text;
+}
+
+std::string world_rows(const World& world) {
+  std::string text = row("obstacles", count_text(world.obstacle_count()));
+  text += row("vertices", count_text(world.vertices().size()) + " (" + count_text(world.convex_vertices().size()) +
+                              " convex and free)");
+  const Box& box = world.box();
+  if (!box.empty()) {
+    text += row("extent", fixed(box.max.x() - box.min.x(), 3) + " x " + fixed(box.max.y() - box.min.y(), 3) + " m" +
+                              (world.has_bounds() ? ", bounded" : ", unbounded"));
+  }
+  return text;
+}
+
+std::vector<NumberedRequest> read_queries(const std::string& file) {
+  const std::string text = read_file(file);
+  std::string_view rest = text;
+  if (rest.substr(0, 3) == "\xEF\xBB\xBF") rest.remove_prefix(3);
+  constexpr std::array<std::string_view, 7> kColumns = {"q", "sx", "sy", "stheta", "gx", "gy", "gtheta"};
+  constexpr std::string_view kHeader = "q,sx,sy,stheta,gx,gy,gtheta";
+  std::vector<NumberedRequest> queries;
+  bool header_seen = false;
+  for (std::size_t line_number = 1; !rest.empty(); ++line_number) {
+    const std::size_t end = rest.find('\n');
+    const std::string_view line = trimmed(rest.substr(0, end));
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    if (line.empty() || line.front() == '#') continue;
+    const std::string where = file + ":" + std::to_string(line_number);
+    const std::vector<std::string_view> fields = split(line, ',');
+    if (!header_seen) {
+      if (!std::equal(fields.begin(), fields.end(), kColumns.begin(), kColumns.end())) {
+        throw UsageError(where + ": expected the header " + std::string(kHeader) + ", got " + in_quotes(line));
+      }
+      header_seen = true;
+      continue;
+    }
+    if (fields.size() != kColumns.size()) {
+      throw UsageError(where + ": expected 7 fields (" + std::string(kHeader) + "), got " +
+                       std::to_string(fields.size()) + ": " + in_quotes(line));
+    }
+    const auto what = [&](std::size_t column) { return where + ": " + std::string(kColumns[column]); };
+    const auto number = [&](std::size_t column) { return parse_number(fields[column], what(column)); };
+    const auto heading = [&](std::size_t column) { return parse_heading(fields[column], what(column)); };
+    queries.push_back({parse_count(fields[0], what(0)),
+                       {.start = {number(1), number(2), heading(3)}, .goal = {number(4), number(5), heading(6)}}});
+  }
+  if (!header_seen) throw UsageError(file + ": no queries; expected the header " + std::string(kHeader));
+  return queries;
+}
+
+void OutputFiles::add(const std::string& file, std::string text) {
+  if (!file.empty()) files_.emplace_back(file, std::move(text));
+}
+
+void OutputFiles::write() const {
+  for (const auto& [file, text] : files_) write_file_atomically(file, text);
+}
+
+std::string OutputFiles::summary() const {
+  std::string text;
+  for (const auto& [file, content] : files_) text += row("wrote", file);
+  return text;
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), end};
+}
+
+std::string fixed(double value, int digits) {
+  if (!std::isfinite(value)) return shortest(value);
+  std::array<char, 384> buffer{};
+  const auto [end, error] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
+  return {buffer.data(), end};
+}
+
+std::string duration_text(double seconds) {
+  return seconds < 1.0 ? fixed(1e3 * seconds, 3) + " ms" : fixed(seconds, 3) + " s";
+}
+
+std::string count_text(std::uint64_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t at = text.size(); at > 3;) {
+    at -= 3;
+    text.insert(at, ",");
+  }
+  return text;
+}
+
+std::string pose_text(const Pose& pose) {
+  return "(" + fixed(pose.x, 3) + ", " + fixed(pose.y, 3) + "), heading " + fixed(pose.heading, 4) + " rad";
+}
+
+std::string row(std::string_view label, std::string_view value) {
+  constexpr std::size_t kColumn = 22;
+  std::string text = "  " + std::string(label);
+  text.append(text.size() < kColumn ? kColumn - text.size() : 1, ' ');
+  return text + std::string(value) + "\n";
+}
+
+Stopwatch::Stopwatch() : start_ns_(std::chrono::steady_clock::now().time_since_epoch().count()) {}
+
+double Stopwatch::seconds() const {
+  return 1e-9 * static_cast<double>(std::chrono::steady_clock::now().time_since_epoch().count() - start_ns_);
+}
+
+}  // namespace arcway::cli

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/planner.h"
+
+namespace arcway::cli {
+
+/// A mistake in what was typed; like every other exception it ends the tool with exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+inline constexpr int kExitSolved = 0;
+inline constexpr int kExitNoPath = 1;
+inline constexpr int kExitBadInput = 2;
+
+/// What a subcommand does once the command line is read. Appends to the text for standard output, which is printed
+/// only if the action does not throw, and returns the exit code.
+using Action = std::function<int(std::string& out)>;
+
+void add_plan_command(CLI::App& app, Action& action);
+void add_graph_command(CLI::App& app, Action& action);
+void add_generate_command(CLI::App& app, Action& action);
+void add_validate_command(CLI::App& app, Action& action);
+
+/// The whole text as one finite number, in any locale.
+/// @throws UsageError naming `what` and the text.
+double parse_number(std::string_view text, std::string_view what);
+std::uint64_t parse_count(std::string_view text, std::string_view what);
+/// Radians, or degrees as in `90deg`.
+double parse_heading(std::string_view text, std::string_view what);
+/// `X,Y,H`.
+Pose parse_pose(std::string_view text, std::string_view what);
+
+/// Options that say how graphs are built, the same for all subcommands that build one.
+struct BuildOptions {
+  std::string backend = "reference";
+  std::string threads = "1";
+  void add_to(CLI::App& command);
+  /// @throws UsageError unless this build of the tool has the backend and the number of threads is sensible.
+  void check() const;
+  [[nodiscard]] QuerySet queries(const World& world) const;
+};
+
+/// The name of the paper's example, where a map's file name is expected.
+inline constexpr std::string_view kPaper = "paper";
+
+/// What a map says: the world and, if it has them, start and goal.
+struct LoadedMap {
+  World world;
+  std::optional<Pose> start, goal;
+  std::vector<std::string> warnings;
+};
+/// @param name  of a GeoJSON file, or `paper`.
+LoadedMap load_map(const std::string& name);
+/// From a robot file; the paper's robot if the name is empty.
+Vehicle load_vehicle(const std::string& file);
+/// One line a warning.
+std::string warning_rows(const LoadedMap& map);
+/// Obstacles, vertices and size.
+std::string world_rows(const World& world);
+
+struct NumberedRequest {
+  std::uint64_t q;
+  PlanRequest request;
+};
+/// Reads queries with the columns q,sx,sy,stheta,gx,gy,gtheta; lines that start with # and blank lines are skipped.
+/// @throws UsageError naming file, line and value.
+std::vector<NumberedRequest> read_queries(const std::string& file);
+
+/// Files of a command, written when all of their texts are ready: each whole or not at all.
+class OutputFiles {
+ public:
+  /// No file of an empty name.
+  void add(const std::string& file, std::string text);
+  void write() const;
+  /// One line a file.
+  [[nodiscard]] std::string summary() const;
+
+ private:
+  std::vector<std::pair<std::string, std::string>> files_;
+};
+
+/// Shortest text that reads back to the same number.
+std::string shortest(double value);
+/// With a fixed number of digits after the point.
+std::string fixed(double value, int digits);
+/// With a unit that suits its size: "1.234 s", "12.3 ms".
+std::string duration_text(double seconds);
+/// "12,345"
+std::string count_text(std::uint64_t count);
+std::string pose_text(const Pose& pose);
+
+/// "  label            value\n" with the values in one column.
+std::string row(std::string_view label, std::string_view value);
+
+/// Seconds since construction.
+class Stopwatch {
+ public:
+  Stopwatch();
+  [[nodiscard]] double seconds() const;
+
+ private:
+  std::int64_t start_ns_;
+};
+
+}  // namespace arcway::cli

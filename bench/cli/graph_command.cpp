@@ -1,0 +1,181 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/cli/arguments.h"
+#include "core/graph/feasible_graph.h"
+#include "core/graph/visibility_graph.h"
+#include "datasets/svg.h"
+
+namespace arcway::cli {
+namespace {
+
+struct GraphArguments {
+  std::string map;
+  std::string kind = "reduced";
+  std::string robot;
+  std::string edges, svg, json;
+  BuildOptions build;
+};
+
+/// Browsers slow down near 1e5 lines.
+constexpr std::size_t kMaxDrawnEdges = 50'000;
+
+struct BuiltGraph {
+  std::string edges_csv;
+  std::vector<LineSegment> lines;
+  std::size_t edge_count = 0;
+  double visibility_seconds = 0.0;
+  double feasible_seconds = 0.0;
+  FeasibleGraphCounts counts;  ///< of the feasible graph only
+};
+
+void append_edge(std::string& csv, VertexId u, VertexId v) {
+  csv += std::to_string(u);
+  csv += ',';
+  csv += std::to_string(v);
+  csv += '\n';
+}
+
+BuiltGraph build_graph(const GraphArguments& arguments, const World& world) {
+  const QuerySet queries = arguments.build.queries(world);
+  const SerialExecutor executor;
+  BuiltGraph built;
+  built.edges_csv = "u,v\n";
+
+  const Stopwatch visibility_watch;
+  const VisibilityGraph graph = arguments.kind == "visibility"
+                                    ? build_full_visibility_graph(world, *queries.visibility, executor)
+                                    : build_reduced_visibility_graph(world, *queries.visibility, executor);
+  built.visibility_seconds = visibility_watch.seconds();
+  if (arguments.kind != "feasible") {
+    built.edge_count = graph.edge_count();
+    for (VertexId u = 0; u < graph.vertex_count(); ++u) {
+      for (const VertexId v : graph.row(u)) {
+        append_edge(built.edges_csv, u, v);
+        built.lines.push_back({world.vertex(u), world.vertex(v)});
+      }
+    }
+    return built;
+  }
+
+  const Vehicle vehicle = load_vehicle(arguments.robot);
+  const std::vector<double> radii = {vehicle.min_turning_radius()};
+  const Stopwatch feasible_watch;
+  const FeasibleGraph feasible(world, vehicle, graph, queries, radii, executor);
+  built.feasible_seconds = feasible_watch.seconds();
+  built.counts = feasible.counts();
+  built.edge_count = feasible.links().size();
+  for (const FeasibleGraph::Link& link : feasible.links()) {
+    const TurnCircle& from = feasible.circles()[link.from];
+    append_edge(built.edges_csv, from.vertex, feasible.circles()[link.to].vertex);
+    const Vec2 begin = pose_on(from, link.heading).position();
+    built.lines.push_back({begin, begin + link.length * direction_of(link.heading)});
+  }
+  return built;
+}
+
+std::string counts_json(const GraphArguments& arguments, const World& world, const BuiltGraph& built) {
+  nlohmann::ordered_json json = {{"format", "arcway-graph"},
+                                 {"version", 1},
+                                 {"kind", arguments.kind},
+                                 {"obstacles", world.obstacle_count()},
+                                 {"vertices", world.vertices().size()},
+                                 {"convex_vertices", world.convex_vertices().size()},
+                                 {"edges", built.edge_count},
+                                 {"builder", arguments.build.backend},
+                                 {"threads", 1},
+                                 {"visibility_seconds", built.visibility_seconds}};
+  if (arguments.kind == "feasible") {
+    const FeasibleGraphCounts& counts = built.counts;
+    json["feasible_seconds"] = built.feasible_seconds;
+    json["circles"] = counts.circles;
+    json["circles_blocked"] = counts.circles_blocked;
+    json["candidates"] = counts.candidates;
+    json["kept"] = counts.kept;
+    json["rejected_overlap"] = counts.rejected_overlap;
+    json["rejected_departure"] = counts.rejected_departure;
+    json["rejected_arrival"] = counts.rejected_arrival;
+    json["rejected_straight"] = counts.rejected_straight;
+  }
+  return json.dump() + "\n";
+}
+
+std::string picture(const World& world, const BuiltGraph& built, const std::string& title) {
+  std::vector<LineSegment> drawn;
+  const std::size_t stride = (built.lines.size() + kMaxDrawnEdges - 1) / kMaxDrawnEdges;
+  for (std::size_t i = 0; i < built.lines.size(); i += stride) drawn.push_back(built.lines[i]);
+  SvgPicture svg(world);
+  svg.add_edges(drawn);
+  std::string caption = title + ": " + count_text(built.edge_count) + " edges";
+  if (stride > 1) caption += ", one in " + std::to_string(stride) + " drawn";
+  svg.add_caption(caption);
+  svg.set_title(title);
+  return svg.str();
+}
+
+int run_graph(const GraphArguments& arguments, std::string& out) {
+  std::string title;
+  if (arguments.kind == "visibility") {
+    title = "Visibility graph";
+  } else if (arguments.kind == "reduced") {
+    title = "Reduced visibility graph";
+  } else if (arguments.kind == "feasible") {
+    title = "Feasible visibility graph";
+  } else {
+    throw UsageError("--kind: expected visibility, reduced or feasible, got \"" + arguments.kind + "\"");
+  }
+  arguments.build.check();
+  const LoadedMap map = load_map(arguments.map);
+  BuiltGraph built = build_graph(arguments, map.world);
+
+  OutputFiles files;
+  if (!arguments.svg.empty()) files.add(arguments.svg, picture(map.world, built, title));
+  if (!arguments.json.empty()) files.add(arguments.json, counts_json(arguments, map.world, built));
+  if (!arguments.edges.empty()) files.add(arguments.edges, std::move(built.edges_csv));
+
+  const bool feasible = arguments.kind == "feasible";
+  out += arguments.map + ": " + title + "\n";
+  out += row(feasible ? "bitangents" : "edges", count_text(built.edge_count) + (feasible ? " directed" : ""));
+  if (feasible) {
+    const FeasibleGraphCounts& counts = built.counts;
+    out += row("candidates", count_text(counts.candidates));
+    out += row("rejected", count_text(counts.rejected_overlap) + " circles overlap, " +
+                               count_text(counts.rejected_departure) + " no room to turn at the departure (7),");
+    out += row("", count_text(counts.rejected_arrival) + " none at the arrival (7), " +
+                       count_text(counts.rejected_straight) + " no room to go straight (6)");
+    out += row("turn circles",
+               count_text(counts.circles) + ", " + count_text(counts.circles_blocked) + " without free heading");
+  }
+  out += row("build", duration_text(built.visibility_seconds + built.feasible_seconds) +
+                          (feasible ? " (reduced graph " + duration_text(built.visibility_seconds) +
+                                          ", feasible graph " + duration_text(built.feasible_seconds) + ")"
+                                    : ""));
+  out += "\n" + world_rows(map.world) + warning_rows(map);
+  files.write();
+  out += files.summary();
+  return kExitSolved;
+}
+
+}  // namespace
+
+void add_graph_command(CLI::App& app, Action& action) {
+  CLI::App& command = *app.add_subcommand("graph", "Build one of the graphs of a map");
+  const auto arguments = std::make_shared<GraphArguments>();
+  command.add_option("WORLD", arguments->map, "Map (GeoJSON, metres), or: paper, the paper's example")->required();
+  command.add_option("--kind", arguments->kind, "visibility, reduced or feasible")
+      ->type_name("KIND")
+      ->capture_default_str();
+  command.add_option("--robot", arguments->robot, "Robot (JSON) of the feasible graph; default: the paper's")
+      ->type_name("R.json");
+  arguments->build.add_to(command);
+  command.add_option("--edges", arguments->edges, "Write the edges: u,v by vertices in file order")->type_name("F.csv");
+  command.add_option("--svg", arguments->svg, "Write a picture")->type_name("F.svg");
+  command.add_option("--json", arguments->json, "Write counts and stage times")->type_name("F.json");
+  command.callback(
+      [arguments, &action] { action = [arguments](std::string& out) { return run_graph(*arguments, out); }; });
+}
+
+}  // namespace arcway::cli

@@ -1,0 +1,291 @@
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/cli/arguments.h"
+#include "core/path/validation.h"
+#include "core/planner.h"
+#include "datasets/plan_io.h"
+#include "datasets/svg.h"
+
+namespace arcway::cli {
+namespace {
+
+struct PlanArguments {
+  std::string map;
+  std::string robot;
+  std::string start, goal;
+  std::string queries, out;
+  std::string heuristic = "travel_time";
+  std::string svg, json, csv;
+  BuildOptions build;
+};
+
+Heuristic heuristic_of(const std::string& name) {
+  if (name == "travel_time") return Heuristic::kTravelTime;
+  if (name == "paper") return Heuristic::kPaperDistance;
+  if (name == "dijkstra") return Heuristic::kDijkstra;
+  throw UsageError("--heuristic: expected travel_time, paper or dijkstra, got \"" + name + "\"");
+}
+
+TimedPath timed_path(const PlanResult& result) {
+  TimedPath path;
+  for (const TimedSegment& s : result.segments) {
+    path.segments.push_back(s.segment);
+    path.speed_in.push_back(s.speed_in);
+    path.speed_out.push_back(s.speed_out);
+    path.durations.push_back(s.duration);
+  }
+  return path;
+}
+
+/// A plan and what the validator says of it; no report unless solved.
+struct CheckedPlan {
+  PlanResult result;
+  std::optional<ValidationReport> report;
+  [[nodiscard]] bool good() const { return report && report->valid(); }
+};
+
+CheckedPlan plan_checked(const Planner& planner, const PlanRequest& request) {
+  CheckedPlan plan{planner.plan(request), std::nullopt};
+  if (plan.result.solved()) {
+    plan.report = validate(planner.world(), planner.vehicle(), request.start, request.goal, timed_path(plan.result));
+  }
+  return plan;
+}
+
+std::string prepare_rows(const Planner& planner, double build_seconds) {
+  const PrepareStatistics& prepare = planner.prepare_statistics();
+  const FeasibleGraphCounts& counts = prepare.counts;
+  std::string text;
+  text += row("reduced graph", count_text(planner.visibility_graph().edge_count()) + " edges");
+  text += row("feasible graph", count_text(counts.kept) + " of " + count_text(counts.candidates) +
+                                    " directed bitangents on " + count_text(counts.circles) + " turn circles");
+  text += row("build", duration_text(build_seconds) + " (reduced graph " + duration_text(prepare.visibility_seconds) +
+                           ", feasible graph " + duration_text(prepare.feasible_seconds) + ")");
+  return text;
+}
+
+std::string result_rows(const PlanResult& result) {
+  std::string text;
+  text += row("travel time", fixed(result.travel_time, 3) + " s");
+  text += row("length", fixed(result.length, 3) + " m in " + count_text(result.segments.size()) + " segments");
+  text += row("lower bound", fixed(result.lower_bound, 3) + " s");
+  text += row("smallest clearance", fixed(result.min_clearance, 6) + " m");
+  return text;
+}
+
+std::string search_rows(const PlanStatistics& statistics) {
+  std::string text;
+  text +=
+      row("query", duration_text(statistics.total_seconds) + " (search " + duration_text(statistics.search_seconds) +
+                       ", profile " + duration_text(statistics.profile_seconds) + ")");
+  text += row("arrivals",
+              count_text(statistics.nodes_expanded) + " expanded, " + count_text(statistics.nodes_pushed) + " pushed");
+  return text;
+}
+
+std::string validity_row(const ValidationReport& report) {
+  if (report.valid()) return row("valid", "yes, every moment of the motion checked");
+  return row("valid", "NO: " + report.issues.front().message);
+}
+
+std::string picture(const Planner& planner, const CheckedPlan& plan) {
+  const PlanResult& result = plan.result;
+  const Footprint body = planner.vehicle().footprint();
+  Box view = planner.world().box();
+  view.extend(result.start.position());
+  view.extend(result.goal.position());
+  for (const TimedSegment& s : result.segments) view.extend(s.segment.start.position());
+  SvgPicture svg(planner.world(), view);
+  if (result.solved()) {
+    svg.add_path(result.path(), body);
+    svg.add_caption("travel time " + fixed(result.travel_time, 2) + " s, length " + fixed(result.length, 1) +
+                    " m, smallest clearance " + fixed(result.min_clearance, 3) + " m");
+    svg.set_title("Time-optimal path",
+                  "The path of a car-like robot among polygonal obstacles, with its body drawn "
+                  "along the way.");
+  } else {
+    svg.add_poses(result.start, result.goal, body);
+    svg.add_caption(std::string(name_of(result.status)) + ": " + result.reason);
+    svg.set_title("No path");
+  }
+  return svg.str();
+}
+
+/// The plan, and in its statistics what it took to prepare the map.
+std::string plan_json(const PlanArguments& arguments, const Planner& planner, double build_seconds,
+                      const PlanResult& result) {
+  const PrepareStatistics& prepare = planner.prepare_statistics();
+  const FeasibleGraphCounts& counts = prepare.counts;
+  auto json = nlohmann::ordered_json::parse(plan_to_json(result, 0));
+  auto& statistics = json["statistics"];
+  statistics["builder"] = arguments.build.backend;
+  statistics["build_seconds"] = build_seconds;
+  statistics["visibility_seconds"] = prepare.visibility_seconds;
+  statistics["feasible_seconds"] = prepare.feasible_seconds;
+  statistics["vertices"] = planner.world().vertices().size();
+  statistics["visibility_edges"] = planner.visibility_graph().edge_count();
+  statistics["circles"] = counts.circles;
+  statistics["candidates"] = counts.candidates;
+  statistics["kept"] = counts.kept;
+  statistics["rejected_overlap"] = counts.rejected_overlap;
+  statistics["rejected_departure"] = counts.rejected_departure;
+  statistics["rejected_arrival"] = counts.rejected_arrival;
+  statistics["rejected_straight"] = counts.rejected_straight;
+  return json.dump() + "\n";
+}
+
+int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
+             const PlanRequest& request, std::string& out) {
+  const CheckedPlan plan = plan_checked(planner, request);
+  const PlanResult& result = plan.result;
+
+  OutputFiles files;
+  if (!arguments.svg.empty()) files.add(arguments.svg, picture(planner, plan));
+  if (!arguments.json.empty()) files.add(arguments.json, plan_json(arguments, planner, build_seconds, result));
+  if (!arguments.csv.empty() && result.solved()) {
+    files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle()));
+  }
+
+  out += arguments.map + ": " + name_of(result.status) + "\n";
+  if (!result.solved()) out += row("reason", result.reason);
+  out += row("start", pose_text(request.start));
+  out += row("goal", pose_text(request.goal));
+  if (result.solved()) out += result_rows(result) + validity_row(*plan.report);
+  out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) + search_rows(result.statistics);
+  out += warning_rows(map);
+  files.write();
+  out += files.summary();
+  return plan.good() ? kExitSolved : kExitNoPath;
+}
+
+std::string batch_line(std::uint64_t q, const CheckedPlan& plan) {
+  const PlanResult& result = plan.result;
+  std::string line = std::to_string(q) + "," + name_of(result.status) + ",";
+  if (result.solved()) {
+    line += shortest(result.travel_time) + "," + shortest(result.length) + "," + shortest(result.lower_bound) + "," +
+            shortest(result.min_clearance) + "," + (plan.good() ? "1" : "0");
+  } else {
+    line += ",,,,";
+  }
+  return line + "," + fixed(1e3 * result.statistics.total_seconds, 3) + "\n";
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
+               const std::vector<NumberedRequest>& queries, std::string& out) {
+  const PrepareStatistics& prepare = planner.prepare_statistics();
+  std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
+                    " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; backend " +
+                    arguments.build.backend + "\n";
+  csv += "q,status,travel_time_s,length_m,lower_bound_s,min_clearance_m,valid,plan_ms\n";
+  std::string json;
+  std::size_t solved = 0;
+  std::size_t refused = 0;
+  std::string first_refusal;
+  std::vector<double> seconds;
+  const Stopwatch watch;
+  for (const auto& [q, request] : queries) {
+    const CheckedPlan plan = plan_checked(planner, request);
+    csv += batch_line(q, plan);
+    if (!arguments.json.empty()) json += plan_to_json(plan.result, q) + "\n";
+    seconds.push_back(plan.result.statistics.total_seconds);
+    if (!plan.result.solved()) continue;
+    ++solved;
+    if (plan.good()) continue;
+    if (refused++ == 0) first_refusal = "query " + std::to_string(q) + ": " + plan.report->issues.front().message;
+  }
+  const double total = watch.seconds();
+
+  OutputFiles files;
+  files.add(arguments.out, std::move(csv));
+  if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
+
+  out += arguments.map + ": " + count_text(solved) + " of " + count_text(queries.size()) + " solved\n";
+  out += row("valid", refused == 0 ? "all of them, every moment of the motion checked"
+                                   : "NO, " + count_text(refused) + " refused; " + first_refusal);
+  out += row("query times", "median " + duration_text(median(seconds)) + ", sum " +
+                                duration_text(std::accumulate(seconds.begin(), seconds.end(), 0.0)) + "; " +
+                                duration_text(total) + " with validation");
+  out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) + warning_rows(map);
+  files.write();
+  out += files.summary();
+  return refused == 0 ? kExitSolved : kExitNoPath;
+}
+
+int run_plan(const PlanArguments& arguments, std::string& out) {
+  const bool batch = !arguments.queries.empty();
+  if (batch) {
+    if (arguments.out.empty()) throw UsageError("--queries: needs --out R.csv for the results");
+    if (!arguments.start.empty() || !arguments.goal.empty()) {
+      throw UsageError("--queries: start and goal come from the file; leave out --start and --goal");
+    }
+    if (!arguments.svg.empty() || !arguments.csv.empty()) {
+      throw UsageError("--queries: --svg and --csv show one plan; leave them out");
+    }
+  } else if (!arguments.out.empty()) {
+    throw UsageError("--out: only with --queries; see --json and --csv for one plan");
+  }
+  arguments.build.check();
+  PlannerOptions options;
+  options.heuristic = heuristic_of(arguments.heuristic);
+
+  std::optional<Pose> start;
+  std::optional<Pose> goal;
+  if (!arguments.start.empty()) start = parse_pose(arguments.start, "--start");
+  if (!arguments.goal.empty()) goal = parse_pose(arguments.goal, "--goal");
+  std::vector<NumberedRequest> queries;
+  if (batch) queries = read_queries(arguments.queries);
+
+  const LoadedMap map = load_map(arguments.map);
+  const Vehicle vehicle = load_vehicle(arguments.robot);
+  if (!batch) {
+    if (!start) start = map.start;
+    if (!goal) goal = map.goal;
+    if (!start) throw UsageError("--start X,Y,HEADING is missing, and " + arguments.map + " has no start");
+    if (!goal) throw UsageError("--goal X,Y,HEADING is missing, and " + arguments.map + " has no goal");
+  }
+
+  const Stopwatch watch;
+  const Planner planner(map.world, vehicle, arguments.build.queries(map.world), options, SerialExecutor());
+  const double build_seconds = watch.seconds();
+  if (batch) return plan_batch(arguments, map, planner, build_seconds, queries, out);
+  return plan_one(arguments, map, planner, build_seconds, {.start = *start, .goal = *goal}, out);
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, Action& action) {
+  CLI::App& command = *app.add_subcommand("plan", "Plan the fastest path from start to goal, or many on one map");
+  const auto arguments = std::make_shared<PlanArguments>();
+  command.add_option("WORLD", arguments->map, "Map (GeoJSON, metres), or: paper, the paper's example")->required();
+  command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
+  command.add_option("--start", arguments->start, "Start pose; default: the map's")->type_name("X,Y,HEADING");
+  command.add_option("--goal", arguments->goal, "Goal pose; default: the map's")->type_name("X,Y,HEADING");
+  command.add_option("--queries", arguments->queries, "Many queries: q,sx,sy,stheta,gx,gy,gtheta")->type_name("Q.csv");
+  command.add_option("--out", arguments->out, "Results of --queries, one line a query")->type_name("R.csv");
+  command.add_option("--heuristic", arguments->heuristic, "travel_time (admissible), paper (distance) or dijkstra")
+      ->type_name("NAME")
+      ->capture_default_str();
+  arguments->build.add_to(command);
+  command.add_option("--svg", arguments->svg, "Write a picture")->type_name("F.svg");
+  command.add_option("--json", arguments->json, "Write the exact plan; with --queries one object a line")
+      ->type_name("F.json");
+  command.add_option("--csv", arguments->csv, "Write the path as samples")->type_name("F.csv");
+  command.callback(
+      [arguments, &action] { action = [arguments](std::string& out) { return run_plan(*arguments, out); }; });
+}
+
+}  // namespace arcway::cli
