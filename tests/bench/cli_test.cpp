@@ -1,0 +1,228 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::size_t count_of(const std::string& text, char c) {
+  std::size_t count = 0;
+  for (const char d : text) count += d == c ? 1 : 0;
+  return count;
+}
+
+constexpr const char* kOneBox = R"({"type":"FeatureCollection","properties":{"bounds":[0,0,60,60]},"features":[)"
+                                R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[)"
+                                R"([[20,20],[40,20],[40,40],[20,40],[20,20]]]}}]})";
+constexpr const char* kAround = " --start 10,10,0 --goal 50,50,90deg";
+
+/// A box in the middle of a bounded field; every test has a folder of its own.
+class Tool : public testing::Test {
+ protected:
+  struct Run {
+    int code = -1;
+    std::string out, err;
+  };
+
+  void SetUp() override {
+    const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / ("arcway_cli_" + std::to_string(getpid()) + "_" + test.name());
+    fs::create_directories(folder_);
+    map_ = put("box.geojson", kOneBox);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string put(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return file(name);
+  }
+  std::string read(const std::string& name) const { return text_of(folder_ / name); }
+  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
+
+  Run run(const std::string& arguments) const {
+    const std::string command =
+        "\"" ARCWAY_TOOL "\" " + arguments + " >\"" + file("stdout") + "\" 2>\"" + file("stderr") + "\"";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout"), read("stderr")};
+  }
+
+  void expect_bad_input(const std::string& arguments, const std::string& message) const {
+    const Run result = run(arguments);
+    EXPECT_EQ(result.code, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_NE(result.err.find(message), std::string::npos) << arguments << "\n" << result.err;
+  }
+
+  fs::path folder_;
+  std::string map_;
+};
+
+TEST_F(Tool, HelpGoesToStandardOutput) {
+  const Run result = run("--help");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  for (const char* command : {"plan", "graph", "generate", "validate"}) {
+    EXPECT_NE(result.out.find(command), std::string::npos);
+    EXPECT_EQ(run(std::string(command) + " --help").code, 0);
+  }
+}
+
+TEST_F(Tool, PlansThePaperExampleAndValidatesItsOwnPlan) {
+  const Run plan = run("plan paper --json " + file("p.json") + " --svg " + file("p.svg") + " --csv " + file("p.csv"));
+  ASSERT_EQ(plan.code, 0) << plan.err << plan.out;
+  for (const char* label : {"travel time", "length", "lower bound", "smallest clearance", "build", "valid"}) {
+    EXPECT_NE(plan.out.find(label), std::string::npos) << label;
+  }
+  EXPECT_NE(read("p.json").find("\"format\":\"arcway-plan\""), std::string::npos);
+  EXPECT_NE(read("p.svg").find("<svg"), std::string::npos);
+  EXPECT_EQ(read("p.csv").rfind("s,x,y,yaw,curvature,direction,t,v,steer\n", 0), 0u);
+  const Run check = run("validate paper --path " + file("p.json"));
+  EXPECT_EQ(check.code, 0) << check.out << check.err;
+}
+
+TEST_F(Tool, PlansAroundABox) {
+  const Run result = run("plan " + map_ + kAround);
+  EXPECT_EQ(result.code, 0) << result.err << result.out;
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(Tool, AChangedPathIsNotValid) {
+  ASSERT_EQ(run("plan " + map_ + kAround + " --json " + file("p.json")).code, 0);
+  std::string plan = read("p.json");
+  const std::size_t at = plan.find("\"goal\":[");
+  ASSERT_NE(at, std::string::npos);
+  plan.insert(at + 8, "1");
+  put("p.json", plan);
+  const Run result = run("validate " + map_ + " --path " + file("p.json"));
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.out.find("NOT VALID"), std::string::npos);
+}
+
+TEST_F(Tool, NoPathIsExitCodeOneWithTheReason) {
+  const Run inside = run("plan " + map_ + " --start 30,30,0 --goal 50,50,0");
+  EXPECT_EQ(inside.code, 1);
+  EXPECT_NE(inside.out.find("reason"), std::string::npos);
+  const Run outside = run("plan " + map_ + " --start 10,10,0 --goal 70,70,0 --json " + file("p.json"));
+  EXPECT_EQ(outside.code, 1);
+  EXPECT_NE(outside.out.find("reason"), std::string::npos);
+  EXPECT_NE(read("p.json").find("\"reason\""), std::string::npos);
+}
+
+TEST_F(Tool, ARobotThatIsTooWideGetsAReason) {
+  const std::string robot =
+      put("wide.json", R"({"format":"arcway-robot","version":1,"length":40,"width":39,"wheelbase":30})");
+  const Run result = run("plan " + map_ + kAround + " --robot " + robot);
+  EXPECT_EQ(result.code, 1) << result.err;
+  EXPECT_NE(result.out.find("reason"), std::string::npos);
+}
+
+TEST_F(Tool, BatchWritesOneLineAQuery) {
+  const std::string queries = put("q.csv",
+                                  "# a comment\r\nq,sx,sy,stheta,gx,gy,gtheta\r\n7,10,10,0,50,50,1.5\r\n"
+                                  "\r\n8,30,30,0,50,50,0\r\n9,10,50,90deg,50,10,0\r\n");
+  const Run result =
+      run("plan " + map_ + " --queries " + queries + " --out " + file("r.csv") + " --json " + file("r.jsonl"));
+  ASSERT_EQ(result.code, 0) << result.err << result.out;
+  const std::vector<std::string> lines = lines_of(read("r.csv"));
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0].rfind("# build ", 0), 0u);
+  EXPECT_EQ(lines[1], "q,status,travel_time_s,length_m,lower_bound_s,min_clearance_m,valid,plan_ms");
+  EXPECT_EQ(lines[2].rfind("7,solved,", 0), 0u);
+  EXPECT_EQ(lines[3].rfind("8,start in collision,,,,,,", 0), 0u);
+  EXPECT_EQ(lines[4].rfind("9,solved,", 0), 0u);
+  for (std::size_t i = 1; i < lines.size(); ++i) EXPECT_EQ(count_of(lines[i], ','), 7u) << lines[i];
+  const std::vector<std::string> objects = lines_of(read("r.jsonl"));
+  ASSERT_EQ(objects.size(), 3u);
+  EXPECT_NE(objects[1].find("\"q\":8"), std::string::npos);
+}
+
+TEST_F(Tool, QueryErrorsNameFileAndLine) {
+  const auto expect = [&](const std::string& text, const std::string& message) {
+    expect_bad_input("plan " + map_ + " --queries " + put("q.csv", text) + " --out " + file("r.csv"), message);
+    EXPECT_FALSE(exists("r.csv"));
+  };
+  const std::string header = "q,sx,sy,stheta,gx,gy,gtheta\n";
+  expect("", "no queries");
+  expect("a,b\n", "q.csv:1: expected the header");
+  expect(header + "0,1,2,3,4,5\n", "q.csv:2: expected 7 fields");
+  expect(header + "0,1,2,3,4,5,6\n1,1,two,3,4,5,6\n", "q.csv:3: sy: expected a number, got \"two\"");
+  expect(header + "0,1,2,3,4,nan,6\n", "q.csv:2: gy: expected a finite number");
+}
+
+TEST_F(Tool, UsageErrorsGoToStandardError) {
+  expect_bad_input("", "subcommand");
+  expect_bad_input("fly", "subcommand");
+  expect_bad_input("plan", "WORLD");
+  expect_bad_input("plan " + map_, "--start");
+  expect_bad_input("plan " + map_ + " --start 10,10 --goal 50,50,0", "expected X,Y,HEADING");
+  expect_bad_input("plan " + map_ + " --start 10,10,0x --goal 50,50,0", "expected a number");
+  expect_bad_input("plan " + map_ + kAround + " --threads 0", "--threads");
+  expect_bad_input("plan " + map_ + kAround + " --backend embree", "--backend");
+  expect_bad_input("plan " + map_ + kAround + " --backend gpu", "\"gpu\"");
+  expect_bad_input("plan " + map_ + kAround + " --heuristic none", "--heuristic");
+  expect_bad_input("plan " + map_ + " --queries " + map_, "--out");
+  expect_bad_input("graph " + map_ + " --kind dense", "--kind");
+  expect_bad_input("generate cubes --out " + file("w.geojson"), "cubes");
+  expect_bad_input("generate convex --fill 2 --out " + file("w.geojson"), "fill");
+  EXPECT_FALSE(exists("w.geojson"));
+}
+
+TEST_F(Tool, BadMapsGetAMessage) {
+  const auto map_of = [&](const std::string& ring) {
+    return put("bad.geojson", R"({"type":"Polygon","coordinates":[)" + ring + "]}");
+  };
+  expect_bad_input("plan " + file("none.geojson") + kAround, "none.geojson");
+  expect_bad_input("plan " + put("empty.geojson", "") + kAround, "empty.geojson");
+  expect_bad_input("plan " + map_of("[[0,0],[4,NaN],[4,4],[0,0]]") + kAround, "bad.geojson");
+  expect_bad_input("plan " + map_of("[[0,0],[4,null],[4,4],[0,0]]") + kAround, "bad.geojson");
+  expect_bad_input("plan " + map_of("[[0,0],[4,4],[4,0],[0,5],[0,0]]") + kAround, "bad.geojson");
+  expect_bad_input("plan " + map_of("[[0,0],[4,4],[0,0]]") + kAround, "bad.geojson");
+}
+
+TEST_F(Tool, AFileThatCannotBeWrittenIsBadInput) {
+  expect_bad_input("plan " + map_ + kAround + " --json " + file("no/such/folder/p.json"), "p.json");
+}
+
+TEST_F(Tool, GraphsOfABox) {
+  ASSERT_EQ(run("graph " + map_ + " --kind reduced --edges " + file("e.csv") + " --json " + file("g.json")).code, 0);
+  EXPECT_EQ(read("e.csv"), "u,v\n0,1\n0,3\n1,2\n2,3\n");
+  EXPECT_NE(read("g.json").find("\"edges\":4"), std::string::npos);
+  ASSERT_EQ(run("graph " + map_ + " --kind feasible --edges " + file("f.csv") + " --svg " + file("f.svg")).code, 0);
+  const std::vector<std::string> bitangents = lines_of(read("f.csv"));
+  ASSERT_FALSE(bitangents.empty());
+  EXPECT_EQ(bitangents[0], "u,v");
+  EXPECT_EQ(bitangents.size(), 9u);  // each edge of the box both ways
+  EXPECT_EQ(run("graph " + map_ + " --kind visibility").code, 0);
+}
+
+TEST_F(Tool, GenerateGivesTheSameMapForTheSameSeed) {
+  const std::string kind = "generate star --obstacles 12 --vertices 7 --fill 0.2 --seed 5 --out ";
+  ASSERT_EQ(run(kind + file("a.geojson")).code, 0);
+  ASSERT_EQ(run(kind + file("b.geojson")).code, 0);
+  EXPECT_EQ(read("a.geojson"), read("b.geojson"));
+  EXPECT_EQ(run("graph " + file("a.geojson")).code, 0);
+}
+
+}  // namespace
