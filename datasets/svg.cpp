@@ -132,8 +132,11 @@ void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& bo
       append(line, to_picture(segment.at(segment.length * (i / steps)).position()));
     }
   }
-  path_ += "<path d=\"" + line + "\" stroke=\"#ffffff\" stroke-width=\"5\" stroke-opacity=\"0.85\"/>\n<path d=\"" +
-           line + "\" stroke=\"" + kPathColor + "\" stroke-width=\"2.6\"/>\n";
+  // Bodies that can be seen lie above a thin line; a light edge sets off the line where they cannot.
+  const bool bodies = 2.0 * body.half_width * scale_ >= 5.0;
+  if (!bodies) path_ += "<path d=\"" + line + "\" stroke=\"#ffffff\" stroke-width=\"5\" stroke-opacity=\"0.85\"/>\n";
+  path_ +=
+      "<path d=\"" + line + "\" stroke=\"" + kPathColor + "\" stroke-width=\"" + (bodies ? "1.8" : "2.6") + "\"/>\n";
 
   const double length = body.front + body.rear;
   if (spacing <= 0.0) spacing = std::max(2.0 * length, 40.0 / scale_);
@@ -229,14 +232,14 @@ std::string SvgPicture::str() const {
            bounds_ + "</g>\n";
   out += std::string("<g id=\"obstacles\" fill-rule=\"evenodd\" ") + kObstacleStyle + ">\n" + obstacles_ + "</g>\n";
   out += graph_;
-  if (!robot_.empty())
-    out += R"(<g id="robot" fill="#f6b26b" fill-opacity="0.45" stroke="#a8441c" stroke-width="0.8">)"
-           "\n" +
-           robot_ + "</g>\n";
   if (!path_.empty())
     out += R"(<g id="path" fill="none" stroke-linejoin="round" stroke-linecap="round">)"
            "\n" +
            path_ + "</g>\n";
+  if (!robot_.empty())
+    out += R"(<g id="robot" fill="#f6b26b" fill-opacity="0.45" stroke="#a8441c" stroke-width="0.8">)"
+           "\n" +
+           robot_ + "</g>\n";
   if (!markers_.empty()) out += "<g id=\"markers\" font-weight=\"bold\">\n" + markers_ + "</g>\n";
   out += "</g>\n";
   if (!captions_.empty()) {

@@ -1,0 +1,47 @@
+#include "datasets/file_io.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iterator>
+
+namespace arcway {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileIoTest : public ::testing::Test {
+ protected:
+  FileIoTest() { fs::create_directories(folder_); }
+  ~FileIoTest() override { fs::remove_all(folder_); }
+  fs::path folder_ = fs::path(::testing::TempDir()) / "arcway_file_io";
+};
+
+TEST_F(FileIoTest, WritesReplacesAndLeavesNothingBehind) {
+  const std::string large(300000, 'x');
+  write_file_atomically(folder_ / "a", "short");
+  write_file_atomically(folder_ / "a", large);
+  EXPECT_EQ(read_file(folder_ / "a"), large);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(FileIoTest, ErrorsNameThePath) {
+  const auto error = [](auto action) -> std::string {
+    try {
+      action();
+    } catch (const FileError& e) {
+      return e.what();
+    }
+    return "no error";
+  };
+  const std::string missing = (folder_ / "no" / "a").string();
+  EXPECT_EQ(error([&] { static_cast<void>(read_file(missing)); }),
+            "cannot read " + missing + ": No such file or directory");
+  EXPECT_EQ(error([&] { write_file_atomically(missing, ""); }),
+            "cannot write " + missing + ": No such file or directory");
+  EXPECT_NE(error([&] { static_cast<void>(read_file(folder_)); }).find("cannot read"), std::string::npos);
+  EXPECT_NE(error([&] { write_file_atomically(folder_, ""); }).find("cannot write"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace arcway

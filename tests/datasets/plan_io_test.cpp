@@ -1,0 +1,125 @@
+#include "datasets/plan_io.h"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "core/path/speed_profile.h"
+
+namespace arcway {
+namespace {
+
+PlanResult example() {
+  PlanResult result;
+  result.status = PlanStatus::kSolved;
+  const PathSegment line{{0.1, 0.2, 0.0}, 7.0, 0.0};
+  const PathSegment arc{line.end(), 2.0, -0.5};
+  const PathSegment last{arc.end(), 1.0 / 3.0, 0.0};
+  const Path path{line, arc, last};
+  const SpeedProfile profile = speed_profile(path, Vehicle{});
+  for (std::size_t i = 0; i < path.size(); ++i)
+    result.segments.push_back({path[i], profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
+  result.start = line.start;
+  result.goal = last.end();
+  result.travel_time = profile.total_time;
+  result.length = length_of(path);
+  result.min_clearance = std::numeric_limits<double>::infinity();
+  return result;
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    read_plan(text, "plan.json");
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(PlanJson, RoundTripIsExact) {
+  const PlanResult result = example();
+  const std::string text = plan_to_json(result, 7);
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+  EXPECT_EQ(text.rfind(R"({"format":"arcway-plan","version":1,"q":7,"status":"solved","start":[0.1,0.2,0],)", 0), 0u)
+      << text;
+  EXPECT_NE(text.find(R"("min_clearance":null)"), std::string::npos);
+  const PlanFile file = read_plan(text, "plan.json");
+  EXPECT_EQ(file.status, "solved");
+  EXPECT_EQ(file.goal.x, result.goal.x);
+  ASSERT_EQ(file.path.segments.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(file.path.segments[i].start.heading, result.segments[i].segment.start.heading);
+    EXPECT_EQ(file.path.segments[i].length, result.segments[i].segment.length);
+    EXPECT_EQ(file.path.segments[i].curvature, result.segments[i].segment.curvature);
+    EXPECT_EQ(file.path.speed_in[i], result.segments[i].speed_in);
+    EXPECT_EQ(file.path.speed_out[i], result.segments[i].speed_out);
+    EXPECT_EQ(file.path.durations[i], result.segments[i].duration);
+  }
+}
+
+TEST(PlanJson, TellsWhyThereIsNoPath) {
+  PlanResult result;
+  result.status = PlanStatus::kStartBlocked;
+  result.reason = "no \"way\" out";
+  const std::string text = plan_to_json(result, 0);
+  EXPECT_NE(text.find(R"("reason":"no \"way\" out")"), std::string::npos) << text;
+  EXPECT_TRUE(read_plan(text, "p").path.segments.empty());
+}
+
+TEST(PlanJson, ReadsPathsWithoutSpeeds) {
+  const auto plan = [](const std::string& segments) {
+    return R"({"format":"arcway-plan","version":1,"start":[0,0,0],"goal":[1,0,0],"path":[)" + segments + "]}";
+  };
+  const std::string bare = R"({"type":"line","start":[0,0,0],"length":1,"curvature":0})";
+  const PlanFile file = read_plan(plan(bare), "plan.json");
+  EXPECT_EQ(file.path.segments.size(), 1u);
+  EXPECT_TRUE(file.path.durations.empty());
+  EXPECT_EQ(error_of(plan(bare + R"(,{"type":"line","start":[0,0,0],"length":null,"curvature":0})")),
+            "plan.json: path[1].length: expected a number, found null");
+  EXPECT_EQ(error_of(plan(R"({"type":"line","start":[0,0,0],"length":1,"curvature":2})")),
+            "plan.json: path[0].curvature: expected 0 on a line, found 2");
+  EXPECT_EQ(error_of(plan(
+                bare + "," +
+                R"({"type":"arc","start":[0,0,0],"length":1,"curvature":2,"speed_in":0,"speed_out":0,"duration":1})")),
+            "plan.json: path[1]: speeds must be on all segments or on none");
+  EXPECT_EQ(error_of(plan(R"({"typ":"line"})")), "plan.json: path[0]: unknown key \"typ\"");
+}
+
+TEST(PathCsv, RunsThroughAllJointsInTimeOrder) {
+  const PlanResult result = example();
+  const std::string csv = path_to_csv(result.segments, Vehicle{}, {.max_length = 0.5, .max_angle = 0.1});
+  std::vector<std::vector<double>> rows;
+  std::size_t at = csv.find('\n') + 1;
+  EXPECT_EQ(csv.substr(0, at), "s,x,y,yaw,curvature,direction,t,v,steer\n");
+  while (at < csv.size()) {
+    rows.emplace_back();
+    for (bool more = true; more;) {
+      double value = 0.0;
+      const auto [end, code] = std::from_chars(csv.data() + at, csv.data() + csv.size(), value);
+      ASSERT_EQ(code, std::errc());
+      rows.back().push_back(value);
+      more = *end == ',';
+      at = static_cast<std::size_t>(end - csv.data()) + 1;
+    }
+    ASSERT_EQ(rows.back().size(), 9u);
+  }
+  // 14 steps of the line, 10 of the arc (by angle), 1 of the last line, each with its own first row.
+  ASSERT_EQ(rows.size(), 14u + 10u + 1u + 3u);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_GE(rows[i][0], rows[i - 1][0]);
+    EXPECT_GE(rows[i][6], rows[i - 1][6] - 1e-12);
+    // Mean speed between two samples.
+    const double ds = rows[i][0] - rows[i - 1][0], dt = rows[i][6] - rows[i - 1][6];
+    EXPECT_NEAR(0.5 * (rows[i][7] + rows[i - 1][7]) * dt, ds, 0.1 * ds + 1e-9) << i;
+  }
+  EXPECT_EQ(rows.front()[7], 0.0);
+  EXPECT_EQ(rows.back()[7], 0.0);
+  EXPECT_NEAR(rows.back()[6], result.travel_time, 1e-12);
+  EXPECT_NEAR(rows.back()[0], result.length, 1e-12);
+  EXPECT_NEAR(rows[20][8], std::atan(1.3 * -0.5), 1e-15);
+}
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,56 @@
+#include "datasets/svg.h"
+
+#include <gtest/gtest.h>
+
+#include "datasets/paper_example.h"
+
+namespace arcway {
+namespace {
+
+std::size_t count(const std::string& text, std::string_view part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(Svg, DrawsLayersWithYUp) {
+  const World world({{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{2, 2}, {2, 3}, {3, 3}}}}},
+                    Ring{{-10, -10}, {90, -10}, {90, 40}, {-10, 40}});
+  SvgPicture picture(world, 1000.0);
+  const std::vector<LineSegment> edges{{{0, 0}, {10, 10}}, {{0, 10}, {20, 20}}};
+  picture.add_edges(edges);
+  const Path path{{{20, 20, 0}, 10, 0}, {{30, 20, 0}, 3, 0.5}};
+  picture.add_path(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+  picture.add_caption("a < b & \"c\"");
+  picture.set_title("T<1>", "D");
+  const std::string svg = picture.str();
+  for (const char* part : {"<g id=\"bounds\"", "<g id=\"obstacles\" fill-rule=\"evenodd\"", "<g id=\"graph\"",
+                           "<g id=\"path\"", "<g id=\"robot\"", "<g id=\"markers\"", "<title>T&lt;1&gt;</title>",
+                           "<desc>D</desc>", "a &lt; b &amp; &quot;c&quot;"})
+    EXPECT_EQ(count(svg, part), 1u) << part;
+  // 10 px a metre below a border of 16 px: (0, 0) is 40 m below the top.
+  EXPECT_NE(svg.find("M116 416L216 416L216 316L116 316ZM136 396"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("M116 416L216 316M116 316L316 216"), std::string::npos);
+  EXPECT_EQ(count(svg, "<g"), count(svg, "</g>"));
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST(Svg, DrawsWorldsWithoutExtent) {
+  EXPECT_EQ(SvgPicture(World({})).str().find("nan"), std::string::npos);
+  Box point;
+  point.extend(Vec2(3, 3));
+  EXPECT_EQ(SvgPicture(World({}), point).str().find("inf"), std::string::npos);
+}
+
+TEST(PaperExample, HasEightObstaclesClearOfBothEnds) {
+  const PaperExample example = paper_example();
+  EXPECT_EQ(example.world.obstacle_count(), 8u);
+  ASSERT_TRUE(example.world.has_bounds());
+  EXPECT_EQ(example.world.box().max, Vec2(900, 600));
+  for (ObstacleId o = 0; o < example.world.region_count(); ++o)
+    for (const Pose& pose : {example.start, example.goal})
+      EXPECT_EQ(example.world.locate(pose.position(), o), PointLocation::kOutside);
+}
+
+}  // namespace
+}  // namespace arcway
