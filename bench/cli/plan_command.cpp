@@ -214,8 +214,9 @@ int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Plann
   if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
 
   out += arguments.map + ": " + count_text(solved) + " of " + count_text(queries.size()) + " solved\n";
-  out += row("valid", refused == 0 ? "all of them, every moment of the motion checked"
-                                   : "NO, " + count_text(refused) + " refused; " + first_refusal);
+  out += row("valid", solved == 0    ? "no plan to check"
+                      : refused == 0 ? "all of them, every moment of the motion checked"
+                                     : "NO, " + count_text(refused) + " refused; " + first_refusal);
   out += row("query times", "median " + duration_text(median(seconds)) + ", sum " +
                                 duration_text(std::accumulate(seconds.begin(), seconds.end(), 0.0)) + "; " +
                                 duration_text(total) + " with validation");
