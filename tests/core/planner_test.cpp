@@ -1,0 +1,149 @@
+#include "core/planner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "core/path/dubins.h"
+#include "core/path/validation.h"
+#include "datasets/clutter.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+void expect_valid(const Planner& planner, const PlanResult& result) {
+  TimedPath path;
+  for (const TimedSegment& s : result.segments) {
+    path.segments.push_back(s.segment);
+    path.speed_in.push_back(s.speed_in);
+    path.speed_out.push_back(s.speed_out);
+    path.durations.push_back(s.duration);
+  }
+  const ValidationReport report = validate(planner.world(), planner.vehicle(), result.start, result.goal, path);
+  for (const ValidationIssue& issue : report.issues) ADD_FAILURE() << name_of(issue.violation) << ": " << issue.message;
+  EXPECT_GE(result.travel_time, result.lower_bound * (1.0 - 1e-12));
+  EXPECT_GT(result.min_clearance, 0.0);
+}
+
+Vehicle one_speed() {
+  VehicleParameters parameters;
+  parameters.turn_speed = ConstantTurnSpeed{parameters.max_speed};
+  return Vehicle(parameters);
+}
+
+TEST(Planner, AnEmptyWorldGivesTheShortestDubinsWord) {
+  const Vehicle vehicle = one_speed();
+  const Planner planner(World({}), vehicle);
+  test::Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const double side = i % 2 == 0 ? 4.0 : 40.0;
+    const auto pose = [&] {
+      return Pose{random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(-kPi, kPi)};
+    };
+    const PlanRequest request{pose(), pose()};
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const DubinsWord word : kDubinsWords)
+      if (const auto path = dubins_path(word, request.start, request.goal, vehicle.min_turning_radius()))
+        shortest = std::min(shortest, length_of(*path));
+    const PlanResult result = planner.plan(request);
+    ASSERT_TRUE(result.solved());
+    EXPECT_NEAR(result.length, shortest, 1e-9);
+    expect_valid(planner, result);
+  }
+}
+
+TEST(Planner, StartAtTheGoalTakesNoTime) {
+  const Planner planner(World({}), Vehicle{});
+  const PlanResult result = planner.plan({{1, 2, 0.5}, {1, 2, 0.5}});
+  EXPECT_TRUE(result.solved());
+  EXPECT_TRUE(result.segments.empty());
+  EXPECT_EQ(result.travel_time, 0.0);
+}
+
+class PlannerInClutter : public testing::TestWithParam<std::tuple<ClutterKind, double>> {};
+
+TEST_P(PlannerInClutter, EveryPlanIsValidAndMostAreFound) {
+  const auto [kind, fill] = GetParam();
+  const Clutter clutter = generate_clutter({.kind = kind, .obstacles = 40, .vertices = 8, .fill = fill, .seed = 7});
+  const Planner planner(World(clutter.obstacles, clutter.bounds), Vehicle{});
+  const Vec2 low = planner.world().box().min;
+  const Vec2 span = planner.world().box().max - low;
+  test::Random random(17);
+  int asked = 0, solved = 0;
+  for (int i = 0; i < 400 && asked < 25; ++i) {
+    const auto pose = [&] {
+      return Pose{low.x() + random.uniform(0.05, 0.95) * span.x(), low.y() + random.uniform(0.05, 0.95) * span.y(),
+                  random.uniform(-kPi, kPi)};
+    };
+    const PlanResult result = planner.plan({pose(), pose()});
+    if (result.status == PlanStatus::kStartInCollision || result.status == PlanStatus::kGoalInCollision) continue;
+    ++asked;
+    if (!result.solved()) {
+      EXPECT_FALSE(result.reason.empty());
+      continue;
+    }
+    ++solved;
+    expect_valid(planner, result);
+  }
+  EXPECT_EQ(asked, 25);
+  EXPECT_GE(solved, 13);
+}
+
+INSTANTIATE_TEST_SUITE_P(Clutters, PlannerInClutter,
+                         testing::Combine(testing::Values(ClutterKind::kConvex, ClutterKind::kStar),
+                                          testing::Values(0.15, 0.3, 0.45)));
+
+TEST(Planner, HeuristicsAgreeWhereTheyMust) {
+  const Clutter clutter =
+      generate_clutter({.kind = ClutterKind::kConvex, .obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 2});
+  const World world(clutter.obstacles, clutter.bounds);
+  const Planner best(world, Vehicle{});
+  const Planner dijkstra(world, Vehicle{}, {.heuristic = Heuristic::kDijkstra, .radii = {}});
+  const Planner paper(world, Vehicle{}, {.heuristic = Heuristic::kPaperDistance, .radii = {}});
+  const Vec2 low = world.box().min;
+  const Vec2 span = world.box().max - low;
+  test::Random random(3);
+  int solved = 0;
+  for (int i = 0; i < 60; ++i) {
+    const auto pose = [&] {
+      return Pose{low.x() + random.uniform(0.1, 0.9) * span.x(), low.y() + random.uniform(0.1, 0.9) * span.y(),
+                  random.uniform(-kPi, kPi)};
+    };
+    const PlanRequest request{pose(), pose()};
+    const PlanResult a = best.plan(request), b = dijkstra.plan(request), c = paper.plan(request);
+    EXPECT_EQ(a.status, b.status);
+    if (!a.solved() || !b.solved() || !c.solved()) continue;
+    ++solved;
+    EXPECT_NEAR(a.travel_time, b.travel_time, 0.02 * a.travel_time);
+    EXPECT_LE(a.statistics.nodes_expanded, b.statistics.nodes_expanded);
+    expect_valid(paper, c);
+  }
+  EXPECT_GT(solved, 10);
+}
+
+World walled() { return World({{{{4, 0}, {6, 0}, {6, 10}, {4, 10}}, {}}}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}); }
+
+TEST(Planner, SaysWhyThereIsNoPath) {
+  const Planner planner(walled(), Vehicle{});
+  EXPECT_EQ(planner.plan({{5, 5, 0}, {8, 5, 0}}).status, PlanStatus::kStartInCollision);
+  EXPECT_EQ(planner.plan({{2, 5, 1.57}, {5, 5, 0}}).status, PlanStatus::kGoalInCollision);
+  EXPECT_EQ(planner.plan({{2, 5, 1.57}, {50, 5, 0}}).status, PlanStatus::kGoalOutsideBounds);
+  EXPECT_EQ(planner.plan({{-3, 5, 1.57}, {8, 5, 0}}).status, PlanStatus::kStartOutsideBounds);
+  const PlanResult result = planner.plan({{2, 2, 1.57}, {8, 2, 1.57}});
+  EXPECT_FALSE(result.solved());
+  EXPECT_FALSE(result.reason.empty());
+}
+
+TEST(Planner, RefusesPosesAndOptionsThatCannotBe) {
+  const Planner planner(walled(), Vehicle{});
+  EXPECT_THROW((void)planner.plan({{NAN, 5, 0}, {8, 5, 0}}), std::invalid_argument);
+  EXPECT_THROW(Planner(walled(), Vehicle{}, {.radii = {0.5}}), std::invalid_argument);
+  const World far({{{{1e9, 1e9}, {1e9 + 4, 1e9}, {1e9, 1e9 + 4}}, {}}});
+  EXPECT_THROW(Planner(far, Vehicle{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace arcway

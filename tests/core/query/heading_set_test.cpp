@@ -1,0 +1,57 @@
+#include "core/query/heading_set.h"
+
+#include <gtest/gtest.h>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+namespace {
+
+TEST(HeadingSet, NothingBlockedIsTheFullCircle) {
+  const HeadingSet set = HeadingSet::complement({});
+  EXPECT_TRUE(set.is_full());
+  EXPECT_EQ(set.reach(1.0, Side::kLeft), kTwoPi);
+}
+
+TEST(HeadingSet, AFullBlockLeavesNothing) {
+  EXPECT_TRUE(HeadingSet::complement({{1.0, 1.0 + kTwoPi}}).empty());
+  EXPECT_TRUE(HeadingSet::complement({{0.0, 3.5}, {3.0, 6.5}}).empty());
+}
+
+TEST(HeadingSet, BlockedEndsAreNotFree) {
+  const HeadingSet set = HeadingSet::complement({{1.0, 2.0}, {3.0, 4.0}});
+  for (const double end : {1.0, 2.0, 3.0, 4.0}) EXPECT_FALSE(set.contains(end)) << end;
+  EXPECT_TRUE(set.contains(std::nextafter(2.0, 3.0)));
+  EXPECT_TRUE(set.contains(std::nextafter(3.0, 2.0)));
+  EXPECT_TRUE(set.contains(std::nextafter(4.0, 5.0)));
+}
+
+TEST(HeadingSet, OneIntervalCrossesTheSeam) {
+  const HeadingSet set = HeadingSet::complement({{1.0, 5.0}});
+  ASSERT_EQ(set.intervals().size(), 1u);
+  EXPECT_TRUE(set.contains(0.0));
+  EXPECT_TRUE(set.contains(6.0));
+  EXPECT_TRUE(set.contains(-0.5));
+  EXPECT_NEAR(set.reach(6.0, Side::kLeft), 1.0 + kTwoPi - 6.0, 1e-12);
+  EXPECT_NEAR(set.reach(0.5, Side::kRight), 0.5 + kTwoPi - 5.0, 1e-12);
+  EXPECT_LT(set.reach(3.0, Side::kLeft), 0.0);
+}
+
+TEST(HeadingSet, ABlockAcrossTheSeamIsCutOutOnBothSides) {
+  const HeadingSet set = HeadingSet::complement({{6.0, 6.0 + 1.0}, {3.0, 4.0}});
+  ASSERT_EQ(set.intervals().size(), 2u);
+  EXPECT_FALSE(set.contains(0.5));
+  EXPECT_FALSE(set.contains(6.1));
+  EXPECT_TRUE(set.contains(1.0));
+  EXPECT_TRUE(set.contains(5.0));
+  EXPECT_FALSE(set.contains(3.5));
+}
+
+TEST(HeadingSet, OverlappingAndTouchingBlocksMerge) {
+  const HeadingSet set = HeadingSet::complement({{1.0, 2.0}, {1.5, 2.5}, {2.5, 3.0}});
+  ASSERT_EQ(set.intervals().size(), 1u);
+  EXPECT_FALSE(set.contains(2.5));
+}
+
+}  // namespace
+}  // namespace arcway
