@@ -30,7 +30,7 @@ struct PlannerOptions {
   std::vector<double> radii;
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; 0 turns
   /// manoeuvres off.
-  std::uint32_t manoeuvre_poses = 800;
+  std::uint32_t manoeuvre_poses = 400;
 };
 
 struct PlanRequest {

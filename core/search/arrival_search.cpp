@@ -43,7 +43,8 @@ struct TerminalLink {
   std::uint32_t terminal_circle;
   std::uint32_t circle;
   Bitangent line;
-  double turn;  // on the terminal's circle
+  double turn;                                                 // on the terminal's circle
+  double best_cost = std::numeric_limits<double>::infinity();  // of the goal, by this straight, as far as known
 };
 
 enum class Kind : std::uint8_t { kGraph, kStart, kGoal, kDirect };
@@ -230,7 +231,7 @@ class ArrivalSearch {
   }
 
   // Straights from a circle to the goal's circles that are free but for the swept rectangle.
-  const std::vector<TerminalLink>& goal_links(std::uint32_t c) {
+  std::vector<TerminalLink>& goal_links(std::uint32_t c) {
     if (goal_links_known_[c]) return goal_links_[c];
     goal_links_known_[c] = 1;
     for (std::uint32_t g = 0; g < goal_circles_.size(); ++g) {
@@ -257,7 +258,7 @@ class ArrivalSearch {
     const double speed = vehicle_.turn_speed(circle.radius);
     const double a = vehicle_.max_acceleration();
 
-    for (const TerminalLink& link : goal_links(c)) {
+    for (TerminalLink& link : goal_links(c)) {
       const double turn = turn_between(arrival, link.line.start.heading, circle.side);
       if (turn > reach) continue;
       result_.goal_reached = true;
@@ -267,6 +268,8 @@ class ArrivalSearch {
       const double cost = entry.cost + turn * circle.radius / speed +
                           relaxed_segment_time(link.line.length, speed, vehicle_.max_speed(), arc.speed, a) + arc.time +
                           goal.cost;
+      if (cost >= link.best_cost) continue;
+      link.best_cost = cost;
       goal_steps_.push_back({link, parent});
       push(Kind::kGoal, static_cast<std::uint32_t>(goal_steps_.size() - 1), cost, 0.0);
     }
