@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <utility>
 
 #include "core/query/query_set.h"
+#include "datasets/clutter.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {
@@ -194,6 +196,20 @@ TEST(ReducedVisibilityGraph, RandomTrianglesOnACoarseGrid) {
     }
     SCOPED_TRACE(round);
     expect_oracle(triangles);
+  }
+}
+
+TEST(ReducedVisibilityGraph, CluttersInWholeMillimetres) {
+  for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) {
+    const Clutter clutter = generate_clutter({.kind = kind, .obstacles = 125, .vertices = 8, .fill = 0.3, .seed = 12});
+    Oracle::Polygons polygons;
+    for (const Polygon& obstacle : clutter.obstacles) {
+      polygons.emplace_back();
+      for (const Vec2& p : obstacle.outer)
+        polygons.back().push_back({std::llround(1e3 * p.x()), std::llround(1e3 * p.y())});
+    }
+    SCOPED_TRACE(name_of(kind));
+    expect_oracle(polygons);
   }
 }
 
