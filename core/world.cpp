@@ -1,8 +1,11 @@
 #include "core/world.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/geometry/box_tree.h"
@@ -151,6 +154,7 @@ struct World::Data {
   std::vector<ObstacleId> obstacle_of;
   std::vector<bool> convex;
   std::vector<bool> covered;
+  std::vector<bool> pinched;
   std::vector<VertexId> convex_vertices;
   std::vector<VertexId> region_starts{0};  // one more than regions
   std::vector<VertexId> ring_starts;
@@ -194,6 +198,7 @@ struct World::Data {
       convex[v] = orientation(vertices[previous[v]], vertices[v], vertices[next[v]]) > 0;
     }
     mark_covered();
+    mark_pinched();
     for (VertexId v = 0; v < n; ++v) {
       if (convex[v] && !covered[v]) convex_vertices.push_back(v);
     }
@@ -214,6 +219,16 @@ struct World::Data {
       parity.add(vertices[v], vertices[next[v]]);
     }
     return side_of(parity.location(), region);
+  }
+
+  void mark_pinched() {
+    pinched.resize(vertices.size());
+    std::vector<VertexId> order(vertices.size());
+    std::iota(order.begin(), order.end(), VertexId{0});
+    const auto key = [this](VertexId v) { return std::tuple(obstacle_of[v], vertices[v].x(), vertices[v].y()); };
+    std::sort(order.begin(), order.end(), [&](VertexId v, VertexId w) { return key(v) < key(w); });
+    for (std::size_t i = 1; i < order.size(); ++i)
+      if (key(order[i - 1]) == key(order[i])) pinched[order[i - 1]] = pinched[order[i]] = true;
   }
 
   void mark_covered() {
@@ -300,6 +315,7 @@ VertexId World::previous(VertexId v) const { return data_->previous[v]; }
 ObstacleId World::obstacle_of(VertexId v) const { return data_->obstacle_of[v]; }
 bool World::is_convex(VertexId v) const { return data_->convex[v]; }
 bool World::is_covered(VertexId v) const { return data_->covered[v]; }
+bool World::is_pinched(VertexId v) const { return data_->pinched[v]; }
 std::span<const VertexId> World::convex_vertices() const { return data_->convex_vertices; }
 std::size_t World::obstacle_count() const { return data_->boxes.size() - (data_->has_bounds ? 1 : 0); }
 bool World::has_bounds() const { return data_->has_bounds; }

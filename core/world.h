@@ -70,6 +70,8 @@ class World {
   [[nodiscard]] bool is_convex(VertexId v) const;
   /// Whether v lies strictly inside another obstacle or strictly outside the bounds.
   [[nodiscard]] bool is_covered(VertexId v) const;
+  /// Whether another vertex of the same region lies at the same place: rings touch there.
+  [[nodiscard]] bool is_pinched(VertexId v) const;
   /// The graph's vertices: convex and not covered, ascending.
   [[nodiscard]] std::span<const VertexId> convex_vertices() const;
 
