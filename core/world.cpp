@@ -154,7 +154,6 @@ struct World::Data {
   std::vector<ObstacleId> obstacle_of;
   std::vector<bool> convex;
   std::vector<bool> covered;
-  std::vector<bool> pinched;
   std::vector<VertexId> convex_vertices;
   std::vector<VertexId> region_starts{0};  // one more than regions
   std::vector<VertexId> ring_starts;
@@ -191,6 +190,7 @@ struct World::Data {
 
   void finish() {
     const auto n = static_cast<VertexId>(vertices.size());
+    relink_pinches();
     edges.reserve(n);
     convex.resize(n);
     for (VertexId v = 0; v < n; ++v) {
@@ -198,7 +198,6 @@ struct World::Data {
       convex[v] = orientation(vertices[previous[v]], vertices[v], vertices[next[v]]) > 0;
     }
     mark_covered();
-    mark_pinched();
     for (VertexId v = 0; v < n; ++v) {
       if (convex[v] && !covered[v]) convex_vertices.push_back(v);
     }
@@ -221,14 +220,32 @@ struct World::Data {
     return side_of(parity.location(), region);
   }
 
-  void mark_pinched() {
-    pinched.resize(vertices.size());
+  // Where rings touch in a vertex, an edge that ends there goes on with the edge that bounds the same wedge of the
+  // interior, the first one clockwise from it: so each of the coincident vertices has a wedge of its own, and all of
+  // them are disjoint.
+  void relink_pinches() {
     std::vector<VertexId> order(vertices.size());
     std::iota(order.begin(), order.end(), VertexId{0});
     const auto key = [this](VertexId v) { return std::tuple(obstacle_of[v], vertices[v].x(), vertices[v].y()); };
     std::sort(order.begin(), order.end(), [&](VertexId v, VertexId w) { return key(v) < key(w); });
-    for (std::size_t i = 1; i < order.size(); ++i)
-      if (key(order[i - 1]) == key(order[i])) pinched[order[i - 1]] = pinched[order[i]] = true;
+    std::vector<std::pair<VertexId, VertexId>> links;  // made in the end: the search needs the old ones
+    for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+      while (last < order.size() && key(order[first]) == key(order[last])) ++last;
+      if (last - first < 2) continue;
+      for (std::size_t i = first; i < last; ++i) {
+        const VertexId v = order[i];
+        VertexId nearest = previous[v];
+        for (std::size_t k = first; k < last; ++k) {
+          const VertexId u = previous[order[k]];
+          if (in_open_cone(vertices[nearest], vertices[v], vertices[next[v]], vertices[u])) nearest = u;
+        }
+        links.emplace_back(nearest, v);
+      }
+    }
+    for (const auto& [u, v] : links) {
+      next[u] = v;
+      previous[v] = u;
+    }
   }
 
   void mark_covered() {
@@ -315,7 +332,6 @@ VertexId World::previous(VertexId v) const { return data_->previous[v]; }
 ObstacleId World::obstacle_of(VertexId v) const { return data_->obstacle_of[v]; }
 bool World::is_convex(VertexId v) const { return data_->convex[v]; }
 bool World::is_covered(VertexId v) const { return data_->covered[v]; }
-bool World::is_pinched(VertexId v) const { return data_->pinched[v]; }
 std::span<const VertexId> World::convex_vertices() const { return data_->convex_vertices; }
 std::size_t World::obstacle_count() const { return data_->boxes.size() - (data_->has_bounds ? 1 : 0); }
 bool World::has_bounds() const { return data_->has_bounds; }

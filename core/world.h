@@ -47,7 +47,9 @@ class WorldError : public std::invalid_argument {
 ///
 /// Rings are stored in the order given, and seen through `next` and `previous` always with the
 /// obstacle's interior on the left of vertex -> next(vertex): outer rings counter-clockwise, holes
-/// clockwise, the bounds clockwise.
+/// clockwise, the bounds clockwise. Where rings of one region touch in a common vertex, each of the coincident vertices
+/// has one wedge of the interior there, so that `next` may lead from one ring to another; a vertex on the inside of an
+/// edge of its own region is not split like this.
 class World {
  public:
   /// Checks and takes the map.
@@ -70,8 +72,6 @@ class World {
   [[nodiscard]] bool is_convex(VertexId v) const;
   /// Whether v lies strictly inside another obstacle or strictly outside the bounds.
   [[nodiscard]] bool is_covered(VertexId v) const;
-  /// Whether another vertex of the same region lies at the same place: rings touch there.
-  [[nodiscard]] bool is_pinched(VertexId v) const;
   /// The graph's vertices: convex and not covered, ascending.
   [[nodiscard]] std::span<const VertexId> convex_vertices() const;
 

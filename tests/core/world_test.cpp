@@ -166,14 +166,26 @@ TEST(World, CollinearVerticesAreNotConvex) {
 }
 
 TEST(World, AcceptsPinchedRings) {
-  // Two lobes that meet in (1, 1): the pinch is reflex or convex as each of its two visits is.
+  // Two lobes that meet in (1, 1): each has a convex tip there.
   const World world({{{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}, {}}});
   EXPECT_EQ(world.locate({1, 1}, 0), PointLocation::kBoundary);
   EXPECT_EQ(world.locate({0.5, 1}, 0), PointLocation::kInside);
   EXPECT_EQ(world.locate({1.5, 1}, 0), PointLocation::kInside);
   EXPECT_EQ(world.locate({1, 0.5}, 0), PointLocation::kOutside);
-  EXPECT_FALSE(world.is_convex(1));
-  EXPECT_FALSE(world.is_convex(4));
+  EXPECT_TRUE(world.is_convex(1));
+  EXPECT_TRUE(world.is_convex(4));
+  for (const VertexId v : {1u, 4u}) {
+    EXPECT_EQ(world.previous(world.next(v)), v);
+    EXPECT_EQ(world.next(world.previous(v)), v);
+    // Both neighbours belong to the lobe of the wedge.
+    EXPECT_EQ(world.vertex(world.previous(v)).x(), world.vertex(world.next(v)).x());
+  }
+}
+
+TEST(World, AHoleThatTouchesItsRingSplitsTheWedge) {
+  const World world({{{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}}, {{{0, 4}, {3, 3}, {3, 5}}}}});
+  EXPECT_TRUE(world.is_convex(4));
+  EXPECT_TRUE(world.is_convex(5));
 }
 
 TEST(World, MayBeEmpty) {
