@@ -9,3 +9,6 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${SCRATCH}/build -G ${G
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build --config ${CONFIG} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${SCRATCH}/build/consumer COMMAND_ERROR_IS_FATAL ANY)
+if(EXISTS ${SCRATCH}/build/accel_consumer)
+  execute_process(COMMAND ${SCRATCH}/build/accel_consumer COMMAND_ERROR_IS_FATAL ANY)
+endif()
