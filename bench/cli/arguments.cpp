@@ -10,7 +10,7 @@
 
 #include "core/geometry/angle.h"
 #include "datasets/file_io.h"
-#include "datasets/geojson.h"
+#include "datasets/formats/geojson.h"
 #include "datasets/paper_example.h"
 #include "datasets/robot.h"
 

@@ -4,7 +4,7 @@
 
 #include "bench/cli/arguments.h"
 #include "datasets/clutter.h"
-#include "datasets/geojson.h"
+#include "datasets/formats/geojson.h"
 
 namespace arcway::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "datasets/geojson.h"
+#include "datasets/formats/geojson.h"
 
 #include <gtest/gtest.h>
 
@@ -139,23 +139,6 @@ TEST(GeoJson, RoundTripIsExact) {
   EXPECT_TRUE(back.warnings.empty());
   std::istringstream stream(text);
   EXPECT_EQ(to_geojson(read_geojson(stream, "s")), text);
-}
-
-TEST(GeoJson, WorldErrorsAreTranslatedToPlaces) {
-  const MapFile map = read(collection(feature("null") + "," + feature(polygon("[[0,0],[5,5],[5,0],[0,5],[0,0]]"))));
-  try {
-    to_world(map, "world.geojson");
-    FAIL();
-  } catch (const FormatError& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("world.geojson: feature 1: ", 0), 0u) << error.what();
-  }
-}
-
-TEST(GeoJson, WorldGivesItsPolygonsBack) {
-  const MapFile map = read(collection(feature(polygon("[[0,0],[0,9],[9,9],[9,0],[0,0]],[[2,5],[2,6],[3,6],[2,5]]")) +
-                                          "," + feature(polygon("[[20,0],[21,0],[21,1],[20,0]]")),
-                                      R"("properties":{"bounds":[-5,-5,30,30]},)"));
-  EXPECT_EQ(to_geojson(to_map_file(to_world(map, "w"))), to_geojson(map));
 }
 
 }  // namespace

@@ -2,28 +2,12 @@
 
 #include <filesystem>
 #include <istream>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "core/geometry/polygon.h"
-#include "core/path/path.h"
-#include "core/world.h"
-#include "datasets/file_io.h"
+#include "datasets/map_file.h"
 
 namespace arcway {
-
-/// A planar map: obstacles, and what else the file says.
-struct MapFile {
-  std::vector<Polygon> obstacles;
-  std::optional<Ring> bounds;
-  std::optional<Pose> start, goal;
-  std::vector<std::string> warnings;
-  /// Where each obstacle came from: "feature 3, polygon 1". One an obstacle, or empty if not read from a file.
-  std::vector<std::string> places;
-  std::string bounds_place;
-};
 
 /// Reads GeoJSON [RFC 7946] with planar coordinates in metres: FeatureCollection, Feature, any geometry, or one
 /// Feature a line. Polygons and MultiPolygons are obstacles, rings in the order of the file, without the
@@ -40,14 +24,8 @@ MapFile read_geojson(std::istream& input, std::string_view name);
 /// @throws FileError if the file cannot be read.
 MapFile read_geojson_file(const std::filesystem::path& path);
 
-/// World of a map file.
-/// @throws FormatError with the World's complaint and the place in the file.
-World to_world(const MapFile& map, std::string_view name);
-
 /// A FeatureCollection, one feature a line, that reads back to the same doubles: rings closed, outer rings and holes
 /// as they are.
 std::string to_geojson(const MapFile& map);
-/// The obstacles and bounds of a world.
-MapFile to_map_file(const World& world);
 
 }  // namespace arcway

@@ -1,4 +1,4 @@
-#include "datasets/geojson.h"
+#include "datasets/formats/geojson.h"
 
 #include <algorithm>
 #include <cmath>
@@ -299,16 +299,6 @@ MapFile read_geojson(std::istream& input, std::string_view name) {
 
 MapFile read_geojson_file(const std::filesystem::path& path) { return read_geojson(read_file(path), path.string()); }
 
-World to_world(const MapFile& map, std::string_view name) {
-  try {
-    return World(map.obstacles, map.bounds);
-  } catch (const WorldError& error) {
-    const std::size_t k = error.obstacle();
-    const std::string place = k < map.places.size() ? map.places[k] : k >= map.obstacles.size() ? map.bounds_place : "";
-    throw FormatError(std::string(name) + ": " + (place.empty() ? "" : place + ": ") + error.what());
-  }
-}
-
 std::string to_geojson(const MapFile& map) {
   std::string out = R"({"type":"FeatureCollection","planar":{"unit":"m","frame":"map"},"features":[)";
   const char* separator = "\n";
@@ -331,27 +321,6 @@ std::string to_geojson(const MapFile& map) {
   }
   out += "\n]}\n";
   return out;
-}
-
-MapFile to_map_file(const World& world) {
-  MapFile map;
-  for (ObstacleId o = 0; o < world.region_count(); ++o) {
-    const auto starts = world.ring_starts(o);
-    std::vector<Ring> rings;
-    for (std::size_t r = 0; r < starts.size(); ++r) {
-      const VertexId end = r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(o).last;
-      const auto all = world.vertices();
-      rings.emplace_back(all.begin() + starts[r], all.begin() + end);
-    }
-    if (o == world.obstacle_count()) {
-      map.bounds = std::move(rings.front());
-    } else {
-      Ring outer = std::move(rings.front());
-      rings.erase(rings.begin());
-      map.obstacles.push_back({std::move(outer), std::move(rings)});
-    }
-  }
-  return map;
 }
 
 }  // namespace arcway

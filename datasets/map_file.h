@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/polygon.h"
+#include "core/path/path.h"
+#include "core/world.h"
+#include "datasets/file_io.h"
+
+namespace arcway {
+
+/// A planar map as a file has it: obstacles in metres, and what else the file says. Plain data: World checks it.
+struct MapFile {
+  std::vector<Polygon> obstacles;
+  std::optional<Ring> bounds;
+  std::optional<Pose> start, goal;
+  std::vector<std::string> warnings;  ///< what in the file may not mean what its author meant, one sentence each
+  std::vector<std::string> notes;     ///< what was done to the file's content: "163,496 corners traced"
+  /// Where each obstacle came from: "feature 3, polygon 1". One an obstacle, or empty if not read from a file.
+  std::vector<std::string> places;
+  std::string bounds_place;
+};
+
+/// World of a map file.
+/// @throws FormatError with the World's complaint and the place in the file.
+World to_world(const MapFile& map, std::string_view name);
+
+/// The obstacles and bounds of a world.
+MapFile to_map_file(const World& world);
+
+}  // namespace arcway
