@@ -5,10 +5,12 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <system_error>
 
 #include "core/geometry/angle.h"
+#include "datasets/catalogue.h"
 #include "datasets/file_io.h"
 #include "datasets/formats/geojson.h"
 #include "datasets/paper_example.h"
@@ -109,11 +111,8 @@ QuerySet BuildOptions::queries(const World& world) const {
 }
 
 LoadedMap load_map(const std::string& name) {
-  if (name == kPaper) {
-    PaperExample example = paper_example();
-    return {std::move(example.world), example.start, example.goal, {}};
-  }
-  MapFile map = read_geojson_file(name);
+  const bool generated = is_catalogue_name(name) && !std::filesystem::is_regular_file(name);
+  MapFile map = generated ? catalogue_map(name) : read_geojson_file(name);
   return {to_world(map, name), map.start, map.goal, std::move(map.warnings)};
 }
 

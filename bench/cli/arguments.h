@@ -52,8 +52,8 @@ struct BuildOptions {
   [[nodiscard]] QuerySet queries(const World& world) const;
 };
 
-/// The name of the paper's example, where a map's file name is expected.
-inline constexpr std::string_view kPaper = "paper";
+/// Of the argument that names a map.
+inline constexpr const char* kMapHelp = "Map (GeoJSON, metres), or a name of the catalogue: paper, clutter/star/n100";
 
 /// What a map says: the world and, if it has them, start and goal.
 struct LoadedMap {
@@ -61,7 +61,7 @@ struct LoadedMap {
   std::optional<Pose> start, goal;
   std::vector<std::string> warnings;
 };
-/// @param name  of a GeoJSON file, or `paper`.
+/// @param name  of a GeoJSON file, or of a world of the catalogue if there is no such file.
 LoadedMap load_map(const std::string& name);
 /// From a robot file; the paper's robot if the name is empty.
 Vehicle load_vehicle(const std::string& file);

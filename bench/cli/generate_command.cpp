@@ -1,59 +1,117 @@
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bench/cli/arguments.h"
+#include "datasets/catalogue.h"
 #include "datasets/clutter.h"
 #include "datasets/formats/geojson.h"
+#include "datasets/random_queries.h"
 
 namespace arcway::cli {
 namespace {
 
 struct GenerateArguments {
-  std::string kind;
+  std::string world;
   std::string obstacles, vertices, fill, seed, gap;
   std::string out;
+  std::string queries, count = "50", query_seed = "1", robot;
 };
 
-ClutterKind kind_of(const std::string& name) {
+std::optional<ClutterKind> clutter_kind(const std::string& name) {
   for (const ClutterKind kind :
        {ClutterKind::kConvex, ClutterKind::kStar, ClutterKind::kMixed, ClutterKind::kRectangle}) {
     if (name == name_of(kind)) return kind;
   }
-  throw UsageError("KIND: expected convex, star, mixed or rectangle, got \"" + name + "\"");
+  return std::nullopt;
 }
 
-int run_generate(const GenerateArguments& arguments, std::string& out) {
+MapFile clutter_map(ClutterKind kind, const GenerateArguments& arguments, std::string& out) {
   ClutterParameters parameters;
-  parameters.kind = kind_of(arguments.kind);
+  parameters.kind = kind;
   if (!arguments.obstacles.empty()) parameters.obstacles = parse_count(arguments.obstacles, "--obstacles");
   if (!arguments.vertices.empty()) parameters.vertices = parse_count(arguments.vertices, "--vertices");
   if (!arguments.fill.empty()) parameters.fill = parse_number(arguments.fill, "--fill");
   if (!arguments.gap.empty()) parameters.min_gap = parse_number(arguments.gap, "--gap");
   if (!arguments.seed.empty()) parameters.seed = parse_count(arguments.seed, "--seed");
   Clutter clutter = generate_clutter(parameters);
-
+  out += row("fill", fixed(parameters.fill, 4)) + row("smallest gap", fixed(parameters.min_gap, 3) + " m") +
+         row("seed", std::to_string(parameters.seed));
   MapFile map;
   map.obstacles = std::move(clutter.obstacles);
   map.bounds = std::move(clutter.bounds);
-  const World world(map.obstacles, map.bounds);
+  return map;
+}
+
+MapFile make_map(const GenerateArguments& arguments, std::string& out) {
+  if (const auto kind = clutter_kind(arguments.world)) return clutter_map(*kind, arguments, out);
+  for (const auto& [option, value] : {std::pair{"--obstacles", &arguments.obstacles},
+                                      {"--vertices", &arguments.vertices},
+                                      {"--fill", &arguments.fill},
+                                      {"--gap", &arguments.gap},
+                                      {"--seed", &arguments.seed}}) {
+    if (!value->empty()) {
+      throw UsageError(std::string(option) + ": only with convex, star, mixed or rectangle; a name of the catalogue " +
+                       "says it all, got \"" + arguments.world + "\"");
+    }
+  }
+  return catalogue_map(arguments.world);
+}
+
+std::string queries_csv(const GenerateArguments& arguments, const World& world) {
+  const std::vector<PlanRequest> queries = random_queries(
+      world, make_reference_queries(world), load_vehicle(arguments.robot),
+      {.count = parse_count(arguments.count, "--count"), .seed = parse_count(arguments.query_seed, "--query-seed")});
+  std::string csv = "# random poses in " + arguments.world + ", seed " + arguments.query_seed + "\n";
+  csv += "q,sx,sy,stheta,gx,gy,gtheta\n";
+  for (std::size_t q = 0; q < queries.size(); ++q) {
+    csv += std::to_string(q);
+    for (const Pose& pose : {queries[q].start, queries[q].goal})
+      csv += "," + shortest(pose.x) + "," + shortest(pose.y) + "," + shortest(pose.heading);
+    csv += "\n";
+  }
+  return csv;
+}
+
+int run_generate(const GenerateArguments& arguments, std::string& out) {
+  if (arguments.out.empty() && arguments.queries.empty())
+    throw UsageError("generate: nothing to write; use --out W.geojson or --queries Q.csv");
+  std::string details;
+  const MapFile map = make_map(arguments, details);
+  const World world = to_world(map, arguments.world);
   OutputFiles files;
-  files.add(arguments.out, to_geojson(map));
-  out += arguments.out + ": " + name_of(parameters.kind) + " clutter, seed " + std::to_string(parameters.seed) + "\n";
-  out += world_rows(world) + row("fill", fixed(parameters.fill, 4)) +
-         row("smallest gap", fixed(parameters.min_gap, 3) + " m");
+  if (!arguments.out.empty()) files.add(arguments.out, to_geojson(map));
+  if (!arguments.queries.empty()) files.add(arguments.queries, queries_csv(arguments, world));
+  out += arguments.world + "\n" + world_rows(world) + details;
   files.write();
   out += files.summary();
   return kExitSolved;
 }
 
+std::string families_text() {
+  std::string text = "Names of the catalogue (parts may be left out):\n";
+  for (const CatalogueFamily& family : catalogue_families()) {
+    text.append("  ").append(family.pattern).append("\n      ").append(family.what);
+    for (const std::string_view& kind : family.kinds)
+      text.append(&kind == &family.kinds.front() ? "; KIND: " : ", ").append(kind);
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 void add_generate_command(CLI::App& app, Action& action) {
-  CLI::App& command = *app.add_subcommand("generate", "Generate a cluttered map, the same for the same seed");
+  CLI::App& command =
+      *app.add_subcommand("generate", "Generate a map, the same for the same arguments, and queries for it");
+  command.footer(families_text());
   const auto arguments = std::make_shared<GenerateArguments>();
   const ClutterParameters defaults;
-  command.add_option("KIND", arguments->kind, "convex, star, mixed or rectangle")->required();
+  command.add_option("WORLD", arguments->world, "convex, star, mixed or rectangle; or a name of the catalogue")
+      ->required();
   const auto option = [&](const char* name, std::string& value, const std::string& what,
                           const std::string& default_value) {
     command.add_option(name, value, what)->type_name("N")->default_str(default_value);
@@ -63,7 +121,13 @@ void add_generate_command(CLI::App& app, Action& action) {
   option("--fill", arguments->fill, "Share of the area that is blocked", shortest(defaults.fill));
   option("--gap", arguments->gap, "Smallest gap between obstacles [m]", shortest(defaults.min_gap));
   option("--seed", arguments->seed, "Seed", std::to_string(defaults.seed));
-  command.add_option("--out", arguments->out, "Map to write")->type_name("W.geojson")->required();
+  command.add_option("--out", arguments->out, "Map to write")->type_name("W.geojson");
+  command.add_option("--queries", arguments->queries, "Random pose pairs to write, for plan --queries")
+      ->type_name("Q.csv");
+  command.add_option("--count", arguments->count, "Pairs in --queries")->type_name("N")->capture_default_str();
+  command.add_option("--query-seed", arguments->query_seed, "Seed of --queries")->type_name("N")->capture_default_str();
+  command.add_option("--robot", arguments->robot, "Robot (JSON) that --queries are for; default: the paper's")
+      ->type_name("R.json");
   command.callback(
       [arguments, &action] { action = [arguments](std::string& out) { return run_generate(*arguments, out); }; });
 }

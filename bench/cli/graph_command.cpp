@@ -164,7 +164,7 @@ int run_graph(const GraphArguments& arguments, std::string& out) {
 void add_graph_command(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("graph", "Build one of the graphs of a map");
   const auto arguments = std::make_shared<GraphArguments>();
-  command.add_option("WORLD", arguments->map, "Map (GeoJSON, metres), or: paper, the paper's example")->required();
+  command.add_option("WORLD", arguments->map, kMapHelp)->required();
   command.add_option("--kind", arguments->kind, "visibility, reduced or feasible")
       ->type_name("KIND")
       ->capture_default_str();

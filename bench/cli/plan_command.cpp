@@ -271,7 +271,7 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
 void add_plan_command(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("plan", "Plan the fastest path from start to goal, or many on one map");
   const auto arguments = std::make_shared<PlanArguments>();
-  command.add_option("WORLD", arguments->map, "Map (GeoJSON, metres), or: paper, the paper's example")->required();
+  command.add_option("WORLD", arguments->map, kMapHelp)->required();
   command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
   command.add_option("--start", arguments->start, "Start pose; default: the map's")->type_name("X,Y,HEADING");
   command.add_option("--goal", arguments->goal, "Goal pose; default: the map's")->type_name("X,Y,HEADING");

@@ -51,7 +51,7 @@ void add_validate_command(CLI::App& app, Action& action) {
                                           "Check a path, whoever made it: collision, joints, curvature, "
                                           "speeds, accelerations, durations");
   const auto arguments = std::make_shared<ValidateArguments>();
-  command.add_option("WORLD", arguments->map, "Map (GeoJSON, metres), or: paper, the paper's example")->required();
+  command.add_option("WORLD", arguments->map, kMapHelp)->required();
   command.add_option("--path", arguments->path, "Plan as written by plan --json")->type_name("P.json")->required();
   command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
   command.callback(

@@ -217,6 +217,23 @@ TEST_F(Tool, GraphsOfABox) {
   EXPECT_EQ(run("graph " + map_ + " --kind visibility").code, 0);
 }
 
+TEST_F(Tool, TakesNamesOfTheCatalogueWhereNoSuchFileExists) {
+  const std::string name = "clutter/convex/n20/f10/s3";
+  const std::string made = "generate " + name + " --out " + file("w.geojson") + " --queries " + file("q.csv");
+  ASSERT_EQ(run(made + " --count 5").code, 0) << read("stderr");
+  EXPECT_EQ(lines_of(read("q.csv")).size(), 7u);
+  for (const std::string& world : {name, file("w.geojson")}) {
+    const Run batch = run("plan " + world + " --queries " + file("q.csv") + " --out " + file("r.csv"));
+    EXPECT_EQ(batch.code, 0) << batch.err;
+    EXPECT_NE(batch.out.find("of 5 solved"), std::string::npos) << batch.out;
+    EXPECT_EQ(run("graph " + world + " --edges " + file("e.csv")).code, 0);
+    EXPECT_GT(lines_of(read("e.csv")).size(), 100u);
+  }
+  expect_bad_input("plan clutter/cube/n20 --start 1,1,0 --goal 2,2,0", "unknown kind \"cube\"");
+  expect_bad_input("generate clutter/star --seed 3 --out " + file("w.geojson"), "--seed");
+  expect_bad_input("generate clutter/star", "--out");
+}
+
 TEST_F(Tool, GenerateGivesTheSameMapForTheSameSeed) {
   const std::string kind = "generate star --obstacles 12 --vertices 7 --fill 0.2 --seed 5 --out ";
   ASSERT_EQ(run(kind + file("a.geojson")).code, 0);
