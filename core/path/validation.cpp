@@ -396,9 +396,13 @@ class Validator {
         const bool bounds = world_.has_bounds() && hit.region == world_.obstacle_count();
         const std::string place = " at " + text_of(hit.arc_length) + " m";
         const std::string region = bounds ? "the bounds" : "obstacle " + std::to_string(hit.region);
-        add(bounds ? Violation::kOutsideBounds : Violation::kCollision, i, hit.arc_length,
-            hit.edge != kNone ? "the body touches edge " + std::to_string(hit.edge) + " of " + region + place
-                              : "the body is " + std::string(bounds ? "outside of " : "inside ") + region + place);
+        std::string message = "the body ";
+        message += hit.edge != kNone ? "touches edge " + std::to_string(hit.edge) + " of "
+                   : bounds          ? "is outside of "
+                                     : "is inside ";
+        message += region;
+        message += place;
+        add(bounds ? Violation::kOutsideBounds : Violation::kCollision, i, hit.arc_length, message);
       }
     };
     for (std::size_t i = 0; i < path_.segments.size(); ++i) check(i, path_.segments[i]);

@@ -7,7 +7,7 @@
 
 namespace arcway {
 
-HeadingSet HeadingSet::complement(std::vector<HeadingInterval> blocked) {
+HeadingSet HeadingSet::complement(const std::vector<HeadingInterval>& blocked) {
   if (blocked.empty()) return full();
   std::vector<HeadingInterval> cut;  // within [0, 2 pi], those that pass the seam in two pieces
   cut.reserve(blocked.size() + 2);

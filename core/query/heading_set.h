@@ -22,7 +22,7 @@ class HeadingSet {
   static HeadingSet full() { return HeadingSet({{0.0, kFullCircle}}); }
   /// The complement of the union of closed intervals, each of at most a full circle, in any order. The ends belong to
   /// the intervals given, so the result leaves them out: its own ends are the next double inwards.
-  static HeadingSet complement(std::vector<HeadingInterval> blocked);
+  static HeadingSet complement(const std::vector<HeadingInterval>& blocked);
 
   [[nodiscard]] std::span<const HeadingInterval> intervals() const { return intervals_; }
   [[nodiscard]] bool empty() const { return intervals_.empty(); }
