@@ -18,33 +18,6 @@ struct Candidate {
 
 }  // namespace
 
-Pose pose_on(const TurnCircle& circle, double heading) {
-  const Vec2 p = circle.center - sign_of(circle.side) * circle.radius * perpendicular(direction_of(heading));
-  return {p.x(), p.y(), heading};
-}
-
-std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCircle& to) {
-  const Vec2 d = to.center - from.center;
-  const double offset = sign_of(to.side) * to.radius - sign_of(from.side) * from.radius;
-  const double square = (d.norm() - std::abs(offset)) * (d.norm() + std::abs(offset));
-  if (!(square > 0.0)) return std::nullopt;
-  const double length = std::sqrt(square);
-  // In the frame of the line's direction t and left normal n: d = length t + offset n.
-  const Vec2 t = length * d - offset * perpendicular(d);
-  const double heading = std::atan2(t.y(), t.x());
-  return Bitangent{pose_on(from, wrap_positive(heading)), length};
-}
-
-TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body) {
-  const Vec2& v = world.vertex(vertex);
-  const Vec2 back = (world.vertex(world.previous(vertex)) - v).normalized();
-  const Vec2 ahead = (world.vertex(world.next(vertex)) - v).normalized();
-  // At a nearly straight vertex the sum is tiny; the inward normal of the chord is as good there.
-  const Vec2 sum = back + ahead;
-  const Vec2 bisector = sum.squaredNorm() > 1e-3 ? sum.normalized() : Vec2(perpendicular(ahead - back).normalized());
-  return {v + swept_annulus(grown_body, radius).inner * bisector, radius, side, vertex};
-}
-
 FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph,
                              const QuerySet& queries, std::span<const double> radii, const Executor& executor) {
   const Footprint planned = vehicle.footprint(vehicle.safety_margin());

@@ -14,13 +14,6 @@ namespace arcway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Arrival and departure headings of one straight line may differ by rounding; such a turn is none, not a full circle.
-constexpr double kNoTurn = 1e-9;
-
-double turn_between(double from, double to, Side side) {
-  const double turn = wrap_positive(side == Side::kLeft ? to - from : from - to);
-  return turn > kTwoPi - kNoTurn ? 0.0 : turn;
-}
 
 void append_arc(Path& path, const TurnCircle& circle, double from_heading, double turn) {
   if (turn > 0.0)

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "core/path/path.h"
+#include "core/vehicle.h"
+#include "core/world.h"
+
+namespace arcway {
+
+/// A directed circle that the reference point follows round a convex vertex, PLANNER 7.
+struct TurnCircle {
+  Vec2 center;
+  double radius;
+  Side side;        ///< kLeft: counter-clockwise
+  VertexId vertex;  ///< kNone for the circles of a pose
+};
+
+/// Pose of the reference point on a circle where the body has the given heading.
+Pose pose_on(const TurnCircle& circle, double heading);
+
+/// Arrival and departure headings of one straight line may differ by rounding, less than this [rad].
+inline constexpr double kNoTurn = 1e-9;
+
+/// How far to turn towards a side from one heading to another [rad], in [0, 2 pi); a turn that falls short of a full
+/// circle by rounding alone is none.
+double turn_between(double from, double to, Side side);
+
+/// The straight motion from one directed circle to the next; its heading is that of both circles at its ends.
+struct Bitangent {
+  Pose start;
+  double length;
+};
+
+/// The directed bitangent of two directed circles: outer if they turn to the same side, inner if not.
+/// @returns nothing if none exists: one circle inside the other, or opposite circles that overlap. Constant time.
+/// Error of both ends: a few units in the last place of the coordinates.
+std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCircle& to);
+
+/// The circle round a convex vertex: its centre lies rho_in (of the body grown by the margin) inwards along the
+/// bisector of the vertex's two edges, so that the inner swept circle passes through the vertex.
+TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body);
+
+/// The circle of a pose: tangent to its heading at its position.
+TurnCircle turn_circle(const Pose& pose, double radius, Side side);
+
+}  // namespace arcway
