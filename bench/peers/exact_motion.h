@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "core/path/path.h"
+#include "core/planner.h"
+#include "core/query/sweep_query.h"
+#include "core/vehicle.h"
+
+namespace arcway::peers {
+
+/// What a peer gets: the same world, robot and exact collision checks as the planner.
+struct Problem {
+  const World& world;
+  const Vehicle& vehicle;
+  const SweepQuery& sweep;
+  PlanRequest request;
+};
+
+/// The body that planner and peers check: grown by half of the safety margin.
+Footprint checked_body(const Vehicle& vehicle);
+
+bool pose_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose);
+
+/// Whether the body touches nothing along a whole path: a swept rectangle for each line, a free interval of headings
+/// for each arc. No step size.
+bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion);
+
+/// The shortest Dubins word between two poses.
+Path shortest_dubins_path(const Pose& from, const Pose& to, double radius);
+
+/// Travel time from rest to rest, by the fastest speed profile [s].
+double travel_time(std::span<const PathSegment> path, const Vehicle& vehicle);
+
+}  // namespace arcway::peers

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/peers/exact_motion.h"
+#include "datasets/random.h"
+
+namespace arcway::peers {
+
+enum class OmplPlanner {
+  kRrtConnect,       ///< restarted, every solution shortcut for travel time, the best one kept
+  kInformedRrtStar,  ///< asymptotically optimal in length, one run
+};
+const char* name_of(OmplPlanner planner);
+
+struct PeerSolution {
+  Path path;
+  double travel_time = 0.0;  ///< from rest to rest [s]
+  double seconds = 0.0;      ///< from the start of the run
+};
+
+struct PeerRun {
+  std::optional<PeerSolution> first;                 ///< as the planner found it, before any shortcut
+  std::vector<std::optional<PeerSolution>> at_time;  ///< the best path after each of the times asked for
+};
+
+/// Runs OMPL in its Dubins space with the smallest turning radius. Motions are the shortest Dubins words, decided
+/// exactly.
+/// @param first_within  gives up when there is no path by then [s].
+/// @param times         ascending [s]; empty: returns at the first solution.
+PeerRun run_ompl(OmplPlanner planner, const Problem& problem, double first_within, std::span<const double> times,
+                 Random& random);
+
+/// "1.5.2"
+std::string ompl_version();
+
+}  // namespace arcway::peers
