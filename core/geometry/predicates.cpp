@@ -12,18 +12,6 @@ namespace {
 // Order along any line, exact: the order of x, that of y on vertical lines.
 bool precedes(const Vec2& p, const Vec2& q) { return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y()); }
 
-// The determinant of the given coordinates rather than of differences: six products, no case split.
-int exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
-  FixedExpansion<12> determinant;
-  determinant.add_product(a.x(), b.y());
-  determinant.add_product(-a.y(), b.x());
-  determinant.add_product(b.x(), c.y());
-  determinant.add_product(-b.y(), c.x());
-  determinant.add_product(c.x(), a.y());
-  determinant.add_product(-c.y(), a.x());
-  return determinant.sign();
-}
-
 Box box_of(const LineSegment& s) {
   Box box;
   box.extend(s.a);
@@ -47,16 +35,16 @@ SegmentRelation relate_collinear(const LineSegment& s, const LineSegment& t) {
 
 }  // namespace
 
-int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
-  constexpr double kEpsilon = 0x1p-53;
-  constexpr double kErrorBound = (3.0 + 16.0 * kEpsilon) * kEpsilon;  // [Shewchuk 1997, figure 21]
-  const double left = (a.x() - c.x()) * (b.y() - c.y());
-  const double right = (a.y() - c.y()) * (b.x() - c.x());
-  const double determinant = left - right;
-  const double error = kErrorBound * (std::abs(left) + std::abs(right));
-  if (determinant > error) return 1;
-  if (determinant < -error) return -1;
-  return exact_orientation(a, b, c);
+// The determinant of the given coordinates rather than of differences: six products, no case split.
+int detail::exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+  FixedExpansion<12> determinant;
+  determinant.add_product(a.x(), b.y());
+  determinant.add_product(-a.y(), b.x());
+  determinant.add_product(b.x(), c.y());
+  determinant.add_product(-b.y(), c.x());
+  determinant.add_product(c.x(), a.y());
+  determinant.add_product(-c.y(), a.x());
+  return determinant.sign();
 }
 
 SegmentRelation relate(const LineSegment& s, const LineSegment& t) {

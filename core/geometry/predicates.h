@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "core/geometry/vec2.h"
@@ -8,17 +9,31 @@ namespace arcway {
 
 /// \file
 /// Signs that are those of exact arithmetic on the given doubles, always: a floating-point filter
-/// first [Shewchuk 1997, adaptive orient2d], expansions where it cannot decide. The file is compiled
-/// without contraction. Exact for coordinates that are zero or of magnitude in
+/// first [Shewchuk 1997, adaptive orient2d], expansions where it cannot decide. Compile without
+/// contraction, as the target arcway::core asks of its users. Exact for coordinates that are zero or of magnitude in
 /// [kMinMagnitude, kMaxMagnitude] (products neither underflow nor overflow there); World refuses all
 /// others at its door. All functions are pure, thread-safe and do not allocate.
 
 inline constexpr double kMinMagnitude = 1e-100;
 inline constexpr double kMaxMagnitude = 1e100;
 
+namespace detail {
+int exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c);
+}
+
 /// Sign of the area of the triangle (a, b, c): +1 if `c` lies to the left of the line from `a` to
 /// `b`, -1 to the right, 0 on it (or if a == b). Antisymmetric in any two arguments.
-int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
+inline int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+  constexpr double kEpsilon = 0x1p-53;
+  constexpr double kErrorBound = (3.0 + 16.0 * kEpsilon) * kEpsilon;  // [Shewchuk 1997, figure 21]
+  const double left = (a.x() - c.x()) * (b.y() - c.y());
+  const double right = (a.y() - c.y()) * (b.x() - c.x());
+  const double determinant = left - right;
+  const double error = kErrorBound * (std::abs(left) + std::abs(right));
+  if (determinant > error) return 1;
+  if (determinant < -error) return -1;
+  return detail::exact_orientation(a, b, c);
+}
 
 /// How two closed segments meet. Exactly one case holds; a segment may be a single point.
 enum class SegmentRelation {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
 #include "core/query/blocking.h"
 #include "core/query/query_set.h"
@@ -21,14 +22,6 @@ ObstacleId find_containing(const World& world, const Vec2& p) {
     if (world.locate(p, o) == PointLocation::kInside) return o;
   }
   return kNone;
-}
-
-Vec2 closest_on(const LineSegment& s, const Vec2& p) {
-  const Vec2 d = s.b - s.a;
-  const double t = (p - s.a).dot(d) / d.squaredNorm();
-  if (t <= 0.0) return s.a;
-  if (t >= 1.0) return s.b;
-  return s.a + t * d;
 }
 
 }  // namespace
@@ -55,7 +48,7 @@ void BruteForceQuery::do_closest(std::span<const Vec2> points, std::span<Closest
   for (std::size_t i = 0; i < points.size(); ++i) {
     ClosestPoint best;
     for (VertexId e = 0; e < world_.edges().size(); ++e) {
-      const Vec2 candidate = closest_on(world_.edges()[e], points[i]);
+      const Vec2 candidate = closest_point(points[i], world_.edges()[e]);
       const double distance = (candidate - points[i]).norm();
       if (distance < best.distance) best = {distance, candidate, e};
     }
@@ -68,7 +61,7 @@ void BruteForceQuery::do_closer_than(std::span<const Vec2> points, std::span<con
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2& p = points[i];
     closer[i] = std::any_of(world_.edges().begin(), world_.edges().end(),
-                            [&](const LineSegment& e) { return (closest_on(e, p) - p).norm() < distances[i]; });
+                            [&](const LineSegment& e) { return (closest_point(p, e) - p).norm() < distances[i]; });
   }
 }
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <type_traits>
+
+#include "accel/embree/embree_api.h"
+
+namespace arcway::embree {
+
+/// An owner of one of Embree's objects.
+template <class Object, void (*release)(Object)>
+struct Release {
+  void operator()(std::remove_pointer_t<Object>* object) const { release(object); }
+};
+using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release<RTCScene, rtcReleaseScene>>;
+using GeometryHandle = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release<RTCGeometry, rtcReleaseGeometry>>;
+
+/// An Embree device whose errors become exceptions. Sets nothing for the process: no thread count, no floating-point
+/// mode.
+class Device {
+ public:
+  /// @param config  for tests: "isa=sse2" and the like; empty: what suits the machine.
+  /// @throws std::runtime_error with Embree's message.
+  explicit Device(const char* config = "");
+
+  [[nodiscard]] RTCDevice get() const { return device_.get(); }
+  /// Throws what went wrong on this thread since the last call: std::bad_alloc or std::runtime_error.
+  void check() const;
+  /// Builds a scene in the caller's arena, apart from the caller's other tasks.
+  void commit(RTCScene scene) const;
+
+ private:
+  std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release<RTCDevice, rtcReleaseDevice>> device_;
+};
+
+}  // namespace arcway::embree

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "accel/embree/device.h"
+#include "core/world.h"
+
+namespace arcway::embree {
+
+/// The edges of a world as boxes in Embree: proposes edges, in single precision, for the caller to decide on exactly.
+/// It may propose an edge that is not wanted, and never fails to propose one that is.
+///
+/// Coordinates are centred and scaled by a power of two so that all boxes lie within [-1, 1]. Each box is larger by
+/// kPad = 2^-18: traversal errs by less than 2^-19.6 on rays within that square, by the rounding of origin, direction
+/// and reciprocal direction (accel/README.md derives it). Rays are cut to the square first.
+class EdgeScene {
+ public:
+  static constexpr double kPad = 0x1p-18;
+  /// Beyond this many half sizes of the map, cutting a ray or measuring from a point is less precise than kPad
+  /// allows, and all edges are proposed.
+  static constexpr double kFar = 0x1p20;
+
+  /// @param inflation  by how much boxes are larger than the edges, for rays that stand for something wider [m].
+  /// @param on_edge    told the edges that a ray comes near; none if the scene is asked for points only.
+  EdgeScene(std::shared_ptr<const Device> device, const World& world, double inflation, RTCOccludedFunctionN on_edge);
+  EdgeScene(const EdgeScene&) = delete;
+  EdgeScene& operator=(const EdgeScene&) = delete;
+
+  [[nodiscard]] const World& world() const { return world_; }
+  [[nodiscard]] double inflation() const { return inflation_; }
+  [[nodiscard]] RTCScene get() const { return scene_.get(); }
+  [[nodiscard]] bool is_near(const Vec2& p) const { return (scaled(p).array().abs() <= kFar).all(); }
+
+  /// Prepares the ray from a to b, both near and perhaps equal. False if it stays clear of all boxes.
+  bool aim(const Vec2& a, const Vec2& b, RTCRay& ray) const;
+
+  /// Proposes to `visit` every edge that comes within `radius` of p, in any order. visit(edge) returns the radius
+  /// that is still of interest, not larger than before; a negative one ends the visit.
+  template <class Visit>
+  void visit_near(const Vec2& p, double radius, Visit&& visit) const {
+    if (!is_near(p)) {
+      for (VertexId e = 0; e < world_.edges().size() && radius >= 0.0; ++e) radius = visit(e);
+      return;
+    }
+    const Vec2 center = scaled(p);
+    PointVisit<Visit> point{visit, scale_, kPad + 0x1p-20 * center.cwiseAbs().maxCoeff(), radius};
+    RTCPointQuery query;
+    query.x = static_cast<float>(center.x());
+    query.y = static_cast<float>(center.y());
+    query.z = 0.0f;
+    query.time = 0.0f;
+    query.radius = point.float_radius();
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene_.get(), &query, &context, &PointVisit<Visit>::on_box, &point);
+  }
+
+ private:
+  template <class Visit>
+  struct PointVisit {
+    Visit& visit;
+    double scale;
+    double slack;  // of the rounded centre and of the box distance
+    double radius;
+
+    [[nodiscard]] float float_radius() const {
+      const auto rounded = static_cast<float>(radius * scale * (1.0 + 0x1p-19) + slack);
+      return std::nextafter(rounded, std::numeric_limits<float>::infinity());
+    }
+    static bool on_box(RTCPointQueryFunctionArguments* a) {
+      auto& self = *static_cast<PointVisit*>(a->userPtr);
+      if (self.radius < 0.0) return false;
+      const double radius = self.visit(static_cast<VertexId>(a->primID));
+      if (radius == self.radius) return false;
+      self.radius = radius;
+      a->query->radius = radius < 0.0 ? 0.0f : self.float_radius();
+      return true;
+    }
+  };
+
+  [[nodiscard]] Vec2 scaled(const Vec2& p) const { return (p - center_) * scale_; }
+  static void on_bounds(const RTCBoundsFunctionArguments* arguments);
+
+  std::shared_ptr<const Device> device_;
+  World world_;
+  Vec2 center_{0.0, 0.0};
+  double scale_ = 1.0;
+  double inflation_ = 0.0;
+  double margin_ = 0.0;  // of the boxes, scaled
+  SceneHandle scene_;
+};
+
+/// An edge scene with a test that decides: `bool test(VertexId) const`.
+template <class Test>
+class RayScene {
+ public:
+  RayScene(std::shared_ptr<const Device> device, const World& world, double inflation)
+      : edges_(std::move(device), world, inflation, &on_edge) {}
+
+  [[nodiscard]] const EdgeScene& edges() const { return edges_; }
+
+  /// Whether the test holds for some edge that comes within the scene's inflation of the segment from a to b; perhaps
+  /// also for one further away.
+  [[nodiscard]] bool any(const Vec2& a, const Vec2& b, const Test& test) const {
+    if (!edges_.is_near(a) || !edges_.is_near(b)) {
+      for (VertexId e = 0; e < edges_.world().edges().size(); ++e)
+        if (test(e)) return true;
+      return false;
+    }
+    RTCRay ray;
+    if (!edges_.aim(a, b, ray)) return false;
+    Query query{{}, test};
+    init(query);
+    occluded(edges_.get(), query, ray);
+    return ray.tfar < 0.0f;
+  }
+
+ private:
+  struct Query : RayContext {
+    const Test& test;
+  };
+  static void on_edge(const RTCOccludedFunctionNArguments* a) {
+    if (!a->valid[0]) return;
+    const bool hit = static_cast<const Query*>(a->context)->test(static_cast<VertexId>(a->primID));
+    if (hit) RTCRayN_tfar(a->ray, a->N, 0) = -std::numeric_limits<float>::infinity();
+    a->valid[0] = hit ? -1 : 0;  // Embree 4 reads it
+  }
+
+  EdgeScene edges_;
+};
+
+}  // namespace arcway::embree

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+
+#include "accel/embree/edge_scene.h"
+#include "accel/make_queries.h"
+#include "accel/region_locator.h"
+#include "core/query/distance_query.h"
+#include "core/query/sweep_query.h"
+#include "core/query/visibility_query.h"
+
+namespace arcway::embree {
+
+/// The test of a visibility ray.
+struct BlocksSight {
+  bool operator()(VertexId edge) const;
+  const World& world;
+  const LineSegment& segment;
+};
+
+/// The test of a ray along a swept rectangle.
+struct MeetsRectangle {
+  bool operator()(VertexId edge) const;
+  const World& world;
+  const SweptRectangle& rectangle;
+};
+
+/// What the queries of one world share. Immutable once built.
+struct Scenes {
+  Scenes(const World& world, const EmbreeOptions& options, const char* device_config);
+
+  RegionLocator locator;
+  std::shared_ptr<const Executor> batches;
+  RayScene<BlocksSight> sight;
+  RayScene<MeetsRectangle> sweep;
+
+  [[nodiscard]] const World& world() const { return sight.edges().world(); }
+  /// Runs body(begin, end) over a batch: large ones in parallel.
+  template <class Body>
+  void for_batch(std::size_t count, const Body& body) const;
+
+ private:
+  Scenes(const World& world, const EmbreeOptions& options, const std::shared_ptr<const Device>& device);
+};
+
+class EmbreeVisibility final : public VisibilityQuery {
+ public:
+  explicit EmbreeVisibility(std::shared_ptr<const Scenes> scenes) : scenes_(std::move(scenes)) {}
+
+ private:
+  void do_visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const override;
+
+  std::shared_ptr<const Scenes> scenes_;
+};
+
+class EmbreeDistance final : public DistanceQuery {
+ public:
+  explicit EmbreeDistance(std::shared_ptr<const Scenes> scenes) : scenes_(std::move(scenes)) {}
+
+ private:
+  void do_closest(std::span<const Vec2> points, std::span<ClosestPoint> result) const override;
+  void do_closer_than(std::span<const Vec2> points, std::span<const double> distances,
+                      std::span<std::uint8_t> closer) const override;
+  void do_containing(std::span<const Vec2> points, std::span<ObstacleId> result) const override;
+
+  std::shared_ptr<const Scenes> scenes_;
+};
+
+class EmbreeSweep final : public SweepQuery {
+ public:
+  explicit EmbreeSweep(std::shared_ptr<const Scenes> scenes) : scenes_(std::move(scenes)) {}
+
+ private:
+  void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override;
+  void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override;
+
+  [[nodiscard]] bool is_met(const SweptRectangle& rectangle) const;
+
+  std::shared_ptr<const Scenes> scenes_;
+};
+
+template <class Body>
+void Scenes::for_batch(std::size_t count, const Body& body) const {
+  constexpr std::size_t kGrain = 64;
+  if (batches && count >= 2 * kGrain) {
+    batches->for_ranges(count, kGrain, body);
+  } else {
+    body(std::size_t{0}, count);
+  }
+}
+
+}  // namespace arcway::embree

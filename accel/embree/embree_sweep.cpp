@@ -1,0 +1,82 @@
+#include <cmath>
+
+#include "accel/embree/embree_queries.h"
+#include "core/geometry/predicates.h"
+#include "core/query/turning_headings.h"
+
+namespace arcway::embree {
+
+namespace {
+
+// From here on one point query about the whole rectangle is cheaper than so many rays side by side.
+constexpr double kMostRays = 16.0;
+
+}  // namespace
+
+bool MeetsRectangle::operator()(VertexId edge) const { return intersects(world.edges()[edge], rectangle); }
+
+// The rectangle is covered by strips along its longer sides, none wider than twice the scene's inflation. Every point
+// of a strip is within half the strip's width of its middle line, and so is an edge's box that has the point; this
+// holds for any convex quadrilateral, so that the rounding of the corners needs no care.
+bool EmbreeSweep::is_met(const SweptRectangle& r) const {
+  const MeetsRectangle test{scenes_->world(), r};
+  const double ends = std::max((r[3] - r[0]).norm(), (r[2] - r[1]).norm());
+  const double sides = std::max((r[1] - r[0]).norm(), (r[2] - r[3]).norm());
+  const bool lengthwise = sides >= ends;
+  const Vec2& a = r[0];
+  const Vec2& b = lengthwise ? r[3] : r[1];
+  const Vec2& c = lengthwise ? r[1] : r[3];
+  const Vec2& d = r[2];
+  const double strips =
+      std::max(1.0, std::ceil((lengthwise ? ends : sides) / (2.0 * scenes_->sweep.edges().inflation())));
+  if (strips <= kMostRays) {
+    for (double k = 0.5; k < strips; k += 1.0) {
+      const double t = k / strips;
+      if (scenes_->sweep.any(a + t * (b - a), c + t * (d - c), test)) return true;
+    }
+    return false;
+  }
+  const Vec2 middle = 0.25 * (r[0] + r[1] + r[2] + r[3]);
+  double reach = 0.0;
+  for (const Vec2& corner : r) reach = std::max(reach, (corner - middle).norm());
+  bool met = false;
+  scenes_->sight.edges().visit_near(middle, reach, [&](VertexId e) {
+    met = test(e);
+    return met ? -1.0 : reach;
+  });
+  return met;
+}
+
+void EmbreeSweep::do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const {
+  scenes_->for_batch(rectangles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      // Where no edge meets it, the rectangle lies on one side of every boundary.
+      free[i] = !is_met(rectangles[i]) && scenes_->locator.containing(rectangles[i][0]) == kNone ? 1 : 0;
+    }
+  });
+}
+
+void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const {
+  scenes_->for_batch(bodies.size(), [&](std::size_t begin, std::size_t end) {
+    const std::span<const LineSegment> edges = scenes_->world().edges();
+    std::vector<HeadingInterval> blocked;
+    for (std::size_t i = begin; i < end; ++i) {
+      const TurningBody& body = bodies[i];
+      const double reach = reach_of(body);
+      blocked.clear();
+      scenes_->sight.edges().visit_near(body.center, reach, [&](VertexId e) {
+        if (may_touch(body, edges[e])) append_blocked_headings(body, edges[e], blocked);
+        return reach;
+      });
+      result[i] = HeadingSet::complement(blocked);
+      // Where no edge is touched the body is wholly inside or wholly outside each region.
+      for (int k = static_cast<int>(result[i].intervals().size()) - 1; k >= 0; --k) {
+        const HeadingInterval& interval = result[i].intervals()[static_cast<std::size_t>(k)];
+        const Vec2 position = position_at(body, 0.5 * (interval.low + interval.high));
+        if (scenes_->locator.containing(position) != kNone) result[i].erase(k);
+      }
+    }
+  });
+}
+
+}  // namespace arcway::embree

@@ -1,0 +1,27 @@
+#include "accel/embree/embree_queries.h"
+#include "core/query/blocking.h"
+
+namespace arcway::embree {
+
+bool BlocksSight::operator()(VertexId edge) const { return blocks(world, edge, segment); }
+
+void EmbreeVisibility::do_visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const {
+  scenes_->for_batch(segments.size(), [&](std::size_t begin, std::size_t end) {
+    const LineSegment* located = nullptr;  // batches of segments that share their first end locate it once
+    bool is_free = true;
+    for (std::size_t i = begin; i < end; ++i) {
+      const LineSegment& s = segments[i];
+      if (s.a != s.b && scenes_->sight.any(s.a, s.b, {scenes_->world(), s})) {
+        visible[i] = 0;
+        continue;
+      }
+      if (located == nullptr || located->a != s.a) {
+        located = &s;
+        is_free = scenes_->locator.containing(s.a) == kNone;
+      }
+      visible[i] = is_free ? 1 : 0;
+    }
+  });
+}
+
+}  // namespace arcway::embree

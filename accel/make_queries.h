@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "core/executor.h"
+#include "core/query/query_set.h"
+#include "core/world.h"
+
+namespace arcway {
+
+struct EmbreeOptions {
+  /// Half the width of the bodies that SweepQuery::straight_free is mostly asked about [m]; wider ones are as right and
+  /// take longer. 0: half the mean length of the world's edges.
+  double body_half_width = 0.0;
+  /// Runs batches of 128 and more questions; none: the calling thread does, and no call but free_headings allocates.
+  std::shared_ptr<const Executor> batches = nullptr;
+};
+
+/// All queries of core on Embree. Embree proposes obstacle edges in single precision, core's exact tests decide: every
+/// answer is that of make_reference_queries, bit for bit.
+///
+///     const Planner planner(world, vehicle, make_embree_queries(world), {}, TbbExecutor());
+///
+/// Builds two scenes of the world's edges, O(n log n) on the threads of the caller's arena, about 500 bytes an edge.
+/// Queries are then about O(log n + edges near by), from any number of threads. Points further from the map
+/// than 2^20 times its size cost O(n).
+/// @throws std::runtime_error if Embree cannot be started; std::invalid_argument for a width that is negative or not
+///   finite.
+QuerySet make_embree_queries(const World& world, const EmbreeOptions& options = {});
+
+}  // namespace arcway
