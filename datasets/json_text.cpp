@@ -3,10 +3,115 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 namespace arcway::detail {
 
 using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t kDeepest = 100;
+
+/// Steps through a text and tells how far it is.
+struct TrackedIterator {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char* at;
+  const char** shared;
+
+  const char& operator*() const { return *at; }
+  TrackedIterator& operator++() {
+    *shared = ++at;
+    return *this;
+  }
+  bool operator==(const TrackedIterator& other) const { return at == other.at; }
+  bool operator!=(const TrackedIterator& other) const { return at != other.at; }
+};
+
+/// Builds the tree that json::parse would, but for the streamed elements, and no deeper than kDeepest.
+class TreeBuilder : public nlohmann::json_sax<json> {
+ public:
+  explicit TreeBuilder(const JsonElements* elements) : elements_(elements) {}
+
+  /// Empty if all went well.
+  [[nodiscard]] const std::string& error() const { return error_; }
+  json take_root() { return std::move(root_); }
+
+  bool null() override { return add_leaf(nullptr); }
+  bool boolean(bool value) override { return add_leaf(value); }
+  bool number_integer(number_integer_t value) override { return add_leaf(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add_leaf(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add_leaf(value); }
+  bool string(string_t& value) override { return add_leaf(std::move(value)); }
+  bool binary(binary_t&) override { return false; }  // not in text
+  bool start_object(std::size_t) override { return open(json::value_t::object); }
+  bool end_object() override { return close(); }
+  bool start_array(std::size_t) override { return open(json::value_t::array); }
+  bool end_array() override { return close(); }
+  bool key(string_t& name) override {
+    if (elements_ != nullptr && open_.size() == 1) {
+      streaming_ = name == elements_->key;
+      if (streaming_ && open_.back()->contains(name)) elements_->restart();
+    }
+    member_ = &(*open_.back())[name];
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const json::exception& exception) override {
+    // "[json.exception.parse_error.101] parse error at line 1, column 3: syntax error ..."
+    const std::string what = exception.what();
+    const std::size_t colon = what.find(": "), bracket = what.find("] ");
+    error_ = what.substr(colon != std::string::npos ? colon + 2 : bracket != std::string::npos ? bracket + 2 : 0);
+    return false;
+  }
+
+ private:
+  json* add(json value) {
+    if (open_.empty()) return &(root_ = std::move(value));
+    if (!open_.back()->is_array()) return &(*member_ = std::move(value));
+    open_.back()->push_back(std::move(value));
+    return &open_.back()->back();
+  }
+  bool add_leaf(json value) {
+    add(std::move(value));
+    hand_over();
+    return true;
+  }
+  bool open(json::value_t type) {
+    if (open_.size() == kDeepest) {
+      error_ = "arrays and objects are nested more than " + std::to_string(kDeepest) + " deep";
+      return false;
+    }
+    open_.push_back(add(json(type)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    hand_over();
+    return true;
+  }
+  // After a value is complete: whether it is one of the streamed elements.
+  void hand_over() {
+    if (!streaming_ || open_.size() != 2 || !open_.back()->is_array()) return;
+    elements_->element(open_.back()->back());
+    open_.back()->clear();
+  }
+
+  const JsonElements* elements_;
+  json root_;
+  std::vector<json*> open_;  // from the root to the innermost array or object
+  json* member_ = nullptr;   // that the next value of the innermost object goes to
+  bool streaming_ = false;   // the root's current member is the streamed one
+  std::string error_;
+};
+
+}  // namespace
 
 void append_number(std::string& out, double value) {
   if (!std::isfinite(value)) {
@@ -33,30 +138,26 @@ void append_string(std::string& out, std::string_view text) {
   out += json(text).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-json parse_json(std::string_view text, std::string_view name, std::size_t first_line) {
-  const auto fail = [&](const std::string& message) { throw FormatError(std::string(name) + ": " + message); };
+json parse_json(std::string_view text, std::string_view name, const JsonElements* elements, std::size_t first_line) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) fail("empty file, expected JSON");
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const std::size_t at = std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
-    const auto breaks = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    const std::string place = "line " + std::to_string(first_line + static_cast<std::size_t>(breaks)) + ": ";
-    // The parser stops somewhere in the word.
-    const std::size_t begin = at - std::min<std::size_t>(at, 2);
-    for (const std::string_view word : {"NaN", "nan", "Inf", "inf"})
-      if (text.substr(begin, 6).find(word) != std::string_view::npos)
-        fail(place + "found " + std::string(word) + ", which is not a number in JSON; coordinates must be finite");
-    const std::string what = error.what();
-    const std::size_t colon = what.find(": ");
-    fail(place + (colon == std::string::npos ? what : what.substr(colon + 2)));
-  } catch (const json::exception& error) {  // a number beyond the range of double
-    const std::string what = error.what();
-    const std::size_t bracket = what.find("] ");
-    fail(bracket == std::string::npos ? what : what.substr(bracket + 2));
-  }
-  return {};
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw FormatError(std::string(name) + ": empty file, expected JSON");
+  const char* at = text.data();
+  TreeBuilder builder(elements);
+  json::sax_parse(TrackedIterator{at, &at}, TrackedIterator{text.data() + text.size(), nullptr}, &builder);
+  if (builder.error().empty()) return builder.take_root();
+
+  const std::string_view read = text.substr(0, static_cast<std::size_t>(at - text.data()));
+  // A token that ends at a line end has had that read as well.
+  const auto breaks = std::count(read.begin(), read.end() - (read.empty() ? 0 : 1), '\n');
+  const std::string place =
+      std::string(name) + ": line " + std::to_string(first_line + static_cast<std::size_t>(breaks)) + ": ";
+  // The parser stops somewhere in the word.
+  for (const std::string_view word : {"NaN", "nan", "Inf", "inf"})
+    if (text.substr(read.size() - std::min<std::size_t>(read.size(), 3), 6).find(word) != std::string_view::npos)
+      throw FormatError(place + "found " + std::string(word) +
+                        ", which is not a number in JSON; coordinates must be finite");
+  throw FormatError(place + builder.error());
 }
 
 std::string shown(const json& value) {

@@ -2,6 +2,7 @@
 
 // Private to datasets/*.cpp: nlohmann_json is not part of the interface.
 
+#include <functional>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -19,10 +20,20 @@ void append_pose(std::string& out, const Pose& pose);
 /// With quotes and escapes; invalid UTF-8 is replaced.
 void append_string(std::string& out, std::string_view text);
 
-/// Skips a byte-order mark.
+/// An array at the top of a document whose elements are handed over one by one and not kept, so that the memory
+/// follows the largest element and not the document.
+struct JsonElements {
+  std::string_view key;
+  std::function<void()> restart;                       ///< the key comes again: the last one counts
+  std::function<void(const nlohmann::json&)> element;  ///< called in order
+};
+
+/// Skips a byte-order mark. Of repeated keys the last one counts.
+/// @param elements    if not null, the array of this key is left empty in the result.
 /// @param first_line  number of the text's first line.
-/// @throws FormatError, "name: line 3: ..."
-nlohmann::json parse_json(std::string_view text, std::string_view name, std::size_t first_line = 1);
+/// @throws FormatError, "name: line 3: ...", also if arrays and objects nest more than 100 deep.
+nlohmann::json parse_json(std::string_view text, std::string_view name, const JsonElements* elements = nullptr,
+                          std::size_t first_line = 1);
 
 /// A value and where it is, for messages: "robot.json: turn_speed.table[2][0]: expected a number, found null".
 struct JsonPlace {

@@ -12,7 +12,7 @@
 #include "core/geometry/angle.h"
 #include "datasets/catalogue.h"
 #include "datasets/file_io.h"
-#include "datasets/formats/geojson.h"
+#include "datasets/number_text.h"
 #include "datasets/paper_example.h"
 #include "datasets/robot.h"
 
@@ -36,33 +36,23 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// Like the strtod family, from_chars takes "nan" and "inf"; unlike it, no leading plus.
-template <class Number>
-std::optional<Number> read_whole(std::string_view text) {
-  text = trimmed(text);
-  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
 }  // namespace
 
 double parse_number(std::string_view text, std::string_view what) {
-  const std::optional<double> value = read_whole<double>(text);
-  if (!value) throw UsageError(std::string(what) + ": expected a number, got " + in_quotes(text));
-  if (!std::isfinite(*value))
-    throw UsageError(std::string(what) + ": expected a finite number, got " + in_quotes(text));
+  const std::optional<double> value = read_number(trimmed(text));
+  if (!value) throw UsageError(std::string(what) + ": expected a finite number, got " + in_quotes(text));
   return *value;
 }
 
 std::uint64_t parse_count(std::string_view text, std::string_view what) {
-  const std::optional<std::uint64_t> value = read_whole<std::uint64_t>(text);
-  if (!value) throw UsageError(std::string(what) + ": expected a whole number >= 0, got " + in_quotes(text));
-  return *value;
+  const std::string_view digits = trimmed(text);
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size())
+    throw UsageError(std::string(what) + ": expected a whole number >= 0, got " + in_quotes(text));
+  return value;
 }
 
 double parse_heading(std::string_view text, std::string_view what) {
@@ -110,10 +100,51 @@ QuerySet BuildOptions::queries(const World& world) const {
   return make_reference_queries(world);
 }
 
-LoadedMap load_map(const std::string& name) {
+void MapOptions::add_to(CLI::App& command) {
+  const char* group = "Reading WORLD";
+  const auto option = [&](const char* name, std::string& value, const char* what, const char* type) {
+    return command.add_option(name, value, what)->type_name(type)->group(group);
+  };
+  command.add_flag("--lonlat", lonlat, "Coordinates are degrees of longitude and latitude: project them")->group(group);
+  option("--wall-width", wall_width, "Line strings are walls of this width [m]", "W");
+  option("--cell", cell, "Size of a cell [m], if the file does not say", "S");
+  option("--tolerance", tolerance, "Obstacles of a grid may grow by this many cells to save corners", "CELLS");
+  option("--unknown", unknown, "What unknown cells are: blocked or free", "NAME")->capture_default_str();
+  command.add_flag("--swamp-free", swamp, "Swamp of MovingAI maps is free")->group(group);
+  command.add_flag("--open-frame", open_frame, "The frame of a grid is no wall")->group(group);
+  option("--task", task, "Task of a MovingAI scenario, from 0", "N")->capture_default_str();
+  option("--heading-seed", heading_seed, "Seed of the headings of its start and goal", "N")->capture_default_str();
+}
+
+MapReadOptions MapOptions::read_options() const {
+  const auto at_least_zero = [](const std::string& text, const char* what) {
+    const double value = parse_number(text, what);
+    if (value < 0.0) throw UsageError(std::string(what) + ": at least 0, got " + in_quotes(text));
+    return value;
+  };
+  MapReadOptions options;
+  options.vector.lonlat = lonlat;
+  if (!wall_width.empty()) options.vector.wall_width = at_least_zero(wall_width, "--wall-width");
+  if (!cell.empty()) {
+    options.grid.cell_size = parse_number(cell, "--cell");
+    if (!(*options.grid.cell_size > 0.0)) throw UsageError("--cell: above 0, got " + in_quotes(cell));
+  }
+  if (!tolerance.empty()) options.grid.tolerance = at_least_zero(tolerance, "--tolerance");
+  if (unknown != "blocked" && unknown != "free")
+    throw UsageError("--unknown: expected blocked or free, got " + in_quotes(unknown));
+  options.grid.unknown_is_free = unknown == "free";
+  options.grid.swamp_is_free = swamp;
+  options.grid.walled = !open_frame;
+  options.task = parse_count(task, "--task");
+  options.heading_seed = parse_count(heading_seed, "--heading-seed");
+  return options;
+}
+
+LoadedMap load_map(const std::string& name, const MapOptions& options) {
+  const MapReadOptions read_options = options.read_options();
   const bool generated = is_catalogue_name(name) && !std::filesystem::is_regular_file(name);
-  MapFile map = generated ? catalogue_map(name) : read_geojson_file(name);
-  return {to_world(map, name), map.start, map.goal, std::move(map.warnings)};
+  MapFile map = generated ? catalogue_map(name) : read_map(name, read_options);
+  return {to_world(map, name), map.start, map.goal, std::move(map.warnings), std::move(map.notes)};
 }
 
 Vehicle load_vehicle(const std::string& file) {
@@ -128,6 +159,7 @@ Vehicle load_vehicle(const std::string& file) {
 
 std::string warning_rows(const LoadedMap& map) {
   std::string text;
+  for (const std::string& note : map.notes) text += row("read", note);
   for (const std::string& warning : map.warnings) text += row("warning", warning);
   return text;
 }
@@ -194,14 +226,8 @@ std::string OutputFiles::summary() const {
   return text;
 }
 
-std::string shortest(double value) {
-  std::array<char, 32> buffer{};
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), end};
-}
-
 std::string fixed(double value, int digits) {
-  if (!std::isfinite(value)) return shortest(value);
+  if (!std::isfinite(value)) return shortest_text(value);
   std::array<char, 384> buffer{};
   const auto [end, error] =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/planner.h"
+#include "datasets/read_map.h"
 
 namespace arcway::cli {
 
@@ -53,19 +54,32 @@ struct BuildOptions {
 };
 
 /// Of the argument that names a map.
-inline constexpr const char* kMapHelp = "Map (GeoJSON, metres), or a name of the catalogue: paper, clutter/star/n100";
+inline constexpr const char* kMapHelp =
+    "Map file (GeoJSON, WKT, MovingAI, TPCAP, plain text), or a name of the catalogue: paper, clutter/star/n100";
 
 /// What a map says: the world and, if it has them, start and goal.
 struct LoadedMap {
   World world;
   std::optional<Pose> start, goal;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, notes;
 };
-/// @param name  of a GeoJSON file, or of a world of the catalogue if there is no such file.
-LoadedMap load_map(const std::string& name);
+
+/// Options that say how a map file is read, the same for all subcommands that read one.
+struct MapOptions {
+  bool lonlat = false;
+  std::string wall_width;
+  std::string cell, tolerance, unknown = "blocked";
+  bool swamp = false, open_frame = false;
+  std::string task = "0", heading_seed = "1";
+  void add_to(CLI::App& command);
+  /// @throws UsageError
+  [[nodiscard]] MapReadOptions read_options() const;
+};
+/// @param name  of a file in one of the formats of read_map, or of a world of the catalogue if there is no such file.
+LoadedMap load_map(const std::string& name, const MapOptions& options);
 /// From a robot file; the paper's robot if the name is empty.
 Vehicle load_vehicle(const std::string& file);
-/// One line a warning.
+/// One line a note, one line a warning.
 std::string warning_rows(const LoadedMap& map);
 /// Obstacles, vertices and size.
 std::string world_rows(const World& world);
@@ -91,8 +105,6 @@ class OutputFiles {
   std::vector<std::pair<std::string, std::string>> files_;
 };
 
-/// Shortest text that reads back to the same number.
-std::string shortest(double value);
 /// With a fixed number of digits after the point.
 std::string fixed(double value, int digits);
 /// With a unit that suits its size: "1.234 s", "12.3 ms".

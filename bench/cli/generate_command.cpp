@@ -9,6 +9,7 @@
 #include "datasets/catalogue.h"
 #include "datasets/clutter.h"
 #include "datasets/formats/geojson.h"
+#include "datasets/number_text.h"
 #include "datasets/random_queries.h"
 
 namespace arcway::cli {
@@ -70,7 +71,7 @@ std::string queries_csv(const GenerateArguments& arguments, const World& world) 
   for (std::size_t q = 0; q < queries.size(); ++q) {
     csv += std::to_string(q);
     for (const Pose& pose : {queries[q].start, queries[q].goal})
-      csv += "," + shortest(pose.x) + "," + shortest(pose.y) + "," + shortest(pose.heading);
+      csv += "," + shortest_text(pose.x) + "," + shortest_text(pose.y) + "," + shortest_text(pose.heading);
     csv += "\n";
   }
   return csv;
@@ -118,8 +119,8 @@ void add_generate_command(CLI::App& app, Action& action) {
   };
   option("--obstacles", arguments->obstacles, "Obstacles", std::to_string(defaults.obstacles));
   option("--vertices", arguments->vertices, "Vertices of each obstacle", std::to_string(defaults.vertices));
-  option("--fill", arguments->fill, "Share of the area that is blocked", shortest(defaults.fill));
-  option("--gap", arguments->gap, "Smallest gap between obstacles [m]", shortest(defaults.min_gap));
+  option("--fill", arguments->fill, "Share of the area that is blocked", shortest_text(defaults.fill));
+  option("--gap", arguments->gap, "Smallest gap between obstacles [m]", shortest_text(defaults.min_gap));
   option("--seed", arguments->seed, "Seed", std::to_string(defaults.seed));
   command.add_option("--out", arguments->out, "Map to write")->type_name("W.geojson");
   command.add_option("--queries", arguments->queries, "Random pose pairs to write, for plan --queries")

@@ -14,6 +14,7 @@ namespace {
 
 struct GraphArguments {
   std::string map;
+  MapOptions reading;
   std::string kind = "reduced";
   std::string robot;
   std::string edges, svg, json;
@@ -128,7 +129,7 @@ int run_graph(const GraphArguments& arguments, std::string& out) {
     throw UsageError("--kind: expected visibility, reduced or feasible, got \"" + arguments.kind + "\"");
   }
   arguments.build.check();
-  const LoadedMap map = load_map(arguments.map);
+  const LoadedMap map = load_map(arguments.map, arguments.reading);
   BuiltGraph built = build_graph(arguments, map.world);
 
   OutputFiles files;
@@ -165,6 +166,7 @@ void add_graph_command(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("graph", "Build one of the graphs of a map");
   const auto arguments = std::make_shared<GraphArguments>();
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
+  arguments->reading.add_to(command);
   command.add_option("--kind", arguments->kind, "visibility, reduced or feasible")
       ->type_name("KIND")
       ->capture_default_str();

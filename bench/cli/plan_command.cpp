@@ -10,6 +10,7 @@
 #include "bench/cli/arguments.h"
 #include "core/path/validation.h"
 #include "core/planner.h"
+#include "datasets/number_text.h"
 #include "datasets/plan_io.h"
 #include "datasets/svg.h"
 
@@ -18,6 +19,7 @@ namespace {
 
 struct PlanArguments {
   std::string map;
+  MapOptions reading;
   std::string robot;
   std::string start, goal;
   std::string queries, out;
@@ -169,8 +171,9 @@ std::string batch_line(std::uint64_t q, const CheckedPlan& plan) {
   const PlanResult& result = plan.result;
   std::string line = std::to_string(q) + "," + name_of(result.status) + ",";
   if (result.solved()) {
-    line += shortest(result.travel_time) + "," + shortest(result.length) + "," + shortest(result.lower_bound) + "," +
-            shortest(result.min_clearance) + "," + (plan.good() ? "1" : "0");
+    line += shortest_text(result.travel_time) + "," + shortest_text(result.length) + "," +
+            shortest_text(result.lower_bound) + "," + shortest_text(result.min_clearance) + "," +
+            (plan.good() ? "1" : "0");
   } else {
     line += ",,,,";
   }
@@ -250,7 +253,7 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   std::vector<NumberedRequest> queries;
   if (batch) queries = read_queries(arguments.queries);
 
-  const LoadedMap map = load_map(arguments.map);
+  const LoadedMap map = load_map(arguments.map, arguments.reading);
   const Vehicle vehicle = load_vehicle(arguments.robot);
   if (!batch) {
     if (!start) start = map.start;
@@ -272,6 +275,7 @@ void add_plan_command(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("plan", "Plan the fastest path from start to goal, or many on one map");
   const auto arguments = std::make_shared<PlanArguments>();
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
+  arguments->reading.add_to(command);
   command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
   command.add_option("--start", arguments->start, "Start pose; default: the map's")->type_name("X,Y,HEADING");
   command.add_option("--goal", arguments->goal, "Goal pose; default: the map's")->type_name("X,Y,HEADING");

@@ -11,12 +11,13 @@ namespace {
 
 struct ValidateArguments {
   std::string map;
+  MapOptions reading;
   std::string path;
   std::string robot;
 };
 
 int run_validate(const ValidateArguments& arguments, std::string& out) {
-  const LoadedMap map = load_map(arguments.map);
+  const LoadedMap map = load_map(arguments.map, arguments.reading);
   const Vehicle vehicle = load_vehicle(arguments.robot);
   const PlanFile plan = read_plan(read_file(arguments.path), arguments.path);
   if (plan.path.segments.empty()) {
@@ -52,6 +53,7 @@ void add_validate_command(CLI::App& app, Action& action) {
                                           "speeds, accelerations, durations");
   const auto arguments = std::make_shared<ValidateArguments>();
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
+  arguments->reading.add_to(command);
   command.add_option("--path", arguments->path, "Plan as written by plan --json")->type_name("P.json")->required();
   command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
   command.callback(

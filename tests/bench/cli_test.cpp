@@ -167,7 +167,7 @@ TEST_F(Tool, QueryErrorsNameFileAndLine) {
   expect("", "no queries");
   expect("a,b\n", "q.csv:1: expected the header");
   expect(header + "0,1,2,3,4,5\n", "q.csv:2: expected 7 fields");
-  expect(header + "0,1,2,3,4,5,6\n1,1,two,3,4,5,6\n", "q.csv:3: sy: expected a number, got \"two\"");
+  expect(header + "0,1,2,3,4,5,6\n1,1,two,3,4,5,6\n", "q.csv:3: sy: expected a finite number, got \"two\"");
   expect(header + "0,1,2,3,4,nan,6\n", "q.csv:2: gy: expected a finite number");
 }
 
@@ -177,7 +177,7 @@ TEST_F(Tool, UsageErrorsGoToStandardError) {
   expect_bad_input("plan", "WORLD");
   expect_bad_input("plan " + map_, "--start");
   expect_bad_input("plan " + map_ + " --start 10,10 --goal 50,50,0", "expected X,Y,HEADING");
-  expect_bad_input("plan " + map_ + " --start 10,10,0x --goal 50,50,0", "expected a number");
+  expect_bad_input("plan " + map_ + " --start 10,10,0x --goal 50,50,0", "expected a finite number");
   expect_bad_input("plan " + map_ + kAround + " --threads 0", "--threads");
   expect_bad_input("plan " + map_ + kAround + " --backend embree", "--backend");
   expect_bad_input("plan " + map_ + kAround + " --backend gpu", "\"gpu\"");

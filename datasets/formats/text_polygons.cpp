@@ -1,0 +1,31 @@
+#include "datasets/formats/text_polygons.h"
+
+#include <utility>
+
+#include "datasets/formats/text_scanner.h"
+
+namespace arcway {
+
+MapFile read_text_polygons(std::string_view text, std::string_view name, const VectorOptions& options) {
+  detail::TextScanner scanner(text, name);
+  detail::VectorMapBuilder map(name, options);
+  for (scanner.skip_space(); !scanner.at_end(); scanner.skip_space()) {
+    if (scanner.peek() == '#') {
+      scanner.rest_of_line();
+      continue;
+    }
+    const std::string place = "line " + std::to_string(scanner.line());
+    Ring positions;
+    do {
+      const double x = scanner.number("a number");
+      scanner.skip_blanks();
+      const double y = scanner.number("a number, as positions are x y");
+      positions.emplace_back(x, y);
+      scanner.skip_blanks();
+    } while (!scanner.at_end() && scanner.peek() != '\n');
+    map.add_obstacle({map.ring(std::move(positions), /*closed=*/false, place), {}}, place);
+  }
+  return map.finish();
+}
+
+}  // namespace arcway

@@ -1,0 +1,134 @@
+#include "datasets/formats/vector_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "datasets/number_text.h"
+
+namespace arcway::detail {
+namespace {
+
+constexpr double kEarthRadius = 6371008.8;  // mean radius [m]
+
+// Calls `visit` with every position of the map.
+template <class Visit>
+void visit_positions(MapFile& map, std::vector<std::pair<std::vector<Vec2>, std::string>>& lines, Visit visit) {
+  const auto ring = [&](Ring& positions) {
+    for (Vec2& p : positions) visit(p);
+  };
+  for (Polygon& polygon : map.obstacles) {
+    ring(polygon.outer);
+    for (Ring& hole : polygon.holes) ring(hole);
+  }
+  for (auto& [positions, place] : lines) ring(positions);
+  if (map.bounds) ring(*map.bounds);
+  for (std::optional<Pose>* pose : {&map.start, &map.goal}) {
+    if (!*pose) continue;
+    Vec2 p = (*pose)->position();
+    visit(p);
+    (*pose)->x = p.x();
+    (*pose)->y = p.y();
+  }
+}
+
+}  // namespace
+
+void VectorMapBuilder::fail(const std::string& place, const std::string& message) const {
+  throw FormatError(name_ + (place.empty() ? "" : ": " + place) + ": " + message);
+}
+
+void VectorMapBuilder::warn(const std::string& place, const std::string& message) {
+  map_.warnings.push_back(name_ + (place.empty() ? "" : ": " + place) + ": " + message);
+}
+
+Ring VectorMapBuilder::ring(Ring positions, bool closed, const std::string& place) {
+  const std::size_t given = positions.size();
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  if (positions.size() > 1 && positions.front() == positions.back()) {
+    positions.pop_back();
+  } else if (closed && positions.size() > 2) {
+    warn(place, "ring is not closed; closed");
+  }
+  if (positions.size() < 3)
+    fail(place, "needs at least 3 different positions, found " + std::to_string(positions.size()) + " in " +
+                    std::to_string(given) + " positions");
+  return positions;
+}
+
+void VectorMapBuilder::add_obstacle(Polygon polygon, std::string place) {
+  map_.obstacles.push_back(std::move(polygon));
+  map_.places.push_back(std::move(place));
+}
+
+void VectorMapBuilder::set_bounds(Polygon free_space, const std::string& place) {
+  if (map_.bounds) fail(place, "second bounds; the first are in " + map_.bounds_place);
+  map_.bounds = std::move(free_space.outer);
+  map_.bounds_place = place;
+  for (std::size_t i = 0; i < free_space.holes.size(); ++i)
+    add_obstacle({std::move(free_space.holes[i]), {}}, place + ", ring " + std::to_string(i + 1));
+}
+
+void VectorMapBuilder::add_line(std::vector<Vec2> positions, const std::string& place) {
+  if (!(options_.wall_width > 0.0)) return pass_over(place, "LineString");
+  lines_.emplace_back(std::move(positions), place);
+}
+
+void VectorMapBuilder::pass_over(const std::string& place, std::string_view type) {
+  if (passed_over_++ == 0) passed_place_ = place + " (" + std::string(type) + ")";
+}
+
+MapFile VectorMapBuilder::finish() {
+  if (options_.lonlat) {
+    project();
+  } else if (frame_ == Frame::kDegrees) {
+    warn("", "coordinates are degrees of longitude and latitude; they are taken as metres");
+  } else if (frame_ == Frame::kUnknown && looks_like_degrees()) {
+    warn("", "coordinates look like degrees of longitude and latitude; they are taken as metres");
+  }
+  add_walls();
+  if (passed_over_ > 0)
+    warn("", std::to_string(passed_over_) + " geometries that are not polygons were passed over, the first one in " +
+                 passed_place_);
+  return std::move(map_);
+}
+
+bool VectorMapBuilder::looks_like_degrees() {
+  Box box;
+  visit_positions(map_, lines_, [&](const Vec2& p) { box.extend(p); });
+  return !box.empty() && box.min.x() >= -180.0 && box.max.x() <= 180.0 && box.min.y() >= -90.0 && box.max.y() <= 90.0 &&
+         (box.max - box.min).maxCoeff() < 1.0;
+}
+
+void VectorMapBuilder::project() {
+  Box box;
+  visit_positions(map_, lines_, [&](const Vec2& p) {
+    if (std::abs(p.x()) > 180.0 || std::abs(p.y()) > 90.0)
+      fail("", "(" + shortest_text(p.x()) + ", " + shortest_text(p.y()) + ") is no longitude and latitude in degrees");
+    box.extend(p);
+  });
+  if (box.empty()) return;
+  const Vec2 middle = 0.5 * (box.min + box.max);
+  const double y_scale = kEarthRadius * kPi / 180.0;  // metres a degree
+  const double x_scale = y_scale * std::cos(middle.y() * kPi / 180.0);
+  visit_positions(map_, lines_,
+                  [&](Vec2& p) { p = Vec2(x_scale * (p.x() - middle.x()), y_scale * (p.y() - middle.y())); });
+  map_.notes.push_back("projected around longitude " + shortest_text(middle.x()) + ", latitude " +
+                       shortest_text(middle.y()));
+}
+
+void VectorMapBuilder::add_walls() {
+  for (const auto& [line, place] : lines_) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const Vec2 along = line[i] - line[i - 1];
+      const double length = along.norm();
+      if (length == 0.0) continue;
+      const Vec2 u = along * (0.5 * options_.wall_width / length), n = perpendicular(u);
+      add_obstacle({{line[i - 1] - u - n, line[i] + u - n, line[i] + u + n, line[i - 1] - u + n}, {}},
+                   place + ", line segment " + std::to_string(i - 1));
+    }
+  }
+  lines_.clear();
+}
+
+}  // namespace arcway::detail

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "datasets/map_file.h"
+
+namespace arcway {
+
+/// How files of polygons with coordinates of their own are read.
+struct VectorOptions {
+  /// Coordinates are longitude and latitude in degrees: project them to metres on the tangent plane at the middle of
+  /// their box, x = R cos(lat0) (lon - lon0), y = R (lat - lat0), R = 6371008.8 m. Off by less than 0.1 % within
+  /// 50 km, except near the poles.
+  bool lonlat = false;
+  /// Above 0, line strings are walls of this width with square ends [m]; otherwise they are passed over with a warning.
+  double wall_width = 0.0;
+};
+
+namespace detail {
+
+/// Gathers what a reader of polygons finds. Private to datasets/*.cpp.
+class VectorMapBuilder {
+ public:
+  /// @param name  of the source, for messages.
+  VectorMapBuilder(std::string_view name, const VectorOptions& options) : name_(name), options_(options) {}
+
+  /// Drops consecutive repetitions and the closing position.
+  /// @param closed  whether the format repeats the first position at the end; warns if it is not there.
+  /// @throws FormatError if fewer than three different positions are left.
+  Ring ring(Ring positions, bool closed, const std::string& place);
+  void add_obstacle(Polygon polygon, std::string place);
+  /// The outer ring is the bounds, the holes are obstacles.
+  /// @throws FormatError if there are bounds already.
+  void set_bounds(Polygon free_space, const std::string& place);
+  void add_line(std::vector<Vec2> positions, const std::string& place);
+  /// A geometry that is no obstacle.
+  void pass_over(const std::string& place, std::string_view type);
+  /// Coordinates are planar, however much they look like degrees; or are degrees, whatever they look like.
+  void set_planar() { frame_ = Frame::kPlanar; }
+  void set_degrees() { frame_ = Frame::kDegrees; }
+  void warn(const std::string& place, const std::string& message);
+  [[noreturn]] void fail(const std::string& place, const std::string& message) const;
+
+  /// Start, goal and notes are the reader's.
+  MapFile& map() { return map_; }
+  /// Builds walls, projects, warns of degrees.
+  MapFile finish();
+
+ private:
+  [[nodiscard]] bool looks_like_degrees();
+  void project();
+  void add_walls();
+
+  std::string name_;
+  VectorOptions options_;
+  MapFile map_;
+  enum class Frame { kUnknown, kPlanar, kDegrees } frame_ = Frame::kUnknown;
+  std::vector<std::pair<std::vector<Vec2>, std::string>> lines_;
+  std::size_t passed_over_ = 0;
+  std::string passed_place_;
+};
+
+}  // namespace detail
+}  // namespace arcway

@@ -1,0 +1,176 @@
+#include "datasets/formats/wkt.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "datasets/formats/text_scanner.h"
+#include "datasets/number_text.h"
+
+namespace arcway {
+namespace {
+
+constexpr int kMaxDepth = 32;  // of geometry collections
+
+class Reader {
+ public:
+  Reader(std::string_view text, std::string_view name, const VectorOptions& options)
+      : text_(text, name), map_(name, options) {}
+
+  MapFile read() {
+    for (text_.skip_space(); !text_.at_end(); text_.skip_space()) {
+      place_ = "line " + std::to_string(text_.line());
+      read_srid();
+      read_geometry(0);
+      text_.skip_space();
+      text_.accept(';');
+    }
+    return map_.finish();
+  }
+
+ private:
+  // A keyword in capitals; "" if none is next.
+  std::string keyword() {
+    text_.skip_space();
+    std::string word(text_.word("(),;=0123456789"));
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    return word;
+  }
+
+  void read_srid() {
+    TextScanner before = text_;
+    if (keyword() != "SRID") {
+      text_ = before;
+      return;
+    }
+    text_.skip_space();
+    if (!text_.accept('=')) text_.expected("\"=\" after SRID");
+    text_.skip_space();
+    const std::string_view number = text_.word(";");
+    if (!text_.accept(';')) text_.expected("\";\" after the SRID");
+    number == "4326" ? map_.set_degrees() : map_.set_planar();
+  }
+
+  void open() {
+    text_.skip_space();
+    if (!text_.accept('(')) text_.expected("\"(\"");
+  }
+  // After an element: whether another one follows.
+  bool more() {
+    text_.skip_space();
+    if (text_.accept(',')) return true;
+    if (!text_.accept(')')) text_.expected("\",\" or \")\"");
+    return false;
+  }
+  // A list of what `element` reads, or EMPTY.
+  template <class Element>
+  void list(Element element) {
+    if (accept_empty()) return;
+    open();
+    do element();
+    while (more());
+  }
+  bool accept_empty() {
+    TextScanner before = text_;
+    if (keyword() == "EMPTY") return true;
+    text_ = before;
+    return false;
+  }
+
+  void read_geometry(int depth) {
+    if (depth > kMaxDepth) text_.fail("geometry collections nested more than " + std::to_string(kMaxDepth) + " deep");
+    const std::string type = keyword();
+    {  // Z, M and ZM say how many ordinates there are, which shows anyway
+      TextScanner before = text_;
+      if (const std::string word = keyword(); word != "Z" && word != "M" && word != "ZM") text_ = before;
+    }
+    if (type == "POLYGON" || type == "POLYGONZ" || type == "POLYGONM" || type == "POLYGONZM") {
+      read_polygon(place_);
+    } else if (type == "MULTIPOLYGON") {
+      std::size_t i = 0;
+      list([&] { read_polygon(place_ + ", polygon " + std::to_string(i++)); });
+    } else if (type == "GEOMETRYCOLLECTION") {
+      list([&] { read_geometry(depth + 1); });
+    } else if (type == "LINESTRING") {
+      map_.add_line(positions(), place_);
+    } else if (type == "MULTILINESTRING") {
+      std::size_t i = 0;
+      list([&] { map_.add_line(positions(), place_ + ", line " + std::to_string(i++)); });
+    } else if (type == "POINT" || type == "MULTIPOINT") {
+      list([&] {  // MULTIPOINT may put each of its points in parentheses
+        text_.skip_space();
+        const bool enclosed = text_.accept('(');
+        position();
+        if (enclosed && more()) text_.expected("\")\"");
+      });
+      map_.pass_over(place_, type);
+    } else {
+      text_.fail("expected a geometry as POLYGON or MULTIPOLYGON, found " + detail::quoted(type));
+    }
+  }
+
+  Vec2 position() {
+    text_.skip_space();
+    const double x = text_.number("a number");
+    text_.skip_space();
+    const double y = text_.number("a number");
+    for (text_.skip_space(); text_.peek() != ',' && text_.peek() != ')'; text_.skip_space())
+      text_.number("a number, \",\" or \")\"");
+    return {x, y};
+  }
+  std::vector<Vec2> positions() {
+    std::vector<Vec2> result;
+    list([&] { result.push_back(position()); });
+    return result;
+  }
+
+  void read_polygon(const std::string& place) {
+    Polygon polygon;
+    std::size_t rings = 0;
+    list([&] {
+      Ring ring = map_.ring(positions(), /*closed=*/true, place + ", ring " + std::to_string(rings));
+      (rings++ == 0 ? polygon.outer : polygon.holes.emplace_back()) = std::move(ring);
+    });
+    if (rings > 0) map_.add_obstacle(std::move(polygon), place);
+  }
+
+  using TextScanner = detail::TextScanner;
+  TextScanner text_;
+  detail::VectorMapBuilder map_;
+  std::string place_;  // of the geometry
+};
+
+void append_ring(std::string& out, const Ring& ring) {
+  out += '(';
+  for (std::size_t i = 0; i <= ring.size() && !ring.empty(); ++i) {
+    const Vec2& p = ring[i < ring.size() ? i : 0];
+    if (i > 0) out += ", ";
+    out += shortest_text(p.x());
+    out += ' ';
+    out += shortest_text(p.y());
+  }
+  out += ')';
+}
+
+}  // namespace
+
+MapFile read_wkt(std::string_view text, std::string_view name, const VectorOptions& options) {
+  return Reader(text, name, options).read();
+}
+
+std::string to_wkt(const MapFile& map) {
+  std::string out;
+  for (const Polygon& polygon : map.obstacles) {
+    out += "POLYGON (";
+    append_ring(out, polygon.outer);
+    for (const Ring& hole : polygon.holes) {
+      out += ", ";
+      append_ring(out, hole);
+    }
+    out += ")\n";
+  }
+  return out;
+}
+
+}  // namespace arcway

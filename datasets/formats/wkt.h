@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "datasets/formats/vector_map.h"
+#include "datasets/map_file.h"
+
+namespace arcway {
+
+/// Reads well-known text [ISO 19125-1]: geometries one after the other, usually one a line, keywords in any case.
+/// POLYGON and MULTIPOLYGON are obstacles, GEOMETRYCOLLECTION is opened, LINESTRING is a wall if the options say so;
+/// others are passed over with a warning. Z and M are ignored, EMPTY is legal, so is the prefix `SRID=n;` of PostGIS.
+/// @param name  of the source, for messages.
+/// @throws FormatError, "map.wkt: line 3: expected a number, found "x"".
+MapFile read_wkt(std::string_view text, std::string_view name, const VectorOptions& options = {});
+
+/// One POLYGON a line that reads back to the same doubles. The format has no place for bounds, start and goal.
+std::string to_wkt(const MapFile& map);
+
+}  // namespace arcway

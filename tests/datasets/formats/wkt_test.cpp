@@ -1,0 +1,99 @@
+#include "datasets/formats/wkt.h"
+
+#include <gtest/gtest.h>
+
+namespace arcway {
+namespace {
+
+MapFile read(const std::string& text, const VectorOptions& options = {}) { return read_wkt(text, "map.wkt", options); }
+
+std::string error_of(const std::string& text) {
+  try {
+    read(text);
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Wkt, ReadsAllShapesOfPolygons) {
+  const Ring triangle{{0, 0}, {4, 0}, {4, 4}};
+  for (const char* text : {
+           "POLYGON((0 0,4 0,4 4,0 0))",
+           "\xEF\xBB\xBFpolygon ( ( 0 0 , 4 0 , 4 4 , 0 0 ) )\r\n\r\n",
+           "Polygon Z ((0 0 7, 4 0 7, 4 4 8, 0 0 7))",
+           "POLYGON ZM ((0 0 7 1, 4 0 7 1, 4 4 8 1, 0 0 7 1))",
+           "SRID=25832;POLYGON ((0 0, 4 0,\n 4 4, 4 4, 0 0));",
+           "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 0)))",
+           "POLYGON EMPTY\nGEOMETRYCOLLECTION (MULTIPOLYGON EMPTY, GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 "
+           "0))))",
+       }) {
+    const MapFile map = read(text);
+    ASSERT_EQ(map.obstacles.size(), 1u) << text;
+    EXPECT_EQ(map.obstacles[0].outer, triangle) << text;
+    EXPECT_TRUE(map.obstacles[0].holes.empty());
+    EXPECT_TRUE(map.warnings.empty()) << map.warnings.front();
+  }
+}
+
+TEST(Wkt, KeepsHolesAndPlaces) {
+  const MapFile map = read(
+      "POLYGON ((0 0, 9 0, 9 9, 0 0), (5 1, 6 1, 6 2, 5 1))\n"
+      "MULTIPOLYGON (((20 0, 21 0, 21 1, 20 0)), ((30 0, 31 0, 31 1, 30 0)))\n");
+  ASSERT_EQ(map.obstacles.size(), 3u);
+  EXPECT_EQ(map.obstacles[0].holes, (std::vector<Ring>{{{5, 1}, {6, 1}, {6, 2}}}));
+  EXPECT_EQ(map.places, (std::vector<std::string>{"line 1", "line 2, polygon 0", "line 2, polygon 1"}));
+}
+
+TEST(Wkt, LineStringsAreWallsWhenAsked) {
+  const std::string text = "LINESTRING (0 0, 10 0, 10 5)\nPOINT (3 4)\nMULTIPOINT ((1 2), (3 4))\n";
+  const MapFile without = read(text);
+  EXPECT_TRUE(without.obstacles.empty());
+  ASSERT_EQ(without.warnings.size(), 1u);
+  EXPECT_NE(without.warnings[0].find("3 geometries"), std::string::npos);
+  const MapFile walls = read(text, {.wall_width = 2.0});
+  ASSERT_EQ(walls.obstacles.size(), 2u);
+  EXPECT_EQ(walls.obstacles[0].outer, (Ring{{-1, -1}, {11, -1}, {11, 1}, {-1, 1}}));
+}
+
+TEST(Wkt, ProjectsDegrees) {
+  const std::string text = "SRID=4326;POLYGON ((8 48, 8.01 48, 8.01 48.01, 8 48.01, 8 48))";
+  EXPECT_EQ(read(text).warnings.size(), 1u);
+  const MapFile map = read(text, {.lonlat = true});
+  EXPECT_TRUE(map.warnings.empty());
+  const Vec2 diagonal = map.obstacles[0].outer[2] - map.obstacles[0].outer[0];
+  EXPECT_NEAR(diagonal.y(), 1111.9508, 0.001);  // R pi / 180 / 100
+  EXPECT_NEAR(diagonal.x(), 743.9682, 0.001);   // cos(48.005 degrees) of it
+  EXPECT_NEAR((map.obstacles[0].outer[2] + map.obstacles[0].outer[0]).norm(), 0.0, 1e-6);
+}
+
+TEST(Wkt, ErrorsNameLineAndValue) {
+  EXPECT_EQ(error_of("POLYGON ((0 0, 1 0, 1 1, 0 0))\nCIRCLE (1 2)"),
+            "map.wkt: line 2: expected a geometry as POLYGON or MULTIPOLYGON, found \"CIRCLE\"");
+  EXPECT_EQ(error_of("POLYGON ((0 0,\n1 x, 1 1, 0 0))"), "map.wkt: line 2: expected a number, found \"x,\"");
+  EXPECT_EQ(error_of("POLYGON ((0 0, 1 nan, 1 1, 0 0))"), "map.wkt: line 1: expected a number, found \"nan,\"");
+  EXPECT_EQ(error_of("POLYGON ((0 0, 1 0, 1 1"),
+            "map.wkt: line 1: expected a number, \",\" or \")\", found the end of the file");
+  EXPECT_EQ(error_of("POLYGON ((0 0, 1 0, 0 0))"),
+            "map.wkt: line 1, ring 0: needs at least 3 different positions, found 2 in 3 positions");
+  std::string deep;
+  for (int i = 0; i < 10000; ++i) deep += "GEOMETRYCOLLECTION(";
+  EXPECT_NE(error_of(deep).find("nested more than"), std::string::npos);
+}
+
+TEST(Wkt, RoundTripIsExact) {
+  MapFile map;
+  map.obstacles = {{{{0.1, 1.0 / 3.0}, {1e22, -1e-99}, {-0.0, 9007199254740993.0}}, {}},
+                   {{{0, 0}, {100, 0}, {0, 100}}, {{{1, 1}, {1, 2.5}, {2, 1}}}}};
+  const std::string text = to_wkt(map);
+  const MapFile back = read(text);
+  ASSERT_EQ(back.obstacles.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back.obstacles[i].outer, map.obstacles[i].outer);
+    EXPECT_EQ(back.obstacles[i].holes, map.obstacles[i].holes);
+  }
+  EXPECT_EQ(to_wkt(back), text);
+}
+
+}  // namespace
+}  // namespace arcway
