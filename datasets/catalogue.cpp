@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "datasets/clutter.h"
+#include "datasets/generators/adversarial_world.h"
+#include "datasets/generators/structured_world.h"
 #include "datasets/paper_example.h"
 #include "datasets/random_queries.h"
 
@@ -111,6 +113,20 @@ MapFile clutter_map(const Parts& parts) {
   return map;
 }
 
+template <StructuredKind kind>
+MapFile structured_map(const Parts& parts) {
+  const StructuredParameters defaults;
+  return generate_structured_world(
+      {.kind = kind, .vertices = parts.number('v', defaults.vertices), .seed = parts.number('s', defaults.seed)});
+}
+
+MapFile adversarial_map(const Parts& parts) {
+  const AdversarialParameters defaults;
+  return generate_adversarial_world({.kind = kAdversarialKinds[parts.kind()],
+                                     .vertices = parts.number('v', defaults.vertices),
+                                     .seed = parts.number('s', defaults.seed)});
+}
+
 MapFile paper_map(const Parts&) {
   PaperExample example = paper_example();
   MapFile map = to_map_file(example.world);
@@ -127,6 +143,24 @@ const std::vector<Entry>& entries() {
         "clutter/KIND/nOBSTACLES/mVERTICES_OF_EACH/fFILL_PERCENT/sSEED",
         "disjoint random obstacles in a square"},
        clutter_map},
+      {{"warehouse", {}, "warehouse/vVERTICES/sSEED", "racks, aisles and pallets"},
+       structured_map<StructuredKind::kWarehouse>},
+      {{"parking", {}, "parking/vVERTICES/sSEED", "rows of parked cars, the goal a free bay"},
+       structured_map<StructuredKind::kParking>},
+      {{"rooms", {}, "rooms/vVERTICES/sSEED", "rooms with doors and tables"}, structured_map<StructuredKind::kRooms>},
+      {{"maze", {}, "maze/vVERTICES/sSEED", "a maze with loops"}, structured_map<StructuredKind::kMaze>},
+      {{"city", {}, "city/vVERTICES/sSEED", "blocks between crooked streets"}, structured_map<StructuredKind::kCity>},
+      {{"islands", {}, "islands/vVERTICES/sSEED", "smooth closed curves of many vertices"},
+       structured_map<StructuredKind::kIslands>},
+      {{"corridor", {}, "corridor/vVERTICES/sSEED", "long corridors between rough walls, joined at their ends"},
+       structured_map<StructuredKind::kCorridor>},
+      {{"coastline", {}, "coastline/vVERTICES/sSEED", "one island with all the vertices"},
+       structured_map<StructuredKind::kCoastline>},
+      {{"adversarial",
+        {"touching", "shared", "collinear", "needles", "far", "nested", "overlapping", "contacts", "holes"},
+        "adversarial/KIND/vVERTICES/sSEED",
+        "legal maps made to break predicates"},
+       adversarial_map},
   };
   return all;
 }

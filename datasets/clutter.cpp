@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "datasets/generators/layout.h"
 #include "datasets/random.h"
 
 namespace arcway {
 namespace {
 
-constexpr double kPiRounded = 3.141592653589793;
 constexpr double kSlack = 1e-9;  // [m], so that rounding does not eat into the gap
 
 std::string text_of(double value) {
@@ -61,49 +61,6 @@ Ring draw_shape(Random& random, const ClutterParameters& p, double radius, doubl
     ring[i] = unit_vector_at(turn - std::floor(turn)) * (radius * (1.0 - dent * random.uniform()));
   }
   return ring;
-}
-
-// Centres of discs that keep the gap from each other and from the square's sides: largest first, at random, in a grid
-// of cells as wide as two discs. Nothing if the square is too full for that.
-std::optional<std::vector<Vec2>> scatter(Random& random, const std::vector<double>& radii, double side, double gap) {
-  const double largest = *std::max_element(radii.begin(), radii.end());
-  double covered = 0.0;
-  for (const double r : radii) covered += kPiRounded * (r + 0.5 * gap) * (r + 0.5 * gap);
-  if (covered > 0.55 * side * side || 2.0 * (largest + gap) >= side) return std::nullopt;
-
-  std::vector<std::size_t> order(radii.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
-  // Not many more cells than discs.
-  const double most = 2.0 * std::sqrt(static_cast<double>(radii.size())) + 1.0;
-  const auto columns = static_cast<std::size_t>(std::clamp(side / (2.0 * largest + gap), 1.0, most));
-  const double cell = side / static_cast<double>(columns);
-  std::vector<std::vector<std::size_t>> cells(columns * columns);
-  const auto index = [&](double x) { return std::min(columns - 1, static_cast<std::size_t>(x / cell)); };
-
-  std::vector<Vec2> centers(radii.size());
-  std::size_t tries_left = 60 * radii.size() + 20000;
-  for (const std::size_t i : order) {
-    const double low = radii[i] + gap, high = side - low;
-    const auto fits = [&](const Vec2& c) {
-      const std::size_t cx = index(c.x()), cy = index(c.y());
-      for (std::size_t y = cy - std::min<std::size_t>(cy, 1); y <= std::min(cy + 1, columns - 1); ++y)
-        for (std::size_t x = cx - std::min<std::size_t>(cx, 1); x <= std::min(cx + 1, columns - 1); ++x)
-          for (const std::size_t j : cells[y * columns + x]) {
-            const double dx = centers[j].x() - c.x(), dy = centers[j].y() - c.y();
-            const double reach = radii[i] + radii[j] + gap;
-            if (dx * dx + dy * dy < reach * reach) return false;
-          }
-      return true;
-    };
-    do {
-      if (tries_left-- == 0) return std::nullopt;
-      const double x = random.uniform(low, high), y = random.uniform(low, high);
-      centers[i] = {x, y};
-    } while (!fits(centers[i]));
-    cells[index(centers[i].y()) * columns + index(centers[i].x())].push_back(i);
-  }
-  return centers;
 }
 
 // `count` widths of random size, in total 1.
@@ -241,7 +198,7 @@ Clutter generate_clutter(const ClutterParameters& parameters) {
   const double side = rings.empty() ? 10.0 * parameters.max_radius : std::sqrt(area / parameters.fill);
   if (!rings.empty()) {
     const double gap = parameters.min_gap + kSlack;
-    if (const auto centers = scatter(random, radii, side, gap)) {
+    if (const auto centers = detail::scatter_discs(random, radii, side, gap)) {
       for (std::size_t i = 0; i < rings.size(); ++i)
         for (Vec2& p : rings[i]) p += (*centers)[i];
     } else {
