@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+
+#include "accel/triangulation/triangulation.h"
+
+namespace arcway {
+
+/// Flips diagonals towards the constrained Delaunay triangulation, whose compact triangles keep walks short. A flip is
+/// made only if rounded arithmetic is sure of it: any triangulation is correct, so nothing exact is needed. About two
+/// flips a vertex.
+void flip_towards_delaunay(std::span<const Vec2> sites, Triangulation& triangulation);
+
+}  // namespace arcway

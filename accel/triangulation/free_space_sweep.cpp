@@ -1,0 +1,300 @@
+#include "accel/triangulation/free_space_sweep.h"
+
+#include <cassert>
+
+#include "accel/triangulation/gap_order.h"
+#include "core/geometry/predicates.h"
+
+namespace arcway {
+
+namespace {
+
+/// Links of a front: what lies behind the link as seen from the gap.
+using Link = std::uint32_t;
+constexpr Link kWall = kNone;
+/// A diagonal with the gap on both of its sides; the other bits number it.
+constexpr Link kDangling = 0x80000000u;
+
+class Sweep {
+ public:
+  explicit Sweep(const PlanarMap& map) : map_(map), gap_above_(map.edges.size(), kNone) {
+    space_.edge_is_covered.assign(map.edges.size(), 0);
+    space_.triangulation.corners.reserve(5 * map.sites.size());
+    space_.triangulation.twins.reserve(5 * map.sites.size());
+  }
+
+  std::optional<FreeSpace> run() {
+    const auto last = static_cast<std::uint32_t>(map_.sites.size() - 1);
+    const std::uint32_t all = new_gap(0, map_.outside_is_solid ? 1 : 0);
+    const std::uint32_t beyond = new_gap(1, 0);
+    gaps_[all].above = beyond;
+    gaps_[beyond].below = all;
+    order_.start(all);
+    if (is_free(all)) start_front(all, 0, 1);
+    for (std::uint32_t site = 2; site + 1 < last; ++site)
+      if (!pass(site)) return std::nullopt;
+    if (is_free(all)) {
+      extend_low_end(all, last - 1, kWall);
+      extend_high_end(all, last, kWall);
+    }
+    return std::move(space_);
+  }
+
+ private:
+  struct Gap {
+    std::uint32_t edge;          // below it
+    std::int32_t depth;          // whole regions that cover it
+    std::uint32_t below, above;  // gaps
+    std::uint32_t low, high;     // ends of the front, on the edges below and above
+    std::uint32_t latest;        // node of the front furthest to the right: what a new site is sure to see
+  };
+  struct Node {
+    std::uint32_t site;
+    std::uint32_t below, above;  // nodes
+    Link link;                   // to the node above
+  };
+
+  [[nodiscard]] bool is_free(std::uint32_t gap) const { return gaps_[gap].depth == 0; }
+  [[nodiscard]] const PlanarMap::Edge& edge_below(std::uint32_t gap) const { return map_.edges[gaps_[gap].edge]; }
+  [[nodiscard]] int side(const PlanarMap::Edge& e, std::uint32_t site) const {
+    return orientation(map_.sites[e.low], map_.sites[e.high], map_.sites[site]);
+  }
+  [[nodiscard]] bool turns_left(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return orientation(map_.sites[a], map_.sites[b], map_.sites[c]) > 0;
+  }
+
+  bool pass(std::uint32_t site) {
+    std::uint32_t below, above;  // the gaps that the site's edges to the left lie between
+    const std::uint32_t first = map_.first_edge[site], last = map_.first_edge[site + 1];
+    if (map_.incoming[site] != kNone) {
+      above = gap_above_[map_.incoming[site]];
+      below = gaps_[above].below;
+      while (edge_below(below).high == site) below = gaps_[below].below;
+      while (edge_below(gaps_[above].above).high == site) above = gaps_[above].above;
+      for (std::uint32_t gap = gaps_[below].above; gap != above;) {
+        const std::uint32_t next = gaps_[gap].above;
+        close(gap, site);
+        gap = next;
+      }
+      link(below, above);
+      if (is_free(below)) extend_high_end(below, site, kWall);
+      if (is_free(above)) extend_low_end(above, site, kWall);
+    } else {
+      bool on_edge = false;
+      below = order_.last_with([&](std::uint32_t gap) {
+        const int where = side(edge_below(gap), site);
+        on_edge = on_edge || where == 0;
+        return where >= 0;
+      });
+      if (on_edge) return false;
+      above = split(below, site);
+    }
+    if (first == last) {
+      merge(below, above);
+      return may_be_neighbours(below, gaps_[below].above);
+    }
+    set_edge(above, last - 1);
+    std::int32_t depth = gaps_[below].depth;
+    for (std::uint32_t e = first, gap = below; e < last; ++e) {
+      const PlanarMap::Edge& edge = map_.edges[e];
+      space_.edge_is_covered[e] = depth - edge.below > 0;
+      depth += edge.above - edge.below;
+      if (e + 1 == last) break;
+      const std::uint32_t added = new_gap(e, depth);
+      order_.insert_behind(gap, added);
+      link(gap, added);
+      link(added, above);
+      if (depth == 0) start_front(added, site);
+      gap = added;
+    }
+    assert(depth == gaps_[above].depth);
+    return may_be_neighbours(below, gaps_[below].above) && may_be_neighbours(above, gaps_[above].above);
+  }
+
+  // Whether the edges below these neighbouring gaps stay clear of each other up to the end of one of them.
+  [[nodiscard]] bool may_be_neighbours(std::uint32_t gap, std::uint32_t next) const {
+    const PlanarMap::Edge& lower = edge_below(gap);
+    const PlanarMap::Edge& upper = edge_below(next);
+    if (lower.high == upper.high) return true;
+    return lower.high < upper.high ? side(upper, lower.high) < 0 : side(lower, upper.high) > 0;
+  }
+
+  // Gaps.
+
+  std::uint32_t new_gap(std::uint32_t edge, std::int32_t depth) {
+    std::uint32_t gap = static_cast<std::uint32_t>(gaps_.size());
+    if (free_gaps_.empty()) {
+      gaps_.emplace_back();
+    } else {
+      gap = free_gaps_.back();
+      free_gaps_.pop_back();
+    }
+    gaps_[gap].depth = depth;
+    set_edge(gap, edge);
+    return gap;
+  }
+  void set_edge(std::uint32_t gap, std::uint32_t edge) {
+    gaps_[gap].edge = edge;
+    gap_above_[edge] = gap;
+  }
+  void link(std::uint32_t below, std::uint32_t above) {
+    gaps_[below].above = above;
+    gaps_[above].below = below;
+  }
+  void remove(std::uint32_t gap) {
+    order_.erase(gap);
+    free_gaps_.push_back(gap);
+  }
+
+  // The gap that ends in a site.
+  void close(std::uint32_t gap, std::uint32_t site) {
+    if (is_free(gap)) {
+      extend_low_end(gap, site, kWall);
+      free_nodes_.push_back(gaps_[gap].high);
+      free_nodes_.push_back(gaps_[gap].low);
+    }
+    remove(gap);
+  }
+
+  // Cuts a gap in two at a site within it. Returns the upper one, whose edge is yet to be set.
+  std::uint32_t split(std::uint32_t gap, std::uint32_t site) {
+    const std::uint32_t upper = new_gap(gaps_[gap].edge, gaps_[gap].depth);
+    gap_above_[gaps_[gap].edge] = gap;
+    order_.insert_behind(gap, upper);
+    link(upper, gaps_[gap].above);
+    link(gap, upper);
+    if (!is_free(gap)) return upper;
+    const std::uint32_t latest = gaps_[gap].latest;
+    const std::uint32_t copy = new_node(nodes_[latest].site);
+    nodes_[copy].link = nodes_[latest].link;
+    if (gaps_[gap].high == latest) {
+      gaps_[upper].high = copy;
+    } else {
+      gaps_[upper].high = gaps_[gap].high;
+      join(copy, nodes_[latest].above);
+    }
+    gaps_[upper].low = copy;
+    gaps_[gap].high = latest;
+    const Link diagonal = kDangling | static_cast<Link>(dangling_.size());
+    dangling_.push_back(kNone);
+    extend_high_end(gap, site, diagonal);
+    extend_low_end(upper, site, diagonal);
+    return upper;
+  }
+
+  // One gap of two that no edge keeps apart any more.
+  void merge(std::uint32_t below, std::uint32_t above) {
+    assert(gaps_[below].depth == gaps_[above].depth);
+    if (is_free(below)) {
+      const std::uint32_t low = gaps_[above].low;
+      const std::uint32_t end = gaps_[below].high;
+      nodes_[end].link = nodes_[low].link;
+      join(end, nodes_[low].above);
+      gaps_[below].high = gaps_[above].high;
+      gaps_[below].latest = end;
+      free_nodes_.push_back(low);
+    }
+    link(below, gaps_[above].above);
+    remove(above);
+  }
+
+  // Fronts.
+
+  std::uint32_t new_node(std::uint32_t site) {
+    std::uint32_t node = static_cast<std::uint32_t>(nodes_.size());
+    if (free_nodes_.empty()) {
+      nodes_.emplace_back();
+    } else {
+      node = free_nodes_.back();
+      free_nodes_.pop_back();
+    }
+    nodes_[node].site = site;
+    return node;
+  }
+  void join(std::uint32_t lower, std::uint32_t upper) {
+    nodes_[lower].above = upper;
+    nodes_[upper].below = lower;
+  }
+  void start_front(std::uint32_t gap, std::uint32_t site) {
+    gaps_[gap].low = gaps_[gap].high = gaps_[gap].latest = new_node(site);
+  }
+  void start_front(std::uint32_t gap, std::uint32_t low, std::uint32_t high) {
+    gaps_[gap].low = new_node(low);
+    gaps_[gap].high = gaps_[gap].latest = new_node(high);
+    nodes_[gaps_[gap].low].link = kWall;
+    join(gaps_[gap].low, gaps_[gap].high);
+  }
+
+  // Puts a site before the lower end of a front, after the triangles that it sees. `behind`: beyond the line from the
+  // site to the end.
+  void extend_low_end(std::uint32_t gap, std::uint32_t site, Link behind) {
+    std::uint32_t end = gaps_[gap].low;
+    while (end != gaps_[gap].high && turns_left(nodes_[end].site, site, nodes_[nodes_[end].above].site)) {
+      const std::uint32_t above = nodes_[end].above;
+      const std::uint32_t h = add_triangle(nodes_[end].site, site, nodes_[above].site);
+      connect(h, behind);
+      connect(h + 2, nodes_[end].link);
+      behind = h + 1;
+      free_nodes_.push_back(end);
+      end = above;
+    }
+    const std::uint32_t node = new_node(site);
+    join(node, end);
+    nodes_[node].link = behind;
+    gaps_[gap].low = gaps_[gap].latest = node;
+  }
+
+  void extend_high_end(std::uint32_t gap, std::uint32_t site, Link behind) {
+    std::uint32_t end = gaps_[gap].high;
+    while (end != gaps_[gap].low && turns_left(nodes_[nodes_[end].below].site, site, nodes_[end].site)) {
+      const std::uint32_t below = nodes_[end].below;
+      const std::uint32_t h = add_triangle(nodes_[below].site, site, nodes_[end].site);
+      connect(h + 1, behind);
+      connect(h + 2, nodes_[below].link);
+      behind = h;
+      free_nodes_.push_back(end);
+      end = below;
+    }
+    const std::uint32_t node = new_node(site);
+    join(end, node);
+    nodes_[end].link = behind;
+    gaps_[gap].high = gaps_[gap].latest = node;
+  }
+
+  std::uint32_t add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    Triangulation& t = space_.triangulation;
+    const auto h = static_cast<std::uint32_t>(t.corners.size());
+    t.corners.insert(t.corners.end(), {a, b, c});
+    t.twins.insert(t.twins.end(), {kNone, kNone, kNone});
+    return h;
+  }
+
+  void connect(std::uint32_t h, Link link) {
+    if (link == kWall) return;
+    if (link & kDangling) {
+      Link& other = dangling_[link & ~kDangling];
+      if (other == kNone) {
+        other = h;
+        return;
+      }
+      link = other;
+    }
+    space_.triangulation.twins[h] = link;
+    space_.triangulation.twins[link] = h;
+  }
+
+  const PlanarMap& map_;
+  FreeSpace space_;
+  GapOrder order_;
+  std::vector<Gap> gaps_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> free_gaps_, free_nodes_;
+  std::vector<Link> dangling_;
+  std::vector<std::uint32_t> gap_above_;  // by edge that the sweep line meets
+};
+
+}  // namespace
+
+std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map) { return Sweep(map).run(); }
+
+}  // namespace arcway

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "accel/triangulation/planar_map.h"
+#include "accel/triangulation/triangulation.h"
+
+namespace arcway {
+
+/// The part of the frame that lies in no whole region, triangulated; and which edges lie strictly inside one.
+struct FreeSpace {
+  Triangulation triangulation;
+  std::vector<std::uint8_t> edge_is_covered;  ///< by edge of the map
+};
+
+/// One sweep from left to right over the gaps between neighbouring edges [Hertel and Mehlhorn 1985]: each gap keeps the
+/// front of its triangles as a chain, to which every site adds the triangles that it sees. Any site may have any number
+/// of edges on either side. O(n log n), exact.
+/// @return nothing if edges of the map meet elsewhere than in common ends: neighbours are tested as they become so
+///   [Shamos and Hoey 1976].
+std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map);
+
+}  // namespace arcway

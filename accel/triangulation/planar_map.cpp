@@ -1,0 +1,296 @@
+#include "accel/triangulation/planar_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <span>
+
+#include "core/geometry/box_tree.h"
+#include "core/geometry/predicates.h"
+
+namespace arcway {
+
+namespace {
+
+using Edge = PlanarMap::Edge;
+
+struct Keyed {
+  std::uint32_t key;
+  VertexId vertex;
+};
+
+// Vertices by (x, y): radix sort on x in 2^32 steps, then exactly within equal steps.
+std::vector<VertexId> sorted_vertices(const World& world) {
+  const std::span<const Vec2> vertices = world.vertices();
+  const double low = world.box().min.x();
+  const double extent = world.box().max.x() - low;
+  const double scale = extent > 0.0 ? 4294967040.0 / extent : 0.0;
+  std::vector<Keyed> keyed(vertices.size()), other(vertices.size());
+  for (VertexId v = 0; v < vertices.size(); ++v) {
+    // Monotone in x whatever the rounding; an extent too small for a finite scale leaves one step.
+    const double step = std::isfinite(scale) ? (vertices[v].x() - low) * scale : 0.0;
+    keyed[v] = {static_cast<std::uint32_t>(step), v};
+  }
+  constexpr int kBits = 11;
+  for (int shift = 0; shift < 32; shift += kBits) {
+    std::array<std::size_t, (1u << kBits) + 1> starts{};
+    const auto digit = [shift](const Keyed& k) { return (k.key >> shift) & ((1u << kBits) - 1); };
+    for (const Keyed& k : keyed) ++starts[digit(k) + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    for (const Keyed& k : keyed) other[starts[digit(k)]++] = k;
+    keyed.swap(other);
+  }
+  const auto before = [&](const Keyed& a, const Keyed& b) {
+    const Vec2& p = vertices[a.vertex];
+    const Vec2& q = vertices[b.vertex];
+    return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
+  };
+  for (std::size_t first = 0, last = 0; first < keyed.size(); first = last) {
+    while (last < keyed.size() && keyed[last].key == keyed[first].key) ++last;
+    if (last - first > 1) std::sort(keyed.begin() + first, keyed.begin() + last, before);
+  }
+  std::vector<VertexId> order(keyed.size());
+  for (std::size_t i = 0; i < keyed.size(); ++i) order[i] = keyed[i].vertex;
+  return order;
+}
+
+// The frame stands off by the size of the map, and far enough to be seen apart in the last place.
+Box frame_of(const Box& box) {
+  const Vec2 size = box.max - box.min;
+  const double magnitude = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
+  const double pad = std::max({size.x(), size.y(), 1e-6 * magnitude, 1.0});
+  Box frame;
+  frame.min = box.min.array() - pad;
+  frame.max = box.max.array() + pad;
+  return frame;
+}
+
+void make_sites(const World& world, PlanarMap& map) {
+  const std::vector<VertexId> order = sorted_vertices(world);
+  const Box frame = frame_of(world.box());
+  map.sites.reserve(order.size() + 4);
+  map.sites.push_back(frame.min);
+  map.sites.emplace_back(frame.min.x(), frame.max.y());
+  map.site_of.resize(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Vec2& p = world.vertex(order[i]);
+    if (i == 0 || p != map.sites.back()) map.sites.push_back(p);
+    map.site_of[order[i]] = static_cast<std::uint32_t>(map.sites.size() - 1);
+  }
+  map.sites.emplace_back(frame.max.x(), frame.min.y());
+  map.sites.push_back(frame.max);
+}
+
+Edge edge_between(std::uint32_t from, std::uint32_t to, std::int32_t count) {
+  // The region lies to the left of its edges.
+  return from < to ? Edge{from, to, count, 0} : Edge{to, from, 0, count};
+}
+
+// Sorts edges by site and slope and makes the tables over them; equal ones become one. Returns false if others overlap.
+bool make_tables(const std::vector<Edge>& unsorted, PlanarMap& map) {
+  const auto site_count = static_cast<std::uint32_t>(map.sites.size());
+  std::vector<std::uint32_t>& first = map.first_edge;
+  first.assign(site_count + 1, 0);
+  const Edge bottom{0, site_count - 2, 0, 0}, top{1, site_count - 1, 0, 0};
+  first[1] = first[2] = 1;
+  for (const Edge& e : unsorted) ++first[e.low + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  map.edges.resize(unsorted.size() + 2);
+  map.edges[0] = bottom;
+  map.edges[1] = top;
+  std::vector<std::uint32_t> place(first.begin(), first.end() - 1);
+  for (const Edge& e : unsorted) map.edges[place[e.low]++] = e;
+
+  const auto slope_order = [&](const Edge& e, const Edge& f) {
+    return e.high != f.high && orientation(map.sites[e.low], map.sites[e.high], map.sites[f.high]) > 0;
+  };
+  std::uint32_t kept = 2;
+  for (std::uint32_t s = 2, begin = 2; s < site_count; ++s) {
+    const std::uint32_t end = first[s + 1];
+    if (end - begin == 2) {
+      if (slope_order(map.edges[begin + 1], map.edges[begin])) std::swap(map.edges[begin], map.edges[begin + 1]);
+    } else if (end - begin > 2) {
+      std::sort(map.edges.begin() + begin, map.edges.begin() + end, slope_order);
+    }
+    const std::uint32_t first_kept = kept;
+    for (std::uint32_t e = begin; e < end; ++e) {
+      const Edge edge = map.edges[e];
+      if (kept > first_kept) {
+        Edge& last = map.edges[kept - 1];
+        if (last.high == edge.high) {
+          last.above += edge.above;
+          last.below += edge.below;
+          continue;
+        }
+        if (!slope_order(last, edge)) return false;
+      }
+      map.edges[kept++] = edge;
+    }
+    first[s] = first_kept;
+    begin = end;
+  }
+  first[site_count] = kept;
+  map.edges.resize(kept);
+  map.incoming.assign(site_count, kNone);
+  for (std::uint32_t e = 0; e < kept; ++e) map.incoming[map.edges[e].high] = e;
+  return true;
+}
+
+// Obstacle edges, cut where vertices lie on them; what remains to be dropped.
+class Cutter {
+ public:
+  Cutter(const World& world, PlanarMap& map) : world_(world), map_(map) {}
+
+  std::vector<Edge> cut() {
+    find_contacts();
+    std::sort(cuts_.begin(), cuts_.end());
+    cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
+    make_pieces();
+    drop_crossings();
+    for (const auto& [edge, piece] : owners_)
+      if (dropped_[piece]) broken_[world_.obstacle_of(edge)] = 1;
+    for (ObstacleId o = 0; o < broken_.size(); ++o)
+      if (broken_[o]) map_.broken.push_back(o);
+    return count_regions();
+  }
+
+ private:
+  using Cut = std::pair<VertexId, std::uint32_t>;  // edge, site on it
+
+  struct Piece {
+    std::uint32_t low, high;
+    friend auto operator<=>(const Piece&, const Piece&) = default;
+  };
+
+  void add_cut(VertexId edge, VertexId vertex) {
+    cuts_.emplace_back(edge, map_.site_of[vertex]);
+    if (world_.obstacle_of(edge) == world_.obstacle_of(vertex)) broken_[world_.obstacle_of(edge)] = 1;
+  }
+
+  void find_contacts() {
+    broken_.assign(world_.region_count(), 0);
+    const std::span<const LineSegment> edges = world_.edges();
+    std::vector<Box> boxes(edges.size());
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      boxes[e].extend(edges[e].a);
+      boxes[e].extend(edges[e].b);
+    }
+    const BoxTree tree(boxes);
+    for (VertexId e = 0; e < edges.size(); ++e) {
+      tree.visit_overlaps(boxes[e], [&](VertexId f) {
+        if (f <= e) return true;
+        const SegmentRelation relation = relate(edges[e], edges[f]);
+        if (relation == SegmentRelation::kCrossing) {
+          crossings_.emplace_back(e, f);
+        } else if (relation == SegmentRelation::kTouchingInterior || relation == SegmentRelation::kOverlapping) {
+          for (const VertexId v : {f, world_.next(f)})
+            if (on_open_segment(world_.vertex(v), edges[e])) add_cut(e, v);
+          for (const VertexId v : {e, world_.next(e)})
+            if (on_open_segment(world_.vertex(v), edges[f])) add_cut(f, v);
+        }
+        return true;
+      });
+    }
+  }
+
+  // Sites along an edge, ascending.
+  void sites_on(VertexId edge, std::vector<std::uint32_t>& sites) const {
+    sites.clear();
+    auto cut = std::lower_bound(cuts_.begin(), cuts_.end(), Cut{edge, 0});
+    for (; cut != cuts_.end() && cut->first == edge; ++cut) sites.push_back(cut->second);
+    const std::uint32_t a = map_.site_of[edge], b = map_.site_of[world_.next(edge)];
+    sites.insert(sites.begin(), std::min(a, b));
+    sites.push_back(std::max(a, b));
+  }
+
+  void make_pieces() {
+    std::vector<std::uint32_t> sites;
+    std::vector<std::pair<Piece, VertexId>> owned;
+    owned.reserve(world_.edges().size() + cuts_.size());
+    for (VertexId e = 0; e < world_.edges().size(); ++e) {
+      sites_on(e, sites);
+      for (std::size_t i = 0; i + 1 < sites.size(); ++i) owned.push_back({{sites[i], sites[i + 1]}, e});
+    }
+    std::sort(owned.begin(), owned.end());
+    owners_.reserve(owned.size());
+    for (const auto& [piece, edge] : owned) {
+      if (pieces_.empty() || pieces_.back() != piece) pieces_.push_back(piece);
+      owners_.emplace_back(edge, static_cast<std::uint32_t>(pieces_.size() - 1));
+    }
+    dropped_.assign(pieces_.size(), 0);
+  }
+
+  // The piece of one edge that crosses another edge properly; kNone if they cross in a site.
+  std::uint32_t piece_across(VertexId edge, VertexId other) {
+    sites_on(edge, sites_);
+    const LineSegment& line = world_.edges()[other];
+    const auto side = [&](std::uint32_t site) { return orientation(line.a, line.b, map_.sites[site]); };
+    const int before = side(sites_.front());
+    const auto across = std::partition_point(sites_.begin(), sites_.end(), [&](auto s) { return side(s) == before; });
+    if (side(*across) == 0) return kNone;
+    const Piece piece{*(across - 1), *across};
+    return static_cast<std::uint32_t>(std::lower_bound(pieces_.begin(), pieces_.end(), piece) - pieces_.begin());
+  }
+
+  // Of two pieces that cross, the one with more crossings goes.
+  void drop_crossings() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    std::vector<std::uint32_t> count(pieces_.size(), 0);
+    for (const auto& [e, f] : crossings_) {
+      const std::uint32_t a = piece_across(e, f), b = piece_across(f, e);
+      if (a == kNone || b == kNone) continue;
+      pairs.emplace_back(a, b);
+      ++count[a];
+      ++count[b];
+    }
+    for (const auto& [a, b] : pairs)
+      if (!dropped_[a] && !dropped_[b]) dropped_[count[a] > count[b] ? a : b] = 1;
+  }
+
+  [[nodiscard]] std::vector<Edge> count_regions() const {
+    std::vector<Edge> edges;
+    edges.reserve(owners_.size());
+    for (const auto& [e, p] : owners_) {
+      if (dropped_[p]) continue;
+      const bool right = map_.site_of[e] < map_.site_of[world_.next(e)];
+      const std::int32_t whole = broken_[world_.obstacle_of(e)] ? 0 : 1;
+      const Piece& piece = pieces_[p];
+      edges.push_back(right ? edge_between(piece.low, piece.high, whole) : edge_between(piece.high, piece.low, whole));
+    }
+    return edges;
+  }
+
+  const World& world_;
+  PlanarMap& map_;
+  std::vector<Cut> cuts_;
+  std::vector<std::pair<VertexId, VertexId>> crossings_;
+  std::vector<Piece> pieces_;                               // ascending
+  std::vector<std::pair<VertexId, std::uint32_t>> owners_;  // edge and one of its pieces
+  std::vector<std::uint8_t> dropped_;                       // by piece
+  std::vector<std::uint8_t> broken_;                        // by region
+  std::vector<std::uint32_t> sites_;
+};
+
+}  // namespace
+
+bool make_plain_map(const World& world, PlanarMap& map) {
+  map = {};
+  make_sites(world, map);
+  std::vector<Edge> edges(world.edges().size());
+  for (VertexId v = 0; v < edges.size(); ++v) edges[v] = edge_between(map.site_of[v], map.site_of[world.next(v)], 1);
+  map.outside_is_solid = world.has_bounds();
+  return make_tables(edges, map);
+}
+
+PlanarMap make_cut_map(const World& world) {
+  PlanarMap map;
+  make_sites(world, map);
+  make_tables(Cutter(world, map).cut(), map);
+  const auto bounds = static_cast<ObstacleId>(world.obstacle_count());
+  map.outside_is_solid = world.has_bounds() && !std::binary_search(map.broken.begin(), map.broken.end(), bounds);
+  return map;
+}
+
+}  // namespace arcway

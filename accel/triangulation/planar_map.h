@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/world.h"
+
+namespace arcway {
+
+/// A world as points and edges that meet in common ends only: what a plane sweep takes.
+///
+/// Sites are the distinct places of the world's vertices, ascending by (x, y), between the corners of a frame around
+/// them: two before and two after all others. "To the right" means a larger site index everywhere, so that vertical
+/// edges are no special case. An edge is an obstacle edge or, cut at the sites on it, a piece of one; equal pieces are
+/// one edge. Of two pieces that cross properly one is left out.
+///
+/// A region all of whose pieces are there is *whole*; edges count whole regions only. All other regions, and those with
+/// a vertex on an edge of their own, are listed as broken: their edges are walls with no inside.
+struct PlanarMap {
+  struct Edge {
+    std::uint32_t low, high;    ///< sites, low < high
+    std::int32_t above, below;  ///< whole regions that it bounds and that lie on its upper, lower side
+  };
+
+  std::vector<Vec2> sites;
+  std::vector<std::uint32_t> site_of;     ///< by VertexId
+  std::vector<Edge> edges;                ///< ascending by low, at a site by slope; the first two are the frame's
+  std::vector<std::uint32_t> first_edge;  ///< by site: its edges to the right are [first_edge[s], first_edge[s + 1])
+  std::vector<std::uint32_t> incoming;    ///< by site: an edge that ends there, or kNone
+  std::vector<ObstacleId> broken;         ///< ascending
+  bool outside_is_solid = false;          ///< the world has bounds, and they are whole
+};
+
+/// Takes all obstacle edges as they are, which may violate what is promised above: overlapping edges that start at a
+/// site are noticed here, everything else by the sweep. O(n) beside a radix sort.
+/// @return false if edges overlap at a site.
+bool make_plain_map(const World& world, PlanarMap& map);
+
+/// Cuts and drops as promised, whatever the world. O(n log n + pairs of edges that meet).
+PlanarMap make_cut_map(const World& world);
+
+}  // namespace arcway
