@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "accel/triangulation/planar_map.h"
+#include "accel/triangulation/triangulation.h"
+#include "core/geometry/box_tree.h"
+#include "core/world.h"
+
+namespace arcway {
+
+/// The triangulated free space of a world, laid out for lines of sight that start at its vertices: small records, what
+/// is near in the plane near in memory. Immutable and thread-safe.
+class SightMap {
+ public:
+  /// A half-edge and the triangle behind it, for somebody who looks across it into the triangle.
+  struct Door {
+    Vec2 apex;            ///< the triangle's third corner
+    std::uint32_t left;   ///< the door from this triangle between its left end and the apex; kNone: a wall
+    std::uint32_t right;  ///< the one between the apex and its right end
+    std::uint32_t site;   ///< of the apex
+    std::uint32_t node;   ///< first node at the apex, kNone if there is none
+  };
+
+  /// A graph vertex, and what tangency at it needs. Those of one site follow each other.
+  struct Node {
+    Vec2 at, previous, next;
+    VertexId vertex;
+    std::uint32_t site, previous_site, next_site;
+  };
+
+  /// Triangles around a site, counter-clockwise from one wall to the next, or all around it if no wall ends there. Each
+  /// is behind a door whose left end is the site; a door's left is the next one in the fan.
+  struct Fan {
+    std::uint32_t door;
+    std::uint32_t first_site;  ///< the other end of the first door
+    bool starts_at_wall;
+  };
+
+  /// O(n log n). Throws std::length_error beyond 2^28 vertices.
+  explicit SightMap(const World& world);
+
+  [[nodiscard]] std::span<const Door> doors() const { return doors_; }
+  [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+  [[nodiscard]] std::span<const Fan> fans(std::uint32_t node) const {
+    return std::span(fans_).subspan(first_fan_[node], first_fan_[node + 1] - first_fan_[node]);
+  }
+  [[nodiscard]] std::span<const Vec2> sites() const { return map_.sites; }
+  [[nodiscard]] std::uint32_t first_node_at(std::uint32_t site) const { return node_at_[site]; }
+
+  /// The edges of the map that leave a site to the right.
+  [[nodiscard]] std::span<const PlanarMap::Edge> edges_from(std::uint32_t site) const {
+    return std::span(map_.edges).subspan(map_.first_edge[site], map_.first_edge[site + 1] - map_.first_edge[site]);
+  }
+  /// Whether an edge lies strictly inside a region that is whole.
+  [[nodiscard]] bool is_covered(const PlanarMap::Edge& edge) const {
+    return edge_is_covered_[static_cast<std::size_t>(&edge - map_.edges.data())] != 0;
+  }
+
+  /// Whether all regions are whole: then walls and triangles say all there is to say about lines of sight.
+  [[nodiscard]] bool is_whole() const { return map_.broken.empty(); }
+  [[nodiscard]] std::size_t broken_count() const { return map_.broken.size(); }
+  /// Whether an edge of a region that is not whole blocks the segment.
+  [[nodiscard]] bool is_blocked_by_broken(const LineSegment& segment) const;
+
+ private:
+  void lay_out_nodes();
+  void lay_out_doors(const Triangulation& triangulation);
+
+  World world_;
+  PlanarMap map_;
+  std::vector<std::uint8_t> edge_is_covered_;
+  std::vector<Door> doors_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> node_at_;  // by site
+  std::vector<Fan> fans_;
+  std::vector<std::uint32_t> first_fan_;  // by node
+  std::vector<VertexId> broken_edges_;
+  BoxTree broken_tree_;
+};
+
+}  // namespace arcway

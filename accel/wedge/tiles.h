@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/world.h"
+
+namespace arcway {
+
+/// Sites in tiles of a few hundred along a Hilbert curve: what is near in the plane is near in memory. Order within a
+/// tile is left to a stable sort.
+class Tiles {
+ public:
+  Tiles(const Box& box, std::size_t site_count);
+
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(ranks_.size()); }
+  /// The tile of a point, in the order of the curve; points outside of the box count as its nearest.
+  [[nodiscard]] std::uint32_t of(const Vec2& p) const;
+
+ private:
+  Vec2 origin_;
+  Vec2 scale_;
+  std::uint32_t side_;
+  std::vector<std::uint32_t> ranks_;  // by cell, row by row
+};
+
+/// The stable order of items by their tiles.
+/// @param tiles  of each item, below tile_count.
+/// @return       the items' indices.
+std::vector<std::uint32_t> sorted_by_tile(std::span<const std::uint32_t> tiles, std::uint32_t tile_count);
+
+}  // namespace arcway

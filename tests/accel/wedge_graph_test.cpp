@@ -1,0 +1,134 @@
+#include "accel/wedge/wedge_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "accel/parallel.h"
+#include "core/query/query_set.h"
+#include "datasets/clutter.h"
+#include "tests/support/nasty_worlds.h"
+
+namespace arcway {
+namespace {
+
+constexpr std::uint64_t kNastyWorlds = 1500;
+
+VisibilityGraph reference(const World& world) {
+  return build_reduced_visibility_graph(world, *make_reference_queries(world).visibility);
+}
+
+std::string edges_missing_from(const VisibilityGraph& from, const VisibilityGraph& graph) {
+  std::string text;
+  for (VertexId u = 0; u < graph.vertex_count(); ++u)
+    for (const VertexId v : graph.row(u)) {
+      const auto row = from.row(u);
+      if (!std::binary_search(row.begin(), row.end(), v)) text += " " + std::to_string(u) + "-" + std::to_string(v);
+    }
+  return text;
+}
+
+::testing::AssertionResult agrees(const World& world) {
+  const VisibilityGraph expected = reference(world);
+  const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+  if (graph == expected) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "missing:" << edges_missing_from(graph, expected)
+                                       << "\nextra:" << edges_missing_from(expected, graph);
+}
+
+TEST(WedgeGraph, Clutters) {
+  for (const ClutterKind kind :
+       {ClutterKind::kConvex, ClutterKind::kStar, ClutterKind::kMixed, ClutterKind::kRectangle})
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      const World world = random_world({.kind = kind, .obstacles = 40, .vertices = 9, .fill = 0.3, .seed = seed});
+      EXPECT_TRUE(agrees(world)) << name_of(kind) << " " << seed;
+    }
+}
+
+TEST(WedgeGraph, NastyWorlds) {
+  for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed)
+    ASSERT_TRUE(agrees(test::nasty_world(seed, 14))) << "seed " << seed;
+  for (std::uint64_t seed = 0; seed < kNastyWorlds / 20; ++seed)
+    ASSERT_TRUE(agrees(test::nasty_world(seed, 80))) << "large, seed " << seed;
+}
+
+TEST(WedgeGraph, NothingAndLittle) {
+  EXPECT_TRUE(agrees(World({})));
+  EXPECT_TRUE(agrees(World({}, test::square(0, 0, 4))));
+  EXPECT_TRUE(agrees(World({{test::square(0, 0, 4), {}}})));
+  EXPECT_EQ(build_reduced_visibility_graph_by_wedges(World({{test::square(0, 0, 4), {}}})).edge_count(), 4u);
+}
+
+// Sights between the columns run along two walls at once, those between the rows as well.
+TEST(WedgeGraph, RowsOfBoxesThatTouch) {
+  std::vector<Polygon> boxes;
+  for (int i = 0; i < 9; ++i)
+    for (int k = 0; k < 9; ++k)
+      if ((i * 5 + k * 3) % 7 != 0) boxes.push_back({test::square(i, k, 1), {}});
+  EXPECT_TRUE(agrees(World(boxes)));
+  EXPECT_TRUE(agrees(World(boxes, test::square(0, 0, 9))));
+  EXPECT_TRUE(agrees(World(boxes, test::square(3, 3, 4))));
+}
+
+TEST(WedgeGraph, LongRowsOfEqualBoxes) {
+  std::vector<Polygon> boxes;
+  for (int i = 0; i < 12; ++i)
+    for (int k = 0; k < 12; ++k) boxes.push_back({test::square(2 * i, 3 * k, 1), {}});
+  EXPECT_TRUE(agrees(World(boxes)));
+}
+
+TEST(WedgeGraph, NeedlesAndNearlyParallelEdges) {
+  EXPECT_TRUE(agrees(World({{{{0, 0}, {1000000, 1}, {1000000, 2}}, {}},
+                            {{{0, 5}, {1000000, 6}, {0, 7}}, {}},
+                            {test::square(400000, 20, 10), {}},
+                            {{{10, -3}, {999999, -3}, {999998, -2}}, {}}})));
+}
+
+TEST(WedgeGraph, CoordinatesAtTheEndsOfTheRange) {
+  for (const double scale : {kMinMagnitude, 1e-60, 1e60, 0.01 * kMaxMagnitude}) {
+    std::vector<Polygon> boxes;
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k) boxes.push_back({test::square(3 * i + k, 2 * k, 1 + k % 2), {}});
+    for (Polygon& box : boxes)
+      for (Vec2& p : box.outer) p *= scale;
+    EXPECT_TRUE(agrees(World(boxes))) << scale;
+  }
+}
+
+TEST(WedgeGraph, OnePolygonOfManyVertices) {
+  test::Random random(5);
+  EXPECT_TRUE(agrees(World({{test::random_star(random, {0, 0}, 20, 100, 700), {}}})));
+  EXPECT_TRUE(agrees(World({}, test::random_star(random, {0, 0}, 20, 100, 700))));
+}
+
+TEST(WedgeGraph, ThousandsOfSitesInManyTiles) {
+  EXPECT_TRUE(
+      agrees(random_world({.kind = ClutterKind::kMixed, .obstacles = 500, .vertices = 8, .fill = 0.3, .seed = 4})));
+}
+
+TEST(WedgeGraph, HasTheSameBitsForAnyNumberOfThreads) {
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 600, .vertices = 9, .fill = 0.25, .seed = 2});
+  WedgeStatistics serial, parallel;
+  const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world, SerialExecutor(), &serial);
+  for (const std::size_t threads : {1, 2, 7}) {
+    EXPECT_EQ(build_reduced_visibility_graph_by_wedges(world, TbbExecutor(threads), &parallel), graph) << threads;
+    EXPECT_EQ(parallel.steps, serial.steps);
+  }
+}
+
+TEST(WedgeGraph, CountsRegionsThatCross) {
+  WedgeStatistics statistics;
+  const auto count = [&](const World& world) {
+    build_reduced_visibility_graph_by_wedges(world, SerialExecutor(), &statistics);
+    return statistics.broken_regions;
+  };
+  EXPECT_EQ(count(World({{test::square(0, 0, 4), {}}, {test::square(4, 1, 2), {}}, {test::square(1, 1, 2), {}}})), 0u);
+  EXPECT_EQ(statistics.candidates, 0u);
+  EXPECT_GE(count(World({{test::square(0, 0, 4), {}}, {test::square(2, 2, 4), {}}})), 1u);
+  EXPECT_GT(statistics.candidates, 0u);
+}
+
+}  // namespace
+}  // namespace arcway
