@@ -1,6 +1,7 @@
 #include "core/graph/visibility_graph.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -68,37 +69,6 @@ class DirectionOrder {
   Vec2 origin_;
 };
 
-// (iii): of the neighbours in one direction only the nearest stay, in both rows.
-Rows without_carried_edges(const World& world, const Rows& rows, const Executor& executor) {
-  Rows neighbours(rows.size());
-  for (VertexId u = 0; u < rows.size(); ++u)
-    for (const VertexId v : rows[u]) {
-      neighbours[u].push_back(v);
-      neighbours[v].push_back(u);
-    }
-  Rows kept(rows.size());
-  executor.for_ranges(rows.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto u = static_cast<VertexId>(i);
-      const DirectionOrder before(world, u);
-      std::vector<VertexId>& around = neighbours[u];
-      std::sort(around.begin(), around.end(), before);
-      for (std::size_t first = 0, last = 0; first < around.size(); first = last) {
-        while (last < around.size() && !before(around[first], around[last])) ++last;
-        const std::span<const VertexId> same_direction(around.data() + first, last - first);
-        for (const VertexId v : same_direction) {
-          const LineSegment edge{world.vertex(u), world.vertex(v)};
-          const bool carried = std::any_of(same_direction.begin(), same_direction.end(),
-                                           [&](VertexId w) { return on_open_segment(world.vertex(w), edge); });
-          if (v > u && !carried) kept[u].push_back(v);
-        }
-      }
-      std::sort(kept[u].begin(), kept[u].end());
-    }
-  });
-  return kept;
-}
-
 }  // namespace
 
 VisibilityGraph::VisibilityGraph(std::vector<std::uint64_t> row_starts, std::vector<VertexId> targets)
@@ -144,12 +114,61 @@ VisibilityGraph build_full_visibility_graph(const World& world, const Visibility
                                 [&](VertexId u, VertexId v) { return world.vertex(u) != world.vertex(v); }));
 }
 
+VisibilityGraph without_carried_edges(const World& world, const VisibilityGraph& graph, const Executor& executor) {
+  std::vector<std::uint64_t> starts(graph.vertex_count() + 1, 0);
+  for (VertexId u = 0; u < graph.vertex_count(); ++u) {
+    starts[u + 1] += graph.row(u).size();
+    for (const VertexId v : graph.row(u)) ++starts[v + 1];
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<VertexId> neighbours(starts.back());
+  std::vector<std::uint64_t> filled(starts.begin(), starts.end() - 1);
+  for (VertexId u = 0; u < graph.vertex_count(); ++u)
+    for (const VertexId v : graph.row(u)) {
+      neighbours[filled[u]++] = v;
+      neighbours[filled[v]++] = u;
+    }
+
+  std::vector<std::uint64_t> kept_starts(graph.vertex_count() + 1, 0);
+  executor.for_ranges(graph.vertex_count(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<VertexId> kept;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto u = static_cast<VertexId>(i);
+      const std::span<VertexId> around(neighbours.data() + starts[u], starts[u + 1] - starts[u]);
+      const DirectionOrder before(world, u);
+      std::sort(around.begin(), around.end(), before);
+      kept.clear();
+      for (std::size_t first = 0, last = 0; first < around.size(); first = last) {
+        while (last < around.size() && !before(around[first], around[last])) ++last;
+        const std::span<const VertexId> same_direction = around.subspan(first, last - first);
+        for (const VertexId v : same_direction) {
+          const LineSegment edge{world.vertex(u), world.vertex(v)};
+          const bool carried = std::any_of(same_direction.begin(), same_direction.end(),
+                                           [&](VertexId w) { return on_open_segment(world.vertex(w), edge); });
+          if (v > u && !carried) kept.push_back(v);
+        }
+      }
+      std::sort(kept.begin(), kept.end());
+      std::copy(kept.begin(), kept.end(), around.begin());
+      kept_starts[u + 1] = kept.size();
+    }
+  });
+  std::partial_sum(kept_starts.begin(), kept_starts.end(), kept_starts.begin());
+  std::vector<VertexId> targets;
+  targets.reserve(kept_starts.back());
+  for (VertexId u = 0; u < graph.vertex_count(); ++u) {
+    const auto row = neighbours.begin() + static_cast<std::ptrdiff_t>(starts[u]);
+    targets.insert(targets.end(), row, row + static_cast<std::ptrdiff_t>(kept_starts[u + 1] - kept_starts[u]));
+  }
+  return {std::move(kept_starts), std::move(targets)};
+}
+
 VisibilityGraph build_reduced_visibility_graph(const World& world, const VisibilityQuery& visibility,
                                                const Executor& executor) {
   const Rows rows = visible_pairs(world, world.convex_vertices(), visibility, executor, [&](VertexId u, VertexId v) {
     return is_tangent(world, u, world.vertex(v)) && is_tangent(world, v, world.vertex(u));
   });
-  return compress(without_carried_edges(world, rows, executor));
+  return without_carried_edges(world, compress(rows), executor);
 }
 
 }  // namespace arcway

@@ -45,6 +45,10 @@ Side obstacle_side(const World& world, VertexId v, const Vec2& from);
 VisibilityGraph build_full_visibility_graph(const World& world, const VisibilityQuery& visibility,
                                             const Executor& executor = SerialExecutor());
 
+/// Of the tangent edges at each vertex that lie on one ray, only the nearest: (iii) below, for a graph that has all
+/// edges of (i) and (ii). Exact; O(e log e) for e edges.
+VisibilityGraph without_carried_edges(const World& world, const VisibilityGraph& graph, const Executor& executor);
+
 /// The reduced visibility graph [Rohnert 1986; the paper's section 2]: pairs of convex vertices
 /// (World::convex_vertices) that (i) see each other, (ii) whose line is tangent at both, (iii) with no other convex
 /// vertex on the open segment. Pairwise: a tangency test for each pair, a visibility query for the survivors. O(n^2 + s
