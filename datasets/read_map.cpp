@@ -1,22 +1,77 @@
 #include "datasets/read_map.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "datasets/file_io.h"
 #include "datasets/formats/geojson.h"
+#include "datasets/formats/grey_image.h"
 #include "datasets/formats/movingai.h"
+#include "datasets/formats/ros_map.h"
+#include "datasets/formats/svg_world.h"
 #include "datasets/formats/text_polygons.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/tpcap.h"
 #include "datasets/formats/wkt.h"
 #include "datasets/grid/grid_map.h"
+#include "datasets/gzip.h"
 
 namespace arcway {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string read_expanded(const fs::path& path) {
+  std::string bytes = read_file(path);
+  return is_gzip(bytes) ? expand_gzip(bytes, path.string()) : bytes;
+}
+
+// A file that another one names: by its path from there, or beside it, as it is or compressed. If there is none, the
+// path that an error should name.
+fs::path find_beside(const fs::path& path, const std::string& named) {
+  const fs::path folder = path.parent_path();
+  for (const fs::path& candidate : {folder / named, folder / fs::path(named).filename()}) {
+    for (const char* ending : {"", ".gz"}) {
+      fs::path file = candidate;
+      file += ending;
+      std::error_code error;
+      if (fs::is_regular_file(file, error)) return file;
+    }
+  }
+  return folder / named;
+}
+
+GreyImage read_image(std::string_view bytes, const fs::path& path, const GridOptions& options) {
+  switch (detect_format(bytes, path.string())) {
+    case MapFormat::kPgm:
+      return read_pgm(bytes, path.string(), options.max_cells);
+    case MapFormat::kPng:
+      return read_png(bytes, path.string(), options.max_cells);
+    default:
+      throw FormatError(path.string() + ": expected a PGM or PNG image");
+  }
+}
+
+MapFile read_grid_map(const RosMap& map, const GreyImage& image, const fs::path& path, const GridOptions& options) {
+  std::vector<std::string> warnings;
+  const OccupancyGrid grid = to_grid(map, image, path.string(), warnings);
+  MapFile result = to_map_file(grid, options);
+  result.warnings = std::move(warnings);
+  return result;
+}
+
+MapFile read_ros_files(std::string_view yaml, const fs::path& path, const GridOptions& options) {
+  const RosMap map = read_ros_map(yaml, path.string());
+  const fs::path image_path = find_beside(path, map.image);
+  return read_grid_map(map, read_image(read_expanded(image_path), image_path, options), path, options);
+}
+
+MapFile read_bare_image(std::string_view bytes, const fs::path& path, const GridOptions& options) {
+  RosMap map;
+  map.occupied_thresh = map.free_thresh = 0.5;
+  map.resolution = options.cell_size.value_or(map.resolution);
+  return read_grid_map(map, read_image(bytes, path, options), path, options);
+}
 
 MapFile read_movingai_task(std::string_view text, const fs::path& path, const MapReadOptions& options) {
   const std::string name = path.string();
@@ -25,10 +80,8 @@ MapFile read_movingai_task(std::string_view text, const fs::path& path, const Ma
     throw FormatError(name + ": there is no task " + std::to_string(options.task) + ", the file has " +
                       std::to_string(tasks.size()));
   const MovingAiTask& task = tasks[options.task];
-  // The path is as on its author's disk.
-  fs::path map_path = path.parent_path() / task.map;
-  if (!fs::exists(map_path)) map_path = path.parent_path() / fs::path(task.map).filename();
-  OccupancyGrid grid = read_movingai_map(read_file(map_path), map_path.string(), options.grid);
+  const fs::path map_path = find_beside(path, task.map);  // the name is as on its author's disk
+  OccupancyGrid grid = read_movingai_map(read_expanded(map_path), map_path.string(), options.grid);
   // A scenario of another size is on the map scaled to it.
   if (task.width * grid.height != task.height * grid.width)
     throw FormatError(name + ": line " + std::to_string(task.line) + ": a map of " + std::to_string(task.width) +
@@ -66,6 +119,20 @@ bool is_number_list(detail::TextScanner scanner) {
   return line.find(',') != std::string_view::npos || detail::split_at_blanks(line).size() == 1;
 }
 
+// Whether a line is `image: ...`, as in the YAML file of a ROS map.
+bool has_image_key(std::string_view content) {
+  detail::TextScanner scanner(content.substr(0, std::size_t{1} << 16), "");
+  while (!scanner.at_end()) {
+    scanner.skip_space();
+    if (scanner.word(":") == "image") {
+      scanner.skip_blanks();
+      if (scanner.peek() == ':') return true;
+    }
+    scanner.rest_of_line();
+  }
+  return false;
+}
+
 }  // namespace
 
 const char* name_of(MapFormat format) {
@@ -82,11 +149,21 @@ const char* name_of(MapFormat format) {
       return "MovingAI map";
     case MapFormat::kMovingAiScenario:
       return "MovingAI scenario";
+    case MapFormat::kRosMap:
+      return "ROS map";
+    case MapFormat::kPgm:
+      return "PGM image";
+    case MapFormat::kPng:
+      return "PNG image";
+    case MapFormat::kSvg:
+      return "SVG";
   }
   return "?";
 }
 
 MapFormat detect_format(std::string_view content, std::string_view name) {
+  if (content.starts_with("P2") || content.starts_with("P5")) return MapFormat::kPgm;
+  if (content.starts_with("\x89PNG")) return MapFormat::kPng;
   detail::TextScanner scanner(content, name);
   if (scanner.peek() == '\x1E') return MapFormat::kGeoJson;
   scanner.skip_space();
@@ -95,6 +172,7 @@ MapFormat detect_format(std::string_view content, std::string_view name) {
     scanner.rest_of_line();
     scanner.skip_space();
   }
+  if (scanner.peek() == '<') return MapFormat::kSvg;
   if (scanner.peek() == '{' || scanner.peek() == '[') return MapFormat::kGeoJson;
   detail::TextScanner ahead = scanner;
   const std::string_view word = ahead.word("(=;,:0123456789");
@@ -103,11 +181,12 @@ MapFormat detect_format(std::string_view content, std::string_view name) {
   if (is_wkt_keyword(word)) return MapFormat::kWkt;
   if (const char c = scanner.peek(); (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.')
     return is_number_list(scanner) ? MapFormat::kTpcap : MapFormat::kTextPolygons;
+  if (has_image_key(content)) return MapFormat::kRosMap;
   scanner.fail("this is no map of a known format, it begins with " + detail::quoted(scanner.rest_of_line()));
 }
 
 MapFile read_map(const fs::path& path, const MapReadOptions& options) {
-  const std::string text = read_file(path);
+  const std::string text = read_expanded(path);
   const std::string name = path.string();
   switch (detect_format(text, name)) {
     case MapFormat::kGeoJson:
@@ -122,6 +201,13 @@ MapFile read_map(const fs::path& path, const MapReadOptions& options) {
       return to_map_file(read_movingai_map(text, name, options.grid), options.grid);
     case MapFormat::kMovingAiScenario:
       return read_movingai_task(text, path, options);
+    case MapFormat::kRosMap:
+      return read_ros_files(text, path, options.grid);
+    case MapFormat::kPgm:
+    case MapFormat::kPng:
+      return read_bare_image(text, path, options.grid);
+    case MapFormat::kSvg:
+      return read_svg_world(text, name);
   }
   return {};
 }

@@ -18,6 +18,10 @@ enum class MapFormat {
   kTpcap,
   kMovingAiMap,
   kMovingAiScenario,
+  kRosMap,
+  kPgm,
+  kPng,
+  kSvg,
 };
 /// "GeoJSON", "WKT", ...
 const char* name_of(MapFormat format);
@@ -39,7 +43,8 @@ struct MapReadOptions {
 ///     const MapFile map = read_map("maps/office.yaml", {.grid = {.tolerance = 1.0}});
 ///     const Planner planner(to_world(map, "office"), vehicle);
 ///
-/// Other files that a file names are looked for beside it.
+/// Files compressed by gzip are expanded. Files that a file names are looked for beside it, with .gz added as well. An
+/// image without a YAML file is occupied where it is darker than half, its lower left corner at the origin.
 /// @throws FileError if a file cannot be read, FormatError naming file, place and value.
 MapFile read_map(const std::filesystem::path& path, const MapReadOptions& options = {});
 

@@ -55,7 +55,8 @@ struct BuildOptions {
 
 /// Of the argument that names a map.
 inline constexpr const char* kMapHelp =
-    "Map file (GeoJSON, WKT, MovingAI, TPCAP, plain text), or a name of the catalogue: paper, clutter/star/n100";
+    "Map file (GeoJSON, WKT, SVG, ROS, MovingAI, TPCAP, plain text), or a name of the catalogue: paper, "
+    "clutter/star/n100";
 
 /// What a map says: the world and, if it has them, start and goal.
 struct LoadedMap {

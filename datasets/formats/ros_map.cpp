@@ -1,0 +1,154 @@
+#include "datasets/formats/ros_map.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "datasets/file_io.h"
+#include "datasets/formats/text_scanner.h"
+#include "datasets/number_text.h"
+
+namespace arcway {
+namespace {
+
+constexpr std::size_t kLargestFile = 1 << 16;  // a map has ten lines
+
+/// A node of the document and what it is called.
+class Place {
+ public:
+  Place(YAML::Node node, std::string_view file, std::string key)
+      : node_(std::move(node)), file_(file), key_(std::move(key)) {}
+
+  [[nodiscard]] std::string text() const {
+    if (!node_.IsScalar()) expected("one value");
+    return node_.Scalar();
+  }
+  [[nodiscard]] double number() const {
+    const std::optional<double> value = node_.IsScalar() ? read_number(node_.Scalar()) : std::nullopt;
+    if (!value) expected("a number");
+    return *value;
+  }
+  [[nodiscard]] double number_from(double least, const char* what) const {
+    const double value = number();
+    if (value < least) expected(what);
+    return value;
+  }
+  [[nodiscard]] bool flag() const {
+    const std::string value = text();
+    for (const char* yes : {"1", "true", "True", "TRUE"})
+      if (value == yes) return true;
+    for (const char* no : {"0", "false", "False", "FALSE"})
+      if (value == no) return false;
+    expected("0, 1, true or false");
+  }
+  [[nodiscard]] std::array<double, 3> three_numbers() const {
+    if (!node_.IsSequence() || node_.size() != 3) expected("three numbers [x, y, yaw]");
+    std::array<double, 3> values{};
+    for (std::size_t i = 0; i < 3; ++i)
+      values[i] = Place(node_[i], file_, key_ + "[" + std::to_string(i) + "]").number();
+    return values;
+  }
+  [[noreturn]] void expected(const char* what) const {
+    const std::string found = node_.IsScalar()     ? detail::quoted(node_.Scalar())
+                              : node_.IsSequence() ? "a list of " + std::to_string(node_.size())
+                              : node_.IsMap()      ? "a map"
+                                                   : "nothing";
+    throw FormatError(std::string(file_) + ": line " + std::to_string(node_.Mark().line + 1) + ": " + key_ +
+                      ": expected " + what + ", found " + found);
+  }
+
+ private:
+  YAML::Node node_;
+  std::string_view file_;
+  std::string key_;
+};
+
+RosMap parse(std::string_view yaml, std::string_view name) {
+  const YAML::Node document = YAML::Load(std::string(yaml));
+  if (!document.IsMap()) throw FormatError(std::string(name) + ": expected keys and values as image: map.pgm");
+  const auto place = [&](const char* key) {
+    const YAML::Node node = document[key];
+    if (!node) throw FormatError(std::string(name) + ": missing key \"" + key + "\"");
+    return Place(node, name, key);
+  };
+  RosMap map;
+  map.image = place("image").text();
+  map.resolution = place("resolution").number();
+  if (!(map.resolution > 0.0)) place("resolution").expected("a number above 0");
+  const auto [x, y, yaw] = place("origin").three_numbers();
+  map.origin = {x, y, yaw};
+  map.negate = place("negate").flag();
+  map.occupied_thresh = place("occupied_thresh").number_from(0.0, "a number from 0");
+  map.free_thresh = place("free_thresh").number_from(0.0, "a number from 0");
+  if (document["mode"]) {
+    const std::string mode = place("mode").text();
+    if (mode == "trinary") {
+      map.mode = RosMap::Mode::kTrinary;
+    } else if (mode == "scale") {
+      map.mode = RosMap::Mode::kScale;
+    } else if (mode == "raw") {
+      map.mode = RosMap::Mode::kRaw;
+    } else {
+      place("mode").expected("trinary, scale or raw");
+    }
+  }
+  return map;
+}
+
+Cell cell_of(const RosMap& map, double shade) {
+  if (map.mode == RosMap::Mode::kRaw) {
+    const double percent = std::round(shade * 255.0);
+    return percent == 0.0 ? Cell::kFree : percent == 100.0 ? Cell::kOccupied : Cell::kUnknown;
+  }
+  const double occupancy = map.negate ? shade : 1.0 - shade;
+  if (occupancy >= map.occupied_thresh) return Cell::kOccupied;
+  return occupancy <= map.free_thresh ? Cell::kFree : Cell::kUnknown;
+}
+
+}  // namespace
+
+RosMap read_ros_map(std::string_view yaml, std::string_view name) {
+  if (yaml.size() > kLargestFile)
+    throw FormatError(std::string(name) + ": " + std::to_string(yaml.size()) + " bytes are too many for a map's YAML");
+  try {
+    return parse(yaml, name);
+  } catch (const YAML::Exception& error) {
+    throw FormatError(std::string(name) + ": line " + std::to_string(error.mark.line + 1) + ": " + error.msg);
+  }
+}
+
+OccupancyGrid to_grid(const RosMap& map, const GreyImage& image, std::string_view name,
+                      std::vector<std::string>& warnings) {
+  // One decision for each value of grey.
+  std::vector<Cell> cells(image.max_value + 1);
+  for (std::uint32_t grey = 0; grey <= image.max_value; ++grey)
+    cells[grey] = cell_of(map, static_cast<double>(grey) / image.max_value);
+
+  OccupancyGrid grid;
+  grid.width = image.width;
+  grid.height = image.height;
+  grid.cell_size = map.resolution;
+  grid.origin = map.origin;
+  grid.cells.reserve(image.samples.size());
+  for (std::size_t i = 0; i < image.samples.size(); ++i) {
+    const bool masked = !image.transparent.empty() && image.transparent[i] && map.mode != RosMap::Mode::kRaw;
+    grid.cells.push_back(masked ? Cell::kUnknown : cells[image.samples[i]]);
+  }
+  flip_rows(grid);
+
+  constexpr std::uint16_t kUnknownGrey = 205;  // as the savers write it
+  if (map.mode != RosMap::Mode::kRaw && image.max_value == 255 && cells[kUnknownGrey] == Cell::kFree &&
+      std::find(image.samples.begin(), image.samples.end(), kUnknownGrey) != image.samples.end())
+    warnings.push_back(std::string(name) +
+                       ": grey 205, by which maps mark the unknown, reads as free with free_thresh " +
+                       shortest_text(map.free_thresh) + "; 0.196 keeps it unknown");
+  if (map.origin.heading != 0.0)
+    warnings.push_back(std::string(name) + ": the map is turned by " + shortest_text(map.origin.heading) +
+                       " rad, which many programs ignore");
+  return grid;
+}
+
+}  // namespace arcway

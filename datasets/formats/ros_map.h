@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/path/path.h"
+#include "datasets/formats/grey_image.h"
+#include "datasets/grid/occupancy_grid.h"
+
+namespace arcway {
+
+/// What the YAML file of ROS's map_server says of an image.
+struct RosMap {
+  std::string image;         ///< path, relative to the YAML file's folder
+  double resolution = 0.05;  ///< of a pixel [m]
+  Pose origin;               ///< of the lower left corner of the lower left pixel
+  bool negate = false;       ///< white is occupied
+  double occupied_thresh = 0.65, free_thresh = 0.196;
+  enum class Mode { kTrinary, kScale, kRaw } mode = Mode::kTrinary;
+};
+
+/// Reads the YAML file: image, resolution, origin, negate, occupied_thresh and free_thresh are required; mode is not.
+/// @throws FormatError, "map.yaml: line 3: resolution: expected a number above 0, found "x"".
+RosMap read_ros_map(std::string_view yaml, std::string_view name);
+
+/// Cells of an image, as the present map_server reads them. With occ = 1 - grey / white, or grey / white if
+/// negated: occupied from occupied_thresh on, free up to free_thresh, unknown between (in mode scale as well) and where
+/// the image is transparent. In mode raw the grey of 255 is the occupancy in percent: 0 is free, 100 occupied, all else
+/// unknown.
+/// @param name      of the map, for warnings.
+/// @param warnings  is added to if unknown grey (205 of 255) reads as free or the map is turned.
+OccupancyGrid to_grid(const RosMap& map, const GreyImage& image, std::string_view name,
+                      std::vector<std::string>& warnings);
+
+}  // namespace arcway
