@@ -1,18 +1,185 @@
 #include <benchmark/benchmark.h>
 
+#include <Eigen/Core>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 #include <thread>
+#include <vector>
+
+#include "bench/suites/corruption.h"
+#include "bench/suites/run_policy.h"
+#include "bench/suites/suite.h"
+#include "build_info.h"
+#include "datasets/file_io.h"
+
+namespace arcway::bench {
+namespace {
+
+constexpr const char* kUsage =
+    "arcway_bench [--study=check|quick|full] [--out=F.json] [--corrupt] [Google Benchmark's own arguments]\n"
+    "--corrupt makes every implementation get one answer wrong, and is done if all benchmarks notice.\n"
+    "Exit codes: 0 all answers right (--corrupt: all noticed to be wrong), 1 not so, 2 bad usage.\n";
+
+struct Options {
+  Study study = Study::kQuick;
+  std::string out;
+  bool corrupt = false;
+};
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown processor";
+}
+
+std::string instruction_set() {
+#if defined(__AVX512F__)
+  return "AVX-512";
+#elif defined(__AVX2__)
+  return "AVX2";
+#elif defined(__AVX__)
+  return "AVX";
+#elif defined(__x86_64__)
+  return "x86-64 (SSE2)";
+#elif defined(__aarch64__)
+  return "AArch64 (NEON)";
+#else
+  return "generic";
+#endif
+}
+
+void add_context(const Options& options) {
+  static const char* const names[] = {"check", "quick", "full"};
+  const auto add = [](const char* key, const std::string& value) { benchmark::AddCustomContext(key, value); };
+  add("processor", processor());
+  add("cores", std::to_string(std::thread::hardware_concurrency()));
+  add("instruction_set", instruction_set());
+  add("compiler", kCompiler);
+  add("flags", kFlags);
+  add("build_type", kBuildType);
+  add("commit", kCommit);
+  add("study", names[static_cast<int>(options.study)]);
+  add("eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                   std::to_string(EIGEN_MINOR_VERSION));
+  add("google_benchmark", kBenchmarkVersion);
+#ifdef ARCWAY_BENCH_EMBREE
+  add("embree", ARCWAY_BENCH_EMBREE);
+  add("onetbb", ARCWAY_BENCH_TBB);
+#endif
+}
+
+/// Shows the runs, keeps them as JSON, and counts the failures.
+class Reporter final : public benchmark::BenchmarkReporter {
+ public:
+  Reporter() : console_(benchmark::ConsoleReporter::OO_None) { json_.SetOutputStream(&text_); }
+
+  bool ReportContext(const Context& context) override {
+    console_.ReportContext(context);
+    return json_.ReportContext(context);
+  }
+  void ReportRuns(const std::vector<Run>& all) override {
+    std::vector<Run> runs = all;
+    // What is left out says so once, not once a repetition.
+    if (runs.front().error_occurred) runs.resize(1);
+    const bool left_out = is_budget_skip(runs.front().error_message);
+    if (!left_out) ++(runs.front().error_occurred ? failures_ : successes_);
+    console_.ReportRuns(runs);
+    json_.ReportRuns(runs);
+  }
+  void Finalize() override {
+    console_.Finalize();
+    json_.Finalize();
+  }
+
+  [[nodiscard]] int failures() const { return failures_; }
+  [[nodiscard]] int successes() const { return successes_; }
+  /// Without what names this machine's user: host and path of the program.
+  [[nodiscard]] std::string json() const {
+    auto document = nlohmann::ordered_json::parse(text_.str());
+    document["context"].erase("host_name");
+    document["context"].erase("executable");
+    return document.dump(1) + "\n";
+  }
+
+ private:
+  benchmark::ConsoleReporter console_;
+  benchmark::JSONReporter json_;
+  std::ostringstream text_;
+  int failures_ = 0;
+  int successes_ = 0;
+};
+
+/// Takes the tool's own arguments; false if one is wrong. The others go on to Google Benchmark.
+bool take_options(int argc, char** argv, Options& options, std::vector<std::string>& others) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--study=check") {
+      options.study = Study::kCheck;
+    } else if (argument == "--study=quick") {
+      options.study = Study::kQuick;
+    } else if (argument == "--study=full") {
+      options.study = Study::kFull;
+    } else if (argument == "--corrupt") {
+      options.corrupt = true;
+    } else if (argument.rfind("--out=", 0) == 0) {
+      options.out = argument.substr(6);
+    } else if (argument.rfind("--benchmark_", 0) == 0) {
+      others.push_back(argument);
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  std::vector<std::string> others;
+  if (!take_options(argc, argv, options, others)) {
+    std::fputs(kUsage, stderr);
+    return 2;
+  }
+  std::vector<std::string> arguments = benchmark_arguments(options.study);
+  arguments.insert(arguments.begin(), argv[0]);
+  arguments.insert(arguments.end(), others.begin(), others.end());
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  auto count = static_cast<int>(pointers.size());
+
+  add_context(options);
+  benchmark::Initialize(&count, pointers.data());
+  set_corrupting(options.corrupt);
+  if (options.corrupt) benchmark::ClearRegisteredBenchmarks();  // those that know nothing of it
+  add_all_suites(options.study);
+  Reporter reporter;
+  if (benchmark::RunSpecifiedBenchmarks(&reporter) == 0) {
+    std::fputs("arcway_bench: no benchmark of that name\n", stderr);
+    return 2;
+  }
+  if (!options.out.empty()) write_file_atomically(options.out, reporter.json());
+  if (options.corrupt) {
+    std::fprintf(stderr, "arcway_bench: %d noticed the wrong answer, %d did not\n", reporter.failures(),
+                 reporter.successes());
+    return reporter.successes() > 0 ? 1 : 0;
+  }
+  if (reporter.failures() > 0) std::fprintf(stderr, "arcway_bench: %d failed\n", reporter.failures());
+  return reporter.failures() > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace arcway::bench
 
 int main(int argc, char** argv) {
-  benchmark::AddCustomContext("compiler", __VERSION__);
-#ifdef NDEBUG
-  benchmark::AddCustomContext("assertions", "off");
-#else
-  benchmark::AddCustomContext("assertions", "on");
-#endif
-  benchmark::AddCustomContext("hardware_threads", std::to_string(std::thread::hardware_concurrency()));
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  try {
+    return arcway::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "arcway_bench: %s\n", error.what());
+  }
+  return 2;
 }

@@ -1,0 +1,66 @@
+#include "bench/suites/backends.h"
+
+#include "bench/suites/corruption.h"
+
+#ifdef ARCWAY_BENCH_ACCEL
+#include "accel/make_queries.h"
+#include "accel/pairwise_graph.h"
+#include "accel/parallel.h"
+#include "accel/wedge/wedge_graph.h"
+#endif
+
+namespace arcway::bench {
+
+QuerySet QueryBackend::queries(const World& world) const { return corrupting() ? corrupted(make(world)) : make(world); }
+
+VisibilityGraph GraphBuilder::graph(const World& world, const Executor& executor) const {
+  return corrupting() ? corrupted(build(world, executor)) : build(world, executor);
+}
+
+const std::vector<QueryBackend>& query_backends() {
+  static const std::vector<QueryBackend> backends = {
+      {"reference", make_reference_queries},
+#ifdef ARCWAY_BENCH_ACCEL
+      {"embree", [](const World& world) { return make_embree_queries(world); }},
+#endif
+  };
+  return backends;
+}
+
+const std::vector<GraphBuilder>& graph_builders() {
+  static const std::vector<GraphBuilder> builders = {
+      {"reference",
+       [](const World& world, const Executor& executor) {
+         return build_reduced_visibility_graph(world, *make_reference_queries(world).visibility, executor);
+       },
+       "n^2 pairs, the tangent ones against all edges: at most O(n^3)", 2.5},
+#ifdef ARCWAY_BENCH_ACCEL
+      {"pairwise",
+       [](const World& world, const Executor& executor) {
+         return build_pairwise_visibility_graph(world, *make_embree_queries(world).visibility, executor);
+       },
+       "a ray for each tangent pair: O(k^2 log n) for k obstacles", 2.0},
+      {"wedge", [](const World& world, const Executor& executor) { return build_wedge_visibility_graph(world, executor); },
+       "O(n log n + triangles crossed); Rohnert: O(nk + n log n)", 1.2},
+#endif
+  };
+  return builders;
+}
+
+std::unique_ptr<Executor> make_executor(std::size_t threads) {
+#ifdef ARCWAY_BENCH_ACCEL
+  if (threads > 1) return std::make_unique<TbbExecutor>(threads);
+#endif
+  (void)threads;
+  return std::make_unique<SerialExecutor>();
+}
+
+std::vector<std::size_t> thread_counts() {
+#ifdef ARCWAY_BENCH_ACCEL
+  return {1, 2};
+#else
+  return {1};
+#endif
+}
+
+}  // namespace arcway::bench

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/executor.h"
+#include "core/graph/visibility_graph.h"
+#include "core/query/query_set.h"
+
+namespace arcway::bench {
+
+/// An implementation of the queries.
+struct QueryBackend {
+  std::string name;
+  std::function<QuerySet(const World&)> make;
+  /// What benchmarks use: `make`, or with one answer wrong if that is asked for.
+  [[nodiscard]] QuerySet queries(const World& world) const;
+};
+/// The reference first.
+const std::vector<QueryBackend>& query_backends();
+
+/// A way to build the reduced visibility graph, queries and all.
+struct GraphBuilder {
+  std::string name;
+  std::function<VisibilityGraph(const World&, const Executor&)> build;
+  std::string law;  ///< growth in obstacles n at constant density, as theory has it
+  double exponent;  ///< of the law
+  /// What benchmarks use: `build`, or with an edge missing if that is asked for.
+  [[nodiscard]] VisibilityGraph graph(const World& world, const Executor& executor) const;
+};
+/// The reference first.
+const std::vector<GraphBuilder>& graph_builders();
+
+/// An executor for this many threads; the serial one for 1.
+std::unique_ptr<Executor> make_executor(std::size_t threads);
+/// Numbers of threads worth measuring in this build: 1, and 2 with oneTBB.
+std::vector<std::size_t> thread_counts();
+
+}  // namespace arcway::bench

@@ -1,0 +1,10 @@
+find_package(Git QUIET)
+set(COMMIT unknown)
+if(Git_FOUND)
+  execute_process(COMMAND ${GIT_EXECUTABLE} -C ${SOURCE} describe --always --abbrev=12 --dirty --exclude=*
+                  OUTPUT_VARIABLE described OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  if(NOT failed)
+    set(COMMIT ${described})
+  endif()
+endif()
+configure_file(${TEMPLATE} ${OUTPUT} @ONLY)

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/graph/visibility_graph.h"
+#include "core/query/query_set.h"
+
+namespace arcway::bench {
+
+/// Whether every measured implementation shall get one answer wrong (`--corrupt`). Shows that no benchmark times wrong
+/// answers: each one that compares must fail then.
+bool corrupting();
+void set_corrupting(bool on);
+
+/// The graph without its middle edge.
+VisibilityGraph corrupted(const VisibilityGraph& graph);
+/// Queries whose first answer of each call is wrong: visible and not, free and not, a distance and no headings.
+QuerySet corrupted(QuerySet queries);
+
+}  // namespace arcway::bench

@@ -1,0 +1,45 @@
+#include "bench/suites/run_policy.h"
+
+#include <cstdio>
+
+namespace arcway::bench {
+namespace {
+
+constexpr std::string_view kPrefix = "left out: ";
+
+}  // namespace
+
+double size_budget(Study study) {
+  switch (study) {
+    case Study::kCheck:
+      return 2.0;
+    case Study::kQuick:
+      return 2.0;
+    case Study::kFull:
+      return 60.0;
+  }
+  return 0.0;
+}
+
+std::vector<std::string> benchmark_arguments(Study study) {
+  switch (study) {
+    case Study::kCheck:
+      return {"--benchmark_min_time=0"};
+    case Study::kQuick:
+      return {"--benchmark_min_time=0.02", "--benchmark_repetitions=5"};
+    case Study::kFull:
+      return {"--benchmark_min_time=0.1", "--benchmark_repetitions=9"};
+  }
+  return {};
+}
+
+void skip_for_budget(benchmark::State& state, double expected_seconds, double budget_seconds) {
+  char text[128];
+  std::snprintf(text, sizeof text, "%sabout %.3g s expected, the budget is %.3g s", kPrefix.data(), expected_seconds,
+                budget_seconds);
+  state.SkipWithError(text);
+}
+
+bool is_budget_skip(std::string_view message) { return message.starts_with(kPrefix); }
+
+}  // namespace arcway::bench

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/suites/suite.h"
+
+namespace arcway::bench {
+
+/// Longest single iteration of one size of a series, with its world and its check [s].
+double size_budget(Study study);
+
+/// Google Benchmark's arguments for a study: repetitions, and how long each is to take.
+std::vector<std::string> benchmark_arguments(Study study);
+
+/// Marks a benchmark as left out because it would take too long.
+void skip_for_budget(benchmark::State& state, double expected_seconds, double budget_seconds);
+
+/// Whether an error message is that of skip_for_budget.
+bool is_budget_skip(std::string_view message);
+
+}  // namespace arcway::bench
