@@ -40,7 +40,10 @@ const std::vector<GraphBuilder>& graph_builders() {
          return build_pairwise_visibility_graph(world, *make_embree_queries(world).visibility, executor);
        },
        "a ray for each tangent pair: O(k^2 log n) for k obstacles", 2.0},
-      {"wedge", [](const World& world, const Executor& executor) { return build_wedge_visibility_graph(world, executor); },
+      {"wedge",
+       [](const World& world, const Executor& executor) {
+         return build_reduced_visibility_graph_by_wedges(world, executor);
+       },
        "O(n log n + triangles crossed); Rohnert: O(nk + n log n)", 1.2},
 #endif
   };

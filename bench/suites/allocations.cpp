@@ -1,0 +1,48 @@
+#include "bench/suites/allocations.h"
+
+#include <malloc.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace arcway::bench {
+namespace {
+
+std::atomic<std::uint64_t> allocations{0};
+std::atomic<std::int64_t> live{0};
+std::atomic<std::int64_t> peak{0};
+
+void* counted(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  const auto bytes = static_cast<std::int64_t>(malloc_usable_size(memory));
+  const std::int64_t now = live.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+  std::int64_t highest = peak.load(std::memory_order_relaxed);
+  while (now > highest && !peak.compare_exchange_weak(highest, now, std::memory_order_relaxed)) {
+  }
+  return memory;
+}
+
+void release(void* memory) {
+  if (memory == nullptr) return;
+  live.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(memory)), std::memory_order_relaxed);
+  std::free(memory);
+}
+
+}  // namespace
+
+HeapUse heap_use() { return {allocations.load(), live.load(), peak.load()}; }
+void reset_heap_peak() { peak.store(live.load()); }
+
+}  // namespace arcway::bench
+
+void* operator new(std::size_t size) { return arcway::bench::counted(std::malloc(size == 0 ? 1 : size)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  const auto step = static_cast<std::size_t>(alignment);
+  return arcway::bench::counted(std::aligned_alloc(step, (size + step - 1) / step * step));
+}
+void operator delete(void* memory) noexcept { arcway::bench::release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { arcway::bench::release(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { arcway::bench::release(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { arcway::bench::release(memory); }

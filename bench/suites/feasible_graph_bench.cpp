@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/suites/allocations.h"
+#include "bench/suites/backends.h"
+#include "bench/suites/suite.h"
+#include "core/graph/feasible_graph.h"
+
+namespace arcway::bench {
+namespace {
+
+struct Case {
+  std::string world;
+  std::size_t radii = 1;
+  std::size_t threads = 1;
+};
+
+std::vector<double> radii_of(std::size_t count) {
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < count; ++i)
+    radii.push_back(Vehicle().min_turning_radius() * (1.0 + 0.5 * static_cast<double>(i)));
+  return radii;
+}
+
+/// The fastest builder's graph: they all give the same.
+const VisibilityGraph& reduced_graph(const std::string& world_name) {
+  static std::map<std::string, VisibilityGraph> graphs;
+  const auto found = graphs.find(world_name);
+  if (found != graphs.end()) return found->second;
+  return graphs.emplace(world_name, graph_builders().back().build(shared_world(world_name), SerialExecutor()))
+      .first->second;
+}
+
+bool same_links(const FeasibleGraph& a, const FeasibleGraph& b) {
+  return std::ranges::equal(a.links(), b.links(), [](const FeasibleGraph::Link& x, const FeasibleGraph::Link& y) {
+    return x.from == y.from && x.to == y.to && x.heading == y.heading && x.length == y.length;
+  });
+}
+
+void build(benchmark::State& state, const QueryBackend& backend, const Case& c) {
+  const World& world = shared_world(c.world);
+  const VisibilityGraph& reduced = reduced_graph(c.world);
+  const Vehicle vehicle;
+  const std::vector<double> radii = radii_of(c.radii);
+  const std::unique_ptr<Executor> executor = make_executor(c.threads);
+  const QuerySet queries = backend.queries(world);
+  const auto build_with = [&](const QuerySet& q, const Executor& e) {
+    return FeasibleGraph(world, vehicle, reduced, q, radii, e);
+  };
+
+  reset_heap_peak();
+  const HeapUse before = heap_use();
+  FeasibleGraph graph = build_with(queries, *executor);
+  const HeapUse after = heap_use();
+  const auto right = [&] {
+    return world.vertices().size() > 40'000 ||  // beyond the reference's reach
+           same_links(graph, build_with(make_reference_queries(world), SerialExecutor()));
+  };
+  const std::string key = backend.name + c.world + std::to_string(c.radii) + "/" + std::to_string(c.threads);
+  if (!require_once(state, "FeasibleGraph/" + key, right, "links differ from the reference")) return;
+  for (auto _ : state) graph = build_with(queries, *executor);
+
+  const auto vertices = static_cast<double>(world.vertices().size());
+  state.counters["vertices"] = vertices;
+  state.counters["links"] = static_cast<double>(graph.links().size());
+  state.counters["bytes_per_vertex"] = static_cast<double>(after.live_bytes - before.live_bytes) / vertices;
+  state.counters["peak_bytes_per_vertex"] = static_cast<double>(after.peak_bytes - before.live_bytes) / vertices;
+}
+
+void add(Study study) {
+  for (const QueryBackend& backend : query_backends()) {
+    const bool reference = backend.name == "reference";
+    const std::string law = reference ? "O(k n) for k bitangents among n edges" : "O(k log n) for k bitangents";
+    const double exponent = reference ? 2.0 : 1.1;
+    const std::string stage = "FeasibleGraph/" + backend.name;
+    Series by_obstacles(study, stage, "obstacles", law, exponent);
+    for (const std::size_t n : sizes(study, {10, 32, 100, 316, 1000, 3162, 10000, 31623, 100000}, 10, 3162))
+      by_obstacles.add(static_cast<double>(n), [&backend, n](benchmark::State& state) {
+        build(state, backend, {clutter_name("convex", n, 10, 30)});
+      });
+    Series by_radii(study, stage + "/n:100", "radii", "O(r^2) pairs of radii an edge", 2.0);
+    for (const std::size_t r : sizes(study, {1, 2, 3, 5, 8}, 1, 8))
+      by_radii.add(static_cast<double>(r), [&backend, r](benchmark::State& state) {
+        build(state, backend, {clutter_name("convex", 100, 10, 30), r});
+      });
+    Series by_threads(study, stage + "/n:316", "threads", "1 / threads", 0.0);
+    if (study == Study::kCheck) continue;
+    for (const std::size_t t : thread_counts())
+      by_threads.add(static_cast<double>(t), [&backend, t](benchmark::State& state) {
+        build(state, backend, {clutter_name("convex", 316, 10, 30), 1, t});
+      });
+  }
+}
+
+const Suite suite(add);
+
+}  // namespace
+}  // namespace arcway::bench

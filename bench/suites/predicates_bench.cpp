@@ -1,0 +1,73 @@
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bench/suites/corruption.h"
+#include "bench/suites/suite.h"
+#include "core/geometry/predicates.h"
+#include "datasets/random.h"
+
+// The sign on which everything rests: points at random, and points on a line up to one unit in the last place, which no
+// filter can decide.
+namespace arcway::bench {
+namespace {
+
+using Triple = std::array<Vec2, 3>;
+constexpr std::size_t kTriples = 4096;
+constexpr double kGrid = 1048576.0;  // whole coordinates: exact in 64-bit integers
+
+std::vector<Triple> triples(bool collinear) {
+  Random random(1);
+  const auto whole = [&] { return std::floor(random.uniform(0.0, kGrid)); };
+  std::vector<Triple> result(kTriples);
+  for (Triple& t : result) {
+    t[0] = Vec2(whole(), whole());
+    t[1] = Vec2(whole(), whole());
+    t[2] = collinear ? Vec2(2.0 * t[1] - t[0]) : Vec2(whole(), whole());
+    if (collinear && random.below(2) == 1) t[2].x() += 1.0;
+    // Off the grid by one place in common: the differences stay exact, the products do not.
+    if (collinear)
+      for (Vec2& p : t) p += Vec2(0x1p30, 0x1p30);
+  }
+  return result;
+}
+
+int whole_orientation(const Triple& t) {
+  __extension__ using Wide = __int128;
+  const auto at = [](double v) { return static_cast<Wide>(static_cast<std::int64_t>(v)); };
+  const Wide area = (at(t[1].x()) - at(t[0].x())) * (at(t[2].y()) - at(t[0].y())) -
+                    (at(t[1].y()) - at(t[0].y())) * (at(t[2].x()) - at(t[0].x()));
+  return (area > 0) - (area < 0);
+}
+
+void add_case(const std::string& name, bool collinear) {
+  add_benchmark("Predicates/orientation/" + name, [collinear](benchmark::State& state) {
+    const std::vector<Triple> inputs = triples(collinear);
+    bool right = true;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      int sign = orientation(inputs[i][0], inputs[i][1], inputs[i][2]);
+      if (corrupting() && i == 0) sign = sign == 0 ? 1 : 0;
+      right = right && sign == whole_orientation(inputs[i]);
+    }
+    if (!require(state, right, "a sign differs from whole-number arithmetic")) return;
+    for (auto _ : state) {
+      int sum = 0;
+      for (const Triple& t : inputs) sum += orientation(t[0], t[1], t[2]);
+      benchmark::DoNotOptimize(sum);
+    }
+    state.counters["signs"] =
+        benchmark::Counter(static_cast<double>(kTriples), benchmark::Counter::kIsIterationInvariantRate);
+  });
+}
+
+void add(Study /*study*/) {
+  add_case("random", false);
+  add_case("collinear", true);
+}
+
+const Suite suite(add);
+
+}  // namespace
+}  // namespace arcway::bench
