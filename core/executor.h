@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <stdexcept>
+#include <stop_token>
+#include <utility>
 
 namespace arcway {
 
@@ -24,6 +28,35 @@ class SerialExecutor final : public Executor {
                   const std::function<void(std::size_t, std::size_t)>& body) const override {
     if (count > 0) body(0, count);
   }
+};
+
+/// Thrown by work that was cancelled.
+class Cancelled : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Another executor's loops, ended by a stop token: asked for before each piece of at most 64 grains.
+class StoppableExecutor final : public Executor {
+ public:
+  /// @param executor  must outlive this one.
+  StoppableExecutor(const Executor& executor, std::stop_token stop) : executor_(executor), stop_(std::move(stop)) {}
+
+  /// @throws Cancelled once a stop is requested, when all pieces under way have ended.
+  void for_ranges(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& body) const override {
+    const std::size_t piece = 64 * std::max<std::size_t>(grain, 1);
+    executor_.for_ranges(count, grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t first = begin; first < end; first += std::min(piece, end - first)) {
+        if (stop_.stop_requested()) throw Cancelled("cancelled");
+        body(first, first + std::min(piece, end - first));
+      }
+    });
+  }
+
+ private:
+  const Executor& executor_;
+  std::stop_token stop_;
 };
 
 }  // namespace arcway
