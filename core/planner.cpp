@@ -11,6 +11,8 @@
 #include "core/path/speed_profile.h"
 #include "core/search/arrival_search.h"
 #include "core/search/manoeuvres.h"
+#include "core/search/search_map.h"
+#include "core/search/workspace_pool.h"
 
 namespace arcway {
 
@@ -69,33 +71,39 @@ void require_margin(const World& world, const Vehicle& vehicle) {
                                 ": doubles need at least " + text_of(needed) + " m there; move the map to the origin");
 }
 
-double seconds_per_meter(Heuristic heuristic, const Vehicle& vehicle) {
-  switch (heuristic) {
-    case Heuristic::kTravelTime:
-      return 1.0 / vehicle.max_speed();
-    case Heuristic::kPaperDistance:
-      return 1.0;
-    case Heuristic::kDijkstra:
-      return 0.0;
-  }
-  return 0.0;
+PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
+  options.radii = checked_radii(vehicle, std::move(options.radii));
+  require_margin(world, vehicle);
+  return options;
+}
+
+// When the time limit of a search that begins now ends; nothing if never.
+std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimits& limits) {
+  using Clock = std::chrono::steady_clock;
+  const auto now = Clock::now();
+  const std::chrono::duration<double> limit(std::max(0.0, limits.time));
+  if (limit >= Clock::time_point::max() - now) return std::nullopt;
+  return now + std::chrono::duration_cast<Clock::duration>(limit);
 }
 
 }  // namespace
 
 struct Planner::Data {
-  Data(World w, Vehicle v, QuerySet q, PlannerOptions o)
-      : world(std::move(w)), vehicle(std::move(v)), queries(std::move(q)), options(std::move(o)) {
-    options.radii = checked_radii(vehicle, std::move(options.radii));
-    require_margin(world, vehicle);
+  Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, VisibilityGraph graph,
+       const Executor& executor)
+      : options(std::move(o)),
+        visibility_graph(std::move(graph)),
+        map(world, vehicle, queries, options.radii,
+            FeasibleGraph(world, vehicle, visibility_graph, queries, options.radii, executor, options.graph_mode)) {
+    prepare_statistics.feasible_seconds = watch.seconds();
+    prepare_statistics.counts = map.graph.counts();
   }
 
   // Fills status and reason if the pose itself is not free; true if it is.
   bool pose_is_free(const Pose& pose, bool start, PlanResult& result) const {
-    const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
-    if (queries.sweep->straight_free(swept_rectangle(pose, 0.0, body))) return true;
-    const auto outside = static_cast<ObstacleId>(world.obstacle_count());
-    const bool out = world.has_bounds() && world.locate(pose.position(), outside) == PointLocation::kInside;
+    if (map.queries.sweep->straight_free(swept_rectangle(pose, 0.0, map.body))) return true;
+    const auto outside = static_cast<ObstacleId>(map.world.obstacle_count());
+    const bool out = map.world.has_bounds() && map.world.locate(pose.position(), outside) == PointLocation::kInside;
     if (out) {
       result.status = start ? PlanStatus::kStartOutsideBounds : PlanStatus::kGoalOutsideBounds;
     } else {
@@ -110,20 +118,19 @@ struct Planner::Data {
 
   // "obstacle 17" or "the bounds": the region around the pose, else the one nearest to it.
   [[nodiscard]] std::string nearest_region(const Pose& pose) const {
-    const ObstacleId inside = queries.distance->containing(pose.position());
-    const VertexId edge = queries.distance->closest(pose.position()).edge;
+    const ObstacleId inside = map.queries.distance->containing(pose.position());
+    const VertexId edge = map.queries.distance->closest(pose.position()).edge;
     if (inside == kNone && edge == kNone) return "nothing";
-    const ObstacleId region = inside != kNone ? inside : world.obstacle_of(edge);
-    return region == world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region);
+    const ObstacleId region = inside != kNone ? inside : map.world.obstacle_of(edge);
+    return region == map.world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region);
   }
 
-  World world;
-  Vehicle vehicle;
-  QuerySet queries;
+  Stopwatch watch;
   PlannerOptions options;
   VisibilityGraph visibility_graph;
-  FeasibleGraph feasible_graph;
+  SearchMap map;
   PrepareStatistics prepare_statistics;
+  mutable WorkspacePool workspaces;
 };
 
 const char* name_of(PlanStatus status) {
@@ -144,6 +151,10 @@ const char* name_of(PlanStatus status) {
       return "goal blocked";
     case PlanStatus::kNoPath:
       return "no path";
+    case PlanStatus::kTimeLimit:
+      return "time limit";
+    case PlanStatus::kCancelled:
+      return "cancelled";
   }
   return "unknown";
 }
@@ -160,49 +171,44 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const PlannerOption
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
                  const Executor& executor) {
-  auto data = std::make_shared<Data>(world, vehicle, queries, options);
-  const Stopwatch visibility;
-  data->visibility_graph = build_reduced_visibility_graph(world, *queries.visibility, executor);
-  data->prepare_statistics.visibility_seconds = visibility.seconds();
-  const Stopwatch feasible;
-  data->feasible_graph = FeasibleGraph(world, vehicle, data->visibility_graph, queries, data->options.radii, executor);
-  data->prepare_statistics.feasible_seconds = feasible.seconds();
-  data->prepare_statistics.counts = data->feasible_graph.counts();
+  const PlannerOptions checked = checked_options(world, vehicle, options);
+  const Stopwatch watch;
+  VisibilityGraph graph = build_reduced_visibility_graph(world, *queries.visibility, executor);
+  const double seconds = watch.seconds();
+  auto data = std::make_shared<Data>(world, vehicle, queries, checked, std::move(graph), executor);
+  data->prepare_statistics.visibility_seconds = seconds;
   data_ = std::move(data);
 }
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
-                 const PlannerOptions& options, const Executor& executor) {
-  auto data = std::make_shared<Data>(world, vehicle, queries, options);
-  data->visibility_graph = std::move(visibility_graph);
-  const Stopwatch feasible;
-  data->feasible_graph = FeasibleGraph(world, vehicle, data->visibility_graph, queries, data->options.radii, executor);
-  data->prepare_statistics.feasible_seconds = feasible.seconds();
-  data->prepare_statistics.counts = data->feasible_graph.counts();
-  data_ = std::move(data);
-}
+                 const PlannerOptions& options, const Executor& executor)
+    : data_(std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
+                                   std::move(visibility_graph), executor)) {}
 
-PlanResult Planner::plan(const PlanRequest& request) const {
+PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) const {
   require_pose("start", request.start);
   require_pose("goal", request.goal);
+  if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
   const Stopwatch total;
+  const auto deadline = deadline_of(limits);
   const Data& d = *data_;
   PlanResult result;
   result.start = request.start;
   result.goal = request.goal;
   result.lower_bound = relaxed_segment_time((request.goal.position() - request.start.position()).norm(), 0.0,
-                                            d.vehicle.max_speed(), 0.0, d.vehicle.max_acceleration());
+                                            d.map.vehicle.max_speed(), 0.0, d.map.vehicle.max_acceleration());
   if (!d.pose_is_free(request.start, true, result) || !d.pose_is_free(request.goal, false, result)) {
     result.statistics.total_seconds = total.seconds();
     return result;
   }
 
-  const SearchOptions options{seconds_per_meter(d.options.heuristic, d.vehicle), d.options.radii};
-  std::vector<Terminal> starts{{request.start, {}, 0.0}};
-  std::vector<Terminal> goals{{request.goal, {}, 0.0}};
+  SearchOptions options{d.options.heuristic, limits.stop, deadline};
+  WorkspacePool::Lease workspace(d.workspaces);
+  std::vector<Terminal> starts{{request.start, {}}};
+  std::vector<Terminal> goals{{request.goal, {}}};
   SearchResult found;
   const auto search = [&] {
-    found = search_arrivals(d.feasible_graph, d.vehicle, *d.queries.sweep, starts, goals, options);
+    found = search_arrivals(d.map, starts, goals, options, *workspace);
     result.statistics.nodes_expanded += found.nodes_expanded;
     result.statistics.nodes_pushed += found.nodes_pushed;
     result.statistics.straights_checked += found.straights_checked;
@@ -215,22 +221,30 @@ PlanResult Planner::plan(const PlanRequest& request) const {
     found.path = Path{};
   } else {
     search();
-    for (std::size_t poses = kFirstManoeuvrePoses; !found.path; poses *= 8) {
+    for (std::size_t poses = kFirstManoeuvrePoses; !found.path && !found.interrupted; poses *= 8) {
       const bool exhausted = starts.size() < last_poses || goals.size() < last_poses;
       if (exhausted || last_poses >= d.options.manoeuvre_poses) break;
       last_poses = std::min<std::size_t>(poses, d.options.manoeuvre_poses);
       const double radius = d.options.radii.front();
-      starts = find_manoeuvres(request.start, Direction::kFromStart, d.vehicle, radius, *d.queries.sweep, last_poses);
-      goals = find_manoeuvres(request.goal, Direction::kToGoal, d.vehicle, radius, *d.queries.sweep, last_poses);
+      starts = find_manoeuvres(request.start, Direction::kFromStart, d.map.vehicle, radius, *d.map.queries.sweep,
+                               last_poses);
+      goals =
+          find_manoeuvres(request.goal, Direction::kToGoal, d.map.vehicle, radius, *d.map.queries.sweep, last_poses);
       result.statistics.manoeuvre_poses += starts.size() + goals.size();
       search();
     }
   }
   result.statistics.search_seconds = total.seconds();
 
+  result.interrupted = found.interrupted;
   if (!found.path) {
     const std::string nearest = "; nearest is ";
-    if (starts.size() < last_poses || !found.start_connected) {
+    if (found.interrupted) {
+      const bool cancelled = limits.stop.stop_requested();
+      result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
+      result.reason = cancelled ? "the search was cancelled before it found a path"
+                                : "no path was found within the time limit of " + text_of(limits.time) + " s";
+    } else if (starts.size() < last_poses || !found.start_connected) {
       result.status = PlanStatus::kStartBlocked;
       result.reason = "the start " + text_of(request.start) +
                       " is hemmed in: no forward motion of arcs and lines that was tried leads from it to the graph" +
@@ -242,11 +256,13 @@ PlanResult Planner::plan(const PlanRequest& request) const {
                       nearest + d.nearest_region(request.goal);
     } else {
       result.status = PlanStatus::kNoPath;
-      const FeasibleGraphCounts& c = d.feasible_graph.counts();
-      result.reason = "the feasible visibility graph does not join start and goal (" +
-                      std::to_string(c.rejected_straight) + " straights too narrow by (6), " +
-                      std::to_string(c.rejected_departure + c.rejected_arrival) + " turns by (7) of " +
-                      std::to_string(c.candidates) + " bitangents)";
+      result.reason = "the feasible visibility graph does not join start and goal";
+      if (d.options.graph_mode == GraphMode::kEager) {
+        const FeasibleGraphCounts c = d.map.graph.counts();
+        result.reason += " (" + std::to_string(c.rejected_straight) + " straights too narrow by (6), " +
+                         std::to_string(c.rejected_departure + c.rejected_arrival) + " turns by (7) of " +
+                         std::to_string(c.candidates) + " bitangents)";
+      }
     }
     result.statistics.total_seconds = total.seconds();
     return result;
@@ -254,20 +270,21 @@ PlanResult Planner::plan(const PlanRequest& request) const {
 
   const Stopwatch finishing;
   result.status = PlanStatus::kSolved;
-  const SpeedProfile profile = speed_profile(*found.path, d.vehicle);
-  const Footprint bare = d.vehicle.footprint();
+  const SpeedProfile profile = speed_profile(*found.path, d.map.vehicle);
+  const Footprint bare = d.map.vehicle.footprint();
   result.min_clearance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < found.path->size(); ++i) {
     const PathSegment& segment = (*found.path)[i];
     result.segments.push_back({segment, profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
-    const Clearance clearance = clearance_along(segment, bare, d.world);
+    const Clearance clearance = clearance_along(segment, bare, d.map.world);
     if (clearance.distance < result.min_clearance) {
       result.min_clearance = clearance.distance;
       result.clearance_index = i;
       result.clearance_segment = segment;
     }
   }
-  if (found.path->empty()) result.min_clearance = clearance_along({request.start, 0.0, 0.0}, bare, d.world).distance;
+  if (found.path->empty())
+    result.min_clearance = clearance_along({request.start, 0.0, 0.0}, bare, d.map.world).distance;
   result.travel_time = profile.total_time;
   result.length = length_of(*found.path);
   result.statistics.profile_seconds = finishing.seconds();
@@ -275,10 +292,10 @@ PlanResult Planner::plan(const PlanRequest& request) const {
   return result;
 }
 
-const World& Planner::world() const { return data_->world; }
-const Vehicle& Planner::vehicle() const { return data_->vehicle; }
+const World& Planner::world() const { return data_->map.world; }
+const Vehicle& Planner::vehicle() const { return data_->map.vehicle; }
 const VisibilityGraph& Planner::visibility_graph() const { return data_->visibility_graph; }
-const FeasibleGraph& Planner::feasible_graph() const { return data_->feasible_graph; }
+const FeasibleGraph& Planner::feasible_graph() const { return data_->map.graph; }
 const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }
 
 }  // namespace arcway

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -11,23 +13,17 @@
 #include "core/graph/visibility_graph.h"
 #include "core/path/path.h"
 #include "core/query/query_set.h"
+#include "core/search/heuristic.h"
 #include "core/vehicle.h"
 #include "core/world.h"
 
 namespace arcway {
 
-/// What A* adds to the time so far.
-enum class Heuristic {
-  kTravelTime,     ///< straight distance / v_ms [s]: admissible
-  kPaperDistance,  ///< straight distance in metres taken as seconds, as the paper has it: not admissible when v_ms > 1
-                   ///< m/s
-  kDijkstra        ///< no heuristic
-};
-
 struct PlannerOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
+  GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
   /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: that one alone.
-  std::vector<double> radii;
+  std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; 0 turns
   /// manoeuvres off.
   std::uint32_t manoeuvre_poses = 400;
@@ -38,6 +34,12 @@ struct PlanRequest {
   Pose goal;
 };
 
+/// When to end a search before it is done; it then gives the best path found by then, if any.
+struct PlanLimits {
+  double time = std::numeric_limits<double>::infinity();  ///< [s]
+  std::stop_token stop = {};                              ///< asked from any thread
+};
+
 enum class PlanStatus {
   kSolved,
   kStartInCollision,  ///< the body grown by half of the safety margin touches an obstacle at the start
@@ -46,7 +48,9 @@ enum class PlanStatus {
   kGoalOutsideBounds,
   kStartBlocked,  ///< no forward motion of an arc, a line or a short manoeuvre leads from the start to the graph
   kGoalBlocked,   ///< none leads from the graph to the goal
-  kNoPath         ///< the graph has no way between start and goal
+  kNoPath,        ///< the graph has no way between start and goal
+  kTimeLimit,     ///< the time limit ended the search before it found a path
+  kCancelled      ///< the stop token did
 };
 /// "solved", "start in collision", ...
 const char* name_of(PlanStatus status);
@@ -62,8 +66,8 @@ struct TimedSegment {
 struct PlanStatistics {
   std::uint64_t nodes_expanded = 0;     ///< arrivals taken from the open list
   std::uint64_t nodes_pushed = 0;       ///< arrivals put on it
-  std::uint64_t straights_checked = 0;  ///< swept rectangles decided during the query
-  std::uint64_t turns_checked = 0;      ///< heading sets computed during the query
+  std::uint64_t straights_checked = 0;  ///< swept rectangles of starts and goals decided
+  std::uint64_t turns_checked = 0;      ///< heading sets of starts and goals computed
   std::uint64_t manoeuvre_poses = 0;    ///< poses of start and goal manoeuvres tried
   double search_seconds = 0.0;
   double profile_seconds = 0.0;  ///< speed profile and clearance
@@ -74,6 +78,8 @@ struct PlanResult {
   PlanStatus status = PlanStatus::kNoPath;
   std::string reason;  ///< in words, with the condition that failed and where, unless solved
   Pose start, goal;    ///< as requested
+  /// The search was ended by the time limit or the stop token: the path, if any, is the best one found by then.
+  bool interrupted = false;
   std::vector<TimedSegment> segments;
   double travel_time = 0.0;  ///< [s]
   double length = 0.0;       ///< [m]
@@ -109,7 +115,7 @@ class Planner {
   /// Queries by brute force, one thread.
   Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options = {});
   /// @param queries   about `world`.
-  /// @param executor  used during construction only.
+  /// @param executor  used during construction only. A StoppableExecutor makes that cancellable.
   /// @throws std::invalid_argument if a radius is below the vehicle's smallest, or the safety margin is too small for
   ///   doubles at the map's coordinates (below 2^20 units in the last place of the largest).
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
@@ -118,9 +124,10 @@ class Planner {
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
           const PlannerOptions& options, const Executor& executor);
 
-  /// The fastest path of the graph. Never throws for want of a path: see PlanResult::status.
-  /// @throws std::invalid_argument if a pose is not finite or beyond 1e9 m.
-  [[nodiscard]] PlanResult plan(const PlanRequest& request) const;
+  /// The fastest path of the graph under the true speed profile. Never throws for want of a path: see
+  /// PlanResult::status.
+  /// @throws std::invalid_argument if a pose is not finite or beyond 1e9 m, or the time limit is not a number.
+  [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
 
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Vehicle& vehicle() const;

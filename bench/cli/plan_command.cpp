@@ -24,6 +24,8 @@ struct PlanArguments {
   std::string start, goal;
   std::string queries, out;
   std::string heuristic = "travel_time";
+  std::string graph = "eager";
+  std::string time_limit;
   std::string svg, json, csv;
   BuildOptions build;
 };
@@ -33,6 +35,12 @@ Heuristic heuristic_of(const std::string& name) {
   if (name == "paper") return Heuristic::kPaperDistance;
   if (name == "dijkstra") return Heuristic::kDijkstra;
   throw UsageError("--heuristic: expected travel_time, paper or dijkstra, got \"" + name + "\"");
+}
+
+GraphMode graph_mode_of(const std::string& name) {
+  if (name == "eager") return GraphMode::kEager;
+  if (name == "lazy") return GraphMode::kLazy;
+  throw UsageError("--graph: expected eager or lazy, got \"" + name + "\"");
 }
 
 TimedPath timed_path(const PlanResult& result) {
@@ -53,12 +61,20 @@ struct CheckedPlan {
   [[nodiscard]] bool good() const { return report && report->valid(); }
 };
 
-CheckedPlan plan_checked(const Planner& planner, const PlanRequest& request) {
-  CheckedPlan plan{planner.plan(request), std::nullopt};
+CheckedPlan plan_checked(const Planner& planner, const PlanRequest& request, const PlanLimits& limits) {
+  CheckedPlan plan{planner.plan(request, limits), std::nullopt};
   if (plan.result.solved()) {
     plan.report = validate(planner.world(), planner.vehicle(), request.start, request.goal, timed_path(plan.result));
   }
   return plan;
+}
+
+PlanLimits limits_of(const PlanArguments& arguments) {
+  const std::string& text = arguments.time_limit;
+  if (text.empty()) return {};
+  const double seconds = parse_number(text, "--time-limit");
+  if (seconds < 0.0) throw UsageError("--time-limit: at least 0 s, got \"" + text + "\"");
+  return {.time = seconds};
 }
 
 std::string prepare_rows(const Planner& planner, double build_seconds) {
@@ -75,7 +91,8 @@ std::string prepare_rows(const Planner& planner, double build_seconds) {
 
 std::string result_rows(const PlanResult& result) {
   std::string text;
-  text += row("travel time", fixed(result.travel_time, 3) + " s");
+  text += row("travel time", fixed(result.travel_time, 3) + " s" +
+                                 (result.interrupted ? ", the best found within the time limit" : ""));
   text += row("length", fixed(result.length, 3) + " m in " + count_text(result.segments.size()) + " segments");
   text += row("lower bound", fixed(result.lower_bound, 3) + " s");
   text += row("smallest clearance", fixed(result.min_clearance, 6) + " m");
@@ -144,8 +161,8 @@ std::string plan_json(const PlanArguments& arguments, const Planner& planner, do
 }
 
 int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-             const PlanRequest& request, std::string& out) {
-  const CheckedPlan plan = plan_checked(planner, request);
+             const PlanRequest& request, const PlanLimits& limits, std::string& out) {
+  const CheckedPlan plan = plan_checked(planner, request, limits);
   const PlanResult& result = plan.result;
 
   OutputFiles files;
@@ -188,7 +205,7 @@ double median(std::vector<double> values) {
 }
 
 int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-               const std::vector<NumberedRequest>& queries, std::string& out) {
+               const std::vector<NumberedRequest>& queries, const PlanLimits& limits, std::string& out) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
                     " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; backend " +
@@ -201,7 +218,7 @@ int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Plann
   std::vector<double> seconds;
   const Stopwatch watch;
   for (const auto& [q, request] : queries) {
-    const CheckedPlan plan = plan_checked(planner, request);
+    const CheckedPlan plan = plan_checked(planner, request, limits);
     csv += batch_line(q, plan);
     if (!arguments.json.empty()) json += plan_to_json(plan.result, q) + "\n";
     seconds.push_back(plan.result.statistics.total_seconds);
@@ -245,6 +262,8 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   arguments.build.check();
   PlannerOptions options;
   options.heuristic = heuristic_of(arguments.heuristic);
+  options.graph_mode = graph_mode_of(arguments.graph);
+  const PlanLimits limits = limits_of(arguments);
 
   std::optional<Pose> start;
   std::optional<Pose> goal;
@@ -265,8 +284,8 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   const Stopwatch watch;
   const Planner planner(map.world, vehicle, arguments.build.queries(map.world), options, SerialExecutor());
   const double build_seconds = watch.seconds();
-  if (batch) return plan_batch(arguments, map, planner, build_seconds, queries, out);
-  return plan_one(arguments, map, planner, build_seconds, {.start = *start, .goal = *goal}, out);
+  if (batch) return plan_batch(arguments, map, planner, build_seconds, queries, limits, out);
+  return plan_one(arguments, map, planner, build_seconds, {.start = *start, .goal = *goal}, limits, out);
 }
 
 }  // namespace
@@ -284,6 +303,12 @@ void add_plan_command(CLI::App& app, Action& action) {
   command.add_option("--heuristic", arguments->heuristic, "travel_time (admissible), paper (distance) or dijkstra")
       ->type_name("NAME")
       ->capture_default_str();
+  command
+      .add_option("--graph", arguments->graph, "eager (check all bitangents first) or lazy (as the search needs them)")
+      ->type_name("MODE")
+      ->capture_default_str();
+  command.add_option("--time-limit", arguments->time_limit, "Of each search; then the best path found so far, if any")
+      ->type_name("SECONDS");
   arguments->build.add_to(command);
   command.add_option("--svg", arguments->svg, "Write a picture")->type_name("F.svg");
   command.add_option("--json", arguments->json, "Write the exact plan; with --queries one object a line")

@@ -28,14 +28,21 @@ class BoxTree {
   /// same order, until a call returns false. Returns whether all calls returned true.
   template <class Visitor>
   bool visit_overlaps(const Box& query, Visitor&& visit) const {
+    return visit_if([&query](const Box& box) { return box.overlaps(query); }, visit);
+  }
+
+  /// The same for each item whose own box and all boxes around it pass a test that no box passes unless every box
+  /// around it does.
+  template <class Test, class Visitor>
+  bool visit_if(Test&& passes, Visitor&& visit) const {
     for (std::uint32_t i = 0; i < nodes_.size();) {
       const Node& node = nodes_[i];
-      if (!node.box.overlaps(query)) {
+      if (!passes(node.box)) {
         i = node.skip;
         continue;
       }
       for (std::uint32_t k = node.first; k < node.last; ++k) {
-        if (items_[k].box.overlaps(query) && !visit(items_[k].index)) return false;
+        if (passes(items_[k].box) && !visit(items_[k].index)) return false;
       }
       ++i;
     }

@@ -1,125 +1,256 @@
 #include "core/graph/feasible_graph.h"
 
 #include <algorithm>
-#include <cmath>
+#include <atomic>
+#include <utility>
+#include <vector>
 
-#include "core/geometry/angle.h"
+#include "core/graph/slot_cache.h"
 
 namespace arcway {
 
 namespace {
 
-enum class Verdict : std::uint8_t { kKept, kOverlap, kDeparture, kArrival, kStraight };
+using Link = FeasibleGraph::Link;
 
-struct Candidate {
-  FeasibleGraph::Link link;
-  Verdict verdict;
+// Links that leave one circle, and why others do not.
+struct Departures {
+  std::vector<Link> links;
+  std::uint32_t overlaps = 0;
+  std::uint32_t blocked_departures = 0;
+  std::uint32_t blocked_arrivals = 0;
+  std::uint32_t blocked_straights = 0;
+};
+
+enum class Verdict : std::uint8_t { kUnknown, kKept, kArrival, kStraight };
+
+// Links of which each is decided when it is first asked for.
+struct LazyRow {
+  explicit LazyRow(Departures d) : departures(std::move(d)), verdicts(departures.links.size()) {}
+  Departures departures;
+  mutable std::vector<std::atomic<Verdict>> verdicts;
+};
+
+// Neighbors of every vertex in both directions, in compressed rows.
+class Adjacency {
+ public:
+  explicit Adjacency(const VisibilityGraph& graph) : starts_(graph.vertex_count() + 1, 0) {
+    const auto vertices = static_cast<VertexId>(graph.vertex_count());
+    for (VertexId u = 0; u < vertices; ++u)
+      for (const VertexId v : graph.row(u)) {
+        ++starts_[u + 1];
+        ++starts_[v + 1];
+      }
+    for (std::size_t v = 0; v < vertices; ++v) starts_[v + 1] += starts_[v];
+    targets_.resize(starts_.back());
+    std::vector<std::uint64_t> next(starts_.begin(), starts_.end() - 1);
+    for (VertexId u = 0; u < vertices; ++u)
+      for (const VertexId v : graph.row(u)) {
+        targets_[next[u]++] = v;
+        targets_[next[v]++] = u;
+      }
+  }
+  [[nodiscard]] std::span<const VertexId> of(VertexId v) const {
+    return std::span(targets_).subspan(starts_[v], starts_[v + 1] - starts_[v]);
+  }
+
+ private:
+  std::vector<std::uint64_t> starts_;
+  std::vector<VertexId> targets_;
 };
 
 }  // namespace
 
-FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph,
-                             const QuerySet& queries, std::span<const double> radii, const Executor& executor) {
-  const Footprint planned = vehicle.footprint(vehicle.safety_margin());
-  const Footprint checked = vehicle.footprint(0.5 * vehicle.safety_margin());
-  const std::span<const VertexId> vertices = world.convex_vertices();
-  const std::size_t radius_count = radii.size();
-
-  std::vector<std::uint32_t> first_circle(world.vertices().size(), kNone);
-  for (const VertexId v : vertices) {
-    first_circle[v] = static_cast<std::uint32_t>(circles_.size());
-    for (const double radius : radii)
-      for (const Side side : {Side::kLeft, Side::kRight})
-        circles_.push_back(turn_circle(world, v, radius, side, planned));
+struct FeasibleGraph::Data {
+  Data(const World& w, const Vehicle& vehicle, const VisibilityGraph& graph, QuerySet q, std::span<const double> radii,
+       GraphMode m)
+      : world(w),
+        queries(std::move(q)),
+        body(vehicle.footprint(0.5 * vehicle.safety_margin())),
+        mode(m),
+        radius_count(radii.size()),
+        neighbors(graph),
+        first_circle(world.vertices().size(), kNone),
+        lazy_headings(m == GraphMode::kLazy ? 2 * radii.size() * w.convex_vertices().size() : 0),
+        lazy_rows(m == GraphMode::kLazy ? 2 * radii.size() * w.convex_vertices().size() : 0) {
+    const Footprint planned = vehicle.footprint(vehicle.safety_margin());
+    for (const VertexId v : world.convex_vertices()) {
+      first_circle[v] = static_cast<std::uint32_t>(circles.size());
+      for (const double radius : radii)
+        for (const Side side : {Side::kLeft, Side::kRight})
+          circles.push_back(turn_circle(world, v, radius, side, planned));
+    }
+    counts.circles = circles.size();
+    counts.candidates = 2 * graph.edge_count() * radius_count * radius_count;
   }
-  free_headings_.resize(circles_.size());
-  executor.for_ranges(circles_.size(), 16, [&](std::size_t begin, std::size_t end) {
-    std::vector<TurningBody> bodies;
-    for (std::size_t c = begin; c < end; ++c)
-      bodies.push_back({circles_[c].center, circles_[c].radius, circles_[c].side, checked});
-    queries.sweep->free_headings(bodies, std::span(free_headings_).subspan(begin, end - begin));
-  });
 
-  const auto circle_of = [&](VertexId v, std::size_t radius, Side side) {
-    return first_circle[v] + static_cast<std::uint32_t>(2 * radius + (side == Side::kLeft ? 0 : 1));
-  };
-  std::vector<Candidate> candidates(graph.edge_count() * radius_count * radius_count * 2);
-  executor.for_ranges(graph.vertex_count(), 16, [&](std::size_t begin, std::size_t end) {
+  void check_all(const Executor& executor) {
+    headings.resize(circles.size());
+    executor.for_ranges(circles.size(), 16, [&](std::size_t begin, std::size_t end) {
+      std::vector<TurningBody> bodies;
+      for (std::size_t c = begin; c < end; ++c) bodies.push_back(body_on(circles[c]));
+      queries.sweep->free_headings(bodies, std::span(headings).subspan(begin, end - begin));
+    });
+    for (const HeadingSet& set : headings) counts.circles_blocked += set.empty() ? 1 : 0;
+
+    std::vector<Departures> rows(circles.size());
+    executor.for_ranges(circles.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) rows[c] = kept_departures(static_cast<std::uint32_t>(c));
+    });
+    link_starts.reserve(circles.size() + 1);
+    link_starts.push_back(0);
+    for (const Departures& row : rows) link_starts.push_back(link_starts.back() + row.links.size());
+    links.reserve(link_starts.back());
+    for (const Departures& row : rows) {
+      links.insert(links.end(), row.links.begin(), row.links.end());
+      count(row, counts);
+    }
+    counts.kept = links.size();
+  }
+
+  [[nodiscard]] Departures kept_departures(std::uint32_t c) const {
+    Departures row = departures(c);
+    row.blocked_arrivals = static_cast<std::uint32_t>(
+        std::erase_if(row.links, [&](const Link& link) { return !headings[link.to].contains(link.heading); }));
     std::vector<SweptRectangle> rectangles;
-    std::vector<std::size_t> waiting;
-    std::vector<std::uint8_t> free;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto u = static_cast<VertexId>(i);
-      std::size_t next = graph.row_starts()[u] * radius_count * radius_count * 2;
-      rectangles.clear();
-      waiting.clear();
-      const auto consider = [&](std::uint32_t from, std::uint32_t to) {
-        Candidate& candidate = candidates[next];
-        candidate.link = {from, to, 0.0, 0.0};
-        const auto bitangent = directed_bitangent(circles_[from], circles_[to]);
-        if (!bitangent) {
-          candidate.verdict = Verdict::kOverlap;
-        } else {
-          candidate.link.heading = bitangent->start.heading;
-          candidate.link.length = bitangent->length;
-          if (!free_headings_[from].contains(bitangent->start.heading)) {
-            candidate.verdict = Verdict::kDeparture;
-          } else if (!free_headings_[to].contains(bitangent->start.heading)) {
-            candidate.verdict = Verdict::kArrival;
-          } else {
-            rectangles.push_back(swept_rectangle(bitangent->start, bitangent->length, checked));
-            waiting.push_back(next);
-          }
-        }
-        ++next;
-      };
-      for (const VertexId v : graph.row(u)) {
-        const Side side_u = obstacle_side(world, u, world.vertex(v));  // seen from v, so opposite when leaving u
-        const Side side_v = obstacle_side(world, v, world.vertex(u));
-        for (std::size_t ru = 0; ru < radius_count; ++ru)
-          for (std::size_t rv = 0; rv < radius_count; ++rv) {
-            consider(circle_of(u, ru, opposite(side_u)), circle_of(v, rv, side_v));
-            consider(circle_of(v, rv, opposite(side_v)), circle_of(u, ru, side_u));
-          }
-      }
-      free.resize(rectangles.size());
-      queries.sweep->straight_free(rectangles, free);
-      for (std::size_t k = 0; k < waiting.size(); ++k)
-        candidates[waiting[k]].verdict = free[k] ? Verdict::kKept : Verdict::kStraight;
-    }
-  });
-
-  counts_.circles = circles_.size();
-  for (const HeadingSet& headings : free_headings_) counts_.circles_blocked += headings.empty() ? 1 : 0;
-  counts_.candidates = candidates.size();
-  for (const Candidate& candidate : candidates) {
-    switch (candidate.verdict) {
-      case Verdict::kKept:
-        links_.push_back(candidate.link);
-        break;
-      case Verdict::kOverlap:
-        ++counts_.rejected_overlap;
-        break;
-      case Verdict::kDeparture:
-        ++counts_.rejected_departure;
-        break;
-      case Verdict::kArrival:
-        ++counts_.rejected_arrival;
-        break;
-      case Verdict::kStraight:
-        ++counts_.rejected_straight;
-        break;
-    }
+    rectangles.reserve(row.links.size());
+    for (const Link& link : row.links) rectangles.push_back(swept_by(link));
+    std::vector<std::uint8_t> free(rectangles.size());
+    queries.sweep->straight_free(rectangles, free);
+    std::vector<Link> kept;
+    for (std::size_t i = 0; i < row.links.size(); ++i)
+      if (free[i]) kept.push_back(row.links[i]);
+    row.blocked_straights = static_cast<std::uint32_t>(row.links.size() - kept.size());
+    row.links = std::move(kept);
+    return row;
   }
-  counts_.kept = links_.size();
-  std::sort(links_.begin(), links_.end(), [](const Link& a, const Link& b) {
-    if (a.from != b.from) return a.from < b.from;
-    if (a.heading != b.heading) return a.heading < b.heading;
-    return a.to < b.to;
-  });
-  link_starts_.assign(circles_.size() + 1, 0);
-  for (const Link& link : links_) ++link_starts_[link.from + 1];
-  for (std::size_t c = 0; c < circles_.size(); ++c) link_starts_[c + 1] += link_starts_[c];
+
+  // Bitangents that leave a circle at a free heading.
+  [[nodiscard]] Departures departures(std::uint32_t c) const {
+    const TurnCircle& circle = circles[c];
+    const HeadingSet& free = headings_of(c);
+    Departures row;
+    for (const VertexId v : neighbors.of(circle.vertex)) {
+      // Seen from v the obstacle lies on the other side than for who leaves towards v.
+      if (obstacle_side(world, circle.vertex, world.vertex(v)) == circle.side) continue;
+      const Side side = obstacle_side(world, v, world.vertex(circle.vertex));
+      for (std::size_t radius = 0; radius < radius_count; ++radius) {
+        const auto to = static_cast<std::uint32_t>(first_circle[v] + 2 * radius + (side == Side::kLeft ? 0 : 1));
+        const auto line = directed_bitangent(circle, circles[to]);
+        if (!line) {
+          ++row.overlaps;
+        } else if (!free.contains(line->start.heading)) {
+          ++row.blocked_departures;
+        } else {
+          row.links.push_back({c, to, line->start.heading, line->length});
+        }
+      }
+    }
+    std::sort(row.links.begin(), row.links.end(), [](const Link& a, const Link& b) {
+      if (a.heading != b.heading) return a.heading < b.heading;
+      return a.to < b.to;
+    });
+    return row;
+  }
+
+  [[nodiscard]] const HeadingSet& headings_of(std::uint32_t c) const {
+    if (mode == GraphMode::kEager) return headings[c];
+    return lazy_headings.get(
+        c, [&] { return std::make_unique<const HeadingSet>(queries.sweep->free_headings(body_on(circles[c]))); });
+  }
+
+  [[nodiscard]] const LazyRow& lazy_row(std::uint32_t c) const {
+    return lazy_rows.get(c, [&] { return std::make_unique<const LazyRow>(departures(c)); });
+  }
+
+  [[nodiscard]] bool decide(std::uint32_t c, std::size_t index) const {
+    const LazyRow& row = lazy_row(c);
+    std::atomic<Verdict>& verdict = row.verdicts[index];
+    if (const Verdict known = verdict.load(std::memory_order_relaxed); known != Verdict::kUnknown)
+      return known == Verdict::kKept;
+    const Link& link = row.departures.links[index];
+    Verdict found = Verdict::kKept;
+    if (!headings_of(link.to).contains(link.heading)) {
+      found = Verdict::kArrival;
+    } else if (!queries.sweep->straight_free(swept_by(link))) {
+      found = Verdict::kStraight;
+    }
+    verdict.store(found, std::memory_order_relaxed);
+    return found == Verdict::kKept;
+  }
+
+  [[nodiscard]] FeasibleGraphCounts counts_so_far() const {
+    FeasibleGraphCounts sum = counts;
+    if (mode == GraphMode::kEager) return sum;
+    for (std::size_t c = 0; c < circles.size(); ++c) {
+      if (const HeadingSet* set = lazy_headings.find(c); set && set->empty()) ++sum.circles_blocked;
+      const LazyRow* row = lazy_rows.find(c);
+      if (!row) continue;
+      count(row->departures, sum);
+      for (const std::atomic<Verdict>& verdict : row->verdicts) {
+        const Verdict known = verdict.load(std::memory_order_relaxed);
+        sum.kept += known == Verdict::kKept ? 1 : 0;
+        sum.rejected_arrival += known == Verdict::kArrival ? 1 : 0;
+        sum.rejected_straight += known == Verdict::kStraight ? 1 : 0;
+      }
+    }
+    return sum;
+  }
+
+  static void count(const Departures& row, FeasibleGraphCounts& sum) {
+    sum.rejected_overlap += row.overlaps;
+    sum.rejected_departure += row.blocked_departures;
+    sum.rejected_arrival += row.blocked_arrivals;
+    sum.rejected_straight += row.blocked_straights;
+  }
+
+  [[nodiscard]] TurningBody body_on(const TurnCircle& circle) const {
+    return {circle.center, circle.radius, circle.side, body};
+  }
+  [[nodiscard]] SweptRectangle swept_by(const Link& link) const {
+    return swept_rectangle(pose_on(circles[link.from], link.heading), link.length, body);
+  }
+
+  World world;
+  QuerySet queries;
+  Footprint body;
+  GraphMode mode;
+  std::size_t radius_count;
+  Adjacency neighbors;
+  std::vector<std::uint32_t> first_circle;  // of each vertex, or kNone
+  std::vector<TurnCircle> circles;
+  FeasibleGraphCounts counts;
+
+  std::vector<HeadingSet> headings;  // if eager
+  std::vector<Link> links;
+  std::vector<std::uint64_t> link_starts;
+
+  SlotCache<HeadingSet> lazy_headings;  // if lazy
+  SlotCache<LazyRow> lazy_rows;
+};
+
+FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph,
+                             const QuerySet& queries, std::span<const double> radii, const Executor& executor,
+                             GraphMode mode) {
+  auto data = std::make_shared<Data>(world, vehicle, graph, queries, radii, mode);
+  if (mode == GraphMode::kEager) data->check_all(executor);
+  data_ = std::move(data);
+}
+
+GraphMode FeasibleGraph::mode() const { return data_->mode; }
+std::span<const TurnCircle> FeasibleGraph::circles() const { return data_->circles; }
+const HeadingSet& FeasibleGraph::free_headings(std::uint32_t circle) const { return data_->headings_of(circle); }
+std::span<const FeasibleGraph::Link> FeasibleGraph::links() const { return data_->links; }
+FeasibleGraphCounts FeasibleGraph::counts() const { return data_->counts_so_far(); }
+
+std::span<const FeasibleGraph::Link> FeasibleGraph::links_from(std::uint32_t circle) const {
+  if (data_->mode == GraphMode::kLazy) return data_->lazy_row(circle).departures.links;
+  const std::uint64_t first = data_->link_starts[circle];
+  return std::span(data_->links).subspan(first, data_->link_starts[circle + 1] - first);
+}
+
+bool FeasibleGraph::is_kept(std::uint32_t circle, std::size_t index) const {
+  return data_->mode == GraphMode::kEager || data_->decide(circle, index);
 }
 
 }  // namespace arcway

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "core/executor.h"
 #include "core/graph/turn_circle.h"
@@ -26,11 +26,17 @@ struct FeasibleGraphCounts {
   std::uint64_t rejected_straight = 0;   ///< (6): the swept rectangle meets an obstacle
 };
 
+enum class GraphMode {
+  kEager,  ///< everything is checked when the graph is built: for many queries on one map
+  kLazy    ///< headings and bitangents are checked when a search first asks for them, and remembered: for few
+};
+
 /// The feasible visibility graph: turn circles with their free headings, and the directed bitangents whose swept
 /// rectangle is free. Arcs are not stored: from an arrival on a circle every departure is reachable that lies
 /// ahead within the same free interval.
 ///
-/// Bitangents are grouped by the circle they leave, sorted by heading within it.
+/// Both modes describe the same graph. Immutable to its users and safe to share between threads; copies share the data,
+/// what a lazy graph has found out included. A lazy graph never takes more memory than one link for each candidate.
 class FeasibleGraph {
  public:
   struct Link {
@@ -40,24 +46,28 @@ class FeasibleGraph {
     double length;       ///< [m]
   };
 
-  FeasibleGraph() = default;
+  /// @param radii     of the turn circles [m], ascending.
+  /// @param executor  used during construction only.
   FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph, const QuerySet& queries,
-                std::span<const double> radii, const Executor& executor);
+                std::span<const double> radii, const Executor& executor, GraphMode mode = GraphMode::kEager);
 
-  [[nodiscard]] std::span<const TurnCircle> circles() const { return circles_; }
-  [[nodiscard]] const HeadingSet& free_headings(std::uint32_t circle) const { return free_headings_[circle]; }
-  [[nodiscard]] std::span<const Link> links() const { return links_; }
-  /// Links [first, last) that leave a circle.
-  [[nodiscard]] std::uint32_t first_link(std::uint32_t circle) const { return link_starts_[circle]; }
-  [[nodiscard]] std::uint32_t last_link(std::uint32_t circle) const { return link_starts_[circle + 1]; }
-  [[nodiscard]] const FeasibleGraphCounts& counts() const { return counts_; }
+  [[nodiscard]] GraphMode mode() const;
+  /// All circles of a vertex are neighbors: radii ascending, for each left before right.
+  [[nodiscard]] std::span<const TurnCircle> circles() const;
+  [[nodiscard]] const HeadingSet& free_headings(std::uint32_t circle) const;
+  /// Links that leave a circle, by heading, then `to`: the kept ones if eager; those whose first heading is free if
+  /// lazy.
+  [[nodiscard]] std::span<const Link> links_from(std::uint32_t circle) const;
+  /// Whether links_from(circle)[index] is kept.
+  [[nodiscard]] bool is_kept(std::uint32_t circle, std::size_t index) const;
+  /// All kept links, by circle. Eager graphs only.
+  [[nodiscard]] std::span<const Link> links() const;
+  /// Of what has been decided so far.
+  [[nodiscard]] FeasibleGraphCounts counts() const;
 
  private:
-  std::vector<TurnCircle> circles_;
-  std::vector<HeadingSet> free_headings_;
-  std::vector<Link> links_;
-  std::vector<std::uint32_t> link_starts_;
-  FeasibleGraphCounts counts_;
+  struct Data;
+  std::shared_ptr<const Data> data_;
 };
 
 }  // namespace arcway

@@ -3,17 +3,52 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
+#include <vector>
 
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
 #include "core/path/speed_profile.h"
+#include "core/search/speed_tree.h"
 
 namespace arcway {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+enum class Kind : std::uint8_t { kDirect, kGoal, kGraph, kStart, kStartCircle };  // complete paths first on ties
+
+struct Entry {
+  double estimate;       // of the whole path's time; the time itself for complete paths
+  std::uint32_t parent;  // label, where a graph link or a goal link is
+  std::uint32_t index;
+  Kind kind;
+};
+
+bool later(const Entry& a, const Entry& b) {  // the heap has the first on top
+  if (a.estimate != b.estimate) return a.estimate > b.estimate;
+  if (a.kind != b.kind) return a.kind > b.kind;
+  if (a.parent != b.parent) return a.parent > b.parent;
+  return a.index > b.index;
+}
+
+// An arrival on a circle by some path.
+struct Label {
+  std::uint32_t circle;
+  double heading;
+  double reach;  // of the free interval
+  std::uint32_t joint;
+  std::uint32_t parent;  // label; kNone: by a start link
+  std::uint32_t index;   // of the graph link among those of the parent's circle, or of the start link
+  std::uint32_t next;    // label on the same circle
+};
+
+struct GoalLink {
+  TerminalLink link;
+  std::uint32_t next;  // on the same circle
+  double best_time;    // of complete paths by this link
+  bool checked, free;
+};
 
 void append_arc(Path& path, const TurnCircle& circle, double from_heading, double turn) {
   if (turn > 0.0)
@@ -24,316 +59,393 @@ void append_line(Path& path, const Pose& start, double length) {
   if (length > 0.0) path.push_back({start, length, 0.0});
 }
 
-struct TerminalCircle {
-  std::uint32_t terminal;
-  TurnCircle circle;
-  double heading;  // of the terminal's pose
-  double reach;    // how far the circle is free from there, forwards for starts and backwards for goals
-};
-
-// A straight that joins a circle to a terminal's circle.
-struct TerminalLink {
-  std::uint32_t terminal_circle;
-  std::uint32_t circle;
-  Bitangent line;
-  double turn;                                                 // on the terminal's circle
-  double best_cost = std::numeric_limits<double>::infinity();  // of the goal, by this straight, as far as known
-};
-
-enum class Kind : std::uint8_t { kGraph, kStart, kGoal, kDirect };
-
-struct Entry {
-  double estimate;
-  double cost;  // at the far end of the straight; for complete paths, in all
-  std::uint64_t order;
-  Kind kind;
-  std::uint32_t index;
-  bool operator<(const Entry& other) const {  // the priority queue has the largest on top
-    if (estimate != other.estimate) return estimate > other.estimate;
-    return order > other.order;
+// A value for each circle of the graph; forgets all of them in constant time.
+class PerCircle {
+ public:
+  void reset(std::size_t circles) {
+    if (values_.size() < circles) values_.resize(circles, {0, kNone});
+    if (++epoch_ == 0) {
+      std::fill(values_.begin(), values_.end(), Value{0, kNone});
+      epoch_ = 1;
+    }
   }
+  [[nodiscard]] std::uint32_t get(std::uint32_t circle) const {
+    return values_[circle].epoch == epoch_ ? values_[circle].index : kNone;
+  }
+  void set(std::uint32_t circle, std::uint32_t index) { values_[circle] = {epoch_, index}; }
+
+ private:
+  struct Value {
+    std::uint32_t epoch;
+    std::uint32_t index;
+  };
+  std::vector<Value> values_;
+  std::uint32_t epoch_ = 0;
 };
 
-// Where a walk on a circle began: a graph link or a start link that arrived there.
-struct Parent {
-  Kind kind = Kind::kStart;
-  std::uint32_t index = kNone;
+}  // namespace
+
+struct SearchWorkspace::Data {
+  void reset(std::size_t circles, double acceleration) {
+    speeds.reset(acceleration);
+    first_label.reset(circles);
+    first_goal_link.reset(circles);
+    open.clear();
+    labels.clear();
+    start_circles.clear();
+    goal_circles.clear();
+    start_links.clear();
+    goal_links.clear();
+    found.clear();
+    direct_paths.clear();
+  }
+
+  SpeedTree speeds;
+  PerCircle first_label;
+  PerCircle first_goal_link;
+  std::vector<Entry> open;
+  std::vector<Label> labels;
+  std::vector<TerminalCircle> start_circles, goal_circles;
+  std::vector<TerminalLink> start_links, found;
+  std::vector<GoalLink> goal_links;
+  std::vector<Path> direct_paths;
 };
+
+SearchWorkspace::SearchWorkspace() : data_(std::make_unique<Data>()) {}
+SearchWorkspace::~SearchWorkspace() = default;
+SearchWorkspace::SearchWorkspace(SearchWorkspace&&) noexcept = default;
+SearchWorkspace& SearchWorkspace::operator=(SearchWorkspace&&) noexcept = default;
+
+namespace {
 
 class ArrivalSearch {
  public:
-  ArrivalSearch(const FeasibleGraph& graph, const Vehicle& vehicle, const SweepQuery& sweep,
-                std::span<const Terminal> starts, std::span<const Terminal> goals, const SearchOptions& options)
-      : graph_(graph),
-        vehicle_(vehicle),
-        sweep_(sweep),
+  ArrivalSearch(const SearchMap& map, std::span<const Terminal> starts, std::span<const Terminal> goals,
+                const SearchOptions& options, SearchWorkspace::Data& workspace, SearchResult& result)
+      : map_(map),
+        graph_(map.graph),
+        vehicle_(map.vehicle),
+        top_speed_(map.vehicle.max_speed()),
         starts_(starts),
         goals_(goals),
         options_(options),
-        body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
-        departure_cost_(graph.links().size(), kInfinity),
-        departure_parent_(graph.links().size()),
-        closed_(graph.links().size(), 0),
-        goal_links_(graph.circles().size()),
-        goal_links_known_(graph.circles().size(), 0) {}
+        goal_((goals[0].connection.empty() ? goals[0].pose : goals[0].connection.back().end()).position()),
+        w_(workspace),
+        result_(result) {
+    w_.reset(graph_.circles().size(), vehicle_.max_acceleration());
+  }
 
-  SearchResult run() {
-    start_circles_ = circles_of(starts_, Side::kLeft);
-    goal_circles_ = circles_of(goals_, Side::kRight);
+  void run() {
+    if (interrupted()) return;
+    append_circles(map_, starts_, Direction::kFromStart, w_.start_circles);
+    append_circles(map_, goals_, Direction::kToGoal, w_.goal_circles);
+    result_.turns_checked += w_.start_circles.size() + w_.goal_circles.size();
     push_direct_paths();
-    push_start_links();
-    while (!open_.empty()) {
-      const Entry entry = open_.top();
-      open_.pop();
-      if (entry.kind == Kind::kDirect) {
-        result_.path = direct_paths_[entry.index];
-        break;
-      }
-      if (entry.kind == Kind::kGoal) {
-        if (!is_free(goal_steps_[entry.index].link.line)) continue;
-        result_.path = path_through(entry.index);
-        break;
-      }
-      if (entry.kind == Kind::kGraph) {
-        if (closed_[entry.index]) continue;
-        closed_[entry.index] = 1;
-      } else if (!is_free(start_links_[entry.index].line)) {
-        continue;
-      }
-      result_.start_connected = true;
-      ++result_.nodes_expanded;
-      walk(entry);
+    for (std::uint32_t s = 0; s < w_.start_circles.size(); ++s) {
+      const Terminal& start = starts_[w_.start_circles[s].terminal];
+      if (w_.start_circles[s].reach >= 0.0)
+        push(Kind::kStartCircle, kNone, s,
+             length_of(start.connection) / top_speed_ + remaining(start.pose.position(), top_speed_));
     }
-    return std::move(result_);
+    for (std::uint32_t g = 0; g < w_.goal_circles.size(); ++g) add_goal_links(g);
+    while (!w_.open.empty() && !interrupted()) {
+      const Entry entry = pop();
+      if (is_complete(entry) ? finish(entry) : expand(entry)) return;
+    }
+    while (result_.interrupted && !w_.open.empty()) {
+      const Entry entry = pop();
+      if (is_complete(entry) && finish(entry)) return;
+    }
   }
 
  private:
-  struct GoalStep {
-    TerminalLink link;
-    Parent parent;
-  };
-
-  // Circles of the terminals' poses. `forwards` is the side whose headings grow along the motion: starts are left
-  // forwards, goals are left backwards.
-  std::vector<TerminalCircle> circles_of(std::span<const Terminal> terminals, Side growing) {
-    std::vector<TerminalCircle> circles;
-    std::vector<TurningBody> bodies;
-    for (std::uint32_t t = 0; t < terminals.size(); ++t)
-      for (const double radius : options_.radii)
-        for (const Side side : {Side::kLeft, Side::kRight}) {
-          const Pose& pose = terminals[t].pose;
-          const Vec2 center = pose.position() + sign_of(side) * radius * perpendicular(direction_of(pose.heading));
-          circles.push_back({t, {center, radius, side, kNone}, wrap_positive(pose.heading), 0.0});
-          bodies.push_back({center, radius, side, body_});
-        }
-    std::vector<HeadingSet> headings(bodies.size());
-    sweep_.free_headings(bodies, headings);
-    result_.turns_checked += bodies.size();
-    for (std::size_t c = 0; c < circles.size(); ++c) {
-      const Side towards = growing == Side::kLeft ? circles[c].circle.side : opposite(circles[c].circle.side);
-      circles[c].reach = headings[c].reach(circles[c].heading, towards);
+  [[nodiscard]] bool interrupted() {
+    if (options_.stop.stop_requested() ||
+        (options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline)) {
+      result_.interrupted = true;
     }
-    return circles;
+    return result_.interrupted;
+  }
+
+  [[nodiscard]] double remaining(const Vec2& p, double speed) const {
+    const double distance = (goal_ - p).norm();
+    switch (options_.heuristic) {
+      case Heuristic::kTravelTime:
+        return relaxed_segment_time(distance, speed, top_speed_, 0.0, vehicle_.max_acceleration());
+      case Heuristic::kPaperDistance:
+        return distance;
+      case Heuristic::kDijkstra:
+        break;
+    }
+    return 0.0;
+  }
+
+  void push(Kind kind, std::uint32_t parent, std::uint32_t index, double estimate) {
+    w_.open.push_back({estimate, parent, index, kind});
+    std::push_heap(w_.open.begin(), w_.open.end(), later);
+    ++result_.nodes_pushed;
+  }
+
+  Entry pop() {
+    std::pop_heap(w_.open.begin(), w_.open.end(), later);
+    const Entry entry = w_.open.back();
+    w_.open.pop_back();
+    return entry;
+  }
+
+  [[nodiscard]] static bool is_complete(const Entry& entry) {
+    return entry.kind == Kind::kDirect || entry.kind == Kind::kGoal;
+  }
+
+  // Takes a complete path as the result if it is free.
+  bool finish(const Entry& entry) {
+    if (entry.kind == Kind::kDirect) {
+      result_.path = std::move(w_.direct_paths[entry.index]);
+      return true;
+    }
+    GoalLink& goal = w_.goal_links[entry.index];
+    if (!goal.checked) {
+      goal.free = is_free(goal.link.line);
+      goal.checked = true;
+    }
+    if (goal.free) result_.path = path_through(entry.parent, goal.link);
+    return goal.free;
+  }
+
+  // Always false: the search goes on.
+  bool expand(const Entry& entry) {
+    switch (entry.kind) {
+      case Kind::kStartCircle:
+        push_start_links(entry.index);
+        break;
+      case Kind::kStart: {
+        const TerminalLink& link = w_.start_links[entry.index];
+        const TerminalCircle& from = w_.start_circles[link.terminal_circle];
+        const std::uint32_t joint = drive(add_connection(from), link.turn * from.circle.radius, from.circle.radius,
+                                          link.line.length, graph_.circles()[link.circle].radius);
+        arrive({link.circle, link.line.start.heading, 0.0, joint, kNone, entry.index, kNone});
+        break;
+      }
+      case Kind::kGraph: {
+        const Label& parent = w_.labels[entry.parent];
+        const TurnCircle& circle = graph_.circles()[parent.circle];
+        const FeasibleGraph::Link& link = graph_.links_from(parent.circle)[entry.index];
+        const double turn = turn_between(parent.heading, link.heading, circle.side);
+        const std::uint32_t joint =
+            drive(parent.joint, turn * circle.radius, circle.radius, link.length, graph_.circles()[link.to].radius);
+        arrive({link.to, link.heading, 0.0, joint, entry.parent, entry.index, kNone});
+        break;
+      }
+      case Kind::kDirect:
+      case Kind::kGoal:
+        break;
+    }
+    return false;
+  }
+
+  // Adds the joints behind an arc and the line after it, which leads to a circle of another radius.
+  std::uint32_t drive(std::uint32_t joint, double arc, double radius, double line, double next_radius) {
+    const std::uint32_t departure = w_.speeds.add(joint, arc, vehicle_.turn_speed(radius), top_speed_);
+    return w_.speeds.add(departure, line, top_speed_, vehicle_.turn_speed(next_radius));
+  }
+
+  // Adds the joints of a start terminal's connection up to its circle.
+  std::uint32_t add_connection(const TerminalCircle& from) {
+    const Path& connection = starts_[from.terminal].connection;
+    std::uint32_t joint = 0;
+    for (std::size_t i = 0; i < connection.size(); ++i)
+      joint = w_.speeds.add(
+          joint, connection[i].length, limit_on(connection[i]),
+          i + 1 < connection.size() ? limit_on(connection[i + 1]) : vehicle_.turn_speed(from.circle.radius));
+    return joint;
+  }
+
+  [[nodiscard]] double limit_on(const PathSegment& segment) const {
+    return segment.is_line() ? top_speed_ : vehicle_.turn_speed(1.0 / std::abs(segment.curvature));
   }
 
   bool is_free(const Bitangent& line) {
     ++result_.straights_checked;
-    return sweep_.straight_free(swept_rectangle(line.start, line.length, body_));
-  }
-
-  [[nodiscard]] double heuristic(const Vec2& p) const {
-    double nearest = kInfinity;
-    for (const Terminal& goal : goals_)
-      nearest = std::min(nearest, options_.seconds_per_meter * (goal.pose.position() - p).norm() + goal.cost);
-    return nearest;
-  }
-
-  void push(Kind kind, std::uint32_t index, double cost, double remaining) {
-    open_.push({cost + remaining, cost, result_.nodes_pushed++, kind, index});
-  }
-
-  // Time of an arc from rest (or to rest), and the speed at its other end.
-  struct RestArc {
-    double time;
-    double speed;
-  };
-  [[nodiscard]] RestArc rest_arc(double length, double radius, bool at_rest) const {
-    const double top = vehicle_.turn_speed(radius);
-    if (!at_rest) return {length / top, top};
-    const double a = vehicle_.max_acceleration();
-    const double speed = std::min(top, std::sqrt(2.0 * a * length));
-    return {length > 0.0 ? relaxed_segment_time(length, 0.0, top, speed, a) : 0.0, speed};
-  }
-
-  void push_direct_paths() {
-    for (const Terminal& start : starts_)
-      for (const Terminal& goal : goals_)
-        for (const double radius : options_.radii)
-          for (const DubinsWord word : kDubinsWords) try_direct(start, goal, radius, word);
-  }
-
-  void try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word) {
-    // Many terminals mean manoeuvres in a narrow place: only the plain pair of poses is worth all words there.
-    if (starts_.size() * goals_.size() > kMostDirectPairs) return;
-    const auto middle = dubins_path(word, start.pose, goal.pose, radius);
-    if (!middle) return;
-    for (const PathSegment& segment : *middle)
-      if (!is_free(segment)) return;
-    result_.start_connected = result_.goal_reached = true;
-    Path path = start.connection;
-    path.insert(path.end(), middle->begin(), middle->end());
-    path.insert(path.end(), goal.connection.begin(), goal.connection.end());
-    const double time = speed_profile(path, vehicle_).total_time;
-    direct_paths_.push_back(std::move(path));
-    push(Kind::kDirect, static_cast<std::uint32_t>(direct_paths_.size() - 1), time, 0.0);
+    return map_.queries.sweep->straight_free(swept_rectangle(line.start, line.length, map_.body));
   }
 
   bool is_free(const PathSegment& segment) {
     if (segment.is_line()) return is_free(Bitangent{segment.start, segment.length});
     const Side side = segment.curvature > 0.0 ? Side::kLeft : Side::kRight;
-    const double radius = 1.0 / std::abs(segment.curvature);
-    const Vec2 center =
-        segment.start.position() + sign_of(side) * radius * perpendicular(direction_of(segment.start.heading));
+    const TurnCircle circle = turn_circle(segment.start, 1.0 / std::abs(segment.curvature), side);
     ++result_.turns_checked;
-    const HeadingSet headings = sweep_.free_headings(TurningBody{center, radius, side, body_});
-    return headings.reach(segment.start.heading, side) >= segment.length / radius;
+    const HeadingSet headings = map_.queries.sweep->free_headings({circle.center, circle.radius, side, map_.body});
+    return headings.reach(segment.start.heading, side) >= segment.length / circle.radius;
   }
 
-  void push_start_links() {
-    const double a = vehicle_.max_acceleration();
-    for (std::uint32_t s = 0; s < start_circles_.size(); ++s) {
-      const TerminalCircle& from = start_circles_[s];
-      if (from.reach < 0.0) continue;
-      for (std::uint32_t c = 0; c < graph_.circles().size(); ++c) {
-        if (graph_.free_headings(c).empty()) continue;
-        const TurnCircle& to = graph_.circles()[c];
-        const auto line = directed_bitangent(from.circle, to);
-        if (!line) continue;
-        const double turn = turn_between(from.heading, line->start.heading, from.circle.side);
-        if (turn > from.reach || !graph_.free_headings(c).contains(line->start.heading)) continue;
-        const Terminal& start = starts_[from.terminal];
-        const RestArc arc = rest_arc(turn * from.circle.radius, from.circle.radius, start.connection.empty());
-        const double cost =
-            start.cost + arc.time +
-            relaxed_segment_time(line->length, arc.speed, vehicle_.max_speed(), vehicle_.turn_speed(to.radius), a);
-        start_links_.push_back({s, c, *line, turn});
-        push(Kind::kStart, static_cast<std::uint32_t>(start_links_.size() - 1), cost,
-             heuristic(pose_on(to, line->start.heading).position()));
+  void push_direct_paths() {
+    // Many terminals mean manoeuvres in a narrow place: only the plain pair of poses is worth all words there.
+    if (starts_.size() * goals_.size() > kMostDirectPairs) return;
+    for (const Terminal& start : starts_)
+      for (const Terminal& goal : goals_)
+        for (const double radius : map_.radii)
+          for (const DubinsWord word : kDubinsWords) try_direct(start, goal, radius, word);
+  }
+
+  void try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word) {
+    const auto middle = dubins_path(word, start.pose, goal.pose, radius);
+    if (!middle || !std::all_of(middle->begin(), middle->end(), [this](const auto& s) { return is_free(s); })) return;
+    result_.start_connected = result_.goal_reached = true;
+    Path path = start.connection;
+    path.insert(path.end(), middle->begin(), middle->end());
+    path.insert(path.end(), goal.connection.begin(), goal.connection.end());
+    const double time = speed_profile(path, vehicle_).total_time;
+    w_.direct_paths.push_back(std::move(path));
+    push(Kind::kDirect, kNone, static_cast<std::uint32_t>(w_.direct_paths.size() - 1), time);
+  }
+
+  void push_start_links(std::uint32_t s) {
+    const TerminalCircle& from = w_.start_circles[s];
+    const std::size_t first = w_.start_links.size();
+    append_links(map_, w_.start_circles, s, Direction::kFromStart, w_.start_links);
+    const std::uint32_t joint = add_connection(from);
+    for (std::size_t i = first; i < w_.start_links.size(); ++i) {
+      const TerminalLink& link = w_.start_links[i];
+      const TurnCircle& to = graph_.circles()[link.circle];
+      push_straight(Kind::kStart, kNone, static_cast<std::uint32_t>(i), joint, link.turn, from.circle, link.line.length,
+                    to, link.line.start.heading);
+    }
+  }
+
+  void add_goal_links(std::uint32_t g) {
+    w_.found.clear();
+    append_links(map_, w_.goal_circles, g, Direction::kToGoal, w_.found);
+    for (const TerminalLink& link : w_.found) {
+      w_.goal_links.push_back({link, w_.first_goal_link.get(link.circle), kInfinity, false, false});
+      w_.first_goal_link.set(link.circle, static_cast<std::uint32_t>(w_.goal_links.size() - 1));
+    }
+  }
+
+  // Pushes an arrival behind an arc and a line.
+  void push_straight(Kind kind, std::uint32_t parent, std::uint32_t index, std::uint32_t joint, double turn,
+                     const TurnCircle& from, double length, const TurnCircle& to, double heading) {
+    const SpeedTree::Joint departure =
+        w_.speeds.extend(joint, turn * from.radius, vehicle_.turn_speed(from.radius), top_speed_);
+    const SpeedTree::Joint arrival = w_.speeds.extend(departure, length, top_speed_, vehicle_.turn_speed(to.radius));
+    push(kind, parent, index, arrival.time + remaining(pose_on(to, heading).position(), arrival.speed));
+  }
+
+  // Goes on from a new label, unless it is as good as an older one or cannot be reached after all.
+  void arrive(Label label) {
+    const TurnCircle& circle = graph_.circles()[label.circle];
+    label.reach = graph_.free_headings(label.circle).reach(label.heading, circle.side);
+    if (label.reach < 0.0) return;
+    const double limit = undominated_turn(label, circle);
+    if (limit < 0.0) return;
+    const bool free = label.parent == kNone ? is_free(w_.start_links[label.index].line)
+                                            : graph_.is_kept(w_.labels[label.parent].circle, label.index);
+    if (!free) return;
+    result_.start_connected = true;
+    ++result_.nodes_expanded;
+    label.next = w_.first_label.get(label.circle);
+    w_.labels.push_back(label);
+    const auto index = static_cast<std::uint32_t>(w_.labels.size() - 1);
+    w_.first_label.set(label.circle, index);
+    walk(index, limit);
+  }
+
+  // How far a label can turn before an older one does as well; negative if that is so from the beginning.
+  [[nodiscard]] double undominated_turn(const Label& label, const TurnCircle& circle) const {
+    const double speed = vehicle_.turn_speed(circle.radius);
+    double limit = kInfinity;
+    for (std::uint32_t i = w_.first_label.get(label.circle); i != kNone; i = w_.labels[i].next) {
+      const Label& other = w_.labels[i];
+      const double behind = turn_between(other.heading, label.heading, circle.side);
+      if (behind <= other.reach) {
+        const auto here = w_.speeds.extend(other.joint, behind * circle.radius, speed, speed);
+        if (w_.speeds.dominates(here, w_.speeds[label.joint])) return -1.0;
+      }
+      const double ahead = turn_between(label.heading, other.heading, circle.side);
+      if (ahead <= label.reach && ahead < limit) {
+        const auto there = w_.speeds.extend(label.joint, ahead * circle.radius, speed, speed);
+        if (w_.speeds.dominates(w_.speeds[other.joint], there)) limit = ahead;
       }
     }
+    return limit;
   }
 
-  // Straights from a circle to the goal's circles that are free but for the swept rectangle.
-  std::vector<TerminalLink>& goal_links(std::uint32_t c) {
-    if (goal_links_known_[c]) return goal_links_[c];
-    goal_links_known_[c] = 1;
-    for (std::uint32_t g = 0; g < goal_circles_.size(); ++g) {
-      const TerminalCircle& to = goal_circles_[g];
-      if (to.reach < 0.0) continue;
-      const auto line = directed_bitangent(graph_.circles()[c], to.circle);
-      if (!line) continue;
-      const double turn = turn_between(line->start.heading, to.heading, to.circle.side);
-      if (turn > to.reach || !graph_.free_headings(c).contains(line->start.heading)) continue;
-      goal_links_[c].push_back({g, c, *line, turn});
-    }
-    return goal_links_[c];
-  }
+  // Leaves a circle from the arrival's heading on, as far as its free interval goes and no older label takes over.
+  void walk(std::uint32_t index, double limit) {
+    const Label label = w_.labels[index];
+    const TurnCircle& circle = graph_.circles()[label.circle];
+    const auto goes_on = [&](double turn) { return turn <= label.reach && turn < limit; };
 
-  // Leaves a circle from the arrival's heading on, as far as its free interval goes.
-  void walk(const Entry& entry) {
-    const bool from_graph = entry.kind == Kind::kGraph;
-    const std::uint32_t c = from_graph ? graph_.links()[entry.index].to : start_links_[entry.index].circle;
-    const double arrival =
-        from_graph ? graph_.links()[entry.index].heading : start_links_[entry.index].line.start.heading;
-    const Parent parent{entry.kind, entry.index};
-    const TurnCircle& circle = graph_.circles()[c];
-    const double reach = graph_.free_headings(c).reach(arrival, circle.side);
-    const double speed = vehicle_.turn_speed(circle.radius);
-    const double a = vehicle_.max_acceleration();
-
-    for (TerminalLink& link : goal_links(c)) {
-      const double turn = turn_between(arrival, link.line.start.heading, circle.side);
-      if (turn > reach) continue;
+    for (std::uint32_t g = w_.first_goal_link.get(label.circle); g != kNone; g = w_.goal_links[g].next) {
+      GoalLink& goal = w_.goal_links[g];
+      const double turn = turn_between(label.heading, goal.link.line.start.heading, circle.side);
+      if (!goes_on(turn) || (goal.checked && !goal.free)) continue;
       result_.goal_reached = true;
-      const TerminalCircle& to = goal_circles_[link.terminal_circle];
-      const Terminal& goal = goals_[to.terminal];
-      const RestArc arc = rest_arc(link.turn * to.circle.radius, to.circle.radius, goal.connection.empty());
-      const double cost = entry.cost + turn * circle.radius / speed +
-                          relaxed_segment_time(link.line.length, speed, vehicle_.max_speed(), arc.speed, a) + arc.time +
-                          goal.cost;
-      if (cost >= link.best_cost) continue;
-      link.best_cost = cost;
-      goal_steps_.push_back({link, parent});
-      push(Kind::kGoal, static_cast<std::uint32_t>(goal_steps_.size() - 1), cost, 0.0);
+      const double time = time_to_goal(label.joint, turn, circle, goal.link);
+      if (time >= goal.best_time) continue;
+      goal.best_time = time;
+      push(Kind::kGoal, index, g, time);
     }
 
-    const std::uint32_t first = graph_.first_link(c);
-    const std::uint32_t count = graph_.last_link(c) - first;
+    const std::span<const FeasibleGraph::Link> links = graph_.links_from(label.circle);
+    const std::size_t count = links.size();
     const bool left = circle.side == Side::kLeft;
-    for (std::uint32_t step = 0, at = first_ahead(c, arrival); step < count; ++step) {
-      const std::uint32_t index = first + at;
+    for (std::size_t step = 0, at = first_ahead(links, label.heading, circle.side); step < count; ++step) {
+      const FeasibleGraph::Link& link = links[at];
+      const double turn = turn_between(label.heading, link.heading, circle.side);
+      if (!goes_on(turn)) break;
+      push_straight(Kind::kGraph, index, static_cast<std::uint32_t>(at), label.joint, turn, circle, link.length,
+                    graph_.circles()[link.to], link.heading);
       at = left ? (at + 1) % count : (at + count - 1) % count;
-      const FeasibleGraph::Link& link = graph_.links()[index];
-      const double turn = turn_between(arrival, link.heading, circle.side);
-      if (turn > reach) break;
-      const double departure = entry.cost + turn * circle.radius / speed;
-      if (departure >= departure_cost_[index]) break;  // an earlier arrival has been here and went on from here
-      if (closed_[index]) continue;
-      departure_cost_[index] = departure;
-      departure_parent_[index] = parent;
-      const TurnCircle& to = graph_.circles()[link.to];
-      const double cost =
-          departure + relaxed_segment_time(link.length, speed, vehicle_.max_speed(), vehicle_.turn_speed(to.radius), a);
-      push(Kind::kGraph, index, cost, heuristic(pose_on(to, link.heading).position()));
     }
   }
 
-  // Position among a circle's links of the first at or ahead of a heading in turning direction.
-  [[nodiscard]] std::uint32_t first_ahead(std::uint32_t c, double heading) const {
-    const auto links = graph_.links().subspan(graph_.first_link(c), graph_.last_link(c) - graph_.first_link(c));
-    if (links.empty()) return 0;
-    const auto count = static_cast<std::uint32_t>(links.size());
-    if (graph_.circles()[c].side == Side::kLeft) {
-      const double from = wrap_positive(heading - kNoTurn);
-      const auto it = std::lower_bound(links.begin(), links.end(), from,
-                                       [](const FeasibleGraph::Link& l, double h) { return l.heading < h; });
-      return static_cast<std::uint32_t>(it - links.begin()) % count;
-    }
-    const double from = wrap_positive(heading + kNoTurn);
-    const auto it = std::upper_bound(links.begin(), links.end(), from,
-                                     [](double h, const FeasibleGraph::Link& l) { return h < l.heading; });
-    return (static_cast<std::uint32_t>(it - links.begin()) + count - 1) % count;
+  // The exact time of the whole path from a label on by a goal link.
+  double time_to_goal(std::uint32_t joint, double turn, const TurnCircle& circle, const TerminalLink& link) {
+    const TerminalCircle& to = w_.goal_circles[link.terminal_circle];
+    const Path& connection = goals_[to.terminal].connection;
+    const std::size_t size = w_.speeds.size();
+    joint = drive(joint, turn * circle.radius, circle.radius, link.line.length, to.circle.radius);
+    const auto limit_at = [&](std::size_t i) { return i < connection.size() ? limit_on(connection[i]) : 0.0; };
+    joint = w_.speeds.add(joint, link.turn * to.circle.radius, vehicle_.turn_speed(to.circle.radius), limit_at(0));
+    for (std::size_t i = 0; i < connection.size(); ++i)
+      joint = w_.speeds.add(joint, connection[i].length, limit_at(i), limit_at(i + 1));
+    const double time = w_.speeds[joint].time;
+    w_.speeds.truncate(size);
+    return time;
   }
 
-  [[nodiscard]] Path path_through(std::uint32_t goal_step) const {
-    const GoalStep& last = goal_steps_[goal_step];
-    std::vector<std::uint32_t> chain;  // graph links, last first
-    Parent at = last.parent;
-    while (at.kind == Kind::kGraph) {
-      chain.push_back(at.index);
-      at = departure_parent_[at.index];
-    }
-    const TerminalLink& start = start_links_[at.index];
-    const TerminalCircle& from = start_circles_[start.terminal_circle];
+  // Position of the first link at or ahead of a heading in turning direction.
+  [[nodiscard]] static std::size_t first_ahead(std::span<const FeasibleGraph::Link> links, double heading, Side side) {
+    const bool left = side == Side::kLeft;
+    const double from = wrap_positive(left ? heading - kNoTurn : heading + kNoTurn);
+    const auto first = std::partition_point(links.begin(), links.end(), [&](const FeasibleGraph::Link& link) {
+      return left ? link.heading < from : link.heading <= from;
+    });
+    const auto count = static_cast<std::size_t>(first - links.begin());
+    if (left) return count < links.size() ? count : 0;
+    return count > 0 ? count - 1 : links.size() - 1;
+  }
+
+  [[nodiscard]] Path path_through(std::uint32_t last, const TerminalLink& goal) const {
+    std::vector<std::uint32_t> chain;  // labels, last first
+    for (std::uint32_t at = last; at != kNone; at = w_.labels[at].parent) chain.push_back(at);
+    const TerminalLink& start = w_.start_links[w_.labels[chain.back()].index];
+    const TerminalCircle& from = w_.start_circles[start.terminal_circle];
     Path path = starts_[from.terminal].connection;
     append_arc(path, from.circle, from.heading, start.turn);
     append_line(path, start.line.start, start.line.length);
-
-    std::uint32_t c = start.circle;
-    double heading = start.line.start.heading;
-    for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
-      const FeasibleGraph::Link& link = graph_.links()[*it];
-      const TurnCircle& circle = graph_.circles()[c];
-      append_arc(path, circle, heading, turn_between(heading, link.heading, circle.side));
-      append_line(path, pose_on(circle, link.heading), link.length);
-      c = link.to;
-      heading = link.heading;
+    for (std::size_t i = chain.size(); i-- > 0;) {
+      const Label& label = w_.labels[chain[i]];
+      const TurnCircle& circle = graph_.circles()[label.circle];
+      const bool at_end = i == 0;
+      const FeasibleGraph::Link* link =
+          at_end ? nullptr : &graph_.links_from(label.circle)[w_.labels[chain[i - 1]].index];
+      const double heading = at_end ? goal.line.start.heading : link->heading;
+      append_arc(path, circle, label.heading, turn_between(label.heading, heading, circle.side));
+      append_line(path, pose_on(circle, heading), at_end ? goal.line.length : link->length);
     }
-    const TurnCircle& circle = graph_.circles()[c];
-    append_arc(path, circle, heading, turn_between(heading, last.link.line.start.heading, circle.side));
-    append_line(path, last.link.line.start, last.link.line.length);
-    const TerminalCircle& to = goal_circles_[last.link.terminal_circle];
-    append_arc(path, to.circle, last.link.line.start.heading, last.link.turn);
+    const TerminalCircle& to = w_.goal_circles[goal.terminal_circle];
+    append_arc(path, to.circle, goal.line.start.heading, goal.turn);
     const Path& connection = goals_[to.terminal].connection;
     path.insert(path.end(), connection.begin(), connection.end());
     return path;
@@ -341,27 +453,16 @@ class ArrivalSearch {
 
   static constexpr std::size_t kMostDirectPairs = 64;
 
+  const SearchMap& map_;
   const FeasibleGraph& graph_;
   const Vehicle& vehicle_;
-  const SweepQuery& sweep_;
+  double top_speed_;
   std::span<const Terminal> starts_;
   std::span<const Terminal> goals_;
-  SearchOptions options_;
-  Footprint body_;
-
-  std::vector<TerminalCircle> start_circles_;
-  std::vector<TerminalCircle> goal_circles_;
-  std::vector<TerminalLink> start_links_;
-  std::vector<GoalStep> goal_steps_;
-  std::vector<Path> direct_paths_;
-  std::priority_queue<Entry> open_;
-
-  std::vector<double> departure_cost_;
-  std::vector<Parent> departure_parent_;
-  std::vector<std::uint8_t> closed_;
-  std::vector<std::vector<TerminalLink>> goal_links_;
-  std::vector<std::uint8_t> goal_links_known_;
-  SearchResult result_;
+  const SearchOptions& options_;
+  Vec2 goal_;
+  SearchWorkspace::Data& w_;
+  SearchResult& result_;
 };
 
 }  // namespace
@@ -376,10 +477,11 @@ double relaxed_segment_time(double length, double v1, double v2, double v3, doub
   return segment_time(length, entry, v2, exit, acceleration);
 }
 
-SearchResult search_arrivals(const FeasibleGraph& graph, const Vehicle& vehicle, const SweepQuery& sweep,
-                             std::span<const Terminal> starts, std::span<const Terminal> goals,
-                             const SearchOptions& options) {
-  return ArrivalSearch(graph, vehicle, sweep, starts, goals, options).run();
+SearchResult search_arrivals(const SearchMap& map, std::span<const Terminal> starts, std::span<const Terminal> goals,
+                             const SearchOptions& options, SearchWorkspace& workspace) {
+  SearchResult result;
+  ArrivalSearch(map, starts, goals, options, *workspace, result).run();
+  return result;
 }
 
 }  // namespace arcway

@@ -35,9 +35,8 @@ std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, con
   const bool forwards = direction == Direction::kFromStart;
   const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
   const double step = radius * kStepTurn;
-  const double slowest = vehicle.turn_speed(radius);
 
-  std::vector<Node> nodes{{{pose, {}, 0.0}, 0.0}};
+  std::vector<Node> nodes{{{pose, {}}, 0.0}};
   using Waiting = std::pair<double, std::size_t>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> open;
   open.push({0.0, 0});
@@ -45,10 +44,9 @@ std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, con
 
   const auto reach = [&](std::size_t from, const PathSegment& segment, const Pose& reached) {
     if (!seen.insert(cell_of(reached, 0.5 * step)).second) return;
-    Node node{{reached, nodes[from].terminal.connection, 0.0}, nodes[from].length + segment.length};
+    Node node{{reached, nodes[from].terminal.connection}, nodes[from].length + segment.length};
     Path& connection = node.terminal.connection;
     connection.insert(forwards ? connection.end() : connection.begin(), segment);
-    node.terminal.cost = node.length / slowest;
     nodes.push_back(std::move(node));
     open.push({nodes.back().length, nodes.size() - 1});
   };

@@ -4,13 +4,10 @@
 #include <vector>
 
 #include "core/query/sweep_query.h"
-#include "core/search/arrival_search.h"
+#include "core/search/terminal_links.h"
 #include "core/vehicle.h"
 
 namespace arcway {
-
-/// Where to go by short sequences of arcs of one radius and straight steps.
-enum class Direction { kFromStart, kToGoal };
 
 /// Poses that free forward motions of equal short steps (left arc, right arc, straight) reach from a start, or from
 /// which they reach a goal, nearest first, the pose itself among them; at most one pose for each cell of a grid over

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
@@ -125,6 +126,65 @@ TEST(Planner, HeuristicsAgreeWhereTheyMust) {
 }
 
 World walled() { return World({{{{4, 0}, {6, 0}, {6, 10}, {4, 10}}, {}}}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}); }
+
+TEST(Planner, EndsASearchThatMayNotTakeAnyTime) {
+  const Planner planner(walled(), Vehicle{});
+  const PlanResult result = planner.plan({{2, 2, 1.57}, {2, 8, 1.57}}, {.time = 0.0});
+  EXPECT_EQ(result.status, PlanStatus::kTimeLimit);
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_TRUE(result.segments.empty());
+  EXPECT_EQ(result.reason, "no path was found within the time limit of 0 s");
+  const PlanResult unlimited = planner.plan({{2, 2, 1.57}, {2, 8, 1.57}}, {.time = 1e300});
+  EXPECT_TRUE(unlimited.solved());
+  EXPECT_FALSE(unlimited.interrupted);
+  EXPECT_THROW((void)planner.plan({{2, 2, 1.57}, {2, 8, 1.57}}, {.time = NAN}), std::invalid_argument);
+}
+
+TEST(Planner, EndsASearchThatIsStopped) {
+  const Planner planner(walled(), Vehicle{});
+  std::stop_source stop;
+  const PlanRequest request{{2, 2, 1.57}, {2, 8, 1.57}};
+  EXPECT_TRUE(planner.plan(request, {.stop = stop.get_token()}).solved());
+  stop.request_stop();
+  const PlanResult result = planner.plan(request, {.stop = stop.get_token()});
+  EXPECT_EQ(result.status, PlanStatus::kCancelled);
+  EXPECT_TRUE(result.interrupted);
+}
+
+TEST(Planner, PlansTheSameFromManyThreadsAtOnce) {
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 20, .vertices = 6, .fill = 0.2, .seed = 3});
+  const Planner eager(world, Vehicle{});
+  const Planner lazy(world, Vehicle{}, {.graph_mode = GraphMode::kLazy});
+  std::vector<PlanRequest> requests;
+  test::Random random(6);
+  const double side = world.box().max.x();
+  for (int i = 0; i < 12; ++i) {
+    const auto pose = [&] {
+      return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+    };
+    requests.push_back({.start = pose(), .goal = pose()});
+  }
+  std::vector<std::vector<PlanResult>> results(4);
+  std::vector<std::thread> threads;
+  for (auto& mine : results)
+    threads.emplace_back([&] {
+      for (const PlanRequest& request : requests) mine.push_back(lazy.plan(request));
+    });
+  for (std::thread& thread : threads) thread.join();
+  int solved = 0;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const PlanResult expected = eager.plan(requests[i]);
+    solved += expected.solved() ? 1 : 0;
+    for (const auto& mine : results) {
+      EXPECT_EQ(mine[i].status, expected.status);
+      EXPECT_EQ(mine[i].travel_time, expected.travel_time);
+      EXPECT_EQ(mine[i].length, expected.length);
+      EXPECT_EQ(mine[i].segments.size(), expected.segments.size());
+    }
+  }
+  EXPECT_GT(solved, 3);
+}
 
 TEST(Planner, SaysWhyThereIsNoPath) {
   const Planner planner(walled(), Vehicle{});

@@ -1,0 +1,137 @@
+#include "core/search/horizon.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr std::size_t kPieceEdges = 12;
+constexpr std::size_t kEnoughPieces = 64;
+constexpr double kFirstReach = 16.0;  // in radii
+constexpr double kSlack = 1e-6;       // of headings [rad], and of distances relative to them
+// A piece within a ball this wide, seen from the circle's centre, spans less than pi of headings.
+constexpr double kWidestPiece = 0.7;
+
+// Seen from a distance of 1: the headings of its ends differ by pi within 1e-3, far more than rounding.
+constexpr double kLongestEdge = 1000.0;
+
+}  // namespace
+
+Outlines::Outlines(const World& world) : starts_{0} {
+  std::vector<Box> boxes;
+  const auto add_ring = [&](VertexId first, VertexId last) {
+    const std::size_t edges = last - first;
+    for (std::size_t begin = 0; begin < edges; begin += kPieceEdges) {
+      Box box;
+      for (std::size_t i = begin; i <= std::min(begin + kPieceEdges, edges); ++i) {
+        points_.push_back(world.vertex(first + static_cast<VertexId>(i % edges)));
+        box.extend(points_.back());
+      }
+      starts_.push_back(points_.size());
+      boxes.push_back(box);
+    }
+  };
+  for (ObstacleId o = 0; o < world.region_count(); ++o) {
+    const auto rings = world.ring_starts(o);
+    for (std::size_t r = 0; r < rings.size(); ++r)
+      add_ring(rings[r], r + 1 < rings.size() ? rings[r + 1] : world.vertices_of(o).last);
+  }
+  tree_ = BoxTree(boxes);
+}
+
+Horizon::Horizon(const Outlines& outlines, const TurnCircle& circle) : Horizon() {
+  circle_ = circle;
+  std::size_t seen = 0;
+  for (double reach = kFirstReach * circle.radius; seen < kEnoughPieces; reach *= 2.0) {
+    const Box near{circle.center - Vec2(reach, reach), circle.center + Vec2(reach, reach)};
+    seen = 0;
+    outlines.visit_overlaps(near, [&](std::span<const Vec2> outline) {
+      shorten(outline);
+      return ++seen < 4 * kEnoughPieces;
+    });
+    if (seen == outlines.size() || *std::max_element(far_.begin(), far_.end()) <= reach) break;
+  }
+}
+
+void Horizon::shorten(std::span<const Vec2> outline) {
+  Box box;
+  for (const Vec2& p : outline) box.extend(p);
+  const double half = 0.5 * (box.max - box.min).norm();
+  const double distance = (0.5 * (box.min + box.max) - circle_.center).norm();
+  if (half > kWidestPiece * distance || distance - half <= circle_.radius * (1.0 + kSlack)) {
+    if (outline.size() == 2) return shorten_by_edge({outline[0], outline[1]});
+    const std::size_t middle = outline.size() / 2;
+    shorten(outline.subspan(0, middle + 1));
+    shorten(outline.subspan(middle));
+    return;
+  }
+  shorten_by(outline);
+}
+
+// An edge outside of the circle spans less than pi of headings, however long it is.
+void Horizon::shorten_by_edge(const std::array<Vec2, 2>& edge) {
+  const Vec2 along = edge[1] - edge[0];
+  const double t = std::clamp((circle_.center - edge[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  const double distance = (edge[0] + t * along - circle_.center).norm();
+  const bool clear = distance > circle_.radius * (1.0 + kSlack) && along.norm() < kLongestEdge * distance;
+  if (clear) shorten_by(edge);
+}
+
+void Horizon::shorten_by(std::span<const Vec2> outline) {
+  // Directions of the straights through the points: d = length t + offset n, see directed_bitangent.
+  const double offset = -sign_of(circle_.side) * circle_.radius;
+  Vec2 low, high;
+  double far = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 d = outline[i] - circle_.center;
+    const double length = std::sqrt(d.squaredNorm() - offset * offset);
+    const Vec2 t = length * d - offset * perpendicular(d);
+    if (i == 0 || cross(t, low) > 0.0) low = t;
+    if (i == 0 || cross(high, t) > 0.0) high = t;
+    far = std::max(far, length);
+  }
+  far *= 1.0 + kSlack;
+  const double from = wrap_positive(std::atan2(low.y(), low.x())) + kSlack;
+  const double to = from + std::atan2(cross(low, high), low.dot(high)) - 2.0 * kSlack;
+  const auto first = static_cast<long>(std::ceil(from * (kHeadings / kTwoPi)));
+  const auto last = static_cast<long>(std::floor(to * (kHeadings / kTwoPi)));  // ranges [first, last)
+  for (long k = first; k < last; ++k) {
+    double& known = far_[static_cast<std::size_t>(k) % kHeadings];
+    known = std::min(known, far);
+  }
+}
+
+double Horizon::reach(double heading) const {
+  const auto range = static_cast<std::size_t>(wrap_positive(heading) * (kHeadings / kTwoPi));
+  return far_[std::min(range, kHeadings - 1)];
+}
+
+bool Horizon::hides(const Box& box) const {
+  const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
+  const double near = (nearest - circle_.center).norm();
+  if (near <= circle_.radius * (1.0 + kSlack)) return false;
+  const Vec2 d = 0.5 * (box.min + box.max) - circle_.center;
+  const double half = 0.5 * (box.max - box.min).norm();
+  const double distance = d.norm();
+  if (distance <= half) return false;
+  // Headings of the straights to the ball around the box.
+  const double spread = std::asin(half / distance);
+  const double toward = std::atan2(d.y(), d.x());
+  const double lead_near = std::asin(circle_.radius / near);
+  const double lead_far = std::asin(circle_.radius / std::max(near, distance + half));
+  const bool left = circle_.side == Side::kLeft;
+  const double low = toward - spread + (left ? lead_far : -lead_near) - kSlack;
+  const double high = toward + spread + (left ? lead_near : -lead_far) + kSlack;
+  const double closest = std::sqrt((near - circle_.radius) * (near + circle_.radius)) * (1.0 - kSlack);
+  const auto first = static_cast<long>(std::floor(low * (kHeadings / kTwoPi))) + static_cast<long>(kHeadings);
+  const auto last = static_cast<long>(std::floor(high * (kHeadings / kTwoPi))) + static_cast<long>(kHeadings);
+  for (long k = first; k <= last; ++k)
+    if (far_[static_cast<std::size_t>(k) % kHeadings] >= closest) return false;
+  return true;
+}
+
+}  // namespace arcway

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/geometry/box_tree.h"
+#include "core/graph/turn_circle.h"
+#include "core/world.h"
+
+namespace arcway {
+
+/// The outlines of all regions in short pieces, to be looked up by place. Immutable.
+class Outlines {
+ public:
+  explicit Outlines(const World& world);
+
+  /// Calls visit(points of a piece in order) for each piece near a box, until a call returns false.
+  template <class Visitor>
+  bool visit_overlaps(const Box& box, Visitor&& visit) const {
+    return tree_.visit_overlaps(box, [&](std::uint32_t i) {
+      return visit(std::span(points_).subspan(starts_[i], starts_[i + 1] - starts_[i]));
+    });
+  }
+  [[nodiscard]] std::size_t size() const { return tree_.size(); }
+
+ private:
+  std::vector<Vec2> points_;
+  std::vector<std::size_t> starts_;
+  BoxTree tree_;
+};
+
+/// How far, at most, the reference point gets on a straight that leaves a directed circle, by heading: an upper bound
+/// from some of the outlines near by, so that what lies behind them need not be looked at.
+///
+/// A piece of outline that all straights within a range of headings cross ends all of them. The bound holds whatever
+/// the rounding: ranges are narrowed and distances raised by far more than it. It needs a body that covers its
+/// reference point.
+class Horizon {
+ public:
+  /// Unlimited.
+  Horizon() { far_.fill(std::numeric_limits<double>::infinity()); }
+  Horizon(const Outlines& outlines, const TurnCircle& circle);
+
+  /// No free straight of this heading is longer [m].
+  [[nodiscard]] double reach(double heading) const;
+  /// Whether all points of a box lie behind the horizon.
+  [[nodiscard]] bool hides(const Box& box) const;
+
+ private:
+  static constexpr std::size_t kHeadings = 512;
+  void shorten(std::span<const Vec2> outline);
+  void shorten_by_edge(const std::array<Vec2, 2>& edge);
+  void shorten_by(std::span<const Vec2> outline);
+
+  TurnCircle circle_{};
+  std::array<double, kHeadings> far_;  // by heading, in equal ranges from 0
+};
+
+}  // namespace arcway

@@ -1,0 +1,109 @@
+#include "core/search/speed_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/path/speed_profile.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr int kSamples = 5;  // speeds at which two joints are compared
+
+}  // namespace
+
+void SpeedTree::reset(double acceleration) {
+  acceleration_ = acceleration;
+  joints_.assign(1, Joint{});
+}
+
+SpeedTree::Joint SpeedTree::extend(const Joint& from, double length, double limit, double next_limit) const {
+  Joint joint{kNoJoint, length, limit, 0.0, 0.0};
+  const double change = 2.0 * acceleration_ * length;
+  joint.speed = std::min({limit, next_limit, std::sqrt(from.speed * from.speed + change)});
+  if (!(length > 0.0)) {
+    joint.time = joint.speed < from.speed ? time_at(from, joint.speed) : from.time;
+  } else if (from.speed == limit && joint.speed == limit) {
+    joint.time = from.time + length / limit;
+  } else if (const double entry = std::sqrt(joint.speed * joint.speed + change); entry < from.speed) {
+    joint.time = time_at(from, entry) + 2.0 * length / (entry + joint.speed);
+  } else {
+    joint.time = from.time + segment_time(length, from.speed, limit, joint.speed, acceleration_);
+  }
+  return joint;
+}
+
+SpeedTree::Joint SpeedTree::extend(std::uint32_t from, double length, double limit, double next_limit) const {
+  Joint joint = extend(joints_[from], length, limit, next_limit);
+  joint.before = from;
+  return joint;
+}
+
+std::uint32_t SpeedTree::add(std::uint32_t from, double length, double limit, double next_limit) {
+  joints_.push_back(extend(from, length, limit, next_limit));
+  return static_cast<std::uint32_t>(joints_.size() - 1);
+}
+
+SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
+  const double a = acceleration_;
+  double braking = 0.0;
+  const Joint* at = &joint;
+  while (at->before != kNoJoint) {
+    const Joint& before = joints_[at->before];
+    const double length = at->length;
+    if (length > 0.0) {
+      const double entry = std::sqrt(speed * speed + 2.0 * a * length);
+      if (entry >= before.speed) {
+        const double peak = std::sqrt(0.5 * (2.0 * a * length + before.speed * before.speed + speed * speed));
+        return {before.time + segment_time(length, before.speed, at->limit, speed, a) + braking,
+                std::min(peak, at->limit)};
+      }
+      braking += 2.0 * length / (entry + speed);
+      speed = entry;
+    } else if (speed >= before.speed) {
+      return {before.time + braking, before.speed};
+    }
+    at = &before;
+  }
+  return {at->time + braking, at->speed};
+}
+
+bool SpeedTree::dominates(const Joint& a, const Joint& b) const {
+  // A path that arrives slower by d makes up for it by accelerating, and loses d / a_max at most.
+  const auto upper = [&](double speed) {
+    return speed > a.speed ? a.time + (speed - a.speed) / acceleration_ : time_at(a, speed);
+  };
+  const double at_top = upper(b.speed);
+  if (at_top > b.time) return false;
+  const double at_rest = upper(0.0);
+  if (at_rest <= b.time) return true;
+
+  // T is convex: chords of a above it, tangents of b below it.
+  struct Sample {
+    double speed, above, below, slope;
+  };
+  const auto sample = [&](int i) {
+    const double speed = b.speed * i / (kSamples - 1);
+    const Passing passing = pass(b, speed);
+    const double slope = passing.peak > 0.0 ? -(1.0 - speed / passing.peak) / acceleration_ : 0.0;
+    return Sample{speed, upper(speed), passing.time, std::min(slope, 0.0)};
+  };
+  Sample low = sample(0);
+  if (low.above > low.below) return false;
+  for (int i = 1; i < kSamples; ++i) {
+    const Sample high = sample(i);
+    if (high.above > high.below) return false;
+    if (high.slope > low.slope) {
+      const double width = high.speed - low.speed;
+      const double crossing = std::clamp((low.below - high.below + high.slope * width) / (high.slope - low.slope), 0.0,
+                                         width);  // of the two tangents
+      if (low.above + (high.above - low.above) * crossing / width > low.below + low.slope * crossing) return false;
+    }
+    low = high;
+  }
+  return true;
+}
+
+}  // namespace arcway

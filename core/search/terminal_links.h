@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/graph/turn_circle.h"
+#include "core/search/search_map.h"
+
+namespace arcway {
+
+/// A pose from which, or to which, the search connects to the graph.
+struct Terminal {
+  Pose pose;
+  Path connection;  ///< from the start to `pose`, or from `pose` to the goal; empty for start and goal themselves
+};
+
+/// Which end of the path.
+enum class Direction { kFromStart, kToGoal };
+
+/// One of the circles by which a terminal joins the graph.
+struct TerminalCircle {
+  std::uint32_t terminal;
+  TurnCircle circle;
+  double heading;  ///< of the terminal's pose
+  double reach;    ///< how far the circle is free from there [rad], backwards for goals; negative: not at all
+};
+
+/// A straight between a terminal's circle and one of the graph. The body is free on the terminal's circle; the graph's
+/// circle and the swept rectangle remain to be checked.
+struct TerminalLink {
+  std::uint32_t terminal_circle;
+  std::uint32_t circle;
+  Bitangent line;
+  double turn;  ///< on the terminal's circle [rad]
+};
+
+/// Appends the left and right circles of every radius for each terminal. O(terminals * radii) heading sets.
+void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
+                    std::vector<TerminalCircle>& circles);
+
+/// Appends the straights between circles[index] and the graph, but for some that are certainly blocked. Looks only at
+/// the vertices that the obstacles near by do not hide.
+void append_links(const SearchMap& map, std::span<const TerminalCircle> circles, std::uint32_t index,
+                  Direction direction, std::vector<TerminalLink>& links);
+
+}  // namespace arcway

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "core/search/arrival_search.h"
+
+namespace arcway {
+
+/// Workspaces for searches at the same time: as many as there ever were at once. Thread-safe.
+class WorkspacePool {
+ public:
+  /// A workspace for as long as this lives.
+  class Lease {
+   public:
+    explicit Lease(WorkspacePool& pool) : pool_(pool), workspace_(pool.take()) {}
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+    ~Lease() { pool_.put_back(std::move(workspace_)); }
+    SearchWorkspace& operator*() { return workspace_; }
+
+   private:
+    WorkspacePool& pool_;
+    SearchWorkspace workspace_;
+  };
+
+ private:
+  SearchWorkspace take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return {};
+    SearchWorkspace workspace = std::move(idle_.back());
+    idle_.pop_back();
+    return workspace;
+  }
+  void put_back(SearchWorkspace workspace) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(workspace));
+  }
+
+  std::mutex mutex_;
+  std::vector<SearchWorkspace> idle_;
+};
+
+}  // namespace arcway

@@ -1,0 +1,121 @@
+#include "core/graph/feasible_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+#include "datasets/clutter.h"
+
+namespace arcway {
+namespace {
+
+struct Case {
+  World world = random_world({.kind = ClutterKind::kStar, .obstacles = 20, .vertices = 6, .fill = 0.3, .seed = 5});
+  Vehicle vehicle;
+  QuerySet queries = make_reference_queries(world);
+  VisibilityGraph visibility = build_reduced_visibility_graph(world, *queries.visibility);
+  std::vector<double> radii = {vehicle.min_turning_radius(), 2.0 * vehicle.min_turning_radius()};
+  [[nodiscard]] FeasibleGraph graph(GraphMode mode) const {
+    return FeasibleGraph(world, vehicle, visibility, queries, radii, SerialExecutor(), mode);
+  }
+};
+
+std::vector<FeasibleGraph::Link> kept_links(const FeasibleGraph& graph) {
+  std::vector<FeasibleGraph::Link> kept;
+  for (std::uint32_t c = 0; c < graph.circles().size(); ++c) {
+    const auto links = graph.links_from(c);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      if (graph.is_kept(c, i)) kept.push_back(links[i]);
+  }
+  return kept;
+}
+
+void expect_same(std::span<const FeasibleGraph::Link> a, std::span<const FeasibleGraph::Link> b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].from, b[i].from);
+    EXPECT_EQ(a[i].to, b[i].to);
+    EXPECT_EQ(a[i].heading, b[i].heading);
+    EXPECT_EQ(a[i].length, b[i].length);
+  }
+}
+
+TEST(FeasibleGraph, KeepsWhatIsFreeAndNothingElse) {
+  const Case c;
+  const FeasibleGraph graph = c.graph(GraphMode::kEager);
+  const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
+  const auto free = [&](std::uint32_t circle, double heading) {
+    const TurnCircle& t = graph.circles()[circle];
+    return c.queries.sweep->free_headings(TurningBody{t.center, t.radius, t.side, body}).contains(heading);
+  };
+  std::size_t kept = 0;
+  for (VertexId u = 0; u < c.visibility.vertex_count(); ++u)
+    for (const VertexId v : c.visibility.row(u))
+      for (const auto& [from, to] : {std::pair{u, v}, std::pair{v, u}})
+        for (std::uint32_t a = 0; a < graph.circles().size(); ++a)
+          for (std::uint32_t b = 0; b < graph.circles().size(); ++b) {
+            const TurnCircle& first = graph.circles()[a];
+            const TurnCircle& second = graph.circles()[b];
+            if (first.vertex != from || second.vertex != to) continue;
+            // Each circle turns round its own obstacle.
+            if (obstacle_side(c.world, from, c.world.vertex(to)) == first.side) continue;
+            if (obstacle_side(c.world, to, c.world.vertex(from)) != second.side) continue;
+            const auto line = directed_bitangent(first, second);
+            if (!line || !free(a, line->start.heading) || !free(b, line->start.heading)) continue;
+            if (!c.queries.sweep->straight_free(swept_rectangle(line->start, line->length, body))) continue;
+            ++kept;
+            const auto links = graph.links_from(a);
+            EXPECT_TRUE(std::any_of(links.begin(), links.end(), [&](const auto& link) { return link.to == b; }));
+          }
+  EXPECT_EQ(graph.links().size(), kept);
+  const FeasibleGraphCounts counts = graph.counts();
+  EXPECT_EQ(counts.kept, kept);
+  EXPECT_EQ(counts.candidates, counts.kept + counts.rejected_overlap + counts.rejected_departure +
+                                   counts.rejected_arrival + counts.rejected_straight);
+}
+
+TEST(FeasibleGraph, IsTheSameWhenChecksWaitUntilTheyAreAskedFor) {
+  const Case c;
+  const FeasibleGraph eager = c.graph(GraphMode::kEager);
+  const FeasibleGraph lazy = c.graph(GraphMode::kLazy);
+  EXPECT_EQ(lazy.counts().kept, 0u);
+  EXPECT_EQ(lazy.counts().candidates, eager.counts().candidates);
+  expect_same(kept_links(lazy), eager.links());
+  for (std::uint32_t circle = 0; circle < eager.circles().size(); ++circle) {
+    const auto a = eager.free_headings(circle).intervals();
+    const auto b = lazy.free_headings(circle).intervals();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].low, b[i].low);
+  }
+  EXPECT_EQ(lazy.counts().kept, eager.counts().kept);
+  EXPECT_EQ(lazy.counts().circles_blocked, eager.counts().circles_blocked);
+  EXPECT_EQ(lazy.counts().rejected_overlap, eager.counts().rejected_overlap);
+  EXPECT_EQ(lazy.counts().rejected_departure, eager.counts().rejected_departure);
+  EXPECT_EQ(lazy.counts().rejected_arrival, eager.counts().rejected_arrival);
+  EXPECT_EQ(lazy.counts().rejected_straight, eager.counts().rejected_straight);
+}
+
+TEST(FeasibleGraph, AnswersManyThreadsAtOnce) {
+  const Case c;
+  const FeasibleGraph eager = c.graph(GraphMode::kEager);
+  const FeasibleGraph lazy = c.graph(GraphMode::kLazy);
+  std::vector<std::vector<FeasibleGraph::Link>> kept(4);
+  std::vector<std::thread> threads;
+  for (auto& links : kept) threads.emplace_back([&lazy, &links] { links = kept_links(lazy); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& links : kept) expect_same(links, eager.links());
+}
+
+TEST(FeasibleGraph, StopsWhenAsked) {
+  const Case c;
+  std::stop_source stop;
+  stop.request_stop();
+  const SerialExecutor serial;
+  const StoppableExecutor executor(serial, stop.get_token());
+  EXPECT_THROW(FeasibleGraph(c.world, c.vehicle, c.visibility, c.queries, c.radii, executor), Cancelled);
+  EXPECT_THROW((void)build_reduced_visibility_graph(c.world, *c.queries.visibility, executor), Cancelled);
+}
+
+}  // namespace
+}  // namespace arcway

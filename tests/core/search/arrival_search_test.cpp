@@ -1,0 +1,191 @@
+#include "core/search/arrival_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "core/path/dubins.h"
+#include "core/path/speed_profile.h"
+#include "datasets/clutter.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+SearchMap make_map(const World& world, const Vehicle& vehicle, const std::vector<double>& radii, GraphMode mode) {
+  const QuerySet queries = make_reference_queries(world);
+  const VisibilityGraph visibility = build_reduced_visibility_graph(world, *queries.visibility);
+  return SearchMap(world, vehicle, queries, radii,
+                   FeasibleGraph(world, vehicle, visibility, queries, radii, SerialExecutor(), mode));
+}
+
+// Every path of the graph whose time could be below a bound, one by one, without comparing any two of them.
+class Enumeration {
+ public:
+  Enumeration(const SearchMap& map, const Pose& start, const Pose& goal, double bound)
+      : map_(map), start_(start), goal_(goal), best_(bound) {}
+
+  double best() {
+    for (const double radius : map_.radii)
+      for (const DubinsWord word : kDubinsWords)
+        if (const auto path = dubins_path(word, start_, goal_, radius))
+          if (std::all_of(path->begin(), path->end(), [this](const PathSegment& s) { return is_free(s); })) end(*path);
+    for (const double radius : map_.radii)
+      for (const Side side : {Side::kLeft, Side::kRight}) {
+        const TurnCircle circle = turn_circle(start_, radius, side);
+        for (std::uint32_t c = 0; c < map_.graph.circles().size(); ++c)
+          if (const auto line = directed_bitangent(circle, map_.graph.circles()[c]))
+            if (try_push(circle, start_.heading, *line)) {
+              visit(c, line->start.heading);
+              pop();
+            }
+      }
+    return best_;
+  }
+  [[nodiscard]] std::size_t paths() const { return paths_; }
+
+ private:
+  bool is_free(const PathSegment& s) const {
+    if (s.is_line()) return map_.queries.sweep->straight_free(swept_rectangle(s.start, s.length, map_.body));
+    const Side side = s.curvature > 0.0 ? Side::kLeft : Side::kRight;
+    const TurnCircle circle = turn_circle(s.start, 1.0 / std::abs(s.curvature), side);
+    return map_.queries.sweep->free_headings({circle.center, circle.radius, side, map_.body})
+               .reach(s.start.heading, side) >= s.length * std::abs(s.curvature);
+  }
+
+  bool try_push(const TurnCircle& circle, double heading, const Bitangent& line) {
+    const double turn = turn_between(heading, line.start.heading, circle.side);
+    const PathSegment arc{pose_on(circle, heading), turn * circle.radius, sign_of(circle.side) / circle.radius};
+    const PathSegment straight{line.start, line.length, 0.0};
+    path_.push_back(arc);
+    path_.push_back(straight);
+    // No way to go on from here is faster than straight to the goal at top speed.
+    const Vec2 here = straight.end().position();
+    const double distance = (goal_.position() - here).norm();
+    Path relaxed = path_;
+    relaxed.push_back({straight.end(), distance, 0.0});
+    const bool hopeful = speed_profile(relaxed, map_.vehicle).total_time <= best_ + 1e-9;
+    if (hopeful && is_free(straight) && (turn == 0.0 || is_free(arc))) return true;
+    pop();
+    return false;
+  }
+  void pop() { path_.resize(path_.size() - 2); }
+
+  void end(const Path& path) {
+    ++paths_;
+    best_ = std::min(best_, speed_profile(path, map_.vehicle).total_time);
+  }
+
+  void visit(std::uint32_t c, double heading) {
+    const TurnCircle& circle = map_.graph.circles()[c];
+    if (!map_.graph.free_headings(c).contains(heading)) return;
+    for (const double radius : map_.radii)
+      for (const Side side : {Side::kLeft, Side::kRight}) {
+        const TurnCircle last = turn_circle(goal_, radius, side);
+        const auto line = directed_bitangent(circle, last);
+        if (!line || !try_push(circle, heading, *line)) continue;
+        const double turn = turn_between(line->start.heading, goal_.heading, side);
+        const PathSegment arc{pose_on(last, line->start.heading), turn * radius, sign_of(side) / radius};
+        if (turn == 0.0 || is_free(arc)) {
+          path_.push_back(arc);
+          end(path_);
+          path_.pop_back();
+        }
+        pop();
+      }
+    const auto links = map_.graph.links_from(c);
+    for (const FeasibleGraph::Link& link : links)
+      if (try_push(circle, heading, {pose_on(circle, link.heading), link.length})) {
+        visit(link.to, link.heading);
+        pop();
+      }
+  }
+
+  const SearchMap& map_;
+  Pose start_, goal_;
+  Path path_;
+  double best_;
+  std::size_t paths_ = 0;
+};
+
+TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
+  test::Random random(11);
+  SearchWorkspace workspace;
+  int solved = 0;
+  std::size_t paths = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const World world = random_world({.kind = ClutterKind::kConvex,
+                                      .obstacles = 4,
+                                      .vertices = 4,
+                                      .fill = 0.2,
+                                      .min_radius = 3.0,
+                                      .max_radius = 6.0,
+                                      .seed = seed});
+    VehicleParameters parameters;
+    parameters.max_acceleration = std::array{1.0, 2.0, 4.0, 50.0}[seed % 4];
+    if (seed % 3 != 0) parameters.turn_speed = LateralAccelerationLimit{2.0};
+    const Vehicle vehicle(parameters);
+    std::vector<double> radii{vehicle.min_turning_radius()};
+    if (seed % 2 == 0) radii.push_back(3.0 * radii[0]);
+    const SearchMap map = make_map(world, vehicle, radii, GraphMode::kEager);
+    const double side = world.box().max.x();
+    for (int i = 0; i < 20; ++i) {
+      const auto pose = [&] {
+        return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+      };
+      const Terminal start{pose(), {}}, goal{pose(), {}};
+      const SearchResult result = search_arrivals(map, {&start, 1}, {&goal, 1}, {}, workspace);
+      if (!result.path) continue;
+      ++solved;
+      const double time = speed_profile(*result.path, vehicle).total_time;
+      Enumeration all(map, start.pose, goal.pose, time);
+      EXPECT_NEAR(all.best(), time, 1e-9 * time) << "seed " << seed << ", query " << i;
+      EXPECT_GE(all.paths(), 1u);
+      paths += all.paths();
+    }
+  }
+  EXPECT_GT(solved, 30);
+  EXPECT_GT(paths, 120u);
+}
+
+TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 6, .fill = 0.3, .seed = 2});
+  VehicleParameters parameters;
+  parameters.max_acceleration = 2.0;
+  parameters.turn_speed = LateralAccelerationLimit{2.0};
+  const Vehicle vehicle(parameters);
+  const std::vector<double> radii{vehicle.min_turning_radius(), 3.0 * vehicle.min_turning_radius()};
+  const SearchMap eager = make_map(world, vehicle, radii, GraphMode::kEager);
+  const SearchMap lazy = make_map(world, vehicle, radii, GraphMode::kLazy);
+  SearchWorkspace first, second;
+  test::Random random(4);
+  const double side = world.box().max.x();
+  int solved = 0;
+  for (int i = 0; i < 120; ++i) {
+    const auto pose = [&] {
+      return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+    };
+    const Terminal start{pose(), {}}, goal{pose(), {}};
+    const SearchResult a = search_arrivals(eager, {&start, 1}, {&goal, 1}, {}, first);
+    const SearchResult b = search_arrivals(lazy, {&start, 1}, {&goal, 1}, {}, second);
+    ASSERT_EQ(a.path.has_value(), b.path.has_value());
+    EXPECT_EQ(a.nodes_expanded, b.nodes_expanded);
+    if (!a.path) continue;
+    ++solved;
+    ASSERT_EQ(a.path->size(), b.path->size());
+    for (std::size_t k = 0; k < a.path->size(); ++k) {
+      EXPECT_EQ((*a.path)[k].start.x, (*b.path)[k].start.x);
+      EXPECT_EQ((*a.path)[k].start.y, (*b.path)[k].start.y);
+      EXPECT_EQ((*a.path)[k].start.heading, (*b.path)[k].start.heading);
+      EXPECT_EQ((*a.path)[k].length, (*b.path)[k].length);
+      EXPECT_EQ((*a.path)[k].curvature, (*b.path)[k].curvature);
+    }
+  }
+  EXPECT_GT(solved, 15);
+}
+
+}  // namespace
+}  // namespace arcway

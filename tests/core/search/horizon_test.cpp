@@ -1,0 +1,68 @@
+#include "core/search/horizon.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/query/query_set.h"
+#include "datasets/clutter.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+TEST(Horizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
+  const Footprint body = Vehicle{}.footprint();
+  int limited = 0, hidden = 0, reached = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const ClutterKind kind = seed % 2 == 0 ? ClutterKind::kStar : ClutterKind::kConvex;
+    const World world = random_world({.kind = kind, .obstacles = 60, .vertices = 7, .fill = 0.25, .seed = seed});
+    const QuerySet queries = make_reference_queries(world);
+    const Outlines outlines(world);
+    test::Random random(seed);
+    for (int i = 0; i < 40; ++i) {
+      const double far = world.box().max.x();
+      const Side side = i % 2 == 0 ? Side::kLeft : Side::kRight;
+      const TurnCircle circle{random.point(0.0, far), i % 4 == 0 ? 20.0 : 1.3, side, kNone};
+      const Horizon horizon(outlines, circle);
+      for (int k = 0; k < 100; ++k) {
+        const double heading = random.uniform(0.0, kTwoPi);
+        const double length = random.uniform(0.0, 0.5 * far);
+        const Pose start = pose_on(circle, heading);
+        if (std::isfinite(horizon.reach(heading))) ++limited;
+        const bool free = queries.sweep->straight_free(swept_rectangle(start, length, body));
+        EXPECT_TRUE(!free || length <= horizon.reach(heading)) << seed << " " << i;
+        const Vec2 end = start.position() + length * direction_of(heading);
+        const Vec2 extent(random.uniform(0.0, 5.0), random.uniform(0.0, 5.0));
+        const bool hides = horizon.hides({end - extent, end + random.unit() * extent});
+        EXPECT_FALSE(free && hides) << seed << " " << i;
+        hidden += hides ? 1 : 0;
+        reached += free ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(limited, 10000);
+  EXPECT_GT(hidden, 5000);
+  EXPECT_GT(reached, 500);
+}
+
+TEST(Horizon, IsUnlimitedWithoutObstacles) {
+  const Outlines outlines{World({})};
+  const Horizon horizon(outlines, {{3, 4}, 2.0, Side::kLeft, kNone});
+  EXPECT_TRUE(std::isinf(horizon.reach(1.0)));
+  EXPECT_FALSE(horizon.hides({{10, 10}, {20, 20}}));
+}
+
+TEST(Horizon, IsCutOffByALongWallSeenFromBothSides) {
+  // The wall passes through the circle's own disc: only what faces it from outside counts.
+  const World world({{{{-50, 10}, {50, 10}, {50, 12}, {-50, 12}}, {}}});
+  const Outlines outlines(world);
+  const Horizon below(outlines, {{0, 0}, 1.0, Side::kLeft, kNone});
+  EXPECT_LT(below.reach(0.5 * kPi), 60.0);
+  EXPECT_TRUE(std::isinf(below.reach(1.5 * kPi)));
+  EXPECT_TRUE(below.hides({{-1, 60}, {1, 62}}));
+  EXPECT_FALSE(below.hides({{-1, -62}, {1, -60}}));
+}
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,102 @@
+#include "core/search/speed_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/path/speed_profile.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+// A vehicle whose speed on an arc says what the radius is.
+Vehicle slow_in_turns(double acceleration) {
+  VehicleParameters parameters;
+  parameters.max_acceleration = acceleration;
+  parameters.turn_speed = LateralAccelerationLimit{2.0};
+  return Vehicle(parameters);
+}
+
+Path random_path(test::Random& random, std::size_t segments) {
+  Path path;
+  for (std::size_t i = 0; i < segments; ++i) {
+    const double length = random.integer(0, 9) == 0 ? 0.0 : random.uniform(0.1, random.integer(0, 1) == 0 ? 3.0 : 30.0);
+    path.push_back({{}, length, i % 2 == 0 ? 1.0 / random.uniform(1.3, 40.0) : 0.0});
+  }
+  return path;
+}
+
+double limit_on(const Vehicle& vehicle, const PathSegment& s) {
+  return s.is_line() ? vehicle.max_speed() : vehicle.turn_speed(1.0 / s.curvature);
+}
+
+std::uint32_t add_path(SpeedTree& tree, const Vehicle& vehicle, const Path& path, double last_limit,
+                       std::uint32_t joint = 0) {
+  for (std::size_t i = 0; i < path.size(); ++i)
+    joint = tree.add(joint, path[i].length, limit_on(vehicle, path[i]),
+                     i + 1 < path.size() ? limit_on(vehicle, path[i + 1]) : last_limit);
+  return joint;
+}
+
+TEST(SpeedTree, AgreesWithTheSpeedProfileAtEveryEndSpeed) {
+  test::Random random(3);
+  SpeedTree tree;
+  for (int i = 0; i < 2000; ++i) {
+    const Vehicle vehicle = slow_in_turns(i % 2 == 0 ? 2.0 : 50.0);
+    tree.reset(vehicle.max_acceleration());
+    const Path path = random_path(random, static_cast<std::size_t>(random.integer(1, 12)));
+    const SpeedTree::Joint& end = tree[add_path(tree, vehicle, path, vehicle.max_speed())];
+    for (const double speed : {0.0, 0.3 * end.speed, random.unit() * end.speed, end.speed}) {
+      const double time = speed_profile(path, vehicle, 0.0, speed).total_time;
+      EXPECT_NEAR(tree.time_at(end, speed), time, 1e-9 * (1.0 + time)) << i;
+    }
+    EXPECT_NEAR(tree.time_at(end, end.speed), end.time, 1e-9 * (1.0 + end.time));
+  }
+}
+
+TEST(SpeedTree, WhatOnePathDominatesIsNeverFasterInTheEnd) {
+  test::Random random(8);
+  SpeedTree tree;
+  int dominated = 0, faster = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vehicle vehicle = slow_in_turns(2.0);
+    tree.reset(vehicle.max_acceleration());
+    const Path first = random_path(random, 4);
+    Path second = first;  // near ties are what is hard
+    for (PathSegment& s : second) s.length *= random.uniform(0.8, 1.25);
+    const double limit = vehicle.turn_speed(random.uniform(1.3, 40.0));
+    const std::uint32_t a = add_path(tree, vehicle, first, limit);
+    const std::uint32_t b = add_path(tree, vehicle, second, limit);
+    if (!tree.dominates(tree[a], tree[b])) continue;
+    ++dominated;
+    for (int k = 0; k < 5; ++k) {
+      Path rest = random_path(random, static_cast<std::size_t>(random.integer(1, 5)));
+      rest.front() = {{}, rest.front().length, 2.0 / (limit * limit)};
+      const double from_a = tree[add_path(tree, vehicle, rest, 0.0, a)].time;
+      const double from_b = tree[add_path(tree, vehicle, rest, 0.0, b)].time;
+      EXPECT_LE(from_a, from_b + 1e-9) << i;
+      if (from_a < from_b) ++faster;
+    }
+  }
+  EXPECT_GT(dominated, 5000);
+  EXPECT_GT(faster, 20000);
+}
+
+TEST(SpeedTree, OneOfTwoPathsMostlyDominates) {
+  test::Random random(9);
+  SpeedTree tree;
+  const Vehicle vehicle = slow_in_turns(2.0);
+  int undecided = 0;
+  for (int i = 0; i < 1000; ++i) {
+    tree.reset(vehicle.max_acceleration());
+    const double limit = vehicle.turn_speed(random.uniform(1.3, 40.0));
+    const std::uint32_t a = add_path(tree, vehicle, random_path(random, 6), limit);
+    const std::uint32_t b = add_path(tree, vehicle, random_path(random, 6), limit);
+    if (!tree.dominates(tree[a], tree[b]) && !tree.dominates(tree[b], tree[a])) ++undecided;
+  }
+  EXPECT_LT(undecided, 200);
+}
+
+}  // namespace
+}  // namespace arcway
