@@ -44,6 +44,10 @@ void VectorMapBuilder::warn(const std::string& place, const std::string& message
 
 Ring VectorMapBuilder::ring(Ring positions, bool closed, const std::string& place) {
   const std::size_t given = positions.size();
+  if (options_.as_written) {
+    if (closed && positions.size() > 1 && positions.front() == positions.back()) positions.pop_back();
+    return positions;
+  }
   positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
   if (positions.size() > 1 && positions.front() == positions.back()) {
     positions.pop_back();

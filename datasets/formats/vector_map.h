@@ -18,6 +18,8 @@ struct VectorOptions {
   bool lonlat = false;
   /// Above 0, line strings are walls of this width with square ends [m]; otherwise they are passed over with a warning.
   double wall_width = 0.0;
+  /// Rings keep repeated positions, and may have fewer than three: for the doctor, as World refuses them.
+  bool as_written = false;
 };
 
 namespace detail {
@@ -28,7 +30,8 @@ class VectorMapBuilder {
   /// @param name  of the source, for messages.
   VectorMapBuilder(std::string_view name, const VectorOptions& options) : name_(name), options_(options) {}
 
-  /// Drops consecutive repetitions and the closing position.
+  /// Drops consecutive repetitions and the closing position; as_written, one closing position alone where the format
+  /// wants one.
   /// @param closed  whether the format repeats the first position at the end; warns if it is not there.
   /// @throws FormatError if fewer than three different positions are left.
   Ring ring(Ring positions, bool closed, const std::string& place);

@@ -83,7 +83,7 @@ TEST_F(Tool, HelpGoesToStandardOutput) {
   const Run result = run("--help");
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
-  for (const char* command : {"plan", "graph", "generate", "validate"}) {
+  for (const char* command : {"plan", "graph", "generate", "validate", "doctor"}) {
     EXPECT_NE(result.out.find(command), std::string::npos);
     EXPECT_EQ(run(std::string(command) + " --help").code, 0);
   }
@@ -232,6 +232,28 @@ TEST_F(Tool, TakesNamesOfTheCatalogueWhereNoSuchFileExists) {
   expect_bad_input("plan clutter/cube/n20 --start 1,1,0 --goal 2,2,0", "unknown kind \"cube\"");
   expect_bad_input("generate clutter/star --seed 3 --out " + file("w.geojson"), "--seed");
   expect_bad_input("generate clutter/star", "--out");
+}
+
+TEST_F(Tool, TheDoctorExaminesMapsThatPlanningRefuses) {
+  const std::string bow_tie =
+      put("bow.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[40,40],[40,40],[40,0],[0,40],[0,0]]]})");
+  const Run sick = run("doctor " + bow_tie + " --json " + file("d.json"));
+  EXPECT_EQ(sick.code, 1);
+  for (const char* text : {"REFUSED", "self-crossing: 1; the map is refused", "repeated vertex: 1", "at (20, 20)"})
+    EXPECT_NE(sick.out.find(text), std::string::npos) << text << "\n" << sick.out;
+  EXPECT_NE(read("d.json").find(R"("kind":"repeated vertex","place":"geometry, vertex 2","at":[40.0,40.0])"),
+            std::string::npos)
+      << read("d.json");
+  const Run repair = run("doctor " + bow_tie + " --repair " + file("clean.geojson"));
+  if (repair.code == 2) {
+    EXPECT_NE(repair.err.find("built without"), std::string::npos);
+  } else {
+    EXPECT_EQ(repair.code, 1);  // of the map that was given
+    EXPECT_EQ(run("doctor " + file("clean.geojson")).code, 0);
+    EXPECT_EQ(run("graph " + file("clean.geojson")).code, 0);
+  }
+  EXPECT_EQ(run("doctor " + map_).code, 0);
+  EXPECT_NE(run("doctor " + map_).out.find("nothing found"), std::string::npos);
 }
 
 TEST_F(Tool, GenerateGivesTheSameMapForTheSameSeed) {

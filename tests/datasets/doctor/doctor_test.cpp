@@ -1,0 +1,187 @@
+#include "datasets/doctor/doctor.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "datasets/catalogue.h"
+#include "datasets/doctor/repair.h"
+#include "datasets/formats/geojson.h"
+#include "datasets/formats/text_polygons.h"
+
+namespace arcway {
+namespace {
+
+Ring box(double left, double bottom, double right, double top) {
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+std::vector<FindingKind> kinds(const MapFile& map) {
+  std::vector<FindingKind> result;
+  for (const Finding& finding : examine(map).findings) result.push_back(finding.kind);
+  return result;
+}
+
+MapFile of(std::vector<Polygon> obstacles) {
+  MapFile map;
+  map.obstacles = std::move(obstacles);
+  return map;
+}
+
+using Kinds = std::vector<FindingKind>;
+
+TEST(Doctor, FindsNothingInACleanMap) {
+  const DoctorReport report = examine(of({{box(0, 0, 5, 5), {}}, {box(8, 0, 12, 5), {}}}));
+  EXPECT_TRUE(report.findings.empty());
+  EXPECT_TRUE(report.plans());
+  EXPECT_EQ(report.obstacles, 2u);
+  EXPECT_EQ(report.vertices, 8u);
+}
+
+TEST(Doctor, FindsWhatIsUnusualInARing) {
+  EXPECT_EQ(kinds(of({{{{0, 0}, {5, 0}, {5, 5}, {0, 0}}, {}}})), Kinds{FindingKind::kClosingVertex});
+  EXPECT_EQ(kinds(of({{{{0, 0}, {5, 0}, {5, 0}, {5, 5}}, {}}})), Kinds{FindingKind::kRepeatedVertex});
+  EXPECT_EQ(kinds(of({{{{0, 0}, {2, 0}, {5, 0}, {5, 5}}, {}}})), Kinds{FindingKind::kCollinearVertex});
+  EXPECT_EQ(kinds(of({{{{0, 0}, {5, 5}, {5, 0}}, {}}})), Kinds{FindingKind::kOrientation});
+  EXPECT_EQ(kinds(of({{box(0, 0, 9, 9), {box(2, 2, 4, 4)}}})), Kinds{FindingKind::kOrientation});
+}
+
+TEST(Doctor, FindsWhatPlanningRefuses) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::pair<Polygon, FindingKind>> cases = {
+      {{{{0, 0}, {5, 0}, {5, 0}}, {}}, FindingKind::kTooFewVertices},
+      {{{{0, 0}, {5, nan}, {5, 5}}, {}}, FindingKind::kOutOfRange},
+      {{{{0, 0}, {5, 1e200}, {5, 5}}, {}}, FindingKind::kOutOfRange},
+      {{{{0, 0}, {5, 0}, {8, 0}}, {}}, FindingKind::kZeroArea},
+      {{{{0, 0}, {5, 5}, {5, 0}, {0, 5}}, {}}, FindingKind::kSelfCrossing},
+      {{{{0, 0}, {5, 0}, {5, 5}, {5, 2}}, {}}, FindingKind::kEdgesOverlap},
+      {{box(0, 0, 5, 5), {{{7, 7}, {7, 8}, {8, 8}}}}, FindingKind::kMisplacedHole},
+  };
+  for (const auto& [polygon, kind] : cases) {
+    const DoctorReport report = examine(of({polygon}));
+    EXPECT_FALSE(report.plans()) << name_of(kind);
+    EXPECT_EQ(report.findings.back().kind, kind) << name_of(report.findings.back().kind);
+    EXPECT_THROW(to_world(without_repetitions(of({polygon})), "map"), FormatError) << name_of(kind);
+  }
+}
+
+TEST(Doctor, FindsWhatObstaclesDoToEachOther) {
+  const Polygon square{box(0, 0, 10, 10), {}};
+  EXPECT_EQ(kinds(of({square, {box(10, 0, 15, 5), {}}})), Kinds{FindingKind::kTouching});
+  EXPECT_EQ(kinds(of({square, {box(5, 5, 15, 15), {}}})), Kinds{FindingKind::kOverlap});
+  EXPECT_EQ(kinds(of({square, {box(5, 5, 7, 7), {}}})), Kinds{FindingKind::kContainment});
+  EXPECT_EQ(kinds(of({square, square})), Kinds{FindingKind::kDuplicate});
+}
+
+TEST(Doctor, FindsObstaclesBeyondTheBounds) {
+  MapFile map = of({{box(1, 1, 3, 3), {}}, {box(8, 8, 12, 12), {}}, {box(20, 20, 30, 30), {}}, {box(0, 5, 1, 6), {}}});
+  map.bounds = box(0, 0, 10, 10);
+  const auto found = examine(map).findings;
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].kind, FindingKind::kCrossesBounds);
+  EXPECT_EQ(found[0].place, "obstacle 1");
+  EXPECT_EQ(found[1].kind, FindingKind::kOutsideBounds);
+  EXPECT_EQ(found[1].place, "obstacle 2");
+  EXPECT_TRUE(examine(map).plans());
+}
+
+TEST(Doctor, FindsCoordinatesThatAreDegreesOrFar) {
+  EXPECT_EQ(kinds(of({{box(13.4, 52.5, 13.41, 52.51), {}}})), Kinds{FindingKind::kDegrees});
+  EXPECT_EQ(kinds(of({{box(1e7, 0, 1e7 + 5, 5), {}}})), Kinds{FindingKind::kFarFromOrigin});
+  EXPECT_TRUE(kinds(of({{box(8e6, 0, 8e6 + 5, 5), {}}})).empty());
+}
+
+TEST(Doctor, NamesThePlaceInTheFile) {
+  const MapFile map = read_geojson(
+      R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":"MultiPolygon","coordinates":[
+      [[[0,0],[9,0],[9,9],[0,9],[0,0]]],
+      [[[20,0],[29,0],[29,9],[29,9],[20,9],[20,0]],[[22,2],[24,2],[24,4],[22,4],[22,2]]]]}}]})",
+      "two.geojson", {.as_written = true});
+  const auto found = examine(map).findings;
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].place, "feature 0, polygon 1, ring 0, vertex 3");
+  EXPECT_EQ(*found[0].at, Vec2(29, 9));
+  EXPECT_EQ(found[1].place, "feature 0, polygon 1, ring 1");
+  EXPECT_EQ(found[1].what, "hole runs counter-clockwise");
+}
+
+// Whatever the doctor calls plannable, World takes, and the other way round.
+TEST(Doctor, AgreesWithWorldOnTheCatalogue) {
+  for (const CatalogueFamily& family : catalogue_families()) {
+    if (family.name == "paper") continue;
+    for (const std::string_view kind : family.kinds.empty() ? std::vector<std::string_view>{""} : family.kinds) {
+      const std::string name = std::string(family.name) + (kind.empty() ? "" : "/" + std::string(kind)) + "/s3";
+      EXPECT_TRUE(examine(catalogue_map(name)).plans()) << name;
+    }
+  }
+  const auto count = [](const char* name, FindingKind kind) {
+    const std::vector<FindingKind> found = kinds(catalogue_map(name));
+    return std::count(found.begin(), found.end(), kind);
+  };
+  EXPECT_GT(count("adversarial/touching/v1000", FindingKind::kTouching), 100);
+  EXPECT_EQ(count("adversarial/touching/v1000", FindingKind::kOverlap), 0);
+  EXPECT_GT(count("adversarial/overlapping/v1000", FindingKind::kOverlap), 50);
+  EXPECT_GT(count("adversarial/overlapping/v1000", FindingKind::kDuplicate), 3);
+  EXPECT_GT(count("adversarial/nested/v1000", FindingKind::kContainment), 30);
+  EXPECT_EQ(count("adversarial/shared/v1000", FindingKind::kContainment), 0);
+}
+
+class Repair : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!can_repair()) GTEST_SKIP() << "built without GEOS";
+  }
+  static double area(const MapFile& map) {
+    double sum = 0.0;
+    for (const Polygon& polygon : map.obstacles) {
+      sum += signed_area(polygon.outer);
+      for (const Ring& hole : polygon.holes) sum += signed_area(hole);
+    }
+    return sum;
+  }
+  // World takes the result, and nothing is left to find but contacts in single points.
+  static MapFile repair(const MapFile& map) {
+    MapFile clean = repaired(map);
+    for (const Finding& finding : examine(clean).findings)
+      EXPECT_EQ(finding.kind, FindingKind::kTouching) << name_of(finding.kind) << ' ' << finding.place;
+    EXPECT_NO_THROW(to_world(clean, "repaired"));
+    return clean;
+  }
+};
+
+TEST_F(Repair, MakesBrokenRingsValid) {
+  EXPECT_EQ(area(repair(of({{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}, {}}}))), 8.0);  // a bow tie: two triangles
+  EXPECT_EQ(area(repair(of({{{{0, 0}, {4, 0}, {4, 4}, {4, 2}, {4, 4}, {0, 4}}, {}}}))), 16.0);  // a spike along an edge
+  EXPECT_EQ(area(repair(of({{{{0, 0}, {5, 0}, {9, 0}}, {}}}))), 0.0);                           // no area: gone
+  EXPECT_EQ(area(repair(of({{{{0, 0}, {0, 4}, {4, 4}, {4, 4}, {4, 0}, {2, 0}, {0, 0}}, {}}}))), 16.0);
+}
+
+TEST_F(Repair, JoinsWhatOverlapsOrSharesEdges) {
+  const MapFile joined = repair(of({{box(0, 0, 4, 4), {}}, {box(2, 2, 6, 6), {}}, {box(6, 2, 8, 6), {}}}));
+  EXPECT_EQ(joined.obstacles.size(), 1u);
+  EXPECT_EQ(area(joined), 36.0);
+  EXPECT_EQ(repair(of({{box(0, 0, 4, 4), {}}, {box(0, 0, 4, 4), {}}})).obstacles.size(), 1u);
+}
+
+TEST_F(Repair, KeepsTheLargestPartOfBrokenBounds) {
+  MapFile map = of({{box(1, 1, 2, 2), {}}});
+  map.bounds = Ring{{0, 0}, {10, 0}, {10, 10}, {-1, 10}, {-1, 11}, {0, 11}};
+  const MapFile clean = repaired(map);
+  ASSERT_TRUE(clean.bounds);
+  EXPECT_NO_THROW(to_world(clean, "repaired"));
+  EXPECT_GT(signed_area(*clean.bounds), 90.0);
+}
+
+TEST_F(Repair, TakesTheCatalogue) {
+  for (const char* name : {"adversarial/touching/v2000", "adversarial/shared/v2000", "adversarial/overlapping/v2000",
+                           "adversarial/nested/v2000", "adversarial/contacts/v2000", "adversarial/holes/v2000",
+                           "city/v2000", "adversarial/needles/v500"}) {
+    SCOPED_TRACE(name);
+    repair(catalogue_map(name));
+  }
+}
+
+}  // namespace
+}  // namespace arcway
