@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/closed_spline.h"
+#include "core/geometry/vec2.h"
+
+namespace arcway {
+
+/// \file
+/// Tangent lines of smooth closed curves, for visibility graphs among curved obstacles: each is the root of a function
+/// of one variable [Jiang, Seneviratne and Earles 1997, section 2]. All of them are found, on curves that are not
+/// convex too; whether obstacles lie in between is not regarded. Rounded results, unlike the predicates on polygons.
+
+/// A line through a point that touches a curve.
+struct PointTangent {
+  double t;     ///< parameter of the curve, in [0, size)
+  Vec2 touch;   ///< curve.at(t)
+  bool onward;  ///< whether the curve runs on away from the point there, or back towards it
+};
+/// By ascending t. Roots of cross(curve(t) - point, curve'(t)), of degree 4 on each cubic, isolated by the signs of
+/// its Bernstein coefficients. A point outside of a convex curve has two, one inside has none. Touches closer than
+/// about 1e-9 in t count as one. Of a point on the curve the tangent there may be listed or not.
+std::vector<PointTangent> tangents_from(const Vec2& point, const ClosedSpline& curve);
+
+/// A line that touches two curves.
+struct CommonTangent {
+  double t_first, t_second;
+  Vec2 first, second;  ///< where it touches
+  bool crossing;       ///< whether the curves run in opposite directions there: it passes between two convex curves of
+                       ///< one orientation
+};
+/// By ascending t_first. Both curves are cut into arcs of one bend that turn by less than a right angle. On two such
+/// arcs with the common direction phi, the distance of their tangents is a function of phi alone, whose slope is at
+/// most the largest distance of the two arcs: intervals without a root are ruled out by that bound, the others halved.
+/// Two disjoint convex curves have four, two that cross in two points have two.
+/// @throws std::invalid_argument if the curves run along each other, which gives no finite answer.
+std::vector<CommonTangent> common_tangents(const ClosedSpline& first, const ClosedSpline& second);
+
+}  // namespace arcway
