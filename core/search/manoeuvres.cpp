@@ -14,7 +14,8 @@ namespace arcway {
 namespace {
 
 constexpr double kStepTurn = kPi / 8.0;
-constexpr int kHeadingCells = 32;
+constexpr double kLeastTurn = 1e-3;
+constexpr int kHeadingCells = 128;
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -56,20 +57,28 @@ std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, con
     open.pop();
     const Pose here = nodes[at].terminal.pose;
     const Vec2 ahead = direction_of(here.heading);
-    {
-      const Vec2 other = here.position() + (forwards ? step : -step) * ahead;
+    for (const double length : {step, 4.0 * step, 16.0 * step}) {
+      const Vec2 other = here.position() + (forwards ? length : -length) * ahead;
       const Pose reached{other.x(), other.y(), here.heading};
-      const PathSegment line{forwards ? here : reached, step, 0.0};
-      if (sweep.straight_free(swept_rectangle(line.start, step, body))) reach(at, line, reached);
+      const PathSegment line{forwards ? here : reached, length, 0.0};
+      if (!sweep.straight_free(swept_rectangle(line.start, length, body))) break;
+      reach(at, line, reached);
     }
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const Vec2 center = here.position() + sign_of(side) * radius * perpendicular(ahead);
       const HeadingSet free = sweep.free_headings(TurningBody{center, radius, side, body});
-      if (free.reach(here.heading, forwards ? side : opposite(side)) < kStepTurn) continue;
-      const double turn = (forwards ? 1.0 : -1.0) * sign_of(side) * kStepTurn;
-      const Pose reached = pose_on(TurnCircle{center, radius, side, kNone}, here.heading + turn);
-      const PathSegment arc{forwards ? here : reached, step, sign_of(side) / radius};
-      reach(at, arc, reached);
+      const double room = free.reach(here.heading, forwards ? side : opposite(side));
+      // Where an obstacle ends the turn early, the way on may lie in a narrow range of headings before its end.
+      const bool hemmed = room < kStepTurn;
+      for (const double share : {1.0, 0.75, 0.5, 0.25}) {
+        const double angle = hemmed ? share * room : kStepTurn;
+        if (angle < kLeastTurn) break;
+        const double turn = (forwards ? 1.0 : -1.0) * sign_of(side) * angle;
+        const Pose reached = pose_on(TurnCircle{center, radius, side, kNone}, here.heading + turn);
+        const PathSegment arc{forwards ? here : reached, radius * angle, sign_of(side) / radius};
+        reach(at, arc, reached);
+        if (!hemmed) break;
+      }
     }
   }
   std::vector<Terminal> terminals;

@@ -1,0 +1,53 @@
+#include "core/search/manoeuvres.h"
+
+#include <gtest/gtest.h>
+
+#include "core/path/validation.h"
+#include "core/planner.h"
+#include "core/query/query_set.h"
+#include "datasets/catalogue.h"
+
+namespace arcway {
+namespace {
+
+// Goals that are entered through a narrow range of headings only: between a wall and a corner, and along the bounds.
+TEST(Manoeuvres, ReachGoalsBesideAWall) {
+  const Planner planner(catalogue_world("clutter/convex/n100/m10/f45"), Vehicle());
+  const PlanRequest requests[] = {
+      {{7.390247560079878, 71.2415520058915, -0.3152196150963773},
+       {92.07973811590975, 106.02145761459767, -1.131966038614141}},
+      {{14.129946945134208, 51.599898635543376, 1.7445171392715775},
+       {0.552278813532845, 105.24671320632633, 1.475693762743628}},
+  };
+  for (const PlanRequest& request : requests) {
+    const PlanResult result = planner.plan(request);
+    ASSERT_TRUE(result.solved()) << result.reason;
+    TimedPath path;
+    for (const TimedSegment& s : result.segments) {
+      path.segments.push_back(s.segment);
+      path.speed_in.push_back(s.speed_in);
+      path.speed_out.push_back(s.speed_out);
+      path.durations.push_back(s.duration);
+    }
+    EXPECT_TRUE(validate(planner.world(), planner.vehicle(), request.start, request.goal, path).valid());
+  }
+}
+
+// The corner of the nose that swings outwards meets a wall ahead before the turn is whole.
+TEST(Manoeuvres, EndATurnWhereAnObstacleDoes) {
+  const Vehicle vehicle;
+  const double wall = vehicle.footprint().front + 0.2;
+  const World world({{{{wall, -50}, {wall + 1, -50}, {wall + 1, 50}, {wall, 50}}, {}}});
+  const Pose pose{0.0, 0.0, 0.0};
+  const QuerySet queries = make_reference_queries(world);
+  const auto found =
+      find_manoeuvres(pose, Direction::kFromStart, vehicle, vehicle.min_turning_radius(), *queries.sweep, 50);
+  bool partial = false;
+  for (const Terminal& terminal : found)
+    for (const PathSegment& segment : terminal.connection)
+      partial |= segment.curvature > 0.0 && segment.length * segment.curvature < 0.39;
+  EXPECT_TRUE(partial);
+}
+
+}  // namespace
+}  // namespace arcway
