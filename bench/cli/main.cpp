@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   add_generate_command(app, action);
   add_validate_command(app, action);
   add_doctor_command(app, action);
+  add_report_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

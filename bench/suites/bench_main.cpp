@@ -84,6 +84,8 @@ class Reporter final : public benchmark::BenchmarkReporter {
     return json_.ReportContext(context);
   }
   void ReportRuns(const std::vector<Run>& all) override {
+    // No aggregates: the report makes its own, and those of a counter that is zero are not numbers.
+    if (all.front().run_type == Run::RT_Aggregate) return;
     std::vector<Run> runs = all;
     // What is left out says so once, not once a repetition.
     if (runs.front().error_occurred) runs.resize(1);

@@ -1,0 +1,122 @@
+#include "bench/report/results.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "datasets/file_io.h"
+
+namespace arcway::report {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kSuffixes[] = {"/real_time", "/process_time", "/manual_time"};
+const std::set<std::string> kOwnFields = {
+    "name",        "run_name",         "run_type", "family_index",   "per_family_instance_index",
+    "repetitions", "repetition_index", "threads",  "iterations",     "real_time",
+    "cpu_time",    "time_unit",        "label",    "error_occurred", "error_message"};
+
+std::string plain_name(std::string name) {
+  for (bool stripped = true; stripped;) {
+    stripped = false;
+    if (const auto at = name.rfind("/repeats:"); at != std::string::npos) name.erase(at), stripped = true;
+    for (const std::string_view suffix : kSuffixes)
+      if (name.ends_with(suffix)) name.erase(name.size() - suffix.size()), stripped = true;
+  }
+  return name;
+}
+
+double unit_seconds(const std::string& unit, std::string_view file) {
+  if (unit == "ns") return 1e-9;
+  if (unit == "us") return 1e-6;
+  if (unit == "ms") return 1e-3;
+  if (unit == "s") return 1.0;
+  throw FormatError(std::string(file) + ": time_unit: expected ns, us, ms or s, found \"" + unit + "\"");
+}
+
+const json& field(const json& object, const char* key, const std::string& place) {
+  if (!object.is_object() || !object.contains(key)) throw FormatError(place + ": \"" + key + "\" is missing");
+  return object[key];
+}
+
+std::string text_of(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+void read_run(const json& run, const std::string& place, Results& results, std::map<std::string, std::size_t>& index,
+              std::map<std::string, std::map<std::string, std::vector<double>>>& counters) {
+  if (run.value("run_type", "iteration") != "iteration") return;
+  const std::string name = plain_name(text_of(field(run, "name", place)));
+  const auto [found, added] = index.try_emplace(name, results.measurements.size());
+  if (added)
+    results.measurements.push_back(
+        {.name = name, .wall_seconds = {}, .cpu_seconds = {}, .counters = {}, .label = {}, .error = {}});
+  Measurement& m = results.measurements[found->second];
+  m.label = run.value("label", m.label);
+  if (run.value("error_occurred", false)) {
+    m.error = run.value("error_message", "failed");
+    return;
+  }
+  const double unit = unit_seconds(run.value("time_unit", "ns"), place);
+  for (const char* key : {"real_time", "cpu_time"}) {
+    const json& value = field(run, key, place);
+    if (!value.is_number()) throw FormatError(place + ": " + key + ": expected a number, found " + value.dump());
+    (key[0] == 'r' ? m.wall_seconds : m.cpu_seconds).push_back(unit * value.get<double>());
+  }
+  for (const auto& [key, value] : run.items())
+    if (value.is_number() && !kOwnFields.contains(key)) counters[name][key].push_back(value.get<double>());
+}
+
+}  // namespace
+
+Results read_results(std::string_view text, std::string_view name) {
+  json document;
+  try {
+    document = json::parse(text);
+  } catch (const json::parse_error& error) {
+    throw FormatError(std::string(name) + ": " + error.what());
+  }
+  Results results;
+  results.name = name;
+  for (const auto& [key, value] : field(document, "context", std::string(name)).items())
+    if (!value.is_structured()) results.context.emplace_back(key, text_of(value));
+  const json& runs = field(document, "benchmarks", std::string(name));
+  if (!runs.is_array()) throw FormatError(std::string(name) + ": benchmarks: expected an array");
+  std::map<std::string, std::size_t> index;
+  std::map<std::string, std::map<std::string, std::vector<double>>> counters;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    read_run(runs[i], std::string(name) + ": benchmarks[" + std::to_string(i) + "]", results, index, counters);
+  for (Measurement& m : results.measurements)
+    for (const auto& [key, values] : counters[m.name]) m.counters[key] = median(values);
+  return results;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+SeriesPlace place_of(std::string_view name) {
+  SeriesPlace place;
+  place.series = name;
+  const std::size_t first = name.find('/');
+  place.stage = name.substr(0, first);
+  const std::size_t last = name.rfind('/');
+  const std::size_t colon = last == std::string_view::npos ? last : name.find(':', last);
+  if (colon != std::string_view::npos) {
+    const std::string_view number = name.substr(colon + 1);
+    double size = 0.0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), size);
+    if (error == std::errc() && end == number.data() + number.size()) {
+      place.key = name.substr(last + 1, colon - last - 1);
+      place.series = name.substr(0, last);
+      place.size = size;
+    }
+  }
+  if (place.series.size() > place.stage.size()) place.variant = place.series.substr(place.stage.size() + 1);
+  return place;
+}
+
+}  // namespace arcway::report

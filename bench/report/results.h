@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace arcway::report {
+
+/// One benchmark with all its repetitions.
+struct Measurement {
+  std::string name;                        ///< "ReducedGraph/embree/obstacles:100"
+  std::vector<double> wall_seconds;        ///< an iteration, one a repetition
+  std::vector<double> cpu_seconds;         ///< of all threads
+  std::map<std::string, double> counters;  ///< medians over the repetitions
+  std::string label;                       ///< the law that theory gives, for series
+  std::string error;                       ///< why there are no times; empty if there are
+  [[nodiscard]] bool left_out() const { return error.starts_with("left out: "); }
+};
+
+/// A file of results.
+struct Results {
+  std::string name;                                          ///< of the file
+  std::vector<std::pair<std::string, std::string>> context;  ///< machine and build, in the order of the file
+  std::vector<Measurement> measurements;                     ///< in the order of the file
+};
+
+/// Reads Google Benchmark's JSON; repetitions are gathered, its own aggregates passed over.
+/// @throws FormatError naming file and place.
+Results read_results(std::string_view json, std::string_view name);
+
+/// Of an unsorted, non-empty list.
+double median(std::vector<double> values);
+
+/// A measurement's place in its series: "ReducedGraph/embree/obstacles:100" is size 100 of the key "obstacles" in the
+/// series "ReducedGraph/embree", of the stage "ReducedGraph" and the variant "embree".
+struct SeriesPlace {
+  std::string stage, variant, series, key;
+  double size = 0.0;
+};
+/// Nothing found: empty key, the whole name as series.
+SeriesPlace place_of(std::string_view name);
+
+}  // namespace arcway::report

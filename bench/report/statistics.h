@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace arcway::report {
+
+/// A size and the median time at it, both > 0.
+struct SizePoint {
+  double size;
+  double seconds;
+};
+
+/// seconds = factor * size^exponent, fitted to the logarithms by least squares.
+struct PowerFit {
+  double exponent = 0.0;
+  double low = 0.0, high = 0.0;  ///< 95 % confidence interval of the exponent, by Student's t on the residuals
+  double factor = 0.0;
+};
+/// @throws std::invalid_argument for fewer than three sizes, equal sizes only, or values that are not > 0.
+PowerFit fit_power(std::span<const SizePoint> points);
+/// The same beside a factor log(size): near 1 for n log n. Sizes > 1.
+PowerFit fit_power_log(std::span<const SizePoint> points);
+
+/// Slopes between neighbouring sizes, in the logarithms: one fewer than there are points.
+std::vector<double> neighbour_slopes(std::span<const SizePoint> points);
+
+/// Two-sided Mann-Whitney test: how likely two samples from one distribution differ at least as much. Exact up to 20
+/// values each, ties split in halves; by the normal approximation beyond. 1 if a sample is empty.
+double mann_whitney_p(std::span<const double> a, std::span<const double> b);
+
+}  // namespace arcway::report
