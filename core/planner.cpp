@@ -173,7 +173,7 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
                  const Executor& executor) {
   const PlannerOptions checked = checked_options(world, vehicle, options);
   const Stopwatch watch;
-  VisibilityGraph graph = build_reduced_visibility_graph(world, *queries.visibility, executor);
+  VisibilityGraph graph = checked.reduced_graph(world, *queries.visibility, executor);
   const double seconds = watch.seconds();
   auto data = std::make_shared<Data>(world, vehicle, queries, checked, std::move(graph), executor);
   data->prepare_statistics.visibility_seconds = seconds;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <stop_token>
@@ -19,6 +20,10 @@
 
 namespace arcway {
 
+/// Builds a reduced visibility graph, which is the same whoever builds it.
+using ReducedGraphBuilder =
+    std::function<VisibilityGraph(const World&, const VisibilityQuery& visibility, const Executor&)>;
+
 struct PlannerOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
   GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
@@ -27,6 +32,7 @@ struct PlannerOptions {
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; 0 turns
   /// manoeuvres off.
   std::uint32_t manoeuvre_poses = 400;
+  ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
 };
 
 struct PlanRequest {

@@ -76,30 +76,6 @@ Pose parse_pose(std::string_view text, std::string_view what) {
           parse_heading(parts[2], name + " heading")};
 }
 
-void BuildOptions::add_to(CLI::App& command) {
-  command.add_option("--backend", backend, "What answers the geometric queries: reference (exact brute force)")
-      ->type_name("NAME")
-      ->capture_default_str();
-  command.add_option("--threads", threads, "Threads that build the graphs; reference uses one")
-      ->type_name("N")
-      ->capture_default_str();
-}
-
-void BuildOptions::check() const {
-  if (backend == "embree") {
-    throw UsageError("--backend: this build has no embree backend; use --backend reference");
-  }
-  if (backend != "reference") {
-    throw UsageError("--backend: unknown backend " + in_quotes(backend) + "; this build has: reference");
-  }
-  if (parse_count(threads, "--threads") < 1) throw UsageError("--threads: at least 1, got " + in_quotes(threads));
-}
-
-QuerySet BuildOptions::queries(const World& world) const {
-  check();
-  return make_reference_queries(world);
-}
-
 void MapOptions::add_to(CLI::App& command) {
   const char* group = "Reading WORLD";
   const auto option = [&](const char* name, std::string& value, const char* what, const char* type) {

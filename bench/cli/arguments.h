@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -45,14 +46,29 @@ double parse_heading(std::string_view text, std::string_view what);
 /// `X,Y,H`.
 Pose parse_pose(std::string_view text, std::string_view what);
 
-/// Options that say how graphs are built, the same for all subcommands that build one.
+/// Options that say what answers the geometric queries and builds the graphs, the same for all subcommands that build
+/// one. They differ in speed, not in results.
 struct BuildOptions {
-  std::string backend = "reference";
-  std::string threads = "1";
+  std::string backend;  ///< reference, or embree, the default where this build has it
+  std::string builder = "auto";
+  std::string threads;  ///< default: all of the machine with embree, one with reference
+
+  BuildOptions();
   void add_to(CLI::App& command);
-  /// @throws UsageError unless this build of the tool has the backend and the number of threads is sensible.
+  /// @throws UsageError unless this build of the tool has the backend and the builder and the number of threads is
+  ///   sensible.
   void check() const;
+
   [[nodiscard]] QuerySet queries(const World& world) const;
+  [[nodiscard]] std::unique_ptr<const Executor> executor() const;
+  /// Builds the reduced graph, for PlannerOptions::reduced_graph.
+  [[nodiscard]] ReducedGraphBuilder reduced_graph() const;
+
+  /// "wedges" or "pairs".
+  [[nodiscard]] std::string builder_name() const;
+  [[nodiscard]] std::size_t thread_count() const;
+  /// "wedges, embree, 2 threads"
+  [[nodiscard]] std::string summary() const;
 };
 
 /// Of the argument that names a map.

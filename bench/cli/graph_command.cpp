@@ -42,14 +42,14 @@ void append_edge(std::string& csv, VertexId u, VertexId v) {
 
 BuiltGraph build_graph(const GraphArguments& arguments, const World& world) {
   const QuerySet queries = arguments.build.queries(world);
-  const SerialExecutor executor;
+  const std::unique_ptr<const Executor> executor = arguments.build.executor();
   BuiltGraph built;
   built.edges_csv = "u,v\n";
 
   const Stopwatch visibility_watch;
   const VisibilityGraph graph = arguments.kind == "visibility"
-                                    ? build_full_visibility_graph(world, *queries.visibility, executor)
-                                    : build_reduced_visibility_graph(world, *queries.visibility, executor);
+                                    ? build_full_visibility_graph(world, *queries.visibility, *executor)
+                                    : arguments.build.reduced_graph()(world, *queries.visibility, *executor);
   built.visibility_seconds = visibility_watch.seconds();
   if (arguments.kind != "feasible") {
     built.edge_count = graph.edge_count();
@@ -65,7 +65,7 @@ BuiltGraph build_graph(const GraphArguments& arguments, const World& world) {
   const Vehicle vehicle = load_vehicle(arguments.robot);
   const std::vector<double> radii = {vehicle.min_turning_radius()};
   const Stopwatch feasible_watch;
-  const FeasibleGraph feasible(world, vehicle, graph, queries, radii, executor);
+  const FeasibleGraph feasible(world, vehicle, graph, queries, radii, *executor);
   built.feasible_seconds = feasible_watch.seconds();
   built.counts = feasible.counts();
   built.edge_count = feasible.links().size();
@@ -79,6 +79,7 @@ BuiltGraph build_graph(const GraphArguments& arguments, const World& world) {
 }
 
 std::string counts_json(const GraphArguments& arguments, const World& world, const BuiltGraph& built) {
+  const bool full = arguments.kind == "visibility";
   nlohmann::ordered_json json = {{"format", "arcway-graph"},
                                  {"version", 1},
                                  {"kind", arguments.kind},
@@ -86,8 +87,9 @@ std::string counts_json(const GraphArguments& arguments, const World& world, con
                                  {"vertices", world.vertices().size()},
                                  {"convex_vertices", world.convex_vertices().size()},
                                  {"edges", built.edge_count},
-                                 {"builder", arguments.build.backend},
-                                 {"threads", 1},
+                                 {"backend", arguments.build.backend},
+                                 {"builder", full ? "pairs" : arguments.build.builder_name()},
+                                 {"threads", arguments.build.thread_count()},
                                  {"visibility_seconds", built.visibility_seconds}};
   if (arguments.kind == "feasible") {
     const FeasibleGraphCounts& counts = built.counts;

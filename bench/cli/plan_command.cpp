@@ -144,7 +144,9 @@ std::string plan_json(const PlanArguments& arguments, const Planner& planner, do
   const FeasibleGraphCounts& counts = prepare.counts;
   auto json = nlohmann::ordered_json::parse(plan_to_json(result, 0));
   auto& statistics = json["statistics"];
-  statistics["builder"] = arguments.build.backend;
+  statistics["backend"] = arguments.build.backend;
+  statistics["builder"] = arguments.build.builder_name();
+  statistics["threads"] = arguments.build.thread_count();
   statistics["build_seconds"] = build_seconds;
   statistics["visibility_seconds"] = prepare.visibility_seconds;
   statistics["feasible_seconds"] = prepare.feasible_seconds;
@@ -177,7 +179,8 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   out += row("start", pose_text(request.start));
   out += row("goal", pose_text(request.goal));
   if (result.solved()) out += result_rows(result) + validity_row(*plan.report);
-  out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) + search_rows(result.statistics);
+  out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
+         row("built by", arguments.build.summary()) + search_rows(result.statistics);
   out += warning_rows(map);
   files.write();
   out += files.summary();
@@ -208,8 +211,8 @@ int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Plann
                const std::vector<NumberedRequest>& queries, const PlanLimits& limits, std::string& out) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
-                    " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; backend " +
-                    arguments.build.backend + "\n";
+                    " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " + arguments.build.summary() +
+                    "\n";
   csv += "q,status,travel_time_s,length_m,lower_bound_s,min_clearance_m,valid,plan_ms\n";
   std::string json;
   std::size_t solved = 0;
@@ -240,7 +243,8 @@ int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Plann
   out += row("query times", "median " + duration_text(median(seconds)) + ", sum " +
                                 duration_text(std::accumulate(seconds.begin(), seconds.end(), 0.0)) + "; " +
                                 duration_text(total) + " with validation");
-  out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) + warning_rows(map);
+  out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
+         row("built by", arguments.build.summary()) + warning_rows(map);
   files.write();
   out += files.summary();
   return refused == 0 ? kExitSolved : kExitNoPath;
@@ -263,6 +267,7 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   PlannerOptions options;
   options.heuristic = heuristic_of(arguments.heuristic);
   options.graph_mode = graph_mode_of(arguments.graph);
+  options.reduced_graph = arguments.build.reduced_graph();
   const PlanLimits limits = limits_of(arguments);
 
   std::optional<Pose> start;
@@ -282,7 +287,7 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   }
 
   const Stopwatch watch;
-  const Planner planner(map.world, vehicle, arguments.build.queries(map.world), options, SerialExecutor());
+  const Planner planner(map.world, vehicle, arguments.build.queries(map.world), options, *arguments.build.executor());
   const double build_seconds = watch.seconds();
   if (batch) return plan_batch(arguments, map, planner, build_seconds, queries, limits, out);
   return plan_one(arguments, map, planner, build_seconds, {.start = *start, .goal = *goal}, limits, out);

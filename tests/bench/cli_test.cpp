@@ -171,6 +171,50 @@ TEST_F(Tool, QueryErrorsNameFileAndLine) {
   expect(header + "0,1,2,3,4,nan,6\n", "q.csv:2: gy: expected a finite number");
 }
 
+#ifdef ARCWAY_WITH_ACCEL
+
+TEST_F(Tool, BackendsBuildersAndThreadsGiveTheSameGraphsAndPlans) {
+  ASSERT_EQ(run("generate star --obstacles 20 --seed 4 --out " + file("w.geojson")).code, 0);
+  const std::string graph = "graph " + file("w.geojson") + " --kind ";
+  const std::string plan = "plan " + file("w.geojson") + " --start 1,1,0 --goal 30,30,0 --csv " + file("p.csv");
+  const std::string json = " --json " + file("c.json");
+  for (const std::string kind : {"visibility", "reduced", "feasible"}) {
+    ASSERT_EQ(run(graph + kind + " --backend reference --edges " + file(kind + ".csv")).code, 0);
+  }
+  ASSERT_EQ(run(plan + " --backend reference").code, 0);
+  const std::string expected_plan = read("p.csv");
+  for (const std::string builder : {"pairs", "wedges"}) {
+    for (const std::string threads : {"1", "2", "3", "8"}) {
+      const std::string options = " --backend embree --builder " + builder + " --threads " + threads;
+      for (const std::string kind : {"visibility", "reduced", "feasible"}) {
+        ASSERT_EQ(run(graph + kind + options + json + " --edges " + file("e.csv")).code, 0);
+        EXPECT_EQ(read("e.csv"), read(kind + ".csv")) << kind << options;
+        EXPECT_NE(read("c.json").find("\"backend\":\"embree\""), std::string::npos);
+        EXPECT_NE(read("c.json").find("\"threads\":" + threads), std::string::npos);
+      }
+      ASSERT_EQ(run(plan + options + json).code, 0);
+      EXPECT_EQ(read("p.csv"), expected_plan) << options;
+      EXPECT_NE(read("c.json").find("\"builder\":\"" + builder + "\""), std::string::npos);
+    }
+  }
+}
+
+TEST_F(Tool, PlansOnEmbreeUnlessToldOtherwise) {
+  EXPECT_NE(run("plan " + map_ + kAround).out.find("wedges, embree, "), std::string::npos);
+  EXPECT_NE(run("plan " + map_ + kAround + " --backend reference").out.find("pairs, reference, 1 thread"),
+            std::string::npos);
+}
+
+#else
+
+TEST_F(Tool, SaysThatItHasNoEmbree) {
+  expect_bad_input("plan " + map_ + kAround + " --backend embree", "no embree backend");
+  expect_bad_input("plan " + map_ + kAround + " --builder wedges", "no wedges builder");
+  expect_bad_input("plan " + map_ + kAround + " --threads 2", "one thread");
+}
+
+#endif
+
 TEST_F(Tool, UsageErrorsGoToStandardError) {
   expect_bad_input("", "subcommand");
   expect_bad_input("fly", "subcommand");
@@ -179,8 +223,9 @@ TEST_F(Tool, UsageErrorsGoToStandardError) {
   expect_bad_input("plan " + map_ + " --start 10,10 --goal 50,50,0", "expected X,Y,HEADING");
   expect_bad_input("plan " + map_ + " --start 10,10,0x --goal 50,50,0", "expected a finite number");
   expect_bad_input("plan " + map_ + kAround + " --threads 0", "--threads");
-  expect_bad_input("plan " + map_ + kAround + " --backend embree", "--backend");
+  expect_bad_input("plan " + map_ + kAround + " --threads 1025", "--threads");
   expect_bad_input("plan " + map_ + kAround + " --backend gpu", "\"gpu\"");
+  expect_bad_input("plan " + map_ + kAround + " --builder magic", "\"magic\"");
   expect_bad_input("plan " + map_ + kAround + " --heuristic none", "--heuristic");
   expect_bad_input("plan " + map_ + " --queries " + map_, "--out");
   expect_bad_input("graph " + map_ + " --kind dense", "--kind");

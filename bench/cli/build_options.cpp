@@ -1,0 +1,106 @@
+#include <memory>
+#include <thread>
+
+#include "bench/cli/arguments.h"
+#ifdef ARCWAY_WITH_ACCEL
+#include "accel/make_queries.h"
+#include "accel/pairwise_graph.h"
+#include "accel/parallel.h"
+#include "accel/wedge/wedge_graph.h"
+#endif
+
+namespace arcway::cli {
+namespace {
+
+#ifdef ARCWAY_WITH_ACCEL
+constexpr bool kHasAccel = true;
+#else
+constexpr bool kHasAccel = false;
+#endif
+
+// Beyond, triangles have no room for their numbers.
+constexpr std::size_t kMostWedgeVertices = std::size_t{1} << 28;
+
+std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
+
+}  // namespace
+
+BuildOptions::BuildOptions() : backend(kHasAccel ? "embree" : "reference") {}
+
+void BuildOptions::add_to(CLI::App& command) {
+  command.add_option("--backend", backend, "What answers the geometric queries: embree, or reference (brute force)")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command.add_option("--builder", builder, "How the reduced graph is built: pairs, wedges, or auto")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option("--threads", threads, "Threads that build the graphs; default: all with embree, one with reference")
+      ->type_name("N");
+}
+
+void BuildOptions::check() const {
+  if (backend != "reference" && backend != "embree") {
+    throw UsageError("--backend: unknown backend " + in_quotes(backend) +
+                     "; this build has: " + (kHasAccel ? "embree, reference" : "reference"));
+  }
+  if (builder != "auto" && builder != "pairs" && builder != "wedges") {
+    throw UsageError("--builder: expected auto, pairs or wedges, got " + in_quotes(builder));
+  }
+  if (!kHasAccel && backend == "embree") {
+    throw UsageError("--backend: this build has no embree backend; use --backend reference");
+  }
+  if (!kHasAccel && builder == "wedges") {
+    throw UsageError("--builder: this build has no wedges builder; use --builder pairs");
+  }
+  const std::size_t count = thread_count();
+  if (count < 1) throw UsageError("--threads: at least 1, got " + in_quotes(threads));
+  if (!kHasAccel && count > 1) throw UsageError("--threads: this build has one thread, got " + in_quotes(threads));
+  if (count > 1024) throw UsageError("--threads: at most 1024, got " + in_quotes(threads));
+}
+
+std::string BuildOptions::builder_name() const {
+  if (builder != "auto") return builder;
+  return backend == "embree" ? "wedges" : "pairs";
+}
+
+std::size_t BuildOptions::thread_count() const {
+  if (!threads.empty()) return parse_count(threads, "--threads");
+  return backend == "embree" ? std::max(1u, std::thread::hardware_concurrency()) : 1;
+}
+
+std::string BuildOptions::summary() const {
+  const std::size_t count = thread_count();
+  return builder_name() + ", " + backend + ", " + count_text(count) + (count == 1 ? " thread" : " threads");
+}
+
+#ifdef ARCWAY_WITH_ACCEL
+
+QuerySet BuildOptions::queries(const World& world) const {
+  return backend == "embree" ? make_embree_queries(world) : make_reference_queries(world);
+}
+
+std::unique_ptr<const Executor> BuildOptions::executor() const {
+  return std::make_unique<const TbbExecutor>(thread_count());
+}
+
+ReducedGraphBuilder BuildOptions::reduced_graph() const {
+  const bool wedges = builder_name() == "wedges";
+  const bool reference = backend == "reference";
+  return [wedges, reference](const World& world, const VisibilityQuery& visibility, const Executor& executor) {
+    if (wedges && world.vertices().size() < kMostWedgeVertices)
+      return build_reduced_visibility_graph_by_wedges(world, executor);
+    if (reference) return build_reduced_visibility_graph(world, visibility, executor);
+    return build_pairwise_visibility_graph(world, visibility, executor);
+  };
+}
+
+#else
+
+QuerySet BuildOptions::queries(const World& world) const { return make_reference_queries(world); }
+std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }
+ReducedGraphBuilder BuildOptions::reduced_graph() const { return build_reduced_visibility_graph; }
+
+#endif
+
+}  // namespace arcway::cli

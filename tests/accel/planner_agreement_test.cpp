@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "accel/make_queries.h"
+#include "accel/pairwise_graph.h"
+#include "accel/parallel.h"
+#include "core/planner.h"
+#include "datasets/catalogue.h"
+
+namespace arcway {
+namespace {
+
+constexpr const char* kWorlds[] = {"paper", "clutter/convex/n40/m8/f20/s3", "clutter/star/n40/m9/f30/s5",
+                                   "clutter/rectangle/n40/f25/s2"};
+
+// All that a plan and its graphs consist of, as bits.
+std::string digest(const Planner& planner, const std::vector<PlanRequest>& requests) {
+  std::string bits;
+  const auto add = [&bits](const auto& value) { bits.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (const VertexId v : planner.visibility_graph().targets()) add(v);
+  const FeasibleGraph& feasible = planner.feasible_graph();
+  for (const FeasibleGraph::Link& link : feasible.links()) {
+    add(link.from);
+    add(link.to);
+    add(link.heading);
+    add(link.length);
+  }
+  for (std::uint32_t c = 0; c < feasible.circles().size(); ++c)
+    for (const HeadingInterval& interval : feasible.free_headings(c).intervals()) add(interval);
+  for (const PlanRequest& request : requests) {
+    const PlanResult result = planner.plan(request);
+    add(result.status);
+    add(result.travel_time);
+    for (const TimedSegment& s : result.segments) {
+      add(s.segment.start.x);
+      add(s.segment.start.y);
+      add(s.segment.start.heading);
+      add(s.segment.length);
+      add(s.segment.curvature);
+      add(s.duration);
+    }
+  }
+  return bits;
+}
+
+TEST(PlannerAgreement, BackendsAndThreadCountsGiveTheSameBits) {
+  const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
+  for (const std::string name : kWorlds) {
+    SCOPED_TRACE(name);
+    const World world = catalogue_world(name);
+    const std::vector<PlanRequest> requests = catalogue_queries(name, 5, 1);
+    const Vehicle vehicle;
+    const std::string expected = digest(Planner(world, vehicle), requests);
+    const QuerySet queries = make_embree_queries(world);
+    const auto by_pairs = [](const World& w, const VisibilityQuery& visibility, const Executor& executor) {
+      return build_pairwise_visibility_graph(w, visibility, executor);
+    };
+    for (const std::size_t threads : {1u, 2u, 3u, 8u}) {
+      const TbbExecutor executor(threads);
+      PlannerOptions options;
+      EXPECT_TRUE(digest(Planner(world, vehicle, queries, options, executor), requests) == expected) << threads;
+      options.reduced_graph = by_pairs;
+      EXPECT_TRUE(digest(Planner(world, vehicle, queries, options, executor), requests) == expected) << threads;
+    }
+  }
+}
+
+TEST(PlannerAgreement, SeveralThreadsPlanOnOnePlanner) {
+  const std::string name = "clutter/convex/n40/m8/f20/s3";
+  const World world = catalogue_world(name);
+  const std::vector<PlanRequest> requests = catalogue_queries(name, 6, 2);
+  const Planner planner(world, Vehicle{}, make_embree_queries(world), {}, TbbExecutor());
+  const std::string expected = digest(planner, requests);
+  std::vector<std::string> found(4);
+  std::vector<std::thread> threads;
+  for (std::string& result : found) threads.emplace_back([&] { result = digest(planner, requests); });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::string& result : found) EXPECT_TRUE(result == expected);
+}
+
+}  // namespace
+}  // namespace arcway
