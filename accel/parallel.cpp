@@ -1,6 +1,7 @@
 #include "accel/parallel.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -14,17 +15,19 @@ namespace {
 
 constexpr std::size_t kMaxThreads = 1024;
 
-int checked_threads(std::size_t threads) {
+int concurrency_of(std::size_t threads) {
   if (threads < 1 || threads > kMaxThreads)
     throw std::invalid_argument("executor: " + std::to_string(threads) + " threads, must be 1 to " +
                                 std::to_string(kMaxThreads));
-  return static_cast<int>(threads);
+  // More would make TBB print a warning.
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return static_cast<int>(std::min(threads, allowed));
 }
 
 }  // namespace
 
 struct TbbExecutor::Arena {
-  explicit Arena(std::size_t threads) : arena(checked_threads(threads)) {}
+  explicit Arena(std::size_t threads) : arena(concurrency_of(threads)) {}
   tbb::task_arena arena;
 };
 

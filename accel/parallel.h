@@ -18,8 +18,8 @@ class TbbExecutor final : public Executor {
  public:
   /// In the arena that the calling thread is in, so that the caller's tbb::task_arena and tbb::global_control decide.
   TbbExecutor();
-  /// In an arena of its own with room for this many threads, the caller included. TBB starts no more threads than the
-  /// machine has, unless the application has asked it to.
+  /// In an arena of its own with room for this many threads, the caller included, but not for more than the process is
+  /// allowed: as many as the machine has, unless the application has a tbb::global_control that says otherwise.
   /// @throws std::invalid_argument unless 1 <= threads <= 1024.
   explicit TbbExecutor(std::size_t threads);
   ~TbbExecutor() override;

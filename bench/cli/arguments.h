@@ -66,9 +66,13 @@ struct BuildOptions {
 
   /// "wedges" or "pairs".
   [[nodiscard]] std::string builder_name() const;
+  /// No more than the machine has.
   [[nodiscard]] std::size_t thread_count() const;
   /// "wedges, embree, 2 threads"
   [[nodiscard]] std::string summary() const;
+
+ private:
+  [[nodiscard]] std::size_t threads_asked_for() const;
 };
 
 /// Of the argument that names a map.

@@ -53,7 +53,7 @@ void BuildOptions::check() const {
   if (!kHasAccel && builder == "wedges") {
     throw UsageError("--builder: this build has no wedges builder; use --builder pairs");
   }
-  const std::size_t count = thread_count();
+  const std::size_t count = threads_asked_for();
   if (count < 1) throw UsageError("--threads: at least 1, got " + in_quotes(threads));
   if (!kHasAccel && count > 1) throw UsageError("--threads: this build has one thread, got " + in_quotes(threads));
   if (count > 1024) throw UsageError("--threads: at most 1024, got " + in_quotes(threads));
@@ -64,7 +64,7 @@ std::string BuildOptions::builder_name() const {
   return backend == "embree" ? "wedges" : "pairs";
 }
 
-std::size_t BuildOptions::thread_count() const {
+std::size_t BuildOptions::threads_asked_for() const {
   if (!threads.empty()) return parse_count(threads, "--threads");
   return backend == "embree" ? std::max(1u, std::thread::hardware_concurrency()) : 1;
 }
@@ -76,12 +76,14 @@ std::string BuildOptions::summary() const {
 
 #ifdef ARCWAY_WITH_ACCEL
 
+std::size_t BuildOptions::thread_count() const { return TbbExecutor(threads_asked_for()).threads(); }
+
 QuerySet BuildOptions::queries(const World& world) const {
   return backend == "embree" ? make_embree_queries(world) : make_reference_queries(world);
 }
 
 std::unique_ptr<const Executor> BuildOptions::executor() const {
-  return std::make_unique<const TbbExecutor>(thread_count());
+  return std::make_unique<const TbbExecutor>(threads_asked_for());
 }
 
 ReducedGraphBuilder BuildOptions::reduced_graph() const {
@@ -96,6 +98,8 @@ ReducedGraphBuilder BuildOptions::reduced_graph() const {
 }
 
 #else
+
+std::size_t BuildOptions::thread_count() const { return 1; }
 
 QuerySet BuildOptions::queries(const World& world) const { return make_reference_queries(world); }
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }
