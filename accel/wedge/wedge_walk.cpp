@@ -8,11 +8,35 @@ namespace arcway {
 
 namespace {
 
+// Sign of the cross product of two differences of coordinates that have been rounded once; 0 if it is not sure.
+inline int filtered_sign(double ux, double uy, double vx, double vy) {
+  constexpr double kEpsilon = 0x1p-53;
+  constexpr double kErrorBound = (3.0 + 16.0 * kEpsilon) * kEpsilon;  // [Shewchuk 1997, figure 21]
+  const double left = ux * vy;
+  const double right = uy * vx;
+  const double determinant = left - right;
+  const double error = kErrorBound * (std::abs(left) + std::abs(right));
+  return (determinant > error) - (determinant < -error);
+}
+
+inline void prefetch(const void* address) { __builtin_prefetch(address); }
+
 bool is_tangent(const SightMap::Node& node, const Vec2& from) {
-  return orientation(from, node.at, node.previous) * orientation(from, node.at, node.next) >= 0;
+  const double x = node.at.x() - from.x(), y = node.at.y() - from.y();
+  int previous = filtered_sign(x, y, node.previous.x() - node.at.x(), node.previous.y() - node.at.y());
+  int next = filtered_sign(x, y, node.next.x() - node.at.x(), node.next.y() - node.at.y());
+  if (previous == 0) previous = orientation(from, node.at, node.previous);
+  if (next == 0) next = orientation(from, node.at, node.next);
+  return previous * next >= 0;
 }
 
 }  // namespace
+
+// +1 if the site, at (x, y) from the source, lies to the left of the direction.
+inline int WedgeWalk::side(const Limit& limit, double x, double y, std::uint32_t site) const {
+  const int sign = filtered_sign(limit.x, limit.y, x, y);
+  return sign != 0 ? sign : exact_side(limit.id, site);
+}
 
 void WedgeWalk::run(std::uint32_t index) {
   source_ = &map_.nodes()[index];
@@ -20,15 +44,17 @@ void WedgeWalk::run(std::uint32_t index) {
   follow_edges(node);
   // Directions are tangent from the previous vertex's counter-clockwise to the opposite of the next one's, and from
   // the opposite of the previous one's to the next one's; those to the right are the source's to look at.
-  const Limit down{0.0, -1.0, kNone, Limit::Kind::kDown, false};
-  const Limit up{0.0, 1.0, kNone, Limit::Kind::kUp, true};
-  const auto look_right = [&](const Limit& low, const Limit& high) {
+  using Kind = WedgeLimit::Kind;
+  const auto look_right = [&](const WedgeLimit& low, const WedgeLimit& high) {
     const bool low_is_right = leads_right(low), high_is_right = leads_right(high);
-    if (low_is_right || high_is_right)
-      look_through_wedge(index, {low_is_right ? low : down, high_is_right ? high : up});
+    if (!low_is_right && !high_is_right) return;
+    wedge_low_ = low_is_right ? low : WedgeLimit{{0.0, -1.0}, kNone, Kind::kDown};
+    wedge_high_ = high_is_right ? high : WedgeLimit{{0.0, 1.0}, kNone, Kind::kUp};
+    look_through_wedge(index);
   };
-  look_right(toward(node.previous_site, node.previous, true), away_from(node.next_site, node.next));
-  look_right(away_from(node.previous_site, node.previous), toward(node.next_site, node.next, true));
+  const Vec2 to_previous = node.previous - node.at, to_next = node.next - node.at;
+  look_right({to_previous, node.previous_site, Kind::kToward}, {-to_next, node.next_site, Kind::kAway});
+  look_right({-to_previous, node.previous_site, Kind::kAway}, {to_next, node.next_site, Kind::kToward});
 }
 
 // Along walls to the right, up to the first site with a node.
@@ -52,66 +78,79 @@ void WedgeWalk::follow_edges(const Node& node) {
   }
 }
 
-void WedgeWalk::look_through_wedge(std::uint32_t index, const Range& wedge) {
+void WedgeWalk::look_through_wedge(std::uint32_t index) {
+  struct Spoke {
+    Limit direction;
+    int low, high;  // sides of the wedge's limits
+  };
+  const Limit wedge_low{wedge_low_.direction.x(), wedge_low_.direction.y(), kWedgeLow};
+  const Limit wedge_high{wedge_high_.direction.x(), wedge_high_.direction.y(), kWedgeHigh};
+  const auto spoke_to = [&](std::uint32_t site, const Vec2& at) {
+    const double x = at.x() - source_->at.x(), y = at.y() - source_->at.y();
+    return Spoke{{x, y, site}, side(wedge_low, x, y, site), side(wedge_high, x, y, site)};
+  };
   for (const SightMap::Fan& fan : map_.fans(index)) {
-    struct Spoke {
-      std::uint32_t site;
-      Vec2 at;
-      int low, high;  // sides of the wedge's limits
-    };
-    const auto spoke_to = [&](std::uint32_t site, const Vec2& at) {
-      const double x = at.x() - source_->at.x(), y = at.y() - source_->at.y();
-      return Spoke{site, at, side(wedge.low, x, y, site), side(wedge.high, x, y, site)};
-    };
-    const auto in_wedge = [](const Spoke& s) { return s.low >= 0 && s.high <= 0; };
     Spoke from = spoke_to(fan.first_site, map_.sites()[fan.first_site]);
     std::uint32_t door = fan.door;
     do {
       const SightMap::Door& triangle = map_.doors()[door];
       const Spoke to = spoke_to(triangle.site, triangle.apex);
       const bool from_inside = from.low >= 0 && from.high < 0;
+      const bool to_inside = to.low >= 0 && to.high <= 0;
       const bool low_between = from.low <= 0 && to.low > 0;
-      if (triangle.right != kNone && (from_inside || low_between)) {
-        walk(triangle.right, {from_inside ? toward(from.site, from.at, false) : wedge.low,
-                              in_wedge(to) ? toward(to.site, to.at, false) : wedge.high});
-      }
+      if (triangle.right != kNone && (from_inside || low_between))
+        walk(triangle.right, from_inside ? from.direction : wedge_low, to_inside ? to.direction : wedge_high);
       const bool is_diagonal = triangle.left != kNone;
-      if (is_diagonal && in_wedge(to) && triangle.node != kNone) report(triangle.node);
+      if (is_diagonal && to_inside && triangle.node != kNone) report(triangle.node);
       from = to;
       door = triangle.left;
     } while (door != kNone && door != fan.door);
   }
 }
 
-void WedgeWalk::walk(std::uint32_t first_door, const Range& first_range) {
-  stack_.push_back({first_door, first_range});
-  while (!stack_.empty()) {
-    auto [door, range] = stack_.back();
-    stack_.pop_back();
-    while (door != kNone) {
-      ++steps_;
-      const SightMap::Door& triangle = map_.doors()[door];
-      const double x = triangle.apex.x() - source_->at.x(), y = triangle.apex.y() - source_->at.y();
-      const int low = side(range.low, x, y, triangle.site);
-      if (low < 0) {
-        door = triangle.left;
-        continue;
-      }
-      const int high = side(range.high, x, y, triangle.site);
-      if (high > 0) {
-        door = triangle.right;
-        continue;
-      }
-      const bool in_range = (low > 0 || range.low.closed) && (high < 0 || range.high.closed);
-      if (in_range && triangle.node != kNone) report(triangle.node);
-      const Limit middle{x, y, triangle.site, Limit::Kind::kToward, false};
-      // A range from a limit to itself is empty.
-      if (low > 0 && triangle.right != kNone) stack_.push_back({triangle.right, {range.low, middle}});
-      if (high == 0) break;
-      range.low = middle;
+void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
+  const SightMap::Door* const doors = map_.doors().data();
+  const double source_x = source_->at.x(), source_y = source_->at.y();
+  std::uint64_t steps = 0;
+  while (true) {
+    ++steps;
+    const SightMap::Door& triangle = doors[door];
+    prefetch(doors + triangle.left);
+    prefetch(doors + triangle.right);
+    const double x = triangle.apex.x() - source_x, y = triangle.apex.y() - source_y;
+    const int low_side = side(low, x, y, triangle.site);
+    if (low_side < 0) {
       door = triangle.left;
+    } else {
+      const int high_side = side(high, x, y, triangle.site);
+      if (high_side > 0) {
+        door = triangle.right;
+      } else {
+        const bool in_range = (low_side > 0 || is_closed(low)) && (high_side < 0 || is_closed(high));
+        if (in_range && triangle.node != kNone) report(triangle.node);
+        // A range from a limit to itself is empty.
+        const Limit middle{x, y, triangle.site};
+        const bool look_left = high_side < 0 && triangle.left != kNone;
+        const bool look_right = low_side > 0 && triangle.right != kNone;
+        if (look_left && look_right) stack_.push_back({triangle.right, low, middle});
+        if (look_left) {
+          door = triangle.left;
+          low = middle;
+        } else {
+          door = look_right ? triangle.right : kNone;
+          high = middle;
+        }
+      }
     }
+    if (door != kNone) continue;
+    if (stack_.empty()) break;
+    const Postponed& next = stack_.back();
+    door = next.door;
+    low = next.low;
+    high = next.high;
+    stack_.pop_back();
   }
+  steps_ += steps;
 }
 
 void WedgeWalk::report(std::uint32_t first_node) {
@@ -128,40 +167,24 @@ void WedgeWalk::add(const Node& target) {
   edges_.emplace_back(source_->vertex, target.vertex);
 }
 
-WedgeWalk::Limit WedgeWalk::toward(std::uint32_t site, const Vec2& at, bool closed) const {
-  return {at.x() - source_->at.x(), at.y() - source_->at.y(), site, Limit::Kind::kToward, closed};
+bool WedgeWalk::leads_right(const WedgeLimit& limit) const {
+  return (limit.kind == WedgeLimit::Kind::kToward) == (limit.site > source_->site);
 }
 
-WedgeWalk::Limit WedgeWalk::away_from(std::uint32_t site, const Vec2& at) const {
-  return {source_->at.x() - at.x(), source_->at.y() - at.y(), site, Limit::Kind::kAway, true};
-}
-
-bool WedgeWalk::leads_right(const Limit& limit) const {
-  return (limit.kind == Limit::Kind::kToward) == (limit.site > source_->site);
-}
-
-// +1 if the site, at (x, y) from the source, lies to the left of the direction.
-int WedgeWalk::side(const Limit& limit, double x, double y, std::uint32_t site) const {
-  constexpr double kEpsilon = 0x1p-53;
-  constexpr double kErrorBound = (3.0 + 16.0 * kEpsilon) * kEpsilon;  // [Shewchuk 1997, figure 21]
-  const double left = limit.x * y;
-  const double right = limit.y * x;
-  const double determinant = left - right;
-  const double error = kErrorBound * (std::abs(left) + std::abs(right));
-  if (determinant > error) return 1;
-  if (determinant < -error) return -1;
-  return exact_side(limit, site);
-}
-
-int WedgeWalk::exact_side(const Limit& limit, std::uint32_t site) const {
-  switch (limit.kind) {
-    case Limit::Kind::kToward:
-      return limit.site == site ? 0 : orientation(source_->at, map_.sites()[limit.site], map_.sites()[site]);
-    case Limit::Kind::kAway:
-      return -orientation(source_->at, map_.sites()[limit.site], map_.sites()[site]);
-    case Limit::Kind::kDown:
+int WedgeWalk::exact_side(std::uint32_t limit, std::uint32_t site) const {
+  const auto turn = [&](std::uint32_t other) {
+    return other == site ? 0 : orientation(source_->at, map_.sites()[other], map_.sites()[site]);
+  };
+  if (limit < kWedgeLow) return turn(limit);
+  const WedgeLimit& wedge = limit == kWedgeLow ? wedge_low_ : wedge_high_;
+  switch (wedge.kind) {
+    case WedgeLimit::Kind::kToward:
+      return turn(wedge.site);
+    case WedgeLimit::Kind::kAway:
+      return -turn(wedge.site);
+    case WedgeLimit::Kind::kDown:
       return site > source_->site ? 1 : -1;
-    case Limit::Kind::kUp:
+    case WedgeLimit::Kind::kUp:
       return site > source_->site ? -1 : 1;
   }
   return 0;

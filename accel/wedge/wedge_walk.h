@@ -28,39 +28,43 @@ class WedgeWalk {
  private:
   using Node = SightMap::Node;
 
-  /// A direction from the source, and which side of it a site is on.
+  /// A direction from the source: towards a site, or one that limits the wedge.
   struct Limit {
+    double x, y;       ///< rounded
+    std::uint32_t id;  ///< the site, or one of the two below
+  };
+  static constexpr std::uint32_t kWedgeLow = 0xFFFFFFFEu;
+  static constexpr std::uint32_t kWedgeHigh = 0xFFFFFFFFu;
+
+  /// What limits a wedge: a direction towards a site or away from it, or straight down or up. All but the directions
+  /// towards sites that walks have met belong to the range that they limit.
+  struct WedgeLimit {
     enum class Kind : std::uint8_t { kToward, kAway, kDown, kUp };
-    double x, y;         ///< rounded
-    std::uint32_t site;  ///< that it leads to, or away from
+    Vec2 direction;  ///< rounded
+    std::uint32_t site;
     Kind kind;
-    bool closed;  ///< belongs to the range that it limits
-  };
-  /// Directions counter-clockwise from low to high, less than a half-turn.
-  struct Range {
-    Limit low, high;
-  };
-  struct Step {
-    std::uint32_t door;
-    Range range;
   };
 
   void follow_edges(const Node& node);
-  void look_through_wedge(std::uint32_t node, const Range& wedge);
-  void walk(std::uint32_t door, const Range& range);
+  void look_through_wedge(std::uint32_t node);
+  void walk(std::uint32_t door, Limit low, Limit high);
   void report(std::uint32_t first_node);
   void add(const Node& target);
 
-  [[nodiscard]] Limit toward(std::uint32_t site, const Vec2& at, bool closed) const;
-  [[nodiscard]] Limit away_from(std::uint32_t site, const Vec2& at) const;
-  [[nodiscard]] bool leads_right(const Limit& limit) const;
+  [[nodiscard]] bool leads_right(const WedgeLimit& limit) const;
   [[nodiscard]] int side(const Limit& limit, double x, double y, std::uint32_t site) const;
-  [[nodiscard]] int exact_side(const Limit& limit, std::uint32_t site) const;
+  [[nodiscard]] int exact_side(std::uint32_t limit, std::uint32_t site) const;
+  [[nodiscard]] bool is_closed(const Limit& limit) const { return limit.id >= kWedgeLow; }
 
   const World& world_;
   const SightMap& map_;
   const Node* source_ = nullptr;
-  std::vector<Step> stack_;
+  WedgeLimit wedge_low_{}, wedge_high_{};
+  struct Postponed {
+    std::uint32_t door;
+    Limit low, high;
+  };
+  std::vector<Postponed> stack_;
   std::vector<std::pair<VertexId, VertexId>> edges_;
   std::uint64_t steps_ = 0;
   std::uint64_t candidates_ = 0;
