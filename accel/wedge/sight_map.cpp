@@ -12,13 +12,14 @@ namespace arcway {
 
 namespace {
 
+constexpr std::size_t kTrianglesPerRange = 4096;
 constexpr std::size_t kMaxVertices = std::size_t{1} << 28;  // six half-edges a vertex, and one bit for marks
 
 Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}; }
 
 }  // namespace
 
-SightMap::SightMap(const World& world) : world_(world) {
+SightMap::SightMap(const World& world, const Executor& executor) : world_(world) {
   if (world.vertices().size() > kMaxVertices)
     throw std::length_error("wedge builder: the world has " + std::to_string(world.vertices().size()) +
                             " vertices, at most " + std::to_string(kMaxVertices) + " fit");
@@ -31,9 +32,11 @@ SightMap::SightMap(const World& world) : world_(world) {
     if (!space) throw std::logic_error("wedge builder: edges meet after they have been cut");
   }
   edge_is_covered_ = std::move(space->edge_is_covered);
-  flip_towards_delaunay(map_.sites, space->triangulation);
-  lay_out_nodes();
-  lay_out_doors(space->triangulation);
+  flip_towards_delaunay(map_.sites, space->triangulation, executor);
+  const Tiles tiles(world_.box(), map_.sites.size());
+  const std::vector<std::uint32_t> tile_of_site = tiles.of(map_.sites);
+  lay_out_nodes(tile_of_site, tiles.count());
+  lay_out_doors(space->triangulation, tile_of_site, tiles.count(), executor);
 
   std::vector<Box> boxes;
   for (const ObstacleId o : map_.broken) {
@@ -51,17 +54,16 @@ bool SightMap::is_blocked_by_broken(const LineSegment& segment) const {
                                       [&](std::uint32_t i) { return !blocks(world_, broken_edges_[i], segment); });
 }
 
-void SightMap::lay_out_nodes() {
-  const Tiles tiles(world_.box(), map_.sites.size());
+void SightMap::lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles) {
   const std::span<const VertexId> vertices = world_.convex_vertices();
   // By site, then by tile.
   std::vector<std::uint32_t> sites(vertices.size()), tile(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) sites[i] = map_.site_of[vertices[i]];
   const std::vector<std::uint32_t> by_site = sorted_by_tile(sites, static_cast<std::uint32_t>(map_.sites.size()));
-  for (std::size_t i = 0; i < by_site.size(); ++i) tile[i] = tiles.of(world_.vertex(vertices[by_site[i]]));
+  for (std::size_t i = 0; i < by_site.size(); ++i) tile[i] = tile_of_site[sites[by_site[i]]];
   nodes_.reserve(vertices.size());
   node_at_.assign(map_.sites.size(), kNone);
-  for (const std::uint32_t i : sorted_by_tile(tile, tiles.count())) {
+  for (const std::uint32_t i : sorted_by_tile(tile, tiles)) {
     const VertexId v = vertices[by_site[i]];
     const VertexId previous = world_.previous(v), next = world_.next(v);
     const std::uint32_t site = map_.site_of[v];
@@ -71,44 +73,70 @@ void SightMap::lay_out_nodes() {
   }
 }
 
-void SightMap::lay_out_doors(const Triangulation& t) {
-  const Tiles tiles(world_.box(), map_.sites.size());
+void SightMap::lay_out_doors(const Triangulation& t, std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles,
+                             const Executor& executor) {
   std::vector<std::uint32_t> tile(t.triangle_count());
-  for (std::size_t i = 0; i < tile.size(); ++i) tile[i] = tiles.of(map_.sites[t.corners[3 * i]]);
-  const std::vector<std::uint32_t> order = sorted_by_tile(tile, tiles.count());
-  std::vector<std::uint32_t> place(order.size());
+  for (std::size_t i = 0; i < tile.size(); ++i) tile[i] = tile_of_site[t.corners[3 * i]];
+  const std::vector<std::uint32_t> order = sorted_by_tile(tile, tiles);
+  std::vector<std::uint32_t>& place = tile;
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  const auto door_of = [&](std::uint32_t h) { return h == kNone ? kNone : 3 * place[h / 3] + h % 3; };
 
-  doors_.resize(t.corners.size());
+  door_count_ = t.corners.size();
+  doors_ = std::make_unique_for_overwrite<Door[]>(door_count_);
+  executor.for_ranges(order.size(), kTrianglesPerRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::uint32_t site[3], behind[3];
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t h = 3 * order[i] + k, twin = t.twins[h];
+        site[k] = t.corners[h];
+        behind[k] = twin == kNone ? kNone : 3 * place[twin / 3] + twin % 3;
+      }
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t next = k == 2 ? 0 : k + 1, previous = k == 0 ? 2 : k - 1;
+        const std::uint32_t apex = site[previous];
+        doors_[3 * i + k] = {map_.sites[apex], behind[previous], behind[next], apex, node_at_[apex]};
+      }
+    }
+  });
+  find_fans(t, order);
+}
+
+void SightMap::find_fans(const Triangulation& t, std::span<const std::uint32_t> order) {
   struct Start {
     std::uint32_t node;
     Fan fan;
   };
-  std::vector<std::uint8_t> has_wall(nodes_.size(), 0);
-  first_fan_.assign(nodes_.size() + 1, 0);
   std::vector<Start> starts;
   starts.reserve(nodes_.size());
-  for (const bool at_walls : {true, false}) {
-    for (std::uint32_t i = 0; i < order.size(); ++i) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t h = 3 * order[i] + k;
-        if (at_walls) {
-          const std::uint32_t apex = t.corners[Triangulation::previous(h)];
-          doors_[3 * i + k] = {map_.sites[apex], door_of(t.twins[Triangulation::previous(h)]),
-                               door_of(t.twins[Triangulation::next(h)]), apex, node_at_[apex]};
-        }
-        const std::uint32_t node = node_at_[t.corners[h]];
-        if (node == kNone || (at_walls ? t.twins[h] != kNone : has_wall[node] != 0)) continue;
-        has_wall[node] = 1;  // or the one fan that a site without walls needs
-        starts.push_back({node, {3 * i + k, t.corners[Triangulation::next(h)], at_walls}});
-      }
-    }
+  std::vector<std::uint8_t> has_fan(nodes_.size(), 0);
+  std::size_t missing = 0;
+  const auto each_half_edge = [&](const auto& visit) {
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+      for (std::uint32_t k = 0; k < 3; ++k) visit(3 * order[i] + k, 3 * i + k);
+  };
+  const auto start_fan = [&](std::uint32_t h, std::uint32_t door, std::uint32_t node) {
+    starts.push_back({node, {door, t.corners[Triangulation::next(h)]}});
+    if (!has_fan[node]) --missing;
+    has_fan[node] = 1;
+  };
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) missing += node_at_[nodes_[n].site] == n;
+  each_half_edge([&](std::uint32_t h, std::uint32_t door) {
+    if (t.twins[h] != kNone) return;
+    const std::uint32_t node = node_at_[t.corners[h]];
+    if (node != kNone) start_fan(h, door, node);
+  });
+  if (missing > 0) {  // sites without walls
+    each_half_edge([&](std::uint32_t h, std::uint32_t door) {
+      const std::uint32_t node = node_at_[t.corners[h]];
+      if (node != kNone && !has_fan[node]) start_fan(h, door, node);
+    });
   }
+
   // Every node of a site has the fans of the site.
   const auto each_node_of = [&](const Start& start, const auto& visit) {
     for (std::uint32_t n = start.node; n < nodes_.size() && nodes_[n].site == nodes_[start.node].site; ++n) visit(n);
   };
+  first_fan_.assign(nodes_.size() + 1, 0);
   for (const Start& start : starts) each_node_of(start, [&](std::uint32_t n) { ++first_fan_[n + 1]; });
   for (std::size_t n = 0; n < nodes_.size(); ++n) first_fan_[n + 1] += first_fan_[n];
   fans_.resize(first_fan_.back());

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/triangulation.h"
+#include "core/executor.h"
 #include "core/geometry/box_tree.h"
 #include "core/world.h"
 
@@ -36,13 +38,12 @@ class SightMap {
   struct Fan {
     std::uint32_t door;
     std::uint32_t first_site;  ///< the other end of the first door
-    bool starts_at_wall;
   };
 
-  /// O(n log n). Throws std::length_error beyond 2^28 vertices.
-  explicit SightMap(const World& world);
+  /// O(n log n). Throws std::length_error beyond 2^28 vertices. The same for any executor.
+  explicit SightMap(const World& world, const Executor& executor = SerialExecutor());
 
-  [[nodiscard]] std::span<const Door> doors() const { return doors_; }
+  [[nodiscard]] std::span<const Door> doors() const { return {doors_.get(), door_count_}; }
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
   [[nodiscard]] std::span<const Fan> fans(std::uint32_t node) const {
     return std::span(fans_).subspan(first_fan_[node], first_fan_[node + 1] - first_fan_[node]);
@@ -66,13 +67,18 @@ class SightMap {
   [[nodiscard]] bool is_blocked_by_broken(const LineSegment& segment) const;
 
  private:
-  void lay_out_nodes();
-  void lay_out_doors(const Triangulation& triangulation);
+  /// Nodes and doors in the order of the tiles of their sites.
+  void lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles);
+  void lay_out_doors(const Triangulation& triangulation, std::span<const std::uint32_t> tile_of_site,
+                     std::uint32_t tiles, const Executor& executor);
+  /// @param order  triangles in the order of their doors.
+  void find_fans(const Triangulation& triangulation, std::span<const std::uint32_t> order);
 
   World world_;
   PlanarMap map_;
   std::vector<std::uint8_t> edge_is_covered_;
-  std::vector<Door> doors_;
+  std::unique_ptr<Door[]> doors_;  // not a vector, which would fill it first
+  std::size_t door_count_ = 0;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> node_at_;  // by site
   std::vector<Fan> fans_;

@@ -51,6 +51,12 @@ std::uint32_t Tiles::of(const Vec2& p) const {
   return ranks_[y * side_ + x];
 }
 
+std::vector<std::uint32_t> Tiles::of(std::span<const Vec2> points) const {
+  std::vector<std::uint32_t> tiles(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) tiles[i] = of(points[i]);
+  return tiles;
+}
+
 std::vector<std::uint32_t> sorted_by_tile(std::span<const std::uint32_t> tiles, std::uint32_t tile_count) {
   std::vector<std::uint32_t> starts(tile_count + 1, 0);
   for (const std::uint32_t tile : tiles) ++starts[tile + 1];

@@ -17,6 +17,7 @@ class Tiles {
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(ranks_.size()); }
   /// The tile of a point, in the order of the curve; points outside of the box count as its nearest.
   [[nodiscard]] std::uint32_t of(const Vec2& p) const;
+  [[nodiscard]] std::vector<std::uint32_t> of(std::span<const Vec2> points) const;
 
  private:
   Vec2 origin_;

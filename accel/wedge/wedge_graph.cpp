@@ -20,7 +20,7 @@ constexpr std::size_t kNodesPerRange = 256;
 
 VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, const Executor& executor,
                                                          WedgeStatistics* statistics) {
-  const SightMap map(world);
+  const SightMap map(world, executor);
   std::mutex mutex;
   std::vector<std::vector<std::pair<VertexId, VertexId>>> parts;
   WedgeStatistics sum;
