@@ -68,7 +68,7 @@ class Flipper {
     const std::uint32_t bc = next(h), ca = previous(h), ad = next(g), db = previous(g);
     const std::uint32_t a = corners_[h], b = corners_[g], c = corners_[ca], d = corners_[db];
     if (!surely_in_circle(sites_[a], sites_[b], sites_[c], sites_[d])) return;
-    const std::uint32_t beyond_bc = twins_[bc], beyond_ca = twins_[ca], beyond_ad = twins_[ad], beyond_db = twins_[db];
+    const std::uint32_t beyond_ca = twins_[ca], beyond_db = twins_[db];
     if (is_foreign(beyond_ca) || is_foreign(beyond_db)) {
       left_over_.push_back(h);
       return;

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <string>
 
+#include "accel/make_queries.h"
+#include "accel/pairwise_graph.h"
 #include "accel/parallel.h"
 #include "core/query/query_set.h"
+#include "datasets/catalogue.h"
 #include "datasets/clutter.h"
 #include "tests/support/nasty_worlds.h"
 
@@ -51,6 +54,14 @@ TEST(WedgeGraph, NastyWorlds) {
     ASSERT_TRUE(agrees(test::nasty_world(seed, 14))) << "seed " << seed;
   for (std::uint64_t seed = 0; seed < kNastyWorlds / 20; ++seed)
     ASSERT_TRUE(agrees(test::nasty_world(seed, 80))) << "large, seed " << seed;
+}
+
+TEST(WedgeGraph, WorldsOfTheCatalogue) {
+  for (const char* family :
+       {"corridor", "city", "coastline", "islands", "maze", "rooms", "warehouse", "adversarial/touching",
+        "adversarial/shared", "adversarial/collinear", "adversarial/needles", "adversarial/far", "adversarial/nested",
+        "adversarial/overlapping", "adversarial/contacts", "adversarial/holes"})
+    EXPECT_TRUE(agrees(catalogue_world(std::string(family) + "/v250/s2"))) << family;
 }
 
 TEST(WedgeGraph, NothingAndLittle) {
@@ -107,9 +118,17 @@ TEST(WedgeGraph, ThousandsOfSitesInManyTiles) {
       agrees(random_world({.kind = ClutterKind::kMixed, .obstacles = 500, .vertices = 8, .fill = 0.3, .seed = 4})));
 }
 
+// More triangles than one block of flips.
+TEST(WedgeGraph, SixteenThousandVerticesAgainstPairs) {
+  const World world =
+      random_world({.kind = ClutterKind::kConvex, .obstacles = 1600, .vertices = 10, .fill = 0.3, .seed = 5});
+  EXPECT_EQ(build_reduced_visibility_graph_by_wedges(world),
+            build_pairwise_visibility_graph(world, *make_embree_queries(world).visibility, SerialExecutor()));
+}
+
 TEST(WedgeGraph, HasTheSameBitsForAnyNumberOfThreads) {
   const World world =
-      random_world({.kind = ClutterKind::kStar, .obstacles = 600, .vertices = 9, .fill = 0.25, .seed = 2});
+      random_world({.kind = ClutterKind::kStar, .obstacles = 2000, .vertices = 9, .fill = 0.25, .seed = 2});
   WedgeStatistics serial, parallel;
   const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world, SerialExecutor(), &serial);
   for (const std::size_t threads : {1, 2, 7}) {
