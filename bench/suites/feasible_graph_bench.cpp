@@ -55,10 +55,7 @@ void build(benchmark::State& state, const QueryBackend& backend, const Case& c) 
   const HeapUse before = heap_use();
   FeasibleGraph graph = build_with(queries, *executor);
   const HeapUse after = heap_use();
-  const auto right = [&] {
-    return world.vertices().size() > 40'000 ||  // beyond the reference's reach
-           same_links(graph, build_with(make_reference_queries(world), SerialExecutor()));
-  };
+  const auto right = [&] { return same_links(graph, build_with(make_reference_queries(world), SerialExecutor())); };
   const std::string key = backend.name + c.world + std::to_string(c.radii) + "/" + std::to_string(c.threads);
   if (!require_once(state, "FeasibleGraph/" + key, right, "links differ from the reference")) return;
   for (auto _ : state) graph = build_with(queries, *executor);
@@ -77,7 +74,7 @@ void add(Study study) {
     const double exponent = reference ? 2.0 : 1.1;
     const std::string stage = "FeasibleGraph/" + backend.name;
     Series by_obstacles(study, stage, "obstacles", law, exponent);
-    for (const std::size_t n : sizes(study, {10, 32, 100, 316, 1000, 3162, 10000, 31623, 100000}, 10, 3162))
+    for (const std::size_t n : sizes(study, {10, 32, 100, 316, 1000, 3162}, 10, 3162))
       by_obstacles.add(static_cast<double>(n), [&backend, n](benchmark::State& state) {
         build(state, backend, {clutter_name("convex", n, 10, 30)});
       });
