@@ -268,6 +268,20 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
     return result;
   }
 
+  const Stopwatch refining;
+  result.statistics.unrefined_travel_time = speed_profile(*found.path, d.map.vehicle).total_time;
+  if (d.options.refinement.max_trials > 0) {
+    RefinedPath refined = refine_path(
+        *found.path, request.start, request.goal, d.map.vehicle, *d.map.queries.sweep, d.options.refinement,
+        [&] { return limits.stop.stop_requested() || (deadline && std::chrono::steady_clock::now() >= *deadline); });
+    found.path = std::move(refined.path);
+    result.statistics.refine_trials = refined.trials;
+    result.statistics.refine_improvements = refined.improvements;
+    result.statistics.straights_checked += refined.straights_checked;
+    result.statistics.turns_checked += refined.turns_checked;
+  }
+  result.statistics.refine_seconds = refining.seconds();
+
   const Stopwatch finishing;
   result.status = PlanStatus::kSolved;
   const SpeedProfile profile = speed_profile(*found.path, d.map.vehicle);

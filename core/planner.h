@@ -14,6 +14,7 @@
 #include "core/graph/visibility_graph.h"
 #include "core/path/path.h"
 #include "core/query/query_set.h"
+#include "core/refine/refine_path.h"
 #include "core/search/heuristic.h"
 #include "core/vehicle.h"
 #include "core/world.h"
@@ -33,6 +34,7 @@ struct PlannerOptions {
   /// manoeuvres off.
   std::uint32_t manoeuvre_poses = 400;
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
+  RefineOptions refinement = {};  ///< of the path found; `max_trials = 0` turns it off
 };
 
 struct PlanRequest {
@@ -70,12 +72,16 @@ struct TimedSegment {
 
 /// Counters and stage times of one query.
 struct PlanStatistics {
-  std::uint64_t nodes_expanded = 0;     ///< arrivals taken from the open list
-  std::uint64_t nodes_pushed = 0;       ///< arrivals put on it
-  std::uint64_t straights_checked = 0;  ///< swept rectangles of starts and goals decided
-  std::uint64_t turns_checked = 0;      ///< heading sets of starts and goals computed
-  std::uint64_t manoeuvre_poses = 0;    ///< poses of start and goal manoeuvres tried
+  std::uint64_t nodes_expanded = 0;       ///< arrivals taken from the open list
+  std::uint64_t nodes_pushed = 0;         ///< arrivals put on it
+  std::uint64_t straights_checked = 0;    ///< swept rectangles of starts and goals decided
+  std::uint64_t turns_checked = 0;        ///< heading sets of starts and goals computed
+  std::uint64_t manoeuvre_poses = 0;      ///< poses of start and goal manoeuvres tried
+  std::uint64_t refine_trials = 0;        ///< paths that refinement tried
+  std::uint64_t refine_improvements = 0;  ///< those of them that it took
+  double unrefined_travel_time = 0.0;     ///< of the path before refinement [s]
   double search_seconds = 0.0;
+  double refine_seconds = 0.0;
   double profile_seconds = 0.0;  ///< speed profile and clearance
   double total_seconds = 0.0;
 };
@@ -130,7 +136,7 @@ class Planner {
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
           const PlannerOptions& options, const Executor& executor);
 
-  /// The fastest path of the graph under the true speed profile. Never throws for want of a path: see
+  /// The fastest path of the graph under the true speed profile, refined. Never throws for want of a path: see
   /// PlanResult::status.
   /// @throws std::invalid_argument if a pose is not finite or beyond 1e9 m, or the time limit is not a number.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;

@@ -116,6 +116,10 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
   append_member(out, "straights_checked", result.statistics.straights_checked);
   append_member(out, "turns_checked", result.statistics.turns_checked);
   append_member(out, "manoeuvre_poses", result.statistics.manoeuvre_poses);
+  append_member(out, "unrefined_travel_time", result.statistics.unrefined_travel_time);
+  append_member(out, "refine_trials", result.statistics.refine_trials);
+  append_member(out, "refine_improvements", result.statistics.refine_improvements);
+  append_member(out, "refine_seconds", result.statistics.refine_seconds);
   append_member(out, "search_seconds", result.statistics.search_seconds);
   append_member(out, "profile_seconds", result.statistics.profile_seconds);
   append_member(out, "total_seconds", result.statistics.total_seconds);

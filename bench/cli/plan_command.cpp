@@ -93,6 +93,7 @@ std::string result_rows(const PlanResult& result) {
   std::string text;
   text += row("travel time", fixed(result.travel_time, 3) + " s" +
                                  (result.interrupted ? ", the best found within the time limit" : ""));
+  text += row("before refinement", fixed(result.statistics.unrefined_travel_time, 3) + " s");
   text += row("length", fixed(result.length, 3) + " m in " + count_text(result.segments.size()) + " segments");
   text += row("lower bound", fixed(result.lower_bound, 3) + " s");
   text += row("smallest clearance", fixed(result.min_clearance, 6) + " m");
@@ -103,7 +104,8 @@ std::string search_rows(const PlanStatistics& statistics) {
   std::string text;
   text +=
       row("query", duration_text(statistics.total_seconds) + " (search " + duration_text(statistics.search_seconds) +
-                       ", profile " + duration_text(statistics.profile_seconds) + ")");
+                       ", refinement " + duration_text(statistics.refine_seconds) + ", profile " +
+                       duration_text(statistics.profile_seconds) + ")");
   text += row("arrivals",
               count_text(statistics.nodes_expanded) + " expanded, " + count_text(statistics.nodes_pushed) + " pushed");
   return text;

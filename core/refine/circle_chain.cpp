@@ -1,0 +1,92 @@
+#include "core/refine/circle_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kUlps = 64.0 * std::numeric_limits<double>::epsilon();
+
+// Where circles touch up to rounding, `directed_bitangent` may find none: they meet on the line of their centres.
+std::optional<Bitangent> joint_of(const TurnCircle& from, const TurnCircle& to) {
+  if (const auto line = directed_bitangent(from, to)) return line;
+  const Vec2 d = to.center - from.center;
+  const double offset = sign_of(to.side) * to.radius - sign_of(from.side) * from.radius;
+  const double scale =
+      std::max({from.radius, to.radius, from.center.cwiseAbs().maxCoeff(), to.center.cwiseAbs().maxCoeff()});
+  if (std::abs(d.norm() - std::abs(offset)) > kUlps * scale || d.norm() <= kUlps * scale) return std::nullopt;
+  const Vec2 t = -offset * perpendicular(d);
+  return Bitangent{pose_on(from, wrap_positive(std::atan2(t.y(), t.x()))), 0.0};
+}
+
+TurnCircle circle_of(const PathSegment& arc) {
+  const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
+  return turn_circle(arc.start, 1.0 / std::abs(arc.curvature), side);
+}
+
+Pose advanced(const Pose& pose, double length) { return PathSegment{pose, length, 0.0}.end(); }
+
+}  // namespace
+
+void CircleChain::place_ends() {
+  TurnCircle& first = circles.front();
+  TurnCircle& last = circles.back();
+  first = turn_circle(advanced(start, lead_in), first.radius, first.side);
+  last = turn_circle(advanced(goal, -lead_out), last.radius, last.side);
+}
+
+std::optional<CircleChain> chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal) {
+  CircleChain chain{start, goal, 0.0, 0.0, {}};
+  double curvature = 0.0;  // of the segment before
+  for (const PathSegment& segment : path) {
+    if (!segment.is_line()) {
+      if (segment.curvature != curvature) chain.circles.push_back(circle_of(segment));
+      chain.lead_out = 0.0;
+    } else if (chain.circles.empty()) {
+      chain.lead_in += segment.length;
+    } else {
+      chain.lead_out += segment.length;
+    }
+    curvature = segment.curvature;
+  }
+  if (chain.circles.size() < 2) return std::nullopt;
+  chain.place_ends();
+  return chain;
+}
+
+std::optional<std::vector<Bitangent>> lines_of(const CircleChain& chain) {
+  std::vector<Bitangent> lines;
+  lines.reserve(chain.circles.size() + 1);
+  lines.push_back({chain.start, chain.lead_in});
+  for (std::size_t i = 0; i + 1 < chain.circles.size(); ++i) {
+    const auto line = joint_of(chain.circles[i], chain.circles[i + 1]);
+    if (!line) return std::nullopt;
+    lines.push_back(*line);
+  }
+  lines.push_back({advanced(chain.goal, -chain.lead_out), chain.lead_out});
+  return lines;
+}
+
+Path path_of(const CircleChain& chain, std::span<const Bitangent> lines) {
+  Path path;
+  path.reserve(2 * chain.circles.size() + 1);
+  const auto append = [&path](const Pose& start, double length, double curvature) {
+    if (length > 0.0) path.push_back({start, length, curvature});
+  };
+  append(lines[0].start, lines[0].length, 0.0);
+  for (std::size_t i = 0; i < chain.circles.size(); ++i) {
+    const TurnCircle& circle = chain.circles[i];
+    const double heading = lines[i].start.heading;
+    const double turn = turn_between(heading, lines[i + 1].start.heading, circle.side);
+    append(pose_on(circle, heading), turn * circle.radius, sign_of(circle.side) / circle.radius);
+    append(lines[i + 1].start, lines[i + 1].length, 0.0);
+  }
+  return path;
+}
+
+}  // namespace arcway

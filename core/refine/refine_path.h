@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "core/path/path.h"
+#include "core/query/sweep_query.h"
+#include "core/vehicle.h"
+
+namespace arcway {
+
+struct RefineOptions {
+  /// Paths whose travel time is tried, at most; some microseconds each. 0: no refinement.
+  std::uint32_t max_trials = 4000;
+  /// Centres and radii slide in steps down to this part of the smallest turning radius.
+  double smallest_step = 1.0 / 128.0;
+};
+
+struct RefinedPath {
+  Path path;
+  double travel_time = 0.0;             ///< of `path`, by speed_profile [s]
+  std::uint64_t trials = 0;             ///< paths whose travel time was computed
+  std::uint64_t improvements = 0;       ///< of them, accepted: faster and free
+  std::uint64_t straights_checked = 0;  ///< swept rectangles decided
+  std::uint64_t turns_checked = 0;      ///< heading sets computed
+};
+
+/// Makes a free path faster by local changes, as long as time falls:
+/// - turns between two circles are left out where their bitangent is free;
+/// - start or goal joins a later circle by an arc to either side;
+/// - two turns to the same side become one, tangent to the lines before and behind;
+/// - two arcs join places on two lines of the path by a Dubins word of the smallest radius;
+/// - centres and radii slide, by steps that are halved down to the smallest.
+/// A change is accepted only if the travel time under the speed profile falls and the swept area of the body grown by
+/// half of the safety margin is free by `sweep`. So the result is as free as the input and never slower; a path that
+/// turns on fewer than two circles is returned as it is. A local optimum of these changes, not the fastest path.
+/// Deterministic unless stopped: `stop` is asked before each trial and ends refinement with the best path so far.
+/// Thread-safe.
+RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
+                        const SweepQuery& sweep, const RefineOptions& options = {},
+                        const std::function<bool()>& stop = {});
+
+}  // namespace arcway

@@ -1,0 +1,186 @@
+#include "core/refine/refine_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "core/path/dubins.h"
+#include "core/path/speed_profile.h"
+#include "core/path/validation.h"
+#include "core/planner.h"
+#include "datasets/clutter.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+Vehicle real_vehicle() {
+  VehicleParameters parameters;
+  parameters.turn_speed = LateralAccelerationLimit{2.0};
+  parameters.max_acceleration = 2.0;
+  return Vehicle(parameters);
+}
+
+TimedPath timed(const Path& path, const Vehicle& vehicle) {
+  const SpeedProfile profile = speed_profile(path, vehicle);
+  return {.segments = path,
+          .speed_in = {profile.speeds.begin(), profile.speeds.end() - 1},
+          .speed_out = {profile.speeds.begin() + 1, profile.speeds.end()},
+          .durations = profile.durations};
+}
+
+void expect_valid(const World& world, const Vehicle& vehicle, const PlanRequest& request, const Path& path) {
+  const ValidationReport report = validate(world, vehicle, request.start, request.goal, timed(path, vehicle));
+  for (const ValidationIssue& issue : report.issues) ADD_FAILURE() << name_of(issue.violation) << ": " << issue.message;
+}
+
+RefinedPath refined(const World& world, const Vehicle& vehicle, const PlanRequest& request, const Path& path,
+                    const RefineOptions& options = {}, const std::function<bool()>& stop = {}) {
+  return refine_path(path, request.start, request.goal, vehicle, *make_reference_queries(world).sweep, options, stop);
+}
+
+class RefinePathInClutter : public testing::TestWithParam<std::tuple<ClutterKind, double, bool>> {};
+
+TEST_P(RefinePathInClutter, IsNeverSlowerAlwaysValidAndTheSameEveryTime) {
+  const auto [kind, fill, real] = GetParam();
+  const World world = random_world({.kind = kind, .obstacles = 40, .vertices = 10, .fill = fill, .seed = 3});
+  const Vehicle vehicle = real ? real_vehicle() : Vehicle{};
+  const Planner planner(world, vehicle, {.radii = {}, .refinement = {.max_trials = 0}});
+  const Vec2 low = world.box().min;
+  const Vec2 span = world.box().max - low;
+  test::Random random(29);
+  int solved = 0, faster = 0;
+  for (int i = 0; i < 100 && solved < 12; ++i) {
+    const auto pose = [&] {
+      return Pose{low.x() + random.uniform(0.05, 0.95) * span.x(), low.y() + random.uniform(0.05, 0.95) * span.y(),
+                  random.uniform(-kPi, kPi)};
+    };
+    const PlanRequest request{pose(), pose()};
+    const PlanResult plan = planner.plan(request);
+    if (!plan.solved()) continue;
+    ++solved;
+    const RefinedPath result = refined(world, vehicle, request, plan.path());
+    EXPECT_LE(result.travel_time, plan.travel_time);
+    EXPECT_EQ(result.travel_time, speed_profile(result.path, vehicle).total_time);
+    EXPECT_LE(result.trials, RefineOptions{}.max_trials);
+    expect_valid(world, vehicle, request, result.path);
+    if (result.travel_time < plan.travel_time) {
+      ++faster;
+      EXPECT_GT(result.improvements, 0u);
+    }
+
+    const RefinedPath again = refined(world, vehicle, request, plan.path());
+    ASSERT_EQ(again.path.size(), result.path.size());
+    for (std::size_t k = 0; k < again.path.size(); ++k) {
+      EXPECT_EQ(again.path[k].start.x, result.path[k].start.x);
+      EXPECT_EQ(again.path[k].length, result.path[k].length);
+      EXPECT_EQ(again.path[k].curvature, result.path[k].curvature);
+    }
+  }
+  EXPECT_GE(solved, 9);
+  EXPECT_GT(faster, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Clutters, RefinePathInClutter,
+                         testing::Combine(testing::Values(ClutterKind::kConvex, ClutterKind::kStar),
+                                          testing::Values(0.15, 0.3, 0.45), testing::Bool()));
+
+// A detour round nothing: three turns that a plain word does without.
+Path detour() {
+  Path path{{{0, 0, 0}, 2.0, 0.5}};
+  for (const auto& [length, curvature] : {std::pair{6.0, 0.0}, {4.0, -0.5}, {6.0, 0.0}, {2.0, 0.5}, {5.0, 0.0}})
+    path.push_back({path.back().end(), length, curvature});
+  return path;
+}
+
+TEST(RefinePath, DropsTurnsThatNothingAsksFor) {
+  const Vehicle vehicle;
+  const Path path = detour();
+  const PlanRequest request{path.front().start, path.back().end()};
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const DubinsWord word : kDubinsWords)
+    if (const auto direct = dubins_path(word, request.start, request.goal, vehicle.min_turning_radius()))
+      shortest = std::min(shortest, speed_profile(*direct, vehicle).total_time);
+  const RefinedPath result = refined(World({}), vehicle, request, path);
+  EXPECT_LE(result.travel_time, shortest * (1.0 + 1e-6));
+  expect_valid(World({}), vehicle, request, result.path);
+}
+
+TEST(RefinePath, KeepsTheWayRoundWhatStandsThere) {
+  // Above the base line, below the detour.
+  const World world({{{{8.0, -3.0}, {9.0, -3.0}, {9.0, 3.0}, {8.0, 3.0}}, {}}});
+  const Vehicle vehicle;
+  const Path path = detour();
+  const PlanRequest request{path.front().start, path.back().end()};
+  ASSERT_TRUE(validate(world, vehicle, request.start, request.goal, timed(path, vehicle)).valid());
+  const RefinedPath result = refined(world, vehicle, request, path);
+  EXPECT_LT(result.travel_time, speed_profile(path, vehicle).total_time);
+  expect_valid(world, vehicle, request, result.path);
+}
+
+TEST(RefinePath, WidensTurnsWhereThatIsFaster) {
+  const Vehicle vehicle = real_vehicle();
+  const World world({{test::square(3.0, 3.0, 15.0), {}}});
+  Path path{{{0, 0, 0}, 20.0, 0.0}};
+  for (const auto& [length, curvature] : {std::pair{1.3 * kPi / 2, 1 / 1.3}, {20.0, 0.0}, {1.3 * kPi / 2, -1 / 1.3}})
+    path.push_back({path.back().end(), length, curvature});
+  const PlanRequest request{path.front().start, path.back().end()};
+  const RefinedPath result = refined(world, vehicle, request, path);
+  EXPECT_LT(result.travel_time, 0.95 * speed_profile(path, vehicle).total_time);
+  double widest = 0.0;
+  for (const PathSegment& segment : result.path)
+    if (!segment.is_line()) widest = std::max(widest, 1.0 / std::abs(segment.curvature));
+  EXPECT_GT(widest, 3.0);
+  expect_valid(world, vehicle, request, result.path);
+}
+
+TEST(RefinePath, StopsWhenAskedAndAtItsLimit) {
+  const Path path = detour();
+  const PlanRequest request{path.front().start, path.back().end()};
+  const Vehicle vehicle;
+  const auto expect_untouched = [&](const RefinedPath& result) {
+    EXPECT_EQ(result.trials, 0u);
+    EXPECT_EQ(result.travel_time, speed_profile(path, vehicle).total_time);
+    ASSERT_EQ(result.path.size(), path.size());
+  };
+  expect_untouched(refined(World({}), vehicle, request, path, {.max_trials = 0}));
+  expect_untouched(refined(World({}), vehicle, request, path, {}, [] { return true; }));
+  EXPECT_LE(refined(World({}), vehicle, request, path, {.max_trials = 7}).trials, 7u);
+}
+
+TEST(RefinePath, LeavesBarePathsAlone) {
+  const Vehicle vehicle;
+  const Pose start{1, 1, 0.5};
+  for (const double curvature : {0.0, 0.3, -0.3}) {
+    const PathSegment segment{start, 4.0, curvature};
+    const RefinedPath result = refined(World({}), vehicle, {start, segment.end()}, {segment});
+    ASSERT_EQ(result.path.size(), 1u);
+    EXPECT_EQ(result.path[0].length, 4.0);
+  }
+  EXPECT_TRUE(refined(World({}), vehicle, {start, start}, {}).path.empty());
+}
+
+TEST(RefinePath, ThePlannerReportsBothTimes) {
+  const World world = random_world({.obstacles = 30, .vertices = 8, .fill = 0.3, .seed = 5});
+  const Planner planner(world, real_vehicle());
+  const Planner plain(world, real_vehicle(), {.radii = {}, .refinement = {.max_trials = 0}});
+  const Vec2 span = world.box().max;
+  int solved = 0;
+  for (int i = 1; i < 20; ++i) {
+    const PlanRequest request{{0.05 * i * span.x(), 1.5, 0.0}, {1.5, 0.05 * i * span.y(), kPi / 2}};
+    const PlanResult result = planner.plan(request);
+    const PlanResult first = plain.plan(request);
+    ASSERT_EQ(result.status, first.status);
+    if (!result.solved()) continue;
+    ++solved;
+    EXPECT_EQ(result.statistics.unrefined_travel_time, first.travel_time);
+    EXPECT_LE(result.travel_time, first.travel_time);
+    EXPECT_EQ(first.statistics.refine_trials, 0u);
+    expect_valid(world, planner.vehicle(), request, result.path());
+  }
+  EXPECT_GT(solved, 2);
+}
+
+}  // namespace
+}  // namespace arcway
