@@ -4,8 +4,11 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
+#include "core/bound/point_distance.h"
+#include "core/bound/travel_time_bound.h"
 #include "core/geometry/angle.h"
 #include "core/path/clearance.h"
 #include "core/path/speed_profile.h"
@@ -95,6 +98,9 @@ struct Planner::Data {
         visibility_graph(std::move(graph)),
         map(world, vehicle, queries, options.radii,
             FeasibleGraph(world, vehicle, visibility_graph, queries, options.radii, executor, options.graph_mode)) {
+    const Footprint bare = vehicle.footprint();
+    if (options.point_robot_bound && std::min(bare.front, bare.rear) >= 0.0)
+      point_distance.emplace(world, visibility_graph);
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = map.graph.counts();
   }
@@ -129,6 +135,7 @@ struct Planner::Data {
   PlannerOptions options;
   VisibilityGraph visibility_graph;
   SearchMap map;
+  std::optional<PointDistance> point_distance;
   PrepareStatistics prepare_statistics;
   mutable WorkspacePool workspaces;
 };
@@ -195,8 +202,8 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   PlanResult result;
   result.start = request.start;
   result.goal = request.goal;
-  result.lower_bound = relaxed_segment_time((request.goal.position() - request.start.position()).norm(), 0.0,
-                                            d.map.vehicle.max_speed(), 0.0, d.map.vehicle.max_acceleration());
+  const double straight = (request.goal.position() - request.start.position()).norm();
+  result.lower_bound = travel_time_bound(request.start, request.goal, straight, d.map.vehicle);
   if (!d.pose_is_free(request.start, true, result) || !d.pose_is_free(request.goal, false, result)) {
     result.statistics.total_seconds = total.seconds();
     return result;
@@ -281,6 +288,14 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
     result.statistics.turns_checked += refined.turns_checked;
   }
   result.statistics.refine_seconds = refining.seconds();
+
+  const Stopwatch bounding;
+  if (d.point_distance)
+    result.lower_bound = travel_time_bound(
+        request.start, request.goal,
+        (*d.point_distance)(request.start.position(), request.goal.position(), *d.map.queries.visibility),
+        d.map.vehicle);
+  result.statistics.bound_seconds = bounding.seconds();
 
   const Stopwatch finishing;
   result.status = PlanStatus::kSolved;

@@ -34,6 +34,8 @@ struct PlannerOptions {
   /// manoeuvres off.
   std::uint32_t manoeuvre_poses = 400;
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
+  /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
+  bool point_robot_bound = true;
   RefineOptions refinement = {};  ///< of the path found; `max_trials = 0` turns it off
 };
 
@@ -82,6 +84,7 @@ struct PlanStatistics {
   double unrefined_travel_time = 0.0;     ///< of the path before refinement [s]
   double search_seconds = 0.0;
   double refine_seconds = 0.0;
+  double bound_seconds = 0.0;    ///< lower bound
   double profile_seconds = 0.0;  ///< speed profile and clearance
   double total_seconds = 0.0;
 };
@@ -95,12 +98,15 @@ struct PlanResult {
   std::vector<TimedSegment> segments;
   double travel_time = 0.0;  ///< [s]
   double length = 0.0;       ///< [m]
-  /// No path can take less [s]: the straight line from rest to rest at v_ms and a_max.
+  /// No path can take less [s]: travel_time_bound with the length of the straight line; if solved, `point_robot_bound`
+  /// is set and the body covers the reference point, with that of a point's shortest path among the obstacles.
   double lower_bound = 0.0;
   double min_clearance = 0.0;     ///< of the bare body along the path [m]; infinity in a world without obstacles
   PathSegment clearance_segment;  ///< the segment where that is
   std::size_t clearance_index = 0;
   PlanStatistics statistics;
+  /// By how much the plan may be slower than the best one at most: travel_time / lower_bound - 1; 0 for no time.
+  [[nodiscard]] double optimality_gap() const { return travel_time > 0.0 ? travel_time / lower_bound - 1.0 : 0.0; }
   [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
   [[nodiscard]] Path path() const;
 };

@@ -95,7 +95,8 @@ std::string result_rows(const PlanResult& result) {
                                  (result.interrupted ? ", the best found within the time limit" : ""));
   text += row("before refinement", fixed(result.statistics.unrefined_travel_time, 3) + " s");
   text += row("length", fixed(result.length, 3) + " m in " + count_text(result.segments.size()) + " segments");
-  text += row("lower bound", fixed(result.lower_bound, 3) + " s");
+  text +=
+      row("lower bound", fixed(result.lower_bound, 3) + " s, gap " + fixed(100.0 * result.optimality_gap(), 2) + " %");
   text += row("smallest clearance", fixed(result.min_clearance, 6) + " m");
   return text;
 }

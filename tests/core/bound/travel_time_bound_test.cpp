@@ -1,0 +1,116 @@
+#include "core/bound/travel_time_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/angle.h"
+#include "core/path/dubins.h"
+#include "core/path/speed_profile.h"
+#include "core/planner.h"
+#include "datasets/clutter.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+Vehicle vehicle_with(const TurnSpeedLaw& law, double acceleration) {
+  VehicleParameters parameters;
+  parameters.turn_speed = law;
+  parameters.max_acceleration = acceleration;
+  return Vehicle(parameters);
+}
+
+double straight_time(double length, const Vehicle& vehicle) {
+  return segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());
+}
+
+TEST(TravelTimeBound, IsMetByAStraightLine) {
+  const Vehicle vehicle;
+  const double bound = travel_time_bound({1, 2, 0.0}, {31, 2, 0.0}, 30.0, vehicle);
+  EXPECT_NEAR(bound, straight_time(30.0, vehicle), 1e-10);
+  EXPECT_LE(bound, straight_time(30.0, vehicle));
+  EXPECT_EQ(travel_time_bound({1, 2, 0.5}, {1, 2, 0.5}, 0.0, vehicle), 0.0);
+}
+
+TEST(TravelTimeBound, IsInfiniteWithoutAWay) {
+  EXPECT_EQ(travel_time_bound({0, 0, 0}, {5, 0, 0}, std::numeric_limits<double>::infinity(), Vehicle{}),
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(TravelTimeBound, CountsTheTimeLostOnArcs) {
+  // Facing away at both ends: the headings turn by pi at least. 0.5 * 1.3 * pi metres of arc at each end, at 8 of 12
+  // m/s.
+  const Vehicle vehicle;
+  const double half = 0.5 * vehicle.min_turning_radius() * kPi;
+  const double a = vehicle.max_acceleration();
+  const double slow = 8.0 * 8.0 / (2.0 * a), fast = 12.0 * 12.0 / (2.0 * a);
+  const double lost = (fast - slow) / 8.0 - (12.0 - 8.0) / a + (half - fast) * (1.0 / 8.0 - 1.0 / 12.0);
+  const Pose start{0, 0, kPi}, goal{100, 0, kPi};
+  double word = std::numeric_limits<double>::infinity();
+  for (const DubinsWord w : kDubinsWords)
+    if (const auto path = dubins_path(w, start, goal, vehicle.min_turning_radius()))
+      word = std::min(word, length_of(*path));
+  EXPECT_NEAR(travel_time_bound(start, goal, 100.0, vehicle), straight_time(word, vehicle) + 2.0 * lost, 1e-9);
+  // Where arcs are as fast as lines nothing is lost.
+  const Vehicle even = vehicle_with(ConstantTurnSpeed{12.0}, 50.0);
+  EXPECT_NEAR(travel_time_bound(start, goal, 100.0, even), straight_time(word, even), 1e-9);
+}
+
+TEST(TravelTimeBound, NoWordIsFaster) {
+  test::Random random(4);
+  const TurnSpeedTable table{{{1.0, 3.0}, {4.0, 9.0}, {9.0, 6.0}}};
+  for (const TurnSpeedLaw& law : {TurnSpeedLaw{ConstantTurnSpeed{8.0}}, TurnSpeedLaw{ConstantTurnSpeed{1.0}},
+                                  TurnSpeedLaw{LateralAccelerationLimit{2.0}}, TurnSpeedLaw{table}})
+    for (const double acceleration : {0.5, 2.0, 50.0}) {
+      const Vehicle vehicle = vehicle_with(law, acceleration);
+      for (int i = 0; i < 400; ++i) {
+        const double side = i % 2 == 0 ? 4.0 : 60.0;
+        const auto pose = [&] {
+          return Pose{random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(-kPi, kPi)};
+        };
+        const Pose start = pose(), goal = pose();
+        const double bound = travel_time_bound(start, goal, (goal.position() - start.position()).norm(), vehicle);
+        for (const DubinsWord word : kDubinsWords)
+          for (const double factor : {1.0, 1.5, 4.0}) {
+            const auto path = dubins_path(word, start, goal, factor * vehicle.min_turning_radius());
+            if (!path) continue;
+            ASSERT_GE(speed_profile(*path, vehicle).total_time, bound) << "poses " << i;
+          }
+      }
+    }
+}
+
+TEST(TravelTimeBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
+  for (const bool real : {false, true}) {
+    const Vehicle vehicle = real ? vehicle_with(LateralAccelerationLimit{2.0}, 2.0) : Vehicle{};
+    const World world = random_world({.kind = ClutterKind::kStar, .obstacles = 40, .vertices = 8, .fill = 0.3});
+    const Planner planner(world, vehicle);
+    const Planner weaker(world, vehicle, {.point_robot_bound = false});
+    test::Random random(8);
+    int solved = 0, sharper = 0;
+    for (int i = 0; i < 60; ++i) {
+      const auto pose = [&] {
+        return Pose{random.uniform(0.0, world.box().max.x()), random.uniform(0.0, world.box().max.y()),
+                    random.uniform(-kPi, kPi)};
+      };
+      const PlanRequest request{pose(), pose()};
+      const PlanResult result = planner.plan(request);
+      if (!result.solved()) continue;
+      ++solved;
+      const double line = straight_time((request.goal.position() - request.start.position()).norm(), vehicle);
+      const PlanResult less = weaker.plan(request);
+      EXPECT_GE(result.travel_time, result.lower_bound);
+      EXPECT_GE(result.lower_bound, less.lower_bound);
+      EXPECT_GE(less.lower_bound, line * (1.0 - 1e-11));
+      EXPECT_NEAR(result.optimality_gap(), result.travel_time / result.lower_bound - 1.0, 1e-15);
+      sharper += result.lower_bound > less.lower_bound ? 1 : 0;
+    }
+    EXPECT_GT(solved, 10);
+    EXPECT_GT(sharper, 0);
+  }
+}
+
+}  // namespace
+}  // namespace arcway
