@@ -16,7 +16,8 @@ namespace {
 
 // Less than this part of the travel time is not worth a step.
 constexpr double kSmallestGain = 1e-6;
-constexpr double kFirstStep = 1.0;  // of the smallest turning radius
+constexpr double kFirstStep = 1.0;    // of the smallest turning radius
+constexpr double kRoughStep = 0.125;  // fine enough to try other turns
 
 class Refiner {
  public:
@@ -40,10 +41,14 @@ class Refiner {
     lines_ = std::move(*lines);
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
-    do {
-      while (!done() && (drop_turns() || rejoin_ends() || merge_turns() || insert_words())) {
+    bool more = true;
+    while (more && !done()) {
+      while (!done() && (drop_turns() || rejoin_ends() || merge_turns())) {
       }
-    } while (slide() && !done());
+      more = slide(kRoughStep);
+      more = insert_words() || more;
+    }
+    slide(options_.smallest_step);
   }
 
  private:
@@ -52,7 +57,8 @@ class Refiner {
     std::size_t line;
     double part;  // of the line's length
     Pose pose;
-    double time;  // when the path gets there; between the ends of a line roughly [s]
+    double time;   // when the path gets there; between the ends of a line roughly [s]
+    double speed;  // there [m/s]
   };
 
   [[nodiscard]] bool done() const { return result_.trials >= options_.max_trials || (stop_ && stop_()); }
@@ -110,13 +116,7 @@ class Refiner {
   bool drop_turns() {
     bool any = false;
     for (std::size_t span = chain_.circles.size() - 1; span >= 2; --span)
-      for (std::size_t i = 0; i + span < chain_.circles.size(); ++i) {
-        CircleChain trial = chain_;
-        trial.circles.erase(trial.circles.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                            trial.circles.begin() + static_cast<std::ptrdiff_t>(i + span));
-        any |= accept(std::move(trial));
-        if (span >= chain_.circles.size()) break;
-      }
+      for (std::size_t i = 0; i + span < chain_.circles.size(); ++i) any |= accept(replaced(i + 1, i + span, {}));
     return any;
   }
 
@@ -176,7 +176,6 @@ class Refiner {
     const double room = std::min(ahead, back);
     const double slope = std::tan(0.5 * std::abs(turn));
     const Side side = turn > 0.0 ? Side::kLeft : Side::kRight;
-    bool any = false;
     for (const double factor : {1.0, 1.5, 2.25, 3.5, 5.0, 8.0, 12.0, 18.0}) {
       const double radius = factor * smallest_;
       if (radius * slope > room) break;
@@ -187,22 +186,30 @@ class Refiner {
       if (last == chain_.circles.size()) trial.lead_out = back - radius * slope;
       if (accept(std::move(trial))) return true;
     }
-    return any;
+    return false;
   }
 
-  // When the path gets to the beginning of each line [s].
-  [[nodiscard]] std::vector<double> line_times() const {
+  struct Passing {
+    double time;
+    double speed;
+  };
+  // When, and how fast, the path gets to both ends of each line.
+  [[nodiscard]] std::vector<std::array<Passing, 2>> passings() const {
     const SpeedProfile profile = speed_profile(path_of(chain_, lines_), vehicle_);
-    auto duration = profile.durations.begin();
-    std::vector<double> times;
-    double time = 0.0;
+    std::vector<std::array<Passing, 2>> result;
+    Passing at{0.0, 0.0};
+    std::size_t segment = 0;
+    const auto drive = [&] {
+      at.time += profile.durations[segment++];
+      at.speed = profile.speeds[segment];
+    };
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-      if (i > 0 && turn_on(i - 1) > 0.0) time += *duration++;
-      times.push_back(time);
-      if (lines_[i].length > 0.0) time += *duration++;
+      if (i > 0 && turn_on(i - 1) > 0.0) drive();
+      const Passing begin = at;
+      if (lines_[i].length > 0.0) drive();
+      result.push_back({begin, at});
     }
-    times.push_back(time);
-    return times;
+    return result;
   }
 
   [[nodiscard]] double turn_on(std::size_t circle) const {
@@ -210,11 +217,16 @@ class Refiner {
   }
 
   bool insert_words() {
-    const std::vector<double> times = line_times();
+    const auto ends = passings();
+    const double twice = 2.0 * vehicle_.max_acceleration();
     const auto station = [&](std::size_t line, double part) {
       const Bitangent& l = lines_[line];
+      const auto& [begin, end] = ends[line];
       const Vec2 p = l.start.position() + part * l.length * direction_of(l.start.heading);
-      return Station{line, part, {p.x(), p.y(), l.start.heading}, times[line] + part * (times[line + 1] - times[line])};
+      const double speed =
+          std::min({vehicle_.max_speed(), std::sqrt(begin.speed * begin.speed + twice * part * l.length),
+                    std::sqrt(end.speed * end.speed + twice * (1.0 - part) * l.length)});
+      return Station{line, part, {p.x(), p.y(), l.start.heading}, begin.time + part * (end.time - begin.time), speed};
     };
     std::vector<Station> stations;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -228,6 +240,13 @@ class Refiner {
     return false;
   }
 
+  // Least time for a length between two speeds.
+  [[nodiscard]] double time_between(double length, double v1, double v3) const {
+    const double a = vehicle_.max_acceleration();
+    if (std::abs(v1 * v1 - v3 * v3) >= 2.0 * a * length) return v1 + v3 > 0.0 ? 2.0 * length / (v1 + v3) : 0.0;
+    return segment_time(length, v1, vehicle_.max_speed(), v3, a);
+  }
+
   bool insert_word(const Station& from, const Station& to) {
     for (const double radius : radii_)
       for (const Side departure : {Side::kLeft, Side::kRight})
@@ -239,7 +258,8 @@ class Refiner {
           const double turn = turn_between(from.pose.heading, line->start.heading, departure) +
                               turn_between(line->start.heading, to.pose.heading, arrival);
           const double fastest = line->length / vehicle_.max_speed() + turn * radius / vehicle_.turn_speed(radius);
-          if (fastest >= to.time - from.time) continue;
+          const double straight = time_between(line->length + turn * radius, from.speed, to.speed);
+          if (std::max(fastest, straight) >= to.time - from.time) continue;
           CircleChain trial = replaced(from.line, to.line, {first, second});
           if (from.line == 0) trial.lead_in = from.part * chain_.lead_in;
           if (to.line + 1 == lines_.size()) trial.lead_out = (1.0 - to.part) * chain_.lead_out;
@@ -248,9 +268,9 @@ class Refiner {
     return false;
   }
 
-  bool slide() {
+  bool slide(double last_step) {
     bool any = false;
-    for (double step = kFirstStep; step >= options_.smallest_step && !done(); step *= 0.5) {
+    for (double step = kFirstStep; step >= last_step && !done(); step *= 0.5) {
       bool moved = true;
       for (int round = 0; moved && round < 8 && !done(); ++round) {
         moved = false;
@@ -284,8 +304,19 @@ class Refiner {
     struct Move {
       double inwards, around, grow;
     };
-    static constexpr std::array<Move, 8> kMoves = {
-        {{1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {1, 1, 0}, {1, -1, 0}, {0, 0, 1}, {0, 0, -0.5}, {-1, 0, 0}}};
+    static constexpr std::array<Move, 13> kMoves = {{{1, 0, 0},
+                                                     {0, 1, 0},
+                                                     {0, -1, 0},
+                                                     {1, 1, 0},
+                                                     {1, -1, 0},
+                                                     {0, 0, 1},
+                                                     {0, 0, -0.5},
+                                                     {-1, 0, 0},
+                                                     {0, 1, 1},
+                                                     {0, -1, 1},
+                                                     {1, 0, 1},
+                                                     {-1, 0, 1},
+                                                     {-1, 0, -0.5}}};
     bool any = false;
     for (const Move& move : kMoves) {
       CircleChain trial = chain_;
