@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <cstdlib>
 #include <string>
 
 #include "accel/make_queries.h"
@@ -78,6 +79,15 @@ TEST(PairwiseGraph, FindsTangentsOfConvexObstaclesBySearch) {
   EXPECT_GT(binary.binary_pairs, 100u * 99u / 2u * 9u / 10u);
   const std::size_t n = world.convex_vertices().size();
   EXPECT_EQ(all.vertex_pairs, n * (n - 1) / 2);
+}
+
+// A minute of brute force: asked for by name, see accel/README.md.
+TEST(PairwiseGraph, IsTheReferenceGraphOfTenThousandVertices) {
+  if (std::getenv("ARCWAY_LONG_TESTS") == nullptr) GTEST_SKIP() << "runs where ARCWAY_LONG_TESTS is set";
+  for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) {
+    SCOPED_TRACE(name_of(kind));
+    expect_reference_graph(random_world({.kind = kind, .obstacles = 1250, .vertices = 8, .fill = 0.3, .seed = 9}));
+  }
 }
 
 TEST(PairwiseGraph, IsTheSameForAnyNumberOfThreads) {
