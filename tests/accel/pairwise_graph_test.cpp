@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <cstdlib>
+#include <stop_token>
 #include <string>
 
 #include "accel/make_queries.h"
@@ -100,6 +101,17 @@ TEST(PairwiseGraph, IsTheSameForAnyNumberOfThreads) {
     EXPECT_TRUE(build_pairwise_visibility_graph(world, *queries.visibility, executor) == expected) << threads;
     EXPECT_TRUE(build_reduced_visibility_graph(world, *queries.visibility, executor) == expected) << threads;
   }
+}
+
+TEST(PairwiseGraph, CanBeCancelled) {
+  const World world = random_world({.obstacles = 100, .seed = 2});
+  const QuerySet queries = make_embree_queries(world);
+  const TbbExecutor threads(2);
+  std::stop_source stop;
+  const StoppableExecutor executor(threads, stop.get_token());
+  EXPECT_GT(build_pairwise_visibility_graph(world, *queries.visibility, executor).edge_count(), 0u);
+  stop.request_stop();
+  EXPECT_THROW(build_pairwise_visibility_graph(world, *queries.visibility, executor), Cancelled);
 }
 
 }  // namespace
