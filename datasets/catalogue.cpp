@@ -9,6 +9,7 @@
 
 #include "datasets/clutter.h"
 #include "datasets/generators/adversarial_world.h"
+#include "datasets/generators/curved_world.h"
 #include "datasets/generators/structured_world.h"
 #include "datasets/paper_example.h"
 #include "datasets/random_queries.h"
@@ -127,6 +128,20 @@ MapFile adversarial_map(const Parts& parts) {
                                      .seed = parts.number('s', defaults.seed)});
 }
 
+MapFile ponds_map(const Parts& parts) {
+  const CurvedWorldParameters defaults;
+  const CurvedWorld world =
+      generate_curved_world({.curves = parts.number('n', defaults.curves), .seed = parts.number('s', defaults.seed)});
+  MapFile map;
+  for (const auto& curve : world.curves)
+    map.obstacles.push_back({circumscribed_ring(curve, 1e-3 * static_cast<double>(parts.number('t', 10))), {}});
+  map.bounds = world.bounds;
+  const Vec2& corner = (*world.bounds)[2];
+  map.start = Pose{7.0, 7.0, 0.0};
+  map.goal = Pose{corner.x() - 7.0, corner.y() - 7.0, 0.0};
+  return map;
+}
+
 MapFile paper_map(const Parts&) {
   PaperExample example = paper_example();
   MapFile map = to_map_file(example.world);
@@ -156,6 +171,8 @@ const std::vector<Entry>& entries() {
        structured_map<StructuredKind::kCorridor>},
       {{"coastline", {}, "coastline/vVERTICES/sSEED", "one island with all the vertices"},
        structured_map<StructuredKind::kCoastline>},
+      {{"ponds", {}, "ponds/nPONDS/tTOLERANCE_MM/sSEED", "splines, as rings that contain them within a tolerance"},
+       ponds_map},
       {{"adversarial",
         {"touching", "shared", "collinear", "needles", "far", "nested", "overlapping", "contacts", "holes"},
         "adversarial/KIND/vVERTICES/sSEED",

@@ -61,10 +61,21 @@ class Circumscriber {
     }
     add_right_hull(piece);
   }
-  // The last vertex of each piece is the first one of the next.
   Ring finish() {
     if (ring_.size() > 1 && ring_.front() == ring_.back()) ring_.pop_back();
-    return std::move(ring_);
+    // Where two convex pieces meet smoothly, the joint is on the line between its neighbors but for rounding, and a
+    // turn there means nothing. Without it the ring is still to the right of the curve, as it was moved by more.
+    const std::size_t n = ring_.size();
+    Ring kept;
+    bool dropped = false;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec2 &before = ring_[i == 0 ? n - 1 : i - 1], &after = ring_[i + 1 < n ? i + 1 : 0];
+      const Vec2 along = after - before;
+      dropped = !dropped && i > 0 && (ring_[i] - before).dot(after - ring_[i]) > 0.0 &&
+                std::abs(cross(along, ring_[i] - before)) <= 0.5 * slack_ * along.norm();
+      if (!dropped) kept.push_back(ring_[i]);
+    }
+    return kept;
   }
 
  private:

@@ -56,7 +56,8 @@ class ClosedSpline {
 /// Each cubic is halved until its control points lie within the tolerance of its chord and in order along it; then the
 /// right-hand side of their convex hull goes into the ring. The curve lies in that hull, so that it is on the left of
 /// the ring or on it. Computed control points are off by less than 2^-48 of the largest coordinate (each of at most 40
-/// halvings rounds 3 averages); the ring is moved to the right by 2^-44 of it, which covers that.
+/// halvings rounds 3 averages); the ring is moved to the right by 2^-44 of it, which covers that twice.
+/// Vertices within half of that of the line between their neighbors are left out.
 /// The number of vertices grows as 1/sqrt(tolerance). The ring is simple if the curve is and the tolerance is small
 /// beside its narrowest place; World refuses it otherwise.
 /// @param pieces      each begins where the last one ends, bit for bit; the last one ends where the first begins.

@@ -100,11 +100,13 @@ TEST(GeneratedWorldsTogether, AreTheSameBitsEverywhere) {
       {"clutter/mixed/n200/m9/f50/s7", 0x194A2020B632EC4Eu},
       {"clutter/rectangle/n200/m9/f20/s7", 0x60E92872AD05DB5Fu},
       {"clutter/rectangle/n200/m9/f50/s7", 0x5B2DFEFCBC940A03u},
+      {"ponds/n20/t10/s7", 0x523525D56335C120u},
   };
   std::vector<std::string> names = families_by_vertices();
   for (std::string& name : names) name += "/v2000/s7";
   for (const char* kind : {"convex", "star", "mixed", "rectangle"})
     for (const char* fill : {"20", "50"}) names.push_back(std::string("clutter/") + kind + "/n200/m9/f" + fill + "/s7");
+  names.push_back("ponds/n20/t10/s7");
   for (const std::string& name : names) {
     const std::uint64_t hash = hash_of(catalogue_map(name));
     const auto found = expected.find(name);

@@ -1,0 +1,94 @@
+#include "core/curved_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace arcway {
+namespace {
+
+double distance(const Vec2& p, const Box& box) { return (p - p.cwiseMax(box.min).cwiseMin(box.max)).norm(); }
+
+// Poses along the path, no two neighbours farther apart.
+std::vector<Vec2> samples_of(const PlanResult& result, double spacing) {
+  std::vector<Vec2> samples;
+  for (const TimedSegment& timed : result.segments) {
+    const double steps = std::ceil(timed.segment.length / spacing);
+    for (double k = 0.0; k < steps; ++k)
+      samples.push_back(timed.segment.at(timed.segment.length * k / steps).position());
+  }
+  samples.push_back(result.goal.position());
+  return samples;
+}
+
+class CurvedPlanner {
+ public:
+  CurvedPlanner(const CurvedWorld& world, const Vehicle& vehicle, const CurveTolerances& tolerances)
+      : world_(world), vehicle_(vehicle), limits_(tolerances) {
+    for (const auto& curve : world.curves) tolerances_.emplace_back(curve.size(), limits_.first);
+  }
+
+  [[nodiscard]] World make_world() const {
+    std::vector<Polygon> obstacles = world_.polygons;
+    for (std::size_t i = 0; i < tolerances_.size(); ++i)
+      obstacles.push_back({circumscribed_ring(world_.curves[i], tolerances_[i]), {}});
+    return World(std::move(obstacles), world_.bounds);
+  }
+  [[nodiscard]] double smallest() const {
+    double least = limits_.first;
+    for (const auto& curve : tolerances_)
+      for (const double tolerance : curve) least = std::min(least, tolerance);
+    return least;
+  }
+  // Whether anything was left to refine.
+  bool refine(const PlanResult& result) {
+    const Footprint body = vehicle_.footprint();
+    const double reach = 2.0 * (body.front + body.rear);
+    const std::vector<Vec2> samples = samples_of(result, 0.5 * reach);
+    bool refined = false;
+    for (std::size_t i = 0; i < tolerances_.size(); ++i) {
+      for (std::size_t k = 0; k < tolerances_[i].size(); ++k) {
+        double& tolerance = tolerances_[i][k];
+        if (tolerance <= limits_.last) continue;
+        Box hull;
+        for (const Vec2& p : world_.curves[i][k].p) hull.extend(p);
+        const auto is_near = [&](const Vec2& p) { return distance(p, hull) <= reach + tolerance; };
+        if (result.solved() && std::ranges::none_of(samples, is_near)) continue;
+        tolerance = std::max(limits_.last, tolerance * limits_.factor);
+        refined = true;
+      }
+    }
+    return refined;
+  }
+
+ private:
+  const CurvedWorld& world_;
+  const Vehicle& vehicle_;
+  CurveTolerances limits_;
+  std::vector<std::vector<double>> tolerances_;  // of each curve and piece
+};
+
+}  // namespace
+
+CurvedPlan plan_among_curves(const CurvedWorld& world, const Vehicle& vehicle, const PlanRequest& request,
+                             const CurveTolerances& tolerances, const PlannerOptions& options) {
+  if (!(tolerances.last > 0.0 && tolerances.last <= tolerances.first && std::isfinite(tolerances.first)))
+    throw std::invalid_argument("curve tolerances: need 0 < last <= first, finite");
+  if (!(tolerances.factor > 0.0 && tolerances.factor < 1.0))
+    throw std::invalid_argument("curve tolerances: factor must be in (0, 1)");
+  if (tolerances.max_rounds < 1) throw std::invalid_argument("curve tolerances: max_rounds must be at least 1");
+  CurvedPlanner planner(world, vehicle, tolerances);
+  std::vector<CurvedPlanRound> rounds;
+  while (true) {
+    World now = planner.make_world();
+    PlanResult result = Planner(now, vehicle, options).plan(request);
+    rounds.push_back({planner.smallest(), now.vertices().size(), result.status,
+                      result.solved() ? result.travel_time : std::numeric_limits<double>::infinity()});
+    if (rounds.size() == tolerances.max_rounds || !planner.refine(result))
+      return {std::move(now), std::move(result), std::move(rounds)};
+  }
+}
+
+}  // namespace arcway
