@@ -31,7 +31,7 @@ void flip_rows(OccupancyGrid& grid);
 /// How files of cells are read and turned into polygons.
 struct GridOptions {
   /// Of files that do not say: MovingAI maps (default 1) and images without a YAML file (default 0.05) [m].
-  std::optional<double> cell_size;
+  std::optional<double> cell_size{};
   bool unknown_is_free = false;  ///< otherwise unknown cells are obstacles
   bool swamp_is_free = false;    ///< cells S of MovingAI maps; otherwise they are obstacles
   bool walled = true;            ///< nothing is free beyond the frame of the grid

@@ -8,26 +8,14 @@
 
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
-#include "core/path/validation.h"
 #include "datasets/clutter.h"
+#include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {
 namespace {
 
-void expect_valid(const Planner& planner, const PlanResult& result) {
-  TimedPath path;
-  for (const TimedSegment& s : result.segments) {
-    path.segments.push_back(s.segment);
-    path.speed_in.push_back(s.speed_in);
-    path.speed_out.push_back(s.speed_out);
-    path.durations.push_back(s.duration);
-  }
-  const ValidationReport report = validate(planner.world(), planner.vehicle(), result.start, result.goal, path);
-  for (const ValidationIssue& issue : report.issues) ADD_FAILURE() << name_of(issue.violation) << ": " << issue.message;
-  EXPECT_GE(result.travel_time, result.lower_bound * (1.0 - 1e-12));
-  EXPECT_GT(result.min_clearance, 0.0);
-}
+using test::expect_valid;
 
 Vehicle one_speed() {
   VehicleParameters parameters;

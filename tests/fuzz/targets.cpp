@@ -1,0 +1,94 @@
+#include "tests/fuzz/targets.h"
+
+#include <string>
+#include <vector>
+
+#include "datasets/formats/geojson.h"
+#include "datasets/formats/grey_image.h"
+#include "datasets/formats/movingai.h"
+#include "datasets/formats/ros_map.h"
+#include "datasets/formats/svg_world.h"
+#include "datasets/formats/text_polygons.h"
+#include "datasets/formats/tpcap.h"
+#include "datasets/formats/wkt.h"
+#include "datasets/grid/grid_map.h"
+#include "datasets/gzip.h"
+#include "datasets/plan_io.h"
+#include "datasets/read_map.h"
+#include "datasets/robot.h"
+
+namespace arcway::test {
+namespace {
+
+constexpr std::size_t kMaxCells = 1 << 16;
+constexpr const char* kName = "input";
+
+// A reader's map must be one that World takes or refuses with a FormatError, and be writable.
+void use(const MapFile& map) {
+  static_cast<void>(to_geojson(map));
+  static_cast<void>(to_world(map, kName));
+}
+void use(const OccupancyGrid& grid) {
+  for (const double tolerance : {0.0, 1.0}) use(to_map_file(grid, {.tolerance = tolerance}));
+}
+void use(const GreyImage& image) {
+  std::vector<std::string> warnings;
+  use(to_grid(RosMap{}, image, kName, warnings));
+}
+
+void geojson(std::string_view bytes) {
+  use(read_geojson(bytes, kName, {.wall_width = 0.5}));
+  use(read_geojson(bytes, kName, {.lonlat = true}));
+}
+void wkt(std::string_view bytes) { use(read_wkt(bytes, kName, {.wall_width = 0.5})); }
+void text_polygons(std::string_view bytes) { use(read_text_polygons(bytes, kName)); }
+void tpcap(std::string_view bytes) { use(read_tpcap(bytes, kName)); }
+void movingai_map(std::string_view bytes) { use(read_movingai_map(bytes, kName, {.max_cells = kMaxCells})); }
+void movingai_scenario(std::string_view bytes) { static_cast<void>(read_movingai_scenario(bytes, kName)); }
+void pgm(std::string_view bytes) { use(read_pgm(bytes, kName, kMaxCells)); }
+void png(std::string_view bytes) { use(read_png(bytes, kName, kMaxCells)); }
+void ros_map(std::string_view bytes) {
+  const RosMap map = read_ros_map(bytes, kName);
+  GreyImage image;
+  image.width = image.height = 1;
+  image.samples = {205};
+  std::vector<std::string> warnings;
+  use(to_map_file(to_grid(map, image, kName, warnings)));
+}
+void svg_world(std::string_view bytes) { use(read_svg_world(bytes, kName)); }
+void gzip(std::string_view bytes) { static_cast<void>(expand_gzip(bytes, kName, 1 << 20)); }
+void detect(std::string_view bytes) { static_cast<void>(detect_format(bytes, kName)); }
+void robot(std::string_view bytes) { static_cast<void>(read_robot(bytes, kName)); }
+void scenario(std::string_view bytes) { static_cast<void>(read_scenario(bytes, kName)); }
+void plan(std::string_view bytes) { static_cast<void>(read_plan(bytes, kName)); }
+
+constexpr FuzzTarget kTargets[] = {
+    {"geojson", geojson},
+    {"wkt", wkt},
+    {"text_polygons", text_polygons},
+    {"tpcap", tpcap},
+    {"movingai_map", movingai_map},
+    {"movingai_scenario", movingai_scenario},
+    {"pgm", pgm},
+    {"png", png},
+    {"ros_map", ros_map},
+    {"svg_world", svg_world},
+    {"gzip", gzip},
+    {"detect", detect},
+    {"robot", robot},
+    {"scenario", scenario},
+    {"plan", plan},
+};
+
+}  // namespace
+
+std::span<const FuzzTarget> fuzz_targets() { return kTargets; }
+
+void run_fuzz_target(const FuzzTarget& target, std::string_view bytes) {
+  try {
+    target.read(bytes);
+  } catch (const FormatError&) {
+  }
+}
+
+}  // namespace arcway::test
