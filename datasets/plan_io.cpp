@@ -128,38 +128,83 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
   return out;
 }
 
-std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle, const CsvSampling& sampling) {
+std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
+                                    const PathSampling& sampling) {
   if (!(sampling.max_length > 0.0 && sampling.max_angle > 0.0))
-    throw std::invalid_argument("path_to_csv: sampling steps must be positive");
-  std::string out = "s,x,y,yaw,curvature,direction,t,v,steer\n";
+    throw std::invalid_argument("sample_path: sampling steps must be positive");
+  std::vector<PathSample> samples;
   double distance = 0.0, time = 0.0;
-  const auto row = [&](const TimedSegment& timed, double s, double t, double v) {
-    const Pose pose = timed.segment.at(s);
-    const double curvature = timed.segment.curvature;
-    for (const double value : {distance + s, pose.x, pose.y, wrap_signed(pose.heading), curvature, 1.0, t, v,
-                               steering_angle(curvature, vehicle.parameters())}) {
-      append_number(out, value == 0.0 ? 0.0 : value);
-      out += ',';
-    }
-    out.back() = '\n';
-  };
   for (std::size_t k = 0; k < segments.size(); ++k) {
     const TimedSegment& timed = segments[k];
     const double length = timed.segment.length;
     const Motion motion(timed, vehicle);
+    const auto add = [&](double s, double t, double v) {
+      samples.push_back({distance + s, timed.segment.at(s), timed.segment.curvature, time + t, v});
+    };
     const double steps = std::ceil(
         std::max(length / sampling.max_length, length * std::abs(timed.segment.curvature) / sampling.max_angle));
     const bool joined = k > 0 && segments[k - 1].segment.curvature == timed.segment.curvature;
-    if (!joined) row(timed, 0.0, time, timed.speed_in);
+    if (!joined) add(0.0, 0.0, timed.speed_in);
     for (double i = 1.0; i < steps; ++i) {
       const double s = length * (i / steps);
-      row(timed, s, time + motion.time(s), motion.speed(s));
+      add(s, motion.time(s), motion.speed(s));
     }
     // The segment's end; its duration is the plan's, not ours, so that errors do not add up.
-    if (length > 0.0) row(timed, length, time + timed.duration, timed.speed_out);
+    if (length > 0.0) add(length, timed.duration, timed.speed_out);
     distance += length;
     time += timed.duration;
   }
+  return samples;
+}
+
+std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle, const PathSampling& sampling) {
+  std::string out = "s,x,y,yaw,curvature,direction,t,v,steer\n";
+  for (const PathSample& sample : sample_path(segments, vehicle, sampling)) {
+    for (const double value :
+         {sample.s, sample.pose.x, sample.pose.y, wrap_signed(sample.pose.heading), sample.curvature, 1.0, sample.t,
+          sample.v, steering_angle(sample.curvature, vehicle.parameters())}) {
+      append_number(out, value == 0.0 ? 0.0 : value);
+      out += ',';
+    }
+    out.back() = '\n';
+  }
+  return out;
+}
+
+std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehicle& vehicle, std::string_view frame,
+                             const PathSampling& sampling) {
+  const auto append_header = [&](std::string& out, double t) {
+    const double seconds = std::floor(t);
+    out += R"({"stamp":{"sec":)";
+    append_number(out, seconds);
+    out += R"(,"nanosec":)";
+    append_number(out, std::min(std::floor((t - seconds) * 1e9), 999999999.0));
+    out += R"(},"frame_id":)";
+    detail::append_string(out, frame);
+    out += '}';
+  };
+  std::string out = R"({"header":)";
+  append_header(out, 0.0);
+  out += R"(,"poses":[)";
+  const PathSample* last = nullptr;
+  const std::vector<PathSample> samples = sample_path(segments, vehicle, sampling);
+  for (const PathSample& sample : samples) {
+    // A joint is sampled once for each of its curvatures, which a pose does not show.
+    if (last != nullptr && last->s == sample.s) continue;
+    out += last == nullptr ? R"({"header":)" : R"(,{"header":)";
+    last = &sample;
+    append_header(out, sample.t);
+    out += R"(,"pose":{"position":{"x":)";
+    append_number(out, sample.pose.x);
+    append_member(out, "y", sample.pose.y);
+    append_member(out, "z", 0.0);
+    const double half = 0.5 * wrap_signed(sample.pose.heading);
+    out += R"(},"orientation":{"x":0,"y":0)";
+    append_member(out, "z", std::sin(half));
+    append_member(out, "w", std::cos(half));
+    out += "}}}";
+  }
+  out += "]}";
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/path/validation.h"
 #include "core/planner.h"
@@ -24,16 +25,33 @@ namespace arcway {
 /// @param q  number of the query.
 std::string plan_to_json(const PlanResult& result, std::uint64_t q);
 
-struct CsvSampling {
+struct PathSampling {
   double max_length = 0.5;  ///< between two samples [m], > 0
   double max_angle = 0.05;  ///< between two samples [rad], > 0
 };
-/// `s,x,y,yaw,curvature,direction,t,v,steer` with a header line: metres, radians, seconds. Sampled by length and
-/// by angle, ends of all segments kept; where the curvature jumps, the joint is written twice, once with each. Time and
-/// speed follow the fastest motion within the segment: accelerate, hold, brake.
+/// A moment of the motion.
+struct PathSample {
+  double s;          ///< from the start [m]
+  Pose pose;         ///< heading not wrapped
+  double curvature;  ///< [1/m], left positive
+  double t;          ///< [s]
+  double v;          ///< [m/s]
+};
+/// Samples by length and by angle, ends of all segments kept; where the curvature jumps, the joint comes twice, once
+/// with each. Time and speed follow the fastest motion within the segment: accelerate, hold, brake.
+/// @throws std::invalid_argument unless both steps are positive.
+std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
+                                    const PathSampling& sampling = {});
+
+/// The samples as `s,x,y,yaw,curvature,direction,t,v,steer` with a header line: metres, radians, seconds.
 /// The steering angle is the one of the steered axle (of each, if symmetric), left positive at the front.
 std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle,
-                        const CsvSampling& sampling = {});
+                        const PathSampling& sampling = {});
+
+/// The samples as a nav_msgs/Path of ROS 2 in JSON, named as rosbridge does; stamps are times since the start.
+/// @param frame  of the coordinates, as "map".
+std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehicle& vehicle,
+                             std::string_view frame = "map", const PathSampling& sampling = {});
 
 struct PlanFile {
   std::string status;

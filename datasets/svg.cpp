@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "datasets/number_text.h"
 
 namespace arcway {
 namespace {
@@ -31,11 +31,6 @@ void append(std::string& out, const Vec2& p) {
   append(out, p.y());
 }
 
-std::string text_of(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -57,6 +52,11 @@ std::string escaped(std::string_view text) {
     }
   }
   return out;
+}
+
+// A group that Inkscape shows as a layer.
+std::string open_layer(const std::string& id, const std::string& attributes) {
+  return "<g id=\"" + id + "\" " + attributes + R"( inkscape:groupmode="layer" inkscape:label=")" + id + "\">\n";
 }
 
 Box region_of(const World& world) {
@@ -106,8 +106,10 @@ void SvgPicture::add_map(const World& world) {
 }
 
 void SvgPicture::add_edges(std::span<const LineSegment> edges, const EdgeStyle& style, std::string_view id) {
-  graph_ += "<g id=\"" + escaped(id) + "\" fill=\"none\" stroke=\"" + escaped(style.color) + "\" stroke-width=\"" +
-            text_of(style.width) + "\" stroke-opacity=\"" + text_of(style.opacity) + "\">\n<path d=\"";
+  graph_ += open_layer(escaped(id), "fill=\"none\" stroke=\"" + escaped(style.color) + "\" stroke-width=\"" +
+                                        shortest_text(style.width) + "\" stroke-opacity=\"" +
+                                        shortest_text(style.opacity) + "\"") +
+            "<path d=\"";
   for (const LineSegment& edge : edges) {
     graph_ += 'M';
     append(graph_, to_picture(edge.a));
@@ -140,19 +142,7 @@ void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& bo
 
   const double length = body.front + body.rear;
   if (spacing <= 0.0) spacing = std::max(2.0 * length, 40.0 / scale_);
-  const auto outline = [&](const Pose& pose) {
-    const Vec2 u = direction_of(pose.heading), n = perpendicular(u);
-    const Vec2 f = pose.position();
-    robot_ += 'M';
-    append(robot_, to_picture(f - body.rear * u - body.half_width * n));
-    robot_ += 'L';
-    append(robot_, to_picture(f + body.front * u - body.half_width * n));
-    robot_ += 'L';
-    append(robot_, to_picture(f + body.front * u + body.half_width * n));
-    robot_ += 'L';
-    append(robot_, to_picture(f - body.rear * u + body.half_width * n));
-    robot_ += 'Z';
-  };
+  const auto outline = [&](const Pose& pose) { add_outline(robot_, pose, body, 0.0); };
   robot_ += "<path d=\"";
   outline(path.front().start);
   double next = spacing;  // from the segment's start to the next outline
@@ -164,6 +154,37 @@ void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& bo
   outline(path.back().end());
   robot_ += "\"/>\n";
   add_poses(path.front().start, path.back().end(), body);
+}
+
+void SvgPicture::add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const {
+  const Vec2 u = direction_of(pose.heading), n = perpendicular(u);
+  const Vec2 f = pose.position();
+  out += 'M';
+  append(out, to_picture(f - body.rear * u - body.half_width * n));
+  out += 'L';
+  append(out, to_picture(f + (body.front + ahead) * u - body.half_width * n));
+  out += 'L';
+  append(out, to_picture(f + (body.front + ahead) * u + body.half_width * n));
+  out += 'L';
+  append(out, to_picture(f - body.rear * u + body.half_width * n));
+  out += 'Z';
+}
+
+void SvgPicture::add_swept_area(std::span<const PathSegment> path, const Footprint& body) {
+  swept_ += "<path d=\"";
+  for (const PathSegment& segment : path) {
+    if (segment.is_line()) {
+      add_outline(swept_, segment.start, body, segment.length);
+      continue;
+    }
+    // Outlines a pixel apart at the farthest corner: the notches between them are at most half of that deep.
+    const double radius = 1.0 / std::abs(segment.curvature);
+    const double reach = std::hypot(std::max(body.front, body.rear), radius + body.half_width);
+    const double turn = segment.length / radius;
+    const double steps = std::clamp(std::ceil(turn * reach * scale_), 1.0, 2000.0);
+    for (double i = 0.0; i <= steps; ++i) add_outline(swept_, segment.at(segment.length * (i / steps)), body, 0.0);
+  }
+  swept_ += "\"/>\n";
 }
 
 void SvgPicture::add_poses(const Pose& start, const Pose& goal, const Footprint& body) {
@@ -211,9 +232,10 @@ std::string SvgPicture::str() const {
   std::string w, h;
   append(w, width_);
   append(h, height);
-  std::string out = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )" + w + ' ' + h + "\" width=\"" + w +
-                    "\" height=\"" + h +
-                    "\" role=\"img\" font-family=\"'DejaVu Sans',Helvetica,Arial,sans-serif\" font-size=\"14\">\n";
+  std::string out =
+      R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" viewBox="0 0 )" +
+      w + ' ' + h + "\" width=\"" + w + "\" height=\"" + h +
+      "\" role=\"img\" font-family=\"'DejaVu Sans',Helvetica,Arial,sans-serif\" font-size=\"14\">\n";
   out += "<title>" + (title_.empty() ? "Map" : title_) + "</title>\n";
   if (!description_.empty()) out += "<desc>" + description_ + "</desc>\n";
   out += R"(<rect width="100%" height="100%" fill="#ffffff"/>)";
@@ -226,21 +248,16 @@ std::string SvgPicture::str() const {
   const std::string area = "x=\"" + border + "\" y=\"" + border + "\" width=\"" + map_w + "\" height=\"" + map_h + '"';
   out += "<clipPath id=\"view\"><rect " + area + "/></clipPath>\n<g clip-path=\"url(#view)\">\n";
   out += "<rect " + area + " fill=\"#eef1f5\"/>\n";
-  if (!bounds_.empty())
-    out += R"(<g id="bounds" fill="#fbfcfe" stroke="#2b3340" stroke-width="2" stroke-linejoin="round">)"
-           "\n" +
-           bounds_ + "</g>\n";
-  out += std::string("<g id=\"obstacles\" fill-rule=\"evenodd\" ") + kObstacleStyle + ">\n" + obstacles_ + "</g>\n";
+  const auto add_layer = [&](const char* id, const std::string& attributes, const std::string& content) {
+    if (!content.empty()) out += open_layer(id, attributes) + content + "</g>\n";
+  };
+  add_layer("bounds", R"(fill="#fbfcfe" stroke="#2b3340" stroke-width="2" stroke-linejoin="round")", bounds_);
+  add_layer("obstacles", std::string("fill-rule=\"evenodd\" ") + kObstacleStyle, obstacles_);
   out += graph_;
-  if (!path_.empty())
-    out += R"(<g id="path" fill="none" stroke-linejoin="round" stroke-linecap="round">)"
-           "\n" +
-           path_ + "</g>\n";
-  if (!robot_.empty())
-    out += R"(<g id="robot" fill="#f6b26b" fill-opacity="0.45" stroke="#a8441c" stroke-width="0.8">)"
-           "\n" +
-           robot_ + "</g>\n";
-  if (!markers_.empty()) out += "<g id=\"markers\" font-weight=\"bold\">\n" + markers_ + "</g>\n";
+  add_layer("swept", R"(fill="#f6d9a8" fill-opacity="0.6" stroke="none")", swept_);
+  add_layer("path", R"(fill="none" stroke-linejoin="round" stroke-linecap="round")", path_);
+  add_layer("robot", R"(fill="#f6b26b" fill-opacity="0.45" stroke="#a8441c" stroke-width="0.8")", robot_);
+  add_layer("markers", R"(font-weight="bold")", markers_);
   out += "</g>\n";
   if (!captions_.empty()) {
     out += "<g id=\"caption\" fill=\"#2b3340\">\n";

@@ -20,7 +20,8 @@ struct EdgeStyle {
   double opacity = 0.35;  ///< in [0, 1]
 };
 
-/// A picture of a world, with layers added on top. y is up in the world and down in the picture; coordinates are
+/// A picture of a world, with layers added on top: groups with the ids bounds, obstacles, graph, swept, path, robot,
+/// markers and caption, which Inkscape shows as layers. y is up in the world and down in the picture; coordinates are
 /// rounded to a tenth of a pixel. The world need not outlive the picture.
 class SvgPicture {
  public:
@@ -34,6 +35,8 @@ class SvgPicture {
   /// The path, the body's outlines along it and the poses at its ends.
   /// @param spacing  between outlines [m]; 0: chosen by the body's length and the picture's scale.
   void add_path(std::span<const PathSegment> path, const Footprint& body, double spacing = 0.0);
+  /// All that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
+  void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
   /// Start and goal when there is no path.
   void add_poses(const Pose& start, const Pose& goal, const Footprint& body);
   /// A line of text below the map.
@@ -46,13 +49,15 @@ class SvgPicture {
 
  private:
   void add_map(const World& world);
+  /// The body at a pose, lengthened to the front.
+  void add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const;
   void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);
   [[nodiscard]] Vec2 to_picture(const Vec2& p) const;
 
   Box view_;
   double scale_ = 1.0;
   double width_ = 0.0, height_ = 0.0;
-  std::string bounds_, obstacles_, graph_, path_, robot_, markers_;
+  std::string bounds_, obstacles_, graph_, swept_, path_, robot_, markers_;
   std::vector<std::string> captions_;
   std::string title_, description_;
 };

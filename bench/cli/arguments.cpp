@@ -116,10 +116,14 @@ MapReadOptions MapOptions::read_options() const {
   return options;
 }
 
-LoadedMap load_map(const std::string& name, const MapOptions& options) {
+MapFile read_named_map(const std::string& name, const MapOptions& options) {
   const MapReadOptions read_options = options.read_options();
   const bool generated = is_catalogue_name(name) && !std::filesystem::is_regular_file(name);
-  MapFile map = generated ? catalogue_map(name) : read_map(name, read_options);
+  return generated ? catalogue_map(name) : read_map(name, read_options);
+}
+
+LoadedMap load_map(const std::string& name, const MapOptions& options) {
+  MapFile map = read_named_map(name, options);
   return {to_world(map, name), map.start, map.goal, std::move(map.warnings), std::move(map.notes)};
 }
 

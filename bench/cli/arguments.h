@@ -34,6 +34,7 @@ void add_plan_command(CLI::App& app, Action& action);
 void add_graph_command(CLI::App& app, Action& action);
 void add_generate_command(CLI::App& app, Action& action);
 void add_validate_command(CLI::App& app, Action& action);
+void add_convert_command(CLI::App& app, Action& action);
 void add_doctor_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);
 
@@ -99,6 +100,8 @@ struct MapOptions {
   [[nodiscard]] MapReadOptions read_options() const;
 };
 /// @param name  of a file in one of the formats of read_map, or of a world of the catalogue if there is no such file.
+MapFile read_named_map(const std::string& name, const MapOptions& options);
+/// The same, checked.
 LoadedMap load_map(const std::string& name, const MapOptions& options);
 /// From a robot file; the paper's robot if the name is empty.
 Vehicle load_vehicle(const std::string& file);

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   add_graph_command(app, action);
   add_generate_command(app, action);
   add_validate_command(app, action);
+  add_convert_command(app, action);
   add_doctor_command(app, action);
   add_report_command(app, action);
   try {

@@ -26,7 +26,7 @@ struct PlanArguments {
   std::string heuristic = "travel_time";
   std::string graph = "eager";
   std::string time_limit;
-  std::string svg, json, csv;
+  std::string svg, json, csv, ros_path;
   BuildOptions build;
 };
 
@@ -126,6 +126,7 @@ std::string picture(const Planner& planner, const CheckedPlan& plan) {
   for (const TimedSegment& s : result.segments) view.extend(s.segment.start.position());
   SvgPicture svg(planner.world(), view);
   if (result.solved()) {
+    svg.add_swept_area(result.path(), body);
     svg.add_path(result.path(), body);
     svg.add_caption("travel time " + fixed(result.travel_time, 2) + " s, length " + fixed(result.length, 1) +
                     " m, smallest clearance " + fixed(result.min_clearance, 3) + " m");
@@ -175,6 +176,9 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   if (!arguments.json.empty()) files.add(arguments.json, plan_json(arguments, planner, build_seconds, result));
   if (!arguments.csv.empty() && result.solved()) {
     files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle()));
+  }
+  if (!arguments.ros_path.empty() && result.solved()) {
+    files.add(arguments.ros_path, path_to_nav_msgs(result.segments, planner.vehicle()) + "\n");
   }
 
   out += arguments.map + ": " + name_of(result.status) + "\n";
@@ -260,8 +264,8 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
     if (!arguments.start.empty() || !arguments.goal.empty()) {
       throw UsageError("--queries: start and goal come from the file; leave out --start and --goal");
     }
-    if (!arguments.svg.empty() || !arguments.csv.empty()) {
-      throw UsageError("--queries: --svg and --csv show one plan; leave them out");
+    if (!arguments.svg.empty() || !arguments.csv.empty() || !arguments.ros_path.empty()) {
+      throw UsageError("--queries: --svg, --csv and --ros-path show one plan; leave them out");
     }
   } else if (!arguments.out.empty()) {
     throw UsageError("--out: only with --queries; see --json and --csv for one plan");
@@ -322,6 +326,8 @@ void add_plan_command(CLI::App& app, Action& action) {
   command.add_option("--json", arguments->json, "Write the exact plan; with --queries one object a line")
       ->type_name("F.json");
   command.add_option("--csv", arguments->csv, "Write the path as samples")->type_name("F.csv");
+  command.add_option("--ros-path", arguments->ros_path, "Write the path as a nav_msgs/Path in JSON")
+      ->type_name("F.json");
   command.callback(
       [arguments, &action] { action = [arguments](std::string& out) { return run_plan(*arguments, out); }; });
 }

@@ -83,7 +83,7 @@ TEST_F(Tool, HelpGoesToStandardOutput) {
   const Run result = run("--help");
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
-  for (const char* command : {"plan", "graph", "generate", "validate", "doctor"}) {
+  for (const char* command : {"plan", "graph", "generate", "validate", "doctor", "convert"}) {
     EXPECT_NE(result.out.find(command), std::string::npos);
     EXPECT_EQ(run(std::string(command) + " --help").code, 0);
   }
@@ -250,6 +250,35 @@ TEST_F(Tool, BadMapsGetAMessage) {
 
 TEST_F(Tool, AFileThatCannotBeWrittenIsBadInput) {
   expect_bad_input("plan " + map_ + kAround + " --json " + file("no/such/folder/p.json"), "p.json");
+}
+
+TEST_F(Tool, ConvertsMapsThere) {
+  const std::string data = ARCWAY_SOURCE_DIR "/tests/data/";
+  ASSERT_EQ(run("convert " + data + "room.yaml " + file("room.geojson")).code, 0);
+  ASSERT_EQ(run("convert " + file("room.geojson") + " " + file("room.wkt")).code, 0);
+  ASSERT_EQ(run("convert " + file("room.wkt") + " " + file("room2.wkt")).code, 0);
+  EXPECT_EQ(read("room.wkt"), read("room2.wkt"));
+  ASSERT_EQ(run("convert " + file("room.geojson") + " " + file("again.geojson")).code, 0);
+  EXPECT_EQ(read("room.geojson"), read("again.geojson"));
+  ASSERT_EQ(run("convert " + data + "parking_case.csv " + file("case.svg")).code, 0);
+  EXPECT_NE(read("case.svg").find("id=\"obstacles\""), std::string::npos);
+  expect_bad_input("convert " + map_ + " " + file("map.shp"), ".geojson");
+}
+
+TEST_F(Tool, PlansOnMapsOfAnyFormat) {
+  const std::string data = ARCWAY_SOURCE_DIR "/tests/data/";
+  const Run parking = run("plan " + data + "parking_case.csv --svg " + file("p.svg") + " --ros-path " + file("p.json"));
+  EXPECT_EQ(parking.code, 0) << parking.err << parking.out;
+  EXPECT_NE(read("p.svg").find("id=\"swept\""), std::string::npos);
+  EXPECT_EQ(read("p.json").rfind(R"({"header":{"stamp":{"sec":0,"nanosec":0},"frame_id":"map"},"poses":[)", 0), 0u);
+  const Run room = run("plan " + data + "room.yaml --tolerance 1 --start 0,2.5,0 --goal 4,6,180deg");
+  EXPECT_EQ(room.code, 0) << room.err << room.out;
+  EXPECT_NE(room.out.find("corners traced"), std::string::npos);
+  const Run task = run("plan " + data + "rooms.map.scen --task 1 --goal 20.5,3.5,0");
+  EXPECT_NE(task.out.find("(3.500, 3.500)"), std::string::npos) << task.err << task.out;
+  expect_bad_input("plan " + data + "rooms.map.scen --task 2", "there is no task 2");
+  expect_bad_input("plan " + map_ + kAround + " --unknown maybe", "--unknown");
+  expect_bad_input("plan " + map_ + kAround + " --cell 0", "--cell");
 }
 
 TEST_F(Tool, GraphsOfABox) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/path/speed_profile.h"
 
@@ -119,6 +120,28 @@ TEST(PathCsv, RunsThroughAllJointsInTimeOrder) {
   EXPECT_NEAR(rows.back()[6], result.travel_time, 1e-12);
   EXPECT_NEAR(rows.back()[0], result.length, 1e-12);
   EXPECT_NEAR(rows[20][8], std::atan(1.3 * -0.5), 1e-15);
+}
+
+TEST(NavMsgsPath, HasPosesInTimeOrder) {
+  const PlanResult result = example();
+  const auto json = nlohmann::json::parse(path_to_nav_msgs(result.segments, Vehicle{}, "a \"map\""));
+  EXPECT_EQ(json["header"]["frame_id"], "a \"map\"");
+  const auto& poses = json["poses"];
+  ASSERT_GT(poses.size(), 10u);
+  double last = -1.0;
+  for (const auto& entry : poses) {
+    const auto& stamp = entry["header"]["stamp"];
+    const double t = stamp["sec"].get<double>() + 1e-9 * stamp["nanosec"].get<double>();
+    EXPECT_GT(t, last);
+    last = t;
+    const auto& q = entry["pose"]["orientation"];
+    EXPECT_NEAR(std::hypot(q["z"].get<double>(), q["w"].get<double>()), 1.0, 1e-15);
+  }
+  EXPECT_NEAR(last, result.travel_time, 1e-8);
+  const auto& end = poses.back()["pose"];
+  EXPECT_EQ(end["position"]["x"], result.goal.x);
+  const double yaw = 2.0 * std::atan2(end["orientation"]["z"].get<double>(), end["orientation"]["w"].get<double>());
+  EXPECT_NEAR(yaw, result.goal.heading, 1e-12);
 }
 
 }  // namespace

@@ -35,6 +35,18 @@ TEST(Svg, DrawsLayersWithYUp) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+TEST(Svg, DrawsTheSweptArea) {
+  SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}}), 1000.0);
+  EXPECT_EQ(count(picture.str(), "id=\"swept\""), 0u);
+  const Footprint body{.front = 2, .rear = 1, .half_width = 1};
+  picture.add_swept_area(Path{{{20, 20, 0}, 10, 0}}, body);
+  // One rectangle for a line: x from 19 to 32, y from 19 to 21; 10 px a metre, (0, 0) at (16, 516).
+  EXPECT_NE(picture.str().find("M206 326L336 326L336 306L206 306Z"), std::string::npos) << picture.str();
+  picture.add_swept_area(Path{{{20, 20, 0}, 5, 0.2}}, body);
+  // The farthest corner is hypot(2, 6) from the turning centre: outlines a pixel apart over one radian.
+  EXPECT_GE(count(picture.str(), "Z"), 63u);
+}
+
 TEST(Svg, DrawsWorldsWithoutExtent) {
   EXPECT_EQ(SvgPicture(World({})).str().find("nan"), std::string::npos);
   Box point;
