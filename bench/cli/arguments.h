@@ -37,6 +37,7 @@ void add_validate_command(CLI::App& app, Action& action);
 void add_convert_command(CLI::App& app, Action& action);
 void add_doctor_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);
+void add_figures_command(CLI::App& app, Action& action);
 
 /// The whole text as one finite number, in any locale.
 /// @throws UsageError naming `what` and the text.

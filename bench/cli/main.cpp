@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
   add_convert_command(app, action);
   add_doctor_command(app, action);
   add_report_command(app, action);
+  add_figures_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,46 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "bench/cli/arguments.h"
+#include "bench/figures/figures.h"
+#include "datasets/paper_example.h"
+
+namespace arcway::cli {
+namespace {
+
+int draw_figures(const std::string& folder, std::string& out) {
+  const PaperExample example = paper_example();
+  const Planner planner(example.world, Vehicle(example.robot));
+  const PlanResult plan = planner.plan({.start = example.start, .goal = example.goal});
+  if (!plan.solved()) {
+    out = plan.reason + "\n";
+    return kExitNoPath;
+  }
+  std::filesystem::create_directories(folder);
+  OutputFiles files;
+  for (const figures::Figure& figure :
+       {figures::visibility_graphs(planner), figures::vehicle_model(planner.vehicle()),
+        figures::radial_sets(planner, plan), figures::minimum_distance_pairs(planner, plan),
+        figures::swept_turn(planner.vehicle()), figures::speed_profiles(planner.vehicle()),
+        figures::feasible_graph_and_motion(planner, plan)}) {
+    files.add((std::filesystem::path(folder) / (figure.name + ".svg")).string(), figure.svg);
+    std::string caption = figure.caption;
+    for (char& c : caption) c = c == '\n' ? ' ' : c;
+    out += row(figure.name, caption);
+  }
+  files.write();
+  out += files.summary();
+  return kExitSolved;
+}
+
+}  // namespace
+
+void add_figures_command(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("figures", "Draw the paper's figures 1 to 7 from live computations");
+  const auto folder = std::make_shared<std::string>();
+  command->add_option("--out", *folder, "Folder for figure1.svg to figure7.svg")->required();
+  command->callback([&action, folder] { action = [folder](std::string& out) { return draw_figures(*folder, out); }; });
+}
+
+}  // namespace arcway::cli

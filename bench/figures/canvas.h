@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/geometry/vec2.h"
+
+namespace arcway::figures {
+
+/// A drawing in its own units, y up, on white ground so that it reads the same on light and dark pages. The caption
+/// stands below, broken into lines at '\n'.
+class Canvas {
+ public:
+  /// @param scale  pixels a unit; different for both axes where they are different quantities.
+  Canvas(const Vec2& min, const Vec2& max, const Vec2& scale);
+
+  void line(const Vec2& a, const Vec2& b, std::string_view color, double width = 2.0, std::string_view dash = {});
+  void polygon(const std::string& points, std::string_view fill, std::string_view stroke, double opacity = 1.0);
+  void curve(const std::string& points, std::string_view color, double width = 2.5, std::string_view dash = {});
+  void dot(const Vec2& p, std::string_view color);
+  void circle(const Vec2& center, double radius, std::string_view color, std::string_view dash = {});
+  void text(const Vec2& p, std::string_view text, std::string_view anchor = "middle",
+            std::string_view color = "#1d2126");
+  /// "x,y " in the picture, to be joined for polygon and curve.
+  [[nodiscard]] std::string at(const Vec2& p) const;
+  [[nodiscard]] std::string str(std::string_view title, std::string_view caption) const;
+
+ private:
+  [[nodiscard]] Vec2 place(const Vec2& p) const;
+  Vec2 min_, max_, scale_;
+  std::string body_;
+};
+
+}  // namespace arcway::figures

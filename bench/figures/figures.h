@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/planner.h"
+
+namespace arcway::figures {
+
+/// A figure of the paper as an SVG document, its numbers in the caption.
+struct Figure {
+  std::string name;  ///< of the file, without extension
+  std::string svg;
+  std::string caption;  ///< lines end at '\n'
+};
+
+/// Everything is computed when it is called, on the paper's example and its robot.
+Figure visibility_graphs(const Planner& planner);                                  ///< figure 1
+Figure vehicle_model(const Vehicle& vehicle);                                      ///< figure 2
+Figure radial_sets(const Planner& planner, const PlanResult& plan);                ///< figure 3
+Figure minimum_distance_pairs(const Planner& planner, const PlanResult& plan);     ///< figure 4
+Figure swept_turn(const Vehicle& vehicle);                                         ///< figure 5
+Figure speed_profiles(const Vehicle& vehicle);                                     ///< figure 6
+Figure feasible_graph_and_motion(const Planner& planner, const PlanResult& plan);  ///< figure 7
+
+/// A number with a fixed count of digits after the point.
+std::string digits(double value, int count);
+
+}  // namespace arcway::figures

@@ -1,0 +1,36 @@
+#include "bench/figures/figures.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "datasets/paper_example.h"
+
+namespace arcway::figures {
+namespace {
+
+TEST(Figures, AreSevenDocumentsWithTheirNumbersInTheCaption) {
+  const PaperExample example = paper_example();
+  const Planner planner(example.world, Vehicle(example.robot));
+  const PlanResult plan = planner.plan({.start = example.start, .goal = example.goal});
+  ASSERT_TRUE(plan.solved());
+  const Figure figures[] = {visibility_graphs(planner),
+                            vehicle_model(planner.vehicle()),
+                            radial_sets(planner, plan),
+                            minimum_distance_pairs(planner, plan),
+                            swept_turn(planner.vehicle()),
+                            speed_profiles(planner.vehicle()),
+                            feasible_graph_and_motion(planner, plan)};
+  std::set<std::string> names;
+  for (const Figure& figure : figures) {
+    names.insert(figure.name);
+    EXPECT_EQ(figure.svg.find("nan"), std::string::npos) << figure.name;
+    EXPECT_NE(figure.svg.find("</svg>"), std::string::npos) << figure.name;
+  }
+  EXPECT_EQ(names.size(), 7u);
+  EXPECT_NE(figures[4].caption.find("w_s = 1.30"), std::string::npos) << figures[4].caption;
+  EXPECT_NE(figures[6].caption.find(digits(plan.travel_time, 2) + " s"), std::string::npos) << figures[6].caption;
+}
+
+}  // namespace
+}  // namespace arcway::figures
