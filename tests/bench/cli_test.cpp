@@ -281,6 +281,31 @@ TEST_F(Tool, PlansOnMapsOfAnyFormat) {
   expect_bad_input("plan " + map_ + kAround + " --cell 0", "--cell");
 }
 
+// tests/data/shared_poses.txt: what the tool, which checks every path that it finds, says of poses on real maps.
+TEST_F(Tool, PlansOnRealMaps) {
+  const char* shared = std::getenv("ARCWAY_SHARED_DATA");
+  if (shared == nullptr || !fs::is_directory(shared)) GTEST_SKIP() << "ARCWAY_SHARED_DATA names no folder of maps";
+  const std::string data = ARCWAY_SOURCE_DIR "/tests/data/";
+  std::size_t plans = 0;
+  for (const std::string& line : lines_of(text_of(data + "shared_poses.txt"))) {
+    if (line.front() == '#') continue;
+    SCOPED_TRACE(line);
+    const std::size_t bar = line.find(" | ");
+    ASSERT_NE(bar, std::string::npos);
+    const std::string status = line.substr(0, bar);
+    std::string arguments = line.substr(bar + 3);
+    if (const std::size_t robot = arguments.find("--robot "); robot != std::string::npos)
+      arguments.insert(robot + 8, data + "robots/");
+    const Run result = run("plan " + std::string(shared) + "/" + arguments + " --svg " + file("p.svg"));
+    EXPECT_EQ(result.code, status == "solved" ? 0 : 1) << result.err << result.out;
+    EXPECT_NE(result.out.find(": " + status + "\n"), std::string::npos) << result.out;
+    EXPECT_NE(read("p.svg").find("</svg>"), std::string::npos);
+    EXPECT_EQ(status == "solved", read("p.svg").find("id=\"path\"") != std::string::npos);
+    ++plans;
+  }
+  EXPECT_EQ(plans, 26u);
+}
+
 TEST_F(Tool, GraphsOfABox) {
   ASSERT_EQ(run("graph " + map_ + " --kind reduced --edges " + file("e.csv") + " --json " + file("g.json")).code, 0);
   EXPECT_EQ(read("e.csv"), "u,v\n0,1\n0,3\n1,2\n2,3\n");
