@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -26,6 +27,7 @@ struct PlanArguments {
   std::string heuristic = "travel_time";
   std::string graph = "eager";
   std::string time_limit;
+  std::uint32_t refine_trials = RefineOptions{}.max_trials;
   std::string svg, json, csv, ros_path;
   BuildOptions build;
 };
@@ -275,6 +277,7 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   options.heuristic = heuristic_of(arguments.heuristic);
   options.graph_mode = graph_mode_of(arguments.graph);
   options.reduced_graph = arguments.build.reduced_graph();
+  options.refinement.max_trials = arguments.refine_trials;
   const PlanLimits limits = limits_of(arguments);
 
   std::optional<Pose> start;
@@ -321,6 +324,9 @@ void add_plan_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   command.add_option("--time-limit", arguments->time_limit, "Of each search; then the best path found so far, if any")
       ->type_name("SECONDS");
+  command.add_option("--refine-trials", arguments->refine_trials, "Paths that refinement may try; 0 leaves it out")
+      ->type_name("N")
+      ->capture_default_str();
   arguments->build.add_to(command);
   command.add_option("--svg", arguments->svg, "Write a picture")->type_name("F.svg");
   command.add_option("--json", arguments->json, "Write the exact plan; with --queries one object a line")

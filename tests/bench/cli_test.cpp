@@ -108,6 +108,15 @@ TEST_F(Tool, PlansAroundABox) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST_F(Tool, RefinesUnlessToldOtherwise) {
+  const std::string plan = "plan paper --json " + file("p.json");
+  ASSERT_EQ(run(plan).code, 0);
+  EXPECT_EQ(read("p.json").find("\"refine_trials\":0,"), std::string::npos);
+  ASSERT_EQ(run(plan + " --refine-trials 0").code, 0);
+  EXPECT_NE(read("p.json").find("\"refine_trials\":0,"), std::string::npos);
+  expect_bad_input("plan paper --refine-trials -1", "--refine-trials");
+}
+
 TEST_F(Tool, AChangedPathIsNotValid) {
   ASSERT_EQ(run("plan " + map_ + kAround + " --json " + file("p.json")).code, 0);
   std::string plan = read("p.json");
