@@ -2,13 +2,6 @@
 
 #include <algorithm>
 
-// Embree calls this from threads whose hand-over the thread sanitizer does not see.
-#if defined(__SANITIZE_THREAD__) || (defined(__has_feature) && __has_feature(thread_sanitizer))
-#define ARCWAY_UNINSTRUMENTED __attribute__((no_sanitize("thread")))
-#else
-#define ARCWAY_UNINSTRUMENTED
-#endif
-
 namespace arcway::embree {
 
 namespace {
@@ -84,7 +77,7 @@ bool EdgeScene::aim(const Vec2& a, const Vec2& b, RTCRay& ray) const {
 }
 
 // Denormals are flushed here: no predicate may be called.
-ARCWAY_UNINSTRUMENTED void EdgeScene::on_bounds(const RTCBoundsFunctionArguments* arguments) {
+void EdgeScene::on_bounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& self = *static_cast<const EdgeScene*>(arguments->geometryUserPtr);
   const LineSegment& edge = self.world_.edges()[arguments->primID];
   const Vec2 a = self.scaled(edge.a);

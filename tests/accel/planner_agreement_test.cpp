@@ -10,6 +10,7 @@
 #include "accel/parallel.h"
 #include "core/planner.h"
 #include "datasets/catalogue.h"
+#include "tests/support/thread_executor.h"
 
 namespace arcway {
 namespace {
@@ -67,6 +68,20 @@ TEST(PlannerAgreement, BackendsAndThreadCountsGiveTheSameBits) {
       EXPECT_TRUE(digest(Planner(world, vehicle, queries, options, executor), requests) == expected) << threads;
     }
   }
+}
+
+TEST(PlannerAgreement, BuildersShareNothingBetweenThreads) {
+  const std::string name = "clutter/star/n40/m9/f30/s5";
+  const World world = catalogue_world(name);
+  const test::ThreadExecutor threads(3);
+  const std::string expected = digest(Planner(world, Vehicle{}), {});
+  const QuerySet queries = make_embree_queries(world);
+  EXPECT_TRUE(digest(Planner(world, Vehicle{}, queries, {}, threads), {}) == expected);
+  PlannerOptions options;
+  options.reduced_graph = [](const World& w, const VisibilityQuery& visibility, const Executor& executor) {
+    return build_pairwise_visibility_graph(w, visibility, executor);
+  };
+  EXPECT_TRUE(digest(Planner(world, Vehicle{}, queries, options, threads), {}) == expected);
 }
 
 TEST(PlannerAgreement, SeveralThreadsPlanOnOnePlanner) {
