@@ -66,12 +66,12 @@ struct BuildOptions {
   /// Builds the reduced graph, for PlannerOptions::reduced_graph.
   [[nodiscard]] ReducedGraphBuilder reduced_graph() const;
 
-  /// "wedges" or "pairs".
-  [[nodiscard]] std::string builder_name() const;
+  /// "wedge" or "pairwise": what was asked for, or what suits the world.
+  [[nodiscard]] std::string builder_name(const World& world) const;
   /// No more than the machine has.
   [[nodiscard]] std::size_t thread_count() const;
-  /// "wedges, embree, 2 threads"
-  [[nodiscard]] std::string summary() const;
+  /// "wedge, embree, 2 threads"
+  [[nodiscard]] std::string summary(const World& world) const;
 
  private:
   [[nodiscard]] std::size_t threads_asked_for() const;

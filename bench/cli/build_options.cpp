@@ -4,6 +4,7 @@
 
 #include "bench/cli/arguments.h"
 #ifdef ARCWAY_WITH_ACCEL
+#include "accel/graph_builder.h"
 #include "accel/make_queries.h"
 #include "accel/pairwise_graph.h"
 #include "accel/parallel.h"
@@ -19,9 +20,6 @@ constexpr bool kHasAccel = true;
 constexpr bool kHasAccel = false;
 #endif
 
-// Beyond, triangles have no room for their numbers.
-constexpr std::size_t kMostWedgeVertices = std::size_t{1} << 28;
-
 std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
 
 }  // namespace
@@ -32,7 +30,7 @@ void BuildOptions::add_to(CLI::App& command) {
   command.add_option("--backend", backend, "What answers the geometric queries: embree, or reference (brute force)")
       ->type_name("NAME")
       ->capture_default_str();
-  command.add_option("--builder", builder, "How the reduced graph is built: pairs, wedges, or auto")
+  command.add_option("--builder", builder, "How the reduced graph is built: pairwise, wedge, or auto")
       ->type_name("NAME")
       ->capture_default_str();
   command
@@ -45,14 +43,14 @@ void BuildOptions::check() const {
     throw UsageError("--backend: unknown backend " + in_quotes(backend) +
                      "; this build has: " + (kHasAccel ? "embree, reference" : "reference"));
   }
-  if (builder != "auto" && builder != "pairs" && builder != "wedges") {
-    throw UsageError("--builder: expected auto, pairs or wedges, got " + in_quotes(builder));
+  if (builder != "auto" && builder != "pairwise" && builder != "wedge") {
+    throw UsageError("--builder: expected auto, pairwise or wedge, got " + in_quotes(builder));
   }
   if (!kHasAccel && backend == "embree") {
     throw UsageError("--backend: this build has no embree backend; use --backend reference");
   }
-  if (!kHasAccel && builder == "wedges") {
-    throw UsageError("--builder: this build has no wedges builder; use --builder pairs");
+  if (!kHasAccel && builder == "wedge") {
+    throw UsageError("--builder: this build has no wedge builder; use --builder pairwise");
   }
   const std::size_t count = threads_asked_for();
   if (count < 1) throw UsageError("--threads: at least 1, got " + in_quotes(threads));
@@ -60,19 +58,14 @@ void BuildOptions::check() const {
   if (count > 1024) throw UsageError("--threads: at most 1024, got " + in_quotes(threads));
 }
 
-std::string BuildOptions::builder_name() const {
-  if (builder != "auto") return builder;
-  return backend == "embree" ? "wedges" : "pairs";
-}
-
 std::size_t BuildOptions::threads_asked_for() const {
   if (!threads.empty()) return parse_count(threads, "--threads");
   return backend == "embree" ? std::max(1u, std::thread::hardware_concurrency()) : 1;
 }
 
-std::string BuildOptions::summary() const {
+std::string BuildOptions::summary(const World& world) const {
   const std::size_t count = thread_count();
-  return builder_name() + ", " + backend + ", " + count_text(count) + (count == 1 ? " thread" : " threads");
+  return builder_name(world) + ", " + backend + ", " + count_text(count) + (count == 1 ? " thread" : " threads");
 }
 
 #ifdef ARCWAY_WITH_ACCEL
@@ -87,13 +80,15 @@ std::unique_ptr<const Executor> BuildOptions::executor() const {
   return std::make_unique<const TbbExecutor>(threads_asked_for());
 }
 
+std::string BuildOptions::builder_name(const World& world) const {
+  if (builder != "auto") return builder;
+  return name_of(backend == "reference" ? GraphBuilder::kPairwise : faster_graph_builder(world));
+}
+
 ReducedGraphBuilder BuildOptions::reduced_graph() const {
-  const bool wedges = builder_name() == "wedges";
-  const bool reference = backend == "reference";
-  return [wedges, reference](const World& world, const VisibilityQuery& visibility, const Executor& executor) {
-    if (wedges && world.vertices().size() < kMostWedgeVertices)
-      return build_reduced_visibility_graph_by_wedges(world, executor);
-    if (reference) return build_reduced_visibility_graph(world, visibility, executor);
+  return [options = *this](const World& world, const VisibilityQuery& visibility, const Executor& executor) {
+    if (options.builder_name(world) == "wedge") return build_reduced_visibility_graph_by_wedges(world, executor);
+    if (options.backend == "reference") return build_reduced_visibility_graph(world, visibility, executor);
     return build_pairwise_visibility_graph(world, visibility, executor);
   };
 }
@@ -101,6 +96,7 @@ ReducedGraphBuilder BuildOptions::reduced_graph() const {
 #else
 
 std::size_t BuildOptions::thread_count() const { return 1; }
+std::string BuildOptions::builder_name(const World&) const { return "pairwise"; }
 
 QuerySet BuildOptions::queries(const World& world) const { return make_reference_queries(world); }
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }

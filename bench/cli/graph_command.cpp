@@ -88,7 +88,7 @@ std::string counts_json(const GraphArguments& arguments, const World& world, con
                                  {"convex_vertices", world.convex_vertices().size()},
                                  {"edges", built.edge_count},
                                  {"backend", arguments.build.backend},
-                                 {"builder", full ? "pairs" : arguments.build.builder_name()},
+                                 {"builder", full ? "pairwise" : arguments.build.builder_name(world)},
                                  {"threads", arguments.build.thread_count()},
                                  {"visibility_seconds", built.visibility_seconds}};
   if (arguments.kind == "feasible") {

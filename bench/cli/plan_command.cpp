@@ -151,7 +151,7 @@ std::string plan_json(const PlanArguments& arguments, const Planner& planner, do
   auto json = nlohmann::ordered_json::parse(plan_to_json(result, 0));
   auto& statistics = json["statistics"];
   statistics["backend"] = arguments.build.backend;
-  statistics["builder"] = arguments.build.builder_name();
+  statistics["builder"] = arguments.build.builder_name(planner.world());
   statistics["threads"] = arguments.build.thread_count();
   statistics["build_seconds"] = build_seconds;
   statistics["visibility_seconds"] = prepare.visibility_seconds;
@@ -189,7 +189,7 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   out += row("goal", pose_text(request.goal));
   if (result.solved()) out += result_rows(result) + validity_row(*plan.report);
   out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
-         row("built by", arguments.build.summary()) + search_rows(result.statistics);
+         row("built by", arguments.build.summary(planner.world())) + search_rows(result.statistics);
   out += warning_rows(map);
   files.write();
   out += files.summary();
@@ -220,8 +220,8 @@ int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Plann
                const std::vector<NumberedRequest>& queries, const PlanLimits& limits, std::string& out) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
-                    " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " + arguments.build.summary() +
-                    "\n";
+                    " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " +
+                    arguments.build.summary(planner.world()) + "\n";
   csv += "q,status,travel_time_s,length_m,lower_bound_s,min_clearance_m,valid,plan_ms\n";
   std::string json;
   std::size_t solved = 0;
@@ -253,7 +253,7 @@ int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Plann
                                 duration_text(std::accumulate(seconds.begin(), seconds.end(), 0.0)) + "; " +
                                 duration_text(total) + " with validation");
   out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
-         row("built by", arguments.build.summary()) + warning_rows(map);
+         row("built by", arguments.build.summary(planner.world())) + warning_rows(map);
   files.write();
   out += files.summary();
   return refused == 0 ? kExitSolved : kExitNoPath;

@@ -1,0 +1,97 @@
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "accel/wedge/wedge_graph.h"
+#include "bench/suites/backends.h"
+#include "bench/suites/graph_check.h"
+#include "bench/suites/suite.h"
+#ifdef ARCWAY_PEER_CGAL
+#include "bench/suites/cgal_triangulation.h"
+#endif
+
+// What the wedge builder's time goes with: threads, vertices of each obstacle, the shape of the map.
+namespace arcway::bench {
+namespace {
+
+bool is_right(benchmark::State& state, const std::string& name, const VisibilityGraph& graph) {
+  const auto right = [&] { return is_reduced_graph(shared_world(name), graph); };
+  return require_once(state, "WedgeGraph/" + name, right, "edges differ from the reference");
+}
+
+void build(benchmark::State& state, const std::string& name, std::size_t threads) {
+  const World& world = shared_world(name);
+  const std::unique_ptr<Executor> executor = make_executor(threads);
+  WedgeStatistics statistics;
+  VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world, *executor, &statistics);
+  if (!is_right(state, name, graph)) return;
+  for (auto _ : state) graph = build_reduced_visibility_graph_by_wedges(world, *executor);
+  const auto steps = static_cast<double>(statistics.steps);
+  state.counters["vertices"] = static_cast<double>(world.vertices().size());
+  state.counters["edges"] = static_cast<double>(graph.edge_count());
+  state.counters["steps_per_vertex"] = steps / static_cast<double>(world.vertices().size());
+  state.counters["steps_per_edge"] = steps / static_cast<double>(graph.edge_count());
+  state.counters["broken_regions"] = static_cast<double>(statistics.broken_regions);
+}
+
+#ifdef ARCWAY_PEER_CGAL
+// Both in turn; the time is the wedge builder's, the counter the ratio of the sums.
+void build_against_cgal(benchmark::State& state, const std::string& name, std::size_t threads) {
+  using Clock = std::chrono::steady_clock;
+  const World& world = shared_world(name);
+  const std::unique_ptr<Executor> executor = make_executor(threads);
+  if (!is_right(state, name, build_reduced_visibility_graph_by_wedges(world, *executor))) return;
+  double ours = 0.0, cgals = 0.0;
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    benchmark::DoNotOptimize(triangulate_by_cgal(world));
+    const auto between = Clock::now();
+    benchmark::DoNotOptimize(build_reduced_visibility_graph_by_wedges(world, *executor));
+    const double seconds = std::chrono::duration<double>(Clock::now() - between).count();
+    state.SetIterationTime(seconds);
+    ours += seconds;
+    cgals += std::chrono::duration<double>(between - start).count();
+  }
+  state.counters["of_cgal_triangulation"] = ours / cgals;
+}
+#endif
+
+void add(Study study) {
+  for (const std::size_t threads : thread_counts()) {
+    const std::string suffix = "/threads:" + std::to_string(threads);
+    for (const char* kind : {"convex", "star", "mixed"}) {
+      Series by_vertices(study, std::string("WedgeGraph/") + kind + suffix, "obstacles", "O(n log n + steps)", 1.1);
+      for (const std::size_t n : sizes(study, {10, 100, 1000, 3162, 10000, 31623, 100000}, 100, 10000))
+        by_vertices.add(static_cast<double>(n),
+                        [=](benchmark::State& state) { build(state, clutter_name(kind, n, 10, 30), threads); });
+    }
+#ifdef ARCWAY_PEER_CGAL
+    for (const std::size_t n : sizes(study, {100, 10000, 100000}, 100, 10000))
+      add_benchmark(
+          "WedgeGraph/against_cgal" + suffix + "/obstacles:" + std::to_string(n),
+          [=](benchmark::State& state) { build_against_cgal(state, clutter_name("convex", n, 10, 30), threads); })
+          ->UseManualTime();
+#endif
+  }
+  const std::size_t obstacles = study == Study::kCheck ? 20 : 1000;
+  Series by_each(study, "WedgeGraph/convex_of/obstacles:" + std::to_string(obstacles), "vertices_of_each",
+                 "O(m^2): rays graze their own obstacle", 2.0);
+  for (const std::size_t m : sizes(study, {4, 8, 16, 32, 64, 128, 256}, 16, 256))
+    by_each.add(static_cast<double>(m),
+                [=](benchmark::State& state) { build(state, clutter_name("convex", obstacles, m, 30), 1); });
+
+  const std::string size = study == Study::kCheck ? "v400" : study == Study::kQuick ? "v10000" : "v100000";
+  const std::size_t cells = study == Study::kCheck ? 40 : study == Study::kQuick ? 1000 : 10000;
+  std::vector<std::string> shapes = {clutter_name("convex", cells, 10, 2), clutter_name("convex", cells, 10, 50)};
+  for (const char* family : {"corridor", "city", "coastline", "islands", "maze", "rooms", "warehouse",
+                             "adversarial/shared", "adversarial/contacts", "adversarial/collinear",
+                             "adversarial/nested", "adversarial/overlapping", "adversarial/holes"})
+    shapes.push_back(std::string(family) + "/" + size + "/s1");
+  for (const std::string& shape : shapes)
+    add_benchmark("WedgeGraph/shape/" + shape, [=](benchmark::State& state) { build(state, shape, 1); });
+}
+
+const Suite suite(add);
+
+}  // namespace
+}  // namespace arcway::bench
