@@ -1,5 +1,6 @@
 #include "accel/wedge/sight_map.h"
 
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -52,6 +53,17 @@ SightMap::SightMap(const World& world, const Executor& executor) : world_(world)
 bool SightMap::is_blocked_by_broken(const LineSegment& segment) const {
   return !broken_tree_.visit_overlaps(box_of(segment),
                                       [&](std::uint32_t i) { return !blocks(world_, broken_edges_[i], segment); });
+}
+
+void SightMap::list_left_edges() {
+  std::vector<std::uint32_t> ends(map_.edges.size());
+  first_left_edge_.assign(map_.sites.size() + 1, 0);
+  for (std::size_t e = 0; e < ends.size(); ++e) {
+    ends[e] = map_.edges[e].high;
+    ++first_left_edge_[ends[e] + 1];
+  }
+  std::partial_sum(first_left_edge_.begin(), first_left_edge_.end(), first_left_edge_.begin());
+  left_edges_ = sorted_by_tile(ends, static_cast<std::uint32_t>(map_.sites.size()));
 }
 
 void SightMap::lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles) {

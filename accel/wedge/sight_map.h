@@ -55,6 +55,13 @@ class SightMap {
   [[nodiscard]] std::span<const PlanarMap::Edge> edges_from(std::uint32_t site) const {
     return std::span(map_.edges).subspan(map_.first_edge[site], map_.first_edge[site + 1] - map_.first_edge[site]);
   }
+  /// Those that reach it from the left, by index; needs list_left_edges.
+  [[nodiscard]] std::span<const std::uint32_t> edges_to(std::uint32_t site) const {
+    return std::span(left_edges_).subspan(first_left_edge_[site], first_left_edge_[site + 1] - first_left_edge_[site]);
+  }
+  [[nodiscard]] const PlanarMap::Edge& edge(std::uint32_t index) const { return map_.edges[index]; }
+  /// Makes `edges_to` possible.
+  void list_left_edges();
   /// Whether an edge lies strictly inside a region that is whole.
   [[nodiscard]] bool is_covered(const PlanarMap::Edge& edge) const {
     return edge_is_covered_[static_cast<std::size_t>(&edge - map_.edges.data())] != 0;
@@ -82,7 +89,8 @@ class SightMap {
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> node_at_;  // by site
   std::vector<Fan> fans_;
-  std::vector<std::uint32_t> first_fan_;  // by node
+  std::vector<std::uint32_t> first_fan_;                     // by node
+  std::vector<std::uint32_t> left_edges_, first_left_edge_;  // by site
   std::vector<VertexId> broken_edges_;
   BoxTree broken_tree_;
 };

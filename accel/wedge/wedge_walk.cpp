@@ -38,14 +38,29 @@ inline int WedgeWalk::side(const Limit& limit, double x, double y, std::uint32_t
   return sign != 0 ? sign : exact_side(limit.id, site);
 }
 
-void WedgeWalk::run(std::uint32_t index) {
+// Directions are tangent from the previous vertex's counter-clockwise to the opposite of the next one's, and from the
+// opposite of the previous one's to the next one's.
+void WedgeWalk::look_around(std::uint32_t index) {
+  using Kind = WedgeLimit::Kind;
   source_ = &map_.nodes()[index];
   const Node& node = *source_;
-  follow_edges(node);
-  // Directions are tangent from the previous vertex's counter-clockwise to the opposite of the next one's, and from
-  // the opposite of the previous one's to the next one's; those to the right are the source's to look at.
+  follow_edges_right();
+  follow_edges_left();
+  const Vec2 to_previous = node.previous - node.at, to_next = node.next - node.at;
+  wedge_low_ = {to_previous, node.previous_site, Kind::kToward};
+  wedge_high_ = {-to_next, node.next_site, Kind::kAway};
+  look_through_wedge(index);
+  wedge_low_ = {-to_previous, node.previous_site, Kind::kAway};
+  wedge_high_ = {to_next, node.next_site, Kind::kToward};
+  look_through_wedge(index);
+}
+
+void WedgeWalk::look_right(std::uint32_t index) {
   using Kind = WedgeLimit::Kind;
-  const auto look_right = [&](const WedgeLimit& low, const WedgeLimit& high) {
+  source_ = &map_.nodes()[index];
+  const Node& node = *source_;
+  follow_edges_right();
+  const auto look = [&](const WedgeLimit& low, const WedgeLimit& high) {
     const bool low_is_right = leads_right(low), high_is_right = leads_right(high);
     if (!low_is_right && !high_is_right) return;
     wedge_low_ = low_is_right ? low : WedgeLimit{{0.0, -1.0}, kNone, Kind::kDown};
@@ -53,28 +68,45 @@ void WedgeWalk::run(std::uint32_t index) {
     look_through_wedge(index);
   };
   const Vec2 to_previous = node.previous - node.at, to_next = node.next - node.at;
-  look_right({to_previous, node.previous_site, Kind::kToward}, {-to_next, node.next_site, Kind::kAway});
-  look_right({-to_previous, node.previous_site, Kind::kAway}, {to_next, node.next_site, Kind::kToward});
+  look({to_previous, node.previous_site, Kind::kToward}, {-to_next, node.next_site, Kind::kAway});
+  look({-to_previous, node.previous_site, Kind::kAway}, {to_next, node.next_site, Kind::kToward});
 }
 
-// Along walls to the right, up to the first site with a node.
-void WedgeWalk::follow_edges(const Node& node) {
-  for (const PlanarMap::Edge& first : map_.edges_from(node.site)) {
+// Along walls that leave the source, straight on to the first site with a node.
+void WedgeWalk::follow_edges_right() {
+  for (const PlanarMap::Edge& first : map_.edges_from(source_->site)) {
     const PlanarMap::Edge* edge = &first;
     while (edge && !map_.is_covered(*edge) && map_.first_node_at(edge->high) == kNone) {
       const PlanarMap::Edge* straight_on = nullptr;
       for (const PlanarMap::Edge& next : map_.edges_from(edge->high))
-        if (orientation(node.at, map_.sites()[edge->high], map_.sites()[next.high]) == 0) straight_on = &next;
+        if (orientation(source_->at, map_.sites()[edge->high], map_.sites()[next.high]) == 0) straight_on = &next;
       edge = straight_on;
     }
-    if (!edge || map_.is_covered(*edge)) continue;
-    const bool along_own = first.high == node.previous_site || first.high == node.next_site;
-    for (std::uint32_t n = map_.first_node_at(edge->high);
-         n < map_.nodes().size() && map_.nodes()[n].site == edge->high; ++n) {
-      const Node& target = map_.nodes()[n];
-      const bool along_its = edge->low == target.previous_site || edge->low == target.next_site;
-      if ((along_own || is_tangent(node, target.at)) && (along_its || is_tangent(target, node.at))) add(target);
+    if (edge && !map_.is_covered(*edge)) report_along_wall(first.high, edge->low, edge->high);
+  }
+}
+
+void WedgeWalk::follow_edges_left() {
+  for (const std::uint32_t first : map_.edges_to(source_->site)) {
+    const PlanarMap::Edge* edge = &map_.edge(first);
+    while (edge && !map_.is_covered(*edge) && map_.first_node_at(edge->low) == kNone) {
+      const PlanarMap::Edge* straight_on = nullptr;
+      for (const std::uint32_t next : map_.edges_to(edge->low))
+        if (orientation(source_->at, map_.sites()[edge->low], map_.sites()[map_.edge(next).low]) == 0)
+          straight_on = &map_.edge(next);
+      edge = straight_on;
     }
+    if (edge && !map_.is_covered(*edge)) report_along_wall(map_.edge(first).low, edge->high, edge->low);
+  }
+}
+
+void WedgeWalk::report_along_wall(std::uint32_t first, std::uint32_t before_end, std::uint32_t end) {
+  const std::span<const Node> nodes = map_.nodes();
+  const bool along_own = first == source_->previous_site || first == source_->next_site;
+  for (std::uint32_t n = map_.first_node_at(end); n < nodes.size() && nodes[n].site == end; ++n) {
+    const bool along_its = before_end == nodes[n].previous_site || before_end == nodes[n].next_site;
+    if ((along_own || is_tangent(*source_, nodes[n].at)) && (along_its || is_tangent(nodes[n], source_->at)))
+      add(nodes[n]);
   }
 }
 

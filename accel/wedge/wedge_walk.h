@@ -8,7 +8,7 @@
 
 namespace arcway {
 
-/// Finds the edges of the reduced visibility graph from its nodes to nodes further to the right.
+/// Finds the edges of the reduced visibility graph from its nodes.
 ///
 /// A line between two nodes with no convex vertex on the way either touches nothing between its ends, and then it
 /// passes through the insides of triangles only; or it runs along obstacle edges all the way. (A vertex that it touches
@@ -19,7 +19,10 @@ class WedgeWalk {
  public:
   WedgeWalk(const World& world, const SightMap& map) : world_(world), map_(map) {}
 
-  void run(std::uint32_t node);
+  /// Edges of a node to nodes further to the right: each edge is found from one of its ends.
+  void look_right(std::uint32_t node);
+  /// All edges of a node.
+  void look_around(std::uint32_t node);
 
   [[nodiscard]] std::vector<std::pair<VertexId, VertexId>> take_edges() { return std::move(edges_); }
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
@@ -45,7 +48,11 @@ class WedgeWalk {
     Kind kind;
   };
 
-  void follow_edges(const Node& node);
+  void follow_edges_right();
+  void follow_edges_left();
+  /// @param first       site at the other end of a wall that leaves the source.
+  /// @param before_end  site before the last one.
+  void report_along_wall(std::uint32_t first, std::uint32_t before_end, std::uint32_t end);
   void look_through_wedge(std::uint32_t node);
   void walk(std::uint32_t door, Limit low, Limit high);
   void report(std::uint32_t first_node);

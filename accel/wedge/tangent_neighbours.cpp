@@ -1,0 +1,42 @@
+#include "accel/wedge/tangent_neighbours.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "accel/wedge/sight_map.h"
+#include "accel/wedge/wedge_walk.h"
+
+namespace arcway {
+
+struct TangentNeighbours::Data {
+  Data(const World& of, const Executor& executor)
+      : world(of), map(world, executor), node_of(world.vertices().size(), kNone) {
+    map.list_left_edges();
+    for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
+  }
+  World world;
+  SightMap map;
+  std::vector<std::uint32_t> node_of;  // by vertex
+};
+
+TangentNeighbours::TangentNeighbours(const World& world, const Executor& executor)
+    : data_(std::make_unique<const Data>(world, executor)) {}
+TangentNeighbours::~TangentNeighbours() = default;
+TangentNeighbours::TangentNeighbours(TangentNeighbours&&) noexcept = default;
+TangentNeighbours& TangentNeighbours::operator=(TangentNeighbours&&) noexcept = default;
+
+std::vector<VertexId> TangentNeighbours::of(VertexId vertex) const {
+  if (vertex >= data_->node_of.size())
+    throw std::out_of_range("tangent neighbours: vertex " + std::to_string(vertex) + ", the world has " +
+                            std::to_string(data_->node_of.size()));
+  if (data_->node_of[vertex] == kNone) return {};
+  WedgeWalk walk(data_->world, data_->map);
+  walk.look_around(data_->node_of[vertex]);
+  std::vector<VertexId> row;
+  for (const auto& [u, v] : walk.take_edges()) row.push_back(v);
+  std::sort(row.begin(), row.end());
+  return row;
+}
+
+}  // namespace arcway
