@@ -31,7 +31,7 @@ std::vector<VertexId> TangentNeighbours::of(VertexId vertex) const {
     throw std::out_of_range("tangent neighbours: vertex " + std::to_string(vertex) + ", the world has " +
                             std::to_string(data_->node_of.size()));
   if (data_->node_of[vertex] == kNone) return {};
-  WedgeWalk walk(data_->world, data_->map);
+  WedgeWalk walk(data_->map);
   walk.look_around(data_->node_of[vertex]);
   std::vector<VertexId> row;
   for (const auto& [u, v] : walk.take_edges()) row.push_back(v);

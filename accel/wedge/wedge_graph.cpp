@@ -25,7 +25,7 @@ VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, con
   std::vector<std::vector<std::pair<VertexId, VertexId>>> parts;
   WedgeStatistics sum;
   executor.for_ranges(map.nodes().size(), kNodesPerRange, [&](std::size_t begin, std::size_t end) {
-    WedgeWalk walk(world, map);
+    WedgeWalk walk(map);
     for (std::size_t node = begin; node < end; ++node) walk.look_right(static_cast<std::uint32_t>(node));
     const std::scoped_lock lock(mutex);
     parts.push_back(walk.take_edges());

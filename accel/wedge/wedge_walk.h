@@ -17,7 +17,7 @@ namespace arcway {
 /// that limit them, and edges of obstacles are followed by themselves.
 class WedgeWalk {
  public:
-  WedgeWalk(const World& world, const SightMap& map) : world_(world), map_(map) {}
+  explicit WedgeWalk(const SightMap& map) : map_(map) {}
 
   /// Edges of a node to nodes further to the right: each edge is found from one of its ends.
   void look_right(std::uint32_t node);
@@ -63,7 +63,6 @@ class WedgeWalk {
   [[nodiscard]] int exact_side(std::uint32_t limit, std::uint32_t site) const;
   [[nodiscard]] bool is_closed(const Limit& limit) const { return limit.id >= kWedgeLow; }
 
-  const World& world_;
   const SightMap& map_;
   const Node* source_ = nullptr;
   WedgeLimit wedge_low_{}, wedge_high_{};
