@@ -10,10 +10,10 @@
 #include "core/bound/point_distance.h"
 #include "core/bound/travel_time_bound.h"
 #include "core/geometry/angle.h"
+#include "core/graph/turning_radii.h"
 #include "core/path/clearance.h"
 #include "core/path/speed_profile.h"
-#include "core/search/arrival_search.h"
-#include "core/search/manoeuvres.h"
+#include "core/search/find_path.h"
 #include "core/search/search_map.h"
 #include "core/search/workspace_pool.h"
 
@@ -25,7 +25,6 @@ constexpr double kLargestPoseCoordinate = 1e9;
 // Units in the last place of the largest coordinate that the safety margin must span: corners, centres and critical
 // angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
 constexpr double kMarginUnits = 1048576.0;
-constexpr std::size_t kFirstManoeuvrePoses = 100;
 
 class Stopwatch {
  public:
@@ -53,8 +52,8 @@ void require_pose(const char* name, const Pose& pose) {
                                   " is not finite or beyond 1e9");
 }
 
-std::vector<double> checked_radii(const Vehicle& vehicle, std::vector<double> radii) {
-  if (radii.empty()) radii.push_back(vehicle.min_turning_radius());
+std::vector<double> checked_radii(const World& world, const Vehicle& vehicle, std::vector<double> radii) {
+  if (radii.empty()) return turning_radii(vehicle, world);
   std::sort(radii.begin(), radii.end());
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
   for (const double radius : radii)
@@ -75,7 +74,7 @@ void require_margin(const World& world, const Vehicle& vehicle) {
 }
 
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
-  options.radii = checked_radii(vehicle, std::move(options.radii));
+  options.radii = checked_radii(world, vehicle, std::move(options.radii));
   require_margin(world, vehicle);
   return options;
 }
@@ -120,6 +119,33 @@ struct Planner::Data {
         (out ? " lies outside the bounds"
              : ": the body, grown by half of the safety margin, collides; nearest is " + nearest_region(pose));
     return false;
+  }
+
+  // Status and reason of a search that found nothing.
+  void explain(const FoundPath& found, const PlanLimits& limits, PlanResult& result) const {
+    const char* hemmed_in = " is hemmed in: no forward motion of arcs and lines that was tried leads ";
+    if (found.search.interrupted) {
+      const bool cancelled = limits.stop.stop_requested();
+      result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
+      result.reason = cancelled ? "the search was cancelled before it found a path"
+                                : "no path was found within the time limit of " + text_of(limits.time) + " s";
+    } else if (found.obstruction == Obstruction::kStart) {
+      result.status = PlanStatus::kStartBlocked;
+      result.reason = "the start " + text_of(result.start) + hemmed_in + "from it to the graph; nearest is " +
+                      nearest_region(result.start);
+    } else if (found.obstruction == Obstruction::kGoal) {
+      result.status = PlanStatus::kGoalBlocked;
+      result.reason = "the goal " + text_of(result.goal) + hemmed_in + "from the graph to it; nearest is " +
+                      nearest_region(result.goal);
+    } else {
+      result.status = PlanStatus::kNoPath;
+      result.reason = "the feasible visibility graph does not join start and goal";
+      if (options.graph_mode == GraphMode::kLazy) return;  // its counts depend on what was asked before
+      const FeasibleGraphCounts& c = prepare_statistics.counts;
+      result.reason += " (" + std::to_string(c.rejected_straight) + " straights too narrow by (6), " +
+                       std::to_string(c.rejected_departure + c.rejected_arrival) + " turns by (7) of " +
+                       std::to_string(c.candidates) + " bitangents)";
+    }
   }
 
   // "obstacle 17" or "the bounds": the region around the pose, else the one nearest to it.
@@ -209,79 +235,31 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
     return result;
   }
 
-  SearchOptions options{d.options.heuristic, limits.stop, deadline};
   WorkspacePool::Lease workspace(d.workspaces);
-  std::vector<Terminal> starts{{request.start, {}}};
-  std::vector<Terminal> goals{{request.goal, {}}};
-  SearchResult found;
-  const auto search = [&] {
-    found = search_arrivals(d.map, starts, goals, options, *workspace);
-    result.statistics.nodes_expanded += found.nodes_expanded;
-    result.statistics.nodes_pushed += found.nodes_pushed;
-    result.statistics.straights_checked += found.straights_checked;
-    result.statistics.turns_checked += found.turns_checked;
-  };
-  std::size_t last_poses = 0;  // asked for; fewer found means that there are no more
-  const bool in_place = (request.start.position() - request.goal.position()).isZero(0.0) &&
-                        wrap_signed(request.start.heading - request.goal.heading) == 0.0;
-  if (in_place) {
-    found.path = Path{};
-  } else {
-    search();
-    for (std::size_t poses = kFirstManoeuvrePoses; !found.path && !found.interrupted; poses *= 8) {
-      const bool exhausted = starts.size() < last_poses || goals.size() < last_poses;
-      if (exhausted || last_poses >= d.options.manoeuvre_poses) break;
-      last_poses = std::min<std::size_t>(poses, d.options.manoeuvre_poses);
-      const double radius = d.options.radii.front();
-      starts = find_manoeuvres(request.start, Direction::kFromStart, d.map.vehicle, radius, *d.map.queries.sweep,
-                               last_poses);
-      goals =
-          find_manoeuvres(request.goal, Direction::kToGoal, d.map.vehicle, radius, *d.map.queries.sweep, last_poses);
-      result.statistics.manoeuvre_poses += starts.size() + goals.size();
-      search();
-    }
-  }
+  FoundPath found = find_path(d.map, request.start, request.goal, d.options.manoeuvre_poses,
+                              {d.options.heuristic, limits.stop, deadline}, *workspace);
+  result.statistics.nodes_expanded = found.search.nodes_expanded;
+  result.statistics.nodes_pushed = found.search.nodes_pushed;
+  result.statistics.straights_checked = found.search.straights_checked;
+  result.statistics.turns_checked = found.search.turns_checked;
+  result.statistics.manoeuvre_poses = found.manoeuvre_poses;
   result.statistics.search_seconds = total.seconds();
 
-  result.interrupted = found.interrupted;
-  if (!found.path) {
-    const std::string nearest = "; nearest is ";
-    if (found.interrupted) {
-      const bool cancelled = limits.stop.stop_requested();
-      result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
-      result.reason = cancelled ? "the search was cancelled before it found a path"
-                                : "no path was found within the time limit of " + text_of(limits.time) + " s";
-    } else if (starts.size() < last_poses || !found.start_connected) {
-      result.status = PlanStatus::kStartBlocked;
-      result.reason = "the start " + text_of(request.start) +
-                      " is hemmed in: no forward motion of arcs and lines that was tried leads from it to the graph" +
-                      nearest + d.nearest_region(request.start);
-    } else if (goals.size() < last_poses || !found.goal_reached) {
-      result.status = PlanStatus::kGoalBlocked;
-      result.reason = "the goal " + text_of(request.goal) +
-                      " is hemmed in: no forward motion of arcs and lines that was tried leads from the graph to it" +
-                      nearest + d.nearest_region(request.goal);
-    } else {
-      result.status = PlanStatus::kNoPath;
-      result.reason = "the feasible visibility graph does not join start and goal";
-      if (d.options.graph_mode == GraphMode::kEager) {
-        const FeasibleGraphCounts c = d.map.graph.counts();
-        result.reason += " (" + std::to_string(c.rejected_straight) + " straights too narrow by (6), " +
-                         std::to_string(c.rejected_departure + c.rejected_arrival) + " turns by (7) of " +
-                         std::to_string(c.candidates) + " bitangents)";
-      }
-    }
+  result.interrupted = found.search.interrupted;
+  if (!found.search.path) {
+    d.explain(found, limits, result);
     result.statistics.total_seconds = total.seconds();
     return result;
   }
 
   const Stopwatch refining;
-  result.statistics.unrefined_travel_time = speed_profile(*found.path, d.map.vehicle).total_time;
+  Path path = std::move(*found.search.path);
+  result.statistics.unrefined_travel_time = speed_profile(path, d.map.vehicle).total_time;
   if (d.options.refinement.max_trials > 0) {
     RefinedPath refined = refine_path(
-        *found.path, request.start, request.goal, d.map.vehicle, *d.map.queries.sweep, d.options.refinement,
+        path, request.start, request.goal, d.map.vehicle, *d.map.queries.sweep, d.options.refinement,
         [&] { return limits.stop.stop_requested() || (deadline && std::chrono::steady_clock::now() >= *deadline); });
-    found.path = std::move(refined.path);
+    path = std::move(refined.path);
     result.statistics.refine_trials = refined.trials;
     result.statistics.refine_improvements = refined.improvements;
     result.statistics.straights_checked += refined.straights_checked;
@@ -299,11 +277,11 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
 
   const Stopwatch finishing;
   result.status = PlanStatus::kSolved;
-  const SpeedProfile profile = speed_profile(*found.path, d.map.vehicle);
+  const SpeedProfile profile = speed_profile(path, d.map.vehicle);
   const Footprint bare = d.map.vehicle.footprint();
   result.min_clearance = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < found.path->size(); ++i) {
-    const PathSegment& segment = (*found.path)[i];
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const PathSegment& segment = path[i];
     result.segments.push_back({segment, profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
     const Clearance clearance = clearance_along(segment, bare, d.map.world);
     if (clearance.distance < result.min_clearance) {
@@ -312,10 +290,9 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
       result.clearance_segment = segment;
     }
   }
-  if (found.path->empty())
-    result.min_clearance = clearance_along({request.start, 0.0, 0.0}, bare, d.map.world).distance;
+  if (path.empty()) result.min_clearance = clearance_along({request.start, 0.0, 0.0}, bare, d.map.world).distance;
   result.travel_time = profile.total_time;
-  result.length = length_of(*found.path);
+  result.length = length_of(path);
   result.statistics.profile_seconds = finishing.seconds();
   result.statistics.total_seconds = total.seconds();
   return result;

@@ -28,7 +28,7 @@ using ReducedGraphBuilder =
 struct PlannerOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
   GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
-  /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: that one alone.
+  /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: turning_radii(vehicle, world).
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; 0 turns
   /// manoeuvres off.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/angle.h"
 #include "core/graph/slot_cache.h"
 
 namespace arcway {
@@ -12,6 +13,9 @@ namespace arcway {
 namespace {
 
 using Link = FeasibleGraph::Link;
+
+// A turn round the thinnest vertex begins and ends at a right angle to the heading at the vertex; and a little more.
+constexpr double kWidestTurn = 0.55 * kPi;
 
 // Links that leave one circle, and why others do not.
 struct Departures {
@@ -67,6 +71,7 @@ struct FeasibleGraph::Data {
       : world(w),
         queries(std::move(q)),
         body(vehicle.footprint(0.5 * vehicle.safety_margin())),
+        body_covers_reference(body.front >= 0.0 && body.rear >= 0.0),
         mode(m),
         radius_count(radii.size()),
         neighbors(graph),
@@ -89,7 +94,9 @@ struct FeasibleGraph::Data {
     executor.for_ranges(circles.size(), 16, [&](std::size_t begin, std::size_t end) {
       std::vector<TurningBody> bodies;
       for (std::size_t c = begin; c < end; ++c) bodies.push_back(body_on(circles[c]));
-      queries.sweep->free_headings(bodies, std::span(headings).subspan(begin, end - begin));
+      const auto found = std::span(headings).subspan(begin, end - begin);
+      queries.sweep->free_headings(bodies, found);
+      for (std::size_t c = begin; c < end; ++c) keep_at_vertex(static_cast<std::uint32_t>(c), headings[c]);
     });
     for (const HeadingSet& set : headings) counts.circles_blocked += set.empty() ? 1 : 0;
 
@@ -155,8 +162,18 @@ struct FeasibleGraph::Data {
 
   [[nodiscard]] const HeadingSet& headings_of(std::uint32_t c) const {
     if (mode == GraphMode::kEager) return headings[c];
-    return lazy_headings.get(
-        c, [&] { return std::make_unique<const HeadingSet>(queries.sweep->free_headings(body_on(circles[c]))); });
+    return lazy_headings.get(c, [&] {
+      auto found = std::make_unique<HeadingSet>(queries.sweep->free_headings(body_on(circles[c])));
+      keep_at_vertex(c, *found);
+      return std::unique_ptr<const HeadingSet>(std::move(found));
+    });
+  }
+
+  // A wide circle passes through much that has nothing to do with its vertex; there the smallest radius turns as well.
+  void keep_at_vertex(std::uint32_t c, HeadingSet& found) const {
+    const bool smallest = c % (2 * radius_count) < 2;
+    if (smallest || !body_covers_reference) return;
+    found = found.around(heading_at_vertex(world, circles[c]), kWidestTurn);
   }
 
   [[nodiscard]] const LazyRow& lazy_row(std::uint32_t c) const {
@@ -214,6 +231,7 @@ struct FeasibleGraph::Data {
   World world;
   QuerySet queries;
   Footprint body;
+  bool body_covers_reference;  // else other points of it touch the vertex first
   GraphMode mode;
   std::size_t radius_count;
   Adjacency neighbors;

@@ -54,6 +54,7 @@ class FeasibleGraph {
   [[nodiscard]] GraphMode mode() const;
   /// All circles of a vertex are neighbors: radii ascending, for each left before right.
   [[nodiscard]] std::span<const TurnCircle> circles() const;
+  /// On circles wider than the smallest only those of a turn round the vertex: a right angle and some to either side.
   [[nodiscard]] const HeadingSet& free_headings(std::uint32_t circle) const;
   /// Links that leave a circle, by heading, then `to`: the kept ones if eager; those whose first heading is free if
   /// lazy.

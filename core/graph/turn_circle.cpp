@@ -28,14 +28,29 @@ std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCi
   return Bitangent{pose_on(from, wrap_positive(heading)), length};
 }
 
-TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body) {
+namespace {
+
+// Unit vector from a convex vertex into the obstacle.
+Vec2 inwards(const World& world, VertexId vertex) {
   const Vec2& v = world.vertex(vertex);
   const Vec2 back = (world.vertex(world.previous(vertex)) - v).normalized();
   const Vec2 ahead = (world.vertex(world.next(vertex)) - v).normalized();
   // At a nearly straight vertex the sum is tiny; the inward normal of the chord is as good there.
   const Vec2 sum = back + ahead;
-  const Vec2 bisector = sum.squaredNorm() > 1e-3 ? sum.normalized() : Vec2(perpendicular(ahead - back).normalized());
-  return {v + swept_annulus(grown_body, radius).inner * bisector, radius, side, vertex};
+  return sum.squaredNorm() > 1e-3 ? sum.normalized() : Vec2(perpendicular(ahead - back).normalized());
+}
+
+}  // namespace
+
+TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body) {
+  const double inner = swept_annulus(grown_body, radius).inner;
+  return {world.vertex(vertex) + inner * inwards(world, vertex), radius, side, vertex};
+}
+
+double heading_at_vertex(const World& world, const TurnCircle& circle) {
+  // pose_on puts the reference point on the side of the centre away from the left normal if turning left.
+  const Vec2 normal = sign_of(circle.side) * inwards(world, circle.vertex);
+  return std::atan2(-normal.x(), normal.y());
 }
 
 TurnCircle turn_circle(const Pose& pose, double radius, Side side) {

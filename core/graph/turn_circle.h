@@ -41,6 +41,9 @@ std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCi
 /// bisector of the vertex's two edges, so that the inner swept circle passes through the vertex.
 TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body);
 
+/// The heading on a vertex's circle at which the reference point is nearest to the vertex.
+double heading_at_vertex(const World& world, const TurnCircle& circle);
+
 /// The circle of a pose: tangent to its heading at its position.
 TurnCircle turn_circle(const Pose& pose, double radius, Side side);
 

@@ -74,4 +74,11 @@ double HeadingSet::reach(double heading, Side side) const {
   return std::max(0.0, side == Side::kLeft ? interval.high - h : h - interval.low);
 }
 
+HeadingSet HeadingSet::around(double heading, double most) const {
+  if (find(heading) < 0) return {};
+  const double low = wrap_positive(heading - std::min(most, reach(heading, Side::kRight)));
+  return HeadingSet(
+      {{low, low + std::min(most, reach(heading, Side::kRight)) + std::min(most, reach(heading, Side::kLeft))}});
+}
+
 }  // namespace arcway

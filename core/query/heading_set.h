@@ -35,6 +35,8 @@ class HeadingSet {
   [[nodiscard]] double reach(double heading, Side side) const;
   /// Removes an interval found by `find`.
   void erase(int index) { intervals_.erase(intervals_.begin() + index); }
+  /// What can be reached from a heading by turning to either side, but no further than `most` < pi [rad].
+  [[nodiscard]] HeadingSet around(double heading, double most) const;
 
  private:
   static constexpr double kFullCircle = 6.283185307179586;

@@ -141,13 +141,17 @@ class ArrivalSearch {
     append_circles(map_, goals_, Direction::kToGoal, w_.goal_circles);
     result_.turns_checked += w_.start_circles.size() + w_.goal_circles.size();
     push_direct_paths();
+    for (std::uint32_t g = 0; g < w_.goal_circles.size(); ++g) add_goal_links(g);
+    // A goal that nothing leads to would have the whole graph searched in vain.
+    result_.goal_connected = result_.goal_connected || std::any_of(w_.goal_links.begin(), w_.goal_links.end(),
+                                                                   [this](GoalLink& goal) { return is_free(goal); });
+    if (!result_.goal_connected) return;
     for (std::uint32_t s = 0; s < w_.start_circles.size(); ++s) {
       const Terminal& start = starts_[w_.start_circles[s].terminal];
       if (w_.start_circles[s].reach >= 0.0)
         push(Kind::kStartCircle, kNone, s,
              length_of(start.connection) / top_speed_ + remaining(start.pose.position(), top_speed_));
     }
-    for (std::uint32_t g = 0; g < w_.goal_circles.size(); ++g) add_goal_links(g);
     while (!w_.open.empty() && !interrupted()) {
       const Entry entry = pop();
       if (is_complete(entry) ? finish(entry) : expand(entry)) return;
@@ -204,11 +208,7 @@ class ArrivalSearch {
       return true;
     }
     GoalLink& goal = w_.goal_links[entry.index];
-    if (!goal.checked) {
-      goal.free = is_free(goal.link.line);
-      goal.checked = true;
-    }
-    if (goal.free) result_.path = path_through(entry.parent, goal.link);
+    if (is_free(goal)) result_.path = path_through(entry.parent, goal.link);
     return goal.free;
   }
 
@@ -269,6 +269,16 @@ class ArrivalSearch {
     return map_.queries.sweep->straight_free(swept_rectangle(line.start, line.length, map_.body));
   }
 
+  // The swept rectangle, and the body on the graph's circle where it begins.
+  bool is_free(GoalLink& goal) {
+    if (!goal.checked) {
+      const Bitangent& line = goal.link.line;
+      goal.free = graph_.free_headings(goal.link.circle).contains(line.start.heading) && is_free(line);
+      goal.checked = true;
+    }
+    return goal.free;
+  }
+
   bool is_free(const PathSegment& segment) {
     if (segment.is_line()) return is_free(Bitangent{segment.start, segment.length});
     const Side side = segment.curvature > 0.0 ? Side::kLeft : Side::kRight;
@@ -290,7 +300,7 @@ class ArrivalSearch {
   void try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word) {
     const auto middle = dubins_path(word, start.pose, goal.pose, radius);
     if (!middle || !std::all_of(middle->begin(), middle->end(), [this](const auto& s) { return is_free(s); })) return;
-    result_.start_connected = result_.goal_reached = true;
+    result_.start_connected = result_.goal_connected = true;
     Path path = start.connection;
     path.insert(path.end(), middle->begin(), middle->end());
     path.insert(path.end(), goal.connection.begin(), goal.connection.end());
@@ -306,6 +316,7 @@ class ArrivalSearch {
     const std::uint32_t joint = add_connection(from);
     for (std::size_t i = first; i < w_.start_links.size(); ++i) {
       const TerminalLink& link = w_.start_links[i];
+      if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
       const TurnCircle& to = graph_.circles()[link.circle];
       push_straight(Kind::kStart, kNone, static_cast<std::uint32_t>(i), joint, link.turn, from.circle, link.line.length,
                     to, link.line.start.heading);
@@ -379,7 +390,6 @@ class ArrivalSearch {
       GoalLink& goal = w_.goal_links[g];
       const double turn = turn_between(label.heading, goal.link.line.start.heading, circle.side);
       if (!goes_on(turn) || (goal.checked && !goal.free)) continue;
-      result_.goal_reached = true;
       const double time = time_to_goal(label.joint, turn, circle, goal.link);
       if (time >= goal.best_time) continue;
       goal.best_time = time;

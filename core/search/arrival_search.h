@@ -24,7 +24,7 @@ struct SearchResult {
   std::optional<Path> path;      ///< from start to goal, connections in
   bool interrupted = false;      ///< by the stop token or the deadline; a path is then the best one found by then
   bool start_connected = false;  ///< some motion leads from a start terminal to the graph or the goal
-  bool goal_reached = false;     ///< a goal terminal could be entered from some circle that was reached
+  bool goal_connected = false;   ///< some straight leads from a circle, reached or not, to a goal terminal's circle
   std::uint64_t nodes_expanded = 0;
   std::uint64_t nodes_pushed = 0;
   std::uint64_t straights_checked = 0;

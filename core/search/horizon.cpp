@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/angle.h"
 
@@ -11,13 +12,16 @@ namespace {
 
 constexpr std::size_t kPieceEdges = 12;
 constexpr std::size_t kEnoughPieces = 64;
-constexpr double kFirstReach = 16.0;  // in radii
+constexpr double kFirstReach = 16.0;  // [m]
 constexpr double kSlack = 1e-6;       // of headings [rad], and of distances relative to them
 // A piece within a ball this wide, seen from the circle's centre, spans less than pi of headings.
 constexpr double kWidestPiece = 0.7;
 
 // Seen from a distance of 1: the headings of its ends differ by pi within 1e-3, far more than rounding.
 constexpr double kLongestEdge = 1000.0;
+
+// An upper bound on asin(x), 0 <= x <= 1: asin is convex there.
+double above_asin(double x) { return x < 0.5 ? (kPi / 3.0) * x : kPi / 6.0 + (2.0 * kPi / 3.0) * (x - 0.5); }
 
 }  // namespace
 
@@ -43,11 +47,20 @@ Outlines::Outlines(const World& world) : starts_{0} {
   tree_ = BoxTree(boxes);
 }
 
-Horizon::Horizon(const Outlines& outlines, const TurnCircle& circle) : Horizon() {
-  circle_ = circle;
+Horizon::Horizon(const TurnCircle& circle, double heading, double turn) : circle_(circle) {
+  far_.fill(-std::numeric_limits<double>::infinity());
+  const double low = heading - (circle.side == Side::kLeft ? 0.0 : turn) - kSlack;
+  const auto first = static_cast<long>(std::floor(wrap_positive(low) * (kHeadings / kTwoPi)));
+  const auto count = static_cast<long>(std::ceil((turn + 2.0 * kSlack) * (kHeadings / kTwoPi))) + 1;
+  for (long k = first; k < first + std::min(count, static_cast<long>(kHeadings)); ++k)
+    far_[static_cast<std::size_t>(k) % kHeadings] = std::numeric_limits<double>::infinity();
+}
+
+void Horizon::shorten(const Outlines& outlines) {
   std::size_t seen = 0;
-  for (double reach = kFirstReach * circle.radius; seen < kEnoughPieces; reach *= 2.0) {
-    const Box near{circle.center - Vec2(reach, reach), circle.center + Vec2(reach, reach)};
+  for (double reach = kFirstReach; seen < kEnoughPieces; reach *= 2.0) {
+    const Box near{circle_.center - Vec2::Constant(circle_.radius + reach),
+                   circle_.center + Vec2::Constant(circle_.radius + reach)};
     seen = 0;
     outlines.visit_overlaps(near, [&](std::span<const Vec2> outline) {
       shorten(outline);
@@ -111,18 +124,21 @@ double Horizon::reach(double heading) const {
 }
 
 bool Horizon::hides(const Box& box) const {
-  const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
-  const double near = (nearest - circle_.center).norm();
-  if (near <= circle_.radius * (1.0 + kSlack)) return false;
-  const Vec2 d = 0.5 * (box.min + box.max) - circle_.center;
-  const double half = 0.5 * (box.max - box.min).norm();
+  const Vec2 middle = 0.5 * (box.min + box.max);
+  const Vec2 d = middle - circle_.center;
+  const Vec2 extent = 0.5 * (box.max - box.min);
+  // No tangent enters the disc.
+  if ((d.cwiseAbs() + extent).norm() < circle_.radius * (1.0 - kSlack)) return true;
+  const double half = extent.norm();
   const double distance = d.norm();
   if (distance <= half) return false;
+  const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
+  const double near = std::max((nearest - circle_.center).norm(), circle_.radius);
   // Headings of the straights to the ball around the box.
-  const double spread = std::asin(half / distance);
+  const double spread = above_asin(half / distance);
   const double toward = std::atan2(d.y(), d.x());
-  const double lead_near = std::asin(circle_.radius / near);
-  const double lead_far = std::asin(circle_.radius / std::max(near, distance + half));
+  const double lead_near = above_asin(circle_.radius / near);
+  const double lead_far = circle_.radius / std::max(near, distance + half);  // below its asin
   const bool left = circle_.side == Side::kLeft;
   const double low = toward - spread + (left ? lead_far : -lead_near) - kSlack;
   const double high = toward + spread + (left ? lead_near : -lead_far) + kSlack;

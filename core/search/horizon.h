@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -40,11 +39,12 @@ class Outlines {
 /// reference point.
 class Horizon {
  public:
-  /// Unlimited.
-  Horizon() { far_.fill(std::numeric_limits<double>::infinity()); }
-  Horizon(const Outlines& outlines, const TurnCircle& circle);
+  /// Of the straights that leave the circle within a turn from a heading on [rad], and of no others.
+  Horizon(const TurnCircle& circle, double heading, double turn);
+  /// Takes the outlines into account, those near by first.
+  void shorten(const Outlines& outlines);
 
-  /// No free straight of this heading is longer [m].
+  /// No free straight of this heading is longer [m]; negative if there is none.
   [[nodiscard]] double reach(double heading) const;
   /// Whether all points of a box lie behind the horizon.
   [[nodiscard]] bool hides(const Box& box) const;
@@ -55,7 +55,7 @@ class Horizon {
   void shorten_by_edge(const std::array<Vec2, 2>& edge);
   void shorten_by(std::span<const Vec2> outline);
 
-  TurnCircle circle_{};
+  TurnCircle circle_;
   std::array<double, kHeadings> far_;  // by heading, in equal ranges from 0
 };
 

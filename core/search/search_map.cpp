@@ -1,16 +1,44 @@
 #include "core/search/search_map.h"
 
+#include <cmath>
 #include <utility>
+
+#include "core/geometry/angle.h"
 
 namespace arcway {
 
 namespace {
 
-BoxTree tree_of_vertices(const World& world) {
+// Around the reference point on an arc.
+Box box_of(const TurnCircle& circle, const HeadingInterval& headings) {
+  const double turn = headings.high - headings.low;
+  Box box;
+  if (turn >= kPi)
+    return {circle.center - Vec2::Constant(circle.radius), circle.center + Vec2::Constant(circle.radius)};
+  box.extend(pose_on(circle, headings.low).position());
+  box.extend(pose_on(circle, headings.high).position());
+  const double height = circle.radius * (1.0 - std::cos(0.5 * turn));  // of the arc above its chord
+  return {box.min - Vec2::Constant(height), box.max + Vec2::Constant(height)};
+}
+
+SearchMap::ArcsOfRadius arcs_of_radius(const FeasibleGraph& graph, std::size_t radius, std::size_t radius_count) {
+  SearchMap::ArcsOfRadius found;
   std::vector<Box> boxes;
-  boxes.reserve(world.convex_vertices().size());
-  for (const VertexId v : world.convex_vertices()) boxes.push_back({world.vertex(v), world.vertex(v)});
-  return BoxTree(boxes);
+  const auto add = [&](std::uint32_t circle, int interval, const HeadingInterval& headings) {
+    found.arcs.push_back({circle, interval});
+    boxes.push_back(box_of(graph.circles()[circle], headings));
+  };
+  for (std::size_t first = 2 * radius; first < graph.circles().size(); first += 2 * radius_count)
+    for (const auto c : {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + 1)}) {
+      if (graph.mode() == GraphMode::kLazy) {
+        add(c, SearchMap::kAnyHeading, {0.0, kTwoPi});
+        continue;
+      }
+      int interval = 0;
+      for (const HeadingInterval& headings : graph.free_headings(c).intervals()) add(c, interval++, headings);
+    }
+  found.boxes = BoxTree(boxes);
+  return found;
 }
 
 }  // namespace
@@ -22,7 +50,8 @@ SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<d
       radii(std::move(r)),
       graph(std::move(g)),
       body(v.footprint(0.5 * v.safety_margin())),
-      vertices(tree_of_vertices(w)),
-      outlines(w) {}
+      outlines(w) {
+  for (std::size_t k = 0; k < radii.size(); ++k) arcs.push_back(arcs_of_radius(graph, k, radii.size()));
+}
 
 }  // namespace arcway

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry/box_tree.h"
@@ -22,9 +23,20 @@ struct SearchMap {
   QuerySet queries;
   std::vector<double> radii;
   FeasibleGraph graph;
-  Footprint body;    ///< with half of the safety margin: what is checked
-  BoxTree vertices;  ///< of World::convex_vertices; circles of item i start at 2 * radii.size() * i
+  Footprint body;  ///< with half of the safety margin: what is checked
   Outlines outlines;
+  /// Where on a circle of the graph one may arrive.
+  struct Arc {
+    std::uint32_t circle;
+    int interval;  ///< of its free headings; kAnyHeading: all around, free or not
+  };
+  static constexpr int kAnyHeading = -1;
+  /// All arcs on circles of one radius, and boxes around them: boxes of very different sizes make a bad tree.
+  struct ArcsOfRadius {
+    std::vector<Arc> arcs;
+    BoxTree boxes;
+  };
+  std::vector<ArcsOfRadius> arcs;  ///< by radius
 };
 
 }  // namespace arcway

@@ -1,5 +1,8 @@
 #include "core/search/terminal_links.h"
 
+#include <algorithm>
+#include <cstddef>
+
 #include "core/geometry/angle.h"
 #include "core/search/horizon.h"
 
@@ -7,8 +10,10 @@ namespace arcway {
 
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
                     std::vector<TerminalCircle>& circles) {
-  for (std::uint32_t t = 0; t < terminals.size(); ++t)
-    for (const double radius : map.radii)
+  for (std::uint32_t t = 0; t < terminals.size(); ++t) {
+    // Manoeuvres are for narrow places, and their poses are many.
+    const bool plain = terminals[t].connection.empty();
+    for (const double radius : std::span(map.radii).first(plain ? map.radii.size() : 1))
       for (const Side side : {Side::kLeft, Side::kRight}) {
         const Pose& pose = terminals[t].pose;
         const TurnCircle circle = turn_circle(pose, radius, side);
@@ -16,6 +21,7 @@ void append_circles(const SearchMap& map, std::span<const Terminal> terminals, D
         const HeadingSet free = map.queries.sweep->free_headings({circle.center, radius, side, map.body});
         circles.push_back({t, circle, wrap_positive(pose.heading), free.reach(pose.heading, towards)});
       }
+  }
 }
 
 void append_links(const SearchMap& map, std::span<const TerminalCircle> circles, std::uint32_t index,
@@ -27,33 +33,32 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   const TurnCircle outwards =
       from_start ? own.circle
                  : TurnCircle{own.circle.center, own.circle.radius, opposite(own.circle.side), own.circle.vertex};
+  Horizon horizon(outwards, from_start ? own.heading : own.heading + kPi, own.reach);
   const bool body_covers_reference = map.body.front >= 0.0 && map.body.rear >= 0.0;
-  const Horizon horizon = body_covers_reference ? Horizon(map.outlines, outwards) : Horizon();
+  if (body_covers_reference) horizon.shorten(map.outlines);
 
-  const auto consider = [&](std::uint32_t c) {
-    const TurnCircle& other = map.graph.circles()[c];
+  const std::size_t first = links.size();
+  const auto consider = [&](const SearchMap::Arc& arc) {
+    const TurnCircle& other = map.graph.circles()[arc.circle];
     const auto line = from_start ? directed_bitangent(own.circle, other) : directed_bitangent(other, own.circle);
     if (!line) return;
     const double heading = line->start.heading;
     if (line->length > horizon.reach(from_start ? heading : heading + kPi)) return;
+    if (arc.interval != SearchMap::kAnyHeading && map.graph.free_headings(arc.circle).find(heading) != arc.interval)
+      return;
     const double turn = from_start ? turn_between(own.heading, heading, own.circle.side)
                                    : turn_between(heading, own.heading, own.circle.side);
-    if (turn <= own.reach) links.push_back({index, c, *line, turn});
+    if (turn <= own.reach) links.push_back({index, arc.circle, *line, turn});
   };
-  const auto circles_per_vertex = static_cast<std::uint32_t>(2 * map.radii.size());
-  for (std::uint32_t r = 0; r < map.radii.size(); ++r) {
-    // The straight ends on the vertex's circle, which passes no further from the vertex than this.
-    const Vec2 spread = Vec2::Constant(2.0 * map.radii[r] + map.body.front + map.body.rear);
-    map.vertices.visit_if(
-        [&](const Box& box) {
-          return !horizon.hides({box.min - spread, box.max + spread});
-        },
-        [&](std::uint32_t i) {
-          consider(circles_per_vertex * i + 2 * r);
-          consider(circles_per_vertex * i + 2 * r + 1);
-          return true;
-        });
-  }
+  for (const SearchMap::ArcsOfRadius& of_radius : map.arcs)
+    of_radius.boxes.visit_if([&](const Box& box) { return !horizon.hides(box); },
+                             [&](std::uint32_t i) {
+                               consider(of_radius.arcs[i]);
+                               return true;
+                             });
+  // In the same order whatever the boxes.
+  std::sort(links.begin() + static_cast<std::ptrdiff_t>(first), links.end(),
+            [](const TerminalLink& a, const TerminalLink& b) { return a.circle < b.circle; });
 }
 
 }  // namespace arcway

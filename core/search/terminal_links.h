@@ -35,7 +35,8 @@ struct TerminalLink {
   double turn;  ///< on the terminal's circle [rad]
 };
 
-/// Appends the left and right circles of every radius for each terminal. O(terminals * radii) heading sets.
+/// Appends the left and right circles of every radius for each terminal, of the smallest for those with a connection.
+/// O(terminals * radii) heading sets.
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
                     std::vector<TerminalCircle>& circles);
 

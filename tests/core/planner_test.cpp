@@ -174,6 +174,38 @@ TEST(Planner, PlansTheSameFromManyThreadsAtOnce) {
   EXPECT_GT(solved, 3);
 }
 
+TEST(Planner, SwingsWideWhereThatIsFasterAndIsNeverSlowerForIt) {
+  VehicleParameters parameters;
+  parameters.max_acceleration = 2.0;
+  parameters.turn_speed = LateralAccelerationLimit{2.0};
+  const Vehicle vehicle(parameters);
+  const World world =
+      random_world({.kind = ClutterKind::kConvex, .obstacles = 40, .vertices = 8, .fill = 0.15, .seed = 4});
+  const Planner narrow(
+      world, vehicle,
+      {.graph_mode = GraphMode::kLazy, .radii = {vehicle.min_turning_radius()}, .refinement = {.max_trials = 0}});
+  const Planner wide(world, vehicle, {.graph_mode = GraphMode::kLazy, .refinement = {.max_trials = 0}});
+  test::Random random(12);
+  const double side = world.box().max.x();
+  std::vector<double> ratios;
+  for (int i = 0; i < 30; ++i) {
+    const auto pose = [&] {
+      return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+    };
+    const PlanRequest request{pose(), pose()};
+    const PlanResult before = narrow.plan(request);
+    if (!before.solved()) continue;
+    const PlanResult after = wide.plan(request);
+    ASSERT_TRUE(after.solved());
+    expect_valid(wide, after);
+    ratios.push_back(after.travel_time / before.travel_time);
+    EXPECT_LE(ratios.back(), 1.0 + 1e-9);
+  }
+  ASSERT_GT(ratios.size(), 10u);
+  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
+  EXPECT_LT(ratios[ratios.size() / 2], 0.9);
+}
+
 TEST(Planner, SaysWhyThereIsNoPath) {
   const Planner planner(walled(), Vehicle{});
   EXPECT_EQ(planner.plan({{5, 5, 0}, {8, 5, 0}}).status, PlanStatus::kStartInCollision);

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 #include <vector>
 
+#include "core/geometry/angle.h"
 #include "datasets/clutter.h"
 
 namespace arcway {
@@ -42,7 +44,8 @@ void expect_same(std::span<const FeasibleGraph::Link> a, std::span<const Feasibl
 }
 
 TEST(FeasibleGraph, KeepsWhatIsFreeAndNothingElse) {
-  const Case c;
+  Case c;
+  c.radii.resize(1);
   const FeasibleGraph graph = c.graph(GraphMode::kEager);
   const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
   const auto free = [&](std::uint32_t circle, double heading) {
@@ -73,6 +76,30 @@ TEST(FeasibleGraph, KeepsWhatIsFreeAndNothingElse) {
   EXPECT_EQ(counts.kept, kept);
   EXPECT_EQ(counts.candidates, counts.kept + counts.rejected_overlap + counts.rejected_departure +
                                    counts.rejected_arrival + counts.rejected_straight);
+}
+
+TEST(FeasibleGraph, TurnsWideRoundTheVertexOnly) {
+  const Case c;
+  const FeasibleGraph graph = c.graph(GraphMode::kEager);
+  const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
+  std::size_t free = 0;
+  for (std::uint32_t i = 0; i < graph.circles().size(); ++i) {
+    const TurnCircle& circle = graph.circles()[i];
+    if (circle.radius == c.radii[0]) continue;
+    const double at_vertex = heading_at_vertex(c.world, circle);
+    EXPECT_NEAR((pose_on(circle, at_vertex).position() - c.world.vertex(circle.vertex)).norm(),
+                0.5 * c.vehicle.parameters().width + c.vehicle.safety_margin(), 1e-9);
+    const HeadingSet all = c.queries.sweep->free_headings(TurningBody{circle.center, circle.radius, circle.side, body});
+    const HeadingSet& kept = graph.free_headings(i);
+    EXPECT_EQ(kept.empty(), !all.contains(at_vertex));
+    if (kept.empty()) continue;
+    ++free;
+    EXPECT_TRUE(kept.contains(at_vertex));
+    EXPECT_LE(kept.reach(at_vertex, Side::kLeft), all.reach(at_vertex, Side::kLeft) + 1e-12);
+    EXPECT_LE(kept.reach(at_vertex, Side::kLeft), 0.6 * kPi);
+    EXPECT_LE(kept.reach(at_vertex, Side::kRight), 0.6 * kPi);
+  }
+  EXPECT_GT(free, 10u);
 }
 
 TEST(FeasibleGraph, IsTheSameWhenChecksWaitUntilTheyAreAskedFor) {

@@ -53,5 +53,20 @@ TEST(HeadingSet, OverlappingAndTouchingBlocksMerge) {
   EXPECT_FALSE(set.contains(2.5));
 }
 
+TEST(HeadingSet, AroundAHeadingIsWhatCanBeReachedFromIt) {
+  const HeadingSet free = HeadingSet::complement({{1.0, 2.0}, {3.0, 4.0}});
+  EXPECT_TRUE(free.around(1.5, 1.0).empty());
+  const HeadingSet between = free.around(2.2, 0.5);
+  ASSERT_EQ(between.intervals().size(), 1u);
+  EXPECT_NEAR(between.intervals()[0].low, 2.0, 1e-12);
+  EXPECT_NEAR(between.intervals()[0].high, 2.7, 1e-12);
+  const HeadingSet across = free.around(0.1, 0.5);  // the seam
+  EXPECT_TRUE(across.contains(6.0));
+  EXPECT_TRUE(across.contains(0.6));
+  EXPECT_FALSE(across.contains(0.7));
+  EXPECT_FALSE(across.contains(5.8));
+  EXPECT_NEAR(HeadingSet::full().around(3.0, 0.25).intervals()[0].low, 2.75, 1e-12);
+}
+
 }  // namespace
 }  // namespace arcway

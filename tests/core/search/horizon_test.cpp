@@ -24,7 +24,8 @@ TEST(Horizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
       const double far = world.box().max.x();
       const Side side = i % 2 == 0 ? Side::kLeft : Side::kRight;
       const TurnCircle circle{random.point(0.0, far), i % 4 == 0 ? 20.0 : 1.3, side, kNone};
-      const Horizon horizon(outlines, circle);
+      Horizon horizon(circle, 0.0, kTwoPi);
+      horizon.shorten(outlines);
       for (int k = 0; k < 100; ++k) {
         const double heading = random.uniform(0.0, kTwoPi);
         const double length = random.uniform(0.0, 0.5 * far);
@@ -48,16 +49,30 @@ TEST(Horizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
 
 TEST(Horizon, IsUnlimitedWithoutObstacles) {
   const Outlines outlines{World({})};
-  const Horizon horizon(outlines, {{3, 4}, 2.0, Side::kLeft, kNone});
+  Horizon horizon({{3, 4}, 2.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+  horizon.shorten(outlines);
   EXPECT_TRUE(std::isinf(horizon.reach(1.0)));
   EXPECT_FALSE(horizon.hides({{10, 10}, {20, 20}}));
 }
 
-TEST(Horizon, IsCutOffByALongWallSeenFromBothSides) {
-  // The wall passes through the circle's own disc: only what faces it from outside counts.
+TEST(Horizon, HasOnlyTheHeadingsWithinTheTurn) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const Horizon horizon({{3, 4}, 2.0, side, kNone}, 0.2, 0.5);
+    for (double turn = -3.0; turn < 3.0; turn += 0.1) {
+      const double heading = 0.2 + sign_of(side) * turn;
+      const bool within = turn >= 0.0 && turn <= 0.5;
+      const bool beyond = turn < -0.05 || turn > 0.55;
+      EXPECT_TRUE(!within || std::isinf(horizon.reach(heading)));
+      EXPECT_TRUE(!beyond || horizon.reach(heading) < 0.0);
+    }
+  }
+}
+
+TEST(Horizon, IsCutOffByALongWall) {
   const World world({{{{-50, 10}, {50, 10}, {50, 12}, {-50, 12}}, {}}});
   const Outlines outlines(world);
-  const Horizon below(outlines, {{0, 0}, 1.0, Side::kLeft, kNone});
+  Horizon below({{0, 0}, 1.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+  below.shorten(outlines);
   EXPECT_LT(below.reach(0.5 * kPi), 60.0);
   EXPECT_TRUE(std::isinf(below.reach(1.5 * kPi)));
   EXPECT_TRUE(below.hides({{-1, 60}, {1, 62}}));

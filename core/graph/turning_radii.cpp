@@ -1,0 +1,38 @@
+#include "core/graph/turning_radii.h"
+
+#include <algorithm>
+
+namespace arcway {
+
+namespace {
+
+constexpr double kFactor = 2.0;
+constexpr double kLeastFactor = 1.4;  // the last radius is left out if it is nearer than that to the one before
+constexpr double kWidest = 1e6;       // [m]
+
+// The smallest radius with the speed of the widest turns.
+double fastest_radius(const Vehicle& vehicle, double smallest) {
+  const double top = vehicle.turn_speed(kWidest);
+  if (vehicle.turn_speed(smallest) >= top) return smallest;
+  double slower = smallest;
+  double radius = kWidest;
+  while (radius > slower * (1.0 + 1e-9)) {
+    const double middle = 0.5 * (slower + radius);
+    (vehicle.turn_speed(middle) >= top ? radius : slower) = middle;
+  }
+  return radius;
+}
+
+}  // namespace
+
+std::vector<double> turning_radii(const Vehicle& vehicle, const World& world) {
+  const double smallest = vehicle.min_turning_radius();
+  const double extent = world.box().empty() ? smallest : 0.5 * (world.box().max - world.box().min).norm();
+  const double largest = std::min(fastest_radius(vehicle, smallest), extent);
+  std::vector<double> radii{smallest};
+  while (radii.back() * kFactor * kLeastFactor < largest) radii.push_back(radii.back() * kFactor);
+  if (radii.back() * kLeastFactor < largest) radii.push_back(largest);
+  return radii;
+}
+
+}  // namespace arcway

@@ -1,0 +1,80 @@
+#include "core/search/find_path.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/angle.h"
+#include "core/search/manoeuvres.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr std::size_t kFirstPoses = 100;
+constexpr std::size_t kPosesFactor = 8;
+
+// One end of a path and the poses by which it may join the graph.
+class End {
+ public:
+  End(const SearchMap& map, const Pose& pose, Direction direction, std::size_t max_poses)
+      : map_(map), pose_(pose), direction_(direction), max_poses_(max_poses), terminals_{{pose, {}}} {}
+
+  [[nodiscard]] std::span<const Terminal> terminals() const { return terminals_; }
+  // More poses than before; false if there are no more.
+  bool extend() {
+    if (terminals_.size() < asked_ || asked_ >= max_poses_) return false;
+    const std::size_t before = terminals_.size();
+    asked_ = std::min(max_poses_, std::max(kFirstPoses, asked_ * kPosesFactor));
+    terminals_ = find_manoeuvres(pose_, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, asked_);
+    return terminals_.size() > before;
+  }
+
+ private:
+  const SearchMap& map_;
+  Pose pose_;
+  Direction direction_;
+  std::size_t max_poses_;
+  std::size_t asked_ = 0;
+  std::vector<Terminal> terminals_;
+};
+
+}  // namespace
+
+FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
+                    const SearchOptions& options, SearchWorkspace& workspace) {
+  FoundPath found;
+  if ((start.position() - goal.position()).isZero(0.0) && wrap_signed(start.heading - goal.heading) == 0.0) {
+    found.search.path = Path{};
+    return found;
+  }
+  End from(map, start, Direction::kFromStart, max_poses);
+  End to(map, goal, Direction::kToGoal, max_poses);
+  for (bool more = true; more;) {
+    SearchResult result = search_arrivals(map, from.terminals(), to.terminals(), options, workspace);
+    result.nodes_expanded += found.search.nodes_expanded;
+    result.nodes_pushed += found.search.nodes_pushed;
+    result.straights_checked += found.search.straights_checked;
+    result.turns_checked += found.search.turns_checked;
+    found.search = std::move(result);
+    if (found.search.path || found.search.interrupted) return found;
+    if (!found.search.goal_connected) {
+      found.obstruction = Obstruction::kGoal;
+      more = to.extend();
+      found.manoeuvre_poses += to.terminals().size();
+    } else if (!found.search.start_connected) {
+      found.obstruction = Obstruction::kStart;
+      more = from.extend();
+      found.manoeuvre_poses += from.terminals().size();
+    } else {
+      found.obstruction = Obstruction::kBetween;
+      const bool more_starts = from.extend();
+      const bool more_goals = to.extend();
+      more = more_starts || more_goals;
+      found.manoeuvre_poses += from.terminals().size() + to.terminals().size();
+    }
+  }
+  return found;
+}
+
+}  // namespace arcway

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/search/arrival_search.h"
+
+namespace arcway {
+
+/// What stands in the way.
+enum class Obstruction {
+  kNothing,
+  kStart,   ///< nothing leads from the start, or from the poses reached from it, to a circle of the graph
+  kGoal,    ///< nothing leads from a circle of the graph to the goal, or to poses from which it is reached
+  kBetween  ///< the graph joins neither to the other
+};
+
+struct FoundPath {
+  SearchResult search;  ///< counters summed up over all searches
+  Obstruction obstruction = Obstruction::kNothing;
+  std::size_t manoeuvre_poses = 0;  ///< tried
+};
+
+/// The fastest path between two poses: by single arcs at both ends or, where these lead nowhere, by short manoeuvres of
+/// several arcs, first of few poses, then of more, at the end that is in trouble.
+/// @param max_poses  for the manoeuvres of each end.
+FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
+                    const SearchOptions& options, SearchWorkspace& workspace);
+
+}  // namespace arcway

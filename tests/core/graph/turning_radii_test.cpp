@@ -1,0 +1,38 @@
+#include "core/graph/turning_radii.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace arcway {
+namespace {
+
+World field(double side) { return World({}, Ring{{0, 0}, {side, 0}, {side, side}, {0, side}}); }
+
+TEST(TurningRadii, IsTheSmallestAloneWhereAWiderTurnIsNoFaster) {
+  const Vehicle vehicle;
+  EXPECT_EQ(turning_radii(vehicle, field(100)), std::vector<double>{vehicle.min_turning_radius()});
+}
+
+TEST(TurningRadii, DoubleUntilTheTopSpeedIsReached) {
+  VehicleParameters parameters;
+  parameters.turn_speed = LateralAccelerationLimit{2.0};
+  const Vehicle vehicle(parameters);
+  const std::vector<double> radii = turning_radii(vehicle, field(1000));
+  ASSERT_EQ(radii.size(), 7u);
+  for (std::size_t i = 0; i + 1 < 6; ++i) EXPECT_DOUBLE_EQ(radii[i + 1], 2.0 * radii[i]);
+  EXPECT_NEAR(radii.back(), 72.0, 1e-6);  // v_ms^2 / a_lat
+  EXPECT_DOUBLE_EQ(vehicle.turn_speed(radii.back()), vehicle.max_speed());
+}
+
+TEST(TurningRadii, EndWithTheMapAndWithTheTable) {
+  VehicleParameters parameters;
+  parameters.turn_speed = LateralAccelerationLimit{2.0};
+  EXPECT_NEAR(turning_radii(Vehicle(parameters), field(20.0)).back(), 10.0 * std::sqrt(2.0), 1e-9);
+  EXPECT_EQ(turning_radii(Vehicle(parameters), World({})).size(), 1u);
+  parameters.turn_speed = TurnSpeedTable{{{1.3, 2.0}, {4.0, 5.0}}};
+  EXPECT_NEAR(turning_radii(Vehicle(parameters), field(1000)).back(), 4.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace arcway
