@@ -83,6 +83,7 @@ void MapOptions::add_to(CLI::App& command) {
   };
   command.add_flag("--lonlat", lonlat, "Coordinates are degrees of longitude and latitude: project them")->group(group);
   option("--wall-width", wall_width, "Line strings are walls of this width [m]", "W");
+  option("--curve-tolerance", curve_tolerance, "Smooth outlines become rings this near [m]; default 0.01", "E");
   option("--cell", cell, "Size of a cell [m], if the file does not say", "S");
   option("--tolerance", tolerance, "Obstacles of a grid may grow by this many cells to save corners", "CELLS");
   option("--unknown", unknown, "What unknown cells are: blocked or free", "NAME")->capture_default_str();
@@ -101,6 +102,11 @@ MapReadOptions MapOptions::read_options() const {
   MapReadOptions options;
   options.vector.lonlat = lonlat;
   if (!wall_width.empty()) options.vector.wall_width = at_least_zero(wall_width, "--wall-width");
+  if (!curve_tolerance.empty()) {
+    options.vector.curve_tolerance = parse_number(curve_tolerance, "--curve-tolerance");
+    if (!(options.vector.curve_tolerance > 0.0))
+      throw UsageError("--curve-tolerance: above 0, got " + in_quotes(curve_tolerance));
+  }
   if (!cell.empty()) {
     options.grid.cell_size = parse_number(cell, "--cell");
     if (!(*options.grid.cell_size > 0.0)) throw UsageError("--cell: above 0, got " + in_quotes(cell));

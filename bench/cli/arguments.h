@@ -92,7 +92,7 @@ struct LoadedMap {
 /// Options that say how a map file is read, the same for all subcommands that read one.
 struct MapOptions {
   bool lonlat = false;
-  std::string wall_width;
+  std::string wall_width, curve_tolerance;
   std::string cell, tolerance, unknown = "blocked";
   bool swamp = false, open_frame = false;
   std::string task = "0", heading_seed = "1";

@@ -49,6 +49,7 @@ class Reader {
     if (geometry == feature.end() || geometry->is_null()) return;
     const auto found = feature.find("properties");
     const json* properties = found != feature.end() && found->is_object() ? &*found : nullptr;
+    curved_ = is_curved(properties, place);
     read_geometry(*geometry, role_of(properties, place), properties, place, 0);
   }
 
@@ -77,6 +78,13 @@ class Reader {
     for (const char* globe : {"CRS84", "EPSG:4326", "EPSG::4326"})
       if (text.find(globe) != std::string::npos) return map_.set_degrees();
     map_.set_planar();
+  }
+
+  bool is_curved(const json* properties, const std::string& place) const {
+    const auto curve = properties == nullptr ? json::const_iterator() : properties->find("curve");
+    if (properties == nullptr || curve == properties->end() || curve->is_null()) return false;
+    if (*curve != "spline") map_.fail(place, "unknown curve " + shown(*curve) + ", expected \"spline\"");
+    return true;
   }
 
   Role role_of(const json* properties, const std::string& place) {
@@ -136,17 +144,26 @@ class Reader {
     }
     return result;
   }
-  Ring ring(const json& values, const std::string& place) {
-    return map_.ring(positions(values, place), /*closed=*/true, place);
+  // `wanted` is the winding that has blocked ground on the left.
+  Ring ring(const json& values, int wanted, const std::string& place) {
+    Ring points = map_.ring(positions(values, place), /*closed=*/true, place);
+    if (!curved_) return points;
+    try {
+      const ClosedSpline spline(points);
+      return map_.curved_ring({spline.pieces().begin(), spline.pieces().end()}, wanted, place);
+    } catch (const std::invalid_argument& error) {  // points as written may repeat
+      map_.fail(place, error.what());
+    }
   }
 
   void read_polygon(const json& rings, Role role, const std::string& place) {
     if (!rings.is_array()) map_.fail(place, "expected an array of rings, found " + shown(rings));
     if (rings.empty()) return;
     Polygon polygon;
-    polygon.outer = ring(rings[0], place + ", ring 0");
+    const int outer = role == Role::kBoundary ? -1 : 1;
+    polygon.outer = ring(rings[0], outer, place + ", ring 0");
     for (std::size_t i = 1; i < rings.size(); ++i)
-      polygon.holes.push_back(ring(rings[i], place + ", ring " + std::to_string(i)));
+      polygon.holes.push_back(ring(rings[i], -outer, place + ", ring " + std::to_string(i)));
     if (role == Role::kObstacle) return map_.add_obstacle(std::move(polygon), place);
     map_.set_bounds(std::move(polygon), place);
   }
@@ -204,6 +221,7 @@ class Reader {
 
   detail::VectorMapBuilder map_;
   std::size_t feature_ = 0;
+  bool curved_ = false;  // of the feature being read
 };
 
 // Whether the text is one JSON value a line: the first line is one by itself and something follows.

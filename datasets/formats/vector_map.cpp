@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/geometry/angle.h"
+#include "core/geometry/polygon.h"
 #include "datasets/number_text.h"
 
 namespace arcway::detail {
@@ -58,6 +60,22 @@ Ring VectorMapBuilder::ring(Ring positions, bool closed, const std::string& plac
     fail(place, "needs at least 3 different positions, found " + std::to_string(positions.size()) + " in " +
                     std::to_string(given) + " positions");
   return positions;
+}
+
+Ring VectorMapBuilder::curved_ring(std::vector<CubicBezier> pieces, int wanted, const std::string& place) {
+  // The tolerance is in metres, and so is what bends: projected afterwards it would be neither.
+  if (options_.lonlat) fail(place, "curves need planar coordinates in metres, not longitude and latitude");
+  try {
+    Ring ring = circumscribed_ring(pieces, options_.curve_tolerance);
+    const int found = ring.size() < 3 ? 0 : winding(ring);
+    if (found == 0) fail(place, "the curve encloses no area");
+    if (found == wanted) return ring;
+    std::reverse(pieces.begin(), pieces.end());
+    for (CubicBezier& piece : pieces) std::reverse(piece.p.begin(), piece.p.end());
+    return circumscribed_ring(pieces, options_.curve_tolerance);
+  } catch (const std::invalid_argument& error) {
+    fail(place, error.what());
+  }
 }
 
 void VectorMapBuilder::add_obstacle(Polygon polygon, std::string place) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/closed_spline.h"
 #include "datasets/map_file.h"
 
 namespace arcway {
@@ -18,6 +19,8 @@ struct VectorOptions {
   bool lonlat = false;
   /// Above 0, line strings are walls of this width with square ends [m]; otherwise they are passed over with a warning.
   double wall_width = 0.0;
+  /// Smooth outlines become rings that contain the obstacle, nowhere farther from it than this [m], > 0.
+  double curve_tolerance = 0.01;
   /// Rings keep repeated positions, and may have fewer than three: for the doctor, as World refuses them.
   bool as_written = false;
 };
@@ -35,6 +38,10 @@ class VectorMapBuilder {
   /// @param closed  whether the format repeats the first position at the end; warns if it is not there.
   /// @throws FormatError if fewer than three different positions are left.
   Ring ring(Ring positions, bool closed, const std::string& place);
+  /// The ring round a closed chain of cubics, with the obstacle to the left of a counter-clockwise chain if `wanted` is
+  /// +1, of a clockwise one if -1; the chain may run either way.
+  /// @throws FormatError if it has no area or no ring can be made.
+  Ring curved_ring(std::vector<CubicBezier> pieces, int wanted, const std::string& place);
   void add_obstacle(Polygon polygon, std::string place);
   /// The outer ring is the bounds, the holes are obstacles.
   /// @throws FormatError if there are bounds already.

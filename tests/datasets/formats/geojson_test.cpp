@@ -4,6 +4,10 @@
 
 #include <cmath>
 
+#include "core/geometry/closed_spline.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/predicates.h"
+
 namespace arcway {
 namespace {
 
@@ -182,6 +186,45 @@ TEST(GeoJson, RoundTripIsExact) {
   EXPECT_EQ(back.goal->heading, -3.14159);
   EXPECT_EQ(to_geojson(back), text);
   EXPECT_TRUE(back.warnings.empty());
+}
+
+TEST(GeoJson, ReadsSplinesAsRingsThatContainThem) {
+  const std::string outer = "[[0,0],[20,0],[22,15],[3,18],[0,0]]", hole = "[[6,5],[14,5],[14,11],[6,11],[6,5]]";
+  const std::vector<Vec2> points{{0, 0}, {20, 0}, {22, 15}, {3, 18}}, inner{{6, 5}, {14, 5}, {14, 11}, {6, 11}};
+  const ClosedSpline around(points), within(inner);
+  const MapFile map = read_geojson(feature(polygon(outer + "," + hole), R"({"curve":"spline"})"), "s.geojson",
+                                   {.curve_tolerance = 0.05});
+  ASSERT_EQ(map.obstacles.size(), 1u);
+  const Polygon& pond = map.obstacles[0];
+  EXPECT_NO_THROW(to_world(map, "s.geojson"));
+  EXPECT_EQ(winding(pond.outer), 1);
+  ASSERT_EQ(pond.holes.size(), 1u);
+  EXPECT_EQ(winding(pond.holes[0]), -1);
+  for (int i = 0; i < 400; ++i) {
+    EXPECT_EQ(locate(around.at(i / 100.0), pond.outer), PointLocation::kInside);
+    EXPECT_EQ(locate(within.at(i / 100.0), pond.holes[0]), PointLocation::kOutside);
+  }
+  // The bounds block what is outside of them.
+  const MapFile lake = read_geojson(feature(polygon(outer), R"({"role":"boundary","curve":"spline"})"), "b.geojson");
+  ASSERT_TRUE(lake.bounds);
+  for (int i = 0; i < 400; ++i) EXPECT_EQ(locate(around.at(i / 100.0), *lake.bounds), PointLocation::kOutside);
+}
+
+TEST(GeoJson, RefusesCurvesThatItCannotDraw) {
+  const std::string ring = "[[0,0],[5,0],[5,5],[0,0]]";
+  const auto message = [&](const std::string& properties, const VectorOptions& options) -> std::string {
+    try {
+      read_geojson(feature(polygon(ring), properties), "s.geojson", options);
+    } catch (const FormatError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(message(R"({"curve":"circle"})", {}),
+            "s.geojson: feature 0: unknown curve \"circle\", expected \"spline\"");
+  EXPECT_NE(message(R"({"curve":"spline"})", {.lonlat = true}).find("curves need planar coordinates"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"curve":"spline"})", {.curve_tolerance = 0.0}).find("tolerance is 0"), std::string::npos);
 }
 
 }  // namespace
