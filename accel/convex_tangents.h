@@ -7,7 +7,7 @@
 
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Common tangents of convex obstacles by binary search over the directions of their edges [Rohnert 1986].
 /// Immutable and thread-safe.

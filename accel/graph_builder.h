@@ -2,7 +2,7 @@
 
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The builders of the reduced visibility graph; their graphs are equal.
 enum class GraphBuilder {

@@ -6,7 +6,7 @@
 #include "core/query/query_set.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 struct EmbreeOptions {
   /// Half the width of the bodies that SweepQuery::straight_free is mostly asked about [m]; wider ones are as right and

@@ -7,7 +7,7 @@
 #include "core/executor.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Where two obstacles, or two sets of them, come nearest to each other.
 struct ObstacleDistance {

@@ -7,7 +7,7 @@
 #include "core/query/visibility_query.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// How the tangent pairs of two convex obstacles are found.
 enum class TangentSearch {

@@ -6,7 +6,7 @@
 
 #include "core/executor.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Runs loops in parallel on oneTBB. Nothing global is set: no thread count, no scheduler.
 ///

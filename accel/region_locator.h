@@ -6,7 +6,7 @@
 #include "core/geometry/box_tree.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Which region has a point strictly inside? Exact, the same as trying all regions with World::locate, by a tree over
 /// their boxes, and for regions of many vertices one over their edges. O(log regions + vertices of small regions

@@ -8,7 +8,7 @@
 
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Pairs of a world's convex vertices whose line is tangent at both: many at a time in single precision, and exactly
 /// where that cannot decide.

@@ -10,7 +10,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A world with curved obstacles, for planning on circumscribed rings.
 struct CurvedWorld {

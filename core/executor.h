@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <utility>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Runs loops whose iterations are independent. Every builder of core takes one and writes each
 /// iteration's result to a place of its own, so that results do not depend on the executor.

@@ -19,7 +19,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Builds a reduced visibility graph, which is the same whoever builds it.
 using ReducedGraphBuilder =

@@ -8,7 +8,7 @@
 
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Which axle steers. F, the reference point whose velocity is along the body, is on the axle that
 /// does not (front: on the rear axle; rear: on the front axle; symmetric: at the centre).

@@ -12,7 +12,7 @@
 #include "core/geometry/predicates.h"
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Index of a vertex: obstacles in input order, in each its outer ring and then its holes in input
 /// order, vertices as given; the bounds' vertices last. The edge that starts at vertex v has the

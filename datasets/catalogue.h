@@ -11,7 +11,7 @@
 #include "core/world.h"
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// \file
 /// Names of generated worlds, shared by tests, benchmarks and the tool: a name is all that it takes to have the same

@@ -7,7 +7,7 @@
 #include "core/geometry/polygon.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 enum class ClutterKind {
   kConvex,    ///< vertices on a circle, strictly convex

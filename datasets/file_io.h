@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A file that cannot be read or written. The message names the path and the system's reason.
 class FileError : public std::runtime_error {

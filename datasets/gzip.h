@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 bool is_gzip(std::string_view bytes);
 

@@ -10,7 +10,7 @@
 #include "core/world.h"
 #include "datasets/file_io.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A planar map as a file has it: obstacles in metres, and what else the file says. Plain data: World checks it.
 struct MapFile {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Shortest text that reads back to the same double, in any locale; "inf", "nan" if not finite.
 std::string shortest_text(double value);

@@ -6,7 +6,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The task of figure 7: eight polygonal obstacles on a field of 900 x 600 m, the robot, start and goal as the paper
 /// states them. The paper does not list its obstacles' coordinates: the layout is ours.

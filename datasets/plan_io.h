@@ -11,7 +11,7 @@
 #include "core/vehicle.h"
 #include "datasets/file_io.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// One JSON object on one line, without a newline at its end. Numbers read back to the same doubles; what is not
 /// finite is null.

@@ -6,7 +6,7 @@
 
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// xoshiro256** seeded by splitmix64 [Blackman and Vigna 2018]. The same numbers on every platform: the standard
 /// engines are portable, the standard distributions are not. All draws use +, -, *, / and sqrt only, which IEEE 754

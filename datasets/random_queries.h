@@ -9,7 +9,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 struct RandomQueryParameters {
   std::size_t count = 50;

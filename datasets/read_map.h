@@ -9,7 +9,7 @@
 #include "datasets/grid/occupancy_grid.h"
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 enum class MapFormat {
   kGeoJson,

@@ -11,7 +11,7 @@
 #include "core/vehicle.h"
 #include "datasets/file_io.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Robot as JSON; all keys but "format" and "version" may be missing and take the defaults of
 /// VehicleParameters, unknown ones are errors.

@@ -11,7 +11,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// How a set of edges is drawn.
 struct EdgeStyle {

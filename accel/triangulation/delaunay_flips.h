@@ -5,7 +5,7 @@
 #include "accel/triangulation/triangulation.h"
 #include "core/executor.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Flips diagonals towards the constrained Delaunay triangulation, whose compact triangles keep walks short. A flip is
 /// made only if rounded arithmetic is sure of it: any triangulation is correct, so nothing exact is needed. About two

@@ -7,7 +7,7 @@
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/triangulation.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The part of the frame that lies in no whole region, triangulated; and which edges lie strictly inside one.
 struct FreeSpace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Items in a total order that the caller knows: insertion behind an item, removal, and search by a monotone property.
 /// Blocks of up to 64 items below an array of blocks, so that each step touches a few cache lines and even a million

@@ -5,7 +5,7 @@
 
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A world as points and edges that meet in common ends only: what a plane sweep takes.
 ///

@@ -5,7 +5,7 @@
 
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Triangles over the sites of a PlanarMap. Half-edge h = 3 t + i runs from corner i of triangle t to its next corner,
 /// counter-clockwise; `corners[h]` is the site it starts at.

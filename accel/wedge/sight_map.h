@@ -11,7 +11,7 @@
 #include "core/geometry/box_tree.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The triangulated free space of a world, laid out for lines of sight that start at its vertices: small records, what
 /// is near in the plane near in memory. Immutable and thread-safe.

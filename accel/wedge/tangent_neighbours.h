@@ -7,7 +7,7 @@
 #include "core/executor.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Rows of the reduced visibility graph, one vertex at a time: what lazy planning needs of a large map.
 ///

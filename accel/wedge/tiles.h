@@ -6,7 +6,7 @@
 
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Sites in tiles of a few hundred along a Hilbert curve: what is near in the plane is near in memory. Order within a
 /// tile is left to a stable sort.

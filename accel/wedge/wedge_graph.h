@@ -7,7 +7,7 @@
 #include "core/graph/visibility_graph.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// What the wedge builder did; the counters explain its time.
 struct WedgeStatistics {

@@ -6,7 +6,7 @@
 
 #include "accel/wedge/sight_map.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Finds the edges of the reduced visibility graph from its nodes.
 ///

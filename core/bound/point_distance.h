@@ -8,7 +8,7 @@
 #include "core/query/visibility_query.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Shortest paths of a point among the obstacles: how far at least the reference point of any body drives that covers
 /// it. A point may touch obstacles and pass between two that touch.

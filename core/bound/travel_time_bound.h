@@ -3,7 +3,7 @@
 #include "core/path/path.h"
 #include "core/vehicle.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// No path of the vehicle, driven forwards from rest to rest, takes less [s].
 ///

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;

@@ -7,7 +7,7 @@
 
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Static bounding-box tree over a set of boxes, for overlap queries.
 ///

@@ -8,7 +8,7 @@
 #include "core/geometry/polygon.h"
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The curve sum of binomial(3, k) (1-u)^(3-k) u^k p[k] for u in [0, 1]. It lies in the convex hull of p.
 struct CubicBezier {

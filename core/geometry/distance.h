@@ -5,7 +5,7 @@
 #include "core/geometry/polygon.h"
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// \file
 /// Distances between closed sets [m]: never negative, 0 if the two meet. Where only points, segments

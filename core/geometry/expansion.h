@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// \file
 /// Exact sums of doubles [Shewchuk 1997, sections 2.2-2.4]. Needs rounding to nearest, no

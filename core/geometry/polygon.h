@@ -7,7 +7,7 @@
 
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A ring of vertices, each joined to the next and the last to the first; the first vertex is not
 /// repeated at the end.

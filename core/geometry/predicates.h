@@ -5,7 +5,7 @@
 
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// \file
 /// Signs that are those of exact arithmetic on the given doubles, always: a floating-point filter

@@ -5,7 +5,7 @@
 #include "core/geometry/closed_spline.h"
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// \file
 /// Tangent lines of smooth closed curves, for visibility graphs among curved obstacles: each is the root of a function

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A point or a vector of the plane, in metres: x to the right, y up.
 using Vec2 = Eigen::Vector2d;

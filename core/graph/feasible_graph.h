@@ -12,7 +12,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Bitangents in, and why the others are out.
 struct FeasibleGraphCounts {

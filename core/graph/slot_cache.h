@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A fixed number of values, each made when it is first asked for and kept until the cache is destroyed. Any number of
 /// threads may ask at once, without locks: where two make the same value, one of the two is dropped, so that making it

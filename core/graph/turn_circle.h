@@ -6,7 +6,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A directed circle that the reference point follows round a convex vertex, PLANNER 7.
 struct TurnCircle {

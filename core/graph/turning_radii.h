@@ -5,7 +5,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The radii that are worth a turn circle [m], ascending: the smallest one of the vehicle and, as long as a wider turn
 /// is a faster one, twice the one before, up to where v_mc ends to rise or the map's extent does. One radius if v_mc is

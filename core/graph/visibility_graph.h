@@ -9,7 +9,7 @@
 #include "core/query/visibility_query.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// An undirected graph on a world's vertices in compressed rows: each edge is stored once in the row of its lower
 /// vertex, rows ascending.

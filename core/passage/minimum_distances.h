@@ -8,7 +8,7 @@
 #include "core/path/path.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Obstacles of one path segment's region, ascending.
 struct RadialSet {

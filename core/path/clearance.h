@@ -6,7 +6,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Where a body comes nearest to the obstacles.
 struct Clearance {

@@ -5,7 +5,7 @@
 
 #include "core/path/path.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 enum class DubinsWord { kLSL, kRSR, kLSR, kRSL, kRLR, kLRL };
 inline constexpr std::array<DubinsWord, 6> kDubinsWords = {DubinsWord::kLSL, DubinsWord::kRSR, DubinsWord::kLSR,

@@ -5,7 +5,7 @@
 
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Position of the reference point F [m] and heading of the body [rad, counter-clockwise from +x].
 struct Pose {

@@ -6,7 +6,7 @@
 #include "core/path/path.h"
 #include "core/vehicle.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Travel time of a segment of length L with entry speed v1, top speed v2 and exit speed v3 at
 /// acceleration a, by the closed forms (9) (top speed reached) and (10) (not reached).

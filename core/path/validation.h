@@ -8,7 +8,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A path with its speeds, as a planner or anyone else claims it.
 struct TimedPath {

@@ -2,7 +2,7 @@
 
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Whether an obstacle edge, or its first vertex, proves that some point of the open segment lies strictly inside that
 /// edge's obstacle: a proper crossing, an end of the segment on the edge with the other end on the obstacle's side, or

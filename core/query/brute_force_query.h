@@ -5,7 +5,7 @@
 #include "core/query/visibility_query.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// All three query interfaces by trying every edge: the reference that all other implementations must agree with.
 /// O(edges) a query.

@@ -7,7 +7,7 @@
 #include "core/geometry/vec2.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The nearest point of all region boundaries. `distance` is rounded correctly up to a few units in
 /// the last place; of several nearest edges the one of smallest id is given.

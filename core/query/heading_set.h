@@ -5,7 +5,7 @@
 
 #include "core/path/path.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Headings from `low` counter-clockwise to `high`, ends included; 0 <= low < 2 pi, low <= high <= low + 2 pi.
 struct HeadingInterval {

@@ -7,7 +7,7 @@
 #include "core/query/visibility_query.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The queries a planner works with, all about one world. Copies share the implementations.
 struct QuerySet {

@@ -10,7 +10,7 @@
 #include "core/query/heading_set.h"
 #include "core/vehicle.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// What a rectangle sweeps when it drives straight: a rectangle again, corners counter-clockwise.
 using SweptRectangle = std::array<Vec2, 4>;

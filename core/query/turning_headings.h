@@ -5,7 +5,7 @@
 #include "core/geometry/vec2.h"
 #include "core/query/sweep_query.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Appends the headings at which a turning body touches an obstacle edge. The status changes only at
 /// critical angles (a body corner's circle meets the edge; an end of the edge, on its circle, meets a side of the

@@ -5,7 +5,7 @@
 
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Which segments are lines of sight? A segment is visible if no point of it lies strictly inside
 /// an obstacle or strictly outside the bounds (World's rule of touching). Exact, whatever the

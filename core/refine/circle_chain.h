@@ -7,7 +7,7 @@
 #include "core/graph/turn_circle.h"
 #include "core/path/path.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A path as the circles that it turns on, in order, joined by their directed bitangents. The first circle is tangent
 /// to the line through the start along its heading, the last one to that through the goal: they are placed by the

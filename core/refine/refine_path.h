@@ -7,7 +7,7 @@
 #include "core/query/sweep_query.h"
 #include "core/vehicle.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 struct RefineOptions {
   /// Paths whose travel time is tried, at most; some microseconds each. 0: no refinement.

@@ -12,7 +12,7 @@
 #include "core/search/search_map.h"
 #include "core/search/terminal_links.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 struct SearchOptions {
   Heuristic heuristic = Heuristic::kTravelTime;

@@ -4,7 +4,7 @@
 
 #include "core/search/arrival_search.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// What stands in the way.
 enum class Obstruction {

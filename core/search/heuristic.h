@@ -1,6 +1,6 @@
 #pragma once
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// What A* adds to the time so far.
 enum class Heuristic {

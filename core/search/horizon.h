@@ -9,7 +9,7 @@
 #include "core/graph/turn_circle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The outlines of all regions in short pieces, to be looked up by place. Immutable.
 class Outlines {

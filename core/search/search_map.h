@@ -10,7 +10,7 @@
 #include "core/vehicle.h"
 #include "core/world.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// What all searches on one map share. Immutable.
 struct SearchMap {

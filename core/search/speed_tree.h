@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// The fastest speed profiles of many paths from rest that share their beginnings: a tree of joints between path
 /// segments. A joint knows how fast, and when, it is passed at best. What it costs to pass it slower, because of a

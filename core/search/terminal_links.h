@@ -7,7 +7,7 @@
 #include "core/graph/turn_circle.h"
 #include "core/search/search_map.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A pose from which, or to which, the search connects to the graph.
 struct Terminal {

@@ -6,7 +6,7 @@
 
 #include "core/search/arrival_search.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Workspaces for searches at the same time: as many as there ever were at once. Thread-safe.
 class WorkspacePool {

@@ -7,7 +7,7 @@
 #include "core/geometry/polygon.h"
 #include "core/geometry/vec2.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// How the closed regions of two polygons meet, by exact arithmetic.
 enum class RegionRelation {

@@ -8,7 +8,7 @@
 #include "core/geometry/vec2.h"
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 enum class FindingKind {
   kClosingVertex,    ///< a ring that repeats its first vertex at its end, more often than its format wants

@@ -2,7 +2,7 @@
 
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Whether this build can repair maps (it was built with GEOS).
 bool can_repair();

@@ -6,7 +6,7 @@
 #include "datasets/formats/vector_map.h"
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Reads GeoJSON [RFC 7946] with planar coordinates in metres: FeatureCollection, Feature, any geometry, or one
 /// Feature a line. Polygons and MultiPolygons are obstacles, rings in the order of the file, without the

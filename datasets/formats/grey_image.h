@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// An image in shades of grey, row 0 at the top.
 struct GreyImage {

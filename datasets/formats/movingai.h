@@ -8,7 +8,7 @@
 
 #include "datasets/grid/occupancy_grid.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Reads a map of the MovingAI benchmarks: `type octile`, height, width, `map`, then rows from the top. `.` and `G` are
 /// free, `S` if the options say so; `@`, `O`, `T`, `W` are occupied. One cell is one metre unless the options say

@@ -8,7 +8,7 @@
 #include "datasets/formats/grey_image.h"
 #include "datasets/grid/occupancy_grid.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// What the YAML file of ROS's map_server says of an image.
 struct RosMap {

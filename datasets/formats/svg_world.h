@@ -4,7 +4,7 @@
 
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Reads a world drawn as SVG, as bench-mr has them: each <path> is an obstacle of straight lines (commands M L H V Z
 /// and their lower-case forms), in groups moved by translate and scale. One user unit is one metre; y turns up, so that

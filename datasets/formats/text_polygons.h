@@ -5,7 +5,7 @@
 #include "datasets/formats/vector_map.h"
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Reads plain text: one polygon a line as `x y x y ...`, not closed, in either orientation. Blank lines and lines that
 /// begin with # are skipped.

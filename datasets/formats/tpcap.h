@@ -4,7 +4,7 @@
 
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Reads a case of the TPCAP parking competition: start and goal as x, y, heading; the number of obstacles; the number
 /// of vertices of each; all vertices as x, y. Numbers stand one a line or between commas. Poses are of the middle of

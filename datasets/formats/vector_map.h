@@ -9,7 +9,7 @@
 #include "core/geometry/closed_spline.h"
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// How files of polygons with coordinates of their own are read.
 struct VectorOptions {

@@ -6,7 +6,7 @@
 #include "datasets/formats/vector_map.h"
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Reads well-known text [ISO 19125-1]: geometries one after the other, usually one a line, keywords in any case.
 /// POLYGON and MULTIPOLYGON are obstacles, GEOMETRYCOLLECTION is opened, LINESTRING is a wall if the options say so;

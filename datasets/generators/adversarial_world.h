@@ -5,7 +5,7 @@
 
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Legal maps made to break predicates and builders. Distances between obstacles that do not touch are a few metres.
 enum class AdversarialKind {

@@ -5,7 +5,7 @@
 
 #include "core/curved_plan.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 struct CurvedWorldParameters {
   std::size_t curves = 12;

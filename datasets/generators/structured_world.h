@@ -5,7 +5,7 @@
 
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Maps laid out like places that vehicles drive in. Sizes suit a robot about 1 m wide and 2 m long.
 enum class StructuredKind {

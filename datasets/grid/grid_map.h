@@ -3,7 +3,7 @@
 #include "datasets/grid/occupancy_grid.h"
 #include "datasets/map_file.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Obstacles of a grid: the borders of its blocked cells (trace.h), simplified within the tolerance (simplify.h), in
 /// metres; the frame of the grid as bounds if it is walled. Notes say how many corners there were before and after.

@@ -7,7 +7,7 @@
 
 #include "core/path/path.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 enum class Cell : std::uint8_t { kFree, kOccupied, kUnknown };
 

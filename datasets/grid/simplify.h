@@ -5,7 +5,7 @@
 
 #include "datasets/grid/trace.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// Takes corners away so that the polygons grow and never shrink: every blocked cell stays covered, and no point of a
 /// ring moves by more than `tolerance` cells. Corners are those of cells before and after.

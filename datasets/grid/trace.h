@@ -5,7 +5,7 @@
 
 #include "datasets/grid/occupancy_grid.h"
 
-namespace arcway {
+namespace [[gnu::visibility("default")]] arcway {
 
 /// A corner of cells: x to the right and y up, from the lower left corner of the grid.
 struct Corner {
