@@ -13,7 +13,7 @@ std::atomic<std::uint64_t> allocations{0};
 std::atomic<std::int64_t> live{0};
 std::atomic<std::int64_t> peak{0};
 
-void* counted(void* memory) {
+[[maybe_unused]] void* counted(void* memory) {
   if (memory == nullptr) throw std::bad_alloc();
   allocations.fetch_add(1, std::memory_order_relaxed);
   const auto bytes = static_cast<std::int64_t>(malloc_usable_size(memory));
@@ -24,7 +24,7 @@ void* counted(void* memory) {
   return memory;
 }
 
-void release(void* memory) {
+[[maybe_unused]] void release(void* memory) {
   if (memory == nullptr) return;
   live.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(memory)), std::memory_order_relaxed);
   std::free(memory);
@@ -37,6 +37,16 @@ void reset_heap_peak() { peak.store(live.load()); }
 
 }  // namespace arcway::bench
 
+// Sanitizers bring operators of their own; nothing is counted there.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define ARCWAY_SANITIZED
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define ARCWAY_SANITIZED
+#endif
+
+#ifndef ARCWAY_SANITIZED
 void* operator new(std::size_t size) { return arcway::bench::counted(std::malloc(size == 0 ? 1 : size)); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   const auto step = static_cast<std::size_t>(alignment);
@@ -46,3 +56,4 @@ void operator delete(void* memory) noexcept { arcway::bench::release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { arcway::bench::release(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { arcway::bench::release(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { arcway::bench::release(memory); }
+#endif
