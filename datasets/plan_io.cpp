@@ -95,6 +95,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
     append_key(out, "reason");
     detail::append_string(out, result.reason);
   }
+  if (result.interrupted) out += R"(,"interrupted":true)";
   append_key(out, "start");
   append_pose(out, result.start);
   append_key(out, "goal");
@@ -211,8 +212,8 @@ std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehic
 PlanFile read_plan(std::string_view text, std::string_view name) {
   const nlohmann::json value = detail::parse_json(text, name);
   const JsonPlace plan{value, std::string(name)};
-  plan.allow_keys({"format", "version", "q", "status", "reason", "start", "goal", "travel_time", "length",
-                   "lower_bound", "min_clearance", "path", "statistics"});
+  plan.allow_keys({"format", "version", "q", "status", "reason", "interrupted", "start", "goal", "travel_time",
+                   "length", "lower_bound", "min_clearance", "path", "statistics"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
   file.status = plan.has("status") ? plan.at("status").string() : "";

@@ -21,7 +21,8 @@ namespace [[gnu::visibility("default")]] arcway {
 ///      "path":[{"type":"line"|"arc","start":[x,y,heading],"length":..,"curvature":..,"direction":1,
 ///               "speed_in":..,"speed_out":..,"duration":..}],"statistics":{..}}
 ///
-/// With "reason" and an empty path unless solved.
+/// With "reason" and an empty path unless solved; with "interrupted": true if the time limit or a stop ended the
+/// search.
 /// @param q  number of the query.
 std::string plan_to_json(const PlanResult& result, std::uint64_t q);
 

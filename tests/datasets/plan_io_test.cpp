@@ -67,6 +67,10 @@ TEST(PlanJson, TellsWhyThereIsNoPath) {
   const std::string text = plan_to_json(result, 0);
   EXPECT_NE(text.find(R"("reason":"no \"way\" out")"), std::string::npos) << text;
   EXPECT_TRUE(read_plan(text, "p").path.segments.empty());
+  EXPECT_EQ(text.find("interrupted"), std::string::npos);
+  PlanResult interrupted = result;
+  interrupted.interrupted = true;
+  EXPECT_NE(plan_to_json(interrupted, 0).find("\"interrupted\":true"), std::string::npos);
 }
 
 TEST(PlanJson, ReadsPathsWithoutSpeeds) {
