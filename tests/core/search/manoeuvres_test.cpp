@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/path/validation.h"
 #include "core/planner.h"
 #include "core/query/query_set.h"
 #include "datasets/catalogue.h"
+#include "tests/support/plans.h"
 
 namespace arcway {
 namespace {
@@ -22,14 +22,9 @@ TEST(Manoeuvres, ReachGoalsBesideAWall) {
   for (const PlanRequest& request : requests) {
     const PlanResult result = planner.plan(request);
     ASSERT_TRUE(result.solved()) << result.reason;
-    TimedPath path;
-    for (const TimedSegment& s : result.segments) {
-      path.segments.push_back(s.segment);
-      path.speed_in.push_back(s.speed_in);
-      path.speed_out.push_back(s.speed_out);
-      path.durations.push_back(s.duration);
-    }
-    EXPECT_TRUE(validate(planner.world(), planner.vehicle(), request.start, request.goal, path).valid());
+    EXPECT_EQ(result.start.position(), request.start.position());
+    EXPECT_EQ(result.goal.position(), request.goal.position());
+    test::expect_valid(planner, result);
   }
 }
 
