@@ -260,6 +260,7 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
         path, request.start, request.goal, d.map.vehicle, *d.map.queries.sweep, d.options.refinement,
         [&] { return limits.stop.stop_requested() || (deadline && std::chrono::steady_clock::now() >= *deadline); });
     path = std::move(refined.path);
+    result.interrupted = result.interrupted || refined.interrupted;
     result.statistics.refine_trials = refined.trials;
     result.statistics.refine_improvements = refined.improvements;
     result.statistics.straights_checked += refined.straights_checked;

@@ -44,7 +44,7 @@ struct PlanRequest {
   Pose goal;
 };
 
-/// When to end a search before it is done; it then gives the best path found by then, if any.
+/// When to end a plan before it is done; it then gives the best path found by then, if any.
 struct PlanLimits {
   double time = std::numeric_limits<double>::infinity();  ///< [s]
   std::stop_token stop = {};                              ///< asked from any thread
@@ -93,7 +93,8 @@ struct PlanResult {
   PlanStatus status = PlanStatus::kNoPath;
   std::string reason;  ///< in words, with the condition that failed and where, unless solved
   Pose start, goal;    ///< as requested
-  /// The search was ended by the time limit or the stop token: the path, if any, is the best one found by then.
+  /// The search or the refinement was ended by the time limit or the stop token: the path, if any, is the best one
+  /// found by then.
   bool interrupted = false;
   std::vector<TimedSegment> segments;
   double travel_time = 0.0;  ///< [s]

@@ -61,7 +61,10 @@ class Refiner {
     double speed;  // there [m/s]
   };
 
-  [[nodiscard]] bool done() const { return result_.trials >= options_.max_trials || (stop_ && stop_()); }
+  [[nodiscard]] bool done() {
+    if (stop_ && !result_.interrupted) result_.interrupted = stop_();
+    return result_.interrupted || result_.trials >= options_.max_trials;
+  }
 
   // Takes a chain if it is faster and free.
   bool accept(CircleChain&& trial) {

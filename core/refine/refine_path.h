@@ -23,6 +23,7 @@ struct RefinedPath {
   std::uint64_t improvements = 0;       ///< of them, accepted: faster and free
   std::uint64_t straights_checked = 0;  ///< swept rectangles decided
   std::uint64_t turns_checked = 0;      ///< heading sets computed
+  bool interrupted = false;             ///< `stop` ended it: more trials might have made the path faster
 };
 
 /// Makes a free path faster by local changes, as long as time falls:

@@ -139,6 +139,56 @@ TEST(Planner, EndsASearchThatIsStopped) {
   EXPECT_TRUE(result.interrupted);
 }
 
+// Asks for a stop at the given question about a straight motion.
+class StoppingSweep final : public SweepQuery {
+ public:
+  StoppingSweep(const World& world, std::size_t last) : exact_(make_reference_queries(world).sweep), last_(last) {}
+  [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
+  [[nodiscard]] std::size_t asked() const { return asked_; }
+
+ private:
+  void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override {
+    asked_ += rectangles.size();
+    if (asked_ >= last_) stop_.request_stop();
+    exact_->straight_free(rectangles, free);
+  }
+  void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override {
+    exact_->free_headings(bodies, result);
+  }
+
+  std::shared_ptr<const SweepQuery> exact_;
+  std::size_t last_;
+  mutable std::stop_source stop_;
+  mutable std::size_t asked_ = 0;
+};
+
+TEST(Planner, SaysThatRefinementWasStopped) {
+  const World world({{{{6, 0}, {8, 0}, {8, 8}, {6, 8}}, {}}}, Ring{{0, 0}, {16, 0}, {16, 16}, {0, 16}});
+  const PlanRequest request{{3, 3, 1.57}, {11, 3, -1.57}};
+  const auto plan = [&](const StoppingSweep& sweep, std::uint32_t max_trials) {
+    QuerySet queries = make_reference_queries(world);
+    queries.sweep = std::shared_ptr<const SweepQuery>(std::shared_ptr<void>(), &sweep);
+    const Planner planner(world, Vehicle{}, queries, {.refinement = {.max_trials = max_trials}}, SerialExecutor());
+    return planner.plan(request, {.stop = sweep.token()});
+  };
+  constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
+  const StoppingSweep counting(world, kNever);
+  const PlanResult first = plan(counting, 0);
+  ASSERT_TRUE(first.solved());
+  const StoppingSweep never(world, kNever);
+  const PlanResult best = plan(never, RefineOptions{}.max_trials);
+  ASSERT_TRUE(best.solved());
+  ASSERT_GT(never.asked(), counting.asked() + 1);
+  EXPECT_FALSE(best.interrupted);
+
+  const StoppingSweep stopping(world, counting.asked() + 1);  // the first question of the refinement
+  const PlanResult cut_off = plan(stopping, RefineOptions{}.max_trials);
+  ASSERT_TRUE(cut_off.solved());
+  EXPECT_TRUE(cut_off.interrupted);
+  EXPECT_LE(cut_off.travel_time, first.travel_time);
+  EXPECT_LT(cut_off.statistics.refine_trials, best.statistics.refine_trials);
+}
+
 TEST(Planner, PlansTheSameFromManyThreadsAtOnce) {
   const World world =
       random_world({.kind = ClutterKind::kStar, .obstacles = 20, .vertices = 6, .fill = 0.2, .seed = 3});

@@ -144,9 +144,14 @@ TEST(RefinePath, StopsWhenAskedAndAtItsLimit) {
     EXPECT_EQ(result.travel_time, speed_profile(path, vehicle).total_time);
     ASSERT_EQ(result.path.size(), path.size());
   };
-  expect_untouched(refined(World({}), vehicle, request, path, {.max_trials = 0}));
-  expect_untouched(refined(World({}), vehicle, request, path, {}, [] { return true; }));
+  const RefinedPath limited = refined(World({}), vehicle, request, path, {.max_trials = 0});
+  expect_untouched(limited);
+  EXPECT_FALSE(limited.interrupted);
+  const RefinedPath stopped = refined(World({}), vehicle, request, path, {}, [] { return true; });
+  expect_untouched(stopped);
+  EXPECT_TRUE(stopped.interrupted);
   EXPECT_LE(refined(World({}), vehicle, request, path, {.max_trials = 7}).trials, 7u);
+  EXPECT_FALSE(refined(World({}), vehicle, request, path, {}, [] { return false; }).interrupted);
 }
 
 TEST(RefinePath, LeavesBarePathsAlone) {
