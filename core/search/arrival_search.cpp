@@ -141,10 +141,12 @@ class ArrivalSearch {
     append_circles(map_, goals_, Direction::kToGoal, w_.goal_circles);
     result_.turns_checked += w_.start_circles.size() + w_.goal_circles.size();
     push_direct_paths();
-    for (std::uint32_t g = 0; g < w_.goal_circles.size(); ++g) add_goal_links(g);
+    // The goals of manoeuvres may have millions of links.
+    for (std::uint32_t g = 0; g < w_.goal_circles.size() && !interrupted(); ++g) add_goal_links(g);
     // A goal that nothing leads to would have the whole graph searched in vain.
-    result_.goal_connected = result_.goal_connected || std::any_of(w_.goal_links.begin(), w_.goal_links.end(),
-                                                                   [this](GoalLink& goal) { return is_free(goal); });
+    for (std::size_t i = 0; i < w_.goal_links.size() && !result_.goal_connected && !interrupted(); ++i)
+      result_.goal_connected = is_free(w_.goal_links[i]);
+    if (result_.interrupted) return finish_best();
     if (!result_.goal_connected) return;
     for (std::uint32_t s = 0; s < w_.start_circles.size(); ++s) {
       const Terminal& start = starts_[w_.start_circles[s].terminal];
@@ -156,10 +158,7 @@ class ArrivalSearch {
       const Entry entry = pop();
       if (is_complete(entry) ? finish(entry) : expand(entry)) return;
     }
-    while (result_.interrupted && !w_.open.empty()) {
-      const Entry entry = pop();
-      if (is_complete(entry) && finish(entry)) return;
-    }
+    if (result_.interrupted) finish_best();
   }
 
  private:
@@ -199,6 +198,14 @@ class ArrivalSearch {
 
   [[nodiscard]] static bool is_complete(const Entry& entry) {
     return entry.kind == Kind::kDirect || entry.kind == Kind::kGoal;
+  }
+
+  // Takes the best complete path that is free. The open list may be millions of others, which are not worth sorting.
+  void finish_best() {
+    std::erase_if(w_.open, [](const Entry& entry) { return !is_complete(entry); });
+    std::make_heap(w_.open.begin(), w_.open.end(), later);
+    while (!w_.open.empty() && !finish(pop())) {
+    }
   }
 
   // Takes a complete path as the result if it is free.
