@@ -25,7 +25,7 @@ struct PlanArguments {
   std::string start, goal;
   std::string queries, out;
   std::string heuristic = "travel_time";
-  std::string graph = "eager";
+  std::string graph;
   std::string time_limit;
   std::uint32_t refine_trials = RefineOptions{}.max_trials;
   std::string svg, json, csv, ros_path;
@@ -39,7 +39,8 @@ Heuristic heuristic_of(const std::string& name) {
   throw UsageError("--heuristic: expected travel_time, paper or dijkstra, got \"" + name + "\"");
 }
 
-GraphMode graph_mode_of(const std::string& name) {
+GraphMode graph_mode_of(const std::string& name, bool batch) {
+  if (name.empty()) return batch ? GraphMode::kEager : GraphMode::kLazy;
   if (name == "eager") return GraphMode::kEager;
   if (name == "lazy") return GraphMode::kLazy;
   throw UsageError("--graph: expected eager or lazy, got \"" + name + "\"");
@@ -81,11 +82,13 @@ PlanLimits limits_of(const PlanArguments& arguments) {
 
 std::string prepare_rows(const Planner& planner, double build_seconds) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
-  const FeasibleGraphCounts& counts = prepare.counts;
+  const FeasibleGraphCounts counts = planner.feasible_graph().counts();
+  const bool lazy = planner.feasible_graph().mode() == GraphMode::kLazy;
   std::string text;
   text += row("reduced graph", count_text(planner.visibility_graph().edge_count()) + " edges");
   text += row("feasible graph", count_text(counts.kept) + " of " + count_text(counts.candidates) +
-                                    " directed bitangents on " + count_text(counts.circles) + " turn circles");
+                                    " directed bitangents on " + count_text(counts.circles) + " turn circles" +
+                                    (lazy ? ", found as the search needed them" : ""));
   text += row("build", duration_text(build_seconds) + " (reduced graph " + duration_text(prepare.visibility_seconds) +
                            ", feasible graph " + duration_text(prepare.feasible_seconds) + ")");
   return text;
@@ -147,10 +150,11 @@ std::string picture(const Planner& planner, const CheckedPlan& plan) {
 std::string plan_json(const PlanArguments& arguments, const Planner& planner, double build_seconds,
                       const PlanResult& result) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
-  const FeasibleGraphCounts& counts = prepare.counts;
+  const FeasibleGraphCounts counts = planner.feasible_graph().counts();
   auto json = nlohmann::ordered_json::parse(plan_to_json(result, 0));
   auto& statistics = json["statistics"];
   statistics["backend"] = arguments.build.backend;
+  statistics["graph"] = planner.feasible_graph().mode() == GraphMode::kLazy ? "lazy" : "eager";
   statistics["builder"] = arguments.build.builder_name(planner.world());
   statistics["threads"] = arguments.build.thread_count();
   statistics["build_seconds"] = build_seconds;
@@ -275,7 +279,7 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   arguments.build.check();
   PlannerOptions options;
   options.heuristic = heuristic_of(arguments.heuristic);
-  options.graph_mode = graph_mode_of(arguments.graph);
+  options.graph_mode = graph_mode_of(arguments.graph, batch);
   options.reduced_graph = arguments.build.reduced_graph();
   options.refinement.max_trials = arguments.refine_trials;
   const PlanLimits limits = limits_of(arguments);
@@ -319,9 +323,10 @@ void add_plan_command(CLI::App& app, Action& action) {
       ->type_name("NAME")
       ->capture_default_str();
   command
-      .add_option("--graph", arguments->graph, "eager (check all bitangents first) or lazy (as the search needs them)")
-      ->type_name("MODE")
-      ->capture_default_str();
+      .add_option("--graph", arguments->graph,
+                  "eager (check all bitangents first), the default of --queries, or lazy (as the search needs them), "
+                  "that of one query")
+      ->type_name("MODE");
   command.add_option("--time-limit", arguments->time_limit, "Of each search; then the best path found so far, if any")
       ->type_name("SECONDS");
   command.add_option("--refine-trials", arguments->refine_trials, "Paths that refinement may try; 0 leaves it out")
