@@ -7,6 +7,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/graph/slot_cache.h"
+#include "core/graph/turn_circles.h"
 
 namespace arcway {
 
@@ -20,6 +21,7 @@ constexpr double kWidestTurn = 0.55 * kPi;
 // Links that leave one circle, and why others do not.
 struct Departures {
   std::vector<Link> links;
+  std::uint32_t repeated = 0;
   std::uint32_t overlaps = 0;
   std::uint32_t blocked_departures = 0;
   std::uint32_t blocked_arrivals = 0;
@@ -73,20 +75,16 @@ struct FeasibleGraph::Data {
         body(vehicle.footprint(0.5 * vehicle.safety_margin())),
         body_covers_reference(body.front >= 0.0 && body.rear >= 0.0),
         mode(m),
-        radius_count(radii.size()),
+        smallest_radius(radii.front()),
         neighbors(graph),
-        first_circle(world.vertices().size(), kNone),
-        lazy_headings(m == GraphMode::kLazy ? 2 * radii.size() * w.convex_vertices().size() : 0),
-        lazy_rows(m == GraphMode::kLazy ? 2 * radii.size() * w.convex_vertices().size() : 0) {
-    const Footprint planned = vehicle.footprint(vehicle.safety_margin());
-    for (const VertexId v : world.convex_vertices()) {
-      first_circle[v] = static_cast<std::uint32_t>(circles.size());
-      for (const double radius : radii)
-        for (const Side side : {Side::kLeft, Side::kRight})
-          circles.push_back(turn_circle(world, v, radius, side, planned));
-    }
+        turn_circles(world, graph, radii, vehicle.footprint(vehicle.safety_margin())),
+        circles(turn_circles.all()),
+        lazy_headings(m == GraphMode::kLazy ? circles.size() : 0),
+        lazy_rows(m == GraphMode::kLazy ? circles.size() : 0) {
     counts.circles = circles.size();
-    counts.candidates = 2 * graph.edge_count() * radius_count * radius_count;
+    for (VertexId u = 0; u < graph.vertex_count(); ++u)
+      for (const VertexId v : graph.row(u))
+        counts.candidates += 2 * turn_circles.count_round(u) * turn_circles.count_round(v);
   }
 
   void check_all(const Executor& executor) {
@@ -137,26 +135,32 @@ struct FeasibleGraph::Data {
     const TurnCircle& circle = circles[c];
     const HeadingSet& free = headings_of(c);
     Departures row;
-    for (const VertexId v : neighbors.of(circle.vertex)) {
-      // Seen from v the obstacle lies on the other side than for who leaves towards v.
-      if (obstacle_side(world, circle.vertex, world.vertex(v)) == circle.side) continue;
-      const Side side = obstacle_side(world, v, world.vertex(circle.vertex));
-      for (std::size_t radius = 0; radius < radius_count; ++radius) {
-        const auto to = static_cast<std::uint32_t>(first_circle[v] + 2 * radius + (side == Side::kLeft ? 0 : 1));
-        const auto line = directed_bitangent(circle, circles[to]);
-        if (!line) {
-          ++row.overlaps;
-        } else if (!free.contains(line->start.heading)) {
-          ++row.blocked_departures;
-        } else {
-          row.links.push_back({c, to, line->start.heading, line->length});
-        }
+    for (const VertexId u : {circle.vertex, circle.second}) {
+      if (u == kNone) continue;
+      for (const VertexId v : neighbors.of(u)) {
+        // Seen from v the obstacle lies on the other side than for who leaves towards v.
+        if (obstacle_side(world, u, world.vertex(v)) == circle.side) continue;
+        turn_circles.visit_round(v, obstacle_side(world, v, world.vertex(u)), [&](std::uint32_t to) {
+          const auto line = directed_bitangent(circle, circles[to]);
+          if (!line) {
+            ++row.overlaps;
+          } else if (!free.contains(line->start.heading)) {
+            ++row.blocked_departures;
+          } else {
+            row.links.push_back({c, to, line->start.heading, line->length});
+          }
+        });
       }
     }
     std::sort(row.links.begin(), row.links.end(), [](const Link& a, const Link& b) {
       if (a.heading != b.heading) return a.heading < b.heading;
       return a.to < b.to;
     });
+    // Circles of two vertices are neighbors by up to four edges.
+    const auto repeated =
+        std::unique(row.links.begin(), row.links.end(), [](const Link& a, const Link& b) { return a.to == b.to; });
+    row.repeated = static_cast<std::uint32_t>(row.links.end() - repeated);
+    row.links.erase(repeated, row.links.end());
     return row;
   }
 
@@ -171,8 +175,7 @@ struct FeasibleGraph::Data {
 
   // A wide circle passes through much that has nothing to do with its vertex; there the smallest radius turns as well.
   void keep_at_vertex(std::uint32_t c, HeadingSet& found) const {
-    const bool smallest = c % (2 * radius_count) < 2;
-    if (smallest || !body_covers_reference) return;
+    if (circles[c].radius == smallest_radius || !body_covers_reference) return;
     found = found.around(heading_at_vertex(world, circles[c]), kWidestTurn);
   }
 
@@ -215,6 +218,7 @@ struct FeasibleGraph::Data {
   }
 
   static void count(const Departures& row, FeasibleGraphCounts& sum) {
+    sum.repeated += row.repeated;
     sum.rejected_overlap += row.overlaps;
     sum.rejected_departure += row.blocked_departures;
     sum.rejected_arrival += row.blocked_arrivals;
@@ -233,10 +237,10 @@ struct FeasibleGraph::Data {
   Footprint body;
   bool body_covers_reference;  // else other points of it touch the vertex first
   GraphMode mode;
-  std::size_t radius_count;
+  double smallest_radius;
   Adjacency neighbors;
-  std::vector<std::uint32_t> first_circle;  // of each vertex, or kNone
-  std::vector<TurnCircle> circles;
+  TurnCircles turn_circles;
+  std::span<const TurnCircle> circles;
   FeasibleGraphCounts counts;
 
   std::vector<HeadingSet> headings;  // if eager

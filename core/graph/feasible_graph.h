@@ -16,9 +16,10 @@ namespace [[gnu::visibility("default")]] arcway {
 
 /// Bitangents in, and why the others are out.
 struct FeasibleGraphCounts {
-  std::uint64_t circles = 0;          ///< turn circles of convex vertices
+  std::uint64_t circles = 0;          ///< turn circles of convex vertices, see TurnCircles
   std::uint64_t circles_blocked = 0;  ///< those without any free heading
-  std::uint64_t candidates = 0;       ///< directed: two for each edge of the reduced graph and pair of radii
+  std::uint64_t candidates = 0;       ///< directed: two for each edge of the reduced graph and pair of circles there
+  std::uint64_t repeated = 0;         ///< bitangents of circles round two vertices that are candidates once more
   std::uint64_t kept = 0;
   std::uint64_t rejected_overlap = 0;    ///< no bitangent: circles overlap
   std::uint64_t rejected_departure = 0;  ///< (7): the body collides on the first circle at that heading
@@ -52,7 +53,7 @@ class FeasibleGraph {
                 std::span<const double> radii, const Executor& executor, GraphMode mode = GraphMode::kEager);
 
   [[nodiscard]] GraphMode mode() const;
-  /// All circles of a vertex are neighbors: radii ascending, for each left before right.
+  /// In the order of TurnCircles::all.
   [[nodiscard]] std::span<const TurnCircle> circles() const;
   /// On circles wider than the smallest only those of a turn round the vertex: a right angle and some to either side.
   [[nodiscard]] const HeadingSet& free_headings(std::uint32_t circle) const;

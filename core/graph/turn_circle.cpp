@@ -47,6 +47,16 @@ TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side 
   return {world.vertex(vertex) + inner * inwards(world, vertex), radius, side, vertex};
 }
 
+std::optional<TurnCircle> turn_circle(const World& world, VertexId u, VertexId w, double radius, Side side,
+                                      const Footprint& grown_body) {
+  const double inner = swept_annulus(grown_body, radius).inner;
+  const Vec2 half = 0.5 * (world.vertex(w) - world.vertex(u));
+  const double square = inner * inner - half.squaredNorm();
+  if (!(square > 0.0)) return std::nullopt;
+  const Vec2 inwards = sign_of(side) * perpendicular(half.normalized());
+  return TurnCircle{world.vertex(u) + half + std::sqrt(square) * inwards, radius, side, u, w};
+}
+
 double heading_at_vertex(const World& world, const TurnCircle& circle) {
   // pose_on puts the reference point on the side of the centre away from the left normal if turning left.
   const Vec2 normal = sign_of(circle.side) * inwards(world, circle.vertex);

@@ -12,8 +12,9 @@ namespace [[gnu::visibility("default")]] arcway {
 struct TurnCircle {
   Vec2 center;
   double radius;
-  Side side;        ///< kLeft: counter-clockwise
-  VertexId vertex;  ///< kNone for the circles of a pose
+  Side side;                ///< kLeft: counter-clockwise
+  VertexId vertex;          ///< kNone for the circles of a pose
+  VertexId second = kNone;  ///< of a circle round two vertices at once: the other one
 };
 
 /// Pose of the reference point on a circle where the body has the given heading.
@@ -40,6 +41,11 @@ std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCi
 /// The circle round a convex vertex: its centre lies rho_in (of the body grown by the margin) inwards along the
 /// bisector of the vertex's two edges, so that the inner swept circle passes through the vertex.
 TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body);
+
+/// The circle round two convex vertices at once, travelling from u to w with the obstacles on the given side: the inner
+/// swept circle passes through both. nothing if they are further apart than its diameter.
+std::optional<TurnCircle> turn_circle(const World& world, VertexId u, VertexId w, double radius, Side side,
+                                      const Footprint& grown_body);
 
 /// The heading on a vertex's circle at which the reference point is nearest to the vertex.
 double heading_at_vertex(const World& world, const TurnCircle& circle);

@@ -21,22 +21,22 @@ Box box_of(const TurnCircle& circle, const HeadingInterval& headings) {
   return {box.min - Vec2::Constant(height), box.max + Vec2::Constant(height)};
 }
 
-SearchMap::ArcsOfRadius arcs_of_radius(const FeasibleGraph& graph, std::size_t radius, std::size_t radius_count) {
+SearchMap::ArcsOfRadius arcs_of_radius(const FeasibleGraph& graph, double radius) {
   SearchMap::ArcsOfRadius found;
   std::vector<Box> boxes;
   const auto add = [&](std::uint32_t circle, int interval, const HeadingInterval& headings) {
     found.arcs.push_back({circle, interval});
     boxes.push_back(box_of(graph.circles()[circle], headings));
   };
-  for (std::size_t first = 2 * radius; first < graph.circles().size(); first += 2 * radius_count)
-    for (const auto c : {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + 1)}) {
-      if (graph.mode() == GraphMode::kLazy) {
-        add(c, SearchMap::kAnyHeading, {0.0, kTwoPi});
-        continue;
-      }
-      int interval = 0;
-      for (const HeadingInterval& headings : graph.free_headings(c).intervals()) add(c, interval++, headings);
+  for (std::uint32_t c = 0; c < graph.circles().size(); ++c) {
+    if (graph.circles()[c].radius != radius) continue;
+    if (graph.mode() == GraphMode::kLazy) {
+      add(c, SearchMap::kAnyHeading, {0.0, kTwoPi});
+      continue;
     }
+    int interval = 0;
+    for (const HeadingInterval& headings : graph.free_headings(c).intervals()) add(c, interval++, headings);
+  }
   found.boxes = BoxTree(boxes);
   return found;
 }
@@ -51,7 +51,7 @@ SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<d
       graph(std::move(g)),
       body(v.footprint(0.5 * v.safety_margin())),
       outlines(w) {
-  for (std::size_t k = 0; k < radii.size(); ++k) arcs.push_back(arcs_of_radius(graph, k, radii.size()));
+  for (const double radius : radii) arcs.push_back(arcs_of_radius(graph, radius));
 }
 
 }  // namespace arcway
