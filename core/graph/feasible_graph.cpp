@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/geometry/angle.h"
+#include "core/geometry/predicates.h"
 #include "core/graph/slot_cache.h"
 #include "core/graph/turn_circles.h"
 
@@ -21,12 +24,22 @@ constexpr double kWidestTurn = 0.55 * kPi;
 // Links that leave one circle, and why others do not.
 struct Departures {
   std::vector<Link> links;
+  std::uint32_t candidates = 0;
   std::uint32_t repeated = 0;
   std::uint32_t overlaps = 0;
   std::uint32_t blocked_departures = 0;
   std::uint32_t blocked_arrivals = 0;
   std::uint32_t blocked_straights = 0;
 };
+
+// The direction of the bitangent, not normalized; nothing if there is none.
+std::optional<Vec2> line_between(const TurnCircle& from, const TurnCircle& to) {
+  const Vec2 d = to.center - from.center;
+  const double offset = sign_of(to.side) * to.radius - sign_of(from.side) * from.radius;
+  const double square = d.squaredNorm() - offset * offset;
+  if (!(square > 0.0)) return std::nullopt;
+  return std::sqrt(square) * d - offset * perpendicular(d);
+}
 
 enum class Verdict : std::uint8_t { kUnknown, kKept, kArrival, kStraight };
 
@@ -82,9 +95,6 @@ struct FeasibleGraph::Data {
         lazy_headings(m == GraphMode::kLazy ? circles.size() : 0),
         lazy_rows(m == GraphMode::kLazy ? circles.size() : 0) {
     counts.circles = circles.size();
-    for (VertexId u = 0; u < graph.vertex_count(); ++u)
-      for (const VertexId v : graph.row(u))
-        counts.candidates += 2 * turn_circles.count_round(u) * turn_circles.count_round(v);
   }
 
   void check_all(const Executor& executor) {
@@ -135,33 +145,71 @@ struct FeasibleGraph::Data {
     const TurnCircle& circle = circles[c];
     const HeadingSet& free = headings_of(c);
     Departures row;
-    for (const VertexId u : {circle.vertex, circle.second}) {
-      if (u == kNone) continue;
-      for (const VertexId v : neighbors.of(u)) {
-        // Seen from v the obstacle lies on the other side than for who leaves towards v.
-        if (obstacle_side(world, u, world.vertex(v)) == circle.side) continue;
-        turn_circles.visit_round(v, obstacle_side(world, v, world.vertex(u)), [&](std::uint32_t to) {
-          const auto line = directed_bitangent(circle, circles[to]);
-          if (!line) {
-            ++row.overlaps;
-          } else if (!free.contains(line->start.heading)) {
-            ++row.blocked_departures;
-          } else {
-            row.links.push_back({c, to, line->start.heading, line->length});
-          }
-        });
-      }
-    }
+    for (const Arrival& arrival : arrivals_from(circle))
+      turn_circles.visit_round(arrival.vertex, arrival.side, [&](std::uint32_t to) {
+        ++row.candidates;
+        const auto line = directed_bitangent(circle, circles[to]);
+        if (!line) {
+          ++row.overlaps;
+        } else if (!free.contains(line->start.heading)) {
+          ++row.blocked_departures;
+        } else {
+          row.links.push_back({c, to, line->start.heading, line->length});
+        }
+      });
     std::sort(row.links.begin(), row.links.end(), [](const Link& a, const Link& b) {
       if (a.heading != b.heading) return a.heading < b.heading;
       return a.to < b.to;
     });
-    // Circles of two vertices are neighbors by up to four edges.
+    // Circles round two vertices are found at both.
     const auto repeated =
         std::unique(row.links.begin(), row.links.end(), [](const Link& a, const Link& b) { return a.to == b.to; });
     row.repeated = static_cast<std::uint32_t>(row.links.end() - repeated);
     row.links.erase(repeated, row.links.end());
     return row;
+  }
+
+  // A vertex at the end of a straight, and the side to which a path turns there.
+  struct Arrival {
+    VertexId vertex;
+    Side side;
+    VertexId before;
+  };
+
+  // The vertices that the straights from a circle lead to: those that its own see and, where the straight to a vertex
+  // and the one behind it would have a path turn away from the vertex in between, those behind it.
+  [[nodiscard]] std::vector<Arrival> arrivals_from(const TurnCircle& circle) const {
+    std::vector<Arrival> arrivals;
+    const auto add = [&](VertexId from, Side departure, VertexId to) {
+      // Seen from `to` the obstacle at `from` lies on the other side than for who leaves towards `to`.
+      if (obstacle_side(world, from, world.vertex(to)) == departure) return;
+      const Side side = obstacle_side(world, to, world.vertex(from));
+      for (const Arrival& known : arrivals)
+        if (known.vertex == to && known.side == side) return;
+      arrivals.push_back({to, side, from});
+    };
+    for (const VertexId u : {circle.vertex, circle.second})
+      if (u != kNone)
+        for (const VertexId v : neighbors.of(u)) add(u, circle.side, v);
+    for (std::size_t i = 0; i < arrivals.size(); ++i) {
+      const Arrival at = arrivals[i];
+      const TurnCircle& middle = own_circle(at.vertex, at.side);
+      const auto line = line_between(circle, middle);
+      if (!line) continue;
+      for (const VertexId next : neighbors.of(at.vertex)) {
+        const int turn = orientation(world.vertex(at.before), world.vertex(at.vertex), world.vertex(next));
+        if (turn == (at.side == Side::kLeft ? -1 : 1)) continue;
+        const TurnCircle& behind = own_circle(next, obstacle_side(world, next, world.vertex(at.vertex)));
+        const auto onwards = line_between(middle, behind);
+        if (onwards && sign_of(at.side) * cross(*line, *onwards) < 0.0) add(at.vertex, at.side, next);
+      }
+    }
+    return arrivals;
+  }
+
+  // Of the smallest radius.
+  [[nodiscard]] const TurnCircle& own_circle(VertexId v, Side side) const {
+    return circles[turn_circles.first_round(v, side)];
   }
 
   [[nodiscard]] const HeadingSet& headings_of(std::uint32_t c) const {
@@ -218,6 +266,7 @@ struct FeasibleGraph::Data {
   }
 
   static void count(const Departures& row, FeasibleGraphCounts& sum) {
+    sum.candidates += row.candidates;
     sum.repeated += row.repeated;
     sum.rejected_overlap += row.overlaps;
     sum.rejected_departure += row.blocked_departures;

@@ -18,8 +18,8 @@ namespace [[gnu::visibility("default")]] arcway {
 struct FeasibleGraphCounts {
   std::uint64_t circles = 0;          ///< turn circles of convex vertices, see TurnCircles
   std::uint64_t circles_blocked = 0;  ///< those without any free heading
-  std::uint64_t candidates = 0;       ///< directed: two for each edge of the reduced graph and pair of circles there
-  std::uint64_t repeated = 0;         ///< bitangents of circles round two vertices that are candidates once more
+  std::uint64_t candidates = 0;       ///< directed, between circles of the reduced graph's neighbors and beyond
+  std::uint64_t repeated = 0;         ///< those of circles round two vertices that were candidates before
   std::uint64_t kept = 0;
   std::uint64_t rejected_overlap = 0;    ///< no bitangent: circles overlap
   std::uint64_t rejected_departure = 0;  ///< (7): the body collides on the first circle at that heading

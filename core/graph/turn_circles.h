@@ -24,11 +24,11 @@ class TurnCircles {
   /// Those of one vertex first: all of a vertex are neighbors, radii ascending, for each left before right. Then those
   /// of two, left before right.
   [[nodiscard]] std::span<const TurnCircle> all() const { return circles_; }
-  /// How many circles lead round a convex vertex to each side.
-  [[nodiscard]] std::size_t count_round(VertexId v) const {
-    return radius_count_ + shared_starts_[v + 1] - shared_starts_[v];
+  /// The circle round a convex vertex alone, of the smallest radius: an index into `all`.
+  [[nodiscard]] std::uint32_t first_round(VertexId v, Side side) const {
+    return first_[v] + (side == Side::kLeft ? 0 : 1);
   }
-  /// Calls visit(circle) for each of them: indices into `all`.
+  /// Calls visit(circle) for each circle round a convex vertex, alone or with another one: indices into `all`.
   template <class Visitor>
   void visit_round(VertexId v, Side side, Visitor&& visit) const {
     const std::uint32_t right = side == Side::kLeft ? 0 : 1;

@@ -3,11 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/angle.h"
+#include "core/geometry/predicates.h"
+#include "core/planner.h"
 #include "datasets/clutter.h"
+#include "tests/support/plans.h"
 
 namespace arcway {
 namespace {
@@ -43,6 +49,49 @@ void expect_same(std::span<const FeasibleGraph::Link> a, std::span<const Feasibl
   }
 }
 
+using Arrivals = std::set<std::pair<VertexId, Side>>;
+
+// Where the edges of the reduced graph lead that leave a vertex with its obstacle on one side, and the side of the
+// obstacle there.
+Arrivals straights_from(const Case& c, VertexId from, Side side) {
+  Arrivals found;
+  for (VertexId u = 0; u < c.visibility.vertex_count(); ++u)
+    for (const VertexId v : c.visibility.row(u))
+      for (const auto& [a, b] : {std::pair{u, v}, std::pair{v, u}})
+        if (a == from && obstacle_side(c.world, a, c.world.vertex(b)) != side)
+          found.insert({b, obstacle_side(c.world, b, c.world.vertex(a))});
+  return found;
+}
+
+// The same, and further on past vertices at which the path along the circles' bitangents would turn away.
+Arrivals straights_past_others(const Case& c, std::span<const TurnCircle> circles, const TurnCircle& from) {
+  const auto round = [&](VertexId v, Side side) {
+    return *std::find_if(circles.begin(), circles.end(),
+                         [&](const auto& t) { return t.vertex == v && t.side == side; });
+  };
+  Arrivals found;
+  std::vector<std::array<VertexId, 2>> open;  // a vertex and the one before
+  const auto add = [&](VertexId before, const std::pair<VertexId, Side>& to) {
+    if (found.insert(to).second) open.push_back({to.first, before});
+  };
+  for (const auto& to : straights_from(c, from.vertex, from.side)) add(from.vertex, to);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto [v, before] = open[i];
+    const Side side = obstacle_side(c.world, v, c.world.vertex(before));
+    const TurnCircle middle = round(v, side);
+    const auto line = directed_bitangent(from, middle);
+    if (!line) continue;
+    for (const auto& next : straights_from(c, v, side)) {
+      const auto onwards = directed_bitangent(middle, round(next.first, next.second));
+      const bool taut = orientation(c.world.vertex(before), c.world.vertex(v), c.world.vertex(next.first)) !=
+                        (side == Side::kLeft ? -1 : 1);
+      if (onwards && taut && sign_of(side) * wrap_signed(onwards->start.heading - line->start.heading) < 0.0)
+        add(v, next);
+    }
+  }
+  return found;
+}
+
 TEST(FeasibleGraph, KeepsWhatIsFreeAndNothingElse) {
   Case c;
   c.radii.resize(1);
@@ -52,25 +101,24 @@ TEST(FeasibleGraph, KeepsWhatIsFreeAndNothingElse) {
     const TurnCircle& t = graph.circles()[circle];
     return c.queries.sweep->free_headings(TurningBody{t.center, t.radius, t.side, body}).contains(heading);
   };
-  std::size_t kept = 0;
-  for (VertexId u = 0; u < c.visibility.vertex_count(); ++u)
-    for (const VertexId v : c.visibility.row(u))
-      for (const auto& [from, to] : {std::pair{u, v}, std::pair{v, u}})
-        for (std::uint32_t a = 0; a < graph.circles().size(); ++a)
-          for (std::uint32_t b = 0; b < graph.circles().size(); ++b) {
-            const TurnCircle& first = graph.circles()[a];
-            const TurnCircle& second = graph.circles()[b];
-            if (first.vertex != from || second.vertex != to) continue;
-            // Each circle turns round its own obstacle.
-            if (obstacle_side(c.world, from, c.world.vertex(to)) == first.side) continue;
-            if (obstacle_side(c.world, to, c.world.vertex(from)) != second.side) continue;
-            const auto line = directed_bitangent(first, second);
-            if (!line || !free(a, line->start.heading) || !free(b, line->start.heading)) continue;
-            if (!c.queries.sweep->straight_free(swept_rectangle(line->start, line->length, body))) continue;
-            ++kept;
-            const auto links = graph.links_from(a);
-            EXPECT_TRUE(std::any_of(links.begin(), links.end(), [&](const auto& link) { return link.to == b; }));
-          }
+  std::size_t kept = 0, beyond = 0;
+  for (std::uint32_t a = 0; a < graph.circles().size(); ++a) {
+    const TurnCircle& first = graph.circles()[a];
+    const auto direct = straights_from(c, first.vertex, first.side);
+    for (const auto& [v, side] : straights_past_others(c, graph.circles(), first))
+      for (std::uint32_t b = 0; b < graph.circles().size(); ++b) {
+        const TurnCircle& second = graph.circles()[b];
+        if (second.vertex != v || second.side != side) continue;
+        const auto line = directed_bitangent(first, second);
+        if (!line || !free(a, line->start.heading) || !free(b, line->start.heading)) continue;
+        if (!c.queries.sweep->straight_free(swept_rectangle(line->start, line->length, body))) continue;
+        ++kept;
+        beyond += direct.contains({v, side}) ? 0 : 1;
+        const auto links = graph.links_from(a);
+        EXPECT_TRUE(std::any_of(links.begin(), links.end(), [&](const auto& link) { return link.to == b; }));
+      }
+  }
+  EXPECT_GT(beyond, 0u);
   EXPECT_EQ(graph.links().size(), kept);
   const FeasibleGraphCounts counts = graph.counts();
   EXPECT_EQ(counts.kept, kept);
@@ -107,7 +155,6 @@ TEST(FeasibleGraph, IsTheSameWhenChecksWaitUntilTheyAreAskedFor) {
   const FeasibleGraph eager = c.graph(GraphMode::kEager);
   const FeasibleGraph lazy = c.graph(GraphMode::kLazy);
   EXPECT_EQ(lazy.counts().kept, 0u);
-  EXPECT_EQ(lazy.counts().candidates, eager.counts().candidates);
   expect_same(kept_links(lazy), eager.links());
   for (std::uint32_t circle = 0; circle < eager.circles().size(); ++circle) {
     const auto a = eager.free_headings(circle).intervals();
@@ -115,12 +162,34 @@ TEST(FeasibleGraph, IsTheSameWhenChecksWaitUntilTheyAreAskedFor) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].low, b[i].low);
   }
+  EXPECT_EQ(lazy.counts().candidates, eager.counts().candidates);
   EXPECT_EQ(lazy.counts().kept, eager.counts().kept);
   EXPECT_EQ(lazy.counts().circles_blocked, eager.counts().circles_blocked);
   EXPECT_EQ(lazy.counts().rejected_overlap, eager.counts().rejected_overlap);
   EXPECT_EQ(lazy.counts().rejected_departure, eager.counts().rejected_departure);
   EXPECT_EQ(lazy.counts().rejected_arrival, eager.counts().rejected_arrival);
   EXPECT_EQ(lazy.counts().rejected_straight, eager.counts().rejected_straight);
+}
+
+// Next to a sharp vertex a gentle one is in the way of straights from and to it, but no path turns there.
+TEST(FeasibleGraph, LeadsPastVerticesThatNeedNoTurn) {
+  // A hill with four corners of 45 degrees, each of a gentle, a sharp and a gentle vertex.
+  Ring hill{{16.0, -1.0}, {16.0, 10.0}};
+  double heading = 90.0;
+  for (int corner = 0; corner < 4; ++corner)
+    for (const auto& [turn, edge] : {std::pair{1.5, 0.7}, {42.0, 0.7}, {1.5, corner < 3 ? 8.0 : 11.0}}) {
+      heading -= turn;
+      hill.push_back(hill.back() + edge * direction_of(heading * kPi / 180.0));
+    }
+  const World world({{hill, {}}}, Ring{{0, 0}, {52, 0}, {52, 28}, {0, 28}});
+  const Planner eager(world, Vehicle());
+  const Planner lazy(world, Vehicle(), {.graph_mode = GraphMode::kLazy});
+  for (const PlanRequest& request : {PlanRequest{{6, 3, 0}, {46, 3, 0}}, PlanRequest{{46, 3, kPi}, {6, 3, kPi}}}) {
+    const PlanResult result = eager.plan(request);
+    EXPECT_TRUE(result.solved()) << result.reason;
+    test::expect_valid(eager, result);
+    EXPECT_EQ(lazy.plan(request).travel_time, result.travel_time);
+  }
 }
 
 TEST(FeasibleGraph, AnswersManyThreadsAtOnce) {
