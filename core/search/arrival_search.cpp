@@ -43,6 +43,13 @@ struct Label {
   std::uint32_t next;    // label on the same circle
 };
 
+// Part of a circle that some path turns on, whenever and however fast it gets there.
+struct ReachedArc {
+  double heading;      // of the arrival
+  double reach;        // of the free interval
+  std::uint32_t next;  // on the same circle
+};
+
 struct GoalLink {
   TerminalLink link;
   std::uint32_t next;  // on the same circle
@@ -90,11 +97,15 @@ struct SearchWorkspace::Data {
     speeds.reset(acceleration);
     first_label.reset(circles);
     first_goal_link.reset(circles);
+    first_arc.reset(circles);
     open.clear();
+    arrivals.clear();
+    arcs.clear();
     labels.clear();
     start_circles.clear();
     goal_circles.clear();
     start_links.clear();
+    start_link_ranges.clear();
     goal_links.clear();
     found.clear();
     direct_paths.clear();
@@ -103,10 +114,16 @@ struct SearchWorkspace::Data {
   SpeedTree speeds;
   PerCircle first_label;
   PerCircle first_goal_link;
-  std::vector<Entry> open;
+  PerCircle first_arc;
+  std::vector<Entry> open, arrivals;
   std::vector<Label> labels;
+  std::vector<ReachedArc> arcs;
   std::vector<TerminalCircle> start_circles, goal_circles;
   std::vector<TerminalLink> start_links, found;
+  struct Range {
+    std::uint32_t first = kNone, last = kNone;
+  };
+  std::vector<Range> start_link_ranges;  // by start circle; kNone: not made yet
   std::vector<GoalLink> goal_links;
   std::vector<Path> direct_paths;
 };
@@ -148,6 +165,9 @@ class ArrivalSearch {
       result_.goal_connected = is_free(w_.goal_links[i]);
     if (result_.interrupted) return finish_best();
     if (!result_.goal_connected) return;
+    w_.start_link_ranges.resize(w_.start_circles.size());
+    // Many terminals mean that few of them found no path: is there one at all?
+    if (starts_.size() + goals_.size() > 2 && !goal_is_reachable()) return;
     for (std::uint32_t s = 0; s < w_.start_circles.size(); ++s) {
       const Terminal& start = starts_[w_.start_circles[s].terminal];
       if (w_.start_circles[s].reach >= 0.0)
@@ -157,6 +177,7 @@ class ArrivalSearch {
     while (!w_.open.empty() && !interrupted()) {
       const Entry entry = pop();
       if (is_complete(entry) ? finish(entry) : expand(entry)) return;
+      if (w_.labels.size() >= kFirstDoubt && !reachability_known_ && !goal_is_reachable()) return;
     }
     if (result_.interrupted) finish_best();
   }
@@ -316,17 +337,26 @@ class ArrivalSearch {
     push(Kind::kDirect, kNone, static_cast<std::uint32_t>(w_.direct_paths.size() - 1), time);
   }
 
+  SearchWorkspace::Data::Range links_from_start(std::uint32_t s) {
+    auto& range = w_.start_link_ranges[s];
+    if (range.first == kNone) {
+      range.first = static_cast<std::uint32_t>(w_.start_links.size());
+      append_links(map_, w_.start_circles, s, Direction::kFromStart, w_.start_links);
+      range.last = static_cast<std::uint32_t>(w_.start_links.size());
+    }
+    return range;
+  }
+
   void push_start_links(std::uint32_t s) {
     const TerminalCircle& from = w_.start_circles[s];
-    const std::size_t first = w_.start_links.size();
-    append_links(map_, w_.start_circles, s, Direction::kFromStart, w_.start_links);
     const std::uint32_t joint = add_connection(from);
-    for (std::size_t i = first; i < w_.start_links.size(); ++i) {
+    const auto range = links_from_start(s);
+    for (std::uint32_t i = range.first; i < range.last; ++i) {
       const TerminalLink& link = w_.start_links[i];
       if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
       const TurnCircle& to = graph_.circles()[link.circle];
-      push_straight(Kind::kStart, kNone, static_cast<std::uint32_t>(i), joint, link.turn, from.circle, link.line.length,
-                    to, link.line.start.heading);
+      push_straight(Kind::kStart, kNone, i, joint, link.turn, from.circle, link.line.length, to,
+                    link.line.start.heading);
     }
   }
 
@@ -403,16 +433,90 @@ class ArrivalSearch {
       push(Kind::kGoal, index, g, time);
     }
 
-    const std::span<const FeasibleGraph::Link> links = graph_.links_from(label.circle);
+    walk_links(label.circle, label.heading, [&](std::uint32_t at, const FeasibleGraph::Link& link, double turn) {
+      if (!goes_on(turn)) return false;
+      push_straight(Kind::kGraph, index, at, label.joint, turn, circle, link.length, graph_.circles()[link.to],
+                    link.heading);
+      return true;
+    });
+  }
+
+  // Whether any path of the graph leads from the start to the goal, or one without it is known: without times and
+  // speeds, nearest to the goal first.
+  bool goal_is_reachable() {
+    reachability_known_ = true;
+    if (!w_.direct_paths.empty()) return true;
+    for (std::uint32_t s = 0; s < w_.start_circles.size(); ++s) {
+      if (w_.start_circles[s].reach < 0.0) continue;
+      const auto range = links_from_start(s);
+      for (std::uint32_t i = range.first; i < range.last; ++i) push_arrival(Kind::kStart, kNone, i);
+    }
+    while (!w_.arrivals.empty() && !interrupted()) {
+      std::pop_heap(w_.arrivals.begin(), w_.arrivals.end(), later);
+      const Entry entry = w_.arrivals.back();
+      w_.arrivals.pop_back();
+      if (reaches_goal(entry)) return true;
+    }
+    return result_.interrupted;
+  }
+
+  struct Arrival {
+    std::uint32_t circle;
+    double heading;
+  };
+  [[nodiscard]] Arrival arrival_at(Kind kind, std::uint32_t from, std::uint32_t index) const {
+    if (kind == Kind::kStart) return {w_.start_links[index].circle, w_.start_links[index].line.start.heading};
+    const FeasibleGraph::Link& link = graph_.links_from(from)[index];
+    return {link.to, link.heading};
+  }
+
+  void push_arrival(Kind kind, std::uint32_t from, std::uint32_t index) {
+    const Arrival at = arrival_at(kind, from, index);
+    const double distance = (goal_ - pose_on(graph_.circles()[at.circle], at.heading).position()).norm();
+    w_.arrivals.push_back({distance, from, index, kind});
+    std::push_heap(w_.arrivals.begin(), w_.arrivals.end(), later);
+  }
+
+  // Takes an arrival if it is free and new; true if the goal is reached from the part of the circle ahead of it.
+  bool reaches_goal(const Entry& entry) {
+    const auto [c, heading] = arrival_at(entry.kind, entry.parent, entry.index);
+    const Side side = graph_.circles()[c].side;
+    const double reach = graph_.free_headings(c).reach(heading, side);
+    if (reach < 0.0) return false;
+    double limit = kInfinity;
+    for (std::uint32_t i = w_.first_arc.get(c); i != kNone; i = w_.arcs[i].next) {
+      const ReachedArc& other = w_.arcs[i];
+      if (turn_between(other.heading, heading, side) <= other.reach) return false;
+      const double ahead = turn_between(heading, other.heading, side);
+      if (ahead <= reach) limit = std::min(limit, ahead);
+    }
+    const bool free = entry.kind == Kind::kStart ? is_free(w_.start_links[entry.index].line)
+                                                 : graph_.is_kept(entry.parent, entry.index);
+    if (!free) return false;
+    result_.start_connected = true;
+    w_.arcs.push_back({heading, reach, w_.first_arc.get(c)});
+    w_.first_arc.set(c, static_cast<std::uint32_t>(w_.arcs.size() - 1));
+    for (std::uint32_t g = w_.first_goal_link.get(c); g != kNone; g = w_.goal_links[g].next) {
+      GoalLink& goal = w_.goal_links[g];
+      if (turn_between(heading, goal.link.line.start.heading, side) <= reach && is_free(goal)) return true;
+    }
+    walk_links(c, heading, [&](std::uint32_t index, const FeasibleGraph::Link&, double turn) {
+      if (turn > reach || turn >= limit) return false;
+      push_arrival(Kind::kGraph, c, index);
+      return true;
+    });
+    return false;
+  }
+
+  // Calls visit(index, link, turn) for the links that leave a circle, from a heading on, until a call returns false.
+  template <class Visitor>
+  void walk_links(std::uint32_t c, double heading, Visitor&& visit) const {
+    const std::span<const FeasibleGraph::Link> links = graph_.links_from(c);
     const std::size_t count = links.size();
-    const bool left = circle.side == Side::kLeft;
-    for (std::size_t step = 0, at = first_ahead(links, label.heading, circle.side); step < count; ++step) {
-      const FeasibleGraph::Link& link = links[at];
-      const double turn = turn_between(label.heading, link.heading, circle.side);
-      if (!goes_on(turn)) break;
-      push_straight(Kind::kGraph, index, static_cast<std::uint32_t>(at), label.joint, turn, circle, link.length,
-                    graph_.circles()[link.to], link.heading);
-      at = left ? (at + 1) % count : (at + count - 1) % count;
+    const Side side = graph_.circles()[c].side;
+    for (std::size_t step = 0, at = first_ahead(links, heading, side); step < count; ++step) {
+      if (!visit(static_cast<std::uint32_t>(at), links[at], turn_between(heading, links[at].heading, side))) return;
+      at = side == Side::kLeft ? (at + 1) % count : (at + count - 1) % count;
     }
   }
 
@@ -469,6 +573,7 @@ class ArrivalSearch {
   }
 
   static constexpr std::size_t kMostDirectPairs = 64;
+  static constexpr std::size_t kFirstDoubt = 256;  // labels, more than most searches take
 
   const SearchMap& map_;
   const FeasibleGraph& graph_;
@@ -478,6 +583,7 @@ class ArrivalSearch {
   std::span<const Terminal> goals_;
   const SearchOptions& options_;
   Vec2 goal_;
+  bool reachability_known_ = false;
   SearchWorkspace::Data& w_;
   SearchResult& result_;
 };

@@ -53,6 +53,8 @@ class SearchWorkspace {
 /// speed profile of that path, see SpeedTree. On one circle a label ends where another one goes on at least as well at
 /// every speed. Departures are sorted by heading, so that one walk along the arc relaxes them in turn: linear in the
 /// bitangents. Complete paths come off the open list with their exact time, so that the first one is the fastest.
+/// After some hundred labels, or with several terminals, a walk over the reachable arcs without times and speeds finds
+/// out whether there is a path at all.
 ///
 /// Terminals join by their left and right circles of every radius, and to each other by all six Dubins words. Straights
 /// of terminals, and those of lazy graphs, are checked when they come off the open list. Ties are broken by what the
