@@ -74,6 +74,25 @@ void add_context(const Options& options) {
 #endif
 }
 
+// Whether and why a benchmark ended itself: Google Benchmark 1.8 renamed both members.
+template <class Run>
+bool was_skipped(const Run& run) {
+  if constexpr (requires { run.error_occurred; }) {
+    return run.error_occurred;
+  } else {
+    return run.skipped != decltype(run.skipped){};
+  }
+}
+
+template <class Run>
+const std::string& skip_message(const Run& run) {
+  if constexpr (requires { run.error_message; }) {
+    return run.error_message;
+  } else {
+    return run.skip_message;
+  }
+}
+
 /// Shows the runs, keeps them as JSON, and counts the failures.
 class Reporter final : public benchmark::BenchmarkReporter {
  public:
@@ -88,9 +107,9 @@ class Reporter final : public benchmark::BenchmarkReporter {
     if (all.front().run_type == Run::RT_Aggregate) return;
     std::vector<Run> runs = all;
     // What is left out says so once, not once a repetition.
-    if (runs.front().error_occurred) runs.resize(1);
-    const bool left_out = is_budget_skip(runs.front().error_message);
-    if (!left_out) ++(runs.front().error_occurred ? failures_ : successes_);
+    const bool ended_early = was_skipped(runs.front());
+    if (ended_early) runs.resize(1);
+    if (!is_budget_skip(skip_message(runs.front()))) ++(ended_early ? failures_ : successes_);
     console_.ReportRuns(runs);
     json_.ReportRuns(runs);
   }
