@@ -12,7 +12,7 @@ namespace arcway {
 namespace {
 
 constexpr std::size_t kFirstPoses = 100;
-constexpr std::size_t kPosesFactor = 8;
+constexpr std::size_t kSparseFactor = 4;
 
 // One end of a path and the poses by which it may join the graph.
 class End {
@@ -21,13 +21,15 @@ class End {
       : map_(map), pose_(pose), direction_(direction), max_poses_(max_poses), terminals_{{pose, {}}} {}
 
   [[nodiscard]] std::span<const Terminal> terminals() const { return terminals_; }
-  // More poses than before; false if there are no more.
+  // More poses than before, in the end sparse ones; false if there are no more.
   bool extend() {
-    if (terminals_.size() < asked_ || asked_ >= max_poses_) return false;
-    const std::size_t before = terminals_.size();
-    asked_ = std::min(max_poses_, std::max(kFirstPoses, asked_ * kPosesFactor));
-    terminals_ = find_manoeuvres(pose_, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, asked_);
-    return terminals_.size() > before;
+    if (terminals_.size() < asked_ || spread_ == Spread::kSparse || max_poses_ == 0) return false;
+    if (asked_ == max_poses_) spread_ = Spread::kSparse;
+    asked_ = spread_ == Spread::kSparse ? kSparseFactor * max_poses_
+             : asked_ == 0              ? std::min(max_poses_, kFirstPoses)
+                                        : max_poses_;
+    terminals_ = find_manoeuvres(pose_, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, asked_, spread_);
+    return terminals_.size() > 1;
   }
 
  private:
@@ -36,6 +38,7 @@ class End {
   Direction direction_;
   std::size_t max_poses_;
   std::size_t asked_ = 0;
+  Spread spread_ = Spread::kDense;
   std::vector<Terminal> terminals_;
 };
 

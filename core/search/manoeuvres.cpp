@@ -15,13 +15,18 @@ namespace {
 
 constexpr double kStepTurn = kPi / 8.0;
 constexpr double kLeastTurn = 1e-3;
-constexpr int kHeadingCells = 128;
+
+// Poses in one cell count as the same.
+struct Grid {
+  double size;
+  int headings;
+};
 
 using Cell = std::array<std::int64_t, 3>;
 
-Cell cell_of(const Pose& pose, double size) {
-  return {std::llround(pose.x / size), std::llround(pose.y / size),
-          std::llround(wrap_positive(pose.heading) / kTwoPi * kHeadingCells) % kHeadingCells};
+Cell cell_of(const Pose& pose, const Grid& grid) {
+  return {std::llround(pose.x / grid.size), std::llround(pose.y / grid.size),
+          std::llround(wrap_positive(pose.heading) / kTwoPi * grid.headings) % grid.headings};
 }
 
 struct Node {
@@ -32,19 +37,20 @@ struct Node {
 }  // namespace
 
 std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                      const SweepQuery& sweep, std::size_t max_poses) {
+                                      const SweepQuery& sweep, std::size_t max_poses, Spread spread) {
   const bool forwards = direction == Direction::kFromStart;
   const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
   const double step = radius * kStepTurn;
+  const Grid grid = spread == Spread::kDense ? Grid{0.5 * step, 128} : Grid{0.5 * radius, 32};
 
   std::vector<Node> nodes{{{pose, {}}, 0.0}};
   using Waiting = std::pair<double, std::size_t>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> open;
   open.push({0.0, 0});
-  std::set<Cell> seen{cell_of(pose, 0.5 * step)};
+  std::set<Cell> seen{cell_of(pose, grid)};
 
   const auto reach = [&](std::size_t from, const PathSegment& segment, const Pose& reached) {
-    if (!seen.insert(cell_of(reached, 0.5 * step)).second) return;
+    if (!seen.insert(cell_of(reached, grid)).second) return;
     Node node{{reached, nodes[from].terminal.connection}, nodes[from].length + segment.length};
     Path& connection = node.terminal.connection;
     connection.insert(forwards ? connection.end() : connection.begin(), segment);

@@ -9,12 +9,15 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
+/// How far poses are from each other: dense ones find the way out of a narrow place, sparse ones a place to turn back.
+enum class Spread { kDense, kSparse };
+
 /// Poses that free forward motions of short steps (left arc, right arc, straight) reach from a start, or from which
 /// they reach a goal, nearest first, the pose itself among them; at most one pose for each cell of a grid over position
 /// and heading. Straight steps are of three lengths; arcs turn by one angle, or where an obstacle is nearer by the rest
 /// of the way and shares of it. Steps are checked exactly; only their number is limited, so a missing pose proves
 /// nothing. At most `max_poses` poses, O(max_poses) queries.
 std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                      const SweepQuery& sweep, std::size_t max_poses);
+                                      const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense);
 
 }  // namespace arcway

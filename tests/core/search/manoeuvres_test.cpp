@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/planner.h"
 #include "core/query/query_set.h"
 #include "datasets/catalogue.h"
@@ -26,6 +28,33 @@ TEST(Manoeuvres, ReachGoalsBesideAWall) {
     EXPECT_EQ(result.goal.position(), request.goal.position());
     test::expect_valid(planner, result);
   }
+}
+
+// Goals that are entered after turning back in the open, round no vertex.
+TEST(Manoeuvres, TurnBackWhereThereIsRoom) {
+  struct Case {
+    const char* world;
+    std::size_t query;
+  };
+  for (const Case& c : {Case{"corridor/v300/s1", 5}, Case{"maze/v300/s2", 45}}) {
+    const Planner planner(catalogue_world(c.world), Vehicle());
+    const PlanResult result = planner.plan(catalogue_queries(c.world, c.query + 1, 1).back());
+    ASSERT_TRUE(result.solved()) << c.world << ": " << result.reason;
+    test::expect_valid(planner, result);
+  }
+}
+
+TEST(Manoeuvres, AreFurtherApartWhereSparse) {
+  const World world = catalogue_world("corridor/v300/s1");
+  const Vehicle vehicle;
+  const QuerySet queries = make_reference_queries(world);
+  const auto count_near = [&](Spread spread) {
+    const auto found = find_manoeuvres({5.0, 2.5, 0.0}, Direction::kFromStart, vehicle, vehicle.min_turning_radius(),
+                                       *queries.sweep, 400, spread);
+    return std::count_if(found.begin(), found.end(), [](const Terminal& t) { return length_of(t.connection) < 3.0; });
+  };
+  EXPECT_GT(count_near(Spread::kSparse), 10);
+  EXPECT_LT(2 * count_near(Spread::kSparse), count_near(Spread::kDense));
 }
 
 // The corner of the nose that swings outwards meets a wall ahead before the turn is whole.
