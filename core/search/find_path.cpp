@@ -21,24 +21,31 @@ class End {
       : map_(map), pose_(pose), direction_(direction), max_poses_(max_poses), terminals_{{pose, {}}} {}
 
   [[nodiscard]] std::span<const Terminal> terminals() const { return terminals_; }
-  // More poses than before, in the end sparse ones; false if there are no more.
+  // More poses than before; false if there are no more.
   bool extend() {
-    if (terminals_.size() < asked_ || spread_ == Spread::kSparse || max_poses_ == 0) return false;
-    if (asked_ == max_poses_) spread_ = Spread::kSparse;
-    asked_ = spread_ == Spread::kSparse ? kSparseFactor * max_poses_
-             : asked_ == 0              ? std::min(max_poses_, kFirstPoses)
-                                        : max_poses_;
-    terminals_ = find_manoeuvres(pose_, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, asked_, spread_);
+    if (terminals_.size() < asked_ || asked_ >= max_poses_) return false;
+    find(asked_ == 0 ? std::min(max_poses_, kFirstPoses) : max_poses_, Spread::kDense);
+    return terminals_.size() > 1;
+  }
+  // More poses, in the end sparse ones.
+  bool extend_far() {
+    if (extend()) return true;
+    if (terminals_.size() < asked_ || asked_ > max_poses_ || max_poses_ == 0) return false;
+    find(kSparseFactor * max_poses_, Spread::kSparse);
     return terminals_.size() > 1;
   }
 
  private:
+  void find(std::size_t poses, Spread spread) {
+    asked_ = poses;
+    terminals_ = find_manoeuvres(pose_, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses, spread);
+  }
+
   const SearchMap& map_;
   Pose pose_;
   Direction direction_;
   std::size_t max_poses_;
   std::size_t asked_ = 0;
-  Spread spread_ = Spread::kDense;
   std::vector<Terminal> terminals_;
 };
 
@@ -71,8 +78,8 @@ FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, s
       found.manoeuvre_poses += from.terminals().size();
     } else {
       found.obstruction = Obstruction::kBetween;
-      const bool more_starts = from.extend();
-      const bool more_goals = to.extend();
+      const bool more_starts = from.extend_far();
+      const bool more_goals = to.extend_far();
       more = more_starts || more_goals;
       found.manoeuvre_poses += from.terminals().size() + to.terminals().size();
     }

@@ -21,7 +21,8 @@ struct FoundPath {
 };
 
 /// The fastest path between two poses: by single arcs at both ends or, where these lead nowhere, by short manoeuvres of
-/// several arcs, first of few poses, then of more, last of sparse ones, at the end that is in trouble.
+/// several arcs, first of few poses, then of more, at the end that is in trouble; last of sparse ones at both, if each
+/// joins the graph.
 /// @param max_poses  for the manoeuvres of each end, four times as many if sparse.
 FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
                     const SearchOptions& options, SearchWorkspace& workspace);
