@@ -33,7 +33,7 @@ void append_segment(std::string& out, const TimedSegment& timed) {
   append_pose(out, timed.segment.start);
   append_member(out, "length", timed.segment.length);
   append_member(out, "curvature", timed.segment.curvature);
-  out += R"(,"direction":1)";
+  out += timed.segment.gear == Gear::kForward ? R"(,"direction":1)" : R"(,"direction":-1)";
   append_member(out, "speed_in", timed.speed_in);
   append_member(out, "speed_out", timed.speed_out);
   append_member(out, "duration", timed.duration);
@@ -140,11 +140,12 @@ std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, cons
     const double length = timed.segment.length;
     const Motion motion(timed, vehicle);
     const auto add = [&](double s, double t, double v) {
-      samples.push_back({distance + s, timed.segment.at(s), timed.segment.curvature, time + t, v});
+      samples.push_back({distance + s, timed.segment.at(s), timed.segment.curvature, timed.segment.gear, time + t, v});
     };
     const double steps = std::ceil(
         std::max(length / sampling.max_length, length * std::abs(timed.segment.curvature) / sampling.max_angle));
-    const bool joined = k > 0 && segments[k - 1].segment.curvature == timed.segment.curvature;
+    const bool joined = k > 0 && segments[k - 1].segment.curvature == timed.segment.curvature &&
+                        segments[k - 1].segment.gear == timed.segment.gear;
     if (!joined) add(0.0, 0.0, timed.speed_in);
     for (double i = 1.0; i < steps; ++i) {
       const double s = length * (i / steps);
@@ -162,8 +163,8 @@ std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& v
   std::string out = "s,x,y,yaw,curvature,direction,t,v,steer\n";
   for (const PathSample& sample : sample_path(segments, vehicle, sampling)) {
     for (const double value :
-         {sample.s, sample.pose.x, sample.pose.y, wrap_signed(sample.pose.heading), sample.curvature, 1.0, sample.t,
-          sample.v, steering_angle(sample.curvature, vehicle.parameters())}) {
+         {sample.s, sample.pose.x, sample.pose.y, wrap_signed(sample.pose.heading), sample.curvature,
+          sign_of(sample.gear), sample.t, sample.v, steering_angle(sample.curvature, vehicle.parameters())}) {
       append_number(out, value == 0.0 ? 0.0 : value);
       out += ',';
     }
@@ -224,11 +225,15 @@ PlanFile read_plan(std::string_view text, std::string_view name) {
   for (std::size_t i = 0; i < path.value.size(); ++i) {
     const JsonPlace place = path.at(i);
     place.allow_keys({"type", "start", "length", "curvature", "direction", "speed_in", "speed_out", "duration"});
-    const PathSegment segment{place.at("start").pose(), place.at("length").number(), place.at("curvature").number()};
+    PathSegment segment{place.at("start").pose(), place.at("length").number(), place.at("curvature").number()};
     const std::string type = place.at("type").string();
     if (type != "line" && type != "arc") place.at("type").expected("\"line\" or \"arc\"");
     if ((type == "line") != segment.is_line()) place.at("curvature").expected(type == "line" ? "0 on a line" : "not 0");
-    if (place.has("direction") && place.at("direction").number() != 1.0) place.at("direction").expected("1 (forwards)");
+    if (place.has("direction")) {
+      const double direction = place.at("direction").number();
+      if (std::abs(direction) != 1.0) place.at("direction").expected("1 (forwards) or -1 (backwards)");
+      segment.gear = direction > 0.0 ? Gear::kForward : Gear::kReverse;
+    }
     const bool timed = place.has("speed_in") || place.has("speed_out") || place.has("duration");
     if (timed) {
       if (file.path.speed_in.size() != i) place.fail("speeds must be on all segments or on none");

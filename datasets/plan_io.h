@@ -18,11 +18,11 @@ namespace [[gnu::visibility("default")]] arcway {
 ///
 ///     {"format":"arcway-plan","version":1,"q":0,"status":"solved","start":[x,y,heading],"goal":[x,y,heading],
 ///      "travel_time":..,"length":..,"lower_bound":..,"min_clearance":..,
-///      "path":[{"type":"line"|"arc","start":[x,y,heading],"length":..,"curvature":..,"direction":1,
+///      "path":[{"type":"line"|"arc","start":[x,y,heading],"length":..,"curvature":..,"direction":1|-1,
 ///               "speed_in":..,"speed_out":..,"duration":..}],"statistics":{..}}
 ///
-/// With "reason" and an empty path unless solved; with "interrupted": true if the time limit or a stop ended the
-/// search.
+/// "direction" is -1 where the segment is driven backwards. With "reason" and an empty path unless solved; with
+/// "interrupted": true if the time limit or a stop ended the search.
 /// @param q  number of the query.
 std::string plan_to_json(const PlanResult& result, std::uint64_t q);
 
@@ -35,11 +35,12 @@ struct PathSample {
   double s;          ///< from the start [m]
   Pose pose;         ///< heading not wrapped
   double curvature;  ///< [1/m], left positive
-  double t;          ///< [s]
-  double v;          ///< [m/s]
+  Gear gear;
+  double t;  ///< [s]
+  double v;  ///< [m/s]
 };
-/// Samples by length and by angle, ends of all segments kept; where the curvature jumps, the joint comes twice, once
-/// with each. Time and speed follow the fastest motion within the segment: accelerate, hold, brake.
+/// Samples by length and by angle, ends of all segments kept; where curvature or gear change, the joint comes twice,
+/// once with each. Time and speed follow the fastest motion within the segment: accelerate, hold, brake.
 /// @throws std::invalid_argument unless both steps are positive.
 std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
                                     const PathSampling& sampling = {});
@@ -49,7 +50,8 @@ std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, cons
 std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle,
                         const PathSampling& sampling = {});
 
-/// The samples as a nav_msgs/Path of ROS 2 in JSON, named as rosbridge does; stamps are times since the start.
+/// The samples as a nav_msgs/Path of ROS 2 in JSON, named as rosbridge does; stamps are times since the start. The
+/// message has no gear: orientations are those of the body, so that backwards the positions move against them.
 /// @param frame  of the coordinates, as "map".
 std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehicle& vehicle,
                              std::string_view frame = "map", const PathSampling& sampling = {});

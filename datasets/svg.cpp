@@ -14,6 +14,7 @@ constexpr double kLineHeight = 22.0;  // of a caption [px]
 constexpr double kMinOutline = 14.0;  // below this the body cannot be made out [px]
 constexpr const char* kObstacleStyle = R"(fill="#3d4757" stroke="#2b3340" stroke-width="0.8" stroke-linejoin="round")";
 constexpr const char* kPathColor = "#e4572e";
+constexpr const char* kReverseColor = "#1f6fd1";
 constexpr const char* kStartColor = "#1b9e5a";
 constexpr const char* kGoalColor = "#7b3fc4";
 
@@ -119,11 +120,10 @@ void SvgPicture::add_edges(std::span<const LineSegment> edges, const EdgeStyle& 
   graph_ += "\"/>\n</g>\n";
 }
 
-void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, double spacing) {
-  if (path.empty()) return;
+void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies) {
   std::string line = "M";
-  append(line, to_picture(path.front().start.position()));
-  for (const PathSegment& segment : path) {
+  append(line, to_picture(run.front().start.position()));
+  for (const PathSegment& segment : run) {
     // By chords: the arc of an SVG path is ambiguous at half a turn and jumps when its ends are rounded.
     const double turn = std::abs(segment.length * segment.curvature);
     const double pixels = segment.is_line() ? 0.0 : scale_ / std::abs(segment.curvature);
@@ -135,11 +135,20 @@ void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& bo
     }
   }
   // Bodies that can be seen lie above a thin line; a light edge sets off the line where they cannot.
-  const bool bodies = 2.0 * body.half_width * scale_ >= 5.0;
   if (!bodies) path_ += "<path d=\"" + line + "\" stroke=\"#ffffff\" stroke-width=\"5\" stroke-opacity=\"0.85\"/>\n";
-  path_ +=
-      "<path d=\"" + line + "\" stroke=\"" + kPathColor + "\" stroke-width=\"" + (bodies ? "1.8" : "2.6") + "\"/>\n";
+  const bool forward = run.front().gear == Gear::kForward;
+  path_ += "<path d=\"" + line + "\" stroke=\"" + (forward ? kPathColor : kReverseColor) + "\" stroke-width=\"" +
+           (bodies ? "1.8" : "2.6") + (forward ? "\"" : "\" stroke-dasharray=\"7 4\"") + "/>\n";
+}
 
+void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, double spacing) {
+  if (path.empty()) return;
+  for (std::size_t first = 0; first < path.size();) {
+    std::size_t last = first + 1;
+    while (last < path.size() && path[last].gear == path[first].gear) ++last;
+    add_run(path.subspan(first, last - first), 2.0 * body.half_width * scale_ >= 5.0);
+    first = last;
+  }
   const double length = body.front + body.rear;
   if (spacing <= 0.0) spacing = std::max(2.0 * length, 40.0 / scale_);
   const auto outline = [&](const Pose& pose) { add_outline(robot_, pose, body, 0.0); };
@@ -174,7 +183,7 @@ void SvgPicture::add_swept_area(std::span<const PathSegment> path, const Footpri
   swept_ += "<path d=\"";
   for (const PathSegment& segment : path) {
     if (segment.is_line()) {
-      add_outline(swept_, segment.start, body, segment.length);
+      add_outline(swept_, segment.forwards().start, body, segment.length);
       continue;
     }
     // Outlines a pixel apart at the farthest corner: the notches between them are at most half of that deep.

@@ -32,7 +32,7 @@ class SvgPicture {
 
   /// All edges in one path element, as group `id`.
   void add_edges(std::span<const LineSegment> edges, const EdgeStyle& style = {}, std::string_view id = "graph");
-  /// The path, the body's outlines along it and the poses at its ends.
+  /// The path, where it is driven backwards in blue and dashed, the body's outlines along it and the poses at its ends.
   /// @param spacing  between outlines [m]; 0: chosen by the body's length and the picture's scale.
   void add_path(std::span<const PathSegment> path, const Footprint& body, double spacing = 0.0);
   /// All that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
@@ -49,6 +49,8 @@ class SvgPicture {
 
  private:
   void add_map(const World& world);
+  /// Segments of one gear as one line.
+  void add_run(std::span<const PathSegment> run, bool bodies);
   /// The body at a pose, lengthened to the front.
   void add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const;
   void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);

@@ -159,6 +159,11 @@ double distance_between(const Box& a, const Box& b) {
 }  // namespace
 
 Clearance clearance_along(const PathSegment& segment, const Footprint& body, const World& world) {
+  if (segment.gear == Gear::kReverse) {
+    Clearance clearance = clearance_along(segment.reversed(), body, world);
+    clearance.arc_length = segment.length - clearance.arc_length;
+    return clearance;
+  }
   const Motion motion(segment, body);
   const Box swept = motion.swept_box();
   Clearance best;

@@ -67,7 +67,8 @@ SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& veh
   v.resize(n + 1);
   v[n] = end_speed;
   for (std::size_t i = n; i-- > 0;) {
-    const double limit = i == 0 ? limit_of(path[0]) : std::min(limit_of(path[i - 1]), limit_of(path[i]));
+    double limit = i == 0 ? limit_of(path[0]) : std::min(limit_of(path[i - 1]), limit_of(path[i]));
+    if (i > 0 && path[i - 1].gear != path[i].gear) limit = 0.0;
     v[i] = std::min(limit, reachable(v[i + 1], a, path[i].length));
   }
   check_reached("start_speed", start_speed, v[0]);
@@ -83,6 +84,10 @@ SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& veh
     profile.total_time += duration;
   }
   return profile;
+}
+
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost) {
+  return speed_profile(path, vehicle).total_time + cusp_cost * static_cast<double>(cusps_of(path));
 }
 
 }  // namespace arcway

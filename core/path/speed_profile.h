@@ -22,12 +22,15 @@ struct SpeedProfile {
 };
 
 /// The fastest profile along a path: speed at most `max_speed` on lines and turn_speed(radius) on
-/// arcs, |dv/dt| <= max_acceleration, the given speeds at both ends. One backward and one forward
-/// pass over the joints, then (9) or (10) on each segment, which hold by then. O(n).
-/// Empty path: no durations, total time 0.
+/// arcs, |dv/dt| <= max_acceleration, at rest where the gear changes, the given speeds at both ends. One backward and
+/// one forward pass over the joints, then (9) or (10) on each segment, which hold by then. O(n). Empty path: no
+/// durations, total time 0.
 /// @throws std::invalid_argument if an end speed is negative, above its segment's limit, or cannot
 ///   be reached within the path.
 SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed = 0.0,
                            double end_speed = 0.0);
+
+/// Travel time of a path from rest to rest, and `cusp_cost` for each change of gear [s].
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost);
 
 }  // namespace arcway

@@ -214,7 +214,9 @@ class MotionCheck {
 
   void check_line(const PathSegment& line, std::vector<Hit>& hits) {
     const Frame frame(line.start);
-    const Rectangle swept{body_.x0, body_.x1 + line.length, body_.y0, body_.y1};
+    const bool backwards = line.gear == Gear::kReverse;
+    const Rectangle swept{body_.x0 - (backwards ? line.length : 0.0), body_.x1 + (backwards ? 0.0 : line.length),
+                          body_.y0, body_.y1};
     Box box;
     for (const double x : {swept.x0, swept.x1}) {
       for (const double y : {swept.y0, swept.y1}) {
@@ -229,8 +231,10 @@ class MotionCheck {
       upper_ = std::min(upper_, distance);
       if (distance > rounding_) return;
       const auto [t0, t1] = clip(swept, a, b);
-      const double x = t0 <= t1 ? std::min(a.x() + t0 * (b.x() - a.x()), a.x() + t1 * (b.x() - a.x())) : a.x();
-      add_hit(hits, {world_.obstacle_of(e), std::clamp(x - body_.x1, 0.0, line.length), e});
+      const double x0 = t0 <= t1 ? a.x() + t0 * (b.x() - a.x()) : a.x();
+      const double x1 = t0 <= t1 ? a.x() + t1 * (b.x() - a.x()) : a.x();
+      const double driven = backwards ? body_.x0 - std::max(x0, x1) : std::min(x0, x1) - body_.x1;
+      add_hit(hits, {world_.obstacle_of(e), std::clamp(driven, 0.0, line.length), e});
     });
   }
 
@@ -387,6 +391,9 @@ class Validator {
       add(Violation::kCurvature, i, 0.0,
           "the curvature is " + text_of(s.curvature) + " 1/m, the limit " + text_of(limit));
     }
+    if (s.gear == Gear::kReverse && !options_.reverse) {
+      add(Violation::kReverse, i, 0.0, "the segment is driven backwards, which is not allowed");
+    }
   }
 
   void check_motion(const Pose& start) {
@@ -439,6 +446,7 @@ class Validator {
       add(Violation::kSpeedLimit, i, at, "the speed is " + text_of(speed) + " m/s, the limit " + text_of(limit));
     }
     check_speed_jump(i, 0.0, i == 0 ? 0.0 : path_.speed_out[i - 1], v1);
+    if (i > 0 && s.gear != path_.segments[i - 1].gear) check_cusp(i, std::max(path_.speed_out[i - 1], v1));
     if (i + 1 == path_.segments.size()) check_speed_jump(i, s.length, 0.0, v3);
 
     const double change = std::abs(v3 - v1) * (v3 + v1);
@@ -465,6 +473,11 @@ class Validator {
   void check_speed_jump(std::size_t i, double at, double before, double after) {
     if (std::abs(before - after) <= options_.relative_tolerance * std::max(1.0, std::abs(before))) return;
     add(Violation::kSpeedJump, i, at, "the speed jumps from " + text_of(before) + " to " + text_of(after) + " m/s");
+  }
+
+  void check_cusp(std::size_t i, double speed) {
+    if (speed <= options_.relative_tolerance) return;
+    add(Violation::kCuspSpeed, i, 0.0, "the gear changes at " + text_of(speed) + " m/s");
   }
 
   const World& world_;
@@ -504,6 +517,10 @@ const char* name_of(Violation violation) {
       return "duration";
     case Violation::kNegativeLength:
       return "negative length";
+    case Violation::kReverse:
+      return "driven backwards";
+    case Violation::kCuspSpeed:
+      return "speed at a cusp";
   }
   return "unknown";
 }

@@ -22,6 +22,7 @@ struct ValidationOptions {
   double position_tolerance = 1e-6;  ///< joints and end poses [m]
   double heading_tolerance = 1e-6;   ///< joints and end poses [rad]
   double relative_tolerance = 1e-6;  ///< curvature, speeds, accelerations, durations
+  bool reverse = true;               ///< segments may be driven backwards
 };
 
 enum class Violation {
@@ -37,7 +38,9 @@ enum class Violation {
   kSpeedJump,
   kAcceleration,
   kDuration,
-  kNegativeLength
+  kNegativeLength,
+  kReverse,   ///< driven backwards, which the options do not allow
+  kCuspSpeed  ///< the gear changes while the vehicle moves
 };
 const char* name_of(Violation violation);
 
@@ -61,7 +64,8 @@ struct ValidationReport {
 /// Checks a path against world and vehicle: finite numbers, end poses, joints (position and
 /// heading), curvature at most 1 / rho_min, the bare body (no margin) touching no obstacle and not
 /// leaving the bounds at any moment of the continuous motion, speed limits, acceleration limits,
-/// durations equal to the fastest ones for the given joint speeds or longer, rest at both ends.
+/// durations equal to the fastest ones for the given joint speeds or longer, rest at both ends and where the gear
+/// changes. Joints are continuous in the body's heading, in whichever gear.
 /// Shares types with the planner, no decisions: no predicate, query or interval code of the planner is
 /// used. On a straight line the swept rectangle is compared with the edges. On an arc collision is decided by
 /// subdivision of the motion: an interval is free of an edge if their distance at its middle exceeds what any body

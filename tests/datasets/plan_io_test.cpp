@@ -12,22 +12,30 @@
 namespace arcway {
 namespace {
 
-PlanResult example() {
+PlanResult plan_along(const Path& path) {
   PlanResult result;
   result.status = PlanStatus::kSolved;
-  const PathSegment line{{0.1, 0.2, 0.0}, 7.0, 0.0};
-  const PathSegment arc{line.end(), 2.0, -0.5};
-  const PathSegment last{arc.end(), 1.0 / 3.0, 0.0};
-  const Path path{line, arc, last};
   const SpeedProfile profile = speed_profile(path, Vehicle{});
   for (std::size_t i = 0; i < path.size(); ++i)
     result.segments.push_back({path[i], profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
-  result.start = line.start;
-  result.goal = last.end();
+  result.start = path.front().start;
+  result.goal = path.back().end();
   result.travel_time = profile.total_time;
   result.length = length_of(path);
   result.min_clearance = std::numeric_limits<double>::infinity();
   return result;
+}
+
+PlanResult example() {
+  const PathSegment line{{0.1, 0.2, 0.0}, 7.0, 0.0};
+  const PathSegment arc{line.end(), 2.0, -0.5};
+  return plan_along({line, arc, {arc.end(), 1.0 / 3.0, 0.0}});
+}
+
+// Ahead, and back the same way for half of it.
+PlanResult example_with_a_cusp() {
+  const PathSegment line{{0.0, 0.0, 0.0}, 4.0, 0.0};
+  return plan_along({line, {line.end(), 2.0, 0.0, Gear::kReverse}});
 }
 
 std::string error_of(const std::string& text) {
@@ -89,7 +97,37 @@ TEST(PlanJson, ReadsPathsWithoutSpeeds) {
                 bare + "," +
                 R"({"type":"arc","start":[0,0,0],"length":1,"curvature":2,"speed_in":0,"speed_out":0,"duration":1})")),
             "plan.json: path[1]: speeds must be on all segments or on none");
+  EXPECT_EQ(error_of(plan(R"({"type":"line","start":[0,0,0],"length":1,"curvature":0,"direction":0})")),
+            "plan.json: path[0].direction: expected 1 (forwards) or -1 (backwards), found 0");
   EXPECT_EQ(error_of(plan(R"({"typ":"line"})")), "plan.json: path[0]: unknown key \"typ\"");
+}
+
+TEST(PlanJson, KeepsTheGear) {
+  const std::string text = plan_to_json(example_with_a_cusp(), 0);
+  EXPECT_NE(text.find(R"("curvature":0,"direction":-1,"speed_in":0,)"), std::string::npos) << text;
+  const PlanFile file = read_plan(text, "plan.json");
+  ASSERT_EQ(file.path.segments.size(), 2u);
+  EXPECT_EQ(file.path.segments[0].gear, Gear::kForward);
+  EXPECT_EQ(file.path.segments[1].gear, Gear::kReverse);
+  EXPECT_EQ(file.path.segments[1].end().x, 2.0);
+}
+
+TEST(PathCsv, HasTheCuspOnceInEachGear) {
+  const PlanResult result = example_with_a_cusp();
+  const std::vector<PathSample> samples = sample_path(result.segments, Vehicle{}, {.max_length = 1.0});
+  ASSERT_EQ(samples.size(), 5u + 3u);
+  EXPECT_EQ(samples[4].gear, Gear::kForward);
+  EXPECT_EQ(samples[5].gear, Gear::kReverse);
+  EXPECT_EQ(samples[5].s, samples[4].s);
+  EXPECT_EQ(samples[4].v, 0.0);
+  EXPECT_EQ(samples[5].v, 0.0);
+  EXPECT_EQ(samples[7].pose.x, 2.0);
+  EXPECT_EQ(samples[7].s, 6.0);
+  EXPECT_NE(path_to_csv(result.segments, Vehicle{}).find("\n6,2,0,0,0,-1,"), std::string::npos);
+  // The message has poses only: the body looks ahead while it moves back.
+  const auto poses = nlohmann::json::parse(path_to_nav_msgs(result.segments, Vehicle{}))["poses"];
+  EXPECT_EQ(poses.back()["pose"]["position"]["x"], 2.0);
+  EXPECT_EQ(poses.back()["pose"]["orientation"]["w"], 1.0);
 }
 
 TEST(PathCsv, RunsThroughAllJointsInTimeOrder) {

@@ -47,6 +47,18 @@ TEST(Svg, DrawsTheSweptArea) {
   EXPECT_GE(count(picture.str(), "Z"), 63u);
 }
 
+TEST(Svg, DrawsReverseDashed) {
+  SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}}), 1000.0);
+  const Footprint body{.front = 2, .rear = 1, .half_width = 1};
+  const PathSegment ahead{{20, 20, 0}, 10, 0};
+  const Path path{ahead, {ahead.end(), 5, 0, Gear::kReverse}, {ahead.at(5), 5, 0}};
+  picture.add_path(path, body);
+  EXPECT_EQ(count(picture.str(), "stroke-dasharray"), 1u);
+  EXPECT_NE(picture.str().find("M316 316L266 316\" stroke=\"#1f6fd1\""), std::string::npos) << picture.str();
+  picture.add_swept_area(Path{path[1]}, body);  // x from 24 to 32
+  EXPECT_NE(picture.str().find("M256 326L336 326L336 306L256 306Z"), std::string::npos);
+}
+
 TEST(Svg, DrawsWorldsWithoutExtent) {
   EXPECT_EQ(SvgPicture(World({})).str().find("nan"), std::string::npos);
   Box point;

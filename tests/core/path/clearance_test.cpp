@@ -67,6 +67,18 @@ TEST(Clearance, ZeroLengthIsThePose) {
 }
 
 // Against a check that shares no code: the validator's proved bound, at most 1e-6 below the true value.
+TEST(Clearance, BackwardsIsThatOfTheSameMotionForwards) {
+  const World world({box(4.0, 0.7, 5.0, 2.0)});
+  for (const double curvature : {0.0, 0.2, -0.3}) {
+    const PathSegment forwards{{1.0, 0.0, 0.0}, 3.0, curvature};
+    const Clearance ahead = clearance_along(forwards, kBody, world);
+    const Clearance back = clearance_along(forwards.reversed(), kBody, world);
+    EXPECT_NEAR(back.distance, ahead.distance, 1e-12);
+    EXPECT_NEAR(back.arc_length, 3.0 - ahead.arc_length, 1e-9);
+    EXPECT_EQ(back.edge, ahead.edge);
+  }
+}
+
 TEST(Clearance, AgreesWithTheValidatorInRandomWorlds) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-8.0, 8.0), size(0.1, 2.0), unit(0.0, 1.0);

@@ -43,9 +43,35 @@ TEST(PathSegment, HeadingIsNotWrapped) {
   EXPECT_DOUBLE_EQ(circle.end().heading, 3.0 + 2.0 * std::numbers::pi);
 }
 
+TEST(PathSegment, BackwardsTheOtherWay) {
+  const double quarter = std::numbers::pi / 2.0;
+  const PathSegment back{{0.0, 0.0, 0.0}, 2.0 * quarter, 0.5, Gear::kReverse};  // centre to the left
+  EXPECT_NEAR(back.end().x, -2.0, 1e-15);
+  EXPECT_NEAR(back.end().y, 2.0, 1e-15);
+  EXPECT_NEAR(back.end().heading, -quarter, 1e-15);
+  const PathSegment forwards = back.reversed();
+  EXPECT_EQ(forwards.gear, Gear::kForward);
+  EXPECT_EQ(forwards.curvature, back.curvature);
+  EXPECT_EQ(forwards.start.heading, back.end().heading);
+  for (const double s : {0.0, 1.0, back.length}) {
+    EXPECT_NEAR((forwards.at(back.length - s).position() - back.at(s).position()).norm(), 0.0, 1e-15);
+    EXPECT_NEAR(forwards.at(back.length - s).heading, back.at(s).heading, 1e-15);
+  }
+  EXPECT_EQ(back.forwards().start.x, forwards.start.x);
+  EXPECT_EQ(forwards.forwards().start.x, forwards.start.x);
+}
+
 TEST(Path, Length) {
   EXPECT_EQ(length_of({}), 0.0);
   EXPECT_EQ(length_of(Path{{{}, 1.0, 0.0}, {{}, 2.5, 1.0}}), 3.5);
+}
+
+TEST(Path, Cusps) {
+  const PathSegment ahead{{}, 1.0, 0.0};
+  const PathSegment back{{}, 1.0, 0.0, Gear::kReverse};
+  EXPECT_EQ(cusps_of({}), 0u);
+  EXPECT_EQ(cusps_of(Path{back, back}), 0u);
+  EXPECT_EQ(cusps_of(Path{ahead, back, back, ahead}), 2u);
 }
 
 }  // namespace

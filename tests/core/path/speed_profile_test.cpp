@@ -117,6 +117,20 @@ TEST(SpeedProfile, EqualsFineGridOnRandomPaths) {
   }
 }
 
+TEST(SpeedProfile, StopsWhereTheGearChanges) {
+  const Vehicle vehicle;
+  Path path{{{0, 0, 0}, 5.0, 0.0}};
+  path.push_back({path.back().end(), 4.0, 0.2});
+  const double ahead = speed_profile(path, vehicle).total_time;
+  Path back{path[1].reversed(), path[0].reversed()};
+  EXPECT_NEAR(speed_profile(back, vehicle).total_time, ahead, 1e-12);
+  path.insert(path.end(), back.begin(), back.end());
+  const SpeedProfile both = speed_profile(path, vehicle);
+  EXPECT_EQ(both.speeds[2], 0.0);
+  EXPECT_GT(both.speeds[1], 0.0);
+  EXPECT_NEAR(both.total_time, 2.0 * ahead, 1e-12);
+}
+
 TEST(SpeedProfile, EndSpeeds) {
   const Vehicle vehicle = slow_vehicle();
   const Path path{{{}, 4.0, 0.0}, {{}, 5.0, 0.0}};

@@ -281,6 +281,89 @@ TEST(Validation, ClearanceIsThatOfSampledPosesInRandomWorlds) {
   EXPECT_GT(valid, 15);
 }
 
+// Out and back again, over the same ground.
+Path out_and_back(const Path& path) {
+  Path both = path;
+  for (auto s = path.rbegin(); s != path.rend(); ++s) both.push_back(s->reversed());
+  return both;
+}
+
+TEST(Validation, AcceptsCuspsAtRestOnly) {
+  Path path = straight();
+  path.push_back({path.back().end(), 3.0, 1.0 / kRadius});
+  const TimedPath good = timed(out_and_back(path));
+  EXPECT_TRUE(check(kEmpty, good).valid());
+  EXPECT_EQ(check(kEmpty, good).length, 26.0);
+
+  TimedPath moving = good;
+  moving.speed_out[1] = moving.speed_in[2] = 0.5;
+  EXPECT_EQ(kinds(check(kEmpty, moving)), Kinds{Violation::kCuspSpeed});
+  EXPECT_EQ(check(kEmpty, moving).issues[0].segment, 2u);
+  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, good.segments.front().start, good.segments.back().end(), good,
+                           {.reverse = false})),
+            Kinds{Violation::kReverse});
+}
+
+TEST(Validation, WrongGearMissesTheNextJoint) {
+  Path path = out_and_back(straight());
+  path.push_back({path.back().end(), 2.0, 0.0});
+  path[1].gear = Gear::kForward;
+  EXPECT_EQ(kinds(check(kEmpty, path)), Kinds{Violation::kPositionJump});
+  path = out_and_back({{{0.0, 0.0, 0.0}, kRadius, 1.0 / kRadius}});
+  path[1].gear = Gear::kForward;
+  EXPECT_TRUE(kinds(validate(kEmpty, kVehicle, {}, {}, {path, {}, {}, {}})).contains(Violation::kGoalPose));
+  // The body's heading runs on through a cusp: it is not that of the motion.
+  path = out_and_back(straight());
+  path[1].start.heading = std::numbers::pi;
+  EXPECT_EQ(kinds(check(kEmpty, path)), Kinds{Violation::kHeadingJump});
+}
+
+TEST(Validation, BackwardsContactToATenthOfAMicron) {
+  const Path back{straight()[0].reversed()};
+  EXPECT_TRUE(check(World({box(4.0, 0.4004, 6.0, 2.0)}), back).valid());
+  const ValidationReport beside = check(World({box(4.0, 0.4 - 1e-7, 6.0, 2.0)}), back);
+  EXPECT_EQ(kinds(beside), Kinds{Violation::kCollision});
+  EXPECT_NEAR(beside.issues[0].arc_length, 10.0 - 6.0 - 0.1, 1e-9);  // where the tail comes to it
+  EXPECT_TRUE(check(World({box(-2.0, -1.0, -0.1004, 1.0)}), back).valid());
+  const ValidationReport behind = check(World({box(-2.0, -1.0, -0.1 + 1e-7, 1.0)}), back);
+  EXPECT_EQ(kinds(behind), Kinds{Violation::kCollision});
+  EXPECT_NEAR(behind.issues[0].arc_length, 10.0, 1e-6);
+  EXPECT_FALSE(check(World({box(11.3, -1.0, 12.0, 1.0)}), back).valid());  // the nose at the start
+
+  const double outer = std::hypot(1.4, 2.4);
+  const auto wall = [](double reach) { return World({box(reach, 1.5, 9.0, 2.0)}); };
+  EXPECT_TRUE(check(wall(outer + 4e-4), Path{half_circle()[0].reversed()}).valid());
+  EXPECT_FALSE(check(wall(outer - 1e-7), Path{half_circle()[0].reversed()}).valid());
+}
+
+TEST(Validation, BackwardsIsValidWhereForwardsIs) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-6.0, 12.0), size(0.1, 1.0), signed_one(-1.0, 1.0);
+  int valid = 0;
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Polygon> obstacles;
+    for (int i = 0; i < 4; ++i) {
+      const double x = place(random);
+      const double y = place(random);
+      obstacles.push_back(box(x, y, x + size(random), y + size(random)));
+    }
+    const World world(obstacles);
+    Path path;
+    for (int i = 0; i < 3; ++i) {
+      path.push_back({path.empty() ? Pose{0.0, 0.0, 0.3} : path.back().end(), 2.0 + signed_one(random),
+                      i == 1 ? 0.0 : signed_one(random) / 1.3});
+    }
+    Path back;
+    for (auto s = path.rbegin(); s != path.rend(); ++s) back.push_back(s->reversed());
+    const ValidationReport forwards = check(world, path);
+    const ValidationReport backwards = check(world, back);
+    EXPECT_EQ(forwards.valid(), backwards.valid()) << "round " << round;
+    EXPECT_NEAR(forwards.min_clearance, backwards.min_clearance, 2.1e-6) << "round " << round;
+    valid += forwards.valid() ? 1 : 0;
+  }
+  EXPECT_GT(valid, 20);
+}
+
 TEST(Validation, LongPathAmongTenThousandEdges) {
   std::vector<Polygon> obstacles;
   for (int i = 0; i < 50; ++i) {
@@ -298,6 +381,7 @@ TEST(Validation, LongPathAmongTenThousandEdges) {
 TEST(Violation, Names) {
   EXPECT_STREQ(name_of(Violation::kNotFinite), "not finite");
   EXPECT_STREQ(name_of(Violation::kNegativeLength), "negative length");
+  EXPECT_STREQ(name_of(Violation::kCuspSpeed), "speed at a cusp");
 }
 
 }  // namespace
