@@ -1,7 +1,5 @@
 #include "bench/peers/exact_motion.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "core/path/dubins.h"
@@ -13,20 +11,6 @@ Footprint checked_body(const Vehicle& vehicle) { return vehicle.footprint(0.5 * 
 
 bool pose_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
   return sweep.straight_free(swept_rectangle(pose, 0.0, body));
-}
-
-bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion) {
-  // Lines first: a rectangle costs less than a set of headings.
-  for (const PathSegment& s : motion)
-    if (s.is_line() && !sweep.straight_free(swept_rectangle(s.start, s.length, body))) return false;
-  return std::ranges::all_of(motion, [&](const PathSegment& s) {
-    if (s.is_line()) return true;
-    const Side side = s.curvature > 0.0 ? Side::kLeft : Side::kRight;
-    const double radius = 1.0 / std::abs(s.curvature);
-    const Vec2 center = s.start.position() + sign_of(side) * radius * perpendicular(direction_of(s.start.heading));
-    const HeadingSet free = sweep.free_headings(TurningBody{center, radius, side, body});
-    return free.reach(s.start.heading, side) >= s.length / radius;
-  });
 }
 
 Path shortest_dubins_path(const Pose& from, const Pose& to, double radius) {

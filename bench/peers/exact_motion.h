@@ -4,6 +4,7 @@
 
 #include "core/path/path.h"
 #include "core/planner.h"
+#include "core/query/motion_free.h"
 #include "core/query/sweep_query.h"
 #include "core/vehicle.h"
 
@@ -21,10 +22,6 @@ struct Problem {
 Footprint checked_body(const Vehicle& vehicle);
 
 bool pose_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose);
-
-/// Whether the body touches nothing along a whole path: a swept rectangle for each line, a free interval of headings
-/// for each arc. No step size.
-bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion);
 
 /// The shortest Dubins word between two poses.
 Path shortest_dubins_path(const Pose& from, const Pose& to, double radius);

@@ -17,9 +17,9 @@ TEST(ExactMotion, IsFreeExactlyIfTheBodyKeepsAway) {
   const Vehicle vehicle;
   const Footprint body = checked_body(vehicle);
   int free = 0, blocked = 0;
-  for (const auto& [start, goal] : random_queries(world, queries, vehicle, {.count = 200, .min_distance = 0.0})) {
+  for (const PlanRequest& query : random_queries(world, queries, vehicle, {.count = 200, .min_distance = 0.0})) {
     // Both ends are free, so that a body that touches no edge on the way is in no obstacle either.
-    const Path path = shortest_dubins_path(start, goal, vehicle.min_turning_radius());
+    const Path path = shortest_dubins_path(query.start, query.goal, vehicle.min_turning_radius());
     const bool keeps_away =
         std::ranges::all_of(path, [&](const PathSegment& s) { return clearance_along(s, body, world).distance > 0.0; });
     EXPECT_EQ(motion_free(*queries.sweep, body, path), keeps_away);

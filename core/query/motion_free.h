@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "core/path/path.h"
+#include "core/query/sweep_query.h"
+#include "core/vehicle.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Whether the body touches nothing along all segments, in whichever gear: the swept rectangle for each line, a free
+/// interval of headings for each arc. Exact as the sweep query is; no step size. Lines are asked for first: a rectangle
+/// costs less than a set of headings.
+bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion);
+
+}  // namespace arcway
