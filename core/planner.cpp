@@ -13,7 +13,9 @@
 #include "core/graph/turning_radii.h"
 #include "core/path/clearance.h"
 #include "core/path/speed_profile.h"
+#include "core/refine/refine_reversing.h"
 #include "core/search/find_path.h"
+#include "core/search/find_reversing_path.h"
 #include "core/search/search_map.h"
 #include "core/search/workspace_pool.h"
 
@@ -21,6 +23,7 @@ namespace arcway {
 
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargestPoseCoordinate = 1e9;
 // Units in the last place of the largest coordinate that the safety margin must span: corners, centres and critical
 // angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
@@ -121,10 +124,47 @@ struct Planner::Data {
     return false;
   }
 
+  // Runs a search and counts what it did.
+  template <typename Find>
+  FoundPath search(PlanResult& result, const Find& find) const {
+    const Stopwatch searching;
+    FoundPath found = find();
+    PlanStatistics& s = result.statistics;
+    s.nodes_expanded += found.search.nodes_expanded;
+    s.nodes_pushed += found.search.nodes_pushed;
+    s.straights_checked += found.search.straights_checked;
+    s.turns_checked += found.search.turns_checked;
+    s.manoeuvre_poses += found.manoeuvre_poses;
+    s.search_seconds += searching.seconds();
+    result.interrupted = result.interrupted || found.search.interrupted;
+    return found;
+  }
+
+  // The path after refinement.
+  Path refined(const Path& path, const SearchOptions& search, bool reverse, PlanResult& result) const {
+    const Stopwatch refining;
+    PlanStatistics& s = result.statistics;
+    s.unrefined_travel_time = speed_profile(path, map.vehicle).total_time;
+    const RefineOptions& refinement = options.refinement;
+    if (refinement.max_trials == 0) return path;
+    const auto stop = [&search] { return search.interrupted(); };
+    RefinedPath refined =
+        reverse ? refine_reversing_path(path, map.vehicle, *map.queries.sweep, search.cusp_cost, refinement, stop)
+                : refine_path(path, result.start, result.goal, map.vehicle, *map.queries.sweep, refinement, stop);
+    result.interrupted = result.interrupted || refined.interrupted;
+    s.refine_trials += refined.trials;
+    s.refine_improvements += refined.improvements;
+    s.straights_checked += refined.straights_checked;
+    s.turns_checked += refined.turns_checked;
+    s.refine_seconds += refining.seconds();
+    return std::move(refined.path);
+  }
+
   // Status and reason of a search that found nothing.
-  void explain(const FoundPath& found, const PlanLimits& limits, PlanResult& result) const {
-    const char* hemmed_in = " is hemmed in: no forward motion of arcs and lines that was tried leads ";
-    if (found.search.interrupted) {
+  void explain(const FoundPath& found, bool reverse, const PlanLimits& limits, PlanResult& result) const {
+    const std::string hemmed_in = std::string(" is hemmed in: no ") + (reverse ? "" : "forward ") +
+                                  "motion of arcs and lines that was tried leads ";
+    if (result.interrupted) {
       const bool cancelled = limits.stop.stop_requested();
       result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
       result.reason = cancelled ? "the search was cancelled before it found a path"
@@ -222,6 +262,8 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   require_pose("start", request.start);
   require_pose("goal", request.goal);
   if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
+  if (!(request.cusp_cost >= 0.0 && std::isfinite(request.cusp_cost)))
+    throw std::invalid_argument("cusp cost: " + text_of(request.cusp_cost) + " s, must be finite and >= 0");
   const Stopwatch total;
   const auto deadline = deadline_of(limits);
   const Data& d = *data_;
@@ -229,51 +271,47 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   result.start = request.start;
   result.goal = request.goal;
   const double straight = (request.goal.position() - request.start.position()).norm();
-  result.lower_bound = travel_time_bound(request.start, request.goal, straight, d.map.vehicle);
+  result.lower_bound = travel_time_bound(request.start, request.goal, straight, d.map.vehicle, request.reverse);
   if (!d.pose_is_free(request.start, true, result) || !d.pose_is_free(request.goal, false, result)) {
     result.statistics.total_seconds = total.seconds();
     return result;
   }
 
   WorkspacePool::Lease workspace(d.workspaces);
-  FoundPath found = find_path(d.map, request.start, request.goal, d.options.manoeuvre_poses,
-                              {d.options.heuristic, limits.stop, deadline}, *workspace);
-  result.statistics.nodes_expanded = found.search.nodes_expanded;
-  result.statistics.nodes_pushed = found.search.nodes_pushed;
-  result.statistics.straights_checked = found.search.straights_checked;
-  result.statistics.turns_checked = found.search.turns_checked;
-  result.statistics.manoeuvre_poses = found.manoeuvre_poses;
-  result.statistics.search_seconds = total.seconds();
-
-  result.interrupted = found.search.interrupted;
-  if (!found.search.path) {
-    d.explain(found, limits, result);
+  const SearchOptions options{d.options.heuristic, limits.stop, deadline, request.cusp_cost};
+  const FoundPath forwards = d.search(result, [&] {
+    return find_path(d.map, request.start, request.goal, d.options.manoeuvre_poses, options, *workspace);
+  });
+  std::optional<Path> found;
+  if (forwards.search.path) found = d.refined(*forwards.search.path, options, false, result);
+  if (request.reverse && !result.interrupted && !(found && found->empty())) {
+    const double unrefined = found ? result.statistics.unrefined_travel_time : kInfinity;
+    const FoundPath both = d.search(result, [&] {
+      return find_reversing_path(d.map, request.start, request.goal, unrefined, options, *workspace);
+    });
+    if (both.search.path) {
+      Path path = d.refined(*both.search.path, options, true, result);
+      const auto cost = [&](const Path& p) { return travel_cost(p, d.map.vehicle, request.cusp_cost); };
+      if (!found || cost(path) < cost(*found)) {
+        found = std::move(path);
+      } else {
+        result.statistics.unrefined_travel_time = unrefined;
+      }
+    }
+  }
+  if (!found) {
+    d.explain(forwards, request.reverse, limits, result);
     result.statistics.total_seconds = total.seconds();
     return result;
   }
-
-  const Stopwatch refining;
-  Path path = std::move(*found.search.path);
-  result.statistics.unrefined_travel_time = speed_profile(path, d.map.vehicle).total_time;
-  if (d.options.refinement.max_trials > 0) {
-    RefinedPath refined = refine_path(
-        path, request.start, request.goal, d.map.vehicle, *d.map.queries.sweep, d.options.refinement,
-        [&] { return limits.stop.stop_requested() || (deadline && std::chrono::steady_clock::now() >= *deadline); });
-    path = std::move(refined.path);
-    result.interrupted = result.interrupted || refined.interrupted;
-    result.statistics.refine_trials = refined.trials;
-    result.statistics.refine_improvements = refined.improvements;
-    result.statistics.straights_checked += refined.straights_checked;
-    result.statistics.turns_checked += refined.turns_checked;
-  }
-  result.statistics.refine_seconds = refining.seconds();
+  const Path path = std::move(*found);
 
   const Stopwatch bounding;
   if (d.point_distance)
     result.lower_bound = travel_time_bound(
         request.start, request.goal,
         (*d.point_distance)(request.start.position(), request.goal.position(), *d.map.queries.visibility),
-        d.map.vehicle);
+        d.map.vehicle, request.reverse);
   result.statistics.bound_seconds = bounding.seconds();
 
   const Stopwatch finishing;

@@ -42,6 +42,8 @@ struct PlannerOptions {
 struct PlanRequest {
   Pose start;
   Pose goal;
+  bool reverse = false;    ///< may drive backwards as well
+  double cusp_cost = 0.0;  ///< of a change of gear, beside the time that stopping takes; no part of travel times [s]
 };
 
 /// When to end a plan before it is done; it then gives the best path found by then, if any.
@@ -56,7 +58,7 @@ enum class PlanStatus {
   kGoalInCollision,
   kStartOutsideBounds,
   kGoalOutsideBounds,
-  kStartBlocked,  ///< no forward motion of an arc, a line or a short manoeuvre leads from the start to the graph
+  kStartBlocked,  ///< no motion tried, of an arc, a line or a short manoeuvre, leads from the start to the graph
   kGoalBlocked,   ///< none leads from the graph to the goal
   kNoPath,        ///< the graph has no way between start and goal
   kTimeLimit,     ///< the time limit ended the search before it found a path
@@ -143,9 +145,12 @@ class Planner {
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
           const PlannerOptions& options, const Executor& executor);
 
-  /// The fastest path of the graph under the true speed profile, refined. Never throws for want of a path: see
+  /// The fastest path of the graph under the true speed profile, refined. With `reverse` the cheapest found of that
+  /// one, of paths by the graph with motions in both gears at their ends, and of short ones in both gears all the way:
+  /// never dearer than without. Without it no segment is driven backwards. Never throws for want of a path: see
   /// PlanResult::status.
-  /// @throws std::invalid_argument if a pose is not finite or beyond 1e9 m, or the time limit is not a number.
+  /// @throws std::invalid_argument if a pose is not finite or beyond 1e9 m, the time limit is not a number, or the cost
+  ///   of a cusp is negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
 
   [[nodiscard]] const World& world() const;

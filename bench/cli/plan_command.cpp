@@ -27,6 +27,8 @@ struct PlanArguments {
   std::string heuristic = "travel_time";
   std::string graph;
   std::string time_limit;
+  bool reverse = false;
+  std::string cusp_cost;
   std::uint32_t refine_trials = RefineOptions{}.max_trials;
   std::string svg, json, csv, ros_path;
   BuildOptions build;
@@ -67,7 +69,8 @@ struct CheckedPlan {
 CheckedPlan plan_checked(const Planner& planner, const PlanRequest& request, const PlanLimits& limits) {
   CheckedPlan plan{planner.plan(request, limits), std::nullopt};
   if (plan.result.solved()) {
-    plan.report = validate(planner.world(), planner.vehicle(), request.start, request.goal, timed_path(plan.result));
+    plan.report = validate(planner.world(), planner.vehicle(), request.start, request.goal, timed_path(plan.result),
+                           {.reverse = request.reverse});
   }
   return plan;
 }
@@ -78,6 +81,16 @@ PlanLimits limits_of(const PlanArguments& arguments) {
   const double seconds = parse_number(text, "--time-limit");
   if (seconds < 0.0) throw UsageError("--time-limit: at least 0 s, got \"" + text + "\"");
   return {.time = seconds};
+}
+
+// Seconds; 0 if not given.
+double cusp_cost_of(const PlanArguments& arguments) {
+  const std::string& text = arguments.cusp_cost;
+  if (text.empty()) return 0.0;
+  if (!arguments.reverse) throw UsageError("--cusp-cost: only with --reverse");
+  const double seconds = parse_number(text, "--cusp-cost");
+  if (seconds < 0.0) throw UsageError("--cusp-cost: at least 0 s, got \"" + text + "\"");
+  return seconds;
 }
 
 std::string prepare_rows(const Planner& planner, double build_seconds) {
@@ -100,6 +113,9 @@ std::string result_rows(const PlanResult& result) {
                                  (result.interrupted ? ", the best found within the time limit" : ""));
   text += row("before refinement", fixed(result.statistics.unrefined_travel_time, 3) + " s");
   text += row("length", fixed(result.length, 3) + " m in " + count_text(result.segments.size()) + " segments");
+  const Path path = result.path();
+  const bool reverse = std::any_of(path.begin(), path.end(), [](const auto& s) { return s.gear == Gear::kReverse; });
+  if (reverse) text += row("changes of gear", count_text(cusps_of(path)));
   text +=
       row("lower bound", fixed(result.lower_bound, 3) + " s, gap " + fixed(100.0 * result.optimality_gap(), 2) + " %");
   text += row("smallest clearance", fixed(result.min_clearance, 6) + " m");
@@ -283,6 +299,7 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   options.reduced_graph = arguments.build.reduced_graph();
   options.refinement.max_trials = arguments.refine_trials;
   const PlanLimits limits = limits_of(arguments);
+  const double cusp_cost = cusp_cost_of(arguments);
 
   std::optional<Pose> start;
   std::optional<Pose> goal;
@@ -290,6 +307,10 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   if (!arguments.goal.empty()) goal = parse_pose(arguments.goal, "--goal");
   std::vector<NumberedRequest> queries;
   if (batch) queries = read_queries(arguments.queries);
+  for (NumberedRequest& query : queries) {
+    query.request.reverse = arguments.reverse;
+    query.request.cusp_cost = cusp_cost;
+  }
 
   const LoadedMap map = load_map(arguments.map, arguments.reading);
   const Vehicle vehicle = load_vehicle(arguments.robot);
@@ -304,7 +325,8 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   const Planner planner(map.world, vehicle, arguments.build.queries(map.world), options, *arguments.build.executor());
   const double build_seconds = watch.seconds();
   if (batch) return plan_batch(arguments, map, planner, build_seconds, queries, limits, out);
-  return plan_one(arguments, map, planner, build_seconds, {.start = *start, .goal = *goal}, limits, out);
+  const PlanRequest request{.start = *start, .goal = *goal, .reverse = arguments.reverse, .cusp_cost = cusp_cost};
+  return plan_one(arguments, map, planner, build_seconds, request, limits, out);
 }
 
 }  // namespace
@@ -328,6 +350,10 @@ void add_plan_command(CLI::App& app, Action& action) {
                   "that of one query")
       ->type_name("MODE");
   command.add_option("--time-limit", arguments->time_limit, "Of each search; then the best path found so far, if any")
+      ->type_name("SECONDS");
+  command.add_flag("--reverse", arguments->reverse,
+                   "Drive backwards as well, where that is faster or nothing else leads there");
+  command.add_option("--cusp-cost", arguments->cusp_cost, "Of a change of gear, beside the time to stop; default: 0")
       ->type_name("SECONDS");
   command.add_option("--refine-trials", arguments->refine_trials, "Paths that refinement may try; 0 leaves it out")
       ->type_name("N")

@@ -7,6 +7,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
+#include "core/path/reeds_shepp.h"
 #include "core/path/speed_profile.h"
 
 namespace arcway {
@@ -60,10 +61,12 @@ double time_lost_on_arcs(double length, double turn_speed, const Vehicle& vehicl
 
 }  // namespace
 
-double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle) {
+double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle, bool reverse) {
   const double radius = vehicle.min_turning_radius();
-  const double arcs = radius * least_turn(start, goal);
-  const double length = std::max({distance, shortest_word(start, goal, radius), arcs});
+  const double turn = reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal);
+  const double word = reverse ? reeds_shepp_distance(start, goal, radius) : shortest_word(start, goal, radius);
+  const double arcs = radius * turn;
+  const double length = std::max({distance, word, arcs});
   if (!(length > 0.0) || std::isinf(length)) return length;
   const double straight = segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());
   return (1.0 - kRounding) * (straight + 2.0 * time_lost_on_arcs(0.5 * arcs, highest_turn_speed(vehicle), vehicle));

@@ -5,7 +5,7 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// No path of the vehicle, driven forwards from rest to rest, takes less [s].
+/// No path of the vehicle, driven forwards or, with `reverse`, in both gears, from rest to rest, takes less [s].
 ///
 /// 1. Length. The path is at least L long: L is the largest of `distance`, of the shortest Dubins word of the smallest
 ///    radius rho_min [Dubins 1957], and of rho_min times the turn of 2.
@@ -20,7 +20,10 @@ namespace [[gnu::visibility("default")]] arcway {
 ///
 /// @param distance  a length that the path has at least [m]: that of the straight line, or of a point's shortest path
 ///   if the body covers the reference point. Infinity: no path.
+///
+/// With `reverse` the shortest word is that of Reeds and Shepp, and Theta = |h1 - h0|.
 /// Rounding is taken off. Constant time.
-double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle);
+double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
+                         bool reverse = false);
 
 }  // namespace arcway

@@ -184,10 +184,7 @@ class ArrivalSearch {
 
  private:
   [[nodiscard]] bool interrupted() {
-    if (options_.stop.stop_requested() ||
-        (options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline)) {
-      result_.interrupted = true;
-    }
+    result_.interrupted = result_.interrupted || options_.interrupted();
     return result_.interrupted;
   }
 
@@ -281,11 +278,27 @@ class ArrivalSearch {
   std::uint32_t add_connection(const TerminalCircle& from) {
     const Path& connection = starts_[from.terminal].connection;
     std::uint32_t joint = 0;
+    const Stretch circle{0.0, vehicle_.turn_speed(from.circle.radius), Gear::kForward};
     for (std::size_t i = 0; i < connection.size(); ++i)
-      joint = w_.speeds.add(
-          joint, connection[i].length, limit_on(connection[i]),
-          i + 1 < connection.size() ? limit_on(connection[i + 1]) : vehicle_.turn_speed(from.circle.radius));
+      joint = add_stretch(joint, stretch_of(connection[i]),
+                          i + 1 < connection.size() ? stretch_of(connection[i + 1]) : circle);
     return joint;
+  }
+
+  // What matters of a segment for the speeds.
+  struct Stretch {
+    double length;
+    double limit;
+    Gear gear;
+  };
+  [[nodiscard]] Stretch stretch_of(const PathSegment& segment) const {
+    return {segment.length, limit_on(segment), segment.gear};
+  }
+
+  // Adds the joints behind a stretch: two where the gear changes.
+  std::uint32_t add_stretch(std::uint32_t joint, const Stretch& stretch, const Stretch& next) {
+    if (stretch.gear == next.gear) return w_.speeds.add(joint, stretch.length, stretch.limit, next.limit);
+    return w_.speeds.add_stop(w_.speeds.add(joint, stretch.length, stretch.limit, 0.0), options_.cusp_cost);
   }
 
   [[nodiscard]] double limit_on(const PathSegment& segment) const {
@@ -332,7 +345,7 @@ class ArrivalSearch {
     Path path = start.connection;
     path.insert(path.end(), middle->begin(), middle->end());
     path.insert(path.end(), goal.connection.begin(), goal.connection.end());
-    const double time = speed_profile(path, vehicle_).total_time;
+    const double time = travel_cost(path, vehicle_, options_.cusp_cost);
     w_.direct_paths.push_back(std::move(path));
     push(Kind::kDirect, kNone, static_cast<std::uint32_t>(w_.direct_paths.size() - 1), time);
   }
@@ -526,10 +539,13 @@ class ArrivalSearch {
     const Path& connection = goals_[to.terminal].connection;
     const std::size_t size = w_.speeds.size();
     joint = drive(joint, turn * circle.radius, circle.radius, link.line.length, to.circle.radius);
-    const auto limit_at = [&](std::size_t i) { return i < connection.size() ? limit_on(connection[i]) : 0.0; };
-    joint = w_.speeds.add(joint, link.turn * to.circle.radius, vehicle_.turn_speed(to.circle.radius), limit_at(0));
-    for (std::size_t i = 0; i < connection.size(); ++i)
-      joint = w_.speeds.add(joint, connection[i].length, limit_at(i), limit_at(i + 1));
+    Stretch stretch{link.turn * to.circle.radius, vehicle_.turn_speed(to.circle.radius), Gear::kForward};
+    for (const PathSegment& segment : connection) {
+      const Stretch next = stretch_of(segment);
+      joint = add_stretch(joint, stretch, next);
+      stretch = next;
+    }
+    joint = add_stretch(joint, stretch, {0.0, 0.0, stretch.gear});
     const double time = w_.speeds[joint].time;
     w_.speeds.truncate(size);
     return time;

@@ -18,6 +18,10 @@ struct SearchOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
   std::stop_token stop;
   std::optional<std::chrono::steady_clock::time_point> deadline;
+  double cusp_cost = 0.0;  ///< of a change of gear in a connection, beside the time for it [s]
+  [[nodiscard]] bool interrupted() const {
+    return stop.stop_requested() || (deadline && std::chrono::steady_clock::now() >= *deadline);
+  }
 };
 
 struct SearchResult {
@@ -56,9 +60,10 @@ class SearchWorkspace {
 /// After some hundred labels, or with several terminals, a walk over the reachable arcs without times and speeds finds
 /// out whether there is a path at all.
 ///
-/// Terminals join by their left and right circles of every radius, and to each other by all six Dubins words. Straights
-/// of terminals, and those of lazy graphs, are checked when they come off the open list. Ties are broken by what the
-/// labels are, not by memory or time: same answer every time, for eager and lazy graphs.
+/// Terminals join by their left and right circles of every radius, driven forwards whatever the gear of their
+/// connections, and to each other by all six Dubins words. Straights of terminals, and those of lazy graphs, are
+/// checked when they come off the open list. Ties are broken by what the labels are, not by memory or time: same answer
+/// every time, for eager and lazy graphs.
 SearchResult search_arrivals(const SearchMap& map, std::span<const Terminal> starts, std::span<const Terminal> goals,
                              const SearchOptions& options, SearchWorkspace& workspace);
 

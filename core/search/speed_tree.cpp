@@ -46,6 +46,12 @@ std::uint32_t SpeedTree::add(std::uint32_t from, double length, double limit, do
   return static_cast<std::uint32_t>(joints_.size() - 1);
 }
 
+std::uint32_t SpeedTree::add_stop(std::uint32_t from, double wait) {
+  const double time = time_at(joints_[from], 0.0) + wait;
+  joints_.push_back({kNoJoint, 0.0, 0.0, 0.0, time});
+  return static_cast<std::uint32_t>(joints_.size() - 1);
+}
+
 SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
   const double a = acceleration_;
   double braking = 0.0;

@@ -38,6 +38,9 @@ class SpeedTree {
   /// Adds what `extend(from, ...)` gives.
   std::uint32_t add(std::uint32_t from, double length, double limit, double next_limit);
 
+  /// Adds a stop of `wait` seconds behind a joint, where what was before no longer matters.
+  std::uint32_t add_stop(std::uint32_t from, double wait);
+
   /// T(speed), 0 <= speed <= joint.speed. Looks back over as many segments as braking takes.
   [[nodiscard]] double time_at(const Joint& joint, double speed) const { return pass(joint, speed).time; }
 

@@ -118,6 +118,24 @@ TEST_F(Tool, RefinesUnlessToldOtherwise) {
   expect_bad_input("plan paper --refine-trials -1", "--refine-trials");
 }
 
+TEST_F(Tool, DrivesBackwardsOnlyWhereAllowed) {
+  const std::string plan = "plan " + map_ + " --start 10,10,0 --goal 5,10,0 --json " + file("p.json");
+  ASSERT_EQ(run(plan).code, 0);
+  EXPECT_EQ(read("p.json").find("\"direction\":-1"), std::string::npos);
+  const Run both = run(plan + " --reverse --cusp-cost 1.5 --svg " + file("p.svg") + " --csv " + file("p.csv"));
+  EXPECT_EQ(both.code, 0) << both.err << both.out;
+  EXPECT_NE(both.out.find("changes of gear     0"), std::string::npos) << both.out;
+  EXPECT_NE(read("p.json").find("\"direction\":-1"), std::string::npos);
+  EXPECT_NE(read("p.svg").find("stroke-dasharray"), std::string::npos);
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("p.json")).code, 0);
+  std::string text = read("p.json");
+  text.erase(text.find("\"direction\":-1,"), 15);
+  put("wrong.json", text);
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("wrong.json")).code, 1);
+  expect_bad_input(plan + " --cusp-cost 1", "--reverse");
+  expect_bad_input(plan + " --reverse --cusp-cost -1", "--cusp-cost");
+}
+
 TEST_F(Tool, AChangedPathIsNotValid) {
   ASSERT_EQ(run("plan " + map_ + kAround + " --json " + file("p.json")).code, 0);
   std::string plan = read("p.json");

@@ -81,7 +81,8 @@ TEST(RandomQueries, AreApartAndFreeAndTheSameForTheSameSeed) {
   const auto again = catalogue_queries(name, 50, 1);
   ASSERT_EQ(queries.size(), 50u);
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    const auto& [start, goal] = queries[i];
+    const Pose& start = queries[i].start;
+    const Pose& goal = queries[i].goal;
     EXPECT_GE((goal.position() - start.position()).norm(), 0.3 * side);
     for (const Pose& pose : {start, goal}) {
       EXPECT_TRUE(reference.sweep->straight_free(swept_rectangle(pose, 0.0, robot.footprint(robot.safety_margin()))));

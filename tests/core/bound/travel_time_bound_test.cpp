@@ -7,6 +7,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
+#include "core/path/reeds_shepp.h"
 #include "core/path/speed_profile.h"
 #include "core/planner.h"
 #include "datasets/clutter.h"
@@ -109,6 +110,27 @@ TEST(TravelTimeBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
     }
     EXPECT_GT(solved, 10);
     EXPECT_GT(sharper, 0);
+  }
+}
+
+TEST(TravelTimeBound, HoldsInBothGearsIfBothAreAllowed) {
+  const Vehicle vehicle;
+  // Straight back: far less than what it takes forwards.
+  const double back = travel_time_bound({0, 0, 0}, {-10, 0, 0}, 10.0, vehicle, true);
+  EXPECT_NEAR(back, straight_time(10.0, vehicle), 1e-10);
+  EXPECT_GT(travel_time_bound({0, 0, 0}, {-10, 0, 0}, 10.0, vehicle), back);
+  test::Random random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const auto pose = [&] {
+      return Pose{random.uniform(0.0, 12.0), random.uniform(0.0, 12.0), random.uniform(-kPi, kPi)};
+    };
+    const Pose start = pose(), goal = pose();
+    const double distance = (goal.position() - start.position()).norm();
+    const double bound = travel_time_bound(start, goal, distance, vehicle, true);
+    EXPECT_LE(bound, travel_time_bound(start, goal, distance, vehicle) * (1.0 + 1e-9));
+    for (std::size_t word = 0; word < kReedsSheppWords; ++word)
+      if (const auto path = reeds_shepp_path(word, start, goal, vehicle.min_turning_radius()))
+        EXPECT_LE(bound, speed_profile(*path, vehicle).total_time);
   }
 }
 

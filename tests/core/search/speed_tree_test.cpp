@@ -98,5 +98,22 @@ TEST(SpeedTree, OneOfTwoPathsMostlyDominates) {
   EXPECT_LT(undecided, 200);
 }
 
+TEST(SpeedTree, StopsAddUpTheTimesBetweenThem) {
+  const Vehicle vehicle = slow_in_turns(2.0);
+  test::Random random(8);
+  for (int round = 0; round < 100; ++round) {
+    const Path before = random_path(random, 4), behind = random_path(random, 4);
+    SpeedTree tree;
+    tree.reset(vehicle.max_acceleration());
+    // As fast as may be up to the joint where it must stop after all.
+    const std::uint32_t moving = add_path(tree, vehicle, before, vehicle.max_speed());
+    const std::uint32_t stop = tree.add_stop(moving, 1.5);
+    EXPECT_EQ(tree[stop].speed, 0.0);
+    EXPECT_NEAR(tree[stop].time, speed_profile(before, vehicle).total_time + 1.5, 1e-9);
+    const std::uint32_t end = tree.add_stop(add_path(tree, vehicle, behind, vehicle.max_speed(), stop), 0.0);
+    EXPECT_NEAR(tree[end].time, tree[stop].time + speed_profile(behind, vehicle).total_time, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace arcway

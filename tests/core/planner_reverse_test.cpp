@@ -1,0 +1,103 @@
+// Plans that may drive backwards.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "core/path/speed_profile.h"
+#include "core/planner.h"
+#include "datasets/clutter.h"
+#include "datasets/random_queries.h"
+#include "tests/support/plans.h"
+
+namespace arcway {
+namespace {
+
+using test::expect_valid;
+
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
+}
+
+double cost_of(const PlanResult& result, double cusp_cost) {
+  return result.travel_time + cusp_cost * static_cast<double>(cusps_of(result.path()));
+}
+
+// A lane with a dead end, as wide as to let the paper's robot in but not turn.
+World dead_end() {
+  return World({box(0.0, 1.0, 8.0, 2.0), box(0.0, -2.0, 8.0, -1.0), box(8.0, -2.0, 9.0, 2.0)},
+               box(-20.0, -20.0, 20.0, 20.0).outer);
+}
+
+TEST(PlannerReverse, BacksOutOfADeadEndAndIntoIt) {
+  const Planner planner(dead_end(), Vehicle{});
+  const Pose inside{6.0, 0.0, 0.0}, outside{-10.0, 5.0, 0.0};
+  for (const auto& [start, goal] : {std::pair{inside, outside}, std::pair{outside, inside}}) {
+    const PlanResult plan = planner.plan({.start = start, .goal = goal, .reverse = true});
+    ASSERT_TRUE(plan.solved()) << plan.reason;
+    expect_valid(planner, plan, true);
+  }
+  const PlanResult forwards = planner.plan({.start = inside, .goal = outside});
+  EXPECT_EQ(forwards.status, PlanStatus::kStartBlocked);
+  EXPECT_NE(forwards.reason.find("forward motion"), std::string::npos);
+}
+
+TEST(PlannerReverse, IsNeverDearerThanForwards) {
+  const World world = random_world({.obstacles = 40, .vertices = 6, .fill = 0.25, .seed = 9});
+  const Vehicle vehicle;
+  const QuerySet queries = make_reference_queries(world);
+  const Planner planner(world, vehicle);
+  int faster = 0;
+  for (PlanRequest request : random_queries(world, queries, vehicle, {.count = 12, .min_distance = 0.3})) {
+    const PlanResult forwards = planner.plan(request);
+    request.reverse = true;
+    for (const double cusp_cost : {0.0, 0.5, 1000.0}) {
+      request.cusp_cost = cusp_cost;
+      const PlanResult both = planner.plan(request);
+      if (forwards.solved()) {
+        ASSERT_TRUE(both.solved());
+        EXPECT_LE(cost_of(both, cusp_cost), forwards.travel_time);
+      }
+      if (!both.solved()) continue;
+      expect_valid(planner, both, true);
+      EXPECT_EQ(both.travel_time, speed_profile(both.path(), vehicle).total_time);
+      faster += cusp_cost == 0.0 && both.travel_time < forwards.travel_time ? 1 : 0;
+    }
+  }
+  EXPECT_GT(faster, 0);
+}
+
+TEST(PlannerReverse, StartAtTheGoalTakesNoTime) {
+  const PlanResult plan =
+      Planner(World({}), Vehicle{}).plan({.start = {1, 2, 0.5}, .goal = {1, 2, 0.5}, .reverse = true});
+  EXPECT_TRUE(plan.solved());
+  EXPECT_TRUE(plan.segments.empty());
+}
+
+TEST(PlannerReverse, RefusesCostsThatAreNone) {
+  const Planner planner(World({}), Vehicle{});
+  for (const double cost : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW((void)planner.plan({.goal = {5, 0, 0}, .reverse = true, .cusp_cost = cost}), std::invalid_argument);
+  }
+}
+
+TEST(PlannerReverse, EndsInTime) {
+  // A body in a cell a little larger than itself: the search would go on for long.
+  const Planner planner(World({box(-0.3, 0.6, 1.7, 0.7), box(-0.3, -0.7, 1.7, -0.6), box(-0.5, -0.7, -0.3, 0.7),
+                               box(1.7, -0.7, 1.9, 0.7)}),
+                        Vehicle{});
+  const PlanRequest request{.start = {0, 0, 0}, .goal = {10, 0, 0}, .reverse = true};
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(planner.plan(request, {.stop = stop.get_token()}).status, PlanStatus::kCancelled);
+  EXPECT_EQ(planner.plan(request, {.time = 0.0}).status, PlanStatus::kTimeLimit);
+  const PlanResult all = planner.plan(request);
+  EXPECT_FALSE(all.solved());
+  EXPECT_FALSE(all.interrupted);
+  EXPECT_FALSE(all.reason.empty());
+}
+
+}  // namespace
+}  // namespace arcway
