@@ -339,6 +339,8 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
 
 const World& Planner::world() const { return data_->map.world; }
 const Vehicle& Planner::vehicle() const { return data_->map.vehicle; }
+const QuerySet& Planner::queries() const { return data_->map.queries; }
+const PlannerOptions& Planner::options() const { return data_->options; }
 const VisibilityGraph& Planner::visibility_graph() const { return data_->visibility_graph; }
 const FeasibleGraph& Planner::feasible_graph() const { return data_->map.graph; }
 const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }

@@ -155,6 +155,8 @@ class Planner {
 
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Vehicle& vehicle() const;
+  [[nodiscard]] const QuerySet& queries() const;
+  [[nodiscard]] const PlannerOptions& options() const;  ///< with the radii that are used
   [[nodiscard]] const VisibilityGraph& visibility_graph() const;
   [[nodiscard]] const FeasibleGraph& feasible_graph() const;
   [[nodiscard]] const PrepareStatistics& prepare_statistics() const;

@@ -141,14 +141,18 @@ void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies) {
            (bodies ? "1.8" : "2.6") + (forward ? "\"" : "\" stroke-dasharray=\"7 4\"") + "/>\n";
 }
 
-void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, double spacing) {
-  if (path.empty()) return;
+void SvgPicture::add_line(std::span<const PathSegment> path, const Footprint& body) {
   for (std::size_t first = 0; first < path.size();) {
     std::size_t last = first + 1;
     while (last < path.size() && path[last].gear == path[first].gear) ++last;
     add_run(path.subspan(first, last - first), 2.0 * body.half_width * scale_ >= 5.0);
     first = last;
   }
+}
+
+void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, double spacing) {
+  if (path.empty()) return;
+  add_line(path, body);
   const double length = body.front + body.rear;
   if (spacing <= 0.0) spacing = std::max(2.0 * length, 40.0 / scale_);
   const auto outline = [&](const Pose& pose) { add_outline(robot_, pose, body, 0.0); };

@@ -35,6 +35,8 @@ class SvgPicture {
   /// The path, where it is driven backwards in blue and dashed, the body's outlines along it and the poses at its ends.
   /// @param spacing  between outlines [m]; 0: chosen by the body's length and the picture's scale.
   void add_path(std::span<const PathSegment> path, const Footprint& body, double spacing = 0.0);
+  /// The path alone.
+  void add_line(std::span<const PathSegment> path, const Footprint& body);
   /// All that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
   void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
   /// Start and goal when there is no path.

@@ -76,6 +76,16 @@ Pose parse_pose(std::string_view text, std::string_view what) {
           parse_heading(parts[2], name + " heading")};
 }
 
+Place parse_place(std::string_view text, std::string_view what) {
+  const std::vector<std::string_view> parts = split(text, ',');
+  if (parts.size() == 2) {
+    const std::string name(what);
+    return {{parse_number(parts[0], name + " x"), parse_number(parts[1], name + " y")}};
+  }
+  const Pose pose = parse_pose(text, what);
+  return {pose.position(), pose.heading};
+}
+
 void MapOptions::add_to(CLI::App& command) {
   const char* group = "Reading WORLD";
   const auto option = [&](const char* name, std::string& value, const char* what, const char* type) {
@@ -235,6 +245,11 @@ std::string count_text(std::uint64_t count) {
 
 std::string pose_text(const Pose& pose) {
   return "(" + fixed(pose.x, 3) + ", " + fixed(pose.y, 3) + "), heading " + fixed(pose.heading, 4) + " rad";
+}
+
+std::string place_text(const Place& place) {
+  if (place.heading) return pose_text({place.position.x(), place.position.y(), *place.heading});
+  return "(" + fixed(place.position.x(), 3) + ", " + fixed(place.position.y(), 3) + "), any heading";
 }
 
 std::string row(std::string_view label, std::string_view value) {

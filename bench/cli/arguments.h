@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/planner.h"
+#include "core/tour.h"
 #include "datasets/read_map.h"
 
 namespace arcway::cli {
@@ -47,6 +48,8 @@ std::uint64_t parse_count(std::string_view text, std::string_view what);
 double parse_heading(std::string_view text, std::string_view what);
 /// `X,Y,H`.
 Pose parse_pose(std::string_view text, std::string_view what);
+/// `X,Y,H`, or `X,Y` for any heading.
+Place parse_place(std::string_view text, std::string_view what);
 
 /// Options that say what answers the geometric queries and builds the graphs, the same for all subcommands that build
 /// one. They differ in speed, not in results.
@@ -139,6 +142,7 @@ std::string duration_text(double seconds);
 /// "12,345"
 std::string count_text(std::uint64_t count);
 std::string pose_text(const Pose& pose);
+std::string place_text(const Place& place);
 
 /// "  label            value\n" with the values in one column.
 std::string row(std::string_view label, std::string_view value);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "core/alternatives.h"
 #include "core/path/validation.h"
 #include "core/planner.h"
 #include "datasets/number_text.h"
@@ -22,7 +23,9 @@ struct PlanArguments {
   std::string map;
   MapOptions reading;
   std::string robot;
-  std::string start, goal;
+  std::string start;
+  std::vector<std::string> goals, via;
+  std::uint32_t alternatives = 1;
   std::string queries, out;
   std::string heuristic = "travel_time";
   std::string graph;
@@ -66,11 +69,11 @@ struct CheckedPlan {
   [[nodiscard]] bool good() const { return report && report->valid(); }
 };
 
-CheckedPlan plan_checked(const Planner& planner, const PlanRequest& request, const PlanLimits& limits) {
-  CheckedPlan plan{planner.plan(request, limits), std::nullopt};
+CheckedPlan checked(const Planner& planner, PlanResult result, bool reverse) {
+  CheckedPlan plan{std::move(result), std::nullopt};
   if (plan.result.solved()) {
-    plan.report = validate(planner.world(), planner.vehicle(), request.start, request.goal, timed_path(plan.result),
-                           {.reverse = request.reverse});
+    plan.report = validate(planner.world(), planner.vehicle(), plan.result.start, plan.result.goal,
+                           timed_path(plan.result), {.reverse = reverse});
   }
   return plan;
 }
@@ -138,15 +141,18 @@ std::string validity_row(const ValidationReport& report) {
   return row("valid", "NO: " + report.issues.front().message);
 }
 
-std::string picture(const Planner& planner, const CheckedPlan& plan) {
-  const PlanResult& result = plan.result;
+// The first plan, and the lines of the others.
+std::string picture(const Planner& planner, const std::vector<CheckedPlan>& plans) {
+  const PlanResult& result = plans.front().result;
   const Footprint body = planner.vehicle().footprint();
   Box view = planner.world().box();
   view.extend(result.start.position());
   view.extend(result.goal.position());
-  for (const TimedSegment& s : result.segments) view.extend(s.segment.start.position());
+  for (const CheckedPlan& plan : plans)
+    for (const TimedSegment& s : plan.result.segments) view.extend(s.segment.start.position());
   SvgPicture svg(planner.world(), view);
   if (result.solved()) {
+    for (std::size_t i = plans.size(); i-- > 1;) svg.add_line(plans[i].result.path(), body);
     svg.add_swept_area(result.path(), body);
     svg.add_path(result.path(), body);
     svg.add_caption("travel time " + fixed(result.travel_time, 2) + " s, length " + fixed(result.length, 1) +
@@ -164,10 +170,10 @@ std::string picture(const Planner& planner, const CheckedPlan& plan) {
 
 /// The plan, and in its statistics what it took to prepare the map.
 std::string plan_json(const PlanArguments& arguments, const Planner& planner, double build_seconds,
-                      const PlanResult& result) {
+                      const PlanResult& result, std::uint64_t q) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   const FeasibleGraphCounts counts = planner.feasible_graph().counts();
-  auto json = nlohmann::ordered_json::parse(plan_to_json(result, 0));
+  auto json = nlohmann::ordered_json::parse(plan_to_json(result, q));
   auto& statistics = json["statistics"];
   statistics["backend"] = arguments.build.backend;
   statistics["graph"] = planner.feasible_graph().mode() == GraphMode::kLazy ? "lazy" : "eager";
@@ -188,14 +194,38 @@ std::string plan_json(const PlanArguments& arguments, const Planner& planner, do
   return json.dump() + "\n";
 }
 
+// Alternatives, or the one plan that leads by all places to a goal.
+std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
+                                  const PlanLimits& limits) {
+  std::vector<CheckedPlan> plans;
+  if (arguments.alternatives == 1) {
+    plans.push_back(checked(planner, plan_tour(planner, request, limits).plan, request.reverse));
+    return plans;
+  }
+  const Place& goal = request.goals.front();
+  if (!request.via.empty() || request.goals.size() > 1 || !goal.heading)
+    throw UsageError("--alternatives: only to one goal with a heading, and without --via");
+  const PlanRequest plain{.start = request.start,
+                          .goal = {goal.position.x(), goal.position.y(), *goal.heading},
+                          .reverse = request.reverse,
+                          .cusp_cost = request.cusp_cost};
+  for (PlanResult& result : plan_alternatives(planner, plain, arguments.alternatives, limits))
+    plans.push_back(checked(planner, std::move(result), request.reverse));
+  return plans;
+}
+
 int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-             const PlanRequest& request, const PlanLimits& limits, std::string& out) {
-  const CheckedPlan plan = plan_checked(planner, request, limits);
+             const TourRequest& request, const PlanLimits& limits, std::string& out) {
+  const std::vector<CheckedPlan> plans = plans_of(arguments, planner, request, limits);
+  const CheckedPlan& plan = plans.front();
   const PlanResult& result = plan.result;
 
   OutputFiles files;
-  if (!arguments.svg.empty()) files.add(arguments.svg, picture(planner, plan));
-  if (!arguments.json.empty()) files.add(arguments.json, plan_json(arguments, planner, build_seconds, result));
+  if (!arguments.svg.empty()) files.add(arguments.svg, picture(planner, plans));
+  std::string json;
+  for (std::size_t i = 0; i < plans.size() && !arguments.json.empty(); ++i)
+    json += plan_json(arguments, planner, build_seconds, plans[i].result, i);
+  if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
   if (!arguments.csv.empty() && result.solved()) {
     files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle()));
   }
@@ -206,14 +236,24 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   out += arguments.map + ": " + name_of(result.status) + "\n";
   if (!result.solved()) out += row("reason", result.reason);
   out += row("start", pose_text(request.start));
-  out += row("goal", pose_text(request.goal));
-  if (result.solved()) out += result_rows(result) + validity_row(*plan.report);
+  for (const Place& place : request.via) out += row("by way of", place_text(place));
+  if (result.solved()) {
+    out += row("goal", pose_text(result.goal)) + result_rows(result) + validity_row(*plan.report);
+  } else {
+    for (const Place& goal : request.goals) out += row("goal", place_text(goal));
+  }
+  bool good = plan.good();
+  for (std::size_t i = 1; i < plans.size(); ++i) {
+    out += "\n" + row("alternative", count_text(i + 1) + " of " + count_text(plans.size())) +
+           result_rows(plans[i].result) + validity_row(*plans[i].report);
+    good = good && plans[i].good();
+  }
   out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
          row("built by", arguments.build.summary(planner.world())) + search_rows(result.statistics);
   out += warning_rows(map);
   files.write();
   out += files.summary();
-  return plan.good() ? kExitSolved : kExitNoPath;
+  return good ? kExitSolved : kExitNoPath;
 }
 
 std::string batch_line(std::uint64_t q, const CheckedPlan& plan) {
@@ -250,7 +290,7 @@ int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Plann
   std::vector<double> seconds;
   const Stopwatch watch;
   for (const auto& [q, request] : queries) {
-    const CheckedPlan plan = plan_checked(planner, request, limits);
+    const CheckedPlan plan = checked(planner, planner.plan(request, limits), request.reverse);
     csv += batch_line(q, plan);
     if (!arguments.json.empty()) json += plan_to_json(plan.result, q) + "\n";
     seconds.push_back(plan.result.statistics.total_seconds);
@@ -283,8 +323,9 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   const bool batch = !arguments.queries.empty();
   if (batch) {
     if (arguments.out.empty()) throw UsageError("--queries: needs --out R.csv for the results");
-    if (!arguments.start.empty() || !arguments.goal.empty()) {
-      throw UsageError("--queries: start and goal come from the file; leave out --start and --goal");
+    if (!arguments.start.empty() || !arguments.goals.empty() || !arguments.via.empty() || arguments.alternatives > 1) {
+      throw UsageError(
+          "--queries: start and goal come from the file; leave out --start, --goal, --via, --alternatives");
     }
     if (!arguments.svg.empty() || !arguments.csv.empty() || !arguments.ros_path.empty()) {
       throw UsageError("--queries: --svg, --csv and --ros-path show one plan; leave them out");
@@ -302,9 +343,10 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   const double cusp_cost = cusp_cost_of(arguments);
 
   std::optional<Pose> start;
-  std::optional<Pose> goal;
+  TourRequest request{.start = {}, .goals = {}, .reverse = arguments.reverse, .cusp_cost = cusp_cost};
   if (!arguments.start.empty()) start = parse_pose(arguments.start, "--start");
-  if (!arguments.goal.empty()) goal = parse_pose(arguments.goal, "--goal");
+  for (const std::string& via : arguments.via) request.via.push_back(parse_place(via, "--via"));
+  for (const std::string& goal : arguments.goals) request.goals.push_back(parse_place(goal, "--goal"));
   std::vector<NumberedRequest> queries;
   if (batch) queries = read_queries(arguments.queries);
   for (NumberedRequest& query : queries) {
@@ -316,16 +358,16 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   const Vehicle vehicle = load_vehicle(arguments.robot);
   if (!batch) {
     if (!start) start = map.start;
-    if (!goal) goal = map.goal;
+    if (request.goals.empty() && map.goal) request.goals.push_back({map.goal->position(), map.goal->heading});
     if (!start) throw UsageError("--start X,Y,HEADING is missing, and " + arguments.map + " has no start");
-    if (!goal) throw UsageError("--goal X,Y,HEADING is missing, and " + arguments.map + " has no goal");
+    if (request.goals.empty()) throw UsageError("--goal X,Y,HEADING is missing, and " + arguments.map + " has no goal");
   }
 
   const Stopwatch watch;
   const Planner planner(map.world, vehicle, arguments.build.queries(map.world), options, *arguments.build.executor());
   const double build_seconds = watch.seconds();
   if (batch) return plan_batch(arguments, map, planner, build_seconds, queries, limits, out);
-  const PlanRequest request{.start = *start, .goal = *goal, .reverse = arguments.reverse, .cusp_cost = cusp_cost};
+  request.start = *start;
   return plan_one(arguments, map, planner, build_seconds, request, limits, out);
 }
 
@@ -338,7 +380,20 @@ void add_plan_command(CLI::App& app, Action& action) {
   arguments->reading.add_to(command);
   command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
   command.add_option("--start", arguments->start, "Start pose; default: the map's")->type_name("X,Y,HEADING");
-  command.add_option("--goal", arguments->goal, "Goal pose; default: the map's")->type_name("X,Y,HEADING");
+  command
+      .add_option("--goal", arguments->goals,
+                  "Goal, without HEADING in any; repeated: the one that is reached first; default: the map's")
+      ->type_name("X,Y[,HEADING]")
+      ->allow_extra_args(false);
+  command.add_option("--via", arguments->via, "Place to pass on the way; repeated: in this order")
+      ->type_name("X,Y[,HEADING]")
+      ->allow_extra_args(false);
+  command
+      .add_option("--alternatives", arguments->alternatives,
+                  "So many ways, the fastest first, which pass some obstacle on different sides")
+      ->type_name("K")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
   command.add_option("--queries", arguments->queries, "Many queries: q,sx,sy,stheta,gx,gy,gtheta")->type_name("Q.csv");
   command.add_option("--out", arguments->out, "Results of --queries, one line a query")->type_name("R.csv");
   command.add_option("--heuristic", arguments->heuristic, "travel_time (admissible), paper (distance) or dijkstra")

@@ -11,7 +11,7 @@ namespace arcway {
 void WalledSweep::do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const {
   base_->straight_free(rectangles, free);
   for (std::size_t i = 0; i < rectangles.size(); ++i)
-    for (const LineSegment &wall : walls_)
+    for (const LineSegment& wall : walls_)
       if (free[i] != 0 && intersects(wall, rectangles[i])) free[i] = 0;
 }
 
@@ -21,7 +21,7 @@ void WalledSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (result[i].empty()) continue;
     blocked.clear();
-    for (const LineSegment &wall : walls_)
+    for (const LineSegment& wall : walls_)
       if (may_touch(bodies[i], wall)) append_blocked_headings(bodies[i], wall, blocked);
     if (blocked.empty()) continue;
     const std::span<const HeadingInterval> free = result[i].intervals();

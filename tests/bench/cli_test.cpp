@@ -136,6 +136,34 @@ TEST_F(Tool, DrivesBackwardsOnlyWhereAllowed) {
   expect_bad_input(plan + " --reverse --cusp-cost -1", "--cusp-cost");
 }
 
+TEST_F(Tool, LeadsByPlacesToTheNearestOfSeveralGoals) {
+  const Run near = run("plan " + map_ + " --start 10,10,0 --goal 50,50,90deg --goal 50,10 --json " + file("p.json"));
+  EXPECT_EQ(near.code, 0) << near.err << near.out;
+  EXPECT_NE(near.out.find("goal                (50.000, 10.000), heading 0.0000 rad"), std::string::npos) << near.out;
+  const std::string direct = read("p.json");
+  const Run via = run("plan " + map_ + " --start 10,10,0 --via 10,50 --via 50,50,0 --goal 50,10,-90deg --json " +
+                      file("p.json") + " --svg " + file("p.svg"));
+  EXPECT_EQ(via.code, 0) << via.err << via.out;
+  EXPECT_NE(via.out.find("by way of           (10.000, 50.000), any heading"), std::string::npos) << via.out;
+  EXPECT_NE(via.out.find("valid               yes"), std::string::npos);
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("p.json")).code, 0);
+  const Run none = run("plan " + map_ + " --start 10,10,0 --goal 30,30 --goal 31,31,0");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_NE(none.out.find("goal                (30.000, 30.000), any heading"), std::string::npos) << none.out;
+  expect_bad_input("plan " + map_ + " --start 10,10,0 --goal 30", "--goal");
+  expect_bad_input("plan " + map_ + " --start 10,10,0 --goal 30,30 --via 1,x", "--via");
+}
+
+TEST_F(Tool, GivesAlternatives) {
+  const Run both = run("plan " + map_ + " --start 10,28,0 --goal 50,28,0 --alternatives 3 --json " + file("p.json") +
+                       " --svg " + file("p.svg"));
+  EXPECT_EQ(both.code, 0) << both.err << both.out;
+  EXPECT_NE(both.out.find("alternative         2 of 2"), std::string::npos) << both.out;
+  EXPECT_EQ(lines_of(read("p.json")).size(), 2u);
+  expect_bad_input("plan " + map_ + " --start 10,28,0 --goal 50,28 --alternatives 2", "--alternatives");
+  expect_bad_input("plan " + map_ + kAround + " --alternatives 0", "--alternatives");
+}
+
 TEST_F(Tool, AChangedPathIsNotValid) {
   ASSERT_EQ(run("plan " + map_ + kAround + " --json " + file("p.json")).code, 0);
   std::string plan = read("p.json");

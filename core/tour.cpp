@@ -1,0 +1,268 @@
+#include "core/tour.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/bound/travel_time_bound.h"
+#include "core/geometry/angle.h"
+#include "core/path/speed_profile.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kHeadings = 24;         // tried where the heading is open
+constexpr double kFinestStep = 2e-3;  // of an open heading [rad]
+
+void add(PlanStatistics& sum, const PlanStatistics& s) {
+  sum.nodes_expanded += s.nodes_expanded;
+  sum.nodes_pushed += s.nodes_pushed;
+  sum.straights_checked += s.straights_checked;
+  sum.turns_checked += s.turns_checked;
+  sum.manoeuvre_poses += s.manoeuvre_poses;
+  sum.refine_trials += s.refine_trials;
+  sum.refine_improvements += s.refine_improvements;
+  sum.search_seconds += s.search_seconds;
+  sum.refine_seconds += s.refine_seconds;
+  sum.bound_seconds += s.bound_seconds;
+  sum.profile_seconds += s.profile_seconds;
+}
+
+// A pose in which a place may be passed, and the best way to it.
+struct Stop {
+  Pose pose;
+  std::size_t place;        // among those of its stage
+  double cost = kInfinity;  // of the way from the start, from rest to rest at every stop
+  std::size_t from = 0;     // stop of the stage before
+  PlanResult leg = {};      // from there
+};
+using Stage = std::vector<Stop>;
+
+class TourPlanner {
+ public:
+  TourPlanner(const Planner& planner, const TourRequest& request, const PlanLimits& limits)
+      : planner_(planner), request_(request), limits_(limits) {
+    stages_.push_back({{request.start, 0, 0.0}});
+  }
+
+  Tour run() {
+    for (const Place& place : request_.via) {
+      add_stage({&place, 1});
+      reach_all();
+      if (!any_reached()) return finish(nullptr);
+    }
+    add_stage(request_.goals);
+    Stop* best = reach_one();
+    if (best != nullptr && !request_.goals[best->place].heading) turn_goal(*best);
+    return finish(best);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+  void add_stage(std::span<const Place> places) {
+    Stage stage;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Vec2& p = places[i].position;
+      if (places[i].heading) {
+        stage.push_back({{p.x(), p.y(), *places[i].heading}, i});
+        continue;
+      }
+      const Vec2 ahead = p - stages_.back().front().pose.position();
+      const double straight = ahead.isZero(0.0) ? 0.0 : std::atan2(ahead.y(), ahead.x());
+      for (int k = 0; k < kHeadings; ++k)
+        stage.push_back({{p.x(), p.y(), wrap_signed(straight + kTwoPi * k / kHeadings)}, i});
+    }
+    stages_.push_back(std::move(stage));
+  }
+
+  PlanResult plan_leg(const Pose& from, const Pose& to) {
+    PlanLimits rest = limits_;
+    rest.time -= elapsed();
+    PlanResult leg =
+        planner_.plan({.start = from, .goal = to, .reverse = request_.reverse, .cusp_cost = request_.cusp_cost}, rest);
+    add(statistics_, leg.statistics);
+    interrupted_ = interrupted_ || leg.interrupted;
+    return leg;
+  }
+
+  [[nodiscard]] double bound(const Pose& from, const Pose& to) const {
+    return travel_time_bound(from, to, (to.position() - from.position()).norm(), planner_.vehicle(), request_.reverse);
+  }
+  [[nodiscard]] double cost_of(const PlanResult& leg) const {
+    return leg.travel_time + request_.cusp_cost * static_cast<double>(cusps_of(leg.path()));
+  }
+
+  // The best way to a stop of the last stage, if it costs less than `cutoff`.
+  void reach(Stop& stop, double cutoff) {
+    const Stage& before = stages_[stages_.size() - 2];
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i].cost < kInfinity) order.emplace_back(before[i].cost + bound(before[i].pose, stop.pose), i);
+    std::sort(order.begin(), order.end());
+    for (const auto& [least, i] : order) {
+      if (least >= std::min(cutoff, stop.cost)) return;
+      PlanResult leg = plan_leg(before[i].pose, stop.pose);
+      if (!leg.solved()) {
+        if (!failure_ || failure_stage_ != stages_.size()) failure_ = std::move(leg);
+        failure_stage_ = stages_.size();
+        continue;
+      }
+      const double cost = before[i].cost + cost_of(leg);
+      if (cost >= stop.cost) continue;
+      stop.cost = cost;
+      stop.from = i;
+      stop.leg = std::move(leg);
+    }
+  }
+
+  void reach_all() {
+    for (Stop& stop : stages_.back()) reach(stop, kInfinity);
+  }
+  [[nodiscard]] bool any_reached() const {
+    return std::any_of(stages_.back().begin(), stages_.back().end(), [](const Stop& s) { return s.cost < kInfinity; });
+  }
+
+  // The stop of the last stage that costs least, nothing if there is none.
+  Stop* reach_one() {
+    Stop* best = nullptr;
+    for (Stop& stop : stages_.back()) {
+      reach(stop, best != nullptr ? best->cost : kInfinity);
+      if (stop.cost < (best != nullptr ? best->cost : kInfinity)) best = &stop;
+    }
+    return best;
+  }
+
+  // Improves the open heading of the goal.
+  void turn_goal(Stop& best) {
+    const auto improve = [&](double heading) {
+      Stop other{{best.pose.x, best.pose.y, wrap_signed(heading)}, best.place};
+      reach(other, best.cost);
+      if (!(other.cost < best.cost)) return false;
+      best = std::move(other);
+      return true;
+    };
+    for (double step = 0.5 * kTwoPi / kHeadings; step >= kFinestStep;) {
+      const double heading = best.pose.heading;
+      const bool better = improve(heading_of_last_line(best)) || improve(heading + step) || improve(heading - step);
+      if (!better) step *= 0.5;
+    }
+  }
+
+  // Where the last line of the way would have to point to lead to the goal by
+  // itself.
+  [[nodiscard]] static double heading_of_last_line(const Stop& stop) {
+    const std::vector<TimedSegment>& segments = stop.leg.segments;
+    for (std::size_t i = segments.size(); i-- > 0;) {
+      const PathSegment& s = segments[i].segment;
+      if (!s.is_line()) continue;
+      const Vec2 ahead = sign_of(s.gear) * (stop.pose.position() - s.start.position());
+      return std::atan2(ahead.y(), ahead.x());
+    }
+    return stop.pose.heading;
+  }
+
+  Tour finish(const Stop* last) {
+    Tour tour;
+    PlanResult& plan = tour.plan;
+    plan.start = request_.start;
+    plan.goal = stages_.back().front().pose;
+    plan.interrupted = interrupted_;
+    if (last == nullptr) {
+      if (failure_) {
+        plan = std::move(*failure_);
+        if (!request_.via.empty())
+          plan.reason = "leg " + std::to_string(stages_.size() - 1) + " of " + std::to_string(request_.via.size() + 1) +
+                        ": " + plan.reason;
+        plan.start = request_.start;
+      }
+    } else {
+      tour.goal = last->place;
+      join(legs_to(*last), tour);
+    }
+    statistics_.unrefined_travel_time = plan.statistics.unrefined_travel_time;
+    statistics_.total_seconds = elapsed();
+    plan.statistics = statistics_;
+    return tour;
+  }
+
+  [[nodiscard]] std::vector<const PlanResult*> legs_to(const Stop& last) const {
+    std::vector<const PlanResult*> legs;
+    const Stop* stop = &last;
+    for (std::size_t stage = stages_.size() - 1; stage > 0; --stage) {
+      legs.insert(legs.begin(), &stop->leg);
+      stop = &stages_[stage - 1][stop->from];
+    }
+    return legs;
+  }
+
+  void join(const std::vector<const PlanResult*>& legs, Tour& tour) const {
+    PlanResult& plan = tour.plan;
+    plan.status = PlanStatus::kSolved;
+    plan.goal = legs.back()->goal;
+    plan.min_clearance = kInfinity;
+    for (const PlanResult* leg : legs) {
+      if (leg != legs.front()) tour.passed.push_back(plan.segments.size());
+      if (leg->min_clearance < plan.min_clearance) {
+        plan.min_clearance = leg->min_clearance;
+        plan.clearance_segment = leg->clearance_segment;
+        plan.clearance_index = plan.segments.size() + leg->clearance_index;
+      }
+      plan.segments.insert(plan.segments.end(), leg->segments.begin(), leg->segments.end());
+      plan.length += leg->length;
+      plan.statistics.unrefined_travel_time += leg->statistics.unrefined_travel_time;
+    }
+    const Path path = plan.path();
+    const SpeedProfile profile = speed_profile(path, planner_.vehicle());
+    for (std::size_t i = 0; i < path.size(); ++i)
+      plan.segments[i] = {path[i], profile.speeds[i], profile.speeds[i + 1], profile.durations[i]};
+    plan.travel_time = profile.total_time;
+    const bool one_plan = legs.size() == 1 && request_.goals.size() == 1 && request_.goals[0].heading;
+    if (one_plan) {
+      plan.lower_bound = legs.front()->lower_bound;
+    } else {
+      plan.lower_bound = line_bound();
+    }
+  }
+
+  // Along straight lines by all places to the nearest goal, from rest to rest.
+  [[nodiscard]] double line_bound() const {
+    Vec2 at = request_.start.position();
+    double length = 0.0;
+    for (const Place& place : request_.via) {
+      length += (place.position - at).norm();
+      at = place.position;
+    }
+    double nearest = kInfinity;
+    for (const Place& goal : request_.goals) nearest = std::min(nearest, (goal.position - at).norm());
+    const Vehicle& vehicle = planner_.vehicle();
+    if (!(length + nearest > 0.0)) return 0.0;
+    return (1.0 - 1e-12) * segment_time(length + nearest, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());
+  }
+
+  const Planner& planner_;
+  const TourRequest& request_;
+  const PlanLimits& limits_;
+  Clock::time_point begin_ = Clock::now();
+  std::vector<Stage> stages_;
+  PlanStatistics statistics_;
+  bool interrupted_ = false;
+  std::optional<PlanResult> failure_;  // the first of its stage
+  std::size_t failure_stage_ = 0;
+};
+
+}  // namespace
+
+Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits) {
+  if (request.goals.empty()) throw std::invalid_argument("tour: no goal");
+  return TourPlanner(planner, request, limits).run();
+}
+
+}  // namespace arcway

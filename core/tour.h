@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+#include "core/path/path.h"
+#include "core/planner.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Where to: a pose or, without a heading, a position at which any heading will
+/// do.
+struct Place {
+  Vec2 position;
+  std::optional<double> heading = std::nullopt;  ///< [rad]
+};
+
+struct TourRequest {
+  Pose start;
+  std::vector<Place> via = {};  ///< passed in this order, without a stop
+  std::vector<Place> goals;     ///< to one of them, whichever is reached first; at least one
+  bool reverse = false;         ///< as in PlanRequest
+  double cusp_cost = 0.0;       ///< as in PlanRequest [s]
+};
+
+struct Tour {
+  /// From the start to the goal reached, by way of all places. Counters and
+  /// stage times are those of all plans that were tried. With several goals,
+  /// places on the way or an open heading the lower bound is that of the
+  /// straight lines.
+  PlanResult plan;
+  std::size_t goal = 0;             ///< index of the goal reached
+  std::vector<std::size_t> passed;  ///< for each place on the way, how many segments lead to it
+};
+
+/// The fastest way found by places to one of several goals.
+///
+/// Legs between two poses are plans of `planner`, the fastest from rest to
+/// rest; the whole is then driven without a stop at the places on its way. One
+/// leg to several poses is the least of the plans to each, those left out that
+/// cannot be it by their lower bounds. An open heading is chosen from 24 that
+/// are tried and, at the goal, improved from the best of them on, by halving
+/// steps and by going straight there: no slower than with any heading tried. Of
+/// each place on the way the heading is chosen for the least sum over all legs.
+/// A place on the way with an open heading takes up to 25 plans for each
+/// heading of the next place.
+///
+/// One goal with a heading and nothing on the way gives the plan that
+/// Planner::plan gives. Never throws for want of a path: see
+/// PlanResult::status; the reason names the leg.
+/// @param limits  for all plans together.
+/// @throws std::invalid_argument without a goal, and as Planner::plan does.
+Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits = {});
+
+}  // namespace gnu::visibility("default")]]arcway

@@ -1,0 +1,109 @@
+#include "core/alternatives.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "datasets/clutter.h"
+#include "datasets/random_queries.h"
+#include "tests/support/plans.h"
+
+namespace arcway {
+namespace {
+
+using test::expect_valid;
+
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
+}
+
+// y where a path crosses x for the first time.
+double height_at(const Path& path, double x) {
+  for (const PathSegment& s : path)
+    for (double i = 0.0; i <= 100.0; ++i)
+      if (const Pose pose = s.at(s.length * i / 100.0); pose.x >= x) return pose.y;
+  return std::nan("");
+}
+
+TEST(Alternatives, GoRoundABoxOnBothSides) {
+  const World world({box(20, 20, 40, 40)}, box(0, 0, 60, 60).outer);
+  const Planner planner(world, Vehicle{});
+  const PlanRequest request{.start = {5, 28, 0}, .goal = {55, 28, 0}};
+  const std::vector<PlanResult> plans = plan_alternatives(planner, request, 5);
+  ASSERT_EQ(plans.size(), 2u);
+  EXPECT_EQ(plans[0].travel_time, planner.plan(request).travel_time);
+  EXPECT_LT(plans[0].travel_time, plans[1].travel_time);
+  for (const PlanResult& plan : plans) expect_valid(planner, plan);
+  EXPECT_LT(height_at(plans[0].path(), 30.0), 20.0);
+  EXPECT_GT(height_at(plans[1].path(), 30.0), 40.0);
+  EXPECT_EQ(plan_alternatives(planner, request, 1).size(), 1u);
+}
+
+TEST(Alternatives, WithoutBoundsToo) {
+  const World world({box(20, 20, 40, 40)});
+  const Planner planner(world, Vehicle{});
+  const std::vector<PlanResult> plans = plan_alternatives(planner, {.start = {5, 28, 0}, .goal = {55, 28, 0}}, 2);
+  ASSERT_EQ(plans.size(), 2u);
+  EXPECT_GT(height_at(plans[1].path(), 30.0), 40.0);
+}
+
+TEST(Alternatives, AreOneWhereThereIsOneWay) {
+  const World lane({}, box(0, 0, 60, 3).outer);
+  const Planner planner(lane, Vehicle{});
+  const PlanRequest request{.start = {5, 1.5, 0}, .goal = {50, 1.5, 0}};
+  EXPECT_EQ(plan_alternatives(planner, request, 4).size(), 1u);
+  const std::vector<PlanResult> none = plan_alternatives(planner, {.start = {5, 1.5, 0}, .goal = {70, 1.5, 0}}, 4);
+  ASSERT_EQ(none.size(), 1u);
+  EXPECT_EQ(none[0].status, PlanStatus::kGoalOutsideBounds);
+  EXPECT_THROW(plan_alternatives(planner, request, 0), std::invalid_argument);
+}
+
+TEST(Alternatives, InClutterDifferPairwiseAndAreSorted) {
+  const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 21});
+  const Vehicle vehicle;
+  const Planner planner(world, vehicle);
+  for (const PlanRequest& request :
+       random_queries(world, make_reference_queries(world), vehicle, {.count = 4, .min_distance = 0.5})) {
+    const PlanResult best = planner.plan(request);
+    if (!best.solved()) continue;
+    const std::vector<PlanResult> plans = plan_alternatives(planner, request, 4);
+    EXPECT_EQ(plans.size(), 4u);
+    EXPECT_LE(plans[0].travel_time, best.travel_time);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      expect_valid(planner, plans[i]);
+      if (i > 0) {
+        EXPECT_LE(plans[i - 1].travel_time, plans[i].travel_time);
+      }
+      for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(same_way(plans[i].path(), plans[j].path(), world));
+    }
+  }
+}
+
+TEST(Alternatives, InBothGears) {
+  const World world({box(6, -1, 8, 1)}, box(-20, -10, 20, 10).outer);
+  const Planner planner(world, Vehicle{});
+  const PlanRequest request{.start = {0, 0, kPi}, .goal = {14, 0, kPi}, .reverse = true};
+  const std::vector<PlanResult> plans = plan_alternatives(planner, request, 2);
+  ASSERT_EQ(plans.size(), 2u);
+  for (const PlanResult& plan : plans) expect_valid(planner, plan, true);
+}
+
+TEST(SameWay, CountsTheWindingRoundEveryObstacle) {
+  const World world({box(4, -1, 6, 1), box(4, 5, 6, 6)});
+  const auto over = [](double height) {  // (0, 0) up, across, down
+    return Path{{{0, 0, 0.5 * kPi}, height, 0.0}, {{0, height, 0}, 10, 0.0}, {{10, height, -0.5 * kPi}, height, 0.0}};
+  };
+  Path under = over(2.0);
+  for (PathSegment& s : under) s.start = {s.start.x, -s.start.y, -s.start.heading};
+  EXPECT_TRUE(same_way(over(2.0), over(4.0), world));
+  EXPECT_FALSE(same_way(over(2.0), over(8.0), world));
+  EXPECT_FALSE(same_way(over(2.0), under, world));
+  // A full turn round an obstacle is a different way as well.
+  Path loop = over(2.0);
+  loop.insert(loop.begin() + 1, PathSegment{{0, 2, 0}, kTwoPi * 10.0, 0.1});
+  EXPECT_FALSE(same_way(over(2.0), loop, world));
+}
+
+}  // namespace
+}  // namespace arcway

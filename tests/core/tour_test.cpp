@@ -1,0 +1,181 @@
+#include "core/tour.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/geometry/angle.h"
+#include "core/path/speed_profile.h"
+#include "datasets/clutter.h"
+#include "datasets/random_queries.h"
+#include "tests/support/plans.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+using test::expect_valid;
+
+Place place_of(const Pose& pose) { return {pose.position(), pose.heading}; }
+
+class TourInClutter : public testing::Test {
+ protected:
+  World world_ = random_world({.obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 12});
+  Planner planner_{world_, Vehicle{}};
+  std::vector<PlanRequest> queries_ =
+      random_queries(world_, make_reference_queries(world_), Vehicle{}, {.count = 24, .min_distance = 0.3});
+};
+
+TEST_F(TourInClutter, ToOnePoseIsThePlan) {
+  for (const PlanRequest& query : queries_) {
+    const PlanResult plan = planner_.plan(query);
+    const Tour tour = plan_tour(planner_, {.start = query.start, .goals = {place_of(query.goal)}});
+    ASSERT_EQ(tour.plan.status, plan.status);
+    EXPECT_EQ(tour.plan.reason, plan.reason);
+    EXPECT_EQ(tour.plan.travel_time, plan.travel_time);
+    EXPECT_EQ(tour.plan.lower_bound, plan.lower_bound);
+    EXPECT_EQ(tour.plan.min_clearance, plan.min_clearance);
+    ASSERT_EQ(tour.plan.segments.size(), plan.segments.size());
+    for (std::size_t i = 0; i < plan.segments.size(); ++i) {
+      EXPECT_EQ(tour.plan.segments[i].segment.length, plan.segments[i].segment.length);
+      EXPECT_EQ(tour.plan.segments[i].speed_in, plan.segments[i].speed_in);
+    }
+  }
+}
+
+TEST_F(TourInClutter, ToSeveralGoalsIsTheFastestOfThePlans) {
+  int solved = 0;
+  for (std::size_t first = 0; first + 4 <= queries_.size(); first += 4) {
+    const Pose start = queries_[first].start;
+    std::vector<Place> goals;
+    double fastest = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      goals.push_back(place_of(queries_[first + i].goal));
+      const PlanResult plan = planner_.plan({.start = start, .goal = queries_[first + i].goal});
+      if (!plan.solved() || plan.travel_time >= fastest) continue;
+      fastest = plan.travel_time;
+      nearest = i;
+    }
+    const Tour tour = plan_tour(planner_, {.start = start, .goals = goals});
+    ASSERT_EQ(tour.plan.solved(), std::isfinite(fastest));
+    if (!tour.plan.solved()) continue;
+    ++solved;
+    EXPECT_EQ(tour.plan.travel_time, fastest);
+    EXPECT_EQ(tour.goal, nearest);
+    EXPECT_EQ(tour.plan.goal.heading, queries_[first + nearest].goal.heading);
+    expect_valid(planner_, tour.plan);
+  }
+  EXPECT_GE(solved, 4);
+}
+
+TEST_F(TourInClutter, AnOpenHeadingIsNoSlowerThanAnyHeading) {
+  test::Random random(2);
+  int solved = 0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    const Pose start = queries_[i].start, goal = queries_[i].goal;
+    const Tour tour = plan_tour(planner_, {.start = start, .goals = {{goal.position()}}});
+    if (tour.plan.solved()) {
+      ++solved;
+      expect_valid(planner_, tour.plan);
+      EXPECT_EQ(tour.plan.goal.x, goal.x);
+      EXPECT_EQ(tour.plan.goal.y, goal.y);
+    }
+    for (int k = 0; k < 12; ++k) {
+      const double heading = random.uniform(-kPi, kPi);
+      const PlanResult plan = planner_.plan({.start = start, .goal = {goal.x, goal.y, heading}});
+      if (!plan.solved()) continue;
+      ASSERT_TRUE(tour.plan.solved());
+      EXPECT_LE(tour.plan.travel_time, plan.travel_time * (1.0 + 1e-4)) << i << " heading " << heading;
+    }
+  }
+  EXPECT_GE(solved, 6);
+}
+
+TEST_F(TourInClutter, PassesAllPlacesWithoutAStop) {
+  for (std::size_t i = 0; i + 2 < 9; i += 3) {
+    const Pose start = queries_[i].start, middle = queries_[i + 1].start, goal = queries_[i + 2].goal;
+    const PlanResult one = planner_.plan({.start = start, .goal = middle});
+    const PlanResult two = planner_.plan({.start = middle, .goal = goal});
+    if (!one.solved() || !two.solved()) continue;
+    const Tour fixed = plan_tour(planner_, {.start = start, .via = {place_of(middle)}, .goals = {place_of(goal)}});
+    ASSERT_TRUE(fixed.plan.solved());
+    expect_valid(planner_, fixed.plan);
+    EXPECT_NEAR(fixed.plan.length, one.length + two.length, 1e-9);
+    EXPECT_LT(fixed.plan.travel_time, one.travel_time + two.travel_time);
+    ASSERT_EQ(fixed.passed, std::vector<std::size_t>{one.segments.size()});
+    const TimedSegment& next = fixed.plan.segments[fixed.passed[0]];
+    EXPECT_NEAR((next.segment.start.position() - middle.position()).norm(), 0.0, 1e-9);
+    EXPECT_NEAR(wrap_signed(next.segment.start.heading - middle.heading), 0.0, 1e-9);
+    EXPECT_GT(next.speed_in, 0.0);
+
+    const Tour open = plan_tour(planner_, {.start = start, .via = {{middle.position()}}, .goals = {place_of(goal)}});
+    ASSERT_TRUE(open.plan.solved());
+    expect_valid(planner_, open.plan);
+    EXPECT_NEAR((open.plan.segments[open.passed[0]].segment.start.position() - middle.position()).norm(), 0.0, 1e-9);
+    EXPECT_LT(open.plan.length, 1.2 * fixed.plan.length);
+  }
+}
+
+TEST_F(TourInClutter, DrivesBackwardsIfAllowed) {
+  const Pose start = queries_[0].start;
+  Pose behind = PathSegment{start, 0.5, 0.0, Gear::kReverse}.end();
+  TourRequest request{.start = start, .goals = {place_of(behind)}};
+  const Tour forwards = plan_tour(planner_, request);
+  request.reverse = true;
+  const Tour both = plan_tour(planner_, request);
+  ASSERT_TRUE(both.plan.solved());
+  expect_valid(planner_, both.plan, true);
+  if (forwards.plan.solved()) {
+    EXPECT_LT(both.plan.travel_time, forwards.plan.travel_time);
+  }
+}
+
+TEST(Tour, SaysWhichLegHasNoPath) {
+  const World world({{{Vec2(10, 10), Vec2(12, 10), Vec2(12, 12), Vec2(10, 12)}, {}}});
+  const Planner planner(world, Vehicle{});
+  const Place free{{20, 0}, 0.0}, inside{{11, 11}, 0.0};
+  const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .via = {free, inside}, .goals = {{{40, 0}, 0.0}}});
+  EXPECT_EQ(tour.plan.status, PlanStatus::kGoalInCollision);
+  EXPECT_EQ(tour.plan.reason.rfind("leg 2 of 3: the goal", 0), 0u) << tour.plan.reason;
+  EXPECT_TRUE(tour.plan.segments.empty());
+  // One goal of several is enough.
+  const Tour other = plan_tour(planner, {.start = {0, 0, 0}, .goals = {inside, free}});
+  EXPECT_TRUE(other.plan.solved());
+  EXPECT_EQ(other.goal, 1u);
+  EXPECT_EQ(plan_tour(planner, {.start = {0, 0, 0}, .goals = {inside}}).plan.status, PlanStatus::kGoalInCollision);
+  // No heading is free inside.
+  EXPECT_FALSE(plan_tour(planner, {.start = {0, 0, 0}, .goals = {{{11, 11}}}}).plan.solved());
+}
+
+TEST(Tour, KeepsItsLimits) {
+  const Planner planner(World({}), Vehicle{});
+  EXPECT_THROW(plan_tour(planner, {.start = {}, .goals = {}}), std::invalid_argument);
+  std::stop_source stop;
+  stop.request_stop();
+  const Tour tour = plan_tour(planner, {.start = {}, .goals = {{{5, 5}}}}, {.stop = stop.get_token()});
+  EXPECT_EQ(tour.plan.status, PlanStatus::kCancelled);
+  EXPECT_TRUE(tour.plan.interrupted);
+}
+
+TEST(Tour, AnOpenHeadingInAnEmptyWorldGoesStraight) {
+  VehicleParameters parameters;
+  parameters.turn_speed = ConstantTurnSpeed{parameters.max_speed};
+  const Vehicle vehicle(parameters);
+  const Planner planner(World({}), vehicle);
+  const Tour ahead = plan_tour(planner, {.start = {0, 0, 0}, .goals = {{{9, 0}}}});
+  EXPECT_NEAR(ahead.plan.length, 9.0, 1e-9);
+  // A turn and a line: the shortest way to a point outside of the circle.
+  const double r = vehicle.min_turning_radius();
+  const Vec2 goal(3.0, 7.0);
+  const Vec2 d = goal - Vec2(0.0, r);
+  const double line = std::sqrt(d.squaredNorm() - r * r);
+  const double turn = wrap_positive(std::atan2(d.y(), d.x()) + std::atan2(r, line));
+  const Tour aside = plan_tour(planner, {.start = {0, 0, 0}, .goals = {{goal}}});
+  EXPECT_NEAR(aside.plan.length, r * turn + line, 1e-6);
+}
+
+}  // namespace
+}  // namespace arcway
