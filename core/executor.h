@@ -19,6 +19,8 @@ class Executor {
   /// @param grain  smallest sensible range, >= 1.
   virtual void for_ranges(std::size_t count, std::size_t grain,
                           const std::function<void(std::size_t, std::size_t)>& body) const = 0;
+  /// What the loops that follow are for, for who watches: "bitangents".
+  virtual void begin_stage(const char* /*name*/) const {}
 };
 
 /// One range, on the calling thread.
@@ -42,6 +44,7 @@ class StoppableExecutor final : public Executor {
   /// @param executor  must outlive this one.
   StoppableExecutor(const Executor& executor, std::stop_token stop) : executor_(executor), stop_(std::move(stop)) {}
 
+  void begin_stage(const char* name) const override { executor_.begin_stage(name); }
   /// @throws Cancelled once a stop is requested, when all pieces under way have ended.
   void for_ranges(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) const override {

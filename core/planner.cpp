@@ -82,6 +82,17 @@ PlannerOptions checked_options(const World& world, const Vehicle& vehicle, Plann
   return options;
 }
 
+bool is_graph_vertex(const World& world, VertexId v) { return world.is_convex(v) && !world.is_covered(v); }
+
+// Checks the feasible graph anew.
+auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
+  return [&](const VisibilityGraph& graph, const PlannerOptions& options) {
+    const SoloTeam alone;
+    return FeasibleGraph(world, vehicle, graph, queries, options.radii, executor, options.graph_mode,
+                         options.team ? *options.team : alone);
+  };
+}
+
 // When the time limit of a search that begins now ends; nothing if never.
 std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimits& limits) {
   using Clock = std::chrono::steady_clock;
@@ -94,12 +105,13 @@ std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimit
 }  // namespace
 
 struct Planner::Data {
+  /// @param make_feasible  gives the feasible graph for the reduced graph and the radii.
+  template <class MakeFeasible>
   Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, VisibilityGraph graph,
-       const Executor& executor)
+       MakeFeasible&& make_feasible)
       : options(std::move(o)),
         visibility_graph(std::move(graph)),
-        map(world, vehicle, queries, options.radii,
-            FeasibleGraph(world, vehicle, visibility_graph, queries, options.radii, executor, options.graph_mode)) {
+        map(world, vehicle, queries, options.radii, make_feasible(visibility_graph, options)) {
     const Footprint bare = vehicle.footprint();
     if (options.point_robot_bound && std::min(bare.front, bare.rear) >= 0.0)
       point_distance.emplace(world, visibility_graph);
@@ -248,7 +260,8 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
   const Stopwatch watch;
   VisibilityGraph graph = checked.reduced_graph(world, *queries.visibility, executor);
   const double seconds = watch.seconds();
-  auto data = std::make_shared<Data>(world, vehicle, queries, checked, std::move(graph), executor);
+  auto data = std::make_shared<Data>(world, vehicle, queries, checked, std::move(graph),
+                                     feasible_maker(world, vehicle, queries, executor));
   data->prepare_statistics.visibility_seconds = seconds;
   data_ = std::move(data);
 }
@@ -256,7 +269,29 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
                  const PlannerOptions& options, const Executor& executor)
     : data_(std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
-                                   std::move(visibility_graph), executor)) {}
+                                   std::move(visibility_graph), feasible_maker(world, vehicle, queries, executor))) {}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, PreparedGraph graphs,
+                 const PlannerOptions& options) {
+  PlannerOptions taken = options;
+  taken.radii = graphs.radii;
+  taken.graph_mode = GraphMode::kEager;
+  taken = checked_options(world, vehicle, std::move(taken));
+  if (graphs.reduced_graph.vertex_count() != world.vertices().size())
+    throw TableError(Table::kRowStarts, graphs.reduced_graph.vertex_count(),
+                     "at the end, the world has " + std::to_string(world.vertices().size()) + " vertices");
+  for (VertexId u = 0; u < world.vertices().size(); ++u)
+    for (const VertexId v : graphs.reduced_graph.row(u))
+      if (!is_graph_vertex(world, u) || !is_graph_vertex(world, v))
+        throw TableError(
+            Table::kTargets, graphs.reduced_graph.row_starts()[u],
+            "row " + std::to_string(u) + " joins it to " + std::to_string(v) + ", which are not both convex and free");
+  data_ = std::make_shared<Data>(world, vehicle, queries, std::move(taken), std::move(graphs.reduced_graph),
+                                 [&](const VisibilityGraph& graph, const PlannerOptions& o) {
+                                   return FeasibleGraph(world, vehicle, graph, queries, o.radii,
+                                                        std::move(graphs.feasible));
+                                 });
+}
 
 PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) const {
   require_pose("start", request.start);
@@ -343,6 +378,9 @@ const QuerySet& Planner::queries() const { return data_->map.queries; }
 const PlannerOptions& Planner::options() const { return data_->options; }
 const VisibilityGraph& Planner::visibility_graph() const { return data_->visibility_graph; }
 const FeasibleGraph& Planner::feasible_graph() const { return data_->map.graph; }
+PreparedGraph Planner::prepared_graph() const {
+  return {data_->visibility_graph, data_->options.radii, data_->map.graph.tables()};
+}
 const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }
 
 }  // namespace arcway

@@ -13,9 +13,11 @@
 #include "core/graph/feasible_graph.h"
 #include "core/graph/visibility_graph.h"
 #include "core/path/path.h"
+#include "core/prepared_graph.h"
 #include "core/query/query_set.h"
 #include "core/refine/refine_path.h"
 #include "core/search/heuristic.h"
+#include "core/team.h"
 #include "core/vehicle.h"
 #include "core/world.h"
 
@@ -37,6 +39,8 @@ struct PlannerOptions {
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
   bool point_robot_bound = true;
   RefineOptions refinement = {};  ///< of the path found; `max_trials = 0` turns it off
+  /// Processes that build the same eager feasible graph together; used during construction only. None: this one alone.
+  const Team* team = nullptr;
 };
 
 struct PlanRequest {
@@ -136,7 +140,8 @@ class Planner {
   /// Queries by brute force, one thread.
   Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options = {});
   /// @param queries   about `world`.
-  /// @param executor  used during construction only. A StoppableExecutor makes that cancellable.
+  /// @param executor  used during construction only. A StoppableExecutor makes that cancellable, a ReportingExecutor
+  ///   tells how far it is.
   /// @throws std::invalid_argument if a radius is below the vehicle's smallest, or the safety margin is too small for
   ///   doubles at the map's coordinates (below 2^20 units in the last place of the largest).
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
@@ -144,6 +149,12 @@ class Planner {
   /// The same from a reduced visibility graph built elsewhere.
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
           const PlannerOptions& options, const Executor& executor);
+
+  /// The same from all graphs of another planner for an equal map and vehicle: nothing is checked again. The options'
+  /// radii and mode are those of the graphs, whatever they say.
+  /// @throws TableError if the graphs are not of this map, as far as ranges and order tell.
+  Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, PreparedGraph graphs,
+          const PlannerOptions& options = {});
 
   /// The fastest path of the graph under the true speed profile, refined. With `reverse` the cheapest found of that
   /// one, of paths by the graph with motions in both gears at their ends, and of short ones in both gears all the way:
@@ -159,6 +170,8 @@ class Planner {
   [[nodiscard]] const PlannerOptions& options() const;  ///< with the radii that are used
   [[nodiscard]] const VisibilityGraph& visibility_graph() const;
   [[nodiscard]] const FeasibleGraph& feasible_graph() const;
+  /// All graphs, for another planner. Eager graphs only.
+  [[nodiscard]] PreparedGraph prepared_graph() const;
   [[nodiscard]] const PrepareStatistics& prepare_statistics() const;
 
  private:

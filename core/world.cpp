@@ -16,6 +16,7 @@ namespace {
 
 // Below this number of vertices a scan of all edges beats a tree over them.
 constexpr std::size_t kScanVertices = 64;
+constexpr std::size_t kMaxVertices = 0x7FFFFFFF;
 
 // Shortest digits that give the same double, whatever the locale.
 std::string text(double x) {
@@ -27,6 +28,22 @@ std::string text(double x) {
 std::string text(const Vec2& p) {
   std::string result = "(";
   return result.append(text(p.x())).append(", ").append(text(p.y())).append(")");
+}
+
+// What is wrong with the coordinates of a vertex; empty if nothing is.
+std::string complaint_about(const Vec2& p) {
+  for (const Eigen::Index axis : {0, 1}) {
+    const double value = p[axis];
+    const double magnitude = std::abs(value);
+    if (value == 0.0 || (magnitude >= kMinMagnitude && magnitude <= kMaxMagnitude)) continue;
+    std::string what = (axis == 0 ? "x is " : "y is ") + (std::isnan(value) ? "nan" : text(value));
+    if (std::isfinite(value)) {
+      what.append(", its magnitude must be 0 or from ").append(text(kMinMagnitude));
+      what.append(" to ").append(text(kMaxMagnitude));
+    }
+    return what;
+  }
+  return {};
 }
 
 // Checks one region; `id` is the number of obstacles for the bounds.
@@ -53,17 +70,8 @@ class Validator {
 
   void check_ring(const Ring& ring, std::size_t index) const {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      for (const Eigen::Index axis : {0, 1}) {
-        const double value = ring[i][axis];
-        const double magnitude = std::abs(value);
-        if (value == 0.0 || (magnitude >= kMinMagnitude && magnitude <= kMaxMagnitude)) continue;
-        std::string what = (axis == 0 ? "x is " : "y is ") + (std::isnan(value) ? "nan" : text(value));
-        if (std::isfinite(value)) {
-          what.append(", its magnitude must be 0 or from ").append(text(kMinMagnitude));
-          what.append(" to ").append(text(kMaxMagnitude));
-        }
-        fail(vertex_text(index, i), what);
-      }
+      const std::string what = complaint_about(ring[i]);
+      if (!what.empty()) fail(vertex_text(index, i), what);
     }
     if (ring.size() < 3) {
       fail(ring_text(index), "a ring needs at least 3 vertices, this one has " + std::to_string(ring.size()));
@@ -144,6 +152,64 @@ class Validator {
   std::string name_;
 };
 
+void require_vertex_count(std::size_t count, ObstacleId obstacles) {
+  if (count > kMaxVertices)
+    throw WorldError(
+        "the map has " + std::to_string(count) + " vertices, at most " + std::to_string(kMaxVertices) + " fit",
+        obstacles);
+}
+
+// Ascending starts of rows within [0, count), each of at least `least`.
+void require_starts(Table table, std::span<const std::uint32_t> starts, std::size_t count, std::size_t least) {
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : count;
+    if (i == 0 && starts[0] != 0) throw TableError(table, 0, "the first one is " + std::to_string(starts[0]));
+    if (starts[i] > count || end > count || end < starts[i] + least)
+      throw TableError(table, i + 1 < starts.size() ? i + 1 : i,
+                       std::to_string(starts[i]) + " is followed by " + std::to_string(end) + ", at least " +
+                           std::to_string(least) + " more and at most " + std::to_string(count) + " are expected");
+  }
+}
+
+// Everything that memory safety and the predicates rely on.
+void require_world(const WorldTables& tables) {
+  const std::size_t n = tables.vertices.size();
+  require_vertex_count(n, static_cast<ObstacleId>(tables.region_rings.size()));
+  const auto require_size = [&](Table table, std::size_t size) {
+    if (size != n) throw TableError(table, size, "there are " + std::to_string(n) + " vertices");
+  };
+  require_size(Table::kNext, tables.next.size());
+  require_size(Table::kCovered, tables.covered.size());
+  require_starts(Table::kRingStarts, tables.ring_starts, n, 3);
+  if (tables.ring_starts.empty() && n > 0) throw TableError(Table::kRingStarts, 0, "missing");
+  if (tables.region_rings.empty()) throw TableError(Table::kRegionRings, 0, "missing");
+  const std::span region_rings(tables.region_rings);
+  require_starts(Table::kRegionRings, region_rings.first(region_rings.size() - 1), region_rings.back(), 1);
+  if (region_rings.back() != tables.ring_starts.size())
+    throw TableError(Table::kRegionRings, region_rings.size() - 1,
+                     std::to_string(region_rings.back()) + " at the end, there are " +
+                         std::to_string(tables.ring_starts.size()) + " rings");
+  if (tables.has_bounds && region_rings.size() < 2) throw TableError(Table::kRegionRings, 0, "there are no bounds");
+
+  std::vector<bool> reached(n);
+  for (std::size_t region = 0; region + 1 < region_rings.size(); ++region) {
+    const std::size_t first = tables.ring_starts[region_rings[region]];
+    const std::size_t last =
+        region_rings[region + 1] < tables.ring_starts.size() ? tables.ring_starts[region_rings[region + 1]] : n;
+    for (std::size_t v = first; v < last; ++v) {
+      const std::string complaint = complaint_about(tables.vertices[v]);
+      if (!complaint.empty()) throw TableError(Table::kVertices, v, complaint);
+      const std::size_t w = tables.next[v];
+      if (w < first || w >= last || reached[w])
+        throw TableError(Table::kNext, v, std::to_string(w) + " is of another region or follows twice");
+      if (tables.vertices[v] == tables.vertices[w])
+        throw TableError(Table::kNext, v, std::to_string(w) + " is at the same place");
+      reached[w] = true;
+      if (tables.covered[v] > 1) throw TableError(Table::kCovered, v, std::to_string(tables.covered[v]));
+    }
+  }
+}
+
 }  // namespace
 
 struct World::Data {
@@ -163,14 +229,11 @@ struct World::Data {
   bool has_bounds = false;
 
   void add_region(const Polygon& polygon, bool is_bounds) {
-    const auto region = static_cast<ObstacleId>(boxes.size());
-    boxes.emplace_back();
     add_ring(polygon.outer, is_bounds ? -1 : 1);
     for (const Ring& hole : polygon.holes) add_ring(hole, -1);
-    obstacle_of.resize(vertices.size(), region);
-    region_starts.push_back(static_cast<VertexId>(vertices.size()));
-    region_rings.push_back(ring_starts.size());
-    box.extend(boxes.back());
+    Box region_box;
+    for (const Vec2& p : polygon.outer) region_box.extend(p);
+    close_region(region_box);
   }
 
   void add_ring(const Ring& ring, int wanted_winding) {
@@ -182,25 +245,50 @@ struct World::Data {
       const VertexId ahead = first + (i + 1 == n ? 0 : i + 1);
       const VertexId behind = first + (i == 0 ? n - 1 : i - 1);
       vertices.push_back(ring[i]);
-      boxes.back().extend(ring[i]);
       next.push_back(as_given ? ahead : behind);
       previous.push_back(as_given ? behind : ahead);
     }
   }
 
-  void finish() {
+  // A region of another world, after the last one of this one.
+  void copy_region(const Data& from, ObstacleId old) {
+    const VertexId first = from.region_starts[old], last = from.region_starts[old + 1];
+    const auto to = static_cast<VertexId>(vertices.size());
+    const auto moved = [&](VertexId v) { return v - first + to; };
+    vertices.insert(vertices.end(), from.vertices.begin() + first, from.vertices.begin() + last);
+    covered.insert(covered.end(), from.covered.begin() + first, from.covered.begin() + last);
+    for (VertexId v = first; v < last; ++v) {
+      next.push_back(moved(from.next[v]));
+      previous.push_back(moved(from.previous[v]));
+    }
+    for (std::size_t r = from.region_rings[old]; r < from.region_rings[old + 1]; ++r)
+      ring_starts.push_back(moved(from.ring_starts[r]));
+    close_region(from.boxes[old]);
+  }
+
+  // All vertices and rings since the last region are one.
+  void close_region(const Box& region_box) {
+    obstacle_of.resize(vertices.size(), static_cast<ObstacleId>(boxes.size()));
+    boxes.push_back(region_box);
+    region_starts.push_back(static_cast<VertexId>(vertices.size()));
+    region_rings.push_back(ring_starts.size());
+    box.extend(region_box);
+  }
+
+  // What follows from vertices and links at once.
+  void derive_edges() {
     const auto n = static_cast<VertexId>(vertices.size());
-    relink_pinches();
     edges.reserve(n);
     convex.resize(n);
     for (VertexId v = 0; v < n; ++v) {
       edges.push_back({vertices[v], vertices[next[v]]});
       convex[v] = orientation(vertices[previous[v]], vertices[v], vertices[next[v]]) > 0;
     }
-    mark_covered();
-    for (VertexId v = 0; v < n; ++v) {
+  }
+
+  void list_convex_vertices() {
+    for (VertexId v = 0; v < vertices.size(); ++v)
       if (convex[v] && !covered[v]) convex_vertices.push_back(v);
-    }
   }
 
   [[nodiscard]] bool is_bounds(ObstacleId region) const { return has_bounds && region + 1 == boxes.size(); }
@@ -223,9 +311,9 @@ struct World::Data {
   // Where rings touch in a vertex, an edge that ends there goes on with the edge that bounds the same wedge of the
   // interior, the first one clockwise from it: so each of the coincident vertices has a wedge of its own, and all of
   // them are disjoint.
-  void relink_pinches() {
-    std::vector<VertexId> order(vertices.size());
-    std::iota(order.begin(), order.end(), VertexId{0});
+  void relink_pinches(VertexId first_vertex) {
+    std::vector<VertexId> order(vertices.size() - first_vertex);
+    std::iota(order.begin(), order.end(), first_vertex);
     const auto key = [this](VertexId v) { return std::tuple(obstacle_of[v], vertices[v].x(), vertices[v].y()); };
     std::sort(order.begin(), order.end(), [&](VertexId v, VertexId w) { return key(v) < key(w); });
     std::vector<std::pair<VertexId, VertexId>> links;  // made in the end: the search needs the old ones
@@ -248,31 +336,38 @@ struct World::Data {
     }
   }
 
-  void mark_covered() {
+  // Decides which of these vertices are covered.
+  void mark_covered(std::span<const VertexId> which) {
     covered.resize(vertices.size());
     const ObstacleId obstacles = static_cast<ObstacleId>(boxes.size()) - (has_bounds ? 1 : 0);
     // Region by region, so that the tree over the edges of a large one lives only for its turn.
-    std::vector<Box> points(vertices.size());
-    for (std::size_t v = 0; v < vertices.size(); ++v) points[v].extend(vertices[v]);
+    std::vector<Box> points(which.size());
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      points[i].extend(vertices[which[i]]);
+      covered[which[i]] = false;
+    }
     const BoxTree point_tree(points);
     for (ObstacleId region = 0; region < boxes.size(); ++region) {
       const VertexId first = region_starts[region];
       const VertexId last = region_starts[region + 1];
       BoxTree edge_tree;
-      if (last - first > kScanVertices) {
+      const bool is_large = last - first > kScanVertices;
+      const auto build_edge_tree = [&] {
         std::vector<Box> edge_boxes(last - first);
         for (VertexId v = first; v < last; ++v) {
           edge_boxes[v - first].extend(edges[v].a);
           edge_boxes[v - first].extend(edges[v].b);
         }
         edge_tree = BoxTree(edge_boxes);
-      }
-      const auto visit = [&](std::uint32_t v) {
+      };
+      const auto visit = [&](std::uint32_t i) {
+        const VertexId v = which[i];
         if (obstacle_of[v] == region || covered[v]) return true;
         PointLocation location;
-        if (edge_tree.size() == 0 || !boxes[region].contains(vertices[v])) {
+        if (!is_large || !boxes[region].contains(vertices[v])) {
           location = locate(vertices[v], region);
         } else {
+          if (edge_tree.size() == 0) build_edge_tree();
           RayParity parity(vertices[v]);
           edge_tree.visit_overlaps(parity.ray_box(), [&](std::uint32_t e) {
             parity.add(edges[first + e].a, edges[first + e].b);
@@ -300,12 +395,7 @@ World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
     for (const Ring& hole : polygon.holes) vertex_count += hole.size();
   }
   const auto obstacle_count = static_cast<ObstacleId>(obstacles.size());
-  constexpr std::size_t kMaxVertices = 0x7FFFFFFF;
-  if (vertex_count > kMaxVertices) {
-    throw WorldError(
-        "the map has " + std::to_string(vertex_count) + " vertices, at most " + std::to_string(kMaxVertices) + " fit",
-        obstacle_count);
-  }
+  require_vertex_count(vertex_count, obstacle_count);
   data->vertices.reserve(vertex_count);
   data->next.reserve(vertex_count);
   data->previous.reserve(vertex_count);
@@ -321,8 +411,108 @@ World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
     data->has_bounds = true;
     data->add_region(polygon, true);
   }
-  data->finish();
+  data->relink_pinches(0);
+  data->derive_edges();
+  std::vector<VertexId> all(data->vertices.size());
+  std::iota(all.begin(), all.end(), VertexId{0});
+  data->mark_covered(all);
+  data->list_convex_vertices();
   data_ = std::move(data);
+}
+
+World World::from_tables(WorldTables tables) {
+  require_world(tables);
+  auto data = std::make_shared<Data>();
+  const auto n = static_cast<VertexId>(tables.vertices.size());
+  data->previous.resize(n);
+  for (VertexId v = 0; v < n; ++v) data->previous[tables.next[v]] = v;
+  data->has_bounds = tables.has_bounds;
+  data->obstacle_of.reserve(n);
+  const std::size_t regions = tables.region_rings.size() - 1;
+  for (std::size_t region = 0; region < regions; ++region) {
+    const std::size_t end_ring = tables.region_rings[region + 1];
+    const VertexId first = tables.ring_starts[tables.region_rings[region]];
+    const VertexId last = end_ring < tables.ring_starts.size() ? tables.ring_starts[end_ring] : n;
+    Box region_box;
+    for (VertexId v = first; v < last; ++v) region_box.extend(tables.vertices[v]);
+    data->obstacle_of.resize(last, static_cast<ObstacleId>(region));
+    data->region_starts.push_back(last);
+    data->region_rings.push_back(end_ring);
+    data->boxes.push_back(region_box);
+    data->box.extend(region_box);
+  }
+  data->vertices = std::move(tables.vertices);
+  data->next = std::move(tables.next);
+  data->ring_starts = std::move(tables.ring_starts);
+  data->covered.assign(tables.covered.begin(), tables.covered.end());
+  data->derive_edges();
+  data->list_convex_vertices();
+  World world(std::vector<Polygon>{});
+  world.data_ = std::move(data);
+  return world;
+}
+
+WorldTables World::tables() const {
+  WorldTables tables;
+  tables.vertices = data_->vertices;
+  tables.next = data_->next;
+  tables.covered.assign(data_->covered.begin(), data_->covered.end());
+  tables.ring_starts = data_->ring_starts;
+  tables.region_rings.assign(data_->region_rings.begin(), data_->region_rings.end());
+  tables.has_bounds = data_->has_bounds;
+  return tables;
+}
+
+World World::changed(std::span<const ObstacleId> removed, const std::vector<Polygon>& added) const {
+  const Data& old = *data_;
+  const auto obstacles = static_cast<ObstacleId>(obstacle_count());
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    if (removed[i] >= obstacles)
+      throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + ": the world has " +
+                                  std::to_string(obstacles));
+    if (i > 0 && removed[i] <= removed[i - 1])
+      throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + " follows " +
+                                  std::to_string(removed[i - 1]) + ": they must ascend");
+  }
+  auto data = std::make_shared<Data>();
+  std::vector<Box> places;
+  for (ObstacleId o = 0, next_removed = 0; o < obstacles; ++o) {
+    if (next_removed < removed.size() && removed[next_removed] == o) {
+      places.push_back(old.boxes[o]);
+      ++next_removed;
+    } else {
+      data->copy_region(old, o);
+    }
+  }
+  const auto first_added = static_cast<VertexId>(data->vertices.size());
+  for (const Polygon& polygon : added) {
+    Validator(polygon, static_cast<ObstacleId>(data->boxes.size()), false).check();
+    data->add_region(polygon, false);
+    places.push_back(data->boxes.back());
+  }
+  const auto end_added = static_cast<VertexId>(data->vertices.size());
+  data->relink_pinches(first_added);
+  data->covered.resize(end_added);
+  if (old.has_bounds) {
+    data->has_bounds = true;
+    data->copy_region(old, obstacles);
+  }
+  require_vertex_count(data->vertices.size(), static_cast<ObstacleId>(data->boxes.size()));
+  data->derive_edges();
+
+  const BoxTree changed_places(places);
+  std::vector<VertexId> doubtful;
+  for (VertexId v = 0; v < data->vertices.size(); ++v) {
+    Box at;
+    at.extend(data->vertices[v]);
+    const bool is_new = first_added <= v && v < end_added;
+    if (is_new || !changed_places.visit_overlaps(at, [](std::uint32_t) { return false; })) doubtful.push_back(v);
+  }
+  data->mark_covered(doubtful);
+  data->list_convex_vertices();
+  World world = *this;
+  world.data_ = std::move(data);
+  return world;
 }
 
 std::span<const Vec2> World::vertices() const { return data_->vertices; }

@@ -11,6 +11,7 @@
 #include "core/geometry/polygon.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/vec2.h"
+#include "core/tables.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -58,6 +59,20 @@ class World {
   ///   area, crossing or overlapping edges (both named), a hole that leaves its outer ring.
   /// Time O(n log n), memory about 120 bytes a vertex.
   explicit World(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt);
+
+  /// The world that `tables()` of another one are of, in O(n) and without the checks and searches that took the other
+  /// one longest: whether rings cross, and which vertices are covered, is taken from the tables.
+  /// @throws TableError if the tables are those of no world: a value out of range or order.
+  static World from_tables(WorldTables tables);
+  [[nodiscard]] WorldTables tables() const;
+
+  /// The world without some of the obstacles and with others after its last one. Those that stay keep their order.
+  /// Checks what is new, and looks again at what is covered near what changed: O(n + m log m) for m vertices that come
+  /// or go, and O(k) for each of them for k obstacles.
+  /// @param removed  obstacles, ascending.
+  /// @throws std::invalid_argument if `removed` does not ascend or names no obstacle; WorldError, with the index that
+  ///   an obstacle has in the new world.
+  [[nodiscard]] World changed(std::span<const ObstacleId> removed, const std::vector<Polygon>& added) const;
 
   /// All vertices, the bounds' last.
   [[nodiscard]] std::span<const Vec2> vertices() const;

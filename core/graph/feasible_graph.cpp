@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/bytes.h"
 #include "core/geometry/angle.h"
 #include "core/geometry/predicates.h"
+#include "core/graph/feasible_tables.h"
 #include "core/graph/slot_cache.h"
 #include "core/graph/turn_circles.h"
 
@@ -24,12 +30,7 @@ constexpr double kWidestTurn = 0.55 * kPi;
 // Links that leave one circle, and why others do not.
 struct Departures {
   std::vector<Link> links;
-  std::uint32_t candidates = 0;
-  std::uint32_t repeated = 0;
-  std::uint32_t overlaps = 0;
-  std::uint32_t blocked_departures = 0;
-  std::uint32_t blocked_arrivals = 0;
-  std::uint32_t blocked_straights = 0;
+  LinkCounts counts;
 };
 
 // The direction of the bitangent, not normalized; nothing if there is none.
@@ -97,35 +98,155 @@ struct FeasibleGraph::Data {
     counts.circles = circles.size();
   }
 
-  void check_all(const Executor& executor) {
+  void check_all(const Executor& executor, const Team& team) {
+    const auto [begin, end] = team.share_of(circles.size());
+    std::vector<std::uint32_t> share(end - begin);
+    std::iota(share.begin(), share.end(), static_cast<std::uint32_t>(begin));
     headings.resize(circles.size());
-    executor.for_ranges(circles.size(), 16, [&](std::size_t begin, std::size_t end) {
-      std::vector<TurningBody> bodies;
-      for (std::size_t c = begin; c < end; ++c) bodies.push_back(body_on(circles[c]));
-      const auto found = std::span(headings).subspan(begin, end - begin);
-      queries.sweep->free_headings(bodies, found);
-      for (std::size_t c = begin; c < end; ++c) keep_at_vertex(static_cast<std::uint32_t>(c), headings[c]);
-    });
-    for (const HeadingSet& set : headings) counts.circles_blocked += set.empty() ? 1 : 0;
+    find_headings(share, executor);
+    if (team.size() > 1) exchange_headings(share, team);
 
-    std::vector<Departures> rows(circles.size());
-    executor.for_ranges(circles.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c) rows[c] = kept_departures(static_cast<std::uint32_t>(c));
-    });
-    link_starts.reserve(circles.size() + 1);
-    link_starts.push_back(0);
-    for (const Departures& row : rows) link_starts.push_back(link_starts.back() + row.links.size());
-    links.reserve(link_starts.back());
-    for (const Departures& row : rows) {
-      links.insert(links.end(), row.links.begin(), row.links.end());
-      count(row, counts);
+    const std::vector<Departures> rows = find_kept(share, executor);
+    if (team.size() > 1) {
+      exchange_rows(rows, team);
+    } else {
+      for (const Departures& row : rows) append(row.links, row.counts);
     }
+    count_all();
+  }
+
+  void take(FeasibleTables known) {
+    require_tables(known);
+    take_headings(known);
+    links = std::move(known.links);
+    link_starts = std::move(known.link_starts);
+    link_counts = std::move(known.link_counts);
+    count_all();
+  }
+
+  void find_headings(std::span<const std::uint32_t> which, const Executor& executor) {
+    executor.begin_stage("turn circles");
+    executor.for_ranges(which.size(), 16, [&](std::size_t begin, std::size_t end) {
+      std::vector<TurningBody> bodies;
+      for (std::size_t i = begin; i < end; ++i) bodies.push_back(body_on(circles[which[i]]));
+      std::vector<HeadingSet> found(bodies.size());
+      queries.sweep->free_headings(bodies, found);
+      for (std::size_t i = begin; i < end; ++i) {
+        keep_at_vertex(which[i], found[i - begin]);
+        headings[which[i]] = std::move(found[i - begin]);
+      }
+    });
+  }
+
+  [[nodiscard]] std::vector<Departures> find_kept(std::span<const std::uint32_t> which,
+                                                  const Executor& executor) const {
+    std::vector<Departures> rows(which.size());
+    executor.begin_stage("bitangents");
+    executor.for_ranges(which.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) rows[i] = kept_departures(which[i]);
+    });
+    return rows;
+  }
+
+  void exchange_headings(std::span<const std::uint32_t> share, const Team& team) {
+    std::string bytes;
+    for (const std::uint32_t c : share) {
+      append_bytes(bytes, static_cast<std::uint32_t>(headings[c].intervals().size()));
+      append_bytes(bytes, headings[c].intervals());
+    }
+    const std::vector<std::string> all = team.gather(std::move(bytes));
+    for (std::size_t rank = 0; rank < team.size(); ++rank) {
+      if (rank == team.rank()) continue;
+      const auto [begin, end] = team.share_of(circles.size(), rank);
+      std::string_view rest = all[rank];
+      for (std::size_t c = begin; c < end; ++c) {
+        const auto size = take_bytes<std::uint32_t>(rest);
+        headings[c] = HeadingSet::of_intervals(take_bytes<HeadingInterval>(rest, size));
+      }
+    }
+  }
+
+  void exchange_rows(std::span<const Departures> share, const Team& team) {
+    std::string bytes;
+    for (const Departures& row : share) {
+      append_bytes(bytes, static_cast<std::uint32_t>(row.links.size()));
+      append_bytes(bytes, row.counts);
+      append_bytes(bytes, std::span<const Link>(row.links));
+    }
+    for (std::string_view rest : team.gather(std::move(bytes))) {
+      while (!rest.empty()) {
+        const auto size = take_bytes<std::uint32_t>(rest);
+        const auto reasons = take_bytes<LinkCounts>(rest);
+        append(take_bytes<Link>(rest, size), reasons);
+      }
+    }
+  }
+
+  void append(std::span<const Link> row, const LinkCounts& counts_of_row) {
+    links.insert(links.end(), row.begin(), row.end());
+    link_starts.push_back(links.size());
+    link_counts.push_back(counts_of_row);
+  }
+
+  void count_all() {
+    for (const HeadingSet& set : headings) counts.circles_blocked += set.empty() ? 1 : 0;
+    for (const LinkCounts& row : link_counts) count(row, counts);
     counts.kept = links.size();
+  }
+
+  void take_headings(const FeasibleTables& known) {
+    headings.resize(circles.size());
+    for (std::size_t c = 0; c < circles.size(); ++c) {
+      const auto row = std::span(known.intervals)
+                           .subspan(known.interval_starts[c], known.interval_starts[c + 1] - known.interval_starts[c]);
+      try {
+        headings[c] = HeadingSet::of_intervals({row.begin(), row.end()});
+      } catch (const std::invalid_argument& error) {
+        throw TableError(Table::kIntervals, known.interval_starts[c],
+                         "of circle " + std::to_string(c) + ": " + error.what());
+      }
+    }
+  }
+
+  // Sizes and ranges; what headings and lengths are is taken as it comes.
+  void require_tables(const FeasibleTables& known) const {
+    const auto require_starts = [&](Table table, std::span<const std::uint64_t> starts, std::size_t count) {
+      if (starts.size() != circles.size() + 1)
+        throw TableError(table, starts.size(), "at the end, there are " + std::to_string(circles.size()) + " circles");
+      for (std::size_t c = 0; c < starts.size(); ++c) {
+        const std::uint64_t before = c == 0 ? 0 : starts[c - 1];
+        const bool is_end = c == 0 || c + 1 == starts.size();
+        const std::uint64_t wanted = c == 0 ? 0 : count;
+        if (starts[c] < before || starts[c] > count || (is_end && starts[c] != wanted))
+          throw TableError(table, c,
+                           std::to_string(starts[c]) + " follows " + std::to_string(before) +
+                               ", they must rise from 0 to " + std::to_string(count));
+      }
+    };
+    require_starts(Table::kIntervalStarts, known.interval_starts, known.intervals.size());
+    require_starts(Table::kLinkStarts, known.link_starts, known.links.size());
+    if (known.link_counts.size() != circles.size())
+      throw TableError(Table::kLinkCounts, known.link_counts.size(),
+                       "at the end, there are " + std::to_string(circles.size()) + " circles");
+    for (std::uint32_t c = 0; c < circles.size(); ++c) {
+      for (std::uint64_t i = known.link_starts[c]; i < known.link_starts[c + 1]; ++i) {
+        const Link& link = known.links[i];
+        if (link.from != c || link.to >= circles.size())
+          throw TableError(Table::kLinks, i,
+                           "from circle " + std::to_string(link.from) + " to " + std::to_string(link.to) + " in row " +
+                               std::to_string(c) + " of " + std::to_string(circles.size()));
+        const double least = i == known.link_starts[c] ? 0.0 : known.links[i - 1].heading;
+        if (!(link.heading >= least && link.heading < kTwoPi) || !(link.length >= 0.0 && std::isfinite(link.length)))
+          throw TableError(Table::kLinks, i,
+                           "heading " + std::to_string(link.heading) + " and length " + std::to_string(link.length) +
+                               ", headings rise from 0 to 2 pi and lengths are finite");
+      }
+    }
   }
 
   [[nodiscard]] Departures kept_departures(std::uint32_t c) const {
     Departures row = departures(c);
-    row.blocked_arrivals = static_cast<std::uint32_t>(
+    row.counts.arrivals = static_cast<std::uint32_t>(
         std::erase_if(row.links, [&](const Link& link) { return !headings[link.to].contains(link.heading); }));
     std::vector<SweptRectangle> rectangles;
     rectangles.reserve(row.links.size());
@@ -135,7 +256,7 @@ struct FeasibleGraph::Data {
     std::vector<Link> kept;
     for (std::size_t i = 0; i < row.links.size(); ++i)
       if (free[i]) kept.push_back(row.links[i]);
-    row.blocked_straights = static_cast<std::uint32_t>(row.links.size() - kept.size());
+    row.counts.straights = static_cast<std::uint32_t>(row.links.size() - kept.size());
     row.links = std::move(kept);
     return row;
   }
@@ -147,12 +268,12 @@ struct FeasibleGraph::Data {
     Departures row;
     for (const Arrival& arrival : arrivals_from(circle))
       turn_circles.visit_round(arrival.vertex, arrival.side, [&](std::uint32_t to) {
-        ++row.candidates;
+        ++row.counts.candidates;
         const auto line = directed_bitangent(circle, circles[to]);
         if (!line) {
-          ++row.overlaps;
+          ++row.counts.overlaps;
         } else if (!free.contains(line->start.heading)) {
-          ++row.blocked_departures;
+          ++row.counts.departures;
         } else {
           row.links.push_back({c, to, line->start.heading, line->length});
         }
@@ -164,7 +285,7 @@ struct FeasibleGraph::Data {
     // Circles round two vertices are found at both.
     const auto repeated =
         std::unique(row.links.begin(), row.links.end(), [](const Link& a, const Link& b) { return a.to == b.to; });
-    row.repeated = static_cast<std::uint32_t>(row.links.end() - repeated);
+    row.counts.repeated = static_cast<std::uint32_t>(row.links.end() - repeated);
     row.links.erase(repeated, row.links.end());
     return row;
   }
@@ -254,7 +375,7 @@ struct FeasibleGraph::Data {
       if (const HeadingSet* set = lazy_headings.find(c); set && set->empty()) ++sum.circles_blocked;
       const LazyRow* row = lazy_rows.find(c);
       if (!row) continue;
-      count(row->departures, sum);
+      count(row->departures.counts, sum);
       for (const std::atomic<Verdict>& verdict : row->verdicts) {
         const Verdict known = verdict.load(std::memory_order_relaxed);
         sum.kept += known == Verdict::kKept ? 1 : 0;
@@ -265,13 +386,13 @@ struct FeasibleGraph::Data {
     return sum;
   }
 
-  static void count(const Departures& row, FeasibleGraphCounts& sum) {
+  static void count(const LinkCounts& row, FeasibleGraphCounts& sum) {
     sum.candidates += row.candidates;
     sum.repeated += row.repeated;
     sum.rejected_overlap += row.overlaps;
-    sum.rejected_departure += row.blocked_departures;
-    sum.rejected_arrival += row.blocked_arrivals;
-    sum.rejected_straight += row.blocked_straights;
+    sum.rejected_departure += row.departures;
+    sum.rejected_arrival += row.arrivals;
+    sum.rejected_straight += row.straights;
   }
 
   [[nodiscard]] TurningBody body_on(const TurnCircle& circle) const {
@@ -294,7 +415,8 @@ struct FeasibleGraph::Data {
 
   std::vector<HeadingSet> headings;  // if eager
   std::vector<Link> links;
-  std::vector<std::uint64_t> link_starts;
+  std::vector<std::uint64_t> link_starts{0};
+  std::vector<LinkCounts> link_counts;
 
   SlotCache<HeadingSet> lazy_headings;  // if lazy
   SlotCache<LazyRow> lazy_rows;
@@ -302,10 +424,30 @@ struct FeasibleGraph::Data {
 
 FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph,
                              const QuerySet& queries, std::span<const double> radii, const Executor& executor,
-                             GraphMode mode) {
+                             GraphMode mode, const Team& team) {
   auto data = std::make_shared<Data>(world, vehicle, graph, queries, radii, mode);
-  if (mode == GraphMode::kEager) data->check_all(executor);
+  if (mode == GraphMode::kEager) data->check_all(executor, team);
   data_ = std::move(data);
+}
+
+FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph,
+                             const QuerySet& queries, std::span<const double> radii, FeasibleTables known) {
+  auto data = std::make_shared<Data>(world, vehicle, graph, queries, radii, GraphMode::kEager);
+  data->take(std::move(known));
+  data_ = std::move(data);
+}
+
+FeasibleTables FeasibleGraph::tables() const {
+  FeasibleTables tables;
+  tables.interval_starts.push_back(0);
+  for (const HeadingSet& set : data_->headings) {
+    tables.intervals.insert(tables.intervals.end(), set.intervals().begin(), set.intervals().end());
+    tables.interval_starts.push_back(tables.intervals.size());
+  }
+  tables.link_starts = data_->link_starts;
+  tables.links = data_->links;
+  tables.link_counts = data_->link_counts;
+  return tables;
 }
 
 GraphMode FeasibleGraph::mode() const { return data_->mode; }

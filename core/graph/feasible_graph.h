@@ -9,6 +9,7 @@
 #include "core/graph/visibility_graph.h"
 #include "core/query/heading_set.h"
 #include "core/query/query_set.h"
+#include "core/team.h"
 #include "core/vehicle.h"
 #include "core/world.h"
 
@@ -32,6 +33,8 @@ enum class GraphMode {
   kLazy    ///< headings and bitangents are checked when a search first asks for them, and remembered: for few
 };
 
+struct FeasibleTables;
+
 /// The feasible visibility graph: turn circles with their free headings, and the directed bitangents whose swept
 /// rectangle is free. Arcs are not stored: from an arrival on a circle every departure is reachable that lies
 /// ahead within the same free interval.
@@ -49,8 +52,15 @@ class FeasibleGraph {
 
   /// @param radii     of the turn circles [m], ascending.
   /// @param executor  used during construction only.
+  /// @param team      of processes that build the same eager graph: each checks a share of the circles, all get the
+  ///   whole graph.
   FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph, const QuerySet& queries,
-                std::span<const double> radii, const Executor& executor, GraphMode mode = GraphMode::kEager);
+                std::span<const double> radii, const Executor& executor, GraphMode mode = GraphMode::kEager,
+                const Team& team = SoloTeam());
+  /// An eager graph from what one has found out before; see feasible_tables.h. Nothing is checked again.
+  /// @throws TableError if the tables are not those of such a graph: a value out of range or order.
+  FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph, const QuerySet& queries,
+                std::span<const double> radii, FeasibleTables known);
 
   [[nodiscard]] GraphMode mode() const;
   /// In the order of TurnCircles::all.
@@ -64,6 +74,8 @@ class FeasibleGraph {
   [[nodiscard]] bool is_kept(std::uint32_t circle, std::size_t index) const;
   /// All kept links, by circle. Eager graphs only.
   [[nodiscard]] std::span<const Link> links() const;
+  /// All that has been found out, to be taken up again. Eager graphs only.
+  [[nodiscard]] FeasibleTables tables() const;
   /// Of what has been decided so far.
   [[nodiscard]] FeasibleGraphCounts counts() const;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "core/geometry/angle.h"
 
@@ -48,6 +50,18 @@ HeadingSet HeadingSet::complement(const std::vector<HeadingInterval>& blocked) {
     }
   }
   return HeadingSet(std::move(free));
+}
+
+HeadingSet HeadingSet::of_intervals(std::vector<HeadingInterval> intervals) {
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const auto [low, high] = intervals[i];
+    const double limit = i + 1 < intervals.size() ? intervals[i + 1].low : intervals[0].low + kFullCircle;
+    const bool is_full_circle = intervals.size() == 1 && low == 0.0 && high == kFullCircle;
+    if (!(low >= 0.0 && low < kFullCircle && high >= low && high <= limit) && !is_full_circle)
+      throw std::invalid_argument("heading interval " + std::to_string(i) + " is from " + std::to_string(low) + " to " +
+                                  std::to_string(high));
+  }
+  return HeadingSet(std::move(intervals));
 }
 
 bool HeadingSet::is_full() const {

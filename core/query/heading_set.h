@@ -23,6 +23,9 @@ class HeadingSet {
   /// The complement of the union of closed intervals, each of at most a full circle, in any order. The ends belong to
   /// the intervals given, so the result leaves them out: its own ends are the next double inwards.
   static HeadingSet complement(const std::vector<HeadingInterval>& blocked);
+  /// The set that has these intervals.
+  /// @throws std::invalid_argument naming the first one that breaks the rules above.
+  static HeadingSet of_intervals(std::vector<HeadingInterval> intervals);
 
   [[nodiscard]] std::span<const HeadingInterval> intervals() const { return intervals_; }
   [[nodiscard]] bool empty() const { return intervals_.empty(); }

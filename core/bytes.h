@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace arcway {
+
+/// Values as the bytes that they have in memory, for processes of one machine type.
+template <class T>
+requires std::is_trivially_copyable_v<T>
+void append_bytes(std::string& bytes, std::span<const T> values) {
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+}
+template <class T>
+requires std::is_trivially_copyable_v<T>
+void append_bytes(std::string& bytes, const T& value) { append_bytes(bytes, std::span<const T>(&value, 1)); }
+
+/// The first `count` values, which are then taken off.
+template <class T>
+std::vector<T> take_bytes(std::string_view& bytes, std::size_t count) {
+  if (bytes.size() / sizeof(T) < count)
+    throw std::length_error(std::to_string(bytes.size()) + " bytes left for " + std::to_string(count) + " values of " +
+                            std::to_string(sizeof(T)) + " bytes");
+  std::vector<T> values(count);
+  if (count > 0) std::memcpy(values.data(), bytes.data(), count * sizeof(T));
+  bytes.remove_prefix(count * sizeof(T));
+  return values;
+}
+template <class T>
+T take_bytes(std::string_view& bytes) {
+  return take_bytes<T>(bytes, 1).front();
+}
+
+}  // namespace arcway

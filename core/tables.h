@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// The arrays that hold what was found out about a map, so that it can be stored and taken up again.
+enum class Table : std::uint32_t {
+  kVertices = 1,
+  kNext,
+  kCovered,
+  kRingStarts,
+  kRegionRings,
+  kRowStarts,
+  kTargets,
+  kRadii,
+  kIntervalStarts,
+  kIntervals,
+  kLinkStarts,
+  kLinks,
+  kLinkCounts
+};
+/// "vertices", "row starts", ...
+const char* name_of(Table table);
+
+/// An entry of a table that cannot be.
+class TableError : public std::invalid_argument {
+ public:
+  TableError(Table table, std::size_t index, const std::string& message)
+      : std::invalid_argument(std::string(name_of(table)) + ", entry " + std::to_string(index) + ": " + message),
+        table_(table),
+        index_(index) {}
+  [[nodiscard]] Table table() const { return table_; }
+  [[nodiscard]] std::size_t index() const { return index_; }
+
+ private:
+  Table table_;
+  std::size_t index_;
+};
+
+/// A world as arrays, by vertex, ring and region: World::tables, World::from_tables.
+struct WorldTables {
+  std::vector<Vec2> vertices;
+  std::vector<std::uint32_t> next;          ///< World::next
+  std::vector<std::uint8_t> covered;        ///< World::is_covered, 0 or 1
+  std::vector<std::uint32_t> ring_starts;   ///< first vertex of each ring, ascending
+  std::vector<std::uint32_t> region_rings;  ///< first ring of each region, ascending; then the number of rings
+  bool has_bounds = false;                  ///< the last region is the bounds
+};
+
+}  // namespace arcway
