@@ -122,6 +122,7 @@ VisibilityGraph build_pairwise_visibility_graph(const World& world, const Visibi
                                                 const Executor& executor, TangentSearch search,
                                                 PairwiseCounts* counts) {
   PairwiseBuilder builder(world, visibility, search);
+  executor.begin_stage("tangent pairs");
   executor.for_ranges(builder.piece_count(), 1, [&](std::size_t begin, std::size_t end) {
     Workspace work;
     for (std::size_t piece = begin; piece < end; ++piece) builder.build(piece, work);

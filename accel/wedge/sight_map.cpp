@@ -33,6 +33,7 @@ SightMap::SightMap(const World& world, const Executor& executor) : world_(world)
     if (!space) throw std::logic_error("wedge builder: edges meet after they have been cut");
   }
   edge_is_covered_ = std::move(space->edge_is_covered);
+  executor.begin_stage("triangulation");
   flip_towards_delaunay(map_.sites, space->triangulation, executor);
   const Tiles tiles(world_.box(), map_.sites.size());
   const std::vector<std::uint32_t> tile_of_site = tiles.of(map_.sites);
