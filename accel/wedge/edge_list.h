@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "core/graph/visibility_graph.h"
+
+namespace arcway {
+
+using EdgeList = std::vector<std::pair<VertexId, VertexId>>;
+
+/// The graph that has the edges of all lists, in any order and direction.
+inline VisibilityGraph graph_of(std::size_t vertices, const std::vector<EdgeList>& lists) {
+  std::vector<std::uint64_t> starts(vertices + 1, 0);
+  for (const EdgeList& list : lists)
+    for (const auto& [u, v] : list) ++starts[std::min(u, v) + 1];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<VertexId> targets(starts.back());
+  std::vector<std::uint64_t> place(starts.begin(), starts.end() - 1);
+  for (const EdgeList& list : lists)
+    for (const auto& [u, v] : list) targets[place[std::min(u, v)]++] = std::max(u, v);
+  for (std::size_t u = 0; u < vertices; ++u) std::sort(targets.begin() + starts[u], targets.begin() + starts[u + 1]);
+  return {std::move(starts), std::move(targets)};
+}
+
+}  // namespace arcway

@@ -1,0 +1,129 @@
+#include "accel/wedge/shadow_walk.h"
+
+#include <algorithm>
+
+#include "core/geometry/predicates.h"
+
+namespace arcway {
+
+namespace {
+
+// Whether a box lies strictly to the right of the line from a to b.
+bool lies_right_of(const Vec2& a, const Vec2& b, const Box& box) {
+  for (const Vec2& corner : {box.min, Vec2(box.max.x(), box.min.y()), box.max, Vec2(box.min.x(), box.max.y())})
+    if (orientation(a, b, corner) >= 0) return false;
+  return true;
+}
+
+}  // namespace
+
+void ShadowWalk::look_from(const Box& place) {
+  const std::span<const SightMap::Door> doors = map_.doors();
+  const auto corners_of = [&](std::size_t triangle, std::uint32_t(&corners)[3]) {
+    for (std::uint32_t j = 0; j < 3; ++j) corners[j] = doors[3 * triangle + (j + 1) % 3].site;
+  };
+  for (std::size_t triangle = 0; 3 * triangle < doors.size(); ++triangle) {
+    std::uint32_t corners[3];
+    corners_of(triangle, corners);
+    if (!meets(corners, place)) continue;
+    for (const std::uint32_t corner : corners) mark(map_.first_node_at(corner));
+    for (std::uint32_t j = 0; j < 3; ++j) {
+      const std::uint32_t door = doors[3 * triangle + (j + 1) % 3].left;
+      if (door == kNone) continue;
+      std::uint32_t beyond[3];
+      corners_of(door / 3, beyond);
+      if (meets(beyond, place)) continue;  // sights that go on there are looked for from there
+      const std::uint32_t right = corners[j], left = corners[(j + 1) % 3];
+      walk(corners, {door, {left, right}, {right, left}});
+    }
+  }
+  follow_walls(place);
+}
+
+void ShadowWalk::walk(const std::uint32_t (&corners)[3], Range range) {
+  const SightMap::Door* const doors = map_.doors().data();
+  stack_.push_back(range);
+  while (!stack_.empty()) {
+    auto [door, low, high] = stack_.back();
+    stack_.pop_back();
+    while (door != kNone) {
+      if (++steps_ > map_.doors().size()) {  // more than looking from everywhere is worth
+        std::fill(seen_.begin(), seen_.end(), std::uint8_t{1});
+        stack_.clear();
+        return;
+      }
+      const SightMap::Door& triangle = doors[door];
+      if (side(low, triangle.site) < 0) {
+        door = triangle.left;
+      } else if (side(high, triangle.site) > 0) {
+        door = triangle.right;
+      } else {
+        mark(triangle.node);
+        if (triangle.right != kNone)
+          stack_.push_back({triangle.right, low, {outermost(corners, triangle.site, -1), triangle.site}});
+        door = triangle.left;
+        low = {outermost(corners, triangle.site, 1), triangle.site};
+      }
+    }
+  }
+}
+
+// Sights that run along walls all the way: from a wall at the place straight on, both ways, to the first node.
+void ShadowWalk::follow_walls(const Box& place) {
+  const std::span<const Vec2> sites = map_.sites();
+  const auto meets_place = [&](const PlanarMap::Edge& edge) {
+    Box box;
+    box.extend(sites[edge.low]);
+    box.extend(sites[edge.high]);
+    return box.overlaps(place);
+  };
+  for (std::uint32_t site = 0; site < sites.size(); ++site)
+    for (const PlanarMap::Edge& first : map_.edges_from(site)) {
+      if (!meets_place(first)) continue;
+      const PlanarMap::Edge* edge = &first;
+      while (edge && map_.first_node_at(edge->high) == kNone) {
+        const PlanarMap::Edge* straight_on = nullptr;
+        for (const PlanarMap::Edge& next : map_.edges_from(edge->high))
+          if (orientation(sites[edge->low], sites[edge->high], sites[next.high]) == 0) straight_on = &next;
+        edge = straight_on;
+      }
+      if (edge) mark(map_.first_node_at(edge->high));
+      edge = &first;
+      while (edge && map_.first_node_at(edge->low) == kNone) {
+        const PlanarMap::Edge* straight_on = nullptr;
+        for (const std::uint32_t next : map_.edges_to(edge->low))
+          if (orientation(sites[edge->high], sites[edge->low], sites[map_.edge(next).low]) == 0)
+            straight_on = &map_.edge(next);
+        edge = straight_on;
+      }
+      if (edge) mark(map_.first_node_at(edge->low));
+    }
+}
+
+void ShadowWalk::mark(std::uint32_t first_node) {
+  const std::span<const SightMap::Node> nodes = map_.nodes();
+  for (std::uint32_t n = first_node; n < nodes.size() && nodes[n].site == nodes[first_node].site; ++n) seen_[n] = 1;
+}
+
+bool ShadowWalk::meets(const std::uint32_t (&corners)[3], const Box& place) const {
+  Box box;
+  for (const std::uint32_t corner : corners) box.extend(map_.sites()[corner]);
+  if (!box.overlaps(place)) return false;
+  for (std::uint32_t j = 0; j < 3; ++j)
+    if (lies_right_of(map_.sites()[corners[j]], map_.sites()[corners[(j + 1) % 3]], place)) return false;
+  return true;
+}
+
+int ShadowWalk::side(const Ray& ray, std::uint32_t site) const {
+  return orientation(map_.sites()[ray.origin], map_.sites()[ray.past], map_.sites()[site]);
+}
+
+// The corner that has no other one on the given side of its ray past a site.
+std::uint32_t ShadowWalk::outermost(const std::uint32_t (&corners)[3], std::uint32_t site, int side) const {
+  std::uint32_t found = corners[0];
+  for (const std::uint32_t corner : corners)
+    if (orientation(map_.sites()[found], map_.sites()[site], map_.sites()[corner]) == side) found = corner;
+  return found;
+}
+
+}  // namespace arcway

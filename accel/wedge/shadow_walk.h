@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "accel/wedge/sight_map.h"
+
+namespace arcway {
+
+/// Finds the nodes from which some point near a place may be seen: all that see one, and others.
+///
+/// A line of sight from the place leaves the last triangle that meets it through a side that leads away, and then
+/// passes through doors. The points of that triangle stand for those of the place. Between doors, sights are limited
+/// by two rays, each from the triangle's outermost corner past the vertex that they have last been split at: as the
+/// edges of a shadow are by a lamp's.
+class ShadowWalk {
+ public:
+  /// @param map  with its left edges listed.
+  explicit ShadowWalk(const SightMap& map) : map_(map), seen_(map.nodes().size(), 0) {}
+
+  void look_from(const Box& place);
+  /// By node, 1 if it may see one of the places.
+  [[nodiscard]] const std::vector<std::uint8_t>& seen() const { return seen_; }
+
+ private:
+  /// The ray from one site past another; none if `origin` is kNone.
+  struct Ray {
+    std::uint32_t origin, past;
+  };
+  struct Range {
+    std::uint32_t door;
+    Ray low, high;
+  };
+  void walk(const std::uint32_t (&corners)[3], Range range);
+  void follow_walls(const Box& place);
+  void mark(std::uint32_t first_node);
+  [[nodiscard]] bool meets(const std::uint32_t (&corners)[3], const Box& place) const;
+  [[nodiscard]] int side(const Ray& ray, std::uint32_t site) const;
+  [[nodiscard]] std::uint32_t outermost(const std::uint32_t (&corners)[3], std::uint32_t site, int side) const;
+
+  const SightMap& map_;
+  std::vector<std::uint8_t> seen_;
+  std::vector<Range> stack_;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace arcway
