@@ -32,8 +32,14 @@ std::string read_file(const fs::path& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) fail("read", path, errno);
-  // By chunks: pipes do not know their size.
   std::string text;
+  const std::uintmax_t size = fs::is_regular_file(path, ignored) ? fs::file_size(path, ignored) : 0;
+  if (!ignored && size > 0) {
+    text.resize(size);
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+  }
+  // The rest by chunks: pipes do not know their size.
   char chunk[1 << 16];
   while (file.read(chunk, sizeof chunk) || file.gcount() > 0)
     text.append(chunk, static_cast<std::size_t>(file.gcount()));

@@ -15,6 +15,7 @@
 #include "datasets/formats/wkt.h"
 #include "datasets/grid/grid_map.h"
 #include "datasets/gzip.h"
+#include "datasets/prepared_map.h"
 
 namespace arcway {
 namespace {
@@ -103,6 +104,14 @@ MapFile read_movingai_task(std::string_view text, const fs::path& path, const Ma
   return map;
 }
 
+MapFile read_prepared(std::string_view bytes, std::string_view name) {
+  const PreparedMap prepared = read_prepared_map(bytes, name);
+  MapFile map = to_map_file(prepared.world);
+  map.start = prepared.start;
+  map.goal = prepared.goal;
+  return map;
+}
+
 bool is_wkt_keyword(std::string_view word) {
   std::string upper(word);
   std::transform(upper.begin(), upper.end(), upper.begin(),
@@ -157,6 +166,8 @@ const char* name_of(MapFormat format) {
       return "PNG image";
     case MapFormat::kSvg:
       return "SVG";
+    case MapFormat::kPrepared:
+      return "prepared map";
   }
   return "?";
 }
@@ -164,6 +175,7 @@ const char* name_of(MapFormat format) {
 MapFormat detect_format(std::string_view content, std::string_view name) {
   if (content.starts_with("P2") || content.starts_with("P5")) return MapFormat::kPgm;
   if (content.starts_with("\x89PNG")) return MapFormat::kPng;
+  if (is_prepared_map(content)) return MapFormat::kPrepared;
   detail::TextScanner scanner(content, name);
   if (scanner.peek() == '\x1E') return MapFormat::kGeoJson;
   scanner.skip_space();
@@ -208,6 +220,8 @@ MapFile read_map(const fs::path& path, const MapReadOptions& options) {
       return read_bare_image(text, path, options.grid);
     case MapFormat::kSvg:
       return read_svg_world(text, name);
+    case MapFormat::kPrepared:
+      return read_prepared(text, name);
   }
   return {};
 }

@@ -22,6 +22,7 @@ enum class MapFormat {
   kPgm,
   kPng,
   kSvg,
+  kPrepared,
 };
 /// "GeoJSON", "WKT", ...
 const char* name_of(MapFormat format);

@@ -139,8 +139,12 @@ MapFile read_named_map(const std::string& name, const MapOptions& options) {
 }
 
 LoadedMap load_map(const std::string& name, const MapOptions& options) {
+  if (is_prepared_map_file(name)) {
+    PreparedMap map = read_prepared_map_file(name);
+    return {map.world, map.start, map.goal, {}, {}, std::move(map)};
+  }
   MapFile map = read_named_map(name, options);
-  return {to_world(map, name), map.start, map.goal, std::move(map.warnings), std::move(map.notes)};
+  return {to_world(map, name), map.start, map.goal, std::move(map.warnings), std::move(map.notes), std::nullopt};
 }
 
 Vehicle load_vehicle(const std::string& file) {
@@ -158,6 +162,14 @@ std::string warning_rows(const LoadedMap& map) {
   for (const std::string& note : map.notes) text += row("read", note);
   for (const std::string& warning : map.warnings) text += row("warning", warning);
   return text;
+}
+
+std::string feasible_row(const Planner& planner) {
+  const FeasibleGraphCounts counts = planner.feasible_graph().counts();
+  const bool lazy = planner.feasible_graph().mode() == GraphMode::kLazy;
+  return row("feasible graph", count_text(counts.kept) + " of " + count_text(counts.candidates) +
+                                   " directed bitangents on " + count_text(counts.circles) + " turn circles" +
+                                   (lazy ? ", found as the search needed them" : ""));
 }
 
 std::string world_rows(const World& world) {

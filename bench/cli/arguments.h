@@ -13,6 +13,7 @@
 
 #include "core/planner.h"
 #include "core/tour.h"
+#include "datasets/prepared_map.h"
 #include "datasets/read_map.h"
 
 namespace arcway::cli {
@@ -32,6 +33,7 @@ inline constexpr int kExitBadInput = 2;
 using Action = std::function<int(std::string& out)>;
 
 void add_plan_command(CLI::App& app, Action& action);
+void add_prepare_command(CLI::App& app, Action& action);
 void add_graph_command(CLI::App& app, Action& action);
 void add_generate_command(CLI::App& app, Action& action);
 void add_validate_command(CLI::App& app, Action& action);
@@ -56,7 +58,8 @@ Place parse_place(std::string_view text, std::string_view what);
 struct BuildOptions {
   std::string backend;  ///< reference, or embree, the default where this build has it
   std::string builder = "auto";
-  std::string threads;  ///< default: all of the machine with embree, one with reference
+  bool prepared = false;  ///< the reduced graph comes from a file
+  std::string threads;    ///< default: all of the machine with embree, one with reference
 
   BuildOptions();
   void add_to(CLI::App& command);
@@ -69,7 +72,7 @@ struct BuildOptions {
   /// Builds the reduced graph, for PlannerOptions::reduced_graph.
   [[nodiscard]] ReducedGraphBuilder reduced_graph() const;
 
-  /// "wedge" or "pairwise": what was asked for, or what suits the world.
+  /// "wedge" or "pairwise": what was asked for, or what suits the world; or "prepared".
   [[nodiscard]] std::string builder_name(const World& world) const;
   /// No more than the machine has.
   [[nodiscard]] std::size_t thread_count() const;
@@ -82,7 +85,7 @@ struct BuildOptions {
 
 /// Of the argument that names a map.
 inline constexpr const char* kMapHelp =
-    "Map file (GeoJSON, WKT, SVG, ROS, MovingAI, TPCAP, plain text), or a name of the catalogue: paper, "
+    "Map file (GeoJSON, WKT, SVG, ROS, MovingAI, TPCAP, plain text, prepared), or a name of the catalogue: paper, "
     "clutter/star/n100";
 
 /// What a map says: the world and, if it has them, start and goal.
@@ -90,6 +93,7 @@ struct LoadedMap {
   World world;
   std::optional<Pose> start, goal;
   std::vector<std::string> warnings, notes;
+  std::optional<PreparedMap> prepared;  ///< of a prepared map; its world is the one above
 };
 
 /// Options that say how a map file is read, the same for all subcommands that read one.
@@ -111,6 +115,8 @@ LoadedMap load_map(const std::string& name, const MapOptions& options);
 Vehicle load_vehicle(const std::string& file);
 /// One line a note, one line a warning.
 std::string warning_rows(const LoadedMap& map);
+/// "feasible graph     23 of 96 directed bitangents on 32 turn circles"
+std::string feasible_row(const Planner& planner);
 /// Obstacles, vertices and size.
 std::string world_rows(const World& world);
 

@@ -81,6 +81,7 @@ std::unique_ptr<const Executor> BuildOptions::executor() const {
 }
 
 std::string BuildOptions::builder_name(const World& world) const {
+  if (prepared) return "prepared";
   if (builder != "auto") return builder;
   return name_of(backend == "reference" ? GraphBuilder::kPairwise : faster_graph_builder(world));
 }
@@ -96,7 +97,7 @@ ReducedGraphBuilder BuildOptions::reduced_graph() const {
 #else
 
 std::size_t BuildOptions::thread_count() const { return 1; }
-std::string BuildOptions::builder_name(const World&) const { return "pairwise"; }
+std::string BuildOptions::builder_name(const World&) const { return prepared ? "prepared" : "pairwise"; }
 
 QuerySet BuildOptions::queries(const World& world) const { return make_reference_queries(world); }
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }

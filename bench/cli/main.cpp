@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   Action action;
   add_plan_command(app, action);
+  add_prepare_command(app, action);
   add_graph_command(app, action);
   add_generate_command(app, action);
   add_validate_command(app, action);

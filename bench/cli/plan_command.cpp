@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/progress_bar.h"
 #include "core/alternatives.h"
 #include "core/path/validation.h"
+#include "core/plan_batch.h"
 #include "core/planner.h"
 #include "datasets/number_text.h"
 #include "datasets/plan_io.h"
+#include "datasets/robot.h"
 #include "datasets/svg.h"
 
 namespace arcway::cli {
@@ -98,13 +101,9 @@ double cusp_cost_of(const PlanArguments& arguments) {
 
 std::string prepare_rows(const Planner& planner, double build_seconds) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
-  const FeasibleGraphCounts counts = planner.feasible_graph().counts();
-  const bool lazy = planner.feasible_graph().mode() == GraphMode::kLazy;
   std::string text;
   text += row("reduced graph", count_text(planner.visibility_graph().edge_count()) + " edges");
-  text += row("feasible graph", count_text(counts.kept) + " of " + count_text(counts.candidates) +
-                                    " directed bitangents on " + count_text(counts.circles) + " turn circles" +
-                                    (lazy ? ", found as the search needed them" : ""));
+  text += feasible_row(planner);
   text += row("build", duration_text(build_seconds) + " (reduced graph " + duration_text(prepare.visibility_seconds) +
                            ", feasible graph " + duration_text(prepare.feasible_seconds) + ")");
   return text;
@@ -276,8 +275,24 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-               const std::vector<NumberedRequest>& queries, const PlanLimits& limits, std::string& out) {
+std::vector<CheckedPlan> plan_all(const Planner& planner, const std::vector<NumberedRequest>& queries,
+                                  const PlanLimits& limits, const Executor& threads) {
+  std::vector<PlanRequest> requests;
+  for (const NumberedRequest& query : queries) requests.push_back(query.request);
+  ProgressBar bar;
+  std::vector<PlanResult> results =
+      plan_batch(planner, requests, threads, {.time_limit = limits.time, .progress = bar.callback()});
+  std::vector<CheckedPlan> plans(results.size());
+  const ReportingExecutor watched(threads, bar.callback());
+  watched.begin_stage("validations");
+  watched.for_ranges(results.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) plans[i] = checked(planner, std::move(results[i]), requests[i].reverse);
+  });
+  return plans;
+}
+
+int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
+                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits, std::string& out) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
                     " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " +
@@ -289,8 +304,11 @@ int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Plann
   std::string first_refusal;
   std::vector<double> seconds;
   const Stopwatch watch;
-  for (const auto& [q, request] : queries) {
-    const CheckedPlan plan = checked(planner, planner.plan(request, limits), request.reverse);
+  const auto threads = arguments.build.executor();
+  const std::vector<CheckedPlan> plans = plan_all(planner, queries, limits, *threads);
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const CheckedPlan& plan = plans[i];
+    const std::uint64_t q = queries[i].q;
     csv += batch_line(q, plan);
     if (!arguments.json.empty()) json += plan_to_json(plan.result, q) + "\n";
     seconds.push_back(plan.result.statistics.total_seconds);
@@ -319,7 +337,27 @@ int plan_batch(const PlanArguments& arguments, const LoadedMap& map, const Plann
   return refused == 0 ? kExitSolved : kExitNoPath;
 }
 
-int run_plan(const PlanArguments& arguments, std::string& out) {
+/// From the map's file what it has of this vehicle; the rest is built.
+Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
+                     const PlannerOptions& options) {
+  const QuerySet queries = arguments.build.queries(map.world);
+  const auto threads = arguments.build.executor();
+  ProgressBar bar;
+  const ReportingExecutor executor(*threads, bar.callback());
+  if (!map.prepared) return {map.world, vehicle, queries, options, executor};
+  VisibilityGraph& reduced = map.prepared->reduced_graph;
+  auto& robot = map.prepared->robot;
+  if (!robot || to_json(robot->parameters) != to_json(vehicle.parameters()))
+    return {map.world, vehicle, queries, std::move(reduced), options, executor};
+  try {
+    PreparedGraph graphs{std::move(reduced), std::move(robot->radii), std::move(robot->feasible)};
+    return {map.world, vehicle, queries, std::move(graphs), options};
+  } catch (const TableError& error) {
+    throw FormatError(map.prepared->source.complaint(error));
+  }
+}
+
+int run_plan(PlanArguments arguments, std::string& out) {
   const bool batch = !arguments.queries.empty();
   if (batch) {
     if (arguments.out.empty()) throw UsageError("--queries: needs --out R.csv for the results");
@@ -354,8 +392,10 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
     query.request.cusp_cost = cusp_cost;
   }
 
-  const LoadedMap map = load_map(arguments.map, arguments.reading);
-  const Vehicle vehicle = load_vehicle(arguments.robot);
+  LoadedMap map = load_map(arguments.map, arguments.reading);
+  arguments.build.prepared = map.prepared.has_value();
+  const bool robot_of_map = arguments.robot.empty() && map.prepared && map.prepared->robot;
+  const Vehicle vehicle = robot_of_map ? Vehicle(map.prepared->robot->parameters) : load_vehicle(arguments.robot);
   if (!batch) {
     if (!start) start = map.start;
     if (request.goals.empty() && map.goal) request.goals.push_back({map.goal->position(), map.goal->heading});
@@ -364,9 +404,9 @@ int run_plan(const PlanArguments& arguments, std::string& out) {
   }
 
   const Stopwatch watch;
-  const Planner planner(map.world, vehicle, arguments.build.queries(map.world), options, *arguments.build.executor());
+  const Planner planner = make_planner(arguments, map, vehicle, options);
   const double build_seconds = watch.seconds();
-  if (batch) return plan_batch(arguments, map, planner, build_seconds, queries, limits, out);
+  if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, out);
   request.start = *start;
   return plan_one(arguments, map, planner, build_seconds, request, limits, out);
 }

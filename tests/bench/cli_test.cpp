@@ -1,6 +1,4 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -11,14 +9,16 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/tool.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+using arcway::test::kAround;
+using arcway::test::kOneBox;
+using arcway::test::text_of;
+using arcway::test::Tool;
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -32,53 +32,6 @@ std::size_t count_of(const std::string& text, char c) {
   for (const char d : text) count += d == c ? 1 : 0;
   return count;
 }
-
-constexpr const char* kOneBox = R"({"type":"FeatureCollection","properties":{"bounds":[0,0,60,60]},"features":[)"
-                                R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[)"
-                                R"([[20,20],[40,20],[40,40],[20,40],[20,20]]]}}]})";
-constexpr const char* kAround = " --start 10,10,0 --goal 50,50,90deg";
-
-/// A box in the middle of a bounded field; every test has a folder of its own.
-class Tool : public testing::Test {
- protected:
-  struct Run {
-    int code = -1;
-    std::string out, err;
-  };
-
-  void SetUp() override {
-    const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / ("arcway_cli_" + std::to_string(getpid()) + "_" + test.name());
-    fs::create_directories(folder_);
-    map_ = put("box.geojson", kOneBox);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  std::string put(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return file(name);
-  }
-  std::string read(const std::string& name) const { return text_of(folder_ / name); }
-  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
-
-  Run run(const std::string& arguments) const {
-    const std::string command =
-        "\"" ARCWAY_TOOL "\" " + arguments + " >\"" + file("stdout") + "\" 2>\"" + file("stderr") + "\"";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout"), read("stderr")};
-  }
-
-  void expect_bad_input(const std::string& arguments, const std::string& message) const {
-    const Run result = run(arguments);
-    EXPECT_EQ(result.code, 2) << arguments;
-    EXPECT_EQ(result.out, "") << arguments;
-    EXPECT_NE(result.err.find(message), std::string::npos) << arguments << "\n" << result.err;
-  }
-
-  fs::path folder_;
-  std::string map_;
-};
 
 TEST_F(Tool, HelpGoesToStandardOutput) {
   const Run result = run("--help");

@@ -40,6 +40,7 @@ const SmallWorld kWorlds[] = {
     {"room.pgm", 2, 16, {2, 1.5, 0}, {6, 5, kPi}, 0.5},
     {"room_binary.pgm", 2, 16, {2, 1.5, 0}, {6, 5, kPi}, 0.5},
     {"room.png", 2, 16, {2, 1.5, 0}, {6, 5, kPi}, 0.5},
+    {"yard.arcway", 3, 14, {4, 4, 0}, {36, 26, kPi / 2}},
 };
 
 fs::path path_of(const SmallWorld& world) { return fs::path(ARCWAY_SOURCE_DIR) / "tests/data" / world.file; }

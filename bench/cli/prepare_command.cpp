@@ -1,0 +1,84 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bench/cli/arguments.h"
+#include "bench/cli/progress_bar.h"
+#include "core/planner.h"
+#include "datasets/prepared_map.h"
+
+namespace arcway::cli {
+namespace {
+
+struct PrepareArguments {
+  std::string map;
+  MapOptions reading;
+  std::string kind = "feasible";
+  std::string robot;
+  std::string out;
+  BuildOptions build;
+};
+
+int run_prepare(const PrepareArguments& arguments, std::string& out) {
+  if (arguments.kind != "reduced" && arguments.kind != "feasible")
+    throw UsageError("--kind: expected reduced or feasible, got \"" + arguments.kind + "\"");
+  if (arguments.kind == "reduced" && !arguments.robot.empty())
+    throw UsageError("--robot: a reduced graph is that of any robot; leave it out, or take --kind feasible");
+  arguments.build.check();
+  const Vehicle vehicle = load_vehicle(arguments.robot);
+  LoadedMap map = load_map(arguments.map, arguments.reading);
+
+  const Stopwatch watch;
+  const auto threads = arguments.build.executor();
+  ProgressBar bar;
+  const ReportingExecutor executor(*threads, bar.callback());
+  const QuerySet queries = arguments.build.queries(map.world);
+  VisibilityGraph reduced = map.prepared ? std::move(map.prepared->reduced_graph)
+                                         : arguments.build.reduced_graph()(map.world, *queries.visibility, executor);
+  const double reduced_seconds = watch.seconds();
+  std::string rows = row("reduced graph", count_text(reduced.edge_count()) + " edges");
+  PreparedMap prepared{map.world, {}, map.start, map.goal, std::nullopt, {}};
+  if (arguments.kind == "feasible") {
+    const Planner planner(map.world, vehicle, queries, std::move(reduced), {}, executor);
+    rows += feasible_row(planner);
+    PreparedGraph graphs = planner.prepared_graph();
+    prepared.reduced_graph = std::move(graphs.reduced_graph);
+    prepared.robot = {vehicle.parameters(), std::move(graphs.radii), std::move(graphs.feasible)};
+  } else {
+    prepared.reduced_graph = std::move(reduced);
+  }
+  const double build_seconds = watch.seconds();
+  std::string bytes = to_bytes(prepared);
+
+  out += arguments.map + ": prepared\n" + world_rows(map.world) + rows;
+  out += row("build", duration_text(build_seconds) + " (reduced graph " + duration_text(reduced_seconds) + ")");
+  out += row("built by", arguments.build.summary(map.world)) + row("size", count_text(bytes.size()) + " bytes") +
+         warning_rows(map);
+  OutputFiles files;
+  files.add(arguments.out, std::move(bytes));
+  files.write();
+  out += files.summary();
+  return kExitSolved;
+}
+
+}  // namespace
+
+void add_prepare_command(CLI::App& app, Action& action) {
+  CLI::App& command = *app.add_subcommand("prepare", "Build a map's graphs once, for plan to take up");
+  const auto arguments = std::make_shared<PrepareArguments>();
+  command.add_option("WORLD", arguments->map, kMapHelp)->required();
+  arguments->reading.add_to(command);
+  command
+      .add_option("--kind", arguments->kind,
+                  "reduced (of any robot, which plan then checks) or feasible (checked for one robot as well)")
+      ->type_name("KIND")
+      ->capture_default_str();
+  command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
+  arguments->build.add_to(command);
+  command.add_option("--out", arguments->out, "File to write")->type_name("F.arcway")->required();
+  command.callback(
+      [arguments, &action] { action = [arguments](std::string& out) { return run_prepare(*arguments, out); }; });
+}
+
+}  // namespace arcway::cli

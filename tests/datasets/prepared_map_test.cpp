@@ -1,0 +1,145 @@
+#include "datasets/prepared_map.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "core/planner.h"
+#include "datasets/catalogue.h"
+#include "datasets/clutter.h"
+#include "datasets/map_file.h"
+#include "tests/support/nasty_worlds.h"
+#include "tests/support/prepared_bytes.h"
+#include "tests/support/thread_executor.h"
+
+namespace arcway {
+namespace {
+
+PreparedMap prepare(const World& world, const Executor& executor) {
+  const Planner planner(world, Vehicle{}, make_reference_queries(world), {}, executor);
+  PreparedGraph graphs = planner.prepared_graph();
+  return {world,
+          std::move(graphs.reduced_graph),
+          Pose{1, 2, 3},
+          std::nullopt,
+          PreparedMap::ForRobot{planner.vehicle().parameters(), std::move(graphs.radii), std::move(graphs.feasible)},
+          {}};
+}
+
+World small_world() {
+  return World({{test::square(0, 0, 4), {test::reversed(test::square(1, 1, 1))}}, {test::square(9, 9, 2), {}}},
+               test::square(-5, -5, 30));
+}
+
+std::string complaint_about(const std::string& bytes) {
+  try {
+    static_cast<void>(read_prepared_map(bytes, "m.arcway"));
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PreparedMap, ReadsBackToTheSameBytes) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const World world = test::nasty_world(seed, 8);
+    PreparedMap map{world, build_reduced_visibility_graph(world, *make_reference_queries(world).visibility), {}, {}, {},
+                    {}};
+    const std::string bytes = to_bytes(map);
+    EXPECT_EQ(to_bytes(read_prepared_map(bytes, "m")), bytes) << seed;
+  }
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  const PreparedMap map = read_prepared_map(bytes, "m");
+  EXPECT_EQ(to_bytes(map), bytes);
+  EXPECT_EQ(map.start->heading, 3.0);
+  EXPECT_FALSE(map.goal);
+  ASSERT_TRUE(map.robot);
+  EXPECT_EQ(map.robot->parameters.max_speed, Vehicle{}.max_speed());
+}
+
+TEST(PreparedMap, HasTheSameBytesForAnyNumberOfThreadsAndEveryTime) {
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 15, .vertices = 6, .fill = 0.2, .seed = 8});
+  const std::string expected = to_bytes(prepare(world, SerialExecutor()));
+  for (const std::size_t threads : {1u, 2u, 3u, 8u})
+    EXPECT_EQ(to_bytes(prepare(world, test::ThreadExecutor(threads))), expected) << threads;
+}
+
+TEST(PreparedMap, PlansAsAMapThatIsPreparedAnew) {
+  const World world = random_world({.obstacles = 15, .vertices = 6, .fill = 0.2, .seed = 8});
+  PreparedMap map = read_prepared_map(to_bytes(prepare(world, SerialExecutor())), "m");
+  const Planner built(world, Vehicle{});
+  const Planner taken(map.world, Vehicle(map.robot->parameters), make_reference_queries(map.world),
+                      {std::move(map.reduced_graph), map.robot->radii, std::move(map.robot->feasible)});
+  const PlanRequest request{{0.5, 0.5, 0}, {40, 40, 1}};
+  const PlanResult a = built.plan(request), b = taken.plan(request);
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.travel_time, b.travel_time);
+  EXPECT_EQ(a.lower_bound, b.lower_bound);
+}
+
+TEST(PreparedMap, IsRefusedWhenCutOffAnywhere) {
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_EQ(complaint_about(bytes.substr(0, size)).rfind("m.arcway: byte ", 0), 0u) << size;
+}
+
+TEST(PreparedMap, IsRefusedWhenAnyByteIsAnother) {
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 0x10);
+    EXPECT_EQ(complaint_about(changed).rfind("m.arcway: byte ", 0), 0u) << at;
+  }
+  EXPECT_NE(complaint_about(bytes + '\0'), "");
+}
+
+TEST(PreparedMap, SaysWhatIsWrongAndWhere) {
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  EXPECT_EQ(complaint_about("{\"type\": 1}"), "m.arcway: byte 0: this is no prepared map");
+  EXPECT_EQ(complaint_about(bytes.substr(0, 20)), "m.arcway: byte 20: the file ends in its header of 40 bytes");
+
+  std::string other = bytes;
+  other[12] = 9;
+  EXPECT_EQ(complaint_about(other),
+            "m.arcway: byte 12: version 9, this program reads version 1; prepare the map again");
+  other = bytes;
+  std::swap(other[8], other[11]);
+  std::swap(other[9], other[10]);
+  EXPECT_EQ(complaint_about(other), "m.arcway: byte 8: written by a machine of another byte order: 0x04030201");
+
+  other = bytes.substr(0, bytes.size() - 1);
+  EXPECT_NE(complaint_about(other).find(": the file has " + std::to_string(other.size()) + " bytes, its header says " +
+                                        std::to_string(bytes.size())),
+            std::string::npos);
+
+  // A file that somebody made with care: the checksums are right, the content is not.
+  other = bytes;
+  const test::PreparedSection targets = test::section_of(other, static_cast<std::uint32_t>(Table::kTargets));
+  const std::uint32_t nowhere = 4711;
+  std::memcpy(other.data() + targets.offset + 8, &nowhere, sizeof nowhere);
+  test::mend_checksums(other);
+  EXPECT_EQ(
+      complaint_about(other).rfind("m.arcway: byte " + std::to_string(targets.offset + 8) + ": targets, entry 2", 0),
+      0u)
+      << complaint_about(other);
+  EXPECT_NE(complaint_about(other).find("4711"), std::string::npos);
+}
+
+TEST(PreparedMap, IsWrittenWholeOrNotAtAll) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "arcway_prepared_map";
+  std::filesystem::create_directories(folder);
+  const PreparedMap map = prepare(small_world(), SerialExecutor());
+  write_prepared_map(folder / "m.arcway", map);
+  EXPECT_TRUE(is_prepared_map_file(folder / "m.arcway"));
+  EXPECT_EQ(to_bytes(read_prepared_map_file(folder / "m.arcway")), to_bytes(map));
+  EXPECT_THROW(write_prepared_map(folder / "none" / "m.arcway", map), FileError);
+  EXPECT_THROW(static_cast<void>(read_prepared_map_file(folder / "other.arcway")), FileError);
+  EXPECT_FALSE(is_prepared_map_file(folder / "other.arcway"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace arcway
