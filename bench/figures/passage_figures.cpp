@@ -10,10 +10,14 @@
 namespace arcway::figures {
 namespace {
 
-/// Start, the vertices that the plan's arcs go round, goal.
-std::vector<Vec2> point_path(const Planner& planner, const PlanResult& plan) {
+/// Start, the vertices that the graph's best path goes round, goal: before refinement, which moves turns away from the
+/// vertices.
+std::vector<Vec2> point_path(const Planner& refining, const PlanResult& plan) {
+  PlannerOptions options;
+  options.refinement.max_trials = 0;
+  const Planner planner(refining.world(), refining.vehicle(), options);
   std::vector<Vec2> points{plan.start.position()};
-  for (const PathSegment& s : plan.path()) {
+  for (const PathSegment& s : planner.plan({.start = plan.start, .goal = plan.goal}).path()) {
     if (s.is_line()) continue;
     const double radius = 1.0 / std::abs(s.curvature);
     const Side side = s.curvature > 0.0 ? Side::kLeft : Side::kRight;

@@ -28,6 +28,9 @@ TEST(Figures, AreSevenDocumentsWithTheirNumbersInTheCaption) {
     EXPECT_NE(figure.svg.find("</svg>"), std::string::npos) << figure.name;
   }
   EXPECT_EQ(names.size(), 7u);
+  // The point path turns at vertices: one radial set for each of at least two segments.
+  const std::string& sets = figures[2].caption;
+  EXPECT_NE(sets.find(", ", sets.find("left + right: ")), std::string::npos) << sets;
   EXPECT_NE(figures[4].caption.find("w_s = 1.30"), std::string::npos) << figures[4].caption;
   EXPECT_NE(figures[6].caption.find(digits(plan.travel_time, 2) + " s"), std::string::npos) << figures[6].caption;
 }
