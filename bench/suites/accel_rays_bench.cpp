@@ -34,11 +34,6 @@ std::vector<LineSegment> random_segments(const World& world) {
   return segments;
 }
 
-void count_rays(benchmark::State& state) {
-  state.counters["rays"] =
-      benchmark::Counter(static_cast<double>(kRays), benchmark::Counter::kIsIterationInvariantRate);
-}
-
 void time_rays(benchmark::State& state, const std::string& world_name, std::size_t threads) {
   const World& world = shared_world(world_name);
   const std::vector<LineSegment> segments = random_segments(world);
@@ -58,7 +53,7 @@ void time_rays(benchmark::State& state, const std::string& world_name, std::size
   double seen = 0.0;
   for (const std::uint8_t v : visible) seen += v;
   state.counters["seen"] = seen / static_cast<double>(kRays);
-  count_rays(state);
+  set_batch(state, kRays);
 }
 
 struct RefuseAll {
@@ -72,7 +67,7 @@ void time_embree_alone(benchmark::State& state, const std::string& world_name) {
   for (auto _ : state) {
     for (const LineSegment& s : segments) benchmark::DoNotOptimize(scene.any(s.a, s.b, {}));
   }
-  count_rays(state);
+  set_batch(state, kRays);
 }
 
 void add(Study study) {

@@ -50,8 +50,7 @@ void time_bitangents(benchmark::State& state) {
   for (auto _ : state) {
     for (const auto& [from, to] : pairs) benchmark::DoNotOptimize(directed_bitangent(from, to));
   }
-  state.counters["lines"] =
-      benchmark::Counter(static_cast<double>(kPairs), benchmark::Counter::kIsIterationInvariantRate);
+  set_batch(state, kPairs);
 }
 
 void add(Study /*study*/) { add_benchmark("Bitangents/directed", time_bitangents); }

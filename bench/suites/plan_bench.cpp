@@ -1,109 +1,42 @@
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/suites/allocations.h"
 #include "bench/suites/backends.h"
-#include "bench/suites/corruption.h"
+#include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/path/validation.h"
-#include "core/planner.h"
+#include "core/graph/turning_radii.h"
 #include "datasets/catalogue.h"
 #include "datasets/random_queries.h"
 
-// Whole plans: with the graph built before, with it built for one query, by each heuristic; and how good they are.
+// Whole plans: on a prepared map, one for a new map with everything checked before or as it is needed; batches by
+// several threads; and what distance, fill and radii do to them.
 namespace arcway::bench {
 namespace {
 
 constexpr std::size_t kQueries = 20;
+constexpr const char* kWrong = "the validator refuses a path, or there is none";
 
-QuerySet fastest_queries(const World& world) { return query_backends().back().make(world); }
-
-const Planner& planner_for(const std::string& world_name, Heuristic heuristic = Heuristic::kTravelTime) {
-  static std::map<std::pair<std::string, Heuristic>, Planner> planners;
-  const std::pair key{world_name, heuristic};
-  const auto found = planners.find(key);
-  if (found != planners.end()) return found->second;
-  const World& world = shared_world(world_name);
-  const SerialExecutor executor;
-  return planners
-      .emplace(key, Planner(world, Vehicle(), fastest_queries(world), graph_builders().back().build(world, executor),
-                            {.heuristic = heuristic}, executor))
-      .first->second;
-}
-
-bool is_valid(const Planner& planner, const PlanResult& result) {
-  TimedPath path;
-  for (const TimedSegment& s : result.segments) {
-    path.segments.push_back(s.segment);
-    path.speed_in.push_back(s.speed_in);
-    path.speed_out.push_back(s.speed_out);
-    path.durations.push_back(s.duration);
-  }
-  if (corrupting() && !path.segments.empty()) path.segments.back().length += 0.01;
-  return validate(planner.world(), planner.vehicle(), result.start, result.goal, path).valid();
-}
-
-/// Share solved, travel time over the lower bound and over the best known time, smallest clearance, expansions.
-void count_quality(benchmark::State& state, const std::vector<PlanResult>& results, const std::vector<double>& best) {
-  double solved = 0.0, expanded = 0.0, clearance = std::numeric_limits<double>::infinity(), worst = 1.0;
-  double start_blocked = 0.0, goal_blocked = 0.0, no_path = 0.0;
-  std::vector<double> over_bound;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const PlanResult& r = results[i];
-    expanded += static_cast<double>(r.statistics.nodes_expanded);
-    start_blocked += r.status == PlanStatus::kStartBlocked;
-    goal_blocked += r.status == PlanStatus::kGoalBlocked;
-    no_path += r.status == PlanStatus::kNoPath;
-    if (!r.solved()) continue;
-    solved += 1.0;
-    clearance = std::min(clearance, r.min_clearance);
-    over_bound.push_back(r.travel_time / r.lower_bound);
-    if (best[i] > 0.0) worst = std::max(worst, r.travel_time / best[i]);
-  }
-  const auto count = static_cast<double>(results.size());
-  state.counters["solved_share"] = solved / count;
-  state.counters["start_blocked"] = start_blocked;
-  state.counters["goal_blocked"] = goal_blocked;
-  state.counters["no_path"] = no_path;
-  state.counters["expansions_per_query"] = expanded / count;
-  state.counters["queries"] = count;
-  if (over_bound.empty()) return;
-  std::ranges::sort(over_bound);
-  state.counters["time_over_bound_median"] = over_bound[over_bound.size() / 2];
-  state.counters["time_over_best_worst"] = worst;
-  state.counters["min_clearance_m"] = clearance;
-}
-
-std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanRequest>& requests) {
-  std::vector<PlanResult> results;
-  for (const PlanRequest& request : requests) results.push_back(planner.plan(request));
-  return results;
-}
-
-void time_queries(benchmark::State& state, const std::string& world_name, const std::vector<PlanRequest>& requests,
-                  Heuristic heuristic = Heuristic::kTravelTime) {
-  const Planner& planner = planner_for(world_name, heuristic);
+void time_queries(benchmark::State& state, const Planner& planner, const std::vector<PlanRequest>& requests) {
   const std::vector<PlanResult> results = plan_all(planner, requests);
-  // Dijkstra's search finds the graph's best path whatever the heuristic.
-  const std::vector<PlanResult> best = plan_all(planner_for(world_name, Heuristic::kDijkstra), requests);
-  std::vector<double> best_times;
-  for (const PlanResult& r : best) best_times.push_back(r.solved() ? r.travel_time : 0.0);
-  bool right = false;  // at least one path, and no wrong one
-  for (const PlanResult& r : results) right = right || r.solved();
-  for (const PlanResult& r : results) right = right && (!r.solved() || is_valid(planner, r));
-  if (!require(state, right, "the validator refuses a path, or there is none")) return;
+  if (!require(state, are_right(planner, results), kWrong)) return;
   const std::uint64_t before = heap_use().allocations;
   plan_all(planner, requests);
   const auto allocated = static_cast<double>(heap_use().allocations - before);
   for (auto _ : state)
     for (const PlanRequest& request : requests) benchmark::DoNotOptimize(planner.plan(request));
+  const auto queries = static_cast<double>(requests.size());
+  double expanded = 0.0;
+  for (const PlanResult& r : results) expanded += static_cast<double>(r.statistics.nodes_expanded);
+  set_batch(state, requests.size());
   state.counters["vertices"] = static_cast<double>(planner.world().vertices().size());
-  state.counters["allocations_per_query"] = allocated / static_cast<double>(requests.size());
-  count_quality(state, results, best_times);
+  state.counters["allocations_per_query"] = allocated / queries;
+  state.counters["expansions_per_query"] = expanded / queries;
 }
 
 /// Pairs whose distance is a share of the map's side, from `low` to `low` + 0.1.
@@ -112,31 +45,37 @@ std::vector<PlanRequest> requests_at(const std::string& world_name, double low) 
   const double side = (world.box().max - world.box().min).maxCoeff();
   std::vector<PlanRequest> kept;
   for (const PlanRequest& r :
-       random_queries(world, fastest_queries(world), Vehicle(), {.count = 4000, .min_distance = low, .seed = 1})) {
+       random_queries(world, fastest_queries(world), Vehicle(), {.count = 400, .min_distance = low, .seed = 1})) {
     if ((r.start.position() - r.goal.position()).norm() < (low + 0.1) * side) kept.push_back(r);
     if (kept.size() == kQueries) break;
   }
   return kept;
 }
 
-void time_from_nothing(benchmark::State& state, const std::string& world_name) {
+/// The first of a world's queries that has a plan.
+const PlanRequest& first_solved(const std::string& world_name) {
+  static std::map<std::string, PlanRequest> known;
+  const auto found = known.find(world_name);
+  if (found != known.end()) return found->second;
+  const Planner planner = make_planner(shared_world(world_name), Vehicle(), {.graph_mode = GraphMode::kLazy});
+  for (const PlanRequest& request : catalogue_queries(world_name, kQueries, 1))
+    if (planner.plan(request).solved()) return known.emplace(world_name, request).first->second;
+  throw std::runtime_error(world_name + ": no query has a plan");
+}
+
+/// Queries, graphs and one plan.
+void time_from_nothing(benchmark::State& state, const std::string& world_name, GraphMode mode) {
   const World& world = shared_world(world_name);
-  const std::vector<PlanRequest> requests = catalogue_queries(world_name, kQueries, 1);
+  const PlanRequest& request = first_solved(world_name);
   const auto solve = [&] {
-    const SerialExecutor executor;
-    const Planner planner(world, Vehicle(), fastest_queries(world), graph_builders().back().build(world, executor), {},
-                          executor);
-    PlanResult result;
-    for (const PlanRequest& request : requests)
-      if (result = planner.plan(request); result.solved()) break;
-    return std::pair(planner, result);
+    const Planner planner = make_planner(world, Vehicle(), {.graph_mode = mode});
+    return std::pair(planner, std::vector{planner.plan(request)});
   };
   reset_heap_peak();
   const HeapUse before = heap_use();
-  const auto [planner, result] = solve();
+  const auto [planner, results] = solve();
   const HeapUse after = heap_use();
-  if (!require(state, result.solved() && is_valid(planner, result), "the validator refuses the path, or there is none"))
-    return;
+  if (!require(state, are_right(planner, results), kWrong)) return;
   for (auto _ : state) benchmark::DoNotOptimize(solve());
   const auto vertices = static_cast<double>(world.vertices().size());
   state.counters["vertices"] = vertices;
@@ -144,39 +83,70 @@ void time_from_nothing(benchmark::State& state, const std::string& world_name) {
   state.counters["bytes_per_vertex"] = static_cast<double>(after.live_bytes - before.live_bytes) / vertices;
 }
 
+/// Queries that do not wait for one another.
+void time_batch(benchmark::State& state, const std::string& world_name, std::size_t threads) {
+  constexpr std::size_t kBatch = 100;
+  const Planner& planner = shared_planner(world_name);
+  const std::vector<PlanRequest> requests = catalogue_queries(world_name, kBatch, 1);
+  const std::unique_ptr<Executor> executor = make_executor(threads);
+  std::vector<PlanResult> results(kBatch);
+  const auto plan_batch = [&] {
+    executor->for_ranges(kBatch, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) results[i] = planner.plan(requests[i]);
+    });
+  };
+  plan_batch();
+  if (!require(state, are_right(planner, results), kWrong)) return;
+  for (auto _ : state) plan_batch();
+  set_batch(state, kBatch);
+}
+
+void time_radii(benchmark::State& state, const std::string& world_name, std::size_t radii) {
+  const Vehicle vehicle = gentle_vehicle();
+  std::vector<double> all = turning_radii(vehicle, shared_world(world_name));
+  all.resize(std::min(radii, all.size()));
+  const Planner planner = make_planner(shared_world(world_name), vehicle, {.radii = all});
+  time_queries(state, planner, catalogue_queries(world_name, kQueries, 1));
+  state.counters["links"] = static_cast<double>(planner.feasible_graph().links().size());
+}
+
 void add(Study study) {
-  Series reused(study, "Plan/graph_reused", "obstacles", "20 queries: A* over the part of the graph towards the goal",
-                1.0);
-  Series built(study, "Plan/graph_built", "obstacles", "O(n log n + k log n), graph and one query", 1.1);
-  for (const std::size_t n : sizes(study, {10, 32, 100, 316, 1000, 3162, 10000, 31623}, 32, 3162)) {
+  Series reused(study, "Plan/graph_reused", "obstacles", "A* over the part of the graph towards the goal", 1.0);
+  Series eager(study, "Plan/eager", "obstacles", "O(n log n + k log n), graphs and one query", 1.1);
+  reused.allow(6.0);
+  Series lazy(study, "Plan/lazy", "obstacles", "O(n log n), visibility graph and what one query asks for", 1.1);
+  for (const std::size_t n : sizes(study, {10, 32, 100, 316, 1000, 3162, 10000, 31623, 100000}, 32, 10000)) {
     const std::string name = clutter_name("convex", n, 10, 30);
-    reused.add(static_cast<double>(n),
-               [name](benchmark::State& state) { time_queries(state, name, catalogue_queries(name, kQueries, 1)); });
-    built.add(static_cast<double>(n), [name](benchmark::State& state) { time_from_nothing(state, name); });
+    const auto size = static_cast<double>(n);
+    reused.add(size, [name](benchmark::State& state) {
+      time_queries(state, shared_planner(name), catalogue_queries(name, kQueries, 1));
+    });
+    eager.add(size, [name](benchmark::State& state) { time_from_nothing(state, name, GraphMode::kEager); });
+    lazy.add(size, [name](benchmark::State& state) { time_from_nothing(state, name, GraphMode::kLazy); });
   }
-  const std::size_t obstacles = study == Study::kCheck ? 32 : 1000;
+  const std::size_t obstacles = study == Study::kCheck ? 32 : 316;
+  const std::string at = "/n:" + std::to_string(obstacles);
   const std::string name = clutter_name("convex", obstacles, 10, 30);
-  Series by_distance(study, "Plan/n:" + std::to_string(obstacles), "percent_of_side", "A*: grows with the distance",
-                     2.0);
+  Series by_distance(study, "Plan" + at, "percent_of_side", "A*: grows with the distance", 2.0);
   for (const std::size_t percent : sizes(study, {10, 20, 40, 60, 80}, 20, 80))
     by_distance.add(static_cast<double>(percent), [name, percent](benchmark::State& state) {
-      time_queries(state, name, requests_at(name, 0.01 * static_cast<double>(percent)));
+      time_queries(state, shared_planner(name), requests_at(name, 0.01 * static_cast<double>(percent)));
     });
-  const std::pair<const char*, Heuristic> heuristics[] = {{"travel_time", Heuristic::kTravelTime},
-                                                          {"paper_distance", Heuristic::kPaperDistance},
-                                                          {"dijkstra", Heuristic::kDijkstra}};
-  for (const auto& [label, heuristic] : heuristics)
-    add_benchmark("Search/" + std::string(label) + "/n" + std::to_string(obstacles),
-                  [name, heuristic = heuristic](benchmark::State& state) {
-                    time_queries(state, name, catalogue_queries(name, kQueries, 1), heuristic);
-                  });
-  for (const char* kind : {"convex", "star"})
-    for (const int fill : {15, 30, 45}) {
-      if (study == Study::kCheck && fill != 30) continue;
-      const std::string world = clutter_name(kind, 100, 10, fill);
-      add_benchmark("Quality/" + std::string(kind) + "/fill" + std::to_string(fill),
-                    [world](benchmark::State& state) { time_queries(state, world, catalogue_queries(world, 50, 1)); });
-    }
+  Series by_fill(study, "Plan" + at, "fill_percent", "falls with what is seen", 0.0);
+  for (const std::size_t fill : sizes(study, {5, 10, 20, 30, 40, 50}, 30, 50)) {
+    const std::string filled = clutter_name("convex", obstacles, 10, static_cast<int>(fill));
+    by_fill.add(static_cast<double>(fill), [filled](benchmark::State& state) {
+      time_queries(state, shared_planner(filled), catalogue_queries(filled, kQueries, 1));
+    });
+  }
+  Series by_threads(study, "PlanBatch" + at, "threads", "1 / threads", 0.0);
+  for (const std::size_t t : thread_counts())
+    by_threads.add(static_cast<double>(t), [name, t](benchmark::State& state) { time_batch(state, name, t); });
+  const std::size_t fewer = study == Study::kCheck ? 10 : 100;
+  Series by_radii(study, "PlanRadii/n:" + std::to_string(fewer), "radii", "O(r^2) pairs of radii an edge", 2.0);
+  for (const std::size_t r : sizes(study, {1, 2, 3, 4, 5, 6, 7}, 2, 7))
+    by_radii.add(static_cast<double>(r),
+                 [fewer, r](benchmark::State& state) { time_radii(state, clutter_name("convex", fewer, 10, 15), r); });
 }
 
 const Suite suite(add);

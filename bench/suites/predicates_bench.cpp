@@ -57,8 +57,7 @@ void add_case(const std::string& name, bool collinear) {
       for (const Triple& t : inputs) sum += orientation(t[0], t[1], t[2]);
       benchmark::DoNotOptimize(sum);
     }
-    state.counters["signs"] =
-        benchmark::Counter(static_cast<double>(kTriples), benchmark::Counter::kIsIterationInvariantRate);
+    set_batch(state, kTriples);
   });
 }
 

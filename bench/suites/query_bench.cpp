@@ -57,8 +57,7 @@ void time_questions(benchmark::State& state, const QueryBackend& backend, const 
   for (auto _ : state) ask(queries, questions, kQuestions);
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
   state.counters["allocations_per_question"] = allocated / static_cast<double>(kQuestions);
-  state.counters["questions"] =
-      benchmark::Counter(static_cast<double>(kQuestions), benchmark::Counter::kIsIterationInvariantRate);
+  set_batch(state, kQuestions);
 }
 
 template <class Answer, class Question>

@@ -10,7 +10,7 @@
 
 namespace arcway::bench {
 
-/// Longest single iteration of one size of a series, with its world and its check [s].
+/// Longest single iteration of one size of a series, with its world and its check, processor time [s].
 double size_budget(Study study);
 
 /// Google Benchmark's arguments for a study: repetitions, and how long each is to take.

@@ -1,7 +1,7 @@
 #include "bench/suites/suite.h"
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -38,6 +38,8 @@ benchmark::internal::Benchmark* add_benchmark(const std::string& name, Body body
   return added->UseRealTime()->MeasureProcessCPUTime();
 }
 
+void set_batch(benchmark::State& state, std::size_t answers) { state.counters["batch"] = static_cast<double>(answers); }
+
 bool require(benchmark::State& state, bool right, std::string_view what) {
   if (!right) state.SkipWithError(std::string(what).c_str());
   return right;
@@ -66,6 +68,11 @@ Series::Series(Study study, std::string name, std::string size_name, std::string
   state_->budget = size_budget(study);
 }
 
+Series& Series::allow(double seconds) {
+  state_->budget += seconds;
+  return *this;
+}
+
 void Series::add(double size, Body body) {
   const auto run = [series = state_, size, body = std::move(body)](benchmark::State& state) {
     const double expected =
@@ -76,10 +83,10 @@ void Series::add(double size, Body body) {
       return;
     }
     state.SetLabel(series->law);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();  // processor time: a busy machine leaves out no more than a quiet one
     body(state);
     if (state.max_iterations > 1) return;  // a repetition
-    series->last_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    series->last_seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     series->last_size = size;
   };
   add_benchmark(name_ + "/" + size_name_ + ":" + number_text(size), run);

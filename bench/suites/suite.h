@@ -34,6 +34,9 @@ using Body = std::function<void(benchmark::State&)>;
 ///   report fits over that key.
 benchmark::internal::Benchmark* add_benchmark(const std::string& name, Body body);
 
+/// Says how many answers an iteration gives: the report's times are for one.
+void set_batch(benchmark::State& state, std::size_t answers);
+
 /// Ends a benchmark with an error unless its answer is right. To be called before the timed loop:
 ///
 ///     if (!require(state, graph == reference, "edges differ from the reference")) return;
@@ -49,6 +52,9 @@ class Series {
  public:
   /// @param exponent  of the law that theory gives, for the estimate.
   Series(Study study, std::string name, std::string size_name, std::string law, double exponent);
+
+  /// Lets a size take this many seconds more: for what is prepared once and kept, or worth the time.
+  Series& allow(double seconds);
 
   /// Registers one size. `body` runs the timed loop itself.
   void add(double size, Body body);

@@ -1,0 +1,58 @@
+#include "bench/suites/plans.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "bench/suites/backends.h"
+#include "bench/suites/corruption.h"
+#include "bench/suites/suite.h"
+#include "core/path/validation.h"
+
+namespace arcway::bench {
+namespace {
+
+bool is_valid(const Planner& planner, const PlanResult& result) {
+  TimedPath path;
+  for (const TimedSegment& s : result.segments) {
+    path.segments.push_back(s.segment);
+    path.speed_in.push_back(s.speed_in);
+    path.speed_out.push_back(s.speed_out);
+    path.durations.push_back(s.duration);
+  }
+  if (corrupting() && !path.segments.empty()) path.segments.back().length += 0.01;
+  return validate(planner.world(), planner.vehicle(), result.start, result.goal, path).valid();
+}
+
+}  // namespace
+
+QuerySet fastest_queries(const World& world) { return query_backends().back().make(world); }
+
+Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options) {
+  const SerialExecutor executor;
+  return {world, vehicle, fastest_queries(world), graph_builders().back().build(world, executor), options, executor};
+}
+
+const Planner& shared_planner(const std::string& world_name, Heuristic heuristic) {
+  static std::map<std::pair<std::string, Heuristic>, Planner> planners;
+  const std::pair key{world_name, heuristic};
+  const auto found = planners.find(key);
+  if (found != planners.end()) return found->second;
+  return planners.emplace(key, make_planner(shared_world(world_name), Vehicle(), {.heuristic = heuristic}))
+      .first->second;
+}
+
+std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanRequest>& requests) {
+  std::vector<PlanResult> results;
+  for (const PlanRequest& request : requests) results.push_back(planner.plan(request));
+  return results;
+}
+
+bool are_right(const Planner& planner, const std::vector<PlanResult>& results) {
+  return std::ranges::any_of(results, &PlanResult::solved) &&
+         std::ranges::all_of(results, [&](const PlanResult& r) { return !r.solved() || is_valid(planner, r); });
+}
+
+Vehicle gentle_vehicle() { return Vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0}); }
+
+}  // namespace arcway::bench

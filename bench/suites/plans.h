@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/planner.h"
+
+namespace arcway::bench {
+
+/// The fastest queries of this build.
+QuerySet fastest_queries(const World& world);
+
+/// A planner on the fastest builder's graph; one thread.
+Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options);
+/// The same for the paper's robot, made once for each name and heuristic and kept.
+const Planner& shared_planner(const std::string& world_name, Heuristic heuristic = Heuristic::kTravelTime);
+
+std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanRequest>& requests);
+
+/// Whether at least one query is solved and the validator takes all paths.
+bool are_right(const Planner& planner, const std::vector<PlanResult>& results);
+
+/// A robot whose speed on arcs grows with the radius: 2 m/s^2 sideways, driving and braking. Wider turns are faster, so
+/// that circles of several radii matter.
+Vehicle gentle_vehicle();
+
+}  // namespace arcway::bench

@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/suites/plans.h"
+#include "bench/suites/suite.h"
+#include "core/graph/turning_radii.h"
+#include "datasets/catalogue.h"
+
+// How good the plans are, beside how long they take: the catalogue's query sets, the heuristics, and the planner with
+// its features switched off one by one.
+namespace arcway::bench {
+namespace {
+
+constexpr const char* kWrong = "the validator refuses a path, or there is none";
+
+double median_of(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+/// Share solved and why not, travel time over the lower bound and over the best known time, smallest clearance,
+/// expansions.
+void count_quality(benchmark::State& state, const std::vector<PlanResult>& results,
+                   const std::vector<PlanResult>& best) {
+  double solved = 0.0, expanded = 0.0, clearance = std::numeric_limits<double>::infinity(), worst = 1.0;
+  double start_blocked = 0.0, goal_blocked = 0.0, no_path = 0.0;
+  std::vector<double> over_bound;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const PlanResult& r = results[i];
+    expanded += static_cast<double>(r.statistics.nodes_expanded);
+    start_blocked += r.status == PlanStatus::kStartBlocked;
+    goal_blocked += r.status == PlanStatus::kGoalBlocked;
+    no_path += r.status == PlanStatus::kNoPath;
+    if (!r.solved()) continue;
+    solved += 1.0;
+    clearance = std::min(clearance, r.min_clearance);
+    over_bound.push_back(r.travel_time / r.lower_bound);
+    if (best[i].solved()) worst = std::max(worst, r.travel_time / best[i].travel_time);
+  }
+  const auto count = static_cast<double>(results.size());
+  state.counters["solved_share"] = solved / count;
+  state.counters["start_blocked"] = start_blocked;
+  state.counters["goal_blocked"] = goal_blocked;
+  state.counters["no_path"] = no_path;
+  state.counters["expansions_per_query"] = expanded / count;
+  state.counters["queries"] = count;
+  state.counters["time_over_bound_median"] = median_of(over_bound);
+  state.counters["time_over_best_worst"] = worst;
+  state.counters["min_clearance_m"] = clearance;
+}
+
+void time_quality(benchmark::State& state, const std::string& world_name, std::size_t queries,
+                  Heuristic heuristic = Heuristic::kTravelTime) {
+  const Planner& planner = shared_planner(world_name, heuristic);
+  const std::vector<PlanRequest> requests = catalogue_queries(world_name, queries, 1);
+  const std::vector<PlanResult> results = plan_all(planner, requests);
+  if (!require(state, are_right(planner, results), kWrong)) return;
+  for (auto _ : state)
+    for (const PlanRequest& request : requests) benchmark::DoNotOptimize(planner.plan(request));
+  set_batch(state, queries);
+  // Dijkstra's search finds the graph's best path whatever the heuristic.
+  count_quality(state, results, plan_all(shared_planner(world_name, Heuristic::kDijkstra), requests));
+}
+
+/// The planner without one of its features.
+struct Variant {
+  const char* name;
+  PlannerOptions options;
+};
+
+std::vector<Variant> variants(const World& world) {
+  const double smallest = turning_radii(gentle_vehicle(), world).front();
+  PlannerOptions one_radius{.radii = {smallest}}, unrefined, no_manoeuvres{.manoeuvre_poses = 0}, paper;
+  unrefined.refinement.max_trials = 0;
+  paper.heuristic = Heuristic::kPaperDistance;
+  PlannerOptions bare = one_radius;
+  bare.refinement.max_trials = 0;
+  bare.manoeuvre_poses = 0;
+  return {{"everything", {}},           {"one radius", one_radius},
+          {"no refinement", unrefined}, {"no manoeuvres", no_manoeuvres},
+          {"none of the three", bare},  {"the paper's heuristic", paper}};
+}
+
+/// Gaps are compared over the queries that every variant solves, so that solving more does not look worse.
+void time_variant(benchmark::State& state, const std::string& world_name, std::size_t chosen, std::size_t queries) {
+  static std::map<std::string, std::vector<std::vector<PlanResult>>> plans;
+  const World& world = shared_world(world_name);
+  const std::vector<Variant> all = variants(world);
+  const std::vector<PlanRequest> requests = catalogue_queries(world_name, queries, 1);
+  std::vector<std::vector<PlanResult>>& results = plans[world_name];
+  const Planner planner = make_planner(world, gentle_vehicle(), all[chosen].options);
+  for (const Variant& v : all)
+    if (results.size() < all.size())
+      results.push_back(plan_all(make_planner(world, gentle_vehicle(), v.options), requests));
+  if (!require(state, are_right(planner, results[chosen]), kWrong)) return;
+  for (auto _ : state)
+    for (const PlanRequest& request : requests) benchmark::DoNotOptimize(planner.plan(request));
+  set_batch(state, queries);
+  std::vector<double> gaps;
+  for (std::size_t q = 0; q < queries; ++q) {
+    if (std::ranges::all_of(results, [q](const auto& r) { return r[q].solved(); }))
+      gaps.push_back(100.0 * results[chosen][q].optimality_gap());
+  }
+  state.counters["solved"] = static_cast<double>(std::ranges::count_if(results[chosen], &PlanResult::solved));
+  state.counters["gap_percent_median"] = gaps.empty() ? 0.0 : median_of(gaps);
+  state.counters["compared"] = static_cast<double>(gaps.size());
+}
+
+void add(Study study) {
+  const std::size_t queries = study == Study::kFull ? 50 : 20;
+  const std::size_t obstacles = study == Study::kCheck ? 32 : 316;
+  const std::pair<const char*, Heuristic> heuristics[] = {{"travel_time", Heuristic::kTravelTime},
+                                                          {"paper_distance", Heuristic::kPaperDistance},
+                                                          {"dijkstra", Heuristic::kDijkstra}};
+  const std::string name = clutter_name("convex", obstacles, 10, 30);
+  for (const auto& [label, heuristic] : heuristics)
+    add_benchmark("Search/" + std::string(label) + "/n" + std::to_string(obstacles),
+                  [name, queries, heuristic = heuristic](benchmark::State& state) {
+                    time_quality(state, name, queries, heuristic);
+                  });
+  for (const char* kind : {"convex", "star"})
+    for (const int fill : {15, 30, 45}) {
+      if (study == Study::kCheck && fill != 30) continue;
+      const std::string world = clutter_name(kind, study == Study::kCheck ? 30 : 100, 10, fill);
+      const std::string label = std::string(kind) + "_f" + std::to_string(fill);
+      add_benchmark("Quality/" + label, [world](benchmark::State& state) { time_quality(state, world, 50); });
+      const std::vector<Variant> all = variants(shared_world(world));
+      for (std::size_t v = 0; v < all.size(); ++v)
+        add_benchmark("Ablation/" + label + "/" + all[v].name,
+                      [world, v, queries](benchmark::State& state) { time_variant(state, world, v, queries); })
+            ->Iterations(1)
+            ->Repetitions(1);
+    }
+}
+
+const Suite suite(add);
+
+}  // namespace
+}  // namespace arcway::bench
