@@ -11,26 +11,44 @@ namespace arcway::cli {
 namespace {
 
 struct ReportArguments {
-  std::vector<std::string> files;
+  std::vector<std::string> files, tables;
   std::string out;
 };
 
-int report(const ReportArguments& arguments, std::string& out) {
-  if (arguments.files.size() > 2) throw UsageError("report: one file of results, or two to compare");
+report::Inputs read_inputs(const std::vector<std::string>& files) {
   std::vector<report::Results> results;
-  for (const std::string& file : arguments.files) {
-    results.push_back(report::read_results(read_file(file), std::filesystem::path(file).filename().string()));
+  report::Inputs inputs;
+  for (const std::string& file : files) {
+    const std::string text = read_file(file), name = std::filesystem::path(file).filename().string();
+    if (report::is_peer_results(text)) {
+      if (inputs.peers) throw UsageError("report: " + file + " is the second file of arcway_peers");
+      inputs.peers = report::read_peer_results(text, name);
+      continue;
+    }
+    results.push_back(report::read_results(text, name));
     if (results.back().measurements.empty()) throw UsageError("report: " + file + " has no benchmarks");
   }
-  const report::Document document = report::make_document(results);
-  const std::filesystem::path folder = arguments.out;
-  std::filesystem::create_directories(folder);
+  if (results.empty() || results.size() > 2)
+    throw UsageError("report: one file of arcway_bench, or two to compare; got " + std::to_string(results.size()));
+  if (results.size() == 2) inputs.before = std::move(results.front());
+  inputs.results = std::move(results.back());
+  return inputs;
+}
+
+int report(const ReportArguments& arguments, std::string& out) {
+  const report::Inputs inputs = read_inputs(arguments.files);
   OutputFiles files;
-  files.add((folder / "report.html").string(), to_html(document));
-  files.add((folder / "report.md").string(), to_markdown(document));
-  files.add((folder / "report.csv").string(), to_csv(results.back()));
+  if (!arguments.out.empty()) {
+    const report::Document document = report::make_document(inputs);
+    const std::filesystem::path folder = arguments.out;
+    std::filesystem::create_directories(folder);
+    files.add((folder / "report.html").string(), to_html(document));
+    files.add((folder / "report.md").string(), to_markdown(document));
+    files.add((folder / "report.csv").string(), to_csv(inputs.results));
+    for (const std::string& sentence : document.summary) out += "- " + sentence + "\n";
+  }
+  for (const std::string& file : arguments.tables) files.add(file, with_tables(read_file(file), inputs, file));
   files.write();
-  for (const std::string& sentence : document.summary) out += "- " + sentence + "\n";
   out += files.summary();
   return kExitSolved;
 }
@@ -40,9 +58,14 @@ int report(const ReportArguments& arguments, std::string& out) {
 void add_report_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("report", "Turn results of arcway_bench into a report");
   const auto arguments = std::make_shared<ReportArguments>();
-  command->add_option("results", arguments->files, "Google Benchmark's JSON; a second file is compared with the first")
+  command
+      ->add_option("results", arguments->files,
+                   "JSON of arcway_bench, an earlier one first to compare with, and of arcway_peers")
       ->required();
-  command->add_option("--out", arguments->out, "Folder for report.html, report.md and report.csv")->required();
+  command->add_option("--out", arguments->out, "Folder for report.html, report.md and report.csv");
+  command->add_option("--tables", arguments->tables,
+                      "Markdown files whose tables between <!-- table NAME --> and "
+                      "<!-- end of table --> are made anew");
   command->callback(
       [&action, arguments] { action = [arguments](std::string& out) { return report(*arguments, out); }; });
 }

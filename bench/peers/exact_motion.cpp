@@ -4,6 +4,7 @@
 
 #include "core/path/dubins.h"
 #include "core/path/speed_profile.h"
+#include "core/path/validation.h"
 
 namespace arcway::peers {
 
@@ -11,6 +12,16 @@ Footprint checked_body(const Vehicle& vehicle) { return vehicle.footprint(0.5 * 
 
 bool pose_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
   return sweep.straight_free(swept_rectangle(pose, 0.0, body));
+}
+
+bool is_valid(const Problem& problem, const Path& path) {
+  const SpeedProfile profile = speed_profile(path, problem.vehicle);
+  TimedPath timed{path, {}, {}, profile.durations};
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    timed.speed_in.push_back(profile.speeds[i]);
+    timed.speed_out.push_back(profile.speeds[i + 1]);
+  }
+  return validate(problem.world, problem.vehicle, problem.request.start, problem.request.goal, timed).valid();
 }
 
 Path shortest_dubins_path(const Pose& from, const Pose& to, double radius) {

@@ -23,6 +23,9 @@ Footprint checked_body(const Vehicle& vehicle);
 
 bool pose_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose);
 
+/// Whether the validator takes a path, driven by the fastest speed profile, as an answer to the request.
+bool is_valid(const Problem& problem, const Path& path);
+
 /// The shortest Dubins word between two poses.
 Path shortest_dubins_path(const Pose& from, const Pose& to, double radius);
 

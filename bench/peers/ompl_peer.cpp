@@ -12,10 +12,10 @@
 #include <ompl/util/Console.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
+#include "bench/peers/cpu_clock.h"
 #include "bench/peers/shortcut.h"
 #include "core/geometry/angle.h"
 
@@ -86,16 +86,6 @@ class ExactMotionValidator final : public ob::MotionValidator {
   double radius_;
 };
 
-class Clock {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// One problem in OMPL's terms.
 class Setup {
  public:
@@ -131,7 +121,7 @@ class Setup {
   }
 
   /// Runs on until `seconds` of the clock, or the first exact solution if `stop_at_first`.
-  void solve(ob::Planner& planner, const Clock& clock, double seconds, bool stop_at_first) {
+  void solve(ob::Planner& planner, const CpuClock& clock, double seconds, bool stop_at_first) {
     // RRT* hands its solution over when it ends; until then the finite cost tells of it.
     const auto* star = dynamic_cast<const og::RRTstar*>(&planner);
     planner.solve(ob::PlannerTerminationCondition([&, star, stop_at_first, seconds] {
@@ -141,7 +131,7 @@ class Setup {
     }));
   }
 
-  [[nodiscard]] std::optional<PeerSolution> solution(const Clock& clock) const {
+  [[nodiscard]] std::optional<PeerSolution> solution(const CpuClock& clock) const {
     if (!definition_->hasExactSolution()) return std::nullopt;
     const auto& found = *definition_->getSolutionPath()->as<og::PathGeometric>();
     PeerSolution solution;
@@ -174,7 +164,7 @@ class Setup {
   ob::ProblemDefinitionPtr definition_;
 };
 
-void run_restarts(Setup& setup, const Problem& problem, const Clock& clock, std::span<const double> times,
+void run_restarts(Setup& setup, const Problem& problem, const CpuClock& clock, std::span<const double> times,
                   Random& random, PeerRun& run) {
   std::optional<PeerSolution> best;
   std::optional<PeerSolution> next = run.first;
@@ -205,7 +195,7 @@ const char* name_of(OmplPlanner planner) {
 PeerRun run_ompl(OmplPlanner kind, const Problem& problem, double first_within, std::span<const double> times,
                  Random& random) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  const Clock clock;
+  const CpuClock clock(CpuClock::Of::kThread);
   PeerRun run;
   Setup setup(problem);
   const std::shared_ptr<ob::Planner> planner = setup.make(kind);

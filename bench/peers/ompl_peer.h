@@ -19,7 +19,7 @@ const char* name_of(OmplPlanner planner);
 struct PeerSolution {
   Path path;
   double travel_time = 0.0;  ///< from rest to rest [s]
-  double seconds = 0.0;      ///< from the start of the run
+  double seconds = 0.0;      ///< processor time of the thread from the start of the run
 };
 
 struct PeerRun {
@@ -28,7 +28,7 @@ struct PeerRun {
 };
 
 /// Runs OMPL in its Dubins space with the smallest turning radius. Motions are the shortest Dubins words, decided
-/// exactly.
+/// exactly. All times are processor times of the calling thread: on a busy machine a planner gets what it was promised.
 /// @param first_within  gives up when there is no path by then [s].
 /// @param times         ascending [s]; empty: returns at the first solution.
 PeerRun run_ompl(OmplPlanner planner, const Problem& problem, double first_within, std::span<const double> times,

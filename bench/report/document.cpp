@@ -1,23 +1,20 @@
 #include "bench/report/document.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
+#include "bench/report/findings.h"
 #include "bench/report/markup.h"
+#include "bench/report/peer_sections.h"
 #include "bench/report/study.h"
 
 namespace arcway::report {
 namespace {
 
-std::string interval_text(const std::optional<PowerFit>& fit) {
-  if (!fit) return "–";
-  return number_text("%.2f", fit->exponent) + " (" + number_text("%.2f", fit->low) + " – " +
-         number_text("%.2f", fit->high) + ")";
-}
-
 std::string slopes_text(const Curve& curve) {
   std::vector<SizePoint> points;
-  for (const Curve::Point& p : curve.points) points.push_back({p.size, p.seconds});
+  for (const Curve::Point& p : curve.points) points.push_back({p.x, p.y});
   std::string text;
   for (const double slope : neighbour_slopes(points)) text += (text.empty() ? "" : " ") + number_text("%.2f", slope);
   return text;
@@ -54,37 +51,38 @@ Table measurement_table(const std::vector<const Measurement*>& measurements) {
 
 Section growth_section(const std::vector<Study>& studies) {
   Section section{
-      .title = "Growth",
+      .title = "Growth of every series",
       .paragraphs = {"Slope of the logarithm of the median time over the logarithm of the size, with its 95 % "
                      "confidence interval; the same beside a factor log(size), near 1 for n log n; and the "
                      "slopes between neighbouring sizes, which show whether there is one law at all."},
-      .figure = {},
-      .table = {{"series", "over", "theory", "sizes", "slope", "slope beside log", "between neighbours"}, {}, 3}};
+      .figures = {},
+      .table = {{"series", "over", "theory", "sizes", "slope", "slope beside log", "between neighbours"}, {}, 3},
+      .folded = true};
   for (const Study& study : studies)
     for (const Study::Line& line : study.lines) {
       if (!line.curve.fit) continue;
       const auto& points = line.curve.points;
       section.table.rows.push_back(
           {line.series, study.key, line.law,
-           number_text("%.6g", points.front().size) + " – " + number_text("%.6g", points.back().size),
+           number_text("%.6g", points.front().x) + " – " + number_text("%.6g", points.back().x),
            interval_text(line.curve.fit), interval_text(line.with_log), slopes_text(line.curve)});
     }
   return section;
 }
 
 Section study_section(const Study& study) {
-  Section section{.title = study.stage + " over " + study.key, .paragraphs = {}, .figure = {}, .table = {}};
+  Section section{.title = study.stage + " over " + study.key,
+                  .paragraphs = sentences_of(study),
+                  .figures = {},
+                  .table = {},
+                  .folded = true};
   std::vector<Curve> curves;
   std::vector<const Measurement*> measurements;
-  std::string legend = "<ul class=\"legend\">";
-  for (std::size_t i = 0; i < study.lines.size(); ++i) {
-    const Study::Line& line = study.lines[i];
+  for (const Study::Line& line : study.lines) {
     curves.push_back(line.curve);
     measurements.insert(measurements.end(), line.measurements.begin(), line.measurements.end());
-    legend += "<li>" + legend_key(i) + " " + escaped(line.curve.name) +
-              (line.curve.fit ? ": slope " + escaped(interval_text(line.curve.fit)) : "") + "</li>";
   }
-  section.figure = "<figure>" + plot_svg(section.title, study.key, curves) + legend + "</ul></figure>";
+  section.figures.push_back(figure_html({.title = section.title, .x_label = study.key, .y_label = ""}, curves, ""));
   section.table = measurement_table(measurements);
   return section;
 }
@@ -95,7 +93,7 @@ Section changes_section(const Results& before, const Results& after) {
       .paragraphs = {"From " + before.name + " to " + after.name +
                      ". Significant (p < 0.05, Mann-Whitney on the repetitions) slowdowns first, then "
                      "speedups, then the rest. Among a hundred unchanged benchmarks about five look significant."},
-      .figure = {},
+      .figures = {},
       .table = {{"benchmark", "ratio", "before", "after", "p", "verdict"}, {}, 1}};
   for (const Change& c : changes_between(before, after))
     section.table.rows.push_back({c.name, number_text("%.3f", c.ratio()), time_text(c.before), time_text(c.after),
@@ -106,15 +104,49 @@ Section changes_section(const Results& before, const Results& after) {
   return section;
 }
 
-Section context_section(const Results& results) {
-  Section section{
-      .title = "Machine and build", .paragraphs = {}, .figure = {}, .table = {{"what", results.name}, {}, 2}};
-  for (const auto& [key, value] : results.context) section.table.rows.push_back({key, value});
+std::string changes_sentence(const Section& changes, const std::string& before) {
+  const auto count = [&](const char* verdict) {
+    return std::to_string(std::ranges::count(changes.table.rows, verdict, [](const auto& row) { return row.back(); }));
+  };
+  return "Changes: " + count("slower") + " of " + std::to_string(changes.table.rows.size()) +
+         " benchmarks are significantly slower than in " + before + ", " + count("faster") + " faster.";
+}
+
+Section single_section(const Results& results, const std::vector<Study>& studies) {
+  std::set<const Measurement*> plotted;
+  for (const Study& study : studies)
+    for (const Study::Line& line : study.lines) plotted.insert(line.measurements.begin(), line.measurements.end());
+  std::vector<const Measurement*> single;
+  for (const Measurement& m : results.measurements)
+    if (!plotted.contains(&m) && m.error.empty() && !m.wall_seconds.empty()) single.push_back(&m);
+  return {.title = "Single measurements",
+          .paragraphs = {},
+          .figures = {},
+          .table = single.empty() ? Table() : measurement_table(single),
+          .folded = true};
+}
+
+Section context_section(const Inputs& inputs) {
+  Section section{.title = "Machine and build",
+                  .paragraphs = {},
+                  .figures = {},
+                  .table = {{"file", "what", "value"}, {}, 3},
+                  .folded = true};
+  const auto add = [&](const auto& results) {
+    for (const auto& [key, value] : results.context) section.table.rows.push_back({results.name, key, value});
+  };
+  add(inputs.results);
+  if (inputs.before) add(*inputs.before);
+  if (inputs.peers) add(*inputs.peers);
   return section;
 }
 
 Section missing_section(const Results& results) {
-  Section section{.title = "Without times", .paragraphs = {}, .figure = {}, .table = {{"benchmark", "why"}, {}, 2}};
+  Section section{.title = "Failed or left out",
+                  .paragraphs = {},
+                  .figures = {},
+                  .table = {{"benchmark", "why"}, {}, 2},
+                  .folded = true};
   for (const Measurement& m : results.measurements)
     if (!m.error.empty()) section.table.rows.push_back({m.name, m.error});
   return section;
@@ -125,43 +157,44 @@ std::string context_value(const Results& results, const std::string& key) {
   return found == results.context.end() ? "unknown" : found->second;
 }
 
+void append(std::vector<std::string>& sentences, std::vector<std::string> more) {
+  std::ranges::move(more, std::back_inserter(sentences));
+}
+
 }  // namespace
 
-Document make_document(const std::vector<Results>& all) {
-  const Results& results = all.back();
-  const std::vector<Study> studies = studies_of(results);
+Document make_document(const Inputs& inputs) {
+  const Results& results = inputs.results;
+  const Clock clock(results);
+  const std::vector<Study> studies = studies_of(results, clock);
   Document document;
   document.title = "arcway on " + context_value(results, "processor") + ", commit " + context_value(results, "commit");
-  document.summary = summary_of(results, studies);
-  if (all.size() == 2) {
-    const Section changes = changes_section(all.front(), results);
-    const auto slower =
-        std::ranges::count_if(changes.table.rows, [](const auto& row) { return row.back() == "slower"; });
-    const auto faster =
-        std::ranges::count_if(changes.table.rows, [](const auto& row) { return row.back() == "faster"; });
-    document.summary.insert(document.summary.begin(),
-                            std::to_string(slower) + " of " + std::to_string(changes.table.rows.size()) +
-                                " benchmarks are significantly slower than in " + all.front().name + ", " +
-                                std::to_string(faster) + " faster.");
-    document.sections.push_back(changes);
+  const auto add = [&](Section section) {
+    if (!section.table.rows.empty()) document.sections.push_back(std::move(section));
+  };
+  if (inputs.before) {
+    Section changes = changes_section(*inputs.before, results);
+    document.summary.push_back(changes_sentence(changes, inputs.before->name));
+    add(std::move(changes));
   }
-  document.sections.push_back(growth_section(studies));
-  for (const Study& study : studies) document.sections.push_back(study_section(study));
-  const std::vector<const Measurement*> single = single_measurements(results);
-  if (!single.empty())
-    document.sections.push_back(
-        {.title = "Single measurements", .paragraphs = {}, .figure = {}, .table = measurement_table(single)});
-  if (const Section missing = missing_section(results); !missing.table.rows.empty())
-    document.sections.push_back(missing);
-  document.sections.push_back(context_section(results));
-  document.sections.push_back(
-      {.title = "What these numbers do not show",
-       .paragraphs =
-           {"Slopes hold for the sizes measured and for generated clutter, not for maps of other kinds. Slopes, "
-            "ratios and plots use the processor time of all threads, except those over threads, which use wall time; "
-            "both are listed. One machine, one build."},
-       .figure = {},
-       .table = {}});
+  append(document.summary, growth_findings(results, studies));
+  if (inputs.peers) append(document.summary, peer_findings(*inputs.peers));
+  append(document.summary, run_findings(results, clock));
+
+  document.figures = growth_figures(studies);
+  if (inputs.peers) append(document.figures, peer_figures(*inputs.peers));
+
+  add(cost_section(studies));
+  if (inputs.peers) add(duels_section(*inputs.peers));
+  if (inputs.peers) add(planners_section(*inputs.peers));
+  add(quality_section(results));
+  add(ablation_section(results));
+  if (inputs.peers) add(planners_by_world_section(*inputs.peers));
+  add(growth_section(studies));
+  for (const Study& study : studies) add(study_section(study));
+  add(single_section(results, studies));
+  add(missing_section(results));
+  add(context_section(inputs));
   return document;
 }
 

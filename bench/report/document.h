@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bench/report/peer_results.h"
 #include "bench/report/results.h"
 
 namespace arcway::report {
@@ -14,28 +16,43 @@ struct Table {
   std::size_t numbers_from = 1;
 };
 
-/// A heading with what stands below it: plots for HTML, tables for both.
+/// A heading with what stands below it, in this order.
 struct Section {
   std::string title;
   std::vector<std::string> paragraphs;
-  std::string figure;  ///< HTML
+  std::vector<std::string> figures;  ///< HTML
   Table table;
+  bool folded = false;  ///< the page shows its title alone until asked for more
+};
+
+/// What a report is made from.
+struct Inputs {
+  Results results;
+  std::optional<Results> before;     ///< an earlier run, to compare with
+  std::optional<PeerResults> peers;  ///< what arcway_peers found
 };
 
 struct Document {
   std::string title;
-  std::vector<std::string> summary;
+  std::vector<std::string> summary;  ///< sentences that start with what they are about and a colon
+  std::vector<std::string> figures;  ///< the plots to look at first, HTML
   std::vector<Section> sections;
 };
 
-/// The report of one file; of two, the second one's with the changes since the first.
-/// @param results  one or two, at least one measurement each.
-Document make_document(const std::vector<Results>& results);
+/// The report: first in a few sentences what a stranger asks, then pictures and tables of that, then everything.
+/// @param inputs  at least one measurement in `results`.
+Document make_document(const Inputs& inputs);
 
 /// One page without references to anything outside: styles, plots and script within.
 std::string to_html(const Document& document);
 std::string to_markdown(const Document& document);
+std::string to_markdown(const Table& table);
 /// `name,repetitions,wall_median_s,wall_min_s,wall_max_s,cpu_median_s,error`, a line a benchmark.
 std::string to_csv(const Results& results);
+
+/// A Markdown text with its tables made anew: what stands between lines `<!-- table NAME -->` and `<!-- end of table
+/// -->`. Names: "cost", "ablation", "duels", "planners".
+/// @throws FormatError for an unknown name or an end that is missing, naming `name` and the line.
+std::string with_tables(const std::string& markdown, const Inputs& inputs, const std::string& name);
 
 }  // namespace arcway::report

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "bench/report/study.h"
+
 namespace arcway::report {
 
 std::string escaped(std::string_view text) {
@@ -31,6 +33,23 @@ std::string number_text(const char* format, double value) {
   char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
+}
+
+std::string count_text(double value) {
+  std::string digits = number_text("%.0f", value);
+  for (std::size_t end = digits.size(); end > 3; end -= 3) {
+    if (digits[end - 4] != '-') digits.insert(end - 3, ",");
+  }
+  return digits;
+}
+
+std::string figure_html(const PlotAxes& axes, std::span<const Curve> curves, std::string_view caption) {
+  std::string legend = "<ul class=\"legend\">";
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    legend += "<li>" + legend_key(i) + " " + escaped(curves[i].name) +
+              (curves[i].fit ? ": slope " + escaped(interval_text(curves[i].fit)) : "") + "</li>";
+  return "<figure>" + plot_svg(axes, curves) + legend + "</ul><figcaption>" + escaped(caption) +
+         "</figcaption></figure>";
 }
 
 }  // namespace arcway::report

@@ -71,13 +71,7 @@ std::string marker(std::size_t shape, double x, double y, const std::string& att
   return text + attributes + "/>";
 }
 
-std::string size_text(double size) {
-  if (size >= 1e6) return number_text("%.3gM", size / 1e6);
-  if (size >= 1e4) return number_text("%.3gk", size / 1e3);
-  return number_text("%.4g", size);
-}
-
-std::string axes(const Axis& x, const Axis& y, const std::string& x_label) {
+std::string axes_svg(const PlotAxes& axes, const Axis& x, const Axis& y) {
   std::string svg = "<g class=\"axes\">";
   char text[256];
   for (const double t : x.ticks()) {
@@ -85,41 +79,52 @@ std::string axes(const Axis& x, const Axis& y, const std::string& x_label) {
                   x.at(t), y.start, y.end);
     svg += text;
     std::snprintf(text, sizeof text, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">", x.at(t), y.start + 20.0);
-    svg += text + size_text(t) + "</text>";
+    svg += text + axes.x_text(t) + "</text>";
   }
   for (const double t : y.ticks()) {
     std::snprintf(text, sizeof text, "<line class=\"grid\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>", x.start,
                   x.end, y.at(t), y.at(t));
     svg += text;
     std::snprintf(text, sizeof text, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">", x.start - 8.0, y.at(t) + 5.0);
-    svg += text + (t == 0.0 ? std::string("0") : time_text(t)) + "</text>";
+    svg += text + (t == 0.0 ? std::string("0") : axes.y_text(t)) + "</text>";
   }
   std::snprintf(text, sizeof text, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">", 0.5 * (x.start + x.end),
                 kHeight - 8.0);
-  return svg + text + escaped(x_label) + "</text></g>";
+  svg += text + escaped(axes.x_label) + "</text>";
+  if (!axes.y_label.empty()) {
+    std::snprintf(text, sizeof text, "<text transform=\"translate(16 %.1f) rotate(-90)\" text-anchor=\"middle\">",
+                  0.5 * (y.start + y.end));
+    svg += text + escaped(axes.y_label) + "</text>";
+  }
+  if (axes.level) {
+    std::snprintf(text, sizeof text, "<line class=\"level\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>", x.start,
+                  x.end, y.at(*axes.level), y.at(*axes.level));
+    svg += text;
+  }
+  return svg + "</g>";
 }
 
-std::string curve_svg(const Curve& curve, std::size_t index, const Axis& x, const Axis& y) {
+std::string curve_svg(const PlotAxes& axes, const Curve& curve, std::size_t index, const Axis& x, const Axis& y) {
   const std::string color = kColors[index % kColors.size()];
   std::string line, bars, markers;
   char text[256];
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const Curve::Point& p = curve.points[i];
-    std::snprintf(text, sizeof text, "%s%.1f %.1f", i == 0 ? "M" : "L", x.at(p.size), y.at(p.seconds));
+    std::snprintf(text, sizeof text, "%s%.1f %.1f", i == 0 ? "M" : "L", x.at(p.x), y.at(p.y));
     line += text;
-    std::snprintf(text, sizeof text, "M%.1f %.1fV%.1f", x.at(p.size), y.at(p.low), y.at(p.high));
+    std::snprintf(text, sizeof text, "M%.1f %.1fV%.1f", x.at(p.x), y.at(p.low), y.at(p.high));
     bars += text;
     markers +=
-        marker(index, x.at(p.size), y.at(p.seconds),
-               "fill=\"" + color + "\" tabindex=\"0\" data-tip=\"" + escaped(curve.name) + ": " + size_text(p.size) +
-                   " → " + time_text(p.seconds) + " (" + time_text(p.low) + " to " + time_text(p.high) + ")\"");
+        marker(index, x.at(p.x), y.at(p.y),
+               "fill=\"" + color + "\" tabindex=\"0\" data-tip=\"" + escaped(curve.name) + ": " + axes.x_text(p.x) +
+                   " → " + axes.y_text(p.y) + " (" + axes.y_text(p.low) + " to " + axes.y_text(p.high) + ")\"");
   }
   const std::string stroke = "\" fill=\"none\" stroke=\"" + color + "\" ";
   std::string svg = "<g><path d=\"" + line + stroke + "stroke-width=\"2\" stroke-dasharray=\"" +
                     kDashes[index % kDashes.size()] + "\"/><path d=\"" + bars + stroke + "stroke-width=\"1.5\"/>";
   if (curve.fit && curve.points.size() > 1) {
     std::string fitted;
-    const double low = curve.points.front().size, high = curve.points.back().size;
+    const double low = curve.points.front().x, high = curve.points.back().x;
     for (int i = 0; i <= 24; ++i) {
       const double size = x.logarithmic ? low * std::pow(high / low, i / 24.0) : low + (high - low) * i / 24.0;
       const double seconds = curve.fit->factor * std::pow(size, curve.fit->exponent);
@@ -141,22 +146,32 @@ std::string time_text(double seconds) {
   return number_text("%.3g ns", 1e9 * seconds);
 }
 
-std::string plot_svg(const std::string& title, const std::string& x_label, std::span<const Curve> curves) {
-  Axis sizes, times;
-  sizes.low = times.low = INFINITY;
-  sizes.high = times.high = 0.0;
+std::string size_text(double size) {
+  if (size >= 1e6) return number_text("%.3gM", size / 1e6);
+  if (size >= 1e4) return number_text("%.3gk", size / 1e3);
+  return number_text("%.4g", size);
+}
+
+std::string ratio_text(double ratio) { return number_text(ratio >= 100.0 ? "%.0f" : "%.3g", ratio); }
+
+std::string plot_svg(const PlotAxes& axes, std::span<const Curve> curves) {
+  Axis xs, ys;
+  xs.low = ys.low = INFINITY;
+  xs.high = ys.high = 0.0;
   for (const Curve& curve : curves)
     for (const Curve::Point& p : curve.points) {
-      sizes.low = std::min(sizes.low, p.size);
-      sizes.high = std::max(sizes.high, p.size);
-      times.low = std::min(times.low, p.low);
-      times.high = std::max(times.high, p.high);
+      xs.low = std::min(xs.low, p.x);
+      xs.high = std::max(xs.high, p.x);
+      ys.low = std::min(ys.low, p.low);
+      ys.high = std::max(ys.high, p.high);
     }
-  std::string svg = "<svg class=\"plot\" viewBox=\"0 0 600 400\" role=\"img\" aria-label=\"" + escaped(title) + "\">";
+  if (axes.level) ys.low = std::min(ys.low, *axes.level), ys.high = std::max(ys.high, *axes.level);
+  std::string svg =
+      "<svg class=\"plot\" viewBox=\"0 0 600 400\" role=\"img\" aria-label=\"" + escaped(axes.title) + "\">";
   for (const bool logarithmic : {true, false}) {
-    Axis x = sizes, y = times;
+    Axis x = xs, y = ys;
     x.logarithmic = y.logarithmic = logarithmic;
-    x.start = kLeft, x.end = kWidth - kRight;
+    x.start = kLeft + (axes.y_label.empty() ? 0.0 : 12.0), x.end = kWidth - kRight;
     y.start = kHeight - kBottom, y.end = kTop;
     if (logarithmic) {
       const double x_room = std::pow(x.high / x.low, 0.04), y_room = std::pow(y.high / y.low, 0.05) * 1.02;
@@ -167,8 +182,8 @@ std::string plot_svg(const std::string& title, const std::string& x_label, std::
       x.high *= 1.04, y.high *= 1.05;
     }
     svg += logarithmic ? "<g class=\"log\">" : "<g class=\"linear\">";
-    svg += axes(x, y, x_label);
-    for (std::size_t i = 0; i < curves.size(); ++i) svg += curve_svg(curves[i], i, x, y);
+    svg += axes_svg(axes, x, y);
+    for (std::size_t i = 0; i < curves.size(); ++i) svg += curve_svg(axes, curves[i], i, x, y);
     svg += "</g>";
   }
   return svg + "</svg>";

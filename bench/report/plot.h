@@ -12,22 +12,34 @@ namespace arcway::report {
 /// One series of a plot: points with the spread of their repetitions.
 struct Curve {
   struct Point {
-    double size, seconds, low, high;
+    double x, y, low, high;  ///< y from low to high in the repetitions
   };
   std::string name;
   std::vector<Point> points;
   std::optional<PowerFit> fit;
 };
 
+/// "12.3 ms"
+std::string time_text(double seconds);
+/// "316", "31.6k"
+std::string size_text(double size);
+/// "0.0123", "1.23", "123"
+std::string ratio_text(double ratio);
+
+/// What is on the axes, and how their values are written.
+struct PlotAxes {
+  std::string title, x_label, y_label;
+  std::string (*x_text)(double) = size_text;
+  std::string (*y_text)(double) = time_text;
+  std::optional<double> level = std::nullopt;  ///< a horizontal line across
+};
+
 /// An SVG element with the curves twice, as groups of class `log` (both axes logarithmic) and `linear`. Told apart by
 /// colour (safe for the colour-blind), marker and dash. Colours of text and axes are those of the page; markers carry
 /// their values as `data-tip`.
-std::string plot_svg(const std::string& title, const std::string& x_label, std::span<const Curve> curves);
+std::string plot_svg(const PlotAxes& axes, std::span<const Curve> curves);
 
 /// A small SVG element that shows line and marker of a curve by its index.
 std::string legend_key(std::size_t index);
-
-/// "12.3 ms"
-std::string time_text(double seconds);
 
 }  // namespace arcway::report

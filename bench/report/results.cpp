@@ -17,7 +17,8 @@ constexpr std::string_view kSuffixes[] = {"/real_time", "/process_time", "/manua
 const std::set<std::string> kOwnFields = {
     "name",        "run_name",         "run_type", "family_index",   "per_family_instance_index",
     "repetitions", "repetition_index", "threads",  "iterations",     "real_time",
-    "cpu_time",    "time_unit",        "label",    "error_occurred", "error_message"};
+    "cpu_time",    "time_unit",        "label",    "error_occurred", "error_message",
+    "batch"};
 
 std::string plain_name(std::string name) {
   for (bool stripped = true; stripped;) {
@@ -58,7 +59,7 @@ void read_run(const json& run, const std::string& place, Results& results, std::
     m.error = run.value("error_message", "failed");
     return;
   }
-  const double unit = unit_seconds(run.value("time_unit", "ns"), place);
+  const double unit = unit_seconds(run.value("time_unit", "ns"), place) / run.value("batch", 1.0);
   for (const char* key : {"real_time", "cpu_time"}) {
     const json& value = field(run, key, place);
     if (!value.is_number()) throw FormatError(place + ": " + key + ": expected a number, found " + value.dump());
@@ -117,6 +118,14 @@ SeriesPlace place_of(std::string_view name) {
   }
   if (place.series.size() > place.stage.size()) place.variant = place.series.substr(place.stage.size() + 1);
   return place;
+}
+
+std::size_t threads_of(std::string_view name) {
+  constexpr std::string_view kKey = "/threads:";
+  const std::size_t at = name.find(kKey);
+  std::size_t threads = 1;
+  if (at != std::string_view::npos) std::from_chars(name.data() + at + kKey.size(), name.data() + name.size(), threads);
+  return threads;
 }
 
 }  // namespace arcway::report

@@ -11,7 +11,7 @@ namespace arcway::report {
 /// One benchmark with all its repetitions.
 struct Measurement {
   std::string name;                        ///< "ReducedGraph/embree/obstacles:100"
-  std::vector<double> wall_seconds;        ///< an iteration, one a repetition
+  std::vector<double> wall_seconds;        ///< one answer, one value a repetition
   std::vector<double> cpu_seconds;         ///< of all threads
   std::map<std::string, double> counters;  ///< medians over the repetitions
   std::string label;                       ///< the law that theory gives, for series
@@ -26,7 +26,8 @@ struct Results {
   std::vector<Measurement> measurements;                     ///< in the order of the file
 };
 
-/// Reads Google Benchmark's JSON; repetitions are gathered, its own aggregates passed over.
+/// Reads Google Benchmark's JSON; repetitions are gathered, its own aggregates passed over. Where a counter `batch`
+/// says how many answers an iteration gives, times are for one of them.
 /// @throws FormatError naming file and place.
 Results read_results(std::string_view json, std::string_view name);
 
@@ -41,5 +42,8 @@ struct SeriesPlace {
 };
 /// Nothing found: empty key, the whole name as series.
 SeriesPlace place_of(std::string_view name);
+
+/// What a name says of threads, "/threads:2", anywhere in it; 1 otherwise.
+std::size_t threads_of(std::string_view name);
 
 }  // namespace arcway::report

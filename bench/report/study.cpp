@@ -2,22 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "bench/report/markup.h"
 
 namespace arcway::report {
 namespace {
 
-const std::vector<double>& times_of(const Measurement& m, const std::string& key) {
-  return key == "threads" ? m.wall_seconds : m.cpu_seconds;
-}
-
-void finish(Study::Line& line, const std::string& key) {
+void finish(Study::Line& line, const std::string& key, const Clock& clock) {
   std::ranges::stable_sort(line.measurements, {}, [](const Measurement* m) { return place_of(m->name).size; });
   std::vector<SizePoint> points;
   for (const Measurement* m : line.measurements) {
-    const std::vector<double>& times = times_of(*m, key);
+    const std::vector<double>& times = clock.times_of(*m);
     const auto [low, high] = std::ranges::minmax(times);
     const double size = place_of(m->name).size;
     line.curve.points.push_back({size, median(times), low, high});
@@ -30,29 +25,24 @@ void finish(Study::Line& line, const std::string& key) {
   if (points.front().size > 1.0) line.with_log = fit_power_log(points);
 }
 
-std::string exponent_text(const PowerFit& fit) {
-  return number_text("%.2f", fit.exponent) + " (" + number_text("%.2f", fit.low) + " to " +
-         number_text("%.2f", fit.high) + ")";
-}
-
 void compare_variants(const Study& study, std::vector<std::string>& sentences) {
   const Study::Line* best = nullptr;
   double best_size = 0.0;
   for (const Study::Line& line : study.lines) {
     const Curve::Point& last = line.curve.points.back();
-    const bool better = best == nullptr || last.size > best_size ||
-                        (last.size == best_size && last.seconds < best->curve.points.back().seconds);
-    if (better) best = &line, best_size = last.size;
+    const bool better =
+        best == nullptr || last.x > best_size || (last.x == best_size && last.y < best->curve.points.back().y);
+    if (better) best = &line, best_size = last.x;
   }
   for (const Study::Line& line : study.lines) {
     if (&line == best) continue;
     const Curve::Point& mine = line.curve.points.back();
-    const auto same = std::ranges::find(best->curve.points, mine.size, &Curve::Point::size);
+    const auto same = std::ranges::find(best->curve.points, mine.x, &Curve::Point::x);
     if (same == best->curve.points.end()) continue;
-    const double ratio = mine.seconds / same->seconds;
-    const std::string at = " at " + number_text("%.6g", mine.size) + " " + study.key;
-    sentences.push_back(study.stage + at + ": " + best->curve.name + " takes " + time_text(same->seconds) + ", " +
-                        line.curve.name + " " + time_text(mine.seconds) + ", " +
+    const double ratio = mine.y / same->y;
+    const std::string at = " at " + number_text("%.6g", mine.x) + " " + study.key;
+    sentences.push_back(study.stage + at + ": " + best->curve.name + " takes " + time_text(same->y) + ", " +
+                        line.curve.name + " " + time_text(mine.y) + ", " +
                         (ratio >= 1.0 ? number_text("%.3g times as long.", ratio)
                                       : "which wins by " + number_text("%.3g times.", 1.0 / ratio)));
   }
@@ -60,7 +50,19 @@ void compare_variants(const Study& study, std::vector<std::string>& sentences) {
 
 }  // namespace
 
-std::vector<Study> studies_of(const Results& results) {
+Clock::Clock(const Results& results) {
+  std::vector<double> ratios;
+  for (const Measurement& m : results.measurements)
+    if (!m.wall_seconds.empty() && threads_of(m.name) == 1)
+      ratios.push_back(median(m.wall_seconds) / median(m.cpu_seconds));
+  if (!ratios.empty()) slowdown_ = median(ratios);
+}
+
+const std::vector<double>& Clock::times_of(const Measurement& m) const {
+  return quiet() || threads_of(m.name) > 1 || place_of(m.name).key == "threads" ? m.wall_seconds : m.cpu_seconds;
+}
+
+std::vector<Study> studies_of(const Results& results, const Clock& clock) {
   std::vector<Study> studies;
   for (const Measurement& m : results.measurements) {
     const SeriesPlace place = place_of(m.name);
@@ -76,45 +78,29 @@ std::vector<Study> studies_of(const Results& results) {
   }
   for (Study& study : studies) {
     std::erase_if(study.lines, [](const Study::Line& line) { return line.measurements.size() < 2; });
-    for (Study::Line& line : study.lines) finish(line, study.key);
+    for (Study::Line& line : study.lines) finish(line, study.key, clock);
   }
   std::erase_if(studies, [](const Study& study) { return study.lines.empty(); });
   return studies;
 }
 
-std::vector<const Measurement*> single_measurements(const Results& results) {
-  std::set<const Measurement*> plotted;
-  for (const Study& study : studies_of(results))
-    for (const Study::Line& line : study.lines) plotted.insert(line.measurements.begin(), line.measurements.end());
-  std::vector<const Measurement*> single;
-  for (const Measurement& m : results.measurements)
-    if (!plotted.contains(&m) && m.error.empty() && !m.wall_seconds.empty()) single.push_back(&m);
-  return single;
+std::vector<std::string> sentences_of(const Study& study) {
+  std::vector<std::string> sentences;
+  for (const Study::Line& line : study.lines) {
+    if (!line.curve.fit) continue;
+    const auto& points = line.curve.points;
+    sentences.push_back(line.series + ": the time grows like " + study.key + "^" + interval_text(line.curve.fit) +
+                        " from " + number_text("%.6g", points.front().x) + " to " +
+                        number_text("%.6g", points.back().x) + ", where it is " + time_text(points.back().y) + ".");
+  }
+  compare_variants(study, sentences);
+  return sentences;
 }
 
-std::vector<std::string> summary_of(const Results& results, const std::vector<Study>& studies) {
-  std::vector<std::string> sentences;
-  for (const Study& study : studies) {
-    for (const Study::Line& line : study.lines) {
-      if (!line.curve.fit) continue;
-      const auto& points = line.curve.points;
-      sentences.push_back(line.series + ": the time grows like " + study.key + "^" + exponent_text(*line.curve.fit) +
-                          " from " + number_text("%.6g", points.front().size) + " to " +
-                          number_text("%.6g", points.back().size) + ", where it is " +
-                          time_text(points.back().seconds) + ".");
-    }
-    compare_variants(study, sentences);
-  }
-  std::size_t failed = 0, left_out = 0;
-  for (const Measurement& m : results.measurements) {
-    failed += !m.error.empty() && !m.left_out();
-    left_out += m.left_out();
-  }
-  sentences.push_back(failed == 0 ? "No benchmark failed: all answers agreed with the reference before they were timed."
-                                  : std::to_string(failed) + " benchmarks failed and have no times; see below.");
-  if (left_out > 0)
-    sentences.push_back(std::to_string(left_out) + " sizes were left out because they would take too long; see below.");
-  return sentences;
+std::string interval_text(const std::optional<PowerFit>& fit) {
+  if (!fit) return "–";
+  return number_text("%.2f", fit->exponent) + " (" + number_text("%.2f", fit->low) + " – " +
+         number_text("%.2f", fit->high) + ")";
 }
 
 std::vector<Change> changes_between(const Results& before, const Results& after) {
@@ -122,9 +108,9 @@ std::vector<Change> changes_between(const Results& before, const Results& after)
   for (const Measurement& b : before.measurements) {
     const auto a = std::ranges::find(after.measurements, b.name, &Measurement::name);
     if (a == after.measurements.end() || b.cpu_seconds.empty() || a->cpu_seconds.empty()) continue;
-    const std::string key = place_of(b.name).key;
-    const std::vector<double>& old_times = times_of(b, key);
-    const std::vector<double>& new_times = times_of(*a, key);
+    const bool by_wall = threads_of(b.name) > 1;
+    const std::vector<double>& old_times = by_wall ? b.wall_seconds : b.cpu_seconds;
+    const std::vector<double>& new_times = by_wall ? a->wall_seconds : a->cpu_seconds;
     changes.push_back({b.name, median(old_times), median(new_times), mann_whitney_p(old_times, new_times)});
   }
   const auto rank = [](const Change& c) { return !c.significant() ? 2 : c.ratio() > 1.0 ? 0 : 1; };

@@ -9,6 +9,22 @@
 
 namespace arcway::report {
 
+/// Which of the two clocks a report goes by. On a quiet machine the wall's, which hides nothing. On a busy one, which
+/// the benchmarks of one thread show by a wall time more than 5 % above their processor time in the median, the
+/// processor's of the whole process; but the wall's for benchmarks of several threads, where processor time would
+/// hide what they gain.
+class Clock {
+ public:
+  explicit Clock(const Results& results);
+  [[nodiscard]] const std::vector<double>& times_of(const Measurement& m) const;
+  [[nodiscard]] bool quiet() const { return slowdown_ <= 1.05; }
+  /// Wall over processor time, median over the benchmarks of one thread.
+  [[nodiscard]] double slowdown() const { return slowdown_; }
+
+ private:
+  double slowdown_ = 1.0;
+};
+
 /// The measurements of one plot: a stage over one key, a series for each variant.
 struct Study {
   struct Line {
@@ -21,16 +37,15 @@ struct Study {
   std::vector<Line> lines;
 };
 
-/// Series of at least two sizes, by stage and key. Times are wall times for the key "threads" and processor times of
-/// all threads otherwise, which a busy machine disturbs less. Fits need three sizes.
+/// Series of at least two sizes, by stage and key. Fits need three sizes, and another key than "threads".
 /// @param results  must outlive the studies.
-std::vector<Study> studies_of(const Results& results);
+std::vector<Study> studies_of(const Results& results, const Clock& clock);
 
-/// Benchmarks that are in no study.
-std::vector<const Measurement*> single_measurements(const Results& results);
+/// What one study shows: how each series grows, and how the others compare with the best at the largest size.
+std::vector<std::string> sentences_of(const Study& study);
 
-/// What grows how, what wins by how much, what fails and what was left out, a sentence each.
-std::vector<std::string> summary_of(const Results& results, const std::vector<Study>& studies);
+/// "1.07 (1.05 – 1.09)"; "–" without a fit.
+std::string interval_text(const std::optional<PowerFit>& fit);
 
 /// Two runs of one benchmark.
 struct Change {
@@ -41,6 +56,7 @@ struct Change {
   [[nodiscard]] bool significant() const { return p < 0.05; }
 };
 /// Benchmarks that both have, significant regressions first, then significant gains, then the rest; by ratio in each.
+/// Processor times for one thread, wall times for more: the two runs need not have been equally undisturbed.
 std::vector<Change> changes_between(const Results& before, const Results& after);
 
 }  // namespace arcway::report

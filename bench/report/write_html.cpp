@@ -16,13 +16,19 @@ body { margin: 0 auto; max-width: 76rem; padding: 1rem; font: 16px/1.5 system-ui
   background: var(--ground); }
 h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.2rem; margin: 2.2rem 0 .5rem; }
 .summary { background: var(--panel); border-left: 4px solid #0072b2; padding: .6rem 1rem .6rem 2rem; margin: 0; }
-.summary li { margin: .3rem 0; }
+.summary li { margin: .35rem 0; }
+.gallery { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr)); gap: 1.5rem 2.5rem; }
 figure { margin: 0; max-width: 46rem; } .plot { width: 100%; height: auto; display: block; }
+figcaption { color: var(--soft); font-size: .9rem; }
 .plot text { font-size: 15px; fill: var(--soft); } .grid { stroke: var(--line); }
+.level { stroke: var(--ink); stroke-width: 1.5; }
 .linear, body.linear-axes .log { display: none; } body.linear-axes .linear { display: inline; }
-.legend { list-style: none; padding: 0; margin: .3rem 0 1rem; display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; }
+.legend { list-style: none; padding: 0; margin: .3rem 0 .4rem; display: flex; flex-wrap: wrap; gap: .1rem 1.2rem;
+  font-size: .9rem; }
 .key { width: 36px; height: 14px; vertical-align: middle; }
-.scroll { overflow-x: auto; } details > summary { cursor: pointer; color: var(--soft); }
+.scroll { overflow-x: auto; margin: .6rem 0; } details > summary { cursor: pointer; }
+details.section { border-top: 1px solid var(--line); padding: .35rem 0; } details.section[open] { padding-bottom: 1.2rem; }
+details.section h2 { display: inline; font-size: 1rem; font-weight: 600; }
 table { border-collapse: collapse; font-size: .85rem; } th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--line);
   text-align: left; vertical-align: top; } td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 button { font: inherit; padding: .3rem .8rem; color: var(--ink); background: var(--panel); border: 1px solid var(--line);
@@ -30,8 +36,10 @@ button { font: inherit; padding: .3rem .8rem; color: var(--ink); background: var
 #tip { position: fixed; display: none; max-width: 20rem; padding: .3rem .6rem; font-size: .85rem; color: var(--ground);
   background: var(--ink); border-radius: 4px; pointer-events: none; z-index: 1; }
 @media (max-width: 500px) { body { padding: .6rem; font-size: 15px; } .plot text { font-size: 19px; } }
-@media print { button { display: none; } h2, figure { break-inside: avoid; } .scroll { overflow: visible; }
-  body { max-width: none; } table { font-size: .65rem; } }
+@media print { button { display: none; } figure, .summary, tr { break-inside: avoid; } h2 { break-after: avoid; }
+  .scroll { overflow: visible; } body { max-width: none; padding: 0; font-size: 10pt; }
+  .gallery { grid-template-columns: 1fr 1fr; gap: 1rem; } .legend, figcaption { font-size: 7.5pt; }
+  table { font-size: 6.5pt; } th, td { padding: .1rem .3rem; } td.n, th.n { white-space: normal; } }
 )";
 
 constexpr const char* kScript = R"(
@@ -71,6 +79,23 @@ std::string table_html(const Table& table) {
   return html + "</tbody></table></div>\n";
 }
 
+/// What the sentence is about in bold.
+std::string sentence_html(const std::string& sentence) {
+  const std::size_t colon = sentence.find(": ");
+  if (colon == std::string::npos) return escaped(sentence);
+  return "<b>" + escaped(sentence.substr(0, colon)) + ":</b> " + escaped(sentence.substr(colon + 2));
+}
+
+std::string section_html(const Section& section) {
+  std::string html = section.folded
+                         ? "<details class=\"section\"><summary><h2>" + escaped(section.title) + "</h2></summary>\n"
+                         : "<h2>" + escaped(section.title) + "</h2>\n";
+  for (const std::string& paragraph : section.paragraphs) html += "<p>" + escaped(paragraph) + "</p>\n";
+  for (const std::string& figure : section.figures) html += figure;
+  if (!section.table.rows.empty()) html += table_html(section.table);
+  return html + (section.folded ? "</details>\n" : "");
+}
+
 }  // namespace
 
 std::string to_html(const Document& document) {
@@ -80,16 +105,11 @@ std::string to_html(const Document& document) {
       "href=\"data:,\"><title>" +
       escaped(document.title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" + escaped(document.title) +
       "</h1>\n<ul class=\"summary\">\n";
-  for (const std::string& sentence : document.summary) html += "<li>" + escaped(sentence) + "</li>\n";
-  html += "</ul>\n<p><button id=\"axes\" type=\"button\">Linear axes</button></p>\n";
-  for (const Section& section : document.sections) {
-    html += "<h2>" + escaped(section.title) + "</h2>\n";
-    for (const std::string& paragraph : section.paragraphs) html += "<p>" + escaped(paragraph) + "</p>\n";
-    html += section.figure;
-    if (section.table.rows.empty()) continue;
-    const std::string table = table_html(section.table);
-    html += section.figure.empty() ? table : "<details><summary>Table</summary>" + table + "</details>\n";
-  }
+  for (const std::string& sentence : document.summary) html += "<li>" + sentence_html(sentence) + "</li>\n";
+  html += "</ul>\n<p><button id=\"axes\" type=\"button\">Linear axes</button></p>\n<div class=\"gallery\">\n";
+  for (const std::string& figure : document.figures) html += figure + "\n";
+  html += "</div>\n";
+  for (const Section& section : document.sections) html += section_html(section);
   return html + "<div id=\"tip\" role=\"status\"></div>\n<script>" + kScript + "</script>\n</body></html>\n";
 }
 

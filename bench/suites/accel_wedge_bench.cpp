@@ -1,4 +1,3 @@
-#include <chrono>
 #include <memory>
 #include <string>
 
@@ -7,9 +6,6 @@
 #include "bench/suites/corruption.h"
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
-#ifdef ARCWAY_PEER_CGAL
-#include "bench/suites/cgal_triangulation.h"
-#endif
 
 // What the wedge builder's time goes with: threads, vertices of each obstacle, the shape of the map.
 namespace arcway::bench {
@@ -35,28 +31,6 @@ void build(benchmark::State& state, const std::string& name, std::size_t threads
   state.counters["broken_regions"] = static_cast<double>(statistics.broken_regions);
 }
 
-#ifdef ARCWAY_PEER_CGAL
-// Both in turn; the time is the wedge builder's, the counter the ratio of the sums.
-void build_against_cgal(benchmark::State& state, const std::string& name, std::size_t threads) {
-  using Clock = std::chrono::steady_clock;
-  const World& world = shared_world(name);
-  const std::unique_ptr<Executor> executor = make_executor(threads);
-  if (!is_right(state, name, build_reduced_visibility_graph_by_wedges(world, *executor))) return;
-  double ours = 0.0, cgals = 0.0;
-  for (auto _ : state) {
-    state.PauseTiming();
-    const auto start = Clock::now();
-    benchmark::DoNotOptimize(triangulate_by_cgal(world));
-    const auto between = Clock::now();
-    state.ResumeTiming();
-    benchmark::DoNotOptimize(build_reduced_visibility_graph_by_wedges(world, *executor));
-    ours += std::chrono::duration<double>(Clock::now() - between).count();
-    cgals += std::chrono::duration<double>(between - start).count();
-  }
-  state.counters["of_cgal_triangulation"] = ours / cgals;
-}
-#endif
-
 void add(Study study) {
   for (const std::size_t threads : thread_counts()) {
     const std::string suffix = "/threads:" + std::to_string(threads);
@@ -66,12 +40,6 @@ void add(Study study) {
         by_vertices.add(static_cast<double>(n),
                         [=](benchmark::State& state) { build(state, clutter_name(kind, n, 10, 30), threads); });
     }
-#ifdef ARCWAY_PEER_CGAL
-    for (const std::size_t n : sizes(study, {100, 10000, 100000}, 100, 10000))
-      add_benchmark(
-          "WedgeGraph/against_cgal" + suffix + "/obstacles:" + std::to_string(n),
-          [=](benchmark::State& state) { build_against_cgal(state, clutter_name("convex", n, 10, 30), threads); });
-#endif
   }
   const std::size_t obstacles = study == Study::kCheck ? 20 : 1000;
   Series by_each(study, "WedgeGraph/convex_of/obstacles:" + std::to_string(obstacles), "vertices_of_each",

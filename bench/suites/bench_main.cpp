@@ -1,19 +1,16 @@
 #include <benchmark/benchmark.h>
 
-#include <Eigen/Core>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "bench/context/context.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
-#include "build_info.h"
 #include "datasets/file_io.h"
 
 namespace arcway::bench {
@@ -30,48 +27,12 @@ struct Options {
   bool corrupt = false;
 };
 
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown processor";
-}
-
-std::string instruction_set() {
-#if defined(__AVX512F__)
-  return "AVX-512";
-#elif defined(__AVX2__)
-  return "AVX2";
-#elif defined(__AVX__)
-  return "AVX";
-#elif defined(__x86_64__)
-  return "x86-64 (SSE2)";
-#elif defined(__aarch64__)
-  return "AArch64 (NEON)";
-#else
-  return "generic";
-#endif
-}
-
 void add_context(const Options& options) {
   static const char* const names[] = {"check", "quick", "full"};
   const auto add = [](const char* key, const std::string& value) { benchmark::AddCustomContext(key, value); };
-  add("processor", processor());
-  add("cores", std::to_string(std::thread::hardware_concurrency()));
-  add("instruction_set", instruction_set());
-  add("compiler", kCompiler);
-  add("flags", kFlags);
-  add("build_type", kBuildType);
-  add("commit", kCommit);
+  for (const auto& [key, value] : machine_and_build()) add(key.c_str(), value);
   add("study", names[static_cast<int>(options.study)]);
-  add("eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                   std::to_string(EIGEN_MINOR_VERSION));
-  add("google_benchmark", kBenchmarkVersion);
-#ifdef ARCWAY_BENCH_EMBREE
-  add("embree", ARCWAY_BENCH_EMBREE);
-  add("onetbb", ARCWAY_BENCH_TBB);
-#endif
+  add("google_benchmark", ARCWAY_BENCH_GOOGLE);
 }
 
 // Whether and why a benchmark ended itself: Google Benchmark 1.8 renamed both members.
@@ -120,12 +81,21 @@ class Reporter final : public benchmark::BenchmarkReporter {
 
   [[nodiscard]] int failures() const { return failures_; }
   [[nodiscard]] int successes() const { return successes_; }
-  /// Without what names this machine's user: host and path of the program.
+  /// Google Benchmark's file, one line a run, without what names this machine's user (host, path of the program) and
+  /// what nobody reads.
   [[nodiscard]] std::string json() const {
     auto document = nlohmann::ordered_json::parse(text_.str());
-    document["context"].erase("host_name");
-    document["context"].erase("executable");
-    return document.dump(1) + "\n";
+    for (const char* key : {"host_name", "executable"}) document["context"].erase(key);
+    std::string text = "{\n\"context\": " + document["context"].dump(1) + ",\n\"benchmarks\": [";
+    const char* separator = "\n";
+    for (auto& run : document["benchmarks"]) {
+      for (const char* key :
+           {"family_index", "per_family_instance_index", "run_name", "repetitions", "repetition_index", "threads"})
+        run.erase(key);
+      text += separator + run.dump();
+      separator = ",\n";
+    }
+    return text + "\n]\n}\n";
   }
 
  private:

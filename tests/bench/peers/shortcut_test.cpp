@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/peers/comparison.h"
 #include "core/geometry/angle.h"
 
 namespace arcway::peers {
@@ -46,20 +45,6 @@ TEST(Shortcut, KeepsOutOfObstaclesAndIsNeverSlower) {
     EXPECT_TRUE(is_valid(problem, path)) << "seed " << seed;
     EXPECT_LE(travel_time(path, vehicle), travel_time(given, vehicle)) << "seed " << seed;
   }
-}
-
-TEST(Comparison, CountsWhatOneOfTwoPlannersSolves) {
-  const std::vector<std::string> planners{"arcway", "peer"};
-  std::vector<Row> rows(3);
-  const Answer fast{0.001, 10.0, {}, true}, slow{0.5, 15.0, {}, true};
-  rows[0] = {"w", 0, {}, 9.0, {fast, slow}};
-  rows[1] = {"w", 1, {}, 9.0, {fast, std::nullopt}};
-  rows[2] = {"w", 2, {}, 9.0, {std::nullopt, slow}};
-  const std::string table = comparison_table(planners, rows);
-  EXPECT_NE(table.find("| w | peer | 2 / 3 | 2 | 500 | 1.500 / 1.500 / 1.500 / 1.500 / 1.500 | 1 | 1 |"),
-            std::string::npos)
-      << table;
-  EXPECT_NE(comparison_csv(planners, rows).find("w,2,arcway,0,,,,9\n"), std::string::npos);
 }
 
 }  // namespace

@@ -73,13 +73,98 @@ TEST(Place, SplitsNamesIntoStageVariantAndSize) {
   EXPECT_EQ(place_of("Predicates/orientation/random").key, "");
 }
 
-TEST(Summary, SaysWhatGrowsHowAndWhatWins) {
+TEST(Results, GiveTheTimeOfOneAnswerOfABatch) {
+  const Results results = read_results(file_of(run("Plan/n:10", 0.5, R"(,"batch":20)")), "r.json");
+  EXPECT_NEAR(results.measurements.front().wall_seconds.front(), 0.025, 1e-12);
+  EXPECT_TRUE(results.measurements.front().counters.empty());
+}
+
+TEST(Sentences, SayWhatGrowsHowAndWhatWins) {
   const Results results = read_results(two_builders(1.0), "r.json");
-  const std::vector<std::string> summary = summary_of(results, studies_of(results));
-  ASSERT_EQ(summary.size(), 5u);
-  EXPECT_EQ(summary[0], "Build/slow: the time grows like n^2.00 (2.00 to 2.00) from 10 to 10000, where it is 1.01 s.");
-  EXPECT_EQ(summary[2], "Build at 10000 n: fast takes 10.1 ms, slow 1.01 s, 100 times as long.");
-  EXPECT_NE(summary[4].find("1 sizes were left out"), std::string::npos);
+  const std::vector<std::string> sentences = sentences_of(studies_of(results, Clock(results)).front());
+  ASSERT_EQ(sentences.size(), 3u);
+  EXPECT_EQ(sentences[0], "Build/slow: the time grows like n^2.00 (2.00 – 2.00) from 10 to 10000, where it is 1.01 s.");
+  EXPECT_EQ(sentences[2], "Build at 10000 n: fast takes 10.1 ms, slow 1.01 s, 100 times as long.");
+}
+
+/// Wall and processor time of one benchmark of one thread and one of two.
+std::string two_clocks(double wall) {
+  const auto both = [](const std::string& name, double wall_ns, double cpu_ns) {
+    return R"({"name":")" + name + R"(","real_time":)" + std::to_string(wall_ns) + R"(,"cpu_time":)" +
+           std::to_string(cpu_ns) + "}";
+  };
+  return file_of(both("Build/n:10", wall, 100.0) + "," + both("Build/threads:2/n:10", wall, 190.0));
+}
+
+TEST(Clock, IsTheWallsOnAQuietMachine) {
+  const Results results = read_results(two_clocks(103.0), "r.json");
+  const Clock clock(results);
+  EXPECT_TRUE(clock.quiet());
+  EXPECT_NEAR(clock.times_of(results.measurements[0]).front(), 103e-9, 1e-18);
+}
+
+TEST(Clock, IsTheProcessorsOnABusyMachineButForThreads) {
+  const Results results = read_results(two_clocks(300.0), "r.json");
+  const Clock clock(results);
+  EXPECT_FALSE(clock.quiet());
+  EXPECT_NEAR(clock.slowdown(), 3.0, 1e-12);
+  EXPECT_NEAR(clock.times_of(results.measurements[0]).front(), 100e-9, 1e-18);
+  EXPECT_NEAR(clock.times_of(results.measurements[1]).front(), 300e-9, 1e-18);
+}
+
+/// What the suites call the stages of planning, with times that grow like n.
+std::string stages(bool busy) {
+  std::string runs;
+  for (const char* series : {"ReducedGraph/wedge", "Plan/lazy", "Plan/graph_reused", "LinesOfSight/embree"})
+    for (const int n : {10, 100, 1000, 10000}) {
+      const double seconds = 1e-6 * n;
+      runs += R"({"name":")" + std::string(series) + "/obstacles:" + std::to_string(n) + R"(","real_time":)" +
+              std::to_string(seconds * (busy ? 3e9 : 1e9)) + R"(,"cpu_time":)" + std::to_string(seconds * 1e9) + "},";
+    }
+  runs += run("Quality/convex_f30", 0.1, R"(,"queries":50,"solved_share":0.9,"time_over_bound_median":1.05)") + ",";
+  runs += run("Ablation/convex_f30/everything", 0.1, R"(,"solved":45,"gap_percent_median":2.5)") + ",";
+  runs += run("Ablation/convex_f30/one radius", 0.1, R"(,"solved":44,"gap_percent_median":4.25)");
+  return file_of(runs);
+}
+
+Inputs inputs_of(const std::string& json) { return {read_results(json, "r.json"), std::nullopt, std::nullopt}; }
+
+TEST(Summary, TellsAStrangerWhatItCosts) {
+  const std::vector<std::string> summary = make_document(inputs_of(stages(false))).summary;
+  ASSERT_EQ(summary.size(), 4u);
+  EXPECT_EQ(summary[0],
+            "Obstacles: the visibility graph's time grows like n^1.00 (1.00 – 1.00) with n obstacles of 10 vertices: "
+            "100 µs at 1,000 vertices, 10 ms at 100,000 vertices.");
+  EXPECT_EQ(summary[2].substr(0, 43), "Quality: 45 of 50 random queries are solved");
+  EXPECT_NE(summary[3].find("none failed"), std::string::npos);
+}
+
+TEST(Summary, AdmitsThatTheMachineWasBusy) {
+  const std::vector<std::string> summary = make_document(inputs_of(stages(true))).summary;
+  EXPECT_NE(summary.back().find("The machine was busy: wall times were 3.00 times"), std::string::npos);
+}
+
+TEST(Summary, CountsFailures) {
+  const std::string failed = R"({"name":"Build/n:7","error_occurred":true,"error_message":"edges differ"})";
+  const Document document = make_document(inputs_of(file_of(run("Build/n:10", 1.0) + "," + failed)));
+  EXPECT_NE(document.summary.front().find("1 benchmarks failed"), std::string::npos) << document.summary.front();
+  EXPECT_NE(to_markdown(document).find("| Build/n:7 | edges differ |"), std::string::npos);
+}
+
+TEST(Tables, ReplaceWhatStandsBetweenTheirMarks) {
+  const Inputs inputs = inputs_of(stages(false));
+  const std::string text = "before\n<!-- table ablation -->\nold\nrows\n<!-- end of table -->\nafter\n";
+  const std::string made = with_tables(text, inputs, "F.md");
+  EXPECT_EQ(made,
+            "before\n<!-- table ablation -->\n| variant | convex_f30 |\n|---|---:|\n| everything | 2.50 (45) |\n"
+            "| one radius | 4.25 (44) |\n<!-- end of table -->\nafter\n");
+  EXPECT_EQ(with_tables(made, inputs, "F.md"), made);
+  EXPECT_NE(
+      with_tables("<!-- table cost -->\n<!-- end of table -->\n", inputs, "F.md").find("| Reduced visibility graph |"),
+      std::string::npos);
+  EXPECT_THROW((void)with_tables("<!-- table nothing -->\n<!-- end of table -->\n", inputs, "F.md"), FormatError);
+  EXPECT_THROW((void)with_tables("<!-- table cost -->\n", inputs, "F.md"), FormatError);
+  EXPECT_THROW((void)with_tables("<!-- table duels -->\n<!-- end of table -->\n", inputs, "F.md"), FormatError);
 }
 
 TEST(Changes, PutSignificantRegressionsFirst) {
@@ -93,7 +178,7 @@ TEST(Changes, PutSignificantRegressionsFirst) {
 }
 
 TEST(Report, NeedsNothingFromOutside) {
-  const std::string html = to_html(make_document({read_results(two_builders(1.0), "r.json")}));
+  const std::string html = to_html(make_document(inputs_of(two_builders(1.0))));
   for (const char* outside : {"http://", "https://", "src=", "@import", "url("})
     EXPECT_EQ(html.find(outside), std::string::npos) << outside;
   EXPECT_NE(html.find("Some &lt;CPU&gt; &amp; more"), std::string::npos);
@@ -108,7 +193,7 @@ TEST(Report, OpensInABrowserWithoutErrors) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("arcway-report-" + std::to_string(std::random_device()()));
   std::filesystem::create_directories(folder);
-  std::string html = to_html(make_document({read_results(two_builders(1.0), "r.json")}));
+  std::string html = to_html(make_document(inputs_of(stages(false))));
   // Presses the button, points at a marker, and says what came of it.
   html += R"(<script>
     document.getElementById('axes').click();

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/world.h"
+
+namespace arcway::peers {
+
+/// CGAL's triangular expansion visibility [Bungiu et al. 2014], the fastest of CGAL's visibility algorithms. Exact
+/// predicates and constructions, as its documentation asks for: with rounded constructions answers are wrong or the
+/// process ends.
+///
+/// For worlds with bounds whose regions do not touch or cross.
+class CgalVisibility {
+ public:
+  /// Builds the arrangement and its triangulation.
+  explicit CgalVisibility(const World& world);
+  ~CgalVisibility();
+  CgalVisibility(const CgalVisibility&) = delete;
+  CgalVisibility& operator=(const CgalVisibility&) = delete;
+
+  /// All vertices on the border of what a vertex sees, ascending, without the vertex.
+  [[nodiscard]] std::vector<VertexId> visible_from(VertexId v) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+/// CGAL's constrained Delaunay triangulation of all vertices and edges: what any builder on triangles must do first.
+/// Exact predicates; constraints inserted at once in CGAL's own spatial order, which is its fast way.
+/// @return  number of triangles.
+std::size_t triangulate_by_cgal(const World& world);
+
+/// "5.5.1"
+std::string cgal_version();
+
+}  // namespace arcway::peers

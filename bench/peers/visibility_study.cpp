@@ -1,0 +1,257 @@
+#include "bench/peers/visibility_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <span>
+#include <utility>
+
+#include "bench/peers/cpu_clock.h"
+#include "core/graph/visibility_graph.h"
+#include "core/query/query_set.h"
+#include "datasets/catalogue.h"
+#include "datasets/random.h"
+#ifdef ARCWAY_PEER_CGAL
+#include "bench/peers/cgal_peer.h"
+#endif
+#ifdef ARCWAY_WITH_ACCEL
+#include "accel/make_queries.h"
+#include "accel/wedge/tangent_neighbours.h"
+#include "accel/wedge/wedge_graph.h"
+#endif
+
+namespace arcway::peers {
+namespace {
+
+/// Lists of vertices one after the other: the form of all answers, so that they can be compared.
+struct Rows {
+  std::vector<std::uint64_t> starts{0};
+  std::vector<VertexId> values;
+
+  void add(std::span<const VertexId> row) {
+    values.insert(values.end(), row.begin(), row.end());
+    starts.push_back(values.size());
+  }
+  friend bool operator==(const Rows&, const Rows&) = default;
+};
+
+/// What both sides of a duel do with a world.
+struct Contest {
+  std::string task, ours, peer;
+  std::function<Rows(const World&)> our_answer, peer_answer;
+  double exponent;  ///< growth of the slower one over the obstacles, to leave out what would take too long
+  bool comparable = true;
+};
+
+std::string world_name(std::size_t obstacles) { return "clutter/convex/n" + std::to_string(obstacles) + "/m10/f30/s1"; }
+
+/// A hundred vertices in no order, the same for both sides.
+std::vector<VertexId> some_vertices(const World& world) {
+  Random random(1);
+  std::vector<VertexId> vertices;
+  const auto convex = world.convex_vertices();
+  for (int i = 0; i < 100; ++i) vertices.push_back(convex[random.below(convex.size())]);
+  return vertices;
+}
+
+Rows rows_of(const VisibilityGraph& graph) {
+  return {{graph.row_starts().begin(), graph.row_starts().end()}, {graph.targets().begin(), graph.targets().end()}};
+}
+
+#ifdef ARCWAY_WITH_ACCEL
+constexpr const char* kQueries = "embree";
+constexpr const char* kBuilder = "wedge";
+QuerySet our_queries(const World& world) { return make_embree_queries(world); }
+VisibilityGraph our_reduced_graph(const World& world) { return build_reduced_visibility_graph_by_wedges(world); }
+#else
+constexpr const char* kQueries = "reference";
+constexpr const char* kBuilder = "reference";
+QuerySet our_queries(const World& world) { return make_reference_queries(world); }
+VisibilityGraph our_reduced_graph(const World& world) {
+  return build_reduced_visibility_graph(world, *make_reference_queries(world).visibility);
+}
+#endif
+
+Rows reduced_by_brute_force(const World& world) {
+  return rows_of(build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
+}
+
+/// Lines of sight from some vertices to the 200 that follow them in the numbering.
+Rows lines_of_sight(const World& world, const QuerySet& queries) {
+  Rows rows;
+  for (const VertexId u : some_vertices(world)) {
+    const std::size_t count = world.vertices().size();
+    std::vector<LineSegment> lines;
+    for (std::size_t i = 1; i <= 200; ++i)
+      lines.push_back({world.vertex(u), world.vertex(static_cast<VertexId>((u + i) % count))});
+    std::vector<std::uint8_t> visible(lines.size());
+    queries.visibility->visible(lines, visible);
+    rows.add(std::vector<VertexId>(visible.begin(), visible.end()));
+  }
+  return rows;
+}
+
+#ifdef ARCWAY_PEER_CGAL
+std::span<const VertexId> above(VertexId u, const std::vector<VertexId>& ascending) {
+  return {std::ranges::upper_bound(ascending, u), ascending.end()};
+}
+
+Rows full_by_cgal(const World& world) {
+  const CgalVisibility visibility(world);
+  Rows rows;
+  for (VertexId u = 0; u < world.vertices().size(); ++u) rows.add(above(u, visibility.visible_from(u)));
+  return rows;
+}
+
+std::vector<VertexId> tangent_ones(const World& world, VertexId u, const std::vector<VertexId>& seen) {
+  std::vector<VertexId> kept;
+  for (const VertexId v : seen)
+    if (world.is_convex(v) && is_tangent(world, u, world.vertex(v)) && is_tangent(world, v, world.vertex(u)))
+      kept.push_back(v);
+  return kept;
+}
+
+Rows reduced_by_cgal(const World& world) {
+  const CgalVisibility visibility(world);
+  Rows rows;
+  for (VertexId u = 0; u < world.vertices().size(); ++u) {
+    if (world.is_convex(u)) {
+      rows.add(above(u, tangent_ones(world, u, visibility.visible_from(u))));
+    } else {
+      rows.add({});
+    }
+  }
+  return rows;
+}
+#endif
+
+std::vector<Contest> contests() {
+  std::vector<Contest> all;
+  all.push_back({"reduced graph", kBuilder, "brute force", [](const World& w) { return rows_of(our_reduced_graph(w)); },
+                 reduced_by_brute_force, 2.5});
+  all.push_back({"20,000 lines of sight", kQueries, "brute force",
+                 [](const World& w) { return lines_of_sight(w, our_queries(w)); },
+                 [](const World& w) { return lines_of_sight(w, make_reference_queries(w)); }, 1.0});
+#ifdef ARCWAY_PEER_CGAL
+  all.push_back({"reduced graph", kBuilder, "CGAL expansion",
+                 [](const World& w) { return rows_of(our_reduced_graph(w)); }, reduced_by_cgal, 1.3});
+  all.push_back({"full graph", kQueries, "CGAL expansion",
+                 [](const World& w) { return rows_of(build_full_visibility_graph(w, *our_queries(w).visibility)); },
+                 full_by_cgal, 2.1});
+#ifdef ARCWAY_WITH_ACCEL
+  all.push_back({"tangent neighbours of 100 vertices", kBuilder, "CGAL expansion",
+                 [](const World& w) {
+                   const TangentNeighbours neighbours(w);
+                   Rows rows;
+                   for (const VertexId u : some_vertices(w)) rows.add(neighbours.of(u));
+                   return rows;
+                 },
+                 [](const World& w) {
+                   const CgalVisibility visibility(w);
+                   Rows rows;
+                   for (const VertexId u : some_vertices(w)) rows.add(tangent_ones(w, u, visibility.visible_from(u)));
+                   return rows;
+                 },
+                 1.2});
+#endif
+  all.push_back({"vertices seen from 100 vertices", kQueries, "CGAL expansion",
+                 [](const World& w) {
+                   const QuerySet queries = our_queries(w);
+                   Rows rows;
+                   for (const VertexId u : some_vertices(w)) {
+                     std::vector<LineSegment> lines;
+                     for (const Vec2& p : w.vertices()) lines.push_back({w.vertex(u), p});
+                     std::vector<std::uint8_t> visible(lines.size());
+                     queries.visibility->visible(lines, visible);
+                     std::vector<VertexId> row;
+                     for (VertexId v = 0; v < visible.size(); ++v)
+                       if (visible[v] != 0 && v != u) row.push_back(v);
+                     rows.add(row);
+                   }
+                   return rows;
+                 },
+                 [](const World& w) {
+                   const CgalVisibility visibility(w);
+                   Rows rows;
+                   for (const VertexId u : some_vertices(w)) rows.add(visibility.visible_from(u));
+                   return rows;
+                 },
+                 1.2});
+  all.push_back({"reduced graph, against a triangulation alone", kBuilder, "CGAL triangulation",
+                 [](const World& w) { return rows_of(our_reduced_graph(w)); },
+                 [](const World& w) {
+                   return Rows{{triangulate_by_cgal(w)}, {}};
+                 },
+                 1.1, false});
+#endif
+  return all;
+}
+
+double seconds_of(const std::function<Rows(const World&)>& answer, const World& world, std::size_t times) {
+  const CpuClock clock(CpuClock::Of::kProcess);
+  for (std::size_t i = 0; i < times; ++i) (void)answer(world);
+  return clock.seconds() / static_cast<double>(times);
+}
+
+/// Enough repetitions in a row that the clock's steps and a cold cache do not matter.
+std::size_t times_for(double seconds) {
+  constexpr double kLeast = 0.02;
+  return static_cast<std::size_t>(std::clamp(std::ceil(kLeast / std::max(seconds, 1e-9)), 1.0, 1e4));
+}
+
+/// @return  seconds of the slower side; the times are in the duel.
+double fight(const Contest& contest, const World& world, std::size_t repetitions, report::Duel& duel) {
+  const CpuClock clock(CpuClock::Of::kProcess);
+  const Rows ours = contest.our_answer(world);
+  const double our_guess = clock.seconds();
+  const Rows peers = contest.peer_answer(world);
+  const double peer_guess = clock.seconds() - our_guess;
+  if (contest.comparable && ours != peers) {
+    duel.error = "the answers differ";
+    return std::max(our_guess, peer_guess);
+  }
+  for (std::size_t i = 0; i < repetitions; ++i) {
+    duel.our_seconds.push_back(seconds_of(contest.our_answer, world, times_for(our_guess)));
+    duel.peer_seconds.push_back(seconds_of(contest.peer_answer, world, times_for(peer_guess)));
+  }
+  return std::max(std::ranges::min(duel.our_seconds), std::ranges::min(duel.peer_seconds));
+}
+
+}  // namespace
+
+std::vector<report::Duel> visibility_study(const VisibilityStudyOptions& options,
+                                           const std::function<void(const std::string&)>& progress) {
+  std::vector<report::Duel> duels;
+  for (const Contest& contest : contests()) {
+    double last = 0.0, last_size = 0.0;
+    for (const std::size_t n : options.obstacles) {
+      const auto size = static_cast<double>(n);
+      const World world = catalogue_world(world_name(n));
+      report::Duel duel{contest.task,
+                        world_name(n),
+                        static_cast<double>(world.vertices().size()),
+                        contest.ours,
+                        contest.peer,
+                        {},
+                        {},
+                        {}};
+      const double expected = last_size > 0.0 ? last * std::pow(size / last_size, contest.exponent) : 0.0;
+      if (expected > options.limit) {
+        char text[96];
+        std::snprintf(text, sizeof text, "left out: about %.3g s a run expected, the limit is %.3g s", expected,
+                      options.limit);
+        duel.error = text;
+      } else {
+        progress(contest.task + ", " + contest.peer + ", " + duel.world);
+        last = fight(contest, world,
+                     expected > 1.0 ? std::min<std::size_t>(options.repetitions, 3) : options.repetitions, duel);
+        last_size = size;
+      }
+      duels.push_back(std::move(duel));
+      if (expected > options.limit) break;
+    }
+  }
+  return duels;
+}
+
+}  // namespace arcway::peers

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/report/peer_results.h"
+
+namespace arcway::peers {
+
+struct VisibilityStudyOptions {
+  std::vector<std::size_t> obstacles{10, 100, 1000, 10000};  ///< of 10 vertices each, fill 0.3
+  std::size_t repetitions = 7;
+  double limit = 20.0;  ///< leaves out what one of both would take longer for, judged by the size before [s]
+};
+
+/// Lines of sight and visibility graphs by arcway and, with one thread each and in turn, by brute force and (where this
+/// program has it) CGAL. What both make is compared before; a difference leaves an error in place of times.
+/// @param progress  told what comes next.
+std::vector<report::Duel> visibility_study(const VisibilityStudyOptions& options,
+                                           const std::function<void(const std::string&)>& progress);
+
+}  // namespace arcway::peers

@@ -1,0 +1,265 @@
+#include "bench/report/findings.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "bench/report/markup.h"
+
+namespace arcway::report {
+namespace {
+
+/// What planning consists of, by the names of its series over the obstacles.
+struct Stage {
+  const char* title;
+  const char* series;
+};
+constexpr std::array kStages = {
+    Stage{"Read a map from GeoJSON and check it", "LoadMap/geojson"},
+    Stage{"Reduced visibility graph", "ReducedGraph/wedge"},
+    Stage{"Feasible graph, all links checked", "FeasibleGraph/embree"},
+    Stage{"First plan on a new map, nothing prepared", "Plan/lazy"},
+    Stage{"A plan on a prepared map", "Plan/graph_reused"},
+    Stage{"Is a line of sight free?", "LinesOfSight/embree"},
+    Stage{"Is a swept rectangle free?", "SweptRectangles/embree"},
+    Stage{"Free headings on a turn circle", "TurningIntervals/embree"},
+};
+constexpr double kVerticesEach = 10.0;  // of the obstacles in these series
+
+const Study::Line* find_line(const std::vector<Study>& studies, std::string_view series, std::string_view key) {
+  for (const Study& study : studies) {
+    if (study.key != key) continue;
+    const auto line = std::ranges::find(study.lines, series, &Study::Line::series);
+    if (line != study.lines.end()) return &*line;
+  }
+  return nullptr;
+}
+
+std::optional<double> time_at(const Study::Line& line, double size) {
+  const auto point = std::ranges::find(line.curve.points, size, &Curve::Point::x);
+  return point == line.curve.points.end() ? std::nullopt : std::optional(point->y);
+}
+
+std::string vertices_text(double obstacles) { return count_text(kVerticesEach * obstacles) + " vertices"; }
+
+/// "0.6 ms at 1,000 vertices and 0.12 s at 100,000 vertices", by the sizes that there are.
+std::string times_text(const Study::Line& line) {
+  const Curve::Point& last = line.curve.points.back();
+  const std::optional<double> first = last.x > 100.0 ? time_at(line, 100.0) : std::nullopt;
+  return (first ? time_text(*first) + " at " + vertices_text(100.0) + ", " : "") + time_text(last.y) + " at " +
+         vertices_text(last.x);
+}
+
+std::string counter_of(const Study::Line& line, const std::string& name, const char* format) {
+  const auto& counters = line.measurements.back()->counters;
+  const auto found = counters.find(name);
+  return found == counters.end() ? "–" : number_text(format, found->second);
+}
+
+std::string ends_text(const Study::Line& line) {
+  return time_text(line.curve.points.front().y) + " to " + time_text(line.curve.points.back().y);
+}
+
+void add_growth_with_obstacles(const std::vector<Study>& studies, std::vector<std::string>& sentences) {
+  if (const auto* graph = find_line(studies, "ReducedGraph/wedge", "obstacles"); graph && graph->curve.fit)
+    sentences.push_back("Obstacles: the visibility graph's time grows like n^" + interval_text(graph->curve.fit) +
+                        " with n obstacles of 10 vertices: " + times_text(*graph) + ".");
+  const auto* first = find_line(studies, "Plan/lazy", "obstacles");
+  const auto* more = find_line(studies, "Plan/graph_reused", "obstacles");
+  if (first && first->curve.fit && more && more->curve.fit)
+    sentences.push_back("A plan: the first on a new map, nothing prepared, takes " + times_text(*first) + ", n^" +
+                        interval_text(first->curve.fit) + "; each on a prepared map " + times_text(*more) + ", n^" +
+                        interval_text(more->curve.fit) + ".");
+}
+
+void add_growth_with_shape(const std::vector<Study>& studies, std::vector<std::string>& sentences) {
+  const auto* wedge = find_line(studies, "ReducedGraph/wedge/n:100", "vertices");
+  const auto* pairs = find_line(studies, "ReducedGraph/pairwise/n:100", "vertices");
+  if (wedge && wedge->curve.fit) {
+    std::string text = "Vertices: with " + number_text("%.0f", wedge->curve.points.front().x) + " to " +
+                       number_text("%.0f", wedge->curve.points.back().x) +
+                       " vertices m on each of 100 obstacles the graph's time grows like m^" +
+                       interval_text(wedge->curve.fit) + ", " + ends_text(*wedge);
+    if (pairs && pairs->curve.fit)
+      text += "; by pairs of obstacles, for few of very many vertices, like m^" + interval_text(pairs->curve.fit) +
+              ", " + ends_text(*pairs);
+    sentences.push_back(text + ".");
+  }
+  const auto* fill = find_line(studies, "ReducedGraph/wedge/n:316", "fill_percent");
+  const auto* plan = find_line(studies, "Plan/n:316", "fill_percent");
+  if (!fill) return;
+  sentences.push_back("Fill: as 316 obstacles cover " + number_text("%.2f", 0.01 * fill->curve.points.front().x) +
+                      " to " + number_text("%.2f", 0.01 * fill->curve.points.back().x) +
+                      " of the map and hide one another more, the graph takes " + ends_text(*fill) +
+                      (plan ? ", a plan " + ends_text(*plan) : "") + ".");
+}
+
+/// What the counters say of the largest map.
+std::string memory_text(const std::vector<Study>& studies) {
+  const auto* graph = find_line(studies, "ReducedGraph/wedge", "obstacles");
+  const auto* plan = find_line(studies, "Plan/graph_reused", "obstacles");
+  const auto* sight = find_line(studies, "LinesOfSight/embree", "obstacles");
+  if (!graph || !plan || !sight) return {};
+  return "While the visibility graph is built it takes " + counter_of(*graph, "peak_bytes_per_vertex", "%.0f") +
+         " bytes a vertex at the peak. On the largest map a plan on a prepared map allocates " +
+         counter_of(*plan, "allocations_per_query", "%.0f") + " times, its result included, a line of sight " +
+         counter_of(*sight, "allocations_per_question", "%.3g") + " times.";
+}
+
+/// The part of a name after the stage.
+std::string rest_of(const Measurement& m) { return place_of(m.name).variant; }
+
+std::vector<const Measurement*> of_stage(const Results& results, std::string_view stage) {
+  std::vector<const Measurement*> found;
+  for (const Measurement& m : results.measurements)
+    if (place_of(m.name).stage == stage && m.error.empty() && !m.wall_seconds.empty()) found.push_back(&m);
+  return found;
+}
+
+std::string counter_text(const Measurement& m, const std::string& name, const char* format) {
+  const auto found = m.counters.find(name);
+  return found == m.counters.end() ? "–" : number_text(format, found->second);
+}
+
+}  // namespace
+
+std::vector<std::string> growth_findings(const Results& results, const std::vector<Study>& studies) {
+  std::vector<std::string> sentences;
+  add_growth_with_obstacles(studies, sentences);
+  add_growth_with_shape(studies, sentences);
+  double queries = 0.0, solved = 0.0, low = 0.0, high = 0.0;
+  for (const Measurement* m : of_stage(results, "Quality")) {
+    const auto value = [&](const char* name) {
+      const auto found = m->counters.find(name);
+      return found == m->counters.end() ? 0.0 : found->second;
+    };
+    queries += value("queries");
+    solved += value("queries") * value("solved_share");
+    const double gap = value("time_over_bound_median") - 1.0;
+    low = low == 0.0 ? gap : std::min(low, gap);
+    high = std::max(high, gap);
+  }
+  if (queries > 0.0)
+    sentences.push_back("Quality: " + count_text(solved) + " of " + count_text(queries) +
+                        " random queries are solved, every path valid; by the world, the median travel time is " +
+                        number_text("%.1f", 100.0 * low) + " to " + number_text("%.1f", 100.0 * high) +
+                        " % above a lower bound that no path can beat.");
+  return sentences;
+}
+
+std::vector<std::string> run_findings(const Results& results, const Clock& clock) {
+  std::size_t failed = 0, left_out = 0, timed = 0;
+  for (const Measurement& m : results.measurements) {
+    failed += !m.error.empty() && !m.left_out();
+    left_out += m.left_out();
+    timed += m.error.empty();
+  }
+  std::string text = failed == 0 ? "Checks: all " + count_text(static_cast<double>(timed)) +
+                                       " benchmarks gave the reference's answers before they were timed; none failed"
+                                 : "Checks: " + std::to_string(failed) + " benchmarks failed and have no times";
+  if (left_out > 0)
+    text += "; " + std::to_string(left_out) + " sizes were left out because they take too long, listed below";
+  std::vector<std::string> sentences{text + "."};
+  if (!clock.quiet())
+    sentences.push_back("The machine was busy: wall times were " + number_text("%.2f", clock.slowdown()) +
+                        " times the processor times. Times of one thread are processor times here.");
+  return sentences;
+}
+
+Section cost_section(const std::vector<Study>& studies) {
+  Section section{
+      .title = "What it costs",
+      .paragraphs = {"Clutters of n convex obstacles, 10 vertices each, fill 0.3; one thread, medians. Growth: "
+                     "exponent of n, fitted to the medians of all sizes, with its 95 % confidence interval."},
+      .figures = {},
+      .table = {{"stage", "grows like n^", "1,000 vertices", "10,000", "100,000", "bytes a vertex"}, {}, 1}};
+  for (const Stage& stage : kStages) {
+    const Study::Line* line = find_line(studies, stage.series, "obstacles");
+    if (line == nullptr) continue;
+    std::vector<std::string> row{stage.title, interval_text(line->curve.fit)};
+    for (const double n : {100.0, 1000.0, 10000.0}) {
+      const std::optional<double> time = time_at(*line, n);
+      row.push_back(time ? time_text(*time) : "–");
+    }
+    row.push_back(counter_of(*line, "bytes_per_vertex", "%.0f"));
+    section.table.rows.push_back(std::move(row));
+  }
+  if (const std::string memory = memory_text(studies); !memory.empty()) section.paragraphs.push_back(memory);
+  return section;
+}
+
+std::vector<std::string> growth_figures(const std::vector<Study>& studies) {
+  std::vector<Curve> stages, builders;
+  for (const Stage& stage : kStages) {
+    const Study::Line* line = find_line(studies, stage.series, "obstacles");
+    if (line == nullptr || stages.size() == 5) continue;
+    stages.push_back(line->curve);
+    stages.back().name = stage.title;
+  }
+  for (const char* builder : {"wedge", "pairwise", "reference"}) {
+    const Study::Line* line = find_line(studies, std::string("ReducedGraph/") + builder + "/n:100", "vertices");
+    if (line == nullptr) continue;
+    builders.push_back(line->curve);
+    builders.back().name = builder == std::string("reference") ? "brute force" : builder;
+  }
+  std::vector<std::string> figures;
+  if (!stages.empty())
+    figures.push_back(figure_html({.title = "Time of the stages over the number of obstacles",
+                                   .x_label = "obstacles of 10 vertices",
+                                   .y_label = ""},
+                                  stages, "How the stages grow with the map. Pale bands: fitted powers."));
+  if (!builders.empty())
+    figures.push_back(figure_html({.title = "Time of the visibility graph over the vertices of each obstacle",
+                                   .x_label = "vertices of each of 100 obstacles",
+                                   .y_label = ""},
+                                  builders, "How the three builders of the visibility graph grow with the vertices."));
+  return figures;
+}
+
+Section quality_section(const Results& results) {
+  Section section{
+      .title = "Quality of the plans",
+      .paragraphs =
+          {"Random queries in clutters of 100 obstacles. Bound: no path takes less. Best known: the graph's best "
+           "path by Dijkstra's search, refined the same way."},
+      .figures = {},
+      .table = {{"world", "queries", "solved", "start blocked", "goal blocked", "no path", "time / bound, median",
+                 "time / best known, worst", "smallest clearance", "expansions a query", "time a query"},
+                {},
+                1}};
+  for (const Measurement* m : of_stage(results, "Quality"))
+    section.table.rows.push_back(
+        {rest_of(*m), counter_text(*m, "queries", "%.0f"), counter_text(*m, "solved_share", "%.2f"),
+         counter_text(*m, "start_blocked", "%.0f"), counter_text(*m, "goal_blocked", "%.0f"),
+         counter_text(*m, "no_path", "%.0f"), counter_text(*m, "time_over_bound_median", "%.3f"),
+         counter_text(*m, "time_over_best_worst", "%.3f"), counter_text(*m, "min_clearance_m", "%.4f") + " m",
+         counter_text(*m, "expansions_per_query", "%.0f"), time_text(median(m->cpu_seconds))});
+  return section;
+}
+
+Section ablation_section(const Results& results) {
+  Section section{
+      .title = "What each part of the planner brings",
+      .paragraphs = {"Median of travel time / lower bound - 1 in percent, over the queries that all variants "
+                     "solve; in parentheses how many queries the variant solves. The same queries for all; a "
+                     "robot of 2 m/s² sideways and along, for which wider turns are faster ones."},
+      .figures = {},
+      .table = {{"variant"}, {}, 1}};
+  std::vector<std::string>& header = section.table.header;
+  for (const Measurement* m : of_stage(results, "Ablation")) {
+    const std::string name = rest_of(*m);
+    const std::string world = name.substr(0, name.find('/'));
+    const std::string variant = name.substr(std::min(name.size(), name.find('/') + 1));
+    auto column = std::ranges::find(header, world);
+    if (column == header.end()) column = header.insert(header.end(), world);
+    const auto at = static_cast<std::size_t>(column - header.begin());
+    auto row = std::ranges::find(section.table.rows, variant, [](const auto& r) { return r.front(); });
+    if (row == section.table.rows.end()) row = section.table.rows.insert(row, {variant});
+    row->resize(std::max(row->size(), at + 1));
+    (*row)[at] = counter_text(*m, "gap_percent_median", "%.2f") + " (" + counter_text(*m, "solved", "%.0f") + ")";
+  }
+  for (auto& row : section.table.rows) row.resize(header.size());
+  return section;
+}
+
+}  // namespace arcway::report

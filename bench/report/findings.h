@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/report/document.h"
+#include "bench/report/study.h"
+
+namespace arcway::report {
+
+/// What a stranger asks first, in plain sentences; one that the results cannot answer is left out.
+std::vector<std::string> growth_findings(const Results& results, const std::vector<Study>& studies);
+
+/// How many benchmarks failed and were left out, and how undisturbed the run was.
+std::vector<std::string> run_findings(const Results& results, const Clock& clock);
+
+/// The stages of planning: growth with the obstacles, time at 1,000, 10,000 and 100,000 vertices, memory.
+Section cost_section(const std::vector<Study>& studies);
+
+/// Plots of the growth with the obstacles and with the vertices of each, as HTML.
+std::vector<std::string> growth_figures(const std::vector<Study>& studies);
+
+/// Solved share, reasons, travel times over bound and best known, clearance: a row a set of queries.
+Section quality_section(const Results& results);
+
+/// Travel time over the lower bound with the planner's features switched off one by one; a row each, a column a world.
+Section ablation_section(const Results& results);
+
+}  // namespace arcway::report

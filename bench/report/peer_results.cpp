@@ -1,0 +1,128 @@
+#include "bench/report/peer_results.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "datasets/file_io.h"
+
+namespace arcway::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kFormat = "arcway-peers";
+
+/// Times and ratios are read by people: six digits say enough.
+double rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return std::strtod(text, nullptr);
+}
+
+ordered_json rounded(const std::vector<double>& values) {
+  ordered_json array = ordered_json::array();
+  for (const double value : values) array.push_back(rounded(value));
+  return array;
+}
+
+ordered_json to_json(const Duel& d) {
+  ordered_json json{{"task", d.task}, {"world", d.world}, {"vertices", d.vertices}, {"ours", d.ours}, {"peer", d.peer}};
+  if (!d.error.empty()) {
+    json["error"] = d.error;
+    return json;
+  }
+  json["our_seconds"] = rounded(d.our_seconds);
+  json["peer_seconds"] = rounded(d.peer_seconds);
+  return json;
+}
+
+ordered_json to_json(const PlannerQuery& q) {
+  ordered_json answers = ordered_json::array();
+  for (const PlannerAnswer& a : q.answers) {
+    ordered_json answer{{"planner", a.planner}, {"status", a.status}, {"seconds", rounded(a.seconds)}};
+    if (a.solved()) answer.update({{"travel_time", rounded(a.travel_time)}, {"valid", a.valid}});
+    answers.push_back(std::move(answer));
+  }
+  return {{"world", q.world}, {"query", q.query}, {"lower_bound", rounded(q.lower_bound)}, {"answers", answers}};
+}
+
+Duel duel_of(const ordered_json& json) {
+  Duel d;
+  d.task = json.at("task");
+  d.world = json.at("world");
+  d.vertices = json.at("vertices");
+  d.ours = json.at("ours");
+  d.peer = json.at("peer");
+  d.error = json.value("error", "");
+  if (!d.error.empty()) return d;
+  d.our_seconds = json.at("our_seconds").get<std::vector<double>>();
+  d.peer_seconds = json.at("peer_seconds").get<std::vector<double>>();
+  if (d.our_seconds.empty() || d.our_seconds.size() != d.peer_seconds.size())
+    throw FormatError("our_seconds and peer_seconds: expected as many of one as of the other, at least one");
+  return d;
+}
+
+PlannerQuery query_of(const ordered_json& json) {
+  PlannerQuery q{json.at("world"), json.at("query"), json.at("lower_bound"), {}};
+  for (const ordered_json& a : json.at("answers"))
+    q.answers.push_back(
+        {a.at("planner"), a.at("status"), a.at("seconds"), a.value("travel_time", 0.0), a.value("valid", false)});
+  return q;
+}
+
+template <class Item>
+std::vector<Item> items_of(const ordered_json& document, const char* key, Item (*read)(const ordered_json&),
+                           const std::string& name) {
+  std::vector<Item> items;
+  for (const ordered_json& json : document.value(key, ordered_json::array())) {
+    const std::string place = name + ": " + key + "[" + std::to_string(items.size()) + "]: ";
+    try {
+      items.push_back(read(json));
+    } catch (const nlohmann::json::exception& error) {
+      throw FormatError(place + error.what());
+    } catch (const FormatError& error) {
+      throw FormatError(place + error.what());
+    }
+  }
+  return items;
+}
+
+template <class Item>
+std::string lines_of(const std::vector<Item>& items) {
+  std::string text;
+  for (const Item& item : items) text += (text.empty() ? "\n" : ",\n") + to_json(item).dump();
+  return text + "\n";
+}
+
+}  // namespace
+
+bool is_peer_results(std::string_view text) {
+  const ordered_json document = ordered_json::parse(text, nullptr, false);
+  return document.is_object() && document.value("format", ordered_json()) == kFormat;
+}
+
+PeerResults read_peer_results(std::string_view text, std::string_view name) {
+  PeerResults results;
+  results.name = name;
+  ordered_json document;
+  try {
+    document = ordered_json::parse(text);
+    for (const auto& [key, value] : document.at("context").items())
+      results.context.emplace_back(key, value.get<std::string>());
+  } catch (const nlohmann::json::exception& error) {
+    throw FormatError(results.name + ": " + error.what());
+  }
+  results.duels = items_of(document, "duels", duel_of, results.name);
+  results.queries = items_of(document, "queries", query_of, results.name);
+  return results;
+}
+
+std::string peer_results_json(const PeerResults& results) {
+  ordered_json context = ordered_json::object();
+  for (const auto& [key, value] : results.context) context[key] = value;
+  return std::string("{\n\"format\": \"") + kFormat + "\", \"version\": 1,\n\"context\": " + context.dump(1) +
+         ",\n\"duels\": [" + lines_of(results.duels) + "],\n\"queries\": [" + lines_of(results.queries) + "]\n}\n";
+}
+
+}  // namespace arcway::report

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace arcway::report {
+
+/// The same question answered by us and by a peer in turn; both answers were equal before the clock started.
+struct Duel {
+  std::string task;   ///< "reduced graph"
+  std::string world;  ///< catalogue name
+  double vertices = 0.0;
+  std::string ours, peer;
+  std::vector<double> our_seconds, peer_seconds;  ///< processor time; run i of both followed one another
+  std::string error;                              ///< why there are no times; empty if there are
+};
+
+/// One planner's answer to one query.
+struct PlannerAnswer {
+  std::string planner;       ///< "ompl_rrtconnect 1 s"
+  std::string status;        ///< "solved", or why not
+  double seconds = 0.0;      ///< until the answer, processor time
+  double travel_time = 0.0;  ///< from rest to rest [s]
+  bool valid = false;        ///< as the validator finds
+  [[nodiscard]] bool solved() const { return status == "solved"; }
+};
+
+struct PlannerQuery {
+  std::string world;
+  std::size_t query = 0;
+  double lower_bound = 0.0;  ///< [s]
+  std::vector<PlannerAnswer> answers;
+};
+
+/// A file of comparisons with peers.
+struct PeerResults {
+  std::string name;  ///< of the file
+  std::vector<std::pair<std::string, std::string>> context;
+  std::vector<Duel> duels;
+  std::vector<PlannerQuery> queries;
+};
+
+/// Whether a text is such a file, rather than Google Benchmark's.
+bool is_peer_results(std::string_view json);
+/// @throws FormatError naming file and place.
+PeerResults read_peer_results(std::string_view json, std::string_view name);
+/// One duel or query a line.
+std::string peer_results_json(const PeerResults& results);
+
+}  // namespace arcway::report

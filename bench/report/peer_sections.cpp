@@ -1,0 +1,266 @@
+#include "bench/report/peer_sections.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "bench/report/markup.h"
+
+namespace arcway::report {
+namespace {
+
+/// Of a sorted, non-empty list, between the two nearest ranks.
+double quantile(const std::vector<double>& sorted, double share) {
+  const double rank = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (rank - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+std::string quantiles_text(std::vector<double> values, std::initializer_list<double> shares) {
+  if (values.empty()) return "–";
+  std::ranges::sort(values);
+  std::string text;
+  for (const double share : shares) text += (text.empty() ? "" : " / ") + number_text("%.3f", quantile(values, share));
+  return text;
+}
+
+/// Peer over us, run by run: above 1 we are faster.
+std::vector<double> ratios_of(const Duel& d) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < d.our_seconds.size(); ++i) ratios.push_back(d.peer_seconds[i] / d.our_seconds[i]);
+  return ratios;
+}
+
+std::string title_of(const Duel& d) { return d.task + ": " + d.peer; }
+
+/// All queries of one planner, in all worlds or one.
+struct Record {
+  std::string planner;
+  std::size_t queries = 0, solved = 0, valid = 0;
+  std::size_t ours_alone = 0, theirs_alone = 0, faster_path = 0, slower_path = 0;
+  std::vector<double> seconds, over_bound, over_best, over_ours;
+  std::map<std::string, int> reasons;
+};
+
+void count(Record& record, const PlannerQuery& query, const PlannerAnswer& answer, const PlannerAnswer& ours,
+           double best) {
+  ++record.queries;
+  record.ours_alone += ours.solved() && !answer.solved();
+  record.theirs_alone += answer.solved() && !ours.solved();
+  if (!answer.solved()) {
+    ++record.reasons[answer.status];
+    return;
+  }
+  ++record.solved;
+  record.valid += answer.valid;
+  record.seconds.push_back(answer.seconds);
+  record.over_bound.push_back(answer.travel_time / query.lower_bound);
+  record.over_best.push_back(answer.travel_time / best);
+  if (!ours.solved()) return;
+  record.over_ours.push_back(answer.travel_time / ours.travel_time);
+  // Less than a thousandth is no difference to a vehicle.
+  record.faster_path += record.over_ours.back() < 0.999;
+  record.slower_path += record.over_ours.back() > 1.001;
+}
+
+/// @param world  empty: all.
+std::vector<Record> records_of(const PeerResults& peers, const std::string& world) {
+  std::vector<Record> records;
+  for (const PlannerQuery& q : peers.queries) {
+    if (!world.empty() && q.world != world) continue;
+    double best = std::numeric_limits<double>::infinity();
+    for (const PlannerAnswer& a : q.answers)
+      if (a.solved() && a.valid) best = std::min(best, a.travel_time);
+    for (const PlannerAnswer& a : q.answers) {
+      auto record = std::ranges::find(records, a.planner, &Record::planner);
+      if (record == records.end()) {
+        record = records.insert(records.end(), Record());
+        record->planner = a.planner;
+      }
+      count(*record, q, a, q.answers.front(), best);
+    }
+  }
+  return records;
+}
+
+std::string reasons_text(const Record& record) {
+  std::string text;
+  for (const auto& [reason, times] : record.reasons)
+    text += (text.empty() ? "" : ", ") + std::to_string(times) + " " + reason;
+  return text;
+}
+
+std::vector<std::string> record_row(const Record& r) {
+  return {r.planner,
+          std::to_string(r.solved) + " of " + std::to_string(r.queries),
+          std::to_string(r.valid),
+          r.seconds.empty() ? "–" : time_text(median(r.seconds)),
+          quantiles_text(r.over_bound, {0.25, 0.5, 0.75}),
+          quantiles_text(r.over_best, {0.5, 0.9, 1.0}),
+          quantiles_text(r.over_ours, {0.0, 0.5, 1.0}),
+          std::to_string(r.faster_path) + " / " + std::to_string(r.slower_path),
+          std::to_string(r.theirs_alone) + " / " + std::to_string(r.ours_alone)};
+}
+
+const std::vector<std::string> kRecordHeader = {"planner",
+                                                "solved",
+                                                "valid",
+                                                "time to the answer",
+                                                "travel time / bound: 25 %, median, 75 %",
+                                                "/ best known: median, 90 %, worst",
+                                                "/ arcway's: least, median, most",
+                                                "faster / slower than arcway's",
+                                                "solves alone / arcway alone"};
+
+/// A planner's records after its first path, 1 s, 10 s make one curve.
+std::vector<Curve> trade_off(const std::vector<Record>& records) {
+  std::vector<Curve> curves;
+  for (const Record& r : records) {
+    if (r.over_bound.empty()) continue;
+    const std::string name = r.planner.substr(0, r.planner.find(' '));
+    auto curve = std::ranges::find(curves, name, &Curve::name);
+    if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{name, {}, {}});
+    std::vector<double> sorted = r.over_bound;
+    std::ranges::sort(sorted);
+    curve->points.push_back({median(r.seconds), quantile(sorted, 0.5), quantile(sorted, 0.25), quantile(sorted, 0.75)});
+  }
+  for (Curve& curve : curves) std::ranges::sort(curve.points, {}, &Curve::Point::x);
+  return curves;
+}
+
+std::vector<std::string> worlds_of(const PeerResults& peers) {
+  std::vector<std::string> worlds;
+  for (const PlannerQuery& q : peers.queries)
+    if (std::ranges::find(worlds, q.world) == worlds.end()) worlds.push_back(q.world);
+  return worlds;
+}
+
+void add_duel_findings(const PeerResults& peers, std::vector<std::string>& sentences) {
+  std::map<std::string, std::string> by_peer;
+  std::string losses;
+  for (std::size_t i = 0; i < peers.duels.size(); ++i) {
+    const Duel& d = peers.duels[i];
+    const bool goes_on =
+        i + 1 < peers.duels.size() && title_of(peers.duels[i + 1]) == title_of(d) && peers.duels[i + 1].error.empty();
+    if (!d.error.empty() || goes_on) continue;
+    const double ratio = median(ratios_of(d));
+    std::string& list = by_peer[d.peer];
+    list += (list.empty() ? " " : ", ") + ratio_text(ratio) + " (" + d.task + ")";
+    if (ratio < 1.0) losses += (losses.empty() ? "" : ", ") + d.task + " (" + d.peer + ")";
+  }
+  std::string text = "Visibility: a peer's time over arcway's, for equal answers on the largest map that both did:";
+  for (const auto& [peer, list] : by_peer) text += " " + peer + list + ";";
+  sentences.push_back(text + (losses.empty() ? " no peer wins." : " a peer wins " + losses + "."));
+}
+
+void add_planner_findings(const PeerResults& peers, std::vector<std::string>& sentences) {
+  const std::vector<Record> records = records_of(peers, "");
+  if (records.empty() || records.front().solved == 0) return;
+  const Record& ours = records.front();
+  std::string text = "Planners: arcway solves " + std::to_string(ours.solved) + " of " + std::to_string(ours.queries) +
+                     " queries in " + time_text(median(ours.seconds)) + " each";
+  for (const Record& r : records) {
+    // Those that went on after their first path, on all queries.
+    if (&r == &ours || r.planner.ends_with(" first") || r.queries < ours.queries) continue;
+    text += "; " + r.planner + " solves " + std::to_string(r.solved) + ", with faster paths on " +
+            std::to_string(r.faster_path) + " and slower ones on " + std::to_string(r.slower_path) +
+            (r.theirs_alone > 0 ? ", " + std::to_string(r.theirs_alone) + " of them alone" : "");
+  }
+  sentences.push_back(text + ".");
+}
+
+}  // namespace
+
+std::vector<std::string> peer_findings(const PeerResults& peers) {
+  std::vector<std::string> sentences;
+  if (!peers.duels.empty()) add_duel_findings(peers, sentences);
+  if (!peers.queries.empty()) add_planner_findings(peers, sentences);
+  return sentences;
+}
+
+Section duels_section(const PeerResults& peers) {
+  Section section{
+      .title = "Visibility: arcway and its peers in turn",
+      .paragraphs = {"One thread each, processor time, the map prepared within the time; answers compared before the "
+                     "clock starts, but for the triangulation, which is only a part of the work. Ratio: the peer's "
+                     "time over arcway's, run by run; below 1 the peer wins."},
+      .figures = {},
+      .table = {
+          {"task", "peer", "vertices", "arcway", "peer's time", "ratio: median", "least – most", "faster"}, {}, 2}};
+  for (const Duel& d : peers.duels) {
+    if (!d.error.empty()) {
+      section.table.rows.push_back({d.task, d.peer, count_text(d.vertices), d.error, "", "", "", ""});
+      continue;
+    }
+    const std::vector<double> ratios = ratios_of(d);
+    const auto [low, high] = std::ranges::minmax(ratios);
+    section.table.rows.push_back({d.task, d.peer, count_text(d.vertices), time_text(median(d.our_seconds)),
+                                  time_text(median(d.peer_seconds)), ratio_text(median(ratios)),
+                                  ratio_text(low) + " – " + ratio_text(high),
+                                  low > 1.0    ? "arcway"
+                                  : high < 1.0 ? d.peer
+                                               : "neither"});
+  }
+  return section;
+}
+
+std::vector<std::string> peer_figures(const PeerResults& peers) {
+  std::vector<Curve> duels;
+  for (const Duel& d : peers.duels) {
+    if (!d.error.empty()) continue;
+    const std::vector<double> ratios = ratios_of(d);
+    const auto [low, high] = std::ranges::minmax(ratios);
+    auto curve = std::ranges::find(duels, title_of(d), &Curve::name);
+    if (curve == duels.end()) curve = duels.insert(duels.end(), Curve{title_of(d), {}, {}});
+    curve->points.push_back({d.vertices, median(ratios), low, high});
+  }
+  std::vector<std::string> figures;
+  if (!duels.empty())
+    figures.push_back(figure_html({.title = "The peers' time over arcway's, over the vertices of the map",
+                                   .x_label = "vertices of the map",
+                                   .y_label = "peer's time / arcway's",
+                                   .y_text = ratio_text,
+                                   .level = 1.0},
+                                  duels, "Visibility: above the line at 1 arcway is faster, below it the peer."));
+  if (const std::vector<Curve> planners = trade_off(records_of(peers, "")); !planners.empty())
+    figures.push_back(
+        figure_html({.title = "Travel time over the lower bound, over the time to the answer",
+                     .x_label = "time to the answer, median",
+                     .y_label = "travel time / lower bound",
+                     .x_text = time_text,
+                     .y_text = ratio_text},
+                    planners,
+                    "Planners: left is sooner, down is a faster path. Bars: the middle half of the queries. "
+                    "The bound is that of a point, so that a car cannot reach 1."));
+  return figures;
+}
+
+Section planners_section(const PeerResults& peers) {
+  Section section{
+      .title = "Planners: time against quality",
+      .paragraphs = {"Forward-only car, the same queries, maps and exact collision checks for all, one thread, "
+                     "processor time; arcway's map is prepared before, in some hundredths of a second. What is only "
+                     "in the peers' favour: after the first path they go on to improve it until the time is up."},
+      .figures = {},
+      .table = {kRecordHeader, {}, 1}};
+  for (const Record& r : records_of(peers, "")) section.table.rows.push_back(record_row(r));
+  return section;
+}
+
+Section planners_by_world_section(const PeerResults& peers) {
+  Section section{
+      .title = "Planners by world", .paragraphs = {}, .figures = {}, .table = {kRecordHeader, {}, 2}, .folded = true};
+  section.table.header.insert(section.table.header.begin(), "world");
+  section.table.header.emplace_back("why not solved");
+  for (const std::string& world : worlds_of(peers))
+    for (const Record& r : records_of(peers, world)) {
+      std::vector<std::string> row = record_row(r);
+      row.insert(row.begin(), world);
+      row.push_back(reasons_text(r));
+      section.table.rows.push_back(std::move(row));
+    }
+  return section;
+}
+
+}  // namespace arcway::report

@@ -1,0 +1,69 @@
+#include "bench/report/peer_sections.h"
+
+#include <gtest/gtest.h>
+
+#include "datasets/file_io.h"
+
+namespace arcway::report {
+namespace {
+
+PeerResults example() {
+  PeerResults peers{.name = "p.json", .context = {{"ompl", "1.5.2"}}, .duels = {}, .queries = {}};
+  peers.duels.push_back({"graph", "w1", 100.0, "wedge", "slow", {1.0, 2.0, 1.0}, {10.0, 20.0, 12.0}, ""});
+  peers.duels.push_back({"graph", "w2", 1000.0, "wedge", "slow", {1.0}, {100.0}, ""});
+  peers.duels.push_back({"graph", "w3", 10000.0, "wedge", "slow", {}, {}, "left out: too long"});
+  peers.duels.push_back({"sight", "w2", 1000.0, "embree", "quick", {4.0}, {1.0}, ""});
+  const PlannerAnswer fast{"arcway", "solved", 0.001, 10.0, true}, slow{"peer 1 s", "solved", 0.5, 15.0, true};
+  const PlannerAnswer no_fast{"arcway", "no path", 0.001, 0.0, false},
+      no_slow{"peer 1 s", "no path in 1 s", 1.0, 0.0, false};
+  peers.queries = {{"w", 0, 9.0, {fast, slow}}, {"w", 1, 9.0, {fast, no_slow}}, {"v", 0, 9.0, {no_fast, slow}}};
+  return peers;
+}
+
+TEST(PeerResults, AreReadAsTheyWereWritten) {
+  const std::string json = peer_results_json(example());
+  EXPECT_TRUE(is_peer_results(json));
+  EXPECT_FALSE(is_peer_results(R"({"context":{},"benchmarks":[]})"));
+  const PeerResults read = read_peer_results(json, "p.json");
+  EXPECT_EQ(peer_results_json(read), json);
+  ASSERT_EQ(read.duels.size(), 4u);
+  EXPECT_EQ(read.duels[0].peer_seconds, (std::vector<double>{10.0, 20.0, 12.0}));
+  ASSERT_EQ(read.queries.size(), 3u);
+  EXPECT_EQ(read.queries[1].answers[1].status, "no path in 1 s");
+}
+
+TEST(PeerResults, NameFileAndPlaceOfAnError) {
+  try {
+    (void)read_peer_results(R"({"format":"arcway-peers","context":{},"duels":[{"task":"t"}]})", "p.json");
+    FAIL();
+  } catch (const FormatError& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, 18), "p.json: duels[0]: ") << error.what();
+  }
+}
+
+TEST(Duels, KeepWhatAPeerWinsAndWhatIsLeftOut) {
+  const Table table = duels_section(example()).table;
+  ASSERT_EQ(table.rows.size(), 4u);
+  EXPECT_EQ(table.rows[0],
+            (std::vector<std::string>{"graph", "slow", "100", "1 s", "12 s", "10", "10 – 12", "arcway"}));
+  EXPECT_EQ(table.rows[2][3], "left out: too long");
+  EXPECT_EQ(table.rows[3].back(), "quick");
+  EXPECT_EQ(peer_findings(example()).front(),
+            "Visibility: a peer's time over arcway's, for equal answers on the largest map that both did: quick 0.25 "
+            "(sight); slow 100 (graph); a peer wins sight (quick).");
+}
+
+TEST(Planners, AreCountedByWhatOneOfTwoSolves) {
+  const Table table = planners_section(example()).table;
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[0][1], "2 of 3");
+  EXPECT_EQ(table.rows[1],
+            (std::vector<std::string>{"peer 1 s", "2 of 3", "2", "500 ms", "1.667 / 1.667 / 1.667",
+                                      "1.250 / 1.450 / 1.500", "1.500 / 1.500 / 1.500", "0 / 1", "1 / 1"}));
+  const Table by_world = planners_by_world_section(example()).table;
+  ASSERT_EQ(by_world.rows.size(), 4u);
+  EXPECT_EQ(by_world.rows[1].back(), "1 no path in 1 s");
+}
+
+}  // namespace
+}  // namespace arcway::report
