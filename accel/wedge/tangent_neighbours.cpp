@@ -1,6 +1,5 @@
 #include "accel/wedge/tangent_neighbours.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -30,13 +29,7 @@ std::vector<VertexId> TangentNeighbours::of(VertexId vertex) const {
   if (vertex >= data_->node_of.size())
     throw std::out_of_range("tangent neighbours: vertex " + std::to_string(vertex) + ", the world has " +
                             std::to_string(data_->node_of.size()));
-  if (data_->node_of[vertex] == kNone) return {};
-  WedgeWalk walk(data_->map);
-  walk.look_around(data_->node_of[vertex]);
-  std::vector<VertexId> row;
-  for (const auto& [u, v] : walk.take_edges()) row.push_back(v);
-  std::sort(row.begin(), row.end());
-  return row;
+  return tangent_neighbours(data_->map, data_->node_of[vertex]);
 }
 
 }  // namespace arcway

@@ -1,5 +1,6 @@
 #include "accel/wedge/wedge_walk.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/predicates.h"
@@ -220,6 +221,16 @@ int WedgeWalk::exact_side(std::uint32_t limit, std::uint32_t site) const {
       return site > source_->site ? -1 : 1;
   }
   return 0;
+}
+
+std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node) {
+  if (node == kNone) return {};
+  WedgeWalk walk(map);
+  walk.look_around(node);
+  std::vector<VertexId> row;
+  for (const auto& [u, v] : walk.take_edges()) row.push_back(v);
+  std::sort(row.begin(), row.end());
+  return row;
 }
 
 }  // namespace arcway

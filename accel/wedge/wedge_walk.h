@@ -76,4 +76,8 @@ class WedgeWalk {
   std::uint64_t candidates_ = 0;
 };
 
+/// The neighbours of a node in the reduced visibility graph, ascending; none for kNone. Needs a map that lists left
+/// edges.
+std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node);
+
 }  // namespace arcway

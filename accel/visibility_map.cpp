@@ -1,0 +1,249 @@
+#include "accel/visibility_map.h"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "accel/region_locator.h"
+#include "accel/wedge/sight_map.h"
+#include "accel/wedge/sight_trace.h"
+#include "accel/wedge/wedge_walk.h"
+#include "core/geometry/predicates.h"
+#include "core/graph/visibility_graph.h"
+#include "core/query/blocking.h"
+
+namespace arcway {
+
+namespace {
+
+using End = SightTrace::End;
+using Kind = SightTrace::End::Kind;
+
+// What is seen through an edge between two directions, both towards sites.
+struct View {
+  std::uint32_t right, left;  // ends of the edge
+  std::uint32_t door;         // kNone: a wall
+  std::uint32_t low, high;    // sites that limit the directions
+};
+
+// Whether a comes before b, counter-clockwise from +x about p.
+bool precedes(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const auto in_lower_half = [&](const Vec2& q) { return q.y() < p.y() || (q.y() == p.y() && q.x() < p.x()); };
+  if (in_lower_half(a) != in_lower_half(b)) return in_lower_half(b);
+  return orientation(p, a, b) > 0;
+}
+
+// Where the line from p through `through` meets a wall, rounded.
+Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& wall) {
+  if (through == wall.a || through == wall.b) return through;
+  if (orientation(wall.a, wall.b, p) == 0) return p;
+  const Vec2 ahead = through - p, along = wall.b - wall.a;
+  const double t = cross(wall.a - p, ahead) / cross(ahead, along);
+  return wall.a + std::clamp(t, 0.0, 1.0) * along;
+}
+
+}  // namespace
+
+struct VisibilityMap::Data {
+  Data(const World& of, const Executor& executor)
+      : world(of), map(listed(world, executor)), trace(map), locator(world), node_of(world.vertices().size(), kNone) {
+    for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
+  }
+
+  static SightMap listed(const World& world, const Executor& executor) {
+    SightMap map(world, executor);
+    map.list_left_edges();
+    return map;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> triangles_at(const Vec2& p) const {
+    std::vector<std::uint32_t> triangles;
+    trace.triangles_at(p, triangles);
+    return triangles;
+  }
+
+  // Segments of one point are lines of sight as well unless it lies inside a region.
+  [[nodiscard]] bool is_visible(const LineSegment& segment) const {
+    if (locator.containing(segment.a) != kNone) return false;
+    if (segment.a == segment.b) return true;
+    if (std::vector<std::uint32_t> triangles = triangles_at(segment.a); !triangles.empty())
+      return is_reached(segment.a, segment.b, triangles);
+    if (locator.containing(segment.b) != kNone) return false;
+    if (std::vector<std::uint32_t> triangles = triangles_at(segment.b); !triangles.empty())
+      return is_reached(segment.b, segment.a, triangles);
+    for (VertexId e = 0; e < world.edges().size(); ++e)
+      if (blocks(world, e, segment)) return false;
+    return true;
+  }
+
+  [[nodiscard]] bool is_reached(const Vec2& p, const Vec2& q, std::span<const std::uint32_t> triangles) const {
+    const Kind kind = trace.trace(p, q, triangles, false).kind;
+    return (kind == Kind::kReached || kind == Kind::kFrame) && (map.is_whole() || !map.is_blocked_by_broken({p, q}));
+  }
+
+  void require_near(const char* what, const Vec2& p) const {
+    if (!map.is_whole())
+      throw std::domain_error(std::string(what) + ": edges of " + std::to_string(map.broken_count()) +
+                              " regions of the world cross, or touch themselves within");
+    if (!world.has_bounds() && !world.box().empty() && !Box{map.sites().front(), map.sites().back()}.contains(p))
+      throw std::domain_error(std::string(what) + ": (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) +
+                              ") is further from the map than its size");
+  }
+
+  // Calls `visit` for each edge of the triangles at p that is seen from there, counter-clockwise from +x.
+  [[nodiscard]] std::vector<View> views_from(const Vec2& p, std::span<const std::uint32_t> triangles) const {
+    std::vector<View> views;
+    for (const std::uint32_t t : triangles)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t right = trace.corner(t, k), left = trace.corner(t, (k + 1) % 3);
+        if (orientation(map.sites()[right], map.sites()[left], p) > 0)
+          views.push_back({right, left, trace.door_out(t, k), right, left});
+      }
+    std::sort(views.begin(), views.end(),
+              [&](const View& a, const View& b) { return precedes(p, map.sites()[a.right], map.sites()[b.right]); });
+    return views;
+  }
+
+  // Follows a view to the walls: on_site for each site inside of it, on_wall for each view of a wall, from right to
+  // left.
+  template <class OnSite, class OnWall>
+  void look(const Vec2& p, const View& view, const OnSite& on_site, const OnWall& on_wall) const {
+    std::vector<View> stack{view};
+    while (!stack.empty()) {
+      const View v = stack.back();
+      stack.pop_back();
+      if (v.door == kNone) {
+        on_wall(v);
+        continue;
+      }
+      const SightMap::Door& triangle = map.doors()[v.door];
+      const int low = orientation(p, map.sites()[v.low], triangle.apex);
+      const int high = orientation(p, map.sites()[v.high], triangle.apex);
+      const bool inside = low > 0 && high < 0;
+      if (inside) on_site(triangle.site);
+      if (high < 0) stack.push_back({triangle.site, v.left, triangle.left, inside ? triangle.site : v.low, v.high});
+      if (low > 0) stack.push_back({v.right, triangle.site, triangle.right, v.low, inside ? triangle.site : v.high});
+    }
+  }
+
+  [[nodiscard]] LineSegment wall_of(std::uint32_t right, std::uint32_t left) const {
+    return {map.sites()[right], map.sites()[left]};
+  }
+
+  // Along edges that run straight away from p, to the first site with a node.
+  void append_along_edges(const Vec2& p, std::span<const std::uint32_t> triangles,
+                          std::vector<std::uint32_t>& sites) const {
+    std::vector<std::uint32_t> starts;
+    if (const std::uint32_t site = trace.site_at(p, triangles); site != kNone) {
+      for (const PlanarMap::Edge& edge : map.edges_from(site))
+        if (!map.is_covered(edge)) starts.push_back(edge.high);
+      for (const std::uint32_t e : map.edges_to(site))
+        if (!map.is_covered(map.edge(e))) starts.push_back(map.edge(e).low);
+    } else {
+      for (const std::uint32_t t : triangles)
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          const std::uint32_t a = trace.corner(t, k), b = trace.corner(t, (k + 1) % 3);
+          if (orientation(map.sites()[a], map.sites()[b], p) == 0) starts.insert(starts.end(), {a, b});
+        }
+    }
+    for (std::uint32_t site : starts) {
+      while (site != kNone && map.first_node_at(site) == kNone) site = trace.next_along_edge(p, site);
+      if (site != kNone) sites.push_back(site);
+    }
+  }
+
+  // The convex vertices that may be tangent and seen: all that are, and some others.
+  [[nodiscard]] std::vector<VertexId> candidates_from(const Vec2& p) const {
+    const std::vector<std::uint32_t> triangles = triangles_at(p);
+    if (triangles.empty()) return {world.convex_vertices().begin(), world.convex_vertices().end()};
+    std::vector<std::uint32_t> sites;
+    for (const View& view : views_from(p, triangles)) {
+      sites.insert(sites.end(), {view.right, view.left});
+      look(
+          p, view, [&](std::uint32_t site) { sites.push_back(site); }, [](const View&) {});
+    }
+    append_along_edges(p, triangles, sites);
+    std::sort(sites.begin(), sites.end());
+    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+    std::vector<VertexId> found;
+    const std::span<const SightMap::Node> nodes = map.nodes();
+    for (const std::uint32_t site : sites)
+      for (std::uint32_t n = map.first_node_at(site); n < nodes.size() && nodes[n].site == site; ++n)
+        found.push_back(nodes[n].vertex);
+    return found;
+  }
+
+  World world;
+  SightMap map;
+  SightTrace trace;
+  RegionLocator locator;
+  std::vector<std::uint32_t> node_of;  // by vertex
+};
+
+VisibilityMap::VisibilityMap(const World& world, const Executor& executor)
+    : data_(std::make_unique<const Data>(world, executor)) {}
+VisibilityMap::~VisibilityMap() = default;
+VisibilityMap::VisibilityMap(VisibilityMap&&) noexcept = default;
+VisibilityMap& VisibilityMap::operator=(VisibilityMap&&) noexcept = default;
+
+bool VisibilityMap::visible(const LineSegment& segment) const { return data_->is_visible(segment); }
+
+std::optional<VisibilityMap::RayHit> VisibilityMap::first_hit(const Vec2& from, const Vec2& towards) const {
+  const Data& d = *data_;
+  if (from == towards) throw std::invalid_argument("first hit: a ray needs two different points");
+  d.require_near("first hit", from);
+  if (d.world.vertices().empty()) return std::nullopt;
+  const std::vector<std::uint32_t> triangles = d.triangles_at(from);
+  const std::optional<End> found = triangles.empty() ? d.trace.trace_along_edges(from, towards, true)
+                                                     : d.trace.trace(from, towards, triangles, true);
+  if (!found) return RayHit{from, {from, from}};
+  const End& end = *found;
+  if (end.kind == Kind::kFrame) return std::nullopt;
+  const LineSegment wall = d.wall_of(end.right, end.left);
+  if (end.kind == Kind::kCorner) return RayHit{wall.a, wall};
+  return RayHit{meet(from, towards, wall), wall};
+}
+
+std::vector<VertexId> VisibilityMap::tangents_from(VertexId vertex) const {
+  if (vertex >= data_->node_of.size())
+    throw std::out_of_range("tangents: vertex " + std::to_string(vertex) + ", the world has " +
+                            std::to_string(data_->node_of.size()));
+  return tangent_neighbours(data_->map, data_->node_of[vertex]);
+}
+
+std::vector<VertexId> VisibilityMap::tangents_from(const Vec2& point) const {
+  const Data& d = *data_;
+  if (d.locator.containing(point) != kNone) return {};
+  std::vector<VertexId> found = d.candidates_from(point);
+  std::erase_if(found, [&](VertexId v) {
+    return !is_tangent(d.world, v, point) || !d.is_visible({d.world.vertex(v), point});
+  });
+  // Of those in one direction the nearest.
+  const std::vector<VertexId> seen = found;
+  std::erase_if(found, [&](VertexId v) {
+    return std::any_of(seen.begin(), seen.end(), [&](VertexId w) {
+      return on_open_segment(d.world.vertex(w), {point, d.world.vertex(v)});
+    });
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<VisibilityMap::SeenWall> VisibilityMap::visibility_polygon(const Vec2& point) const {
+  const Data& d = *data_;
+  d.require_near("visibility polygon", point);
+  std::vector<SeenWall> walls;
+  for (const View& view : d.views_from(point, d.triangles_at(point)))
+    d.look(
+        point, view, [](std::uint32_t) {},
+        [&](const View& seen) {
+          const LineSegment wall = d.wall_of(seen.right, seen.left);
+          const Vec2 &low = d.map.sites()[seen.low], &high = d.map.sites()[seen.high];
+          walls.push_back({wall, meet(point, low, wall), meet(point, high, wall), low, high,
+                           d.trace.is_frame(seen.right) && d.trace.is_frame(seen.left)});
+        });
+  return walls;
+}
+
+}  // namespace arcway

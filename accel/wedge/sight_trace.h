@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "accel/wedge/sight_map.h"
+#include "core/geometry/box_tree.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Follows straight lines from any point through the triangles of a sight map, exactly. Immutable and thread-safe.
+class SightTrace {
+ public:
+  /// @param map  lists left edges, and outlives this. O(n log n), about 200 bytes a vertex.
+  explicit SightTrace(const SightMap& map);
+
+  /// Where a line of sight ends.
+  struct End {
+    enum class Kind : std::uint8_t {
+      kReached,  ///< at the target
+      kWall,     ///< before it, at a wall
+      kCorner,   ///< before it, at a site behind which lies the inside of an obstacle
+      kFrame     ///< before it, beyond all obstacles
+    };
+    Kind kind;
+    std::uint32_t right, left;  ///< sites: the wall's ends as seen from the start, or the corner twice
+  };
+  /// From p towards q != p; beyond q if `endless`.
+  /// @param triangles  those at p, at least one.
+  [[nodiscard]] End trace(const Vec2& p, const Vec2& q, std::span<const std::uint32_t> triangles, bool endless) const;
+
+  /// The same from a point where no triangle is, if edges lead from there to q outside of all obstacles. O(n).
+  [[nodiscard]] std::optional<End> trace_along_edges(const Vec2& p, const Vec2& q, bool endless) const;
+
+  /// The triangles, by first door, that have p inside or on their boundary: none in the inside of obstacles, on a
+  /// common edge of two, and beyond the frame.
+  void triangles_at(const Vec2& p, std::vector<std::uint32_t>& triangles) const;
+  /// The site at p, or kNone.
+  [[nodiscard]] std::uint32_t site_at(const Vec2& p, std::span<const std::uint32_t> triangles) const;
+
+  /// Corners of a triangle, counter-clockwise.
+  [[nodiscard]] std::uint32_t corner(std::uint32_t triangle, std::uint32_t k) const {
+    return map_.doors()[triangle + (k + 1) % 3].site;
+  }
+  /// The door out of a triangle between its corner k and the next one; kNone: a wall, or the frame.
+  [[nodiscard]] std::uint32_t door_out(std::uint32_t triangle, std::uint32_t k) const {
+    return map_.doors()[triangle + (k + 1) % 3].left;
+  }
+  /// Whether a site is a corner of the frame.
+  [[nodiscard]] bool is_frame(std::uint32_t site) const { return site < 2 || site + 2 >= map_.sites().size(); }
+
+  /// The site at the far end of an edge that leaves a site straight away from p and lies inside no obstacle; or kNone.
+  [[nodiscard]] std::uint32_t next_along_edge(const Vec2& p, std::uint32_t site) const;
+
+ private:
+  class Line;
+  [[nodiscard]] End trace_from_site(const Line& line, std::uint32_t site) const;
+  /// @param right  left end of the edge that the door is in, which the line crosses.
+  [[nodiscard]] End trace_through(const Line& line, std::uint32_t door, std::uint32_t right, std::uint32_t left) const;
+  [[nodiscard]] End wall_between(std::uint32_t right, std::uint32_t left) const;
+  [[nodiscard]] std::uint32_t next_along_edge(const Line& line, std::uint32_t site) const;
+
+  const SightMap& map_;
+  BoxTree triangles_;
+  std::vector<std::uint32_t> first_at_;  // by site
+  std::vector<std::uint32_t> at_;        // first door of a triangle + which corner
+};
+
+}  // namespace arcway
