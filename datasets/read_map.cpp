@@ -219,7 +219,7 @@ MapFile read_map(const fs::path& path, const MapReadOptions& options) {
     case MapFormat::kPng:
       return read_bare_image(text, path, options.grid);
     case MapFormat::kSvg:
-      return read_svg_world(text, name);
+      return read_svg_world(text, name, options.vector);
     case MapFormat::kPrepared:
       return read_prepared(text, name);
   }

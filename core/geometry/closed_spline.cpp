@@ -9,6 +9,8 @@ namespace arcway {
 namespace {
 
 constexpr int kMaxHalvings = 40;
+constexpr std::size_t kMostVertices = 1'000'000;  // of a ring
+constexpr double kSmooth = 0x1p-20;               // sine of the turn at a joint that is no corner
 
 Vec2 middle(const Vec2& a, const Vec2& b) { return 0.5 * (a + b); }
 
@@ -54,12 +56,18 @@ class Circumscriber {
  public:
   explicit Circumscriber(double slack) : slack_(slack) {}
 
-  void add(const CubicBezier& piece, double tolerance, int halvings) {
+  /// Corners are ends of the piece that stay where they are.
+  void add(const CubicBezier& piece, double tolerance, bool corner_first, bool corner_last, int halvings = 0) {
     if (halvings < kMaxHalvings && !is_flat(piece, tolerance)) {
-      for (const CubicBezier& half : piece.halves()) add(half, tolerance, halvings + 1);
+      const auto halves = piece.halves();
+      add(halves[0], tolerance, corner_first, false, halvings + 1);
+      add(halves[1], tolerance, false, corner_last, halvings + 1);
       return;
     }
-    add_right_hull(piece);
+    add_right_hull(piece, corner_first, corner_last);
+    if (ring_.size() > kMostVertices)
+      throw std::invalid_argument("circumscribed ring: more than " + std::to_string(kMostVertices) +
+                                  " vertices within a tolerance of " + std::to_string(tolerance));
   }
   Ring finish() {
     if (ring_.size() > 1 && ring_.front() == ring_.back()) ring_.pop_back();
@@ -81,6 +89,7 @@ class Circumscriber {
  private:
   // Control points within the tolerance of the chord, less what the ring is moved by, and in order along it.
   [[nodiscard]] bool is_flat(const CubicBezier& piece, double tolerance) const {
+    if (piece.p[1] == piece.p[0] && piece.p[2] == piece.p[3]) return true;  // a line
     const Vec2 chord = piece.p[3] - piece.p[0];
     const double length = chord.norm();
     const double b = chord.dot(piece.p[1] - piece.p[0]), c = chord.dot(piece.p[2] - piece.p[0]);
@@ -91,7 +100,7 @@ class Circumscriber {
     return away <= length * std::min(tolerance - 2.0 * slack_, 0.25 * length);
   }
 
-  void add_right_hull(const CubicBezier& piece) {
+  void add_right_hull(const CubicBezier& piece, bool corner_first, bool corner_last) {
     std::array<Vec2, 4> hull;
     std::size_t size = 0;
     for (const Vec2& p : piece.p) {
@@ -100,9 +109,11 @@ class Circumscriber {
     }
     // To the right of the chord; the ends to the right of the curve, where both pieces agree on the direction.
     const Vec2 across = moved(piece.p[3] - piece.p[0]);
-    append(hull[0] + moved(piece.derivative(0.0), across));
+    const Vec2& first = piece.p[0];
+    const Vec2& last = piece.p[3];
+    append(corner_first ? first : first + moved(piece.derivative(0.0), moved(piece.p[2] - first, across)));
     for (std::size_t i = 1; i + 1 < size; ++i) append(hull[i] + across);
-    append(hull[size - 1] + moved(piece.derivative(1.0), across));
+    append(corner_last ? last : last + moved(piece.derivative(1.0), moved(last - piece.p[1], across)));
   }
   [[nodiscard]] Vec2 moved(const Vec2& along, const Vec2& otherwise = Vec2(0.0, 0.0)) const {
     const double norm = along.norm();
@@ -115,6 +126,17 @@ class Circumscriber {
   double slack_;
   Ring ring_;
 };
+
+// Whether one piece goes on in another direction than the one before ends.
+bool is_corner(const CubicBezier& before, const CubicBezier& after) {
+  const auto first_of = [](const Vec2& a, const Vec2& b, const Vec2& c) {
+    return !a.isZero(0.0) ? a : !b.isZero(0.0) ? b : c;
+  };
+  const auto &p = before.p, &q = after.p;
+  const Vec2 in = first_of(p[3] - p[2], p[3] - p[1], p[3] - p[0]);
+  const Vec2 out = first_of(q[1] - q[0], q[2] - q[0], q[3] - q[0]);
+  return !(in.dot(out) > 0.0 && std::abs(cross(in, out)) <= kSmooth * in.norm() * out.norm());
+}
 
 }  // namespace
 
@@ -200,7 +222,8 @@ Ring circumscribed_ring(std::span<const CubicBezier> pieces, std::span<const dou
     if (!(tolerances[i] >= 0x1p-40 * largest))
       throw std::invalid_argument("circumscribed ring: piece " + std::to_string(i) + ": tolerance is " +
                                   std::to_string(tolerances[i]) + ", too small for its coordinates");
-    circumscriber.add(pieces[i], tolerances[i], 0);
+    const CubicBezier &before = pieces[i == 0 ? pieces.size() - 1 : i - 1], &after = pieces[(i + 1) % pieces.size()];
+    circumscriber.add(pieces[i], tolerances[i], is_corner(before, pieces[i]), is_corner(pieces[i], after));
   }
   return circumscriber.finish();
 }

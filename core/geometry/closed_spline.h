@@ -58,11 +58,12 @@ class ClosedSpline {
 /// the ring or on it. Computed control points are off by less than 2^-48 of the largest coordinate (each of at most 40
 /// halvings rounds 3 averages); the ring is moved to the right by 2^-44 of it, which covers that twice.
 /// Vertices within half of that of the line between their neighbors are left out.
+/// Corners between two pieces stay where they are. A line from a to b is the cubic a, a, b, b.
 /// The number of vertices grows as 1/sqrt(tolerance). The ring is simple if the curve is and the tolerance is small
 /// beside its narrowest place; World refuses it otherwise.
 /// @param pieces      each begins where the last one ends, bit for bit; the last one ends where the first begins.
 /// @param tolerances  one a piece [m], each at least 2^-40 of the largest coordinate: for refinement where it matters.
-/// @throws std::invalid_argument naming the piece.
+/// @throws std::invalid_argument naming the piece, or if there are more than a million vertices.
 Ring circumscribed_ring(std::span<const CubicBezier> pieces, std::span<const double> tolerances);
 /// The same with one tolerance for all.
 Ring circumscribed_ring(std::span<const CubicBezier> pieces, double tolerance);

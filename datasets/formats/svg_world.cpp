@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <pugixml.hpp>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/geometry/ray_parity.h"
 #include "datasets/file_io.h"
+#include "datasets/formats/svg_path.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"
 #include "datasets/number_text.h"
@@ -29,36 +31,10 @@ struct Transform {
   }
 };
 
-/// Numbers and words of an attribute, between blanks and commas.
-class Attribute {
- public:
-  explicit Attribute(std::string_view text) : text_(text) {}
-  bool at_end() {
-    const std::size_t next = text_.find_first_not_of(" \t\r\n,");
-    text_.remove_prefix(std::min(next, text_.size()));
-    return text_.empty();
-  }
-  [[nodiscard]] char peek() const { return text_.front(); }
-  char letter() {
-    const char c = text_.front();
-    text_.remove_prefix(1);
-    return c;
-  }
-  std::optional<double> number() { return at_end() ? std::nullopt : take_number(text_); }
-  std::string_view until(char c) {
-    const std::size_t end = std::min(text_.find(c), text_.size());
-    const std::string_view part = text_.substr(0, end);
-    text_.remove_prefix(std::min(end + 1, text_.size()));
-    return part;
-  }
-
- private:
-  std::string_view text_;
-};
-
 class Reader {
  public:
-  Reader(std::string_view text, std::string_view name) : text_(text), map_(name, {}) {
+  Reader(std::string_view text, std::string_view name, const VectorOptions& options)
+      : text_(text), map_(name, {.curve_tolerance = options.curve_tolerance}) {
     for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
       line_ends_.push_back(static_cast<std::ptrdiff_t>(at));
   }
@@ -98,7 +74,7 @@ class Reader {
   void read_bounds(const pugi::xml_node& root) {
     const pugi::xml_attribute attribute = root.attribute("viewBox");
     if (!attribute) return;
-    Attribute numbers(attribute.value());
+    detail::SvgAttribute numbers(attribute.value());
     double v[4];
     for (double& value : v) {
       const std::optional<double> number = numbers.number();
@@ -130,11 +106,11 @@ class Reader {
     const pugi::xml_attribute attribute = node.attribute("transform");
     Transform result;
     if (!attribute) return result;
-    Attribute list(attribute.value());
+    detail::SvgAttribute list(attribute.value());
     while (!list.at_end()) {
       std::string_view function = list.until('(');
       while (!function.empty() && function.back() == ' ') function.remove_suffix(1);
-      Attribute values(list.until(')'));
+      detail::SvgAttribute values(list.until(')'));
       const std::optional<double> x = values.number(), y = values.number();
       const bool translate = function == "translate";
       if ((!translate && function != "scale") || !x || !values.at_end())
@@ -148,75 +124,44 @@ class Reader {
 
   void read_path(const pugi::xml_node& node, const Transform& transform) {
     const std::string place = place_of(node);
-    Attribute data(node.attribute("d").value());
-    std::vector<Ring> subpaths;
-    Vec2 at(0.0, 0.0), first(0.0, 0.0);
-    char command = 0;
-    bool closed = false;
-    while (!data.at_end()) {
-      const char c = data.peek();
-      if ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) command = data.letter();
-      const auto number = [&] {
-        const std::optional<double> value = data.number();
-        if (!value) map_.fail(place, "expected a number after path command " + detail::quoted({&command, 1}));
-        return *value;
-      };
-      const Vec2 from = command >= 'a' ? at : Vec2(0.0, 0.0);  // lower case is relative
-      switch (command) {
-        case 'M':
-        case 'm':
-          at.x() = from.x() + number();
-          at.y() = from.y() + number();
-          first = at;
-          subpaths.push_back({transform(at)});
-          closed = false;
-          command = command == 'M' ? 'L' : 'l';  // further pairs are lines
-          continue;
-        case 'L':
-        case 'l':
-          at.x() = from.x() + number();
-          at.y() = from.y() + number();
-          break;
-        case 'H':
-        case 'h':
-          at.x() = from.x() + number();
-          break;
-        case 'V':
-        case 'v':
-          at.y() = from.y() + number();
-          break;
-        case 'Z':
-        case 'z':
-          at = first;
-          command = 0;
-          closed = true;
-          continue;
-        case 0:
-          map_.fail(place, "expected a path command, found " + detail::quoted({&c, 1}));
-        default:
-          map_.fail(place, "path command " + detail::quoted({&command, 1}) +
-                               " is not supported, only M L H V Z and m l h v z are");
-      }
-      if (subpaths.empty()) map_.fail(place, "a path begins with M");
-      if (std::exchange(closed, false)) subpaths.push_back({transform(first)});
-      subpaths.back().push_back(transform(at));
+    std::vector<detail::SvgSubpath> subpaths;
+    try {
+      subpaths = detail::read_svg_path(node.attribute("d").value());
+    } catch (const std::invalid_argument& error) {
+      map_.fail(place, error.what());
     }
-    add_subpaths(std::move(subpaths), place);
-  }
-
-  void add_subpaths(std::vector<Ring> subpaths, const std::string& place) {
     if (subpaths.size() > kMostSubpaths)
       map_.fail(place,
                 std::to_string(subpaths.size()) + " subpaths; at most " + std::to_string(kMostSubpaths) + " are read");
-    std::vector<Ring> rings;
-    for (Ring& subpath : subpaths) {
+    const std::size_t drawn = subpaths.size();
+    std::erase_if(subpaths, [&](detail::SvgSubpath& subpath) {
+      for (CubicBezier& piece : subpath.pieces)
+        for (Vec2& p : piece.p) p = transform(p);
       close(subpath);
-      // A third point beside the first and any other.
-      const auto other = std::find_if(subpath.begin(), subpath.end(), [&](const Vec2& p) { return p != subpath[0]; });
-      if (std::any_of(other, subpath.end(), [&](const Vec2& p) { return p != subpath[0] && p != *other; }))
-        rings.push_back(map_.ring(std::move(subpath), /*closed=*/false, place));
-    }
-    if (rings.size() < subpaths.size()) map_.warn(place, "a subpath without area was passed over");
+      return !has_area(subpath);
+    });
+    if (subpaths.size() < drawn) map_.warn(place, "a subpath without area was passed over");
+    add_subpaths(subpaths, place);
+  }
+
+  // A third point beside the first and any other.
+  static bool has_area(const detail::SvgSubpath& subpath) {
+    std::vector<Vec2> points;
+    for (const CubicBezier& piece : subpath.pieces) points.insert(points.end(), piece.p.begin(), piece.p.end());
+    const auto other = std::find_if(points.begin(), points.end(), [&](const Vec2& p) { return p != points[0]; });
+    return std::any_of(other, points.end(), [&](const Vec2& p) { return p != points[0] && p != *other; });
+  }
+
+  Ring ring(const detail::SvgSubpath& subpath, int wanted, const std::string& place) {
+    if (subpath.curved) return map_.curved_ring(subpath.pieces, wanted, place);
+    Ring points;
+    for (const CubicBezier& piece : subpath.pieces) points.push_back(piece.p[0]);
+    return map_.ring(std::move(points), /*closed=*/false, place);
+  }
+
+  void add_subpaths(const std::vector<detail::SvgSubpath>& subpaths, const std::string& place) {
+    std::vector<Ring> rings;
+    for (const detail::SvgSubpath& subpath : subpaths) rings.push_back(ring(subpath, 1, place));
     std::vector<std::vector<bool>> inside(rings.size(), std::vector<bool>(rings.size(), false));
     std::vector<std::size_t> depth(rings.size(), 0);
     for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -230,23 +175,35 @@ class Reader {
       if (depth[i] % 2 != 0) continue;
       Polygon polygon{rings[i], {}};
       for (std::size_t k = 0; k < rings.size(); ++k)
-        if (inside[k][i] && depth[k] == depth[i] + 1) polygon.holes.push_back(rings[k]);
+        if (inside[k][i] && depth[k] == depth[i] + 1) polygon.holes.push_back(ring(subpaths[k], -1, place));
       map_.add_obstacle(std::move(polygon), place);
     }
   }
 
-  // Relative coordinates add up their rounding: the end is then beside the beginning, and the edge between them may
-  // cross others.
-  void close(Ring& subpath) {
+  // Leads the last piece to the beginning. Relative coordinates add up their rounding: the end is then beside the
+  // beginning, and a line between them may cross others.
+  void close(detail::SvgSubpath& subpath) {
+    std::vector<CubicBezier>& pieces = subpath.pieces;
+    std::erase_if(pieces, [](const CubicBezier& piece) {
+      return std::all_of(piece.p.begin(), piece.p.end(), [&](const Vec2& p) { return p == piece.p[0]; });
+    });
+    if (pieces.empty()) return;
+    const Vec2 first = pieces[0].p[0];
     Box box;
-    for (const Vec2& p : subpath) box.extend(p);
+    for (const CubicBezier& piece : pieces)
+      for (const Vec2& p : piece.p) box.extend(p);
     const double reach = kClosing * (box.max - box.min).maxCoeff();
-    bool moved = false;
-    while (subpath.size() > 1 && (subpath.back() - subpath.front()).cwiseAbs().maxCoeff() <= reach) {
-      moved = moved || subpath.back() != subpath.front();
-      subpath.pop_back();
-    }
-    closed_ += moved ? 1 : 0;
+    const auto is_first = [&](const Vec2& p) { return (p - first).cwiseAbs().maxCoeff() <= reach; };
+    // Lines that do not leave the place where the path began.
+    while (pieces.size() > 1 && std::all_of(pieces.back().p.begin(), pieces.back().p.end(), is_first))
+      pieces.pop_back();
+    const Vec2 last = pieces.back().p[3];
+    if (last == first) return;
+    if (!is_first(last)) return pieces.push_back({{last, last, first, first}});
+    CubicBezier& end = pieces.back();
+    if (end.p[2] == last) end.p[2] = first;
+    end.p[3] = first;
+    ++closed_;
   }
 
   // Of rings that do not cross.
@@ -270,6 +227,8 @@ class Reader {
 
 }  // namespace
 
-MapFile read_svg_world(std::string_view text, std::string_view name) { return Reader(text, name).read(); }
+MapFile read_svg_world(std::string_view text, std::string_view name, const VectorOptions& options) {
+  return Reader(text, name, options).read();
+}
 
 }  // namespace arcway

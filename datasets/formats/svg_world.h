@@ -2,18 +2,19 @@
 
 #include <string_view>
 
+#include "datasets/formats/vector_map.h"
 #include "datasets/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// Reads a world drawn as SVG, as bench-mr has them: each <path> is an obstacle of straight lines (commands M L H V Z
-/// and their lower-case forms), in groups moved by translate and scale. One user unit is one metre; y turns up, so that
-/// a point (x, y) of the drawing is at (x, -y). The view box is the bounds. A subpath inside another one is a hole, one
-/// inside a hole an obstacle again. Other shapes, path commands and transforms are errors that name them; metadata and
-/// definitions are passed over. An outline that ends within 1e-4 of its size from its beginning, as relative
-/// coordinates do that were rounded, is closed there.
+/// Reads a world drawn as SVG, as bench-mr has them: each <path> is an obstacle, in groups moved by translate and
+/// scale. Curves (C S Q T A) become rings that contain the obstacle within the tolerance of the options, of which the
+/// others do not matter. One user unit is one metre; y turns up, so that a point (x, y) of the drawing is at (x, -y).
+/// The view box is the bounds. A subpath inside another one is a hole, one inside a hole an obstacle again. Other
+/// shapes and transforms are errors that name them; metadata and definitions are passed over. An outline that ends
+/// within 1e-4 of its size from its beginning, as relative coordinates do that were rounded, is closed there.
 /// @param name  of the source, for messages.
-/// @throws FormatError, "w.svg: line 7, path "a": path command "C" is not supported, ...".
-MapFile read_svg_world(std::string_view text, std::string_view name);
+/// @throws FormatError, "w.svg: line 7, path "a": ...".
+MapFile read_svg_world(std::string_view text, std::string_view name, const VectorOptions& options = {});
 
 }  // namespace arcway

@@ -12,6 +12,7 @@ namespace arcway::detail {
 namespace {
 
 constexpr double kEarthRadius = 6371008.8;  // mean radius [m]
+constexpr std::size_t kMostCurveVertices = 1'000'000;
 
 // Calls `visit` with every position of the map.
 template <class Visit>
@@ -67,6 +68,11 @@ Ring VectorMapBuilder::curved_ring(std::vector<CubicBezier> pieces, int wanted, 
   if (options_.lonlat) fail(place, "curves need planar coordinates in metres, not longitude and latitude");
   try {
     Ring ring = circumscribed_ring(pieces, options_.curve_tolerance);
+    curve_vertices_ += ring.size();
+    if (curve_vertices_ > kMostCurveVertices)
+      fail(place, "the curves so far have " + std::to_string(curve_vertices_) + " vertices within the tolerance of " +
+                      shortest_text(options_.curve_tolerance) + " m; at most " + std::to_string(kMostCurveVertices) +
+                      " are taken");
     const int found = ring.size() < 3 ? 0 : winding(ring);
     if (found == 0) fail(place, "the curve encloses no area");
     if (found == wanted) return ring;

@@ -19,7 +19,8 @@ struct VectorOptions {
   bool lonlat = false;
   /// Above 0, line strings are walls of this width with square ends [m]; otherwise they are passed over with a warning.
   double wall_width = 0.0;
-  /// Smooth outlines become rings that contain the obstacle, nowhere farther from it than this [m], > 0.
+  /// Smooth outlines become rings that contain the obstacle, nowhere farther from it than this [m], > 0. At most a
+  /// million vertices of a map may come of that.
   double curve_tolerance = 0.01;
   /// Rings keep repeated positions, and may have fewer than three: for the doctor, as World refuses them.
   bool as_written = false;
@@ -70,6 +71,7 @@ class VectorMapBuilder {
   MapFile map_;
   enum class Frame { kUnknown, kPlanar, kDegrees } frame_ = Frame::kUnknown;
   std::vector<std::pair<std::vector<Vec2>, std::string>> lines_;
+  std::size_t curve_vertices_ = 0;
   std::size_t passed_over_ = 0;
   std::string passed_place_;
 };

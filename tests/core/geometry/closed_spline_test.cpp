@@ -147,6 +147,52 @@ TEST(CircumscribedRing, ContainsTheHullsOfSmallPieces) {
   }
 }
 
+CubicBezier line(const Vec2& a, const Vec2& b) { return {{a, a, b, b}}; }
+
+TEST(CircumscribedRing, KeepsLinesAndCorners) {
+  const Vec2 a(0, 0), b(8, 1), c(9, 7), d(4, 3), e(-1, 6);  // d is a reflex corner
+  const Ring corners{a, b, c, d, e};
+  EXPECT_EQ(circumscribed_ring(std::vector{line(a, b), line(b, c), line(c, d), line(d, e), line(e, a)}, 0.1), corners);
+  test::Random random(11);
+  int rings = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    // Sides that bend to either side, of a star with corners of both kinds.
+    const auto points = test::random_star(random, random.point(-40.0, 40.0), 5.0, 9.0, 7);
+    std::vector<CubicBezier> pieces;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2 &p = points[i], &q = points[(i + 1) % points.size()];
+      const Vec2 across = 0.15 * perpendicular(q - p);
+      pieces.push_back({{p, p + 0.3 * (q - p) + random.uniform(-1.0, 1.0) * across,
+                         p + 0.7 * (q - p) + random.uniform(-1.0, 1.0) * across, q}});
+      if (random.integer(0, 2) == 0) pieces.back() = line(p, q);
+    }
+    for (const double tolerance : {0.1, 0.001}) {
+      const Ring ring = circumscribed_ring(pieces, tolerance);
+      if (find_conflict({ring, {}})) continue;  // sides may cross
+      ++rings;
+      for (const Vec2& p : points) EXPECT_NE(std::find(ring.begin(), ring.end(), p), ring.end());
+      for (const CubicBezier& piece : pieces) {
+        for (double u = 1.0 / 64.0; u < 1.0; u += 1.0 / 64.0) {
+          const Vec2 p = piece.at(u);
+          ASSERT_LE(distance_to(p, ring), tolerance);
+          // Lines are the ring's own edges; a sample of one is off by rounding.
+          if (locate(p, ring) == PointLocation::kOutside) {
+            ASSERT_LE(distance_to(p, ring), 1e-13) << trial;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(rings, 300);
+}
+
+TEST(CircumscribedRing, OfALargeCurveHasALimit) {
+  const std::vector<CubicBezier> large{CubicBezier{{Vec2(0, 0), Vec2(1e10, 0), Vec2(1e10, 1e10), Vec2(0, 1e10)}},
+                                       line({0, 1e10}, {0, 0})};
+  EXPECT_THROW(circumscribed_ring(large, 0.0101), std::invalid_argument);
+  EXPECT_LT(circumscribed_ring(large, 1e4).size(), 10000u);
+}
+
 TEST(CircumscribedRing, OfAHoleLiesInsideTheHole) {
   // The obstacle lies to the left of a clockwise curve, which is outside of it.
   auto points = circle_points({0, 0}, 5.0, 12);

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/polygon.h"
+
 namespace arcway {
 namespace {
 
@@ -26,6 +31,55 @@ TEST(SvgWorld, ReadsAllCommandsWithYUp) {
     EXPECT_EQ(map.obstacles[0].outer, square) << d;
   }
   EXPECT_EQ(read(path("M0 0H1V1Z")).bounds, (Ring{{1, -22}, {31, -22}, {31, -2}, {1, -2}}));
+}
+
+// What the ring must be off the outline: outside of it, or on it but for rounding, and within the tolerance.
+void expect_round(const Ring& ring, const Vec2& center, double radius, double tolerance) {
+  ASSERT_EQ(winding(ring), 1);
+  ASSERT_FALSE(find_conflict({ring, {}}));
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    const double t = std::clamp((center - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    EXPECT_GE((a + t * (b - a) - center).norm(), radius * (1.0 - 1e-8));
+    EXPECT_LE((a - center).norm(), radius * (1.0 + 1e-8) + 2.0 * tolerance);
+  }
+}
+
+TEST(SvgWorld, CurvesBecomeRingsAroundThem) {
+  constexpr double kTolerance = 0.01;
+  const auto ring_of = [&](const std::string& d) {
+    const MapFile map = read_svg_world(path(d), "w.svg", {.curve_tolerance = kTolerance});
+    EXPECT_EQ(map.obstacles.size(), 1u) << d;
+    return map.obstacles[0].outer;
+  };
+  // A circle of radius 5 around (10, 10), by arcs either way round, of any share, with flags that stand together.
+  for (const char* d : {"M5 10 A5 5 0 0 1 15 10 A5 5 0 0 1 5 10Z", "M5 10a5 5 0 1 0 10 0a5 5 0 1 0-10 0z",
+                        "M15 10a5,5 30 01-10 0 5 5 0 0110 0z", "M5 10 A1 1 0 0 1 15 10 A1 1 0 0 1 5 10"}) {
+    SCOPED_TRACE(d);
+    expect_round(ring_of(d), {10, -10}, 4.999, 0.1);
+  }
+  expect_round(ring_of("M5 10 A5 5 0 0 1 15 10 A5 5 0 0 1 5 10Z"), {10, -10}, 5.0, kTolerance);
+  // The same curve by each command: absolute, relative, with the smooth ones, quadratic.
+  const Ring wave = ring_of("M0 0 C1 2 3 2 4 0 C5 -2 7 -2 8 0 V9 H0Z");
+  EXPECT_EQ(ring_of("m0 0 c1 2 3 2 4 0 s3-2 4 0 v9 h-8z"), wave);
+  EXPECT_EQ(ring_of("M0 0 C1 2 3 2 4 0 S7 -2 8 0 L8 9 0 9z"), wave);
+  EXPECT_NE(std::find(wave.begin(), wave.end(), Vec2(8, -9)), wave.end());
+  const Ring bump = ring_of("M0 0 Q2 3 4 0 Q6 -3 8 0 V9 H0Z");
+  EXPECT_EQ(ring_of("M0 0 Q2 3 4 0 T8 0 V9 H0Z"), bump);
+  EXPECT_EQ(ring_of("m0 0 q2 3 4 0 t4 0 v9 h-8z"), bump);
+  // Without one before, the smooth ones begin straight on.
+  EXPECT_EQ(ring_of("M0 0 S5 5 8 0 V9H0Z"), ring_of("M0 0 C0 0 5 5 8 0 V9H0Z"));
+  EXPECT_EQ(read_svg_world(path("M0 0 T8 0 V9H0Z"), "w").obstacles[0].outer.size(), 4u);
+  // An arc without a radius is a line.
+  EXPECT_EQ(ring_of("M0 0 A0 3 0 0 1 8 0 V9 H0 Z"), ring_of("M0 0 H8 V9 H0 Z"));
+}
+
+TEST(SvgWorld, CurvedHolesLieInsideTheirOutline) {
+  const MapFile map = read(path("M0 0H20V20H0Z M5 10a5 5 0 1 0 10 0a5 5 0 1 0-10 0z"));
+  ASSERT_EQ(map.obstacles.size(), 1u);
+  ASSERT_EQ(map.obstacles[0].holes.size(), 1u);
+  for (const Vec2& p : map.obstacles[0].holes[0]) EXPECT_LE((p - Vec2(10, -10)).norm(), 5.0 + 1e-8);
+  EXPECT_EQ(winding(map.obstacles[0].holes[0]), -1);
 }
 
 TEST(SvgWorld, AppliesNestedTransforms) {
@@ -59,8 +113,11 @@ TEST(SvgWorld, PassesOverWhatIsNotDrawn) {
 }
 
 TEST(SvgWorld, OthersAreRejectedByName) {
-  EXPECT_EQ(error_of(path("M0 0 C 1 1 2 2 3 3")),
-            "w.svg: line 2, path \"a\": path command \"C\" is not supported, only M L H V Z and m l h v z are");
+  EXPECT_EQ(error_of(path("M0 0 R 1 1 2 2 3 3")), "w.svg: line 2, path \"a\": path command \"R\" is not known");
+  EXPECT_NE(error_of(path("M0 0 A 1 1 0 2 0 3 3")).find("expected a flag, 0 or 1"), std::string::npos);
+  EXPECT_NE(error_of(path("M0 0 C 1 1 2 2 3")).find("expected a number after path command \"C\""), std::string::npos);
+  EXPECT_NE(error_of(path("M0 0 C 9e99 0 9e99 9e99 0 9e99z")).find("line 2, path \"a\": circumscribed ring: piece 0"),
+            std::string::npos);
   EXPECT_NE(error_of(svg("<circle r='3'/>")).find("line 2, circle: element <circle> is not supported"),
             std::string::npos);
   EXPECT_NE(error_of(svg("<g transform='rotate(3)'/>")).find("transform \"rotate(3)\" is not supported"),
