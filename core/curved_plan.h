@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,12 +14,20 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
+/// A ring that is a curve.
+struct CurvedRing {
+  static constexpr std::size_t kBounds = std::numeric_limits<std::size_t>::max();
+  std::size_t polygon;  ///< or kBounds
+  std::size_t ring;     ///< 0: the outer one; else a hole, from 1
+  /// A closed chain of cubics, the obstacle on its left: see circumscribed_ring.
+  std::vector<CubicBezier> pieces;
+};
+
 /// A world with curved obstacles, for planning on circumscribed rings.
 struct CurvedWorld {
   std::vector<Polygon> polygons;
-  /// Closed chains of cubics, the obstacle on their left: see circumscribed_ring.
-  std::vector<std::vector<CubicBezier>> curves;
   std::optional<Ring> bounds;
+  std::vector<CurvedRing> curves;  ///< take the place of these rings, whatever those are
 };
 
 struct CurveTolerances {
@@ -35,15 +45,21 @@ struct CurvedPlanRound {
 };
 
 struct CurvedPlan {
-  World world;        ///< of the last round
+  Planner planner;    ///< of the last round
   PlanResult result;  ///< valid among the curves too, as the rings contain them
   std::vector<CurvedPlanRound> rounds;
 };
 
 /// Plans among curves, refined where it matters: begins with coarse rings, then plans again with a finer tolerance for
 /// the pieces that lie within two body lengths of the path, until all of those have the last tolerance. Without a path
-/// every piece is refined. Each round is a whole Planner with the reference queries.
-/// @throws what World, Planner and circumscribed_ring throw; std::invalid_argument for tolerances out of range.
+/// every piece is refined.
+/// @param make_planner  called once a round.
+/// @param limits        of each round; an interrupted one is the last.
+/// @throws what World, Planner and circumscribed_ring throw; std::invalid_argument for tolerances out of range, or
+///   naming a curve whose ring is not there.
+CurvedPlan plan_among_curves(const CurvedWorld& world, const PlanRequest& request, const CurveTolerances& tolerances,
+                             const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits = {});
+/// The same with the reference queries.
 CurvedPlan plan_among_curves(const CurvedWorld& world, const Vehicle& vehicle, const PlanRequest& request,
                              const CurveTolerances& tolerances = {}, const PlannerOptions& options = {});
 

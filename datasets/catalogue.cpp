@@ -133,8 +133,8 @@ MapFile ponds_map(const Parts& parts) {
   const CurvedWorld world =
       generate_curved_world({.curves = parts.number('n', defaults.curves), .seed = parts.number('s', defaults.seed)});
   MapFile map;
-  for (const auto& curve : world.curves)
-    map.obstacles.push_back({circumscribed_ring(curve, 1e-3 * static_cast<double>(parts.number('t', 10))), {}});
+  for (const CurvedRing& curve : world.curves)
+    map.obstacles.push_back({circumscribed_ring(curve.pieces, 1e-3 * static_cast<double>(parts.number('t', 10))), {}});
   map.bounds = world.bounds;
   const Vec2& corner = (*world.bounds)[2];
   map.start = Pose{7.0, 7.0, 0.0};

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/curved_plan.h"
 #include "core/geometry/polygon.h"
 #include "core/path/path.h"
 #include "core/world.h"
@@ -17,6 +18,8 @@ struct MapFile {
   std::vector<Polygon> obstacles;
   std::optional<Ring> bounds;
   std::optional<Pose> start, goal;
+  /// Rings that stand for curves, which contain those within the tolerance that the file was read with.
+  std::vector<CurvedRing> curves;
   std::vector<std::string> warnings;  ///< what in the file may not mean what its author meant, one sentence each
   std::vector<std::string> notes;     ///< what was done to the file's content: "163,496 corners traced"
   /// Where each obstacle came from: "feature 3, polygon 1". One an obstacle, or empty if not read from a file.

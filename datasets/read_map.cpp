@@ -27,8 +27,7 @@ std::string read_expanded(const fs::path& path) {
   return is_gzip(bytes) ? expand_gzip(bytes, path.string()) : bytes;
 }
 
-// A file that another one names: by its path from there, or beside it, as it is or compressed. If there is none, the
-// path that an error should name.
+// A file that another one names: by its path from there, or beside it, as it is or compressed.
 fs::path find_beside(const fs::path& path, const std::string& named) {
   const fs::path folder = path.parent_path();
   for (const fs::path& candidate : {folder / named, folder / fs::path(named).filename()}) {
@@ -39,7 +38,8 @@ fs::path find_beside(const fs::path& path, const std::string& named) {
       if (fs::is_regular_file(file, error)) return file;
     }
   }
-  return folder / named;
+  throw FileError(path.string() + " needs another file: cannot read " + (folder / named).string() +
+                  ": No such file or directory");
 }
 
 GreyImage read_image(std::string_view bytes, const fs::path& path, const GridOptions& options) {

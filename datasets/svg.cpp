@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 #include "datasets/number_text.h"
 
@@ -11,21 +12,26 @@ namespace {
 
 constexpr double kBorder = 16.0;      // around the map [px]
 constexpr double kLineHeight = 22.0;  // of a caption [px]
+constexpr std::size_t kMostEdges = 50'000;
 constexpr double kMinOutline = 14.0;  // below this the body cannot be made out [px]
-constexpr const char* kObstacleStyle = R"(fill="#3d4757" stroke="#2b3340" stroke-width="0.8" stroke-linejoin="round")";
+constexpr double kTallest = 1.5;      // height of a map by its width
+constexpr const char* kOutlineColor = "#2b3340";
+constexpr const char* kFreeColor = "#fbfcfe";
+constexpr const char* kOutsideColor = "#aeb7c4";
 constexpr const char* kPathColor = "#e4572e";
 constexpr const char* kReverseColor = "#1f6fd1";
 constexpr const char* kStartColor = "#1b9e5a";
 constexpr const char* kGoalColor = "#7b3fc4";
 
-// To a tenth of a pixel: "12.3", "12".
-void append(std::string& out, double value) {
-  const double tenths = std::round(value * 10.0);
+// Rounded to 1 / parts: "12.3", "12".
+void append(std::string& out, double value, double parts = 10.0) {
+  const double rounded = std::round(value * parts);
   char buffer[32];
-  const char* end = std::to_chars(buffer, buffer + sizeof buffer, tenths == 0.0 ? 0.0 : tenths / 10.0).ptr;
+  const char* end = std::to_chars(buffer, buffer + sizeof buffer, rounded == 0.0 ? 0.0 : rounded / parts).ptr;
   out.append(static_cast<const char*>(buffer), end);
 }
 
+// In the picture [px].
 void append(std::string& out, const Vec2& p) {
   append(out, p.x());
   out += ' ';
@@ -76,10 +82,27 @@ SvgPicture::SvgPicture(const World& world, const Box& view, double width) : view
   // A view without extent would have no scale.
   const Vec2 extent = (view.max - view.min).cwiseMax(1e-9 * std::max(1.0, (view.max - view.min).maxCoeff()));
   scale_ = width / extent.x();
-  if (extent.y() * scale_ > 4.0 * width) scale_ = 4.0 * width / extent.y();
+  if (extent.y() * scale_ > kTallest * width) scale_ = kTallest * width / extent.y();
   width_ = extent.x() * scale_ + 2.0 * kBorder;
   height_ = extent.y() * scale_ + 2.0 * kBorder;
+  // Readers compute in floats: far from the origin the map's own coordinates would be too coarse for them.
+  const double far = 1024.0 * extent.maxCoeff();
+  if (view.min.cwiseAbs().maxCoeff() > far) origin_ = view.min.array().round();
+  parts_ = std::pow(10.0, std::clamp(std::ceil(std::log10(10.0 * scale_)), 0.0, 12.0));
   add_map(world);
+}
+
+void SvgPicture::append_point(std::string& out, const Vec2& p) const {
+  append(out, p.x() - origin_.x(), parts_);
+  out += ' ';
+  append(out, p.y() - origin_.y(), parts_);
+}
+
+std::string SvgPicture::stroke(std::string_view color, double pixels) const {
+  char buffer[32];
+  const char* end = std::to_chars(buffer, buffer + sizeof buffer, pixels / scale_, std::chars_format::general, 4).ptr;
+  return "stroke=\"" + std::string(color) + "\" stroke-width=\"" + std::string(static_cast<const char*>(buffer), end) +
+         '"';
 }
 
 Vec2 SvgPicture::to_picture(const Vec2& p) const {
@@ -98,7 +121,7 @@ void SvgPicture::add_map(const World& world) {
       const VertexId end = r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(o).last;
       for (VertexId v = starts[r]; v < end; ++v) {
         out += v == starts[r] ? 'M' : 'L';
-        append(out, to_picture(vertices[v]));
+        append_point(out, vertices[v]);
       }
       out += 'Z';
     }
@@ -106,23 +129,25 @@ void SvgPicture::add_map(const World& world) {
   }
 }
 
-void SvgPicture::add_edges(std::span<const LineSegment> edges, const EdgeStyle& style, std::string_view id) {
-  graph_ += open_layer(escaped(id), "fill=\"none\" stroke=\"" + escaped(style.color) + "\" stroke-width=\"" +
-                                        shortest_text(style.width) + "\" stroke-opacity=\"" +
-                                        shortest_text(style.opacity) + "\"") +
+std::size_t SvgPicture::add_edges(std::span<const LineSegment> edges, const EdgeStyle& style, std::string_view id) {
+  graph_ += open_layer(escaped(id), "fill=\"none\" " + stroke(escaped(style.color), style.width) +
+                                        " stroke-opacity=\"" + shortest_text(style.opacity) + "\"") +
             "<path d=\"";
-  for (const LineSegment& edge : edges) {
+  const std::size_t stride = std::max<std::size_t>(1, (edges.size() + kMostEdges - 1) / kMostEdges);
+  for (std::size_t i = 0; i < edges.size(); i += stride) {
+    const LineSegment& edge = edges[i];
     graph_ += 'M';
-    append(graph_, to_picture(edge.a));
+    append_point(graph_, edge.a);
     graph_ += 'L';
-    append(graph_, to_picture(edge.b));
+    append_point(graph_, edge.b);
   }
   graph_ += "\"/>\n</g>\n";
+  return stride;
 }
 
 void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies) {
   std::string line = "M";
-  append(line, to_picture(run.front().start.position()));
+  append_point(line, run.front().start.position());
   for (const PathSegment& segment : run) {
     // By chords: the arc of an SVG path is ambiguous at half a turn and jumps when its ends are rounded.
     const double turn = std::abs(segment.length * segment.curvature);
@@ -131,14 +156,15 @@ void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies) {
     const double steps = std::clamp(std::ceil(turn * std::sqrt(pixels / 0.4)), 1.0, 1000.0);
     for (double i = 1.0; i <= steps; ++i) {
       line += 'L';
-      append(line, to_picture(segment.at(segment.length * (i / steps)).position()));
+      append_point(line, segment.at(segment.length * (i / steps)).position());
     }
   }
   // Bodies that can be seen lie above a thin line; a light edge sets off the line where they cannot.
-  if (!bodies) path_ += "<path d=\"" + line + "\" stroke=\"#ffffff\" stroke-width=\"5\" stroke-opacity=\"0.85\"/>\n";
+  if (!bodies) path_ += "<path d=\"" + line + "\" " + stroke("#ffffff", 5.0) + " stroke-opacity=\"0.85\"/>\n";
   const bool forward = run.front().gear == Gear::kForward;
-  path_ += "<path d=\"" + line + "\" stroke=\"" + (forward ? kPathColor : kReverseColor) + "\" stroke-width=\"" +
-           (bodies ? "1.8" : "2.6") + (forward ? "\"" : "\" stroke-dasharray=\"7 4\"") + "/>\n";
+  path_ += "<path d=\"" + line + "\" " + stroke(forward ? kPathColor : kReverseColor, bodies ? 1.8 : 2.6);
+  if (!forward) path_ += " stroke-dasharray=\"" + shortest_text(7.0 / scale_) + ' ' + shortest_text(4.0 / scale_) + '"';
+  path_ += "/>\n";
 }
 
 void SvgPicture::add_line(std::span<const PathSegment> path, const Footprint& body) {
@@ -173,13 +199,13 @@ void SvgPicture::add_outline(std::string& out, const Pose& pose, const Footprint
   const Vec2 u = direction_of(pose.heading), n = perpendicular(u);
   const Vec2 f = pose.position();
   out += 'M';
-  append(out, to_picture(f - body.rear * u - body.half_width * n));
+  append_point(out, f - body.rear * u - body.half_width * n);
   out += 'L';
-  append(out, to_picture(f + (body.front + ahead) * u - body.half_width * n));
+  append_point(out, f + (body.front + ahead) * u - body.half_width * n);
   out += 'L';
-  append(out, to_picture(f + (body.front + ahead) * u + body.half_width * n));
+  append_point(out, f + (body.front + ahead) * u + body.half_width * n);
   out += 'L';
-  append(out, to_picture(f - body.rear * u + body.half_width * n));
+  append_point(out, f - body.rear * u + body.half_width * n);
   out += 'Z';
 }
 
@@ -233,6 +259,27 @@ void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string
   markers_ += "</text>\n";
 }
 
+std::span<const std::string_view> SvgPicture::layers() {
+  static constexpr std::string_view kLayers[] = {"bounds", "obstacles", "graph", "swept", "path", "robot", "markers"};
+  return kLayers;
+}
+
+void SvgPicture::show(std::span<const std::string> layers) {
+  for (const std::string& layer : layers)
+    if (std::ranges::find(SvgPicture::layers(), layer) == SvgPicture::layers().end())
+      throw std::invalid_argument("there is no layer \"" + layer + "\" in a picture");
+  const auto hide = [&](std::string_view layer, std::string& content) {
+    if (std::ranges::find(layers, layer) == layers.end()) content.clear();
+  };
+  hide("bounds", bounds_);
+  hide("obstacles", obstacles_);
+  hide("graph", graph_);
+  hide("swept", swept_);
+  hide("path", path_);
+  hide("robot", robot_);
+  hide("markers", markers_);
+}
+
 void SvgPicture::add_caption(std::string_view text) { captions_.push_back(escaped(text)); }
 
 void SvgPicture::set_title(std::string_view title, std::string_view description) {
@@ -260,16 +307,24 @@ std::string SvgPicture::str() const {
   append(border, 0.5 * kBorder);
   const std::string area = "x=\"" + border + "\" y=\"" + border + "\" width=\"" + map_w + "\" height=\"" + map_h + '"';
   out += "<clipPath id=\"view\"><rect " + area + "/></clipPath>\n<g clip-path=\"url(#view)\">\n";
-  out += "<rect " + area + " fill=\"#eef1f5\"/>\n";
+  // Beyond the bounds nothing is free.
+  out += "<rect " + area + " fill=\"" + (bounds_.empty() ? kFreeColor : kOutsideColor) + "\"/>\n";
+  // Metres, y up.
+  const Vec2 corner = to_picture(origin_);
+  const std::string scale = shortest_text(scale_);
+  out += "<g id=\"map\" transform=\"matrix(" + scale + " 0 0 -" + scale + ' ' + shortest_text(corner.x()) + ' ' +
+         shortest_text(corner.y()) + ")\">\n";
   const auto add_layer = [&](const char* id, const std::string& attributes, const std::string& content) {
     if (!content.empty()) out += open_layer(id, attributes) + content + "</g>\n";
   };
-  add_layer("bounds", R"(fill="#fbfcfe" stroke="#2b3340" stroke-width="2" stroke-linejoin="round")", bounds_);
-  add_layer("obstacles", std::string("fill-rule=\"evenodd\" ") + kObstacleStyle, obstacles_);
+  const std::string fill = "fill=\"", joined = " stroke-linejoin=\"round\"";
+  add_layer("bounds", fill + kFreeColor + "\" " + stroke(kOutlineColor, 2.0) + joined, bounds_);
+  add_layer("obstacles", "fill-rule=\"evenodd\" fill=\"#3d4757\" " + stroke(kOutlineColor, 0.8) + joined, obstacles_);
   out += graph_;
   add_layer("swept", R"(fill="#f6d9a8" fill-opacity="0.6" stroke="none")", swept_);
   add_layer("path", R"(fill="none" stroke-linejoin="round" stroke-linecap="round")", path_);
-  add_layer("robot", R"(fill="#f6b26b" fill-opacity="0.45" stroke="#a8441c" stroke-width="0.8")", robot_);
+  add_layer("robot", "fill=\"#f6b26b\" fill-opacity=\"0.45\" " + stroke("#a8441c", 0.8), robot_);
+  out += "</g>\n";
   add_layer("markers", R"(font-weight="bold")", markers_);
   out += "</g>\n";
   if (!captions_.empty()) {

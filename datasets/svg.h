@@ -21,8 +21,9 @@ struct EdgeStyle {
 };
 
 /// A picture of a world, with layers added on top: groups with the ids bounds, obstacles, graph, swept, path, robot,
-/// markers and caption, which Inkscape shows as layers. y is up in the world and down in the picture; coordinates are
-/// rounded to a tenth of a pixel. The world need not outlive the picture.
+/// markers and caption, which Inkscape shows as layers. All but the markers and the caption lie in the group "map", in
+/// the world's metres with y up, rounded to a tenth of a pixel or finer; on maps far from the origin the metres are
+/// from the view's corner. The world need not outlive the picture.
 class SvgPicture {
  public:
   /// @param width  of the map in the picture [px]; the height follows.
@@ -30,8 +31,9 @@ class SvgPicture {
   /// @param view  part of the map to show, enlarged by a border.
   SvgPicture(const World& world, const Box& view, double width = 1200.0);
 
-  /// All edges in one path element, as group `id`.
-  void add_edges(std::span<const LineSegment> edges, const EdgeStyle& style = {}, std::string_view id = "graph");
+  /// Edges in one path element, as group `id`; of more than 50,000 an even sample, as readers choke on them.
+  /// @return one in how many is drawn.
+  std::size_t add_edges(std::span<const LineSegment> edges, const EdgeStyle& style = {}, std::string_view id = "graph");
   /// The path, where it is driven backwards in blue and dashed, the body's outlines along it and the poses at its ends.
   /// @param spacing  between outlines [m]; 0: chosen by the body's length and the picture's scale.
   void add_path(std::span<const PathSegment> path, const Footprint& body, double spacing = 0.0);
@@ -41,6 +43,11 @@ class SvgPicture {
   void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
   /// Start and goal when there is no path.
   void add_poses(const Pose& start, const Pose& goal, const Footprint& body);
+  /// All layers but the caption.
+  static std::span<const std::string_view> layers();
+  /// Empties all layers but these.
+  /// @throws std::invalid_argument naming one that there is not.
+  void show(std::span<const std::string> layers);
   /// A line of text below the map.
   void add_caption(std::string_view text);
   /// Title and description for readers that do not see the picture.
@@ -56,11 +63,17 @@ class SvgPicture {
   /// The body at a pose, lengthened to the front.
   void add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const;
   void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);
+  /// Attributes of a line within the group "map".
+  [[nodiscard]] std::string stroke(std::string_view color, double pixels) const;
   [[nodiscard]] Vec2 to_picture(const Vec2& p) const;
+  /// Within the group "map".
+  void append_point(std::string& out, const Vec2& p) const;
 
   Box view_;
   double scale_ = 1.0;
   double width_ = 0.0, height_ = 0.0;
+  Vec2 origin_{0.0, 0.0};  // of the metres in the picture
+  double parts_ = 10.0;    // of a metre that they are rounded to
   std::string bounds_, obstacles_, graph_, swept_, path_, robot_, markers_;
   std::vector<std::string> captions_;
   std::string title_, description_;

@@ -132,8 +132,9 @@ MapReadOptions MapOptions::read_options() const {
   return options;
 }
 
-MapFile read_named_map(const std::string& name, const MapOptions& options) {
-  const MapReadOptions read_options = options.read_options();
+MapFile read_named_map(const std::string& name, const MapOptions& options, bool as_written) {
+  MapReadOptions read_options = options.read_options();
+  read_options.vector.as_written = as_written;
   const bool generated = is_catalogue_name(name) && !std::filesystem::is_regular_file(name);
   return generated ? catalogue_map(name) : read_map(name, read_options);
 }
@@ -141,10 +142,14 @@ MapFile read_named_map(const std::string& name, const MapOptions& options) {
 LoadedMap load_map(const std::string& name, const MapOptions& options) {
   if (is_prepared_map_file(name)) {
     PreparedMap map = read_prepared_map_file(name);
-    return {map.world, map.start, map.goal, {}, {}, std::move(map)};
+    return {map.world, map.start, map.goal, {}, {}, {}, std::move(map)};
   }
   MapFile map = read_named_map(name, options);
-  return {to_world(map, name), map.start, map.goal, std::move(map.warnings), std::move(map.notes), std::nullopt};
+  World world = to_world(map, name);
+  CurvedWorld curved;
+  if (!map.curves.empty()) curved = {std::move(map.obstacles), std::move(map.bounds), std::move(map.curves)};
+  return {std::move(world),     map.start,   map.goal, std::move(curved), std::move(map.warnings),
+          std::move(map.notes), std::nullopt};
 }
 
 Vehicle load_vehicle(const std::string& file) {

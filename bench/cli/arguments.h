@@ -92,6 +92,7 @@ inline constexpr const char* kMapHelp =
 struct LoadedMap {
   World world;
   std::optional<Pose> start, goal;
+  CurvedWorld curved;  ///< the same, for planning among its curves; empty if it has none
   std::vector<std::string> warnings, notes;
   std::optional<PreparedMap> prepared;  ///< of a prepared map; its world is the one above
 };
@@ -108,7 +109,8 @@ struct MapOptions {
   [[nodiscard]] MapReadOptions read_options() const;
 };
 /// @param name  of a file in one of the formats of read_map, or of a world of the catalogue if there is no such file.
-MapFile read_named_map(const std::string& name, const MapOptions& options);
+/// @param as_written  see VectorOptions.
+MapFile read_named_map(const std::string& name, const MapOptions& options, bool as_written = false);
 /// The same, checked.
 LoadedMap load_map(const std::string& name, const MapOptions& options);
 /// From a robot file; the paper's robot if the name is empty.

@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,7 +6,6 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
-#include "datasets/catalogue.h"
 #include "datasets/doctor/doctor.h"
 #include "datasets/doctor/repair.h"
 #include "datasets/formats/geojson.h"
@@ -69,10 +67,7 @@ std::string report_json(const DoctorArguments& arguments, const DoctorReport& re
 int run_doctor(const DoctorArguments& arguments, std::string& out) {
   if (!arguments.repair.empty() && !can_repair())
     throw UsageError("--repair: needs GEOS, and this tool was built without it; leave it out for the report");
-  MapReadOptions options = arguments.reading.read_options();
-  options.vector.as_written = true;
-  const bool generated = is_catalogue_name(arguments.map) && !std::filesystem::is_regular_file(arguments.map);
-  const MapFile map = generated ? catalogue_map(arguments.map) : read_map(arguments.map, options);
+  const MapFile map = read_named_map(arguments.map, arguments.reading, /*as_written=*/true);
   const DoctorReport report = examine(map);
 
   OutputFiles files;

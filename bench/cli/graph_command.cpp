@@ -21,8 +21,6 @@ struct GraphArguments {
   BuildOptions build;
 };
 
-/// Browsers slow down near 1e5 lines.
-constexpr std::size_t kMaxDrawnEdges = 50'000;
 
 struct BuiltGraph {
   std::string edges_csv;
@@ -107,11 +105,8 @@ std::string counts_json(const GraphArguments& arguments, const World& world, con
 }
 
 std::string picture(const World& world, const BuiltGraph& built, const std::string& title) {
-  std::vector<LineSegment> drawn;
-  const std::size_t stride = (built.lines.size() + kMaxDrawnEdges - 1) / kMaxDrawnEdges;
-  for (std::size_t i = 0; i < built.lines.size(); i += stride) drawn.push_back(built.lines[i]);
   SvgPicture svg(world);
-  svg.add_edges(drawn);
+  const std::size_t stride = svg.add_edges(built.lines);
   std::string caption = title + ": " + count_text(built.edge_count) + " edges";
   if (stride > 1) caption += ", one in " + std::to_string(stride) + " drawn";
   svg.add_caption(caption);

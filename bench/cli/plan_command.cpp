@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/progress_bar.h"
 #include "core/alternatives.h"
+#include "core/curved_plan.h"
 #include "core/path/validation.h"
 #include "core/plan_batch.h"
 #include "core/planner.h"
@@ -37,6 +39,8 @@ struct PlanArguments {
   std::string cusp_cost;
   std::uint32_t refine_trials = RefineOptions{}.max_trials;
   std::string svg, json, csv, ros_path;
+  std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "markers"};
+  std::string svg_view = "map";
   BuildOptions build;
 };
 
@@ -140,16 +144,33 @@ std::string validity_row(const ValidationReport& report) {
   return row("valid", "NO: " + report.issues.front().message);
 }
 
+std::vector<LineSegment> edges_of(const Planner& planner) {
+  const auto vertices = planner.world().vertices();
+  std::vector<LineSegment> edges;
+  for (VertexId u = 0; u < planner.visibility_graph().vertex_count(); ++u)
+    for (const VertexId v : planner.visibility_graph().row(u)) edges.push_back({vertices[u], vertices[v]});
+  return edges;
+}
+
 // The first plan, and the lines of the others.
-std::string picture(const Planner& planner, const std::vector<CheckedPlan>& plans) {
+std::string picture(const PlanArguments& arguments, const Planner& planner, const std::vector<CheckedPlan>& plans) {
   const PlanResult& result = plans.front().result;
   const Footprint body = planner.vehicle().footprint();
-  Box view = planner.world().box();
+  Box view;
   view.extend(result.start.position());
   view.extend(result.goal.position());
   for (const CheckedPlan& plan : plans)
     for (const TimedSegment& s : plan.result.segments) view.extend(s.segment.start.position());
+  if (arguments.svg_view == "map" && !planner.world().box().empty()) {
+    view.extend(planner.world().box().min);
+    view.extend(planner.world().box().max);
+  } else {
+    const double reach = body.front + body.rear + 0.05 * (view.max - view.min).maxCoeff();
+    view.extend(Vec2(view.min.array() - reach));
+    view.extend(Vec2(view.max.array() + reach));
+  }
   SvgPicture svg(planner.world(), view);
+  if (std::ranges::find(arguments.svg_layers, "graph") != arguments.svg_layers.end()) svg.add_edges(edges_of(planner));
   if (result.solved()) {
     for (std::size_t i = plans.size(); i-- > 1;) svg.add_line(plans[i].result.path(), body);
     svg.add_swept_area(result.path(), body);
@@ -164,6 +185,7 @@ std::string picture(const Planner& planner, const std::vector<CheckedPlan>& plan
     svg.add_caption(std::string(name_of(result.status)) + ": " + result.reason);
     svg.set_title("No path");
   }
+  svg.show(arguments.svg_layers);
   return svg.str();
 }
 
@@ -214,13 +236,12 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
 }
 
 int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-             const TourRequest& request, const PlanLimits& limits, std::string& out) {
-  const std::vector<CheckedPlan> plans = plans_of(arguments, planner, request, limits);
+             const TourRequest& request, const std::vector<CheckedPlan>& plans, std::string& out) {
   const CheckedPlan& plan = plans.front();
   const PlanResult& result = plan.result;
 
   OutputFiles files;
-  if (!arguments.svg.empty()) files.add(arguments.svg, picture(planner, plans));
+  if (!arguments.svg.empty()) files.add(arguments.svg, picture(arguments, planner, plans));
   std::string json;
   for (std::size_t i = 0; i < plans.size() && !arguments.json.empty(); ++i)
     json += plan_json(arguments, planner, build_seconds, plans[i].result, i);
@@ -247,12 +268,39 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
            result_rows(plans[i].result) + validity_row(*plans[i].report);
     good = good && plans[i].good();
   }
-  out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
+  out += "\n" + world_rows(planner.world()) + prepare_rows(planner, build_seconds) +
          row("built by", arguments.build.summary(planner.world())) + search_rows(result.statistics);
   out += warning_rows(map);
   files.write();
   out += files.summary();
   return good ? kExitSolved : kExitNoPath;
+}
+
+/// Plans on rings that are refined near the path, down to the tolerance that the map was read with.
+int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
+                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, std::string& out) {
+  CurveTolerances tolerances;
+  tolerances.last = arguments.reading.read_options().vector.curve_tolerance;
+  tolerances.first = std::max(tolerances.first, tolerances.last);
+  double build_seconds = 0.0;
+  const auto timed = [&](const World& rings) {
+    const Stopwatch watch;
+    Planner planner = make_planner(rings);
+    build_seconds = watch.seconds();
+    return planner;
+  };
+  const Place& goal = request.goals.front();
+  const PlanRequest plain{.start = request.start,
+                          .goal = {goal.position.x(), goal.position.y(), *goal.heading},
+                          .reverse = request.reverse,
+                          .cusp_cost = request.cusp_cost};
+  CurvedPlan plan = plan_among_curves(map.curved, plain, tolerances, timed, limits);
+  map.notes.push_back(count_text(map.curved.curves.size()) + " curves, as rings within " +
+                      shortest_text(tolerances.first) + " m, near the path within " +
+                      shortest_text(plan.rounds.back().tolerance) + " m; planned " + count_text(plan.rounds.size()) +
+                      (plan.rounds.size() == 1 ? " time" : " times"));
+  const std::vector<CheckedPlan> plans{checked(plan.planner, std::move(plan.result), request.reverse)};
+  return plan_one(arguments, map, plan.planner, build_seconds, request, plans, out);
 }
 
 std::string batch_line(std::uint64_t q, const CheckedPlan& plan) {
@@ -374,6 +422,12 @@ int run_plan(PlanArguments arguments, std::string& out) {
   arguments.build.check();
   PlannerOptions options;
   options.heuristic = heuristic_of(arguments.heuristic);
+  if (arguments.svg_view != "map" && arguments.svg_view != "path")
+    throw UsageError("--svg-view: expected map or path, got \"" + arguments.svg_view + "\"");
+  for (const std::string& layer : arguments.svg_layers)
+    if (std::ranges::find(SvgPicture::layers(), layer) == SvgPicture::layers().end())
+      throw UsageError("--svg-layers: expected bounds, obstacles, graph, swept, path, robot or markers, got \"" +
+                       layer + "\"");
   options.graph_mode = graph_mode_of(arguments.graph, batch);
   options.reduced_graph = arguments.build.reduced_graph();
   options.refinement.max_trials = arguments.refine_trials;
@@ -403,12 +457,20 @@ int run_plan(PlanArguments arguments, std::string& out) {
     if (request.goals.empty()) throw UsageError("--goal X,Y,HEADING is missing, and " + arguments.map + " has no goal");
   }
 
+  const auto executor = arguments.build.executor();
+  const auto plan_on = [&](const World& world) {
+    return Planner(world, vehicle, arguments.build.queries(world), options, *executor);
+  };
+  if (!batch) request.start = *start;
+  // Tours and alternatives keep to the rings of the map.
+  const bool plain = !batch && arguments.alternatives == 1 && request.via.empty() && request.goals.size() == 1 &&
+                     request.goals[0].heading;
+  if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, out);
   const Stopwatch watch;
   const Planner planner = make_planner(arguments, map, vehicle, options);
   const double build_seconds = watch.seconds();
   if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, out);
-  request.start = *start;
-  return plan_one(arguments, map, planner, build_seconds, request, limits, out);
+  return plan_one(arguments, map, planner, build_seconds, request, plans_of(arguments, planner, request, limits), out);
 }
 
 }  // namespace
@@ -455,6 +517,16 @@ void add_plan_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   arguments->build.add_to(command);
   command.add_option("--svg", arguments->svg, "Write a picture")->type_name("F.svg");
+  command
+      .add_option("--svg-layers", arguments->svg_layers,
+                  "What it shows: bounds,obstacles,graph,swept,path,robot,markers")
+      ->type_name("LAYER,...")
+      ->delimiter(',')
+      ->default_str("all but graph");
+  command
+      .add_option("--svg-view", arguments->svg_view, "What part it shows: the whole map, or the path's surroundings")
+      ->type_name("map|path")
+      ->capture_default_str();
   command.add_option("--json", arguments->json, "Write the exact plan; with --queries one object a line")
       ->type_name("F.json");
   command.add_option("--csv", arguments->csv, "Write the path as samples")->type_name("F.csv");

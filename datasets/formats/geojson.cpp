@@ -145,12 +145,14 @@ class Reader {
     return result;
   }
   // `wanted` is the winding that has blocked ground on the left.
-  Ring ring(const json& values, int wanted, const std::string& place) {
+  Ring ring(const json& values, int wanted, const std::string& place, detail::VectorMapBuilder::Curves& curves) {
     Ring points = map_.ring(positions(values, place), /*closed=*/true, place);
+    curves.emplace_back();
     if (!curved_) return points;
     try {
       const ClosedSpline spline(points);
-      return map_.curved_ring({spline.pieces().begin(), spline.pieces().end()}, wanted, place);
+      curves.back().assign(spline.pieces().begin(), spline.pieces().end());
+      return map_.curved_ring(curves.back(), wanted, place);
     } catch (const std::invalid_argument& error) {  // points as written may repeat
       map_.fail(place, error.what());
     }
@@ -160,12 +162,13 @@ class Reader {
     if (!rings.is_array()) map_.fail(place, "expected an array of rings, found " + shown(rings));
     if (rings.empty()) return;
     Polygon polygon;
+    detail::VectorMapBuilder::Curves curves;
     const int outer = role == Role::kBoundary ? -1 : 1;
-    polygon.outer = ring(rings[0], outer, place + ", ring 0");
+    polygon.outer = ring(rings[0], outer, place + ", ring 0", curves);
     for (std::size_t i = 1; i < rings.size(); ++i)
-      polygon.holes.push_back(ring(rings[i], -outer, place + ", ring " + std::to_string(i)));
-    if (role == Role::kObstacle) return map_.add_obstacle(std::move(polygon), place);
-    map_.set_bounds(std::move(polygon), place);
+      polygon.holes.push_back(ring(rings[i], -outer, place + ", ring " + std::to_string(i), curves));
+    if (role == Role::kObstacle) return map_.add_obstacle(std::move(polygon), place, std::move(curves));
+    map_.set_bounds(std::move(polygon), place, std::move(curves));
   }
 
   void read_pose(const json& coordinates, Role role, const json* properties, const std::string& place) {

@@ -152,16 +152,16 @@ class Reader {
     return std::any_of(other, points.end(), [&](const Vec2& p) { return p != points[0] && p != *other; });
   }
 
-  Ring ring(const detail::SvgSubpath& subpath, int wanted, const std::string& place) {
+  Ring ring(detail::SvgSubpath& subpath, int wanted, const std::string& place) {
     if (subpath.curved) return map_.curved_ring(subpath.pieces, wanted, place);
     Ring points;
     for (const CubicBezier& piece : subpath.pieces) points.push_back(piece.p[0]);
     return map_.ring(std::move(points), /*closed=*/false, place);
   }
 
-  void add_subpaths(const std::vector<detail::SvgSubpath>& subpaths, const std::string& place) {
+  void add_subpaths(std::vector<detail::SvgSubpath>& subpaths, const std::string& place) {
     std::vector<Ring> rings;
-    for (const detail::SvgSubpath& subpath : subpaths) rings.push_back(ring(subpath, 1, place));
+    for (detail::SvgSubpath& subpath : subpaths) rings.push_back(ring(subpath, 1, place));
     std::vector<std::vector<bool>> inside(rings.size(), std::vector<bool>(rings.size(), false));
     std::vector<std::size_t> depth(rings.size(), 0);
     for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -173,11 +173,19 @@ class Reader {
     }
     for (std::size_t i = 0; i < rings.size(); ++i) {
       if (depth[i] % 2 != 0) continue;
-      Polygon polygon{rings[i], {}};
-      for (std::size_t k = 0; k < rings.size(); ++k)
-        if (inside[k][i] && depth[k] == depth[i] + 1) polygon.holes.push_back(ring(subpaths[k], -1, place));
-      map_.add_obstacle(std::move(polygon), place);
+      Polygon polygon{std::move(rings[i]), {}};
+      detail::VectorMapBuilder::Curves curves{curve_of(subpaths[i])};
+      for (std::size_t k = 0; k < rings.size(); ++k) {
+        if (!inside[k][i] || depth[k] != depth[i] + 1) continue;
+        polygon.holes.push_back(ring(subpaths[k], -1, place));
+        curves.push_back(curve_of(subpaths[k]));
+      }
+      map_.add_obstacle(std::move(polygon), place, std::move(curves));
     }
+  }
+
+  static std::vector<CubicBezier> curve_of(detail::SvgSubpath& subpath) {
+    return subpath.curved ? std::move(subpath.pieces) : std::vector<CubicBezier>{};
   }
 
   // Leads the last piece to the beginning. Relative coordinates add up their rounding: the end is then beside the

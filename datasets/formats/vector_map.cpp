@@ -63,7 +63,7 @@ Ring VectorMapBuilder::ring(Ring positions, bool closed, const std::string& plac
   return positions;
 }
 
-Ring VectorMapBuilder::curved_ring(std::vector<CubicBezier> pieces, int wanted, const std::string& place) {
+Ring VectorMapBuilder::curved_ring(std::vector<CubicBezier>& pieces, int wanted, const std::string& place) {
   // The tolerance is in metres, and so is what bends: projected afterwards it would be neither.
   if (options_.lonlat) fail(place, "curves need planar coordinates in metres, not longitude and latitude");
   try {
@@ -84,17 +84,22 @@ Ring VectorMapBuilder::curved_ring(std::vector<CubicBezier> pieces, int wanted, 
   }
 }
 
-void VectorMapBuilder::add_obstacle(Polygon polygon, std::string place) {
+void VectorMapBuilder::add_obstacle(Polygon polygon, std::string place, Curves curves) {
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (!curves[i].empty()) map_.curves.push_back({map_.obstacles.size(), i, std::move(curves[i])});
   map_.obstacles.push_back(std::move(polygon));
   map_.places.push_back(std::move(place));
 }
 
-void VectorMapBuilder::set_bounds(Polygon free_space, const std::string& place) {
+void VectorMapBuilder::set_bounds(Polygon free_space, const std::string& place, Curves curves) {
   if (map_.bounds) fail(place, "second bounds; the first are in " + map_.bounds_place);
   map_.bounds = std::move(free_space.outer);
   map_.bounds_place = place;
+  curves.resize(1 + free_space.holes.size());
+  if (!curves[0].empty()) map_.curves.push_back({CurvedRing::kBounds, 0, std::move(curves[0])});
   for (std::size_t i = 0; i < free_space.holes.size(); ++i)
-    add_obstacle({std::move(free_space.holes[i]), {}}, place + ", ring " + std::to_string(i + 1));
+    add_obstacle({std::move(free_space.holes[i]), {}}, place + ", ring " + std::to_string(i + 1),
+                 {std::move(curves[i + 1])});
 }
 
 void VectorMapBuilder::add_line(std::vector<Vec2> positions, const std::string& place) {

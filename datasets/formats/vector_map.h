@@ -40,13 +40,15 @@ class VectorMapBuilder {
   /// @throws FormatError if fewer than three different positions are left.
   Ring ring(Ring positions, bool closed, const std::string& place);
   /// The ring round a closed chain of cubics, with the obstacle to the left of a counter-clockwise chain if `wanted` is
-  /// +1, of a clockwise one if -1; the chain may run either way.
+  /// +1, of a clockwise one if -1; a chain that runs the other way is turned round.
   /// @throws FormatError if it has no area or no ring can be made.
-  Ring curved_ring(std::vector<CubicBezier> pieces, int wanted, const std::string& place);
-  void add_obstacle(Polygon polygon, std::string place);
+  Ring curved_ring(std::vector<CubicBezier>& pieces, int wanted, const std::string& place);
+  /// The curve of each ring, outer ring first; empty for none. Nothing: no curves.
+  using Curves = std::vector<std::vector<CubicBezier>>;
+  void add_obstacle(Polygon polygon, std::string place, Curves curves = {});
   /// The outer ring is the bounds, the holes are obstacles.
   /// @throws FormatError if there are bounds already.
-  void set_bounds(Polygon free_space, const std::string& place);
+  void set_bounds(Polygon free_space, const std::string& place, Curves curves = {});
   void add_line(std::vector<Vec2> positions, const std::string& place);
   /// A geometry that is no obstacle.
   void pass_over(const std::string& place, std::string_view type);

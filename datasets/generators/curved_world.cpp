@@ -67,7 +67,8 @@ CurvedWorld generate_curved_world(const CurvedWorldParameters& parameters) {
   for (std::size_t i = 0; i < ponds.size(); ++i) {
     for (Vec2& p : ponds[i]) p += (*centers)[i] + Vec2(kRoom, kRoom);
     const ClosedSpline spline(ponds[i]);
-    world.curves.emplace_back(spline.pieces().begin(), spline.pieces().end());
+    world.curves.push_back({i, 0, {spline.pieces().begin(), spline.pieces().end()}});
+    world.polygons.emplace_back();
   }
   side += 2.0 * kRoom;
   world.bounds = detail::box_ring(0.0, 0.0, side, side);

@@ -290,6 +290,32 @@ TEST_F(Tool, PlansOnMapsOfAnyFormat) {
   expect_bad_input("plan " + map_ + kAround + " --cell 0", "--cell");
 }
 
+TEST_F(Tool, RefinesCurvesNearThePath) {
+  const std::string ponds = ARCWAY_SOURCE_DIR "/tests/data/ponds.svg";
+  const std::string plan = "plan " + ponds + " --start 4,-26,0 --goal 36,-4,90deg --json " + file("p.json");
+  const Run refined = run(plan);
+  EXPECT_EQ(refined.code, 0) << refined.err << refined.out;
+  EXPECT_NE(refined.out.find("near the path within 0.01 m; planned 4 times"), std::string::npos) << refined.out;
+  EXPECT_EQ(run("validate " + ponds + " --path " + file("p.json")).code, 0);
+  const Run finer = run(plan + " --curve-tolerance 0.001");
+  EXPECT_NE(finer.out.find("near the path within 0.001 m"), std::string::npos) << finer.out;
+  EXPECT_EQ(run("validate " + ponds + " --curve-tolerance 0.001 --path " + file("p.json")).code, 0);
+}
+
+TEST_F(Tool, DrawsTheLayersAskedFor) {
+  const std::string plan = "plan " + map_ + kAround + " --svg " + file("p.svg");
+  ASSERT_EQ(run(plan).code, 0);
+  const std::string all = read("p.svg");
+  EXPECT_NE(all.find("id=\"swept\""), std::string::npos);
+  EXPECT_EQ(all.find("id=\"graph\""), std::string::npos);
+  ASSERT_EQ(run(plan + " --svg-layers obstacles,graph --svg-view path").code, 0);
+  const std::string graph = read("p.svg");
+  EXPECT_NE(graph.find("id=\"graph\""), std::string::npos);
+  EXPECT_EQ(graph.find("id=\"path\""), std::string::npos);
+  expect_bad_input(plan + " --svg-layers walls", "--svg-layers");
+  expect_bad_input(plan + " --svg-view goal", "--svg-view");
+}
+
 // tests/data/shared_poses.txt: what the tool, which checks every path that it finds, says of poses on real maps.
 TEST_F(Tool, PlansOnRealMaps) {
   const char* shared = std::getenv("ARCWAY_SHARED_DATA");
@@ -312,7 +338,7 @@ TEST_F(Tool, PlansOnRealMaps) {
     std::string arguments = line.substr(bar + 3);
     if (const std::size_t robot = arguments.find("--robot "); robot != std::string::npos)
       arguments.insert(robot + 8, data + "robots/");
-    const Run result = run("plan " + std::string(shared) + "/" + arguments + " --svg " + file("p.svg"));
+    const Run result = run("plan " + std::string(shared) + "/" + arguments + " --time-limit 60 --svg " + file("p.svg"));
     EXPECT_EQ(result.code, status == "solved" ? 0 : 1) << result.err << result.out;
     EXPECT_NE(result.out.find(": " + status + "\n"), std::string::npos) << result.out;
     EXPECT_NE(read("p.svg").find("</svg>"), std::string::npos);

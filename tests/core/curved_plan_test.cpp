@@ -4,8 +4,9 @@
 
 #include <cmath>
 
-#include "core/path/validation.h"
+#include "core/geometry/angle.h"
 #include "datasets/generators/curved_world.h"
+#include "tests/support/plans.h"
 
 namespace arcway {
 namespace {
@@ -13,17 +14,6 @@ namespace {
 PlanRequest across(const CurvedWorld& world) {
   const Vec2& corner = (*world.bounds)[2];
   return {.start = {7.0, 7.0, 0.0}, .goal = {corner.x() - 7.0, corner.y() - 7.0, 0.0}};
-}
-
-TimedPath timed(const PlanResult& result) {
-  TimedPath path;
-  for (const TimedSegment& s : result.segments) {
-    path.segments.push_back(s.segment);
-    path.speed_in.push_back(s.speed_in);
-    path.speed_out.push_back(s.speed_out);
-    path.durations.push_back(s.duration);
-  }
-  return path;
 }
 
 // With one speed on lines and arcs, time is length: it falls towards its limit in proportion to the tolerance.
@@ -53,9 +43,7 @@ TEST(CurvedPlan, RefinesWhereItMattersAlone) {
   EXPECT_EQ(adaptive.rounds.back().tolerance, 0.005);
   EXPECT_LT(adaptive.rounds.back().vertices, uniform.rounds.back().vertices * 3 / 4);
   EXPECT_NEAR(adaptive.result.travel_time, uniform.result.travel_time, 0.01 * uniform.result.travel_time);
-  const ValidationReport report =
-      validate(adaptive.world, robot, adaptive.result.start, adaptive.result.goal, timed(adaptive.result));
-  EXPECT_TRUE(report.valid());
+  test::expect_valid(adaptive.planner, adaptive.result);
 }
 
 // The curve itself, not its ring, against the body along the path.
@@ -69,8 +57,8 @@ TEST(CurvedPlan, KeepsTheBodyOffTheCurves) {
     for (int i = 0; i <= 40; ++i) {
       const Pose pose = timed_segment.segment.at(timed_segment.segment.length * i / 40.0);
       const Vec2 u = direction_of(pose.heading);
-      for (const auto& curve : world.curves)
-        for (const CubicBezier& piece : curve)
+      for (const CurvedRing& curve : world.curves)
+        for (const CubicBezier& piece : curve.pieces)
           for (int k = 0; k < 20; ++k) {
             const Vec2 p = piece.at(k / 20.0) - pose.position();
             const double along = p.dot(u), aside = std::abs(cross(u, p));
@@ -78,6 +66,31 @@ TEST(CurvedPlan, KeepsTheBodyOffTheCurves) {
           }
     }
   }
+}
+
+// A pool in an annulus: the outline, its hole and the bounds are curves.
+TEST(CurvedPlan, ReplacesHolesAndBounds) {
+  const auto circle = [](double radius, bool clockwise) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 16; ++i) points.push_back(radius * direction_of((clockwise ? -1.0 : 1.0) * i * kTwoPi / 16.0));
+    const ClosedSpline spline(points);
+    return std::vector<CubicBezier>(spline.pieces().begin(), spline.pieces().end());
+  };
+  CurvedWorld world;
+  world.polygons = {Polygon{{}, {{}}}};
+  world.bounds = Ring{};
+  world.curves = {{0, 0, circle(10.0, false)}, {0, 1, circle(8.0, true)}, {CurvedRing::kBounds, 0, circle(30.0, true)}};
+  const Vehicle robot;
+  const CurvedPlan plan = plan_among_curves(world, robot, {{-20, 0, 0}, {20, 0, 0}}, {.first = 0.5, .last = 0.01});
+  ASSERT_TRUE(plan.result.solved()) << plan.result.reason;
+  const World& rings = plan.planner.world();
+  EXPECT_TRUE(rings.has_bounds());
+  EXPECT_EQ(rings.locate({0, 0}, 0), PointLocation::kOutside);  // of the obstacle: in its hole
+  EXPECT_EQ(rings.locate({9, 0}, 0), PointLocation::kInside);
+  test::expect_valid(plan.planner, plan.result);
+  EXPECT_FALSE(plan_among_curves(world, robot, {{-4, 0, 0}, {20, 0, 0}}, {.last = 0.1}).result.solved());
+  world.curves[1].ring = 2;
+  EXPECT_THROW(plan_among_curves(world, robot, {{-20, 0, 0}, {20, 0, 0}}), std::invalid_argument);
 }
 
 TEST(CurvedPlan, RefusesTolerancesOutOfRange) {

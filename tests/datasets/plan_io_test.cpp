@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/path/speed_profile.h"
+#include "tests/support/format_errors.h"
 
 namespace arcway {
 namespace {
@@ -39,12 +40,7 @@ PlanResult example_with_a_cusp() {
 }
 
 std::string error_of(const std::string& text) {
-  try {
-    read_plan(text, "plan.json");
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::format_error_of([&] { read_plan(text, "plan.json"); });
 }
 
 TEST(PlanJson, RoundTripIsExact) {

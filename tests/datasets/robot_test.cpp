@@ -4,25 +4,18 @@
 
 #include <filesystem>
 
+#include "tests/support/format_errors.h"
+
 namespace arcway {
 namespace {
 
 std::string robot(const std::string& members = "") { return R"({"format":"arcway-robot","version":1)" + members + "}"; }
 
-template <typename Read>
-std::string error_of(Read read) {
-  try {
-    read();
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 std::string robot_error(const std::string& text) {
-  return error_of([&] { read_robot(text, "robot.json"); });
+  return test::format_error_of([&] { read_robot(text, "robot.json"); });
 }
 std::string scenario_error(const std::string& text) {
-  return error_of([&] { read_scenario(text, "s.json"); });
+  return test::format_error_of([&] { read_scenario(text, "s.json"); });
 }
 
 TEST(RobotJson, MissingKeysTakeDefaults) { EXPECT_EQ(to_json(read_robot(robot(), "r")), to_json(VehicleParameters{})); }

@@ -11,7 +11,9 @@
 #include "core/planner.h"
 #include "datasets/formats/geojson.h"
 #include "datasets/formats/wkt.h"
+#include "datasets/plan_io.h"
 #include "datasets/read_map.h"
+#include "datasets/svg.h"
 #include "tests/support/plans.h"
 
 namespace arcway {
@@ -149,20 +151,31 @@ class CommaLocale {
   bool set_ = false;
 };
 
+// A world as every writer has it.
+std::string written(const SmallWorld& sample) {
+  const MapFile map = read_map(path_of(sample), options_of(sample));
+  return to_geojson(map) + to_wkt(map) + SvgPicture(to_world(map, sample.file)).str();
+}
+
+// And a plan.
+std::string written_plan() {
+  PlanResult plan;
+  plan.status = PlanStatus::kSolved;
+  plan.segments.push_back({{{0.5, 1.25, 0.75}, 2.5, 0.125}, 0.5, 1.5, 2.5});
+  const Vehicle vehicle;
+  return plan_to_json(plan, 0) + path_to_csv(plan.segments, vehicle) + path_to_nav_msgs(plan.segments, vehicle);
+}
+
 TEST(SmallWorlds, ReadAndWriteTheSameInACommaLocale) {
   std::vector<std::string> expected;
-  for (const SmallWorld& sample : kWorlds) {
-    const MapFile map = read_map(path_of(sample), options_of(sample));
-    expected.push_back(to_geojson(map) + to_wkt(map));
-  }
+  for (const SmallWorld& sample : kWorlds) expected.push_back(written(sample));
+  const std::string expected_plan = written_plan();
   const fs::path folder = fs::path(::testing::TempDir()) / "arcway_locale";
   {
     const CommaLocale locale(folder);
     if (!locale.set()) GTEST_SKIP() << "no locale with a decimal comma is installed, and localedef could not make one";
-    for (std::size_t i = 0; i < std::size(kWorlds); ++i) {
-      const MapFile map = read_map(path_of(kWorlds[i]), options_of(kWorlds[i]));
-      EXPECT_EQ(to_geojson(map) + to_wkt(map), expected[i]) << kWorlds[i].file;
-    }
+    for (std::size_t i = 0; i < std::size(kWorlds); ++i) EXPECT_EQ(written(kWorlds[i]), expected[i]) << kWorlds[i].file;
+    EXPECT_EQ(written_plan(), expected_plan);
   }
   fs::remove_all(folder);
 }

@@ -29,8 +29,9 @@ TEST(Svg, DrawsLayersWithYUp) {
                            "<desc>D</desc>", "a &lt; b &amp; &quot;c&quot;"})
     EXPECT_EQ(count(svg, part), 1u) << part;
   // 10 px a metre below a border of 16 px: (0, 0) is 40 m below the top.
-  EXPECT_NE(svg.find("M116 416L216 416L216 316L116 316ZM136 396"), std::string::npos) << svg;
-  EXPECT_NE(svg.find("M116 416L216 316M116 316L316 216"), std::string::npos);
+  EXPECT_NE(svg.find("<g id=\"map\" transform=\"matrix(10 0 0 -10 116 416)\">"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("M0 0L10 0L10 10L0 10ZM2 2"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("M0 0L10 10M0 10L20 20"), std::string::npos);
   EXPECT_EQ(count(svg, "<g"), count(svg, "</g>"));
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
@@ -40,8 +41,8 @@ TEST(Svg, DrawsTheSweptArea) {
   EXPECT_EQ(count(picture.str(), "id=\"swept\""), 0u);
   const Footprint body{.front = 2, .rear = 1, .half_width = 1};
   picture.add_swept_area(Path{{{20, 20, 0}, 10, 0}}, body);
-  // One rectangle for a line: x from 19 to 32, y from 19 to 21; 10 px a metre, (0, 0) at (16, 516).
-  EXPECT_NE(picture.str().find("M206 326L336 326L336 306L206 306Z"), std::string::npos) << picture.str();
+  // One rectangle for a line.
+  EXPECT_NE(picture.str().find("M19 19L32 19L32 21L19 21Z"), std::string::npos) << picture.str();
   picture.add_swept_area(Path{{{20, 20, 0}, 5, 0.2}}, body);
   // The farthest corner is hypot(2, 6) from the turning centre: outlines a pixel apart over one radian.
   EXPECT_GE(count(picture.str(), "Z"), 63u);
@@ -54,9 +55,36 @@ TEST(Svg, DrawsReverseDashed) {
   const Path path{ahead, {ahead.end(), 5, 0, Gear::kReverse}, {ahead.at(5), 5, 0}};
   picture.add_path(path, body);
   EXPECT_EQ(count(picture.str(), "stroke-dasharray"), 1u);
-  EXPECT_NE(picture.str().find("M316 316L266 316\" stroke=\"#1f6fd1\""), std::string::npos) << picture.str();
+  EXPECT_NE(picture.str().find("M30 20L25 20\" stroke=\"#1f6fd1\""), std::string::npos) << picture.str();
   picture.add_swept_area(Path{path[1]}, body);  // x from 24 to 32
-  EXPECT_NE(picture.str().find("M256 326L336 326L336 306L256 306Z"), std::string::npos);
+  EXPECT_NE(picture.str().find("M24 19L32 19L32 21L24 21Z"), std::string::npos);
+}
+
+TEST(Svg, ShowsTheLayersAskedFor) {
+  const World world({{{{0, 0}, {10, 0}, {10, 10}}, {}}}, Ring{{-10, -10}, {90, -10}, {90, 40}});
+  const auto drawn = [&](const std::vector<std::string>& layers) {
+    SvgPicture picture(world);
+    picture.add_edges(std::vector<LineSegment>{{{0, 0}, {10, 10}}});
+    const Path path{{{20, 20, 0}, 10, 0}};
+    picture.add_path(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+    picture.add_swept_area(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+    picture.show(layers);
+    return picture.str();
+  };
+  for (const std::string_view layer : SvgPicture::layers()) {
+    const std::string svg = drawn({std::string(layer)});
+    for (const std::string_view other : SvgPicture::layers())
+      EXPECT_EQ(count(svg, "id=\"" + std::string(other) + "\""), layer == other ? 1u : 0u) << layer << ' ' << other;
+  }
+  EXPECT_THROW(drawn({"paths"}), std::invalid_argument);
+}
+
+TEST(Svg, KeepsDigitsFarFromTheOrigin) {
+  const Vec2 far(5e6, -4e6);
+  Ring box{{0.25, 0}, {10, 0}, {10, 10}, {0.25, 10}};
+  for (Vec2& p : box) p += far;
+  const std::string svg = SvgPicture(World({{box, {}}})).str();
+  EXPECT_NE(svg.find("M0.25 0L10 0L10 10"), std::string::npos) << svg;
 }
 
 TEST(Svg, DrawsWorldsWithoutExtent) {

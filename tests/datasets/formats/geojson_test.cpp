@@ -7,6 +7,7 @@
 #include "core/geometry/closed_spline.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/predicates.h"
+#include "tests/support/format_errors.h"
 
 namespace arcway {
 namespace {
@@ -24,12 +25,7 @@ std::string collection(const std::string& features, const std::string& members =
 }
 
 std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::format_error_of([&] { read(text); });
 }
 
 TEST(GeoJson, ReadsEveryTopLevelShape) {

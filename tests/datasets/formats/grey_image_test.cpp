@@ -3,23 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "datasets/file_io.h"
+#include "tests/support/format_errors.h"
 
 namespace arcway {
 namespace {
 
 constexpr std::size_t kMany = 1000;
 
-template <class Read>
-std::string error_of(Read read) {
-  try {
-    read();
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 std::string pgm_error(const std::string& bytes) {
-  return error_of([&] { read_pgm(bytes, "a.pgm", kMany); });
+  return test::format_error_of([&] { read_pgm(bytes, "a.pgm", kMany); });
 }
 std::string sample(const std::string& name) {
   return read_file(std::string(ARCWAY_SOURCE_DIR) + "/tests/data/" + name);
@@ -97,11 +89,12 @@ TEST(Png, TurnsColorsAndSingleBitsToGrey) {
 
 TEST(Png, ErrorsNameTheFile) {
   std::string png = sample("room.png");
-  EXPECT_NE(error_of([&] { read_png(png, "room.png", 100); }).find("room.png: PNG: more pixels"), std::string::npos);
-  EXPECT_NE(error_of([&] { read_png(png.substr(0, 60), "room.png", kMany); }).find("ends too early"),
+  EXPECT_NE(test::format_error_of([&] { read_png(png, "room.png", 100); }).find("room.png: PNG: more pixels"),
+            std::string::npos);
+  EXPECT_NE(test::format_error_of([&] { read_png(png.substr(0, 60), "room.png", kMany); }).find("ends too early"),
             std::string::npos);
   png[45] = static_cast<char>(png[45] ^ 1);
-  EXPECT_NE(error_of([&] { read_png(png, "room.png", kMany); }), "no error");
+  EXPECT_NE(test::format_error_of([&] { read_png(png, "room.png", kMany); }), "no error");
 }
 
 }  // namespace

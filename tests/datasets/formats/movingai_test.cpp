@@ -3,21 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "datasets/file_io.h"
+#include "tests/support/format_errors.h"
 
 namespace arcway {
 namespace {
 
-template <class Read>
-std::string error_of(Read read) {
-  try {
-    read();
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 std::string map_error(const std::string& text, const GridOptions& options = {}) {
-  return error_of([&] { read_movingai_map(text, "a.map", options); });
+  return test::format_error_of([&] { read_movingai_map(text, "a.map", options); });
 }
 
 TEST(MovingAi, RowsAreFromTheTop) {
@@ -63,7 +55,9 @@ TEST(MovingAi, ReadsTasks) {
 }
 
 TEST(MovingAi, TaskErrorsNameTheLine) {
-  const auto error = [](const std::string& text) { return error_of([&] { read_movingai_scenario(text, "a.scen"); }); };
+  const auto error = [](const std::string& text) {
+    return test::format_error_of([&] { read_movingai_scenario(text, "a.scen"); });
+  };
   EXPECT_EQ(error("version 2\n"), "a.scen: line 1: expected \"version 1\", found \"version\"");
   EXPECT_NE(error("version 1\n0 a.map 9 9 1 1 2 2\n").find("a.scen: line 2: expected 9 fields"), std::string::npos);
   EXPECT_EQ(error("version 1.0\n0 a.map 9 9 9 1 2 2 1\n"),

@@ -4,6 +4,7 @@
 
 #include "core/geometry/angle.h"
 #include "datasets/file_io.h"
+#include "tests/support/format_errors.h"
 
 namespace arcway {
 namespace {
@@ -18,12 +19,7 @@ std::string with(const std::string& key, const std::string& value) {
   return text.replace(at, text.find('\n', at) - at, key + ": " + value);
 }
 std::string error_of(const std::string& text) {
-  try {
-    read_ros_map(text, "a.yaml");
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::format_error_of([&] { read_ros_map(text, "a.yaml"); });
 }
 
 GreyImage image_of(std::vector<std::uint16_t> samples, std::size_t width) {

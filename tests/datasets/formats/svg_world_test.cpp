@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/geometry/polygon.h"
+#include "tests/support/format_errors.h"
 
 namespace arcway {
 namespace {
@@ -14,12 +15,7 @@ std::string svg(const std::string& body) { return "<svg viewBox=\"1 2 30 20\">\n
 std::string path(const std::string& d) { return svg("<path id=\"a\" d=\"" + d + "\"/>"); }
 MapFile read(const std::string& text) { return read_svg_world(text, "w.svg"); }
 std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::format_error_of([&] { read(text); });
 }
 
 TEST(SvgWorld, ReadsAllCommandsWithYUp) {

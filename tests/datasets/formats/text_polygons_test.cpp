@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/format_errors.h"
+
 namespace arcway {
 namespace {
 
 std::string error_of(const std::string& text) {
-  try {
-    read_text_polygons(text, "map.txt");
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::format_error_of([&] { read_text_polygons(text, "map.txt"); });
 }
 
 TEST(TextPolygons, ReadsOnePolygonALine) {

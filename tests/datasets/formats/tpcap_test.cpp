@@ -4,18 +4,15 @@
 
 #include <algorithm>
 
+#include "tests/support/format_errors.h"
+
 namespace arcway {
 namespace {
 
 constexpr const char* kCase = "1,2,0.5,20,3,-1,2,3,4,10,10,12,10,12,12,0,20,0,22,2,22,2,20";
 
 std::string error_of(const std::string& text) {
-  try {
-    read_tpcap(text, "Case.csv");
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::format_error_of([&] { read_tpcap(text, "Case.csv"); });
 }
 
 TEST(Tpcap, ReadsACaseWithItsPoses) {

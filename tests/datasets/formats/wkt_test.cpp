@@ -2,18 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/format_errors.h"
+
 namespace arcway {
 namespace {
 
 MapFile read(const std::string& text, const VectorOptions& options = {}) { return read_wkt(text, "map.wkt", options); }
 
 std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::format_error_of([&] { read(text); });
 }
 
 TEST(Wkt, ReadsAllShapesOfPolygons) {
