@@ -29,6 +29,10 @@ constexpr double kLargestPoseCoordinate = 1e9;
 // angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
 constexpr double kMarginUnits = 1048576.0;
 
+// A plan that may be slower than the best one by more than this share is tried again with manoeuvres at both ends.
+constexpr double kLargeGap = 0.05;
+constexpr std::size_t kShortPoses = 24;  // for these
+
 class Stopwatch {
  public:
   [[nodiscard]] double seconds() const {
@@ -170,6 +174,17 @@ struct Planner::Data {
     s.turns_checked += refined.turns_checked;
     s.refine_seconds += refining.seconds();
     return std::move(refined.path);
+  }
+
+  // The lower bound with the way round the obstacles, if that is wanted.
+  void raise_bound(const PlanRequest& request, PlanResult& result) const {
+    const Stopwatch bounding;
+    if (point_distance)
+      result.lower_bound = travel_time_bound(
+          request.start, request.goal,
+          (*point_distance)(request.start.position(), request.goal.position(), *map.queries.visibility), map.vehicle,
+          request.reverse);
+    result.statistics.bound_seconds = bounding.seconds();
   }
 
   // Status and reason of a search that found nothing.
@@ -318,36 +333,45 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
     return find_path(d.map, request.start, request.goal, d.options.manoeuvre_poses, options, *workspace);
   });
   std::optional<Path> found;
-  if (forwards.search.path) found = d.refined(*forwards.search.path, options, false, result);
+  const auto keep_faster = [&](const Path& path, bool reverse) {
+    const double unrefined = result.statistics.unrefined_travel_time;
+    Path refined = d.refined(path, options, reverse, result);
+    const auto cost = [&](const Path& p) { return travel_cost(p, d.map.vehicle, request.cusp_cost); };
+    if (!found || cost(refined) < cost(*found)) {
+      found = std::move(refined);
+    } else {
+      result.statistics.unrefined_travel_time = unrefined;
+    }
+  };
+  if (forwards.search.path) {
+    keep_faster(*forwards.search.path, false);
+    d.raise_bound(request, result);
+    const double time = speed_profile(*found, d.map.vehicle).total_time;
+    const bool doubtful = time > (1.0 + kLargeGap) * result.lower_bound && forwards.manoeuvre_poses == 0;
+    if (doubtful && d.options.manoeuvre_poses > 1 && !result.interrupted) {
+      SearchOptions faster = options;
+      faster.faster_than = result.statistics.unrefined_travel_time;
+      const FoundPath turning = d.search(result, [&] {
+        const std::size_t poses = std::min<std::size_t>(kShortPoses, d.options.manoeuvre_poses);
+        return find_path_with_manoeuvres(d.map, request.start, request.goal, poses, faster, *workspace);
+      });
+      if (turning.search.path) keep_faster(*turning.search.path, false);
+    }
+  }
   if (request.reverse && !result.interrupted && !(found && found->empty())) {
     const double unrefined = found ? result.statistics.unrefined_travel_time : kInfinity;
     const FoundPath both = d.search(result, [&] {
       return find_reversing_path(d.map, request.start, request.goal, unrefined, options, *workspace);
     });
-    if (both.search.path) {
-      Path path = d.refined(*both.search.path, options, true, result);
-      const auto cost = [&](const Path& p) { return travel_cost(p, d.map.vehicle, request.cusp_cost); };
-      if (!found || cost(path) < cost(*found)) {
-        found = std::move(path);
-      } else {
-        result.statistics.unrefined_travel_time = unrefined;
-      }
-    }
+    if (both.search.path) keep_faster(*both.search.path, true);
   }
   if (!found) {
     d.explain(forwards, request.reverse, limits, result);
     result.statistics.total_seconds = total.seconds();
     return result;
   }
+  if (!forwards.search.path) d.raise_bound(request, result);
   const Path path = std::move(*found);
-
-  const Stopwatch bounding;
-  if (d.point_distance)
-    result.lower_bound = travel_time_bound(
-        request.start, request.goal,
-        (*d.point_distance)(request.start.position(), request.goal.position(), *d.map.queries.visibility),
-        d.map.vehicle, request.reverse);
-  result.statistics.bound_seconds = bounding.seconds();
 
   const Stopwatch finishing;
   result.status = PlanStatus::kSolved;

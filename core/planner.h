@@ -33,7 +33,7 @@ struct PlannerOptions {
   /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: turning_radii(vehicle, world).
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
-  /// many sparse ones where both ends reach it but not each other. 0 turns manoeuvres off.
+  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres.
   std::uint32_t manoeuvre_poses = 400;
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.

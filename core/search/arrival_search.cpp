@@ -8,6 +8,7 @@
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
 #include "core/path/speed_profile.h"
+#include "core/search/per_circle.h"
 #include "core/search/speed_tree.h"
 
 namespace arcway {
@@ -65,30 +66,6 @@ void append_arc(Path& path, const TurnCircle& circle, double from_heading, doubl
 void append_line(Path& path, const Pose& start, double length) {
   if (length > 0.0) path.push_back({start, length, 0.0});
 }
-
-// A value for each circle of the graph; forgets all of them in constant time.
-class PerCircle {
- public:
-  void reset(std::size_t circles) {
-    if (values_.size() < circles) values_.resize(circles, {0, kNone});
-    if (++epoch_ == 0) {
-      std::fill(values_.begin(), values_.end(), Value{0, kNone});
-      epoch_ = 1;
-    }
-  }
-  [[nodiscard]] std::uint32_t get(std::uint32_t circle) const {
-    return values_[circle].epoch == epoch_ ? values_[circle].index : kNone;
-  }
-  void set(std::uint32_t circle, std::uint32_t index) { values_[circle] = {epoch_, index}; }
-
- private:
-  struct Value {
-    std::uint32_t epoch;
-    std::uint32_t index;
-  };
-  std::vector<Value> values_;
-  std::uint32_t epoch_ = 0;
-};
 
 }  // namespace
 
@@ -167,7 +144,7 @@ class ArrivalSearch {
     if (!result_.goal_connected) return;
     w_.start_link_ranges.resize(w_.start_circles.size());
     // Many terminals mean that few of them found no path: is there one at all?
-    if (starts_.size() + goals_.size() > 2 && !goal_is_reachable()) return;
+    if (starts_.size() + goals_.size() > 2 && options_.faster_than == kInfinity && !goal_is_reachable()) return;
     for (std::uint32_t s = 0; s < w_.start_circles.size(); ++s) {
       const Terminal& start = starts_[w_.start_circles[s].terminal];
       if (w_.start_circles[s].reach >= 0.0)
@@ -176,6 +153,7 @@ class ArrivalSearch {
     }
     while (!w_.open.empty() && !interrupted()) {
       const Entry entry = pop();
+      if (entry.estimate >= options_.faster_than) return;
       if (is_complete(entry) ? finish(entry) : expand(entry)) return;
       if (w_.labels.size() >= kFirstDoubt && !reachability_known_ && !goal_is_reachable()) return;
     }
@@ -374,6 +352,9 @@ class ArrivalSearch {
   }
 
   void add_goal_links(std::uint32_t g) {
+    const Terminal& goal = goals_[w_.goal_circles[g].terminal];
+    const double way = (goal.pose.position() - starts_[0].pose.position()).norm() + length_of(goal.connection);
+    if (way / top_speed_ >= options_.faster_than) return;
     w_.found.clear();
     append_links(map_, w_.goal_circles, g, Direction::kToGoal, w_.found);
     for (const TerminalLink& link : w_.found) {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,6 +20,8 @@ struct SearchOptions {
   std::stop_token stop;
   std::optional<std::chrono::steady_clock::time_point> deadline;
   double cusp_cost = 0.0;  ///< of a change of gear in a connection, beside the time for it [s]
+  /// Only paths that take less than one that is known are wanted [s].
+  double faster_than = std::numeric_limits<double>::infinity();
   [[nodiscard]] bool interrupted() const {
     return stop.stop_requested() || (deadline && std::chrono::steady_clock::now() >= *deadline);
   }

@@ -87,4 +87,17 @@ FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, s
   return found;
 }
 
+FoundPath find_path_with_manoeuvres(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t poses,
+                                    const SearchOptions& options, SearchWorkspace& workspace) {
+  const auto terminals = [&](const Pose& pose, Direction direction) {
+    return find_manoeuvres(pose, direction, map.vehicle, map.radii[0], *map.queries.sweep, poses, Spread::kSparse);
+  };
+  const std::vector<Terminal> from = terminals(start, Direction::kFromStart);
+  const std::vector<Terminal> to = terminals(goal, Direction::kToGoal);
+  FoundPath found;
+  found.search = search_arrivals(map, from, to, options, workspace);
+  found.manoeuvre_poses = from.size() + to.size();
+  return found;
+}
+
 }  // namespace arcway

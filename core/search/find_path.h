@@ -27,4 +27,10 @@ struct FoundPath {
 FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
                     const SearchOptions& options, SearchWorkspace& workspace);
 
+/// The fastest path that may begin and end with a manoeuvre, out of a few sparse ones: faster than a path by single
+/// arcs where a pose faces away from its way and there is room to turn, but slower to find.
+/// @param poses  for the manoeuvres of each end.
+FoundPath find_path_with_manoeuvres(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t poses,
+                                    const SearchOptions& options, SearchWorkspace& workspace);
+
 }  // namespace arcway

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "core/planner.h"
 #include "core/query/query_set.h"
@@ -41,6 +42,25 @@ TEST(Manoeuvres, TurnBackWhereThereIsRoom) {
     const PlanResult result = planner.plan(catalogue_queries(c.world, c.query + 1, 1).back());
     ASSERT_TRUE(result.solved()) << c.world << ": " << result.reason;
     test::expect_valid(planner, result);
+  }
+}
+
+// Poses that face away from their way, with room to turn beside them.
+TEST(Manoeuvres, MakePathsFaster) {
+  const std::string name = "clutter/star/n100/m10/f15";
+  const World world = catalogue_world(name);
+  const Planner planner(world, Vehicle());
+  const Planner without(world, Vehicle(), {.manoeuvre_poses = 0});
+  const auto queries = catalogue_queries(name, 40, 1);
+  for (const std::size_t q : {1, 2, 3, 11, 35, 39}) {
+    const PlanResult result = planner.plan(queries[q]);
+    const PlanResult plain = without.plan(queries[q]);
+    ASSERT_TRUE(result.solved() && plain.solved());
+    test::expect_valid(planner, result);
+    EXPECT_LE(result.travel_time, plain.travel_time);
+    if (q > 10) {
+      EXPECT_LT(result.travel_time, 0.95 * plain.travel_time) << q;
+    }
   }
 }
 
