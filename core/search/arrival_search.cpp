@@ -473,7 +473,9 @@ class ArrivalSearch {
 
   // Takes an arrival if it is free and new; true if the goal is reached from the part of the circle ahead of it.
   bool reaches_goal(const Entry& entry) {
-    const auto [c, heading] = arrival_at(entry.kind, entry.parent, entry.index);
+    const Arrival at = arrival_at(entry.kind, entry.parent, entry.index);
+    const std::uint32_t c = at.circle;
+    const double heading = at.heading;
     const Side side = graph_.circles()[c].side;
     const double reach = graph_.free_headings(c).reach(heading, side);
     if (reach < 0.0) return false;
