@@ -24,6 +24,9 @@ namespace {
 
 using Link = FeasibleGraph::Link;
 
+// Vertices that a straight leads past without a turn. With more of them, rows grow along every jagged wall of a scanned
+// map without a path found more.
+constexpr std::uint32_t kMostPassed = 2;
 // A turn round the thinnest vertex begins and ends at a right angle to the heading at the vertex; and a little more.
 constexpr double kWidestTurn = 0.55 * kPi;
 
@@ -295,25 +298,28 @@ struct FeasibleGraph::Data {
     VertexId vertex;
     Side side;
     VertexId before;
+    std::uint32_t passed;  // vertices between it and the circle
   };
 
   // The vertices that the straights from a circle lead to: those that its own see and, where the straight to a vertex
-  // and the one behind it would have a path turn away from the vertex in between, those behind it.
+  // and the one behind it would have a path turn away from the vertex in between, those behind it, past kMostPassed
+  // vertices at most.
   [[nodiscard]] std::vector<Arrival> arrivals_from(const TurnCircle& circle) const {
     std::vector<Arrival> arrivals;
-    const auto add = [&](VertexId from, Side departure, VertexId to) {
+    const auto add = [&](VertexId from, Side departure, VertexId to, std::uint32_t passed) {
       // Seen from `to` the obstacle at `from` lies on the other side than for who leaves towards `to`.
       if (obstacle_side(world, from, world.vertex(to)) == departure) return;
       const Side side = obstacle_side(world, to, world.vertex(from));
       for (const Arrival& known : arrivals)
         if (known.vertex == to && known.side == side) return;
-      arrivals.push_back({to, side, from});
+      arrivals.push_back({to, side, from, passed});
     };
     for (const VertexId u : {circle.vertex, circle.second})
       if (u != kNone)
-        for (const VertexId v : neighbors.of(u)) add(u, circle.side, v);
+        for (const VertexId v : neighbors.of(u)) add(u, circle.side, v, 0);
     for (std::size_t i = 0; i < arrivals.size(); ++i) {
       const Arrival at = arrivals[i];
+      if (at.passed == kMostPassed) break;  // so have all that follow
       const TurnCircle& middle = own_circle(at.vertex, at.side);
       const auto line = line_between(circle, middle);
       if (!line) continue;
@@ -322,7 +328,7 @@ struct FeasibleGraph::Data {
         if (turn == (at.side == Side::kLeft ? -1 : 1)) continue;
         const TurnCircle& behind = own_circle(next, obstacle_side(world, next, world.vertex(at.vertex)));
         const auto onwards = line_between(middle, behind);
-        if (onwards && sign_of(at.side) * cross(*line, *onwards) < 0.0) add(at.vertex, at.side, next);
+        if (onwards && sign_of(at.side) * cross(*line, *onwards) < 0.0) add(at.vertex, at.side, next, at.passed + 1);
       }
     }
     return arrivals;
