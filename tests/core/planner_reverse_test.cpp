@@ -79,7 +79,8 @@ TEST(PlannerReverse, StartAtTheGoalTakesNoTime) {
 TEST(PlannerReverse, RefusesCostsThatAreNone) {
   const Planner planner(World({}), Vehicle{});
   for (const double cost : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    EXPECT_THROW((void)planner.plan({.goal = {5, 0, 0}, .reverse = true, .cusp_cost = cost}), std::invalid_argument);
+    EXPECT_THROW((void)planner.plan({.start = {}, .goal = {5, 0, 0}, .reverse = true, .cusp_cost = cost}),
+                 std::invalid_argument);
   }
 }
 

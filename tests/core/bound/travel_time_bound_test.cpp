@@ -128,9 +128,12 @@ TEST(TravelTimeBound, HoldsInBothGearsIfBothAreAllowed) {
     const double distance = (goal.position() - start.position()).norm();
     const double bound = travel_time_bound(start, goal, distance, vehicle, true);
     EXPECT_LE(bound, travel_time_bound(start, goal, distance, vehicle) * (1.0 + 1e-9));
-    for (std::size_t word = 0; word < kReedsSheppWords; ++word)
-      if (const auto path = reeds_shepp_path(word, start, goal, vehicle.min_turning_radius()))
+    for (std::size_t word = 0; word < kReedsSheppWords; ++word) {
+      const auto path = reeds_shepp_path(word, start, goal, vehicle.min_turning_radius());
+      if (path) {
         EXPECT_LE(bound, speed_profile(*path, vehicle).total_time);
+      }
+    }
   }
 }
 
