@@ -21,7 +21,6 @@ struct GraphArguments {
   BuildOptions build;
 };
 
-
 struct BuiltGraph {
   std::string edges_csv;
   std::vector<LineSegment> lines;
