@@ -266,6 +266,17 @@ Path PlanResult::path() const {
   return path;
 }
 
+TimedPath PlanResult::timed_path() const {
+  TimedPath path;
+  for (const TimedSegment& s : segments) {
+    path.segments.push_back(s.segment);
+    path.speed_in.push_back(s.speed_in);
+    path.speed_out.push_back(s.speed_out);
+    path.durations.push_back(s.duration);
+  }
+  return path;
+}
+
 Planner::Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options)
     : Planner(world, vehicle, make_reference_queries(world), options, SerialExecutor()) {}
 

@@ -116,6 +116,8 @@ struct PlanResult {
   [[nodiscard]] double optimality_gap() const { return travel_time > 0.0 ? travel_time / lower_bound - 1.0 : 0.0; }
   [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
   [[nodiscard]] Path path() const;
+  /// With its speeds, for the validator.
+  [[nodiscard]] TimedPath timed_path() const;
 };
 
 /// What it took to prepare a map.

@@ -58,17 +58,6 @@ GraphMode graph_mode_of(const std::string& name, bool batch) {
   throw UsageError("--graph: expected eager or lazy, got \"" + name + "\"");
 }
 
-TimedPath timed_path(const PlanResult& result) {
-  TimedPath path;
-  for (const TimedSegment& s : result.segments) {
-    path.segments.push_back(s.segment);
-    path.speed_in.push_back(s.speed_in);
-    path.speed_out.push_back(s.speed_out);
-    path.durations.push_back(s.duration);
-  }
-  return path;
-}
-
 /// A plan and what the validator says of it; no report unless solved.
 struct CheckedPlan {
   PlanResult result;
@@ -80,7 +69,7 @@ CheckedPlan checked(const Planner& planner, PlanResult result, bool reverse) {
   CheckedPlan plan{std::move(result), std::nullopt};
   if (plan.result.solved()) {
     plan.report = validate(planner.world(), planner.vehicle(), plan.result.start, plan.result.goal,
-                           timed_path(plan.result), {.reverse = reverse});
+                           plan.result.timed_path(), {.reverse = reverse});
   }
   return plan;
 }

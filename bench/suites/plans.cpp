@@ -13,13 +13,7 @@ namespace arcway::bench {
 namespace {
 
 bool is_valid(const Planner& planner, const PlanResult& result) {
-  TimedPath path;
-  for (const TimedSegment& s : result.segments) {
-    path.segments.push_back(s.segment);
-    path.speed_in.push_back(s.speed_in);
-    path.speed_out.push_back(s.speed_out);
-    path.durations.push_back(s.duration);
-  }
+  TimedPath path = result.timed_path();
   if (corrupting() && !path.segments.empty()) path.segments.back().length += 0.01;
   return validate(planner.world(), planner.vehicle(), result.start, result.goal, path).valid();
 }

@@ -44,6 +44,14 @@ struct PathSegment {
 /// Segments joined end to start. Where the gear changes the path has a cusp: the vehicle stops there.
 using Path = std::vector<PathSegment>;
 
+/// A path with its speeds, as a planner or anyone else claims it.
+struct TimedPath {
+  Path segments;
+  std::vector<double> speed_in;   ///< [m/s], one a segment; or all three empty: of the geometry alone
+  std::vector<double> speed_out;  ///< [m/s]
+  std::vector<double> durations;  ///< [s]
+};
+
 /// The same motion from the end to the start, in the other gear.
 Path reversed(std::span<const PathSegment> path);
 

@@ -10,14 +10,6 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// A path with its speeds, as a planner or anyone else claims it.
-struct TimedPath {
-  Path segments;
-  std::vector<double> speed_in;   ///< [m/s], one a segment; all three may be empty: then only the geometry is checked
-  std::vector<double> speed_out;  ///< [m/s]
-  std::vector<double> durations;  ///< [s]
-};
-
 struct ValidationOptions {
   double position_tolerance = 1e-6;  ///< joints and end poses [m]
   double heading_tolerance = 1e-6;   ///< joints and end poses [rad]
