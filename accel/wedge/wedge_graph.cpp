@@ -1,11 +1,16 @@
 #include "accel/wedge/wedge_graph.h"
 
+#include <array>
 #include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/wedge_walk.h"
+#include "core/bytes.h"
 
 namespace arcway {
 
@@ -13,24 +18,46 @@ namespace {
 
 constexpr std::size_t kNodesPerRange = 256;
 
+// Everybody's edges, and sums of everybody's counters.
+void exchange(std::vector<EdgeList>& parts, WedgeStatistics& sum, const Team& team) {
+  std::string bytes;
+  append_bytes(bytes, sum.steps);
+  append_bytes(bytes, sum.candidates);
+  for (const EdgeList& part : parts)
+    for (const auto& [u, v] : part) append_bytes(bytes, std::array<VertexId, 2>{u, v});
+  parts.clear();
+  sum = {};
+  for (std::string_view rest : team.gather(std::move(bytes))) {
+    sum.steps += take_bytes<std::uint64_t>(rest);
+    sum.candidates += take_bytes<std::uint64_t>(rest);
+    EdgeList part;
+    for (const auto& [u, v] : take_bytes<std::array<VertexId, 2>>(rest, rest.size() / sizeof(std::array<VertexId, 2>)))
+      part.emplace_back(u, v);
+    parts.push_back(std::move(part));
+  }
+}
+
 }  // namespace
 
 VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, const Executor& executor,
-                                                         WedgeStatistics* statistics) {
+                                                         WedgeStatistics* statistics, const Team& team) {
   const SightMap map(world, executor);
   std::mutex mutex;
   std::vector<EdgeList> parts;
   WedgeStatistics sum;
   executor.begin_stage("lines of sight");
-  executor.for_ranges(map.nodes().size(), kNodesPerRange, [&](std::size_t begin, std::size_t end) {
+  const auto [first, last] = team.share_of(map.nodes().size());
+  executor.for_ranges(last - first, kNodesPerRange, [&, first = first](std::size_t begin, std::size_t end) {
     WedgeWalk walk(map);
-    for (std::size_t node = begin; node < end; ++node) walk.look_right(static_cast<std::uint32_t>(node));
+    for (std::size_t node = first + begin; node < first + end; ++node)
+      walk.look_right(static_cast<std::uint32_t>(node));
     const std::scoped_lock lock(mutex);
     parts.push_back(walk.take_edges());
     sum.steps += walk.steps();
     sum.candidates += walk.candidates();
   });
 
+  if (team.size() > 1) exchange(parts, sum, team);
   if (statistics) {
     sum.triangles = map.doors().size() / 3;
     sum.broken_regions = map.broken_count();

@@ -5,6 +5,7 @@
 
 #include "core/executor.h"
 #include "core/graph/visibility_graph.h"
+#include "core/team.h"
 #include "core/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -23,9 +24,12 @@ struct WedgeStatistics {
 ///
 /// O(n log n + s) for s steps of the walks; in clutter both grow with n. Regions that cross others cost more: what is
 /// seen past them is tested against their edges one by one.
+/// @param team  of processes that build the same graph: each triangulates, walks from a share of the vertices and gets
+///   the whole graph.
 /// @throws std::length_error beyond 2^28 vertices.
 VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world,
                                                          const Executor& executor = SerialExecutor(),
-                                                         WedgeStatistics* statistics = nullptr);
+                                                         WedgeStatistics* statistics = nullptr,
+                                                         const Team& team = SoloTeam());
 
 }  // namespace arcway

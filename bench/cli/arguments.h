@@ -32,8 +32,9 @@ inline constexpr int kExitBadInput = 2;
 /// only if the action does not throw, and returns the exit code.
 using Action = std::function<int(std::string& out)>;
 
-void add_plan_command(CLI::App& app, Action& action);
-void add_prepare_command(CLI::App& app, Action& action);
+/// @param team  of processes that do the same together; the first one prints and writes.
+void add_plan_command(CLI::App& app, Action& action, const Team& team);
+void add_prepare_command(CLI::App& app, Action& action, const Team& team);
 void add_graph_command(CLI::App& app, Action& action);
 void add_generate_command(CLI::App& app, Action& action);
 void add_validate_command(CLI::App& app, Action& action);
@@ -70,7 +71,8 @@ struct BuildOptions {
   [[nodiscard]] QuerySet queries(const World& world) const;
   [[nodiscard]] std::unique_ptr<const Executor> executor() const;
   /// Builds the reduced graph, for PlannerOptions::reduced_graph.
-  [[nodiscard]] ReducedGraphBuilder reduced_graph() const;
+  /// @param team  must outlive the builder.
+  [[nodiscard]] ReducedGraphBuilder reduced_graph(const Team& team) const;
 
   /// "wedge" or "pairwise": what was asked for, or what suits the world; or "prepared".
   [[nodiscard]] std::string builder_name(const World& world) const;

@@ -86,9 +86,10 @@ std::string BuildOptions::builder_name(const World& world) const {
   return name_of(backend == "reference" ? GraphBuilder::kPairwise : faster_graph_builder(world));
 }
 
-ReducedGraphBuilder BuildOptions::reduced_graph() const {
-  return [options = *this](const World& world, const VisibilityQuery& visibility, const Executor& executor) {
-    if (options.builder_name(world) == "wedge") return build_reduced_visibility_graph_by_wedges(world, executor);
+ReducedGraphBuilder BuildOptions::reduced_graph(const Team& team) const {
+  return [options = *this, &team](const World& world, const VisibilityQuery& visibility, const Executor& executor) {
+    if (options.builder_name(world) == "wedge")
+      return build_reduced_visibility_graph_by_wedges(world, executor, nullptr, team);
     if (options.backend == "reference") return build_reduced_visibility_graph(world, visibility, executor);
     return build_pairwise_visibility_graph(world, visibility, executor);
   };
@@ -101,7 +102,7 @@ std::string BuildOptions::builder_name(const World&) const { return prepared ? "
 
 QuerySet BuildOptions::queries(const World& world) const { return make_reference_queries(world); }
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }
-ReducedGraphBuilder BuildOptions::reduced_graph() const { return build_reduced_visibility_graph; }
+ReducedGraphBuilder BuildOptions::reduced_graph(const Team&) const { return build_reduced_visibility_graph; }
 
 #endif
 

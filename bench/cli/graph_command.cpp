@@ -46,7 +46,7 @@ BuiltGraph build_graph(const GraphArguments& arguments, const World& world) {
   const Stopwatch visibility_watch;
   const VisibilityGraph graph = arguments.kind == "visibility"
                                     ? build_full_visibility_graph(world, *queries.visibility, *executor)
-                                    : arguments.build.reduced_graph()(world, *queries.visibility, *executor);
+                                    : arguments.build.reduced_graph(SoloTeam())(world, *queries.visibility, *executor);
   built.visibility_seconds = visibility_watch.seconds();
   if (arguments.kind != "feasible") {
     built.edge_count = graph.edge_count();

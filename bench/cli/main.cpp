@@ -6,22 +6,32 @@
 #include <string>
 
 #include "bench/cli/arguments.h"
+#include "core/team.h"
+#ifdef ARCWAY_WITH_MPI
+#include "accel/mpi/mpi_team.h"
+#endif
 
 namespace {
 
+#ifdef ARCWAY_WITH_MPI
+constexpr const char* kName = "arcway_mpi";
+#else
+constexpr const char* kName = "arcway";
+#endif
 constexpr const char* kDescription = "Time-optimal smooth paths for car-like robots on polygon maps.";
 constexpr const char* kFooter =
     "Units: metres, seconds, radians counter-clockwise from +x (or degrees: 90deg).\n"
     "Exit codes: 0 solved, 1 no path, 2 bad input or usage.";
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, const arcway::Team& team) {
   using namespace arcway::cli;
-  CLI::App app(kDescription, "arcway");
+  CLI::App app(kDescription, kName);
   app.footer(kFooter);
   app.require_subcommand(1);
   Action action;
-  add_plan_command(app, action);
-  add_prepare_command(app, action);
+  add_plan_command(app, action, team);
+  add_prepare_command(app, action, team);
+#ifndef ARCWAY_WITH_MPI
   add_graph_command(app, action);
   add_generate_command(app, action);
   add_validate_command(app, action);
@@ -29,18 +39,21 @@ int run(int argc, char** argv) {
   add_doctor_command(app, action);
   add_report_command(app, action);
   add_figures_command(app, action);
+#endif
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream err;
     const int code = app.exit(error, out, err);
+    if (team.rank() > 0) return code == 0 ? kExitSolved : kExitBadInput;
     std::fputs(out.str().c_str(), code == 0 ? stdout : stderr);
     std::fputs(err.str().c_str(), stderr);
     return code == 0 ? kExitSolved : kExitBadInput;
   }
   std::string text;
   const int code = action(text);
+  if (team.rank() > 0) return code;
   std::fwrite(text.data(), 1, text.size(), stdout);
   return std::fflush(stdout) == 0 ? code : kExitBadInput;
 }
@@ -48,12 +61,21 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef ARCWAY_WITH_MPI
+  const arcway::MpiTeam team;
+#else
+  const arcway::SoloTeam team;
+#endif
   try {
-    return run(argc, argv);
+    return run(argc, argv, team);
   } catch (const std::bad_alloc&) {
-    std::fputs("arcway: out of memory\n", stderr);
+    std::fprintf(stderr, "%s: out of memory\n", kName);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "arcway: %s\n", error.what());
+    std::fprintf(stderr, "%s: %s\n", kName, error.what());
   }
+#ifdef ARCWAY_WITH_MPI
+  team.abort(arcway::cli::kExitBadInput);  // the others would wait for this process
+#else
   return arcway::cli::kExitBadInput;
+#endif
 }

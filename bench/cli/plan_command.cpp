@@ -5,13 +5,16 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "bench/cli/arguments.h"
 #include "bench/cli/progress_bar.h"
 #include "core/alternatives.h"
+#include "core/bytes.h"
 #include "core/curved_plan.h"
 #include "core/path/validation.h"
 #include "core/plan_batch.h"
@@ -225,7 +228,7 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
 }
 
 int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-             const TourRequest& request, const std::vector<CheckedPlan>& plans, std::string& out) {
+             const TourRequest& request, const std::vector<CheckedPlan>& plans, const Team& team, std::string& out) {
   const CheckedPlan& plan = plans.front();
   const PlanResult& result = plan.result;
 
@@ -260,14 +263,15 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   out += "\n" + world_rows(planner.world()) + prepare_rows(planner, build_seconds) +
          row("built by", arguments.build.summary(planner.world())) + search_rows(result.statistics);
   out += warning_rows(map);
-  files.write();
+  if (team.rank() == 0) files.write();
   out += files.summary();
   return good ? kExitSolved : kExitNoPath;
 }
 
 /// Plans on rings that are refined near the path, down to the tolerance that the map was read with.
 int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
-                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, std::string& out) {
+                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, const Team& team,
+                std::string& out) {
   CurveTolerances tolerances;
   tolerances.last = arguments.reading.read_options().vector.curve_tolerance;
   tolerances.first = std::max(tolerances.first, tolerances.last);
@@ -289,7 +293,7 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
                       shortest_text(plan.rounds.back().tolerance) + " m; planned " + count_text(plan.rounds.size()) +
                       (plan.rounds.size() == 1 ? " time" : " times"));
   const std::vector<CheckedPlan> plans{checked(plan.planner, std::move(plan.result), request.reverse)};
-  return plan_one(arguments, map, plan.planner, build_seconds, request, plans, out);
+  return plan_one(arguments, map, plan.planner, build_seconds, request, plans, team, out);
 }
 
 std::string batch_line(std::uint64_t q, const CheckedPlan& plan) {
@@ -312,24 +316,68 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-std::vector<CheckedPlan> plan_all(const Planner& planner, const std::vector<NumberedRequest>& queries,
-                                  const PlanLimits& limits, const Executor& threads) {
+/// What a batch says of one query.
+struct Answer {
+  std::string line, json, refusal;  ///< the validator's first complaint, if it refuses the plan
+  double seconds = 0.0;
+  bool solved = false;
+};
+
+std::string to_bytes(const std::vector<Answer>& answers) {
+  std::string bytes;
+  for (const Answer& answer : answers) {
+    for (const std::string& text : {answer.line, answer.json, answer.refusal}) {
+      append_bytes(bytes, text.size());
+      bytes += text;
+    }
+    append_bytes(bytes, answer.seconds);
+    append_bytes(bytes, answer.solved);
+  }
+  return bytes;
+}
+
+void append_answers(std::string_view bytes, std::vector<Answer>& answers) {
+  while (!bytes.empty()) {
+    Answer answer;
+    for (std::string* text : {&answer.line, &answer.json, &answer.refusal}) {
+      const std::vector<char> found = take_bytes<char>(bytes, take_bytes<std::size_t>(bytes));
+      text->assign(found.begin(), found.end());
+    }
+    answer.seconds = take_bytes<double>(bytes);
+    answer.solved = take_bytes<char>(bytes) != 0;
+    answers.push_back(std::move(answer));
+  }
+}
+
+/// Of this process's share of the queries.
+std::vector<Answer> answer_share(const Planner& planner, std::span<const NumberedRequest> queries,
+                                 const PlanLimits& limits, bool with_json, const Executor& threads) {
   std::vector<PlanRequest> requests;
   for (const NumberedRequest& query : queries) requests.push_back(query.request);
   ProgressBar bar;
   std::vector<PlanResult> results =
       plan_batch(planner, requests, threads, {.time_limit = limits.time, .progress = bar.callback()});
-  std::vector<CheckedPlan> plans(results.size());
+  std::vector<Answer> answers(results.size());
   const ReportingExecutor watched(threads, bar.callback());
   watched.begin_stage("validations");
   watched.for_ranges(results.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) plans[i] = checked(planner, std::move(results[i]), requests[i].reverse);
+    for (std::size_t i = begin; i < end; ++i) {
+      const CheckedPlan plan = checked(planner, std::move(results[i]), requests[i].reverse);
+      Answer& answer = answers[i];
+      answer.line = batch_line(queries[i].q, plan);
+      if (with_json) answer.json = plan_to_json(plan.result, queries[i].q) + "\n";
+      answer.seconds = plan.result.statistics.total_seconds;
+      answer.solved = plan.result.solved();
+      if (answer.solved && !plan.good())
+        answer.refusal = "query " + std::to_string(queries[i].q) + ": " + plan.report->issues.front().message;
+    }
   });
-  return plans;
+  return answers;
 }
 
 int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits, std::string& out) {
+                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits, const Team& team,
+                   std::string& out) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
                     " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " +
@@ -342,17 +390,17 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   std::vector<double> seconds;
   const Stopwatch watch;
   const auto threads = arguments.build.executor();
-  const std::vector<CheckedPlan> plans = plan_all(planner, queries, limits, *threads);
-  for (std::size_t i = 0; i < plans.size(); ++i) {
-    const CheckedPlan& plan = plans[i];
-    const std::uint64_t q = queries[i].q;
-    csv += batch_line(q, plan);
-    if (!arguments.json.empty()) json += plan_to_json(plan.result, q) + "\n";
-    seconds.push_back(plan.result.statistics.total_seconds);
-    if (!plan.result.solved()) continue;
-    ++solved;
-    if (plan.good()) continue;
-    if (refused++ == 0) first_refusal = "query " + std::to_string(q) + ": " + plan.report->issues.front().message;
+  const auto [first, last] = team.share_of(queries.size());
+  std::vector<Answer> answers;
+  for (const std::string& share : team.gather(to_bytes(answer_share(
+           planner, std::span(queries).subspan(first, last - first), limits, !arguments.json.empty(), *threads))))
+    append_answers(share, answers);
+  for (const Answer& answer : answers) {
+    csv += answer.line;
+    json += answer.json;
+    seconds.push_back(answer.seconds);
+    solved += answer.solved ? 1 : 0;
+    if (!answer.refusal.empty() && refused++ == 0) first_refusal = answer.refusal;
   }
   const double total = watch.seconds();
 
@@ -369,7 +417,7 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
                                 duration_text(total) + " with validation");
   out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
          row("built by", arguments.build.summary(planner.world())) + warning_rows(map);
-  files.write();
+  if (team.rank() == 0) files.write();
   out += files.summary();
   return refused == 0 ? kExitSolved : kExitNoPath;
 }
@@ -394,7 +442,7 @@ Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehic
   }
 }
 
-int run_plan(PlanArguments arguments, std::string& out) {
+int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   const bool batch = !arguments.queries.empty();
   if (batch) {
     if (arguments.out.empty()) throw UsageError("--queries: needs --out R.csv for the results");
@@ -418,8 +466,9 @@ int run_plan(PlanArguments arguments, std::string& out) {
       throw UsageError("--svg-layers: expected bounds, obstacles, graph, swept, path, robot or markers, got \"" +
                        layer + "\"");
   options.graph_mode = graph_mode_of(arguments.graph, batch);
-  options.reduced_graph = arguments.build.reduced_graph();
+  options.reduced_graph = arguments.build.reduced_graph(team);
   options.refinement.max_trials = arguments.refine_trials;
+  options.team = &team;
   const PlanLimits limits = limits_of(arguments);
   const double cusp_cost = cusp_cost_of(arguments);
 
@@ -454,17 +503,18 @@ int run_plan(PlanArguments arguments, std::string& out) {
   // Tours and alternatives keep to the rings of the map.
   const bool plain = !batch && arguments.alternatives == 1 && request.via.empty() && request.goals.size() == 1 &&
                      request.goals[0].heading;
-  if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, out);
+  if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, team, out);
   const Stopwatch watch;
   const Planner planner = make_planner(arguments, map, vehicle, options);
   const double build_seconds = watch.seconds();
-  if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, out);
-  return plan_one(arguments, map, planner, build_seconds, request, plans_of(arguments, planner, request, limits), out);
+  if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, team, out);
+  return plan_one(arguments, map, planner, build_seconds, request, plans_of(arguments, planner, request, limits), team,
+                  out);
 }
 
 }  // namespace
 
-void add_plan_command(CLI::App& app, Action& action) {
+void add_plan_command(CLI::App& app, Action& action, const Team& team) {
   CLI::App& command = *app.add_subcommand("plan", "Plan the fastest path from start to goal, or many on one map");
   const auto arguments = std::make_shared<PlanArguments>();
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
@@ -521,8 +571,9 @@ void add_plan_command(CLI::App& app, Action& action) {
   command.add_option("--csv", arguments->csv, "Write the path as samples")->type_name("F.csv");
   command.add_option("--ros-path", arguments->ros_path, "Write the path as a nav_msgs/Path in JSON")
       ->type_name("F.json");
-  command.callback(
-      [arguments, &action] { action = [arguments](std::string& out) { return run_plan(*arguments, out); }; });
+  command.callback([arguments, &action, &team] {
+    action = [arguments, &team](std::string& out) { return run_plan(*arguments, team, out); };
+  });
 }
 
 }  // namespace arcway::cli

@@ -20,7 +20,7 @@ struct PrepareArguments {
   BuildOptions build;
 };
 
-int run_prepare(const PrepareArguments& arguments, std::string& out) {
+int run_prepare(const PrepareArguments& arguments, const Team& team, std::string& out) {
   if (arguments.kind != "reduced" && arguments.kind != "feasible")
     throw UsageError("--kind: expected reduced or feasible, got \"" + arguments.kind + "\"");
   if (arguments.kind == "reduced" && !arguments.robot.empty())
@@ -34,13 +34,14 @@ int run_prepare(const PrepareArguments& arguments, std::string& out) {
   ProgressBar bar;
   const ReportingExecutor executor(*threads, bar.callback());
   const QuerySet queries = arguments.build.queries(map.world);
-  VisibilityGraph reduced = map.prepared ? std::move(map.prepared->reduced_graph)
-                                         : arguments.build.reduced_graph()(map.world, *queries.visibility, executor);
+  VisibilityGraph reduced = map.prepared
+                                ? std::move(map.prepared->reduced_graph)
+                                : arguments.build.reduced_graph(team)(map.world, *queries.visibility, executor);
   const double reduced_seconds = watch.seconds();
   std::string rows = row("reduced graph", count_text(reduced.edge_count()) + " edges");
   PreparedMap prepared{map.world, {}, map.start, map.goal, std::nullopt, {}};
   if (arguments.kind == "feasible") {
-    const Planner planner(map.world, vehicle, queries, std::move(reduced), {}, executor);
+    const Planner planner(map.world, vehicle, queries, std::move(reduced), {.team = &team}, executor);
     rows += feasible_row(planner);
     PreparedGraph graphs = planner.prepared_graph();
     prepared.reduced_graph = std::move(graphs.reduced_graph);
@@ -57,14 +58,14 @@ int run_prepare(const PrepareArguments& arguments, std::string& out) {
          warning_rows(map);
   OutputFiles files;
   files.add(arguments.out, std::move(bytes));
-  files.write();
+  if (team.rank() == 0) files.write();
   out += files.summary();
   return kExitSolved;
 }
 
 }  // namespace
 
-void add_prepare_command(CLI::App& app, Action& action) {
+void add_prepare_command(CLI::App& app, Action& action, const Team& team) {
   CLI::App& command = *app.add_subcommand("prepare", "Build a map's graphs once, for plan to take up");
   const auto arguments = std::make_shared<PrepareArguments>();
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
@@ -77,8 +78,9 @@ void add_prepare_command(CLI::App& app, Action& action) {
   command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
   arguments->build.add_to(command);
   command.add_option("--out", arguments->out, "File to write")->type_name("F.arcway")->required();
-  command.callback(
-      [arguments, &action] { action = [arguments](std::string& out) { return run_prepare(*arguments, out); }; });
+  command.callback([arguments, &action, &team] {
+    action = [arguments, &team](std::string& out) { return run_prepare(*arguments, team, out); };
+  });
 }
 
 }  // namespace arcway::cli

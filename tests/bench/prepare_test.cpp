@@ -8,18 +8,7 @@ namespace {
 
 using arcway::test::kAround;
 using arcway::test::Tool;
-
-// Everything of a batch's results but times.
-std::string without_times(const std::string& csv) {
-  std::string kept;
-  for (std::size_t begin = 0; begin < csv.size();) {
-    const std::size_t end = csv.find('\n', begin);
-    const std::string line = csv.substr(begin, end - begin);
-    if (line[0] != '#') kept += line.substr(0, line.rfind(',')) + "\n";
-    begin = end + 1;
-  }
-  return kept;
-}
+using arcway::test::without_times;
 
 TEST_F(Tool, PlansOnAPreparedMapAsOnTheMap) {
   ASSERT_EQ(run("generate clutter/star/n30/m6/f20/s3 --out " + file("w.geojson") + " --queries " + file("q.csv")).code,

@@ -19,6 +19,18 @@ inline std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+/// Everything of a batch's results but times.
+inline std::string without_times(const std::string& csv) {
+  std::string kept;
+  for (std::size_t begin = 0; begin < csv.size();) {
+    const std::size_t end = csv.find('\n', begin);
+    const std::string line = csv.substr(begin, end - begin);
+    if (line[0] != '#') kept += line.substr(0, line.rfind(',')) + "\n";
+    begin = end + 1;
+  }
+  return kept;
+}
+
 inline constexpr const char* kOneBox =
     R"({"type":"FeatureCollection","properties":{"bounds":[0,0,60,60]},"features":[)"
     R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[)"
