@@ -90,9 +90,9 @@ bool is_graph_vertex(const World& world, VertexId v) { return world.is_convex(v)
 
 // Checks the feasible graph anew.
 auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
-  return [&](const VisibilityGraph& graph, const PlannerOptions& options) {
+  return [&](const std::shared_ptr<const VisibilityRows>& rows, const PlannerOptions& options) {
     const SoloTeam alone;
-    return FeasibleGraph(world, vehicle, graph, queries, options.radii, executor, options.graph_mode,
+    return FeasibleGraph(world, vehicle, rows, queries, options.radii, executor, options.graph_mode,
                          options.team ? *options.team : alone);
   };
 }
@@ -109,16 +109,17 @@ std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimit
 }  // namespace
 
 struct Planner::Data {
-  /// @param make_feasible  gives the feasible graph for the reduced graph and the radii.
+  /// @param make_feasible  gives the feasible graph for the rows of the reduced graph and the radii.
   template <class MakeFeasible>
   Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, VisibilityGraph graph,
-       MakeFeasible&& make_feasible)
+       std::shared_ptr<const VisibilityRows> r, MakeFeasible&& make_feasible)
       : options(std::move(o)),
         visibility_graph(std::move(graph)),
-        map(world, vehicle, queries, options.radii, make_feasible(visibility_graph, options)) {
+        rows(std::move(r)),
+        map(world, vehicle, queries, options.radii, make_feasible(rows, options)) {
     const Footprint bare = vehicle.footprint();
     if (options.point_robot_bound && std::min(bare.front, bare.rear) >= 0.0)
-      point_distance.emplace(world, visibility_graph);
+      point_distance.emplace(world, rows, map.outlines);
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = map.graph.counts();
   }
@@ -177,13 +178,13 @@ struct Planner::Data {
   }
 
   // The lower bound with the way round the obstacles, if that is wanted.
-  void raise_bound(const PlanRequest& request, PlanResult& result) const {
+  void raise_bound(const PlanRequest& request, PointDistance::Workspace& workspace, PlanResult& result) const {
     const Stopwatch bounding;
     if (point_distance)
       result.lower_bound = travel_time_bound(
           request.start, request.goal,
-          (*point_distance)(request.start.position(), request.goal.position(), *map.queries.visibility), map.vehicle,
-          request.reverse);
+          (*point_distance)(request.start.position(), request.goal.position(), *map.queries.visibility, workspace),
+          map.vehicle, request.reverse);
     result.statistics.bound_seconds = bounding.seconds();
   }
 
@@ -227,10 +228,15 @@ struct Planner::Data {
   Stopwatch watch;
   PlannerOptions options;
   VisibilityGraph visibility_graph;
+  std::shared_ptr<const VisibilityRows> rows;
   SearchMap map;
   std::optional<PointDistance> point_distance;
   PrepareStatistics prepare_statistics;
-  mutable WorkspacePool workspaces;
+  struct Workspace {
+    SearchWorkspace search;
+    PointDistance::Workspace point;
+  };
+  mutable WorkspacePool<Workspace> workspaces;
 };
 
 const char* name_of(PlanStatus status) {
@@ -286,16 +292,25 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
   const Stopwatch watch;
   VisibilityGraph graph = checked.reduced_graph(world, *queries.visibility, executor);
   const double seconds = watch.seconds();
-  auto data = std::make_shared<Data>(world, vehicle, queries, checked, std::move(graph),
+  auto rows = rows_of(world, graph);
+  auto data = std::make_shared<Data>(world, vehicle, queries, checked, std::move(graph), std::move(rows),
                                      feasible_maker(world, vehicle, queries, executor));
   data->prepare_statistics.visibility_seconds = seconds;
   data_ = std::move(data);
 }
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
-                 const PlannerOptions& options, const Executor& executor)
-    : data_(std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
-                                   std::move(visibility_graph), feasible_maker(world, vehicle, queries, executor))) {}
+                 const PlannerOptions& options, const Executor& executor) {
+  auto rows = rows_of(world, visibility_graph);
+  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
+                                 std::move(visibility_graph), std::move(rows),
+                                 feasible_maker(world, vehicle, queries, executor));
+}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries,
+                 std::shared_ptr<const VisibilityRows> rows, const PlannerOptions& options, const Executor& executor)
+    : data_(std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options), VisibilityGraph(),
+                                   std::move(rows), feasible_maker(world, vehicle, queries, executor))) {}
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, PreparedGraph graphs,
                  const PlannerOptions& options) {
@@ -312,9 +327,10 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
         throw TableError(
             Table::kTargets, graphs.reduced_graph.row_starts()[u],
             "row " + std::to_string(u) + " joins it to " + std::to_string(v) + ", which are not both convex and free");
+  auto rows = rows_of(world, graphs.reduced_graph);
   data_ = std::make_shared<Data>(world, vehicle, queries, std::move(taken), std::move(graphs.reduced_graph),
-                                 [&](const VisibilityGraph& graph, const PlannerOptions& o) {
-                                   return FeasibleGraph(world, vehicle, graph, queries, o.radii,
+                                 std::move(rows), [&](const auto& all_rows, const PlannerOptions& o) {
+                                   return FeasibleGraph(world, vehicle, all_rows, queries, o.radii,
                                                         std::move(graphs.feasible));
                                  });
 }
@@ -338,10 +354,10 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
     return result;
   }
 
-  WorkspacePool::Lease workspace(d.workspaces);
+  WorkspacePool<Data::Workspace>::Lease workspace(d.workspaces);
   const SearchOptions options{d.options.heuristic, limits.stop, deadline, request.cusp_cost};
   const FoundPath forwards = d.search(result, [&] {
-    return find_path(d.map, request.start, request.goal, d.options.manoeuvre_poses, options, *workspace);
+    return find_path(d.map, request.start, request.goal, d.options.manoeuvre_poses, options, workspace->search);
   });
   std::optional<Path> found;
   const auto keep_faster = [&](const Path& path, bool reverse) {
@@ -356,7 +372,7 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   };
   if (forwards.search.path) {
     keep_faster(*forwards.search.path, false);
-    d.raise_bound(request, result);
+    d.raise_bound(request, workspace->point, result);
     const double time = speed_profile(*found, d.map.vehicle).total_time;
     const bool doubtful = time > (1.0 + kLargeGap) * result.lower_bound && forwards.manoeuvre_poses == 0;
     if (doubtful && d.options.manoeuvre_poses > 1 && !result.interrupted) {
@@ -364,7 +380,7 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
       faster.faster_than = result.statistics.unrefined_travel_time;
       const FoundPath turning = d.search(result, [&] {
         const std::size_t poses = std::min<std::size_t>(kShortPoses, d.options.manoeuvre_poses);
-        return find_path_with_manoeuvres(d.map, request.start, request.goal, poses, faster, *workspace);
+        return find_path_with_manoeuvres(d.map, request.start, request.goal, poses, faster, workspace->search);
       });
       if (turning.search.path) keep_faster(*turning.search.path, false);
     }
@@ -372,7 +388,7 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   if (request.reverse && !result.interrupted && !(found && found->empty())) {
     const double unrefined = found ? result.statistics.unrefined_travel_time : kInfinity;
     const FoundPath both = d.search(result, [&] {
-      return find_reversing_path(d.map, request.start, request.goal, unrefined, options, *workspace);
+      return find_reversing_path(d.map, request.start, request.goal, unrefined, options, workspace->search);
     });
     if (both.search.path) keep_faster(*both.search.path, true);
   }
@@ -381,25 +397,31 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
     result.statistics.total_seconds = total.seconds();
     return result;
   }
-  if (!forwards.search.path) d.raise_bound(request, result);
+  if (!forwards.search.path) d.raise_bound(request, workspace->point, result);
   const Path path = std::move(*found);
 
   const Stopwatch finishing;
   result.status = PlanStatus::kSolved;
   const SpeedProfile profile = speed_profile(path, d.map.vehicle);
   const Footprint bare = d.map.vehicle.footprint();
-  result.min_clearance = std::numeric_limits<double>::infinity();
+  // The middle of the body is further from the obstacles than the body.
+  const Pose& from = request.start;
+  const Vec2 middle = from.position() + 0.5 * (bare.front - bare.rear) * direction_of(from.heading);
+  result.min_clearance = d.map.queries.distance->closest(middle).distance;
+  const auto look_along = [&](const PathSegment& segment) {
+    return clearance_below(result.min_clearance, segment, bare, *d.map.outlines);
+  };
   for (std::size_t i = 0; i < path.size(); ++i) {
     const PathSegment& segment = path[i];
     result.segments.push_back({segment, profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
-    const Clearance clearance = clearance_along(segment, bare, d.map.world);
-    if (clearance.distance < result.min_clearance) {
-      result.min_clearance = clearance.distance;
+    const double clearance = look_along(segment);
+    if (clearance < result.min_clearance) {
+      result.min_clearance = clearance;
       result.clearance_index = i;
       result.clearance_segment = segment;
     }
   }
-  if (path.empty()) result.min_clearance = clearance_along({request.start, 0.0, 0.0}, bare, d.map.world).distance;
+  if (path.empty()) result.min_clearance = look_along({request.start, 0.0, 0.0});
   result.travel_time = profile.total_time;
   result.length = length_of(path);
   result.statistics.profile_seconds = finishing.seconds();
@@ -412,6 +434,7 @@ const Vehicle& Planner::vehicle() const { return data_->map.vehicle; }
 const QuerySet& Planner::queries() const { return data_->map.queries; }
 const PlannerOptions& Planner::options() const { return data_->options; }
 const VisibilityGraph& Planner::visibility_graph() const { return data_->visibility_graph; }
+std::shared_ptr<const VisibilityRows> Planner::visibility_rows() const { return data_->rows; }
 const FeasibleGraph& Planner::feasible_graph() const { return data_->map.graph; }
 PreparedGraph Planner::prepared_graph() const {
   return {data_->visibility_graph, data_->options.radii, data_->map.graph.tables()};

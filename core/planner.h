@@ -12,6 +12,7 @@
 #include "core/geometry/angle.h"
 #include "core/graph/feasible_graph.h"
 #include "core/graph/visibility_graph.h"
+#include "core/graph/visibility_rows.h"
 #include "core/path/path.h"
 #include "core/prepared_graph.h"
 #include "core/query/query_set.h"
@@ -151,6 +152,10 @@ class Planner {
   /// The same from a reduced visibility graph built elsewhere.
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
           const PlannerOptions& options, const Executor& executor);
+  /// The same from rows of the reduced visibility graph. With GraphMode::kLazy a query asks for those that its search
+  /// reaches only, so that the first one need not wait for a whole graph. Plans are the same, bit for bit.
+  Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries,
+          std::shared_ptr<const VisibilityRows> rows, const PlannerOptions& options, const Executor& executor);
 
   /// The same from all graphs of another planner for an equal map and vehicle: nothing is checked again. The options'
   /// radii and mode are those of the graphs, whatever they say.
@@ -170,7 +175,10 @@ class Planner {
   [[nodiscard]] const Vehicle& vehicle() const;
   [[nodiscard]] const QuerySet& queries() const;
   [[nodiscard]] const PlannerOptions& options() const;  ///< with the radii that are used
+  /// Without vertices if the planner was made from rows.
   [[nodiscard]] const VisibilityGraph& visibility_graph() const;
+  /// The rows of the same graph, however the planner was made: for another planner on the map, say.
+  [[nodiscard]] std::shared_ptr<const VisibilityRows> visibility_rows() const;
   [[nodiscard]] const FeasibleGraph& feasible_graph() const;
   /// All graphs, for another planner. Eager graphs only.
   [[nodiscard]] PreparedGraph prepared_graph() const;

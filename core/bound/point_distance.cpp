@@ -1,80 +1,91 @@
 #include "core/bound/point_distance.h"
 
+#include <algorithm>
 #include <limits>
-#include <queue>
-#include <unordered_map>
-#include <unordered_set>
+#include <utility>
+
+#include "core/geometry/angle.h"
+#include "core/search/horizon.h"
 
 namespace arcway {
 
+void PointDistance::Workspace::reset(std::size_t vertices) {
+  open_.clear();
+  if (reached_.size() < vertices) reached_.resize(vertices, {0.0, 0, false});
+  if (++search_ == 0) {
+    std::fill(reached_.begin(), reached_.end(), Reached{0.0, 0, false});
+    search_ = 1;
+  }
+}
+
+PointDistance::Workspace::Reached& PointDistance::Workspace::at(VertexId vertex) {
+  Reached& reached = reached_[vertex];
+  if (reached.search != search_) reached = {std::numeric_limits<double>::infinity(), search_, false};
+  return reached;
+}
+
 namespace {
 
-enum class Step : std::uint8_t {
-  kFromStart,  // a segment from the start to a vertex, not yet asked for
-  kEdge,       // an edge of the graph to a vertex
-  kToGoal      // a segment from a vertex, or from the start, to the goal, not yet asked for
-};
-
-struct Entry {
-  double estimate;  // of the whole path
-  double length;    // up to the vertex, or up to the goal
-  VertexId vertex;  // kNone: the start itself
-  Step step;
-  bool operator<(const Entry& other) const { return estimate > other.estimate; }  // the queue has the largest on top
-};
+constexpr auto later = [](const auto& a, const auto& b) { return a.estimate > b.estimate; };  // the smallest on top
 
 }  // namespace
 
-PointDistance::PointDistance(const World& world, const VisibilityGraph& graph)
-    : world_(world), row_starts_(graph.vertex_count() + 1, 0), neighbors_(2 * graph.edge_count()) {
-  for (VertexId u = 0; u < graph.vertex_count(); ++u)
-    for (const VertexId v : graph.row(u)) {
-      ++row_starts_[u + 1];
-      ++row_starts_[v + 1];
-    }
-  for (std::size_t i = 1; i < row_starts_.size(); ++i) row_starts_[i] += row_starts_[i - 1];
-  std::vector<std::uint64_t> next(row_starts_.begin(), row_starts_.end());
-  for (VertexId u = 0; u < graph.vertex_count(); ++u)
-    for (const VertexId v : graph.row(u)) {
-      neighbors_[next[u]++] = v;
-      neighbors_[next[v]++] = u;
-    }
+void PointDistance::Workspace::push(const Entry& entry) {
+  open_.push_back(entry);
+  std::push_heap(open_.begin(), open_.end(), later);
 }
 
-double PointDistance::operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility) const {
-  const auto to_goal = [&](const Vec2& p) { return (goal - p).norm(); };
-  std::vector<Entry> entries{{to_goal(start), to_goal(start), kNone, Step::kToGoal}};
-  entries.reserve(world_.convex_vertices().size() + 1);
-  for (const VertexId v : world_.convex_vertices()) {
-    const double length = (world_.vertex(v) - start).norm();
-    entries.push_back({length + to_goal(world_.vertex(v)), length, v, Step::kFromStart});
-  }
-  std::priority_queue<Entry> open(std::less<Entry>(), std::move(entries));
-  std::unordered_set<VertexId> closed;
-  std::unordered_map<VertexId, double> best;
+PointDistance::Workspace::Entry PointDistance::Workspace::pop() {
+  std::pop_heap(open_.begin(), open_.end(), later);
+  const Entry entry = open_.back();
+  open_.pop_back();
+  return entry;
+}
 
-  while (!open.empty()) {
-    const Entry entry = open.top();
-    open.pop();
+PointDistance::PointDistance(const World& world, std::shared_ptr<const VisibilityRows> rows,
+                             std::shared_ptr<const Outlines> outlines)
+    : world_(world), rows_(std::move(rows)), outlines_(std::move(outlines)) {}
+
+double PointDistance::operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility,
+                                 Workspace& w) const {
+  using Step = Workspace::Step;
+  w.reset(world_.vertices().size());
+  const auto to_goal = [&](const Vec2& p) { return (goal - p).norm(); };
+  w.push({to_goal(start), to_goal(start), kNone, Step::kToGoal});
+  Horizon horizon({start, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+  horizon.shorten(*outlines_);
+  outlines_->visit_if([&](const Box& box) { return !horizon.hides(box); },
+                      [&](const Outlines::Piece& piece) {
+                        for (std::size_t i = 0; i < piece.edge_count(); ++i) {
+                          const auto v = static_cast<VertexId>(piece.first + i);
+                          if (!world_.is_convex(v) || world_.is_covered(v)) continue;
+                          const double length = (piece.points[i] - start).norm();
+                          w.push({length + to_goal(piece.points[i]), length, v, Step::kFromStart});
+                        }
+                        return true;
+                      });
+
+  while (!w.open_.empty()) {
+    const Workspace::Entry entry = w.pop();
     const Vec2& here = entry.vertex == kNone ? start : world_.vertex(entry.vertex);
     if (entry.step == Step::kToGoal) {
       if (visibility.visible({here, goal})) return entry.length;
       continue;
     }
-    if (closed.contains(entry.vertex)) continue;
+    Workspace::Reached& reached = w.at(entry.vertex);
+    if (reached.closed) continue;
     if (entry.step == Step::kFromStart &&
         !(is_tangent(world_, entry.vertex, start) && visibility.visible({start, here})))
       continue;
-    closed.insert(entry.vertex);
+    reached.closed = true;
     if (is_tangent(world_, entry.vertex, goal))
-      open.push({entry.length + to_goal(here), entry.length + to_goal(here), entry.vertex, Step::kToGoal});
-    for (std::uint64_t i = row_starts_[entry.vertex]; i < row_starts_[entry.vertex + 1]; ++i) {
-      const VertexId v = neighbors_[i];
+      w.push({entry.length + to_goal(here), entry.length + to_goal(here), entry.vertex, Step::kToGoal});
+    for (const VertexId v : rows_->of(entry.vertex)) {
       const double length = entry.length + (world_.vertex(v) - here).norm();
-      const auto [known, is_new] = best.try_emplace(v, length);
-      if (!is_new && known->second <= length) continue;
-      known->second = length;
-      open.push({length + to_goal(world_.vertex(v)), length, v, Step::kEdge});
+      Workspace::Reached& next = w.at(v);
+      if (next.length <= length) continue;
+      next.length = length;
+      w.push({length + to_goal(world_.vertex(v)), length, v, Step::kEdge});
     }
   }
   return std::numeric_limits<double>::infinity();

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/geometry/vec2.h"
-#include "core/graph/visibility_graph.h"
+#include "core/graph/visibility_rows.h"
+#include "core/outlines.h"
 #include "core/query/visibility_query.h"
 #include "core/world.h"
 
@@ -13,24 +15,57 @@ namespace [[gnu::visibility("default")]] arcway {
 /// Shortest paths of a point among the obstacles: how far at least the reference point of any body drives that covers
 /// it. A point may touch obstacles and pass between two that touch.
 ///
-///     const PointDistance distance(world, build_reduced_visibility_graph(world, visibility));
-///     distance(start, goal, visibility);
+///     const PointDistance distance(world, rows_of(graph), std::make_shared<const Outlines>(world));
+///     distance(start, goal, visibility, workspace);
 ///
 /// Immutable, thread-safe.
 class PointDistance {
  public:
-  /// @param graph  the reduced visibility graph of `world`. Its edges are copied in both directions.
-  PointDistance(const World& world, const VisibilityGraph& graph);
+  /// Memory of a search, kept for the next one: for one search at a time.
+  class Workspace {
+   private:
+    friend class PointDistance;
+    enum class Step : std::uint8_t {
+      kFromStart,  ///< a segment from the start to a vertex, not yet asked for
+      kEdge,       ///< an edge of the graph to a vertex
+      kToGoal      ///< a segment from a vertex, or from the start, to the goal, not yet asked for
+    };
+    struct Entry {
+      double estimate;  ///< of the whole path
+      double length;    ///< up to the vertex, or up to the goal
+      VertexId vertex;  ///< kNone: the start itself
+      Step step;
+    };
+    struct Reached {
+      double length;
+      std::uint32_t search;  ///< the last one that came here
+      bool closed;
+    };
+    void reset(std::size_t vertices);
+    Reached& at(VertexId vertex);
+    void push(const Entry& entry);
+    Entry pop();
+
+    std::vector<Entry> open_;
+    std::vector<Reached> reached_;  // by vertex
+    std::uint32_t search_ = 0;
+  };
+
+  /// @param rows      of the reduced visibility graph of `world`.
+  /// @param outlines  of `world`.
+  PointDistance(const World& world, std::shared_ptr<const VisibilityRows> rows,
+                std::shared_ptr<const Outlines> outlines);
 
   /// Length of the shortest path, up to the rounding of its sum [m]; infinity if there is none. Neither point may lie
-  /// inside an obstacle. A* over the graph with the distance to the goal; segments from the start and to the goal are
-  /// asked of `visibility` when their turn comes, so that mostly vertices near the straight line are asked for.
-  [[nodiscard]] double operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility) const;
+  /// inside an obstacle. A* over the graph with the distance to the goal, from the vertices that the outlines near by
+  /// do not hide; segments from the start and to the goal are asked of `visibility` when their turn comes.
+  [[nodiscard]] double operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility,
+                                  Workspace& workspace) const;
 
  private:
   World world_;
-  std::vector<std::uint64_t> row_starts_;
-  std::vector<VertexId> neighbors_;
+  std::shared_ptr<const VisibilityRows> rows_;
+  std::shared_ptr<const Outlines> outlines_;
 };
 
 }  // namespace arcway

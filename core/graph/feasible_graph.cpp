@@ -16,7 +16,6 @@
 #include "core/geometry/predicates.h"
 #include "core/graph/feasible_tables.h"
 #include "core/graph/slot_cache.h"
-#include "core/graph/turn_circles.h"
 
 namespace arcway {
 
@@ -54,47 +53,19 @@ struct LazyRow {
   mutable std::vector<std::atomic<Verdict>> verdicts;
 };
 
-// Neighbors of every vertex in both directions, in compressed rows.
-class Adjacency {
- public:
-  explicit Adjacency(const VisibilityGraph& graph) : starts_(graph.vertex_count() + 1, 0) {
-    const auto vertices = static_cast<VertexId>(graph.vertex_count());
-    for (VertexId u = 0; u < vertices; ++u)
-      for (const VertexId v : graph.row(u)) {
-        ++starts_[u + 1];
-        ++starts_[v + 1];
-      }
-    for (std::size_t v = 0; v < vertices; ++v) starts_[v + 1] += starts_[v];
-    targets_.resize(starts_.back());
-    std::vector<std::uint64_t> next(starts_.begin(), starts_.end() - 1);
-    for (VertexId u = 0; u < vertices; ++u)
-      for (const VertexId v : graph.row(u)) {
-        targets_[next[u]++] = v;
-        targets_[next[v]++] = u;
-      }
-  }
-  [[nodiscard]] std::span<const VertexId> of(VertexId v) const {
-    return std::span(targets_).subspan(starts_[v], starts_[v + 1] - starts_[v]);
-  }
-
- private:
-  std::vector<std::uint64_t> starts_;
-  std::vector<VertexId> targets_;
-};
-
 }  // namespace
 
 struct FeasibleGraph::Data {
-  Data(const World& w, const Vehicle& vehicle, const VisibilityGraph& graph, QuerySet q, std::span<const double> radii,
-       GraphMode m)
+  Data(const World& w, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> r, QuerySet q,
+       std::span<const double> radii, GraphMode m)
       : world(w),
         queries(std::move(q)),
         body(vehicle.footprint(0.5 * vehicle.safety_margin())),
         body_covers_reference(body.front >= 0.0 && body.rear >= 0.0),
         mode(m),
         smallest_radius(radii.front()),
-        neighbors(graph),
-        turn_circles(world, graph, radii, vehicle.footprint(vehicle.safety_margin())),
+        rows(std::move(r)),
+        turn_circles(world, *rows, radii, vehicle.footprint(vehicle.safety_margin())),
         circles(turn_circles.all()),
         lazy_headings(m == GraphMode::kLazy ? circles.size() : 0),
         lazy_rows(m == GraphMode::kLazy ? circles.size() : 0) {
@@ -109,11 +80,11 @@ struct FeasibleGraph::Data {
     find_headings(share, executor);
     if (team.size() > 1) exchange_headings(share, team);
 
-    const std::vector<Departures> rows = find_kept(share, executor);
+    const std::vector<Departures> found = find_kept(share, executor);
     if (team.size() > 1) {
-      exchange_rows(rows, team);
+      exchange_rows(found, team);
     } else {
-      for (const Departures& row : rows) append(row.links, row.counts);
+      for (const Departures& row : found) append(row.links, row.counts);
     }
     count_all();
   }
@@ -143,12 +114,12 @@ struct FeasibleGraph::Data {
 
   [[nodiscard]] std::vector<Departures> find_kept(std::span<const std::uint32_t> which,
                                                   const Executor& executor) const {
-    std::vector<Departures> rows(which.size());
+    std::vector<Departures> found(which.size());
     executor.begin_stage("bitangents");
     executor.for_ranges(which.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) rows[i] = kept_departures(which[i]);
+      for (std::size_t i = begin; i < end; ++i) found[i] = kept_departures(which[i]);
     });
-    return rows;
+    return found;
   }
 
   void exchange_headings(std::span<const std::uint32_t> share, const Team& team) {
@@ -316,14 +287,14 @@ struct FeasibleGraph::Data {
     };
     for (const VertexId u : {circle.vertex, circle.second})
       if (u != kNone)
-        for (const VertexId v : neighbors.of(u)) add(u, circle.side, v, 0);
+        for (const VertexId v : rows->of(u)) add(u, circle.side, v, 0);
     for (std::size_t i = 0; i < arrivals.size(); ++i) {
       const Arrival at = arrivals[i];
       if (at.passed == kMostPassed) break;  // so have all that follow
       const TurnCircle& middle = own_circle(at.vertex, at.side);
       const auto line = line_between(circle, middle);
       if (!line) continue;
-      for (const VertexId next : neighbors.of(at.vertex)) {
+      for (const VertexId next : rows->of(at.vertex)) {
         const int turn = orientation(world.vertex(at.before), world.vertex(at.vertex), world.vertex(next));
         if (turn == (at.side == Side::kLeft ? -1 : 1)) continue;
         const TurnCircle& behind = own_circle(next, obstacle_side(world, next, world.vertex(at.vertex)));
@@ -414,7 +385,7 @@ struct FeasibleGraph::Data {
   bool body_covers_reference;  // else other points of it touch the vertex first
   GraphMode mode;
   double smallest_radius;
-  Adjacency neighbors;
+  std::shared_ptr<const VisibilityRows> rows;
   TurnCircles turn_circles;
   std::span<const TurnCircle> circles;
   FeasibleGraphCounts counts;
@@ -430,15 +401,20 @@ struct FeasibleGraph::Data {
 
 FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph,
                              const QuerySet& queries, std::span<const double> radii, const Executor& executor,
+                             GraphMode mode, const Team& team)
+    : FeasibleGraph(world, vehicle, rows_of(world, graph), queries, radii, executor, mode, team) {}
+
+FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
+                             const QuerySet& queries, std::span<const double> radii, const Executor& executor,
                              GraphMode mode, const Team& team) {
-  auto data = std::make_shared<Data>(world, vehicle, graph, queries, radii, mode);
+  auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, mode);
   if (mode == GraphMode::kEager) data->check_all(executor, team);
   data_ = std::move(data);
 }
 
-FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph,
+FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
                              const QuerySet& queries, std::span<const double> radii, FeasibleTables known) {
-  auto data = std::make_shared<Data>(world, vehicle, graph, queries, radii, GraphMode::kEager);
+  auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, GraphMode::kEager);
   data->take(std::move(known));
   data_ = std::move(data);
 }
@@ -458,6 +434,7 @@ FeasibleTables FeasibleGraph::tables() const {
 
 GraphMode FeasibleGraph::mode() const { return data_->mode; }
 std::span<const TurnCircle> FeasibleGraph::circles() const { return data_->circles; }
+const TurnCircles& FeasibleGraph::turn_circles() const { return data_->turn_circles; }
 const HeadingSet& FeasibleGraph::free_headings(std::uint32_t circle) const { return data_->headings_of(circle); }
 std::span<const FeasibleGraph::Link> FeasibleGraph::links() const { return data_->links; }
 FeasibleGraphCounts FeasibleGraph::counts() const { return data_->counts_so_far(); }

@@ -6,7 +6,9 @@
 
 #include "core/executor.h"
 #include "core/graph/turn_circle.h"
+#include "core/graph/turn_circles.h"
 #include "core/graph/visibility_graph.h"
+#include "core/graph/visibility_rows.h"
 #include "core/query/heading_set.h"
 #include "core/query/query_set.h"
 #include "core/team.h"
@@ -19,7 +21,8 @@ namespace [[gnu::visibility("default")]] arcway {
 struct FeasibleGraphCounts {
   std::uint64_t circles = 0;          ///< turn circles of convex vertices, see TurnCircles
   std::uint64_t circles_blocked = 0;  ///< those without any free heading
-  std::uint64_t candidates = 0;       ///< directed, between circles of the reduced graph's neighbors and beyond
+  std::uint64_t candidates = 0;       ///< directed, between circles of the reduced graph's neighbors and beyond;
+                                      ///< if lazy, those looked at so far
   std::uint64_t repeated = 0;         ///< those of circles round two vertices that were candidates before
   std::uint64_t kept = 0;
   std::uint64_t rejected_overlap = 0;    ///< no bitangent: circles overlap
@@ -57,14 +60,19 @@ class FeasibleGraph {
   FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph, const QuerySet& queries,
                 std::span<const double> radii, const Executor& executor, GraphMode mode = GraphMode::kEager,
                 const Team& team = SoloTeam());
+  /// The same from rows: a lazy graph asks for those that searches reach.
+  FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
+                const QuerySet& queries, std::span<const double> radii, const Executor& executor,
+                GraphMode mode = GraphMode::kEager, const Team& team = SoloTeam());
   /// An eager graph from what one has found out before; see feasible_tables.h. Nothing is checked again.
   /// @throws TableError if the tables are not those of such a graph: a value out of range or order.
-  FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph, const QuerySet& queries,
-                std::span<const double> radii, FeasibleTables known);
+  FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
+                const QuerySet& queries, std::span<const double> radii, FeasibleTables known);
 
   [[nodiscard]] GraphMode mode() const;
   /// In the order of TurnCircles::all.
   [[nodiscard]] std::span<const TurnCircle> circles() const;
+  [[nodiscard]] const TurnCircles& turn_circles() const;
   /// On circles wider than the smallest only those of a turn round the vertex: a right angle and some to either side.
   [[nodiscard]] const HeadingSet& free_headings(std::uint32_t circle) const;
   /// Links that leave a circle, by heading, then `to`: the kept ones if eager; those whose first heading is free if

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/graph/turn_circle.h"
-#include "core/graph/visibility_graph.h"
+#include "core/graph/visibility_rows.h"
 #include "core/vehicle.h"
 #include "core/world.h"
 
@@ -18,12 +18,14 @@ namespace [[gnu::visibility("default")]] arcway {
 class TurnCircles {
  public:
   /// @param radii       ascending, not empty;  @param grown_body  by the safety margin.
-  TurnCircles(const World& world, const VisibilityGraph& graph, std::span<const double> radii,
+  TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
               const Footprint& grown_body);
 
   /// Those of one vertex first: all of a vertex are neighbors, radii ascending, for each left before right. Then those
   /// of two, left before right.
   [[nodiscard]] std::span<const TurnCircle> all() const { return circles_; }
+  /// Whether a vertex is convex and has circles.
+  [[nodiscard]] bool has(VertexId v) const { return first_[v] != kNone; }
   /// The circle round a convex vertex alone, of the smallest radius: an index into `all`.
   [[nodiscard]] std::uint32_t first_round(VertexId v, Side side) const {
     return first_[v] + (side == Side::kLeft ? 0 : 1);

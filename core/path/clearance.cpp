@@ -194,4 +194,19 @@ Clearance clearance_along(const PathSegment& segment, const Footprint& body, con
   return best;
 }
 
+double clearance_below(double limit, const PathSegment& segment, const Footprint& body, const Outlines& outlines) {
+  const Motion motion(segment, body);
+  const Box swept = motion.swept_box();
+  const Box near{swept.min - Vec2::Constant(limit), swept.max + Vec2::Constant(limit)};
+  outlines.visit_overlaps(near, [&](const Outlines::Piece& piece) {
+    for (std::size_t i = 0; i < piece.edge_count(); ++i) {
+      const LineSegment edge{piece.points[i], piece.points[i + 1]};
+      if (distance_between(swept, {edge.a.cwiseMin(edge.b), edge.a.cwiseMax(edge.b)}) < limit)
+        limit = std::min(limit, motion.nearest(edge).distance);
+    }
+    return true;
+  });
+  return limit;
+}
+
 }  // namespace arcway

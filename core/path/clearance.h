@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/outlines.h"
 #include "core/path/path.h"
 #include "core/vehicle.h"
 #include "core/world.h"
@@ -22,5 +23,8 @@ struct Clearance {
 /// obstacle without touching its boundary is not noticed.
 /// O(regions + edges of regions near by), no allocation; thread-safe.
 Clearance clearance_along(const PathSegment& segment, const Footprint& body, const World& world);
+
+/// The same distance if it is below a limit, else the limit. Looks only at outlines nearer than that.
+double clearance_below(double limit, const PathSegment& segment, const Footprint& body, const Outlines& outlines);
 
 }  // namespace arcway

@@ -10,7 +10,6 @@ namespace arcway {
 
 namespace {
 
-constexpr std::size_t kPieceEdges = 12;
 constexpr std::size_t kEnoughPieces = 64;
 constexpr double kFirstReach = 16.0;  // [m]
 constexpr double kSlack = 1e-6;       // of headings [rad], and of distances relative to them
@@ -24,28 +23,6 @@ constexpr double kLongestEdge = 1000.0;
 double above_asin(double x) { return x < 0.5 ? (kPi / 3.0) * x : kPi / 6.0 + (2.0 * kPi / 3.0) * (x - 0.5); }
 
 }  // namespace
-
-Outlines::Outlines(const World& world) : starts_{0} {
-  std::vector<Box> boxes;
-  const auto add_ring = [&](VertexId first, VertexId last) {
-    const std::size_t edges = last - first;
-    for (std::size_t begin = 0; begin < edges; begin += kPieceEdges) {
-      Box box;
-      for (std::size_t i = begin; i <= std::min(begin + kPieceEdges, edges); ++i) {
-        points_.push_back(world.vertex(first + static_cast<VertexId>(i % edges)));
-        box.extend(points_.back());
-      }
-      starts_.push_back(points_.size());
-      boxes.push_back(box);
-    }
-  };
-  for (ObstacleId o = 0; o < world.region_count(); ++o) {
-    const auto rings = world.ring_starts(o);
-    for (std::size_t r = 0; r < rings.size(); ++r)
-      add_ring(rings[r], r + 1 < rings.size() ? rings[r + 1] : world.vertices_of(o).last);
-  }
-  tree_ = BoxTree(boxes);
-}
 
 Horizon::Horizon(const TurnCircle& circle, double heading, double turn) : circle_(circle) {
   far_.fill(-std::numeric_limits<double>::infinity());
@@ -62,8 +39,8 @@ void Horizon::shorten(const Outlines& outlines) {
     const Box near{circle_.center - Vec2::Constant(circle_.radius + reach),
                    circle_.center + Vec2::Constant(circle_.radius + reach)};
     seen = 0;
-    outlines.visit_overlaps(near, [&](std::span<const Vec2> outline) {
-      shorten(outline);
+    outlines.visit_overlaps(near, [&](const Outlines::Piece& piece) {
+      shorten(piece.points);
       return ++seen < 4 * kEnoughPieces;
     });
     if (seen == outlines.size() || *std::max_element(far_.begin(), far_.end()) <= reach) break;

@@ -3,33 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
 
-#include "core/geometry/box_tree.h"
 #include "core/graph/turn_circle.h"
-#include "core/world.h"
+#include "core/outlines.h"
 
 namespace [[gnu::visibility("default")]] arcway {
-
-/// The outlines of all regions in short pieces, to be looked up by place. Immutable.
-class Outlines {
- public:
-  explicit Outlines(const World& world);
-
-  /// Calls visit(points of a piece in order) for each piece near a box, until a call returns false.
-  template <class Visitor>
-  bool visit_overlaps(const Box& box, Visitor&& visit) const {
-    return tree_.visit_overlaps(box, [&](std::uint32_t i) {
-      return visit(std::span(points_).subspan(starts_[i], starts_[i + 1] - starts_[i]));
-    });
-  }
-  [[nodiscard]] std::size_t size() const { return tree_.size(); }
-
- private:
-  std::vector<Vec2> points_;
-  std::vector<std::size_t> starts_;
-  BoxTree tree_;
-};
 
 /// How far, at most, the reference point gets on a straight that leaves a directed circle, by heading: an upper bound
 /// from some of the outlines near by, so that what lies behind them need not be looked at.

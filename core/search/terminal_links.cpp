@@ -8,6 +8,13 @@
 
 namespace arcway {
 
+namespace {
+
+Box grown(const Box& box, double by) { return {box.min - Vec2::Constant(by), box.max + Vec2::Constant(by)}; }
+Box box_around(const Vec2& p, double reach) { return grown({p, p}, reach); }
+
+}  // namespace
+
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
                     std::vector<TerminalCircle>& circles) {
   for (std::uint32_t t = 0; t < terminals.size(); ++t) {
@@ -35,27 +42,39 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
                  : TurnCircle{own.circle.center, own.circle.radius, opposite(own.circle.side), own.circle.vertex};
   Horizon horizon(outwards, from_start ? own.heading : own.heading + kPi, own.reach);
   const bool body_covers_reference = map.body.front >= 0.0 && map.body.rear >= 0.0;
-  if (body_covers_reference) horizon.shorten(map.outlines);
+  if (body_covers_reference) horizon.shorten(*map.outlines);
 
   const std::size_t first = links.size();
-  const auto consider = [&](const SearchMap::Arc& arc) {
-    const TurnCircle& other = map.graph.circles()[arc.circle];
+  const auto consider = [&](std::uint32_t circle) {
+    const TurnCircle& other = map.graph.circles()[circle];
+    if (horizon.hides(box_around(other.center, other.radius))) return;
     const auto line = from_start ? directed_bitangent(own.circle, other) : directed_bitangent(other, own.circle);
     if (!line) return;
     const double heading = line->start.heading;
     if (line->length > horizon.reach(from_start ? heading : heading + kPi)) return;
-    if (arc.interval != SearchMap::kAnyHeading && map.graph.free_headings(arc.circle).find(heading) != arc.interval)
-      return;
+    if (map.graph.mode() == GraphMode::kEager && !map.graph.free_headings(circle).contains(heading)) return;
     const double turn = from_start ? turn_between(own.heading, heading, own.circle.side)
                                    : turn_between(heading, own.heading, own.circle.side);
-    if (turn <= own.reach) links.push_back({index, arc.circle, *line, turn});
+    if (turn <= own.reach) links.push_back({index, circle, *line, turn});
   };
-  for (const SearchMap::ArcsOfRadius& of_radius : map.arcs)
-    of_radius.boxes.visit_if([&](const Box& box) { return !horizon.hides(box); },
-                             [&](std::uint32_t i) {
-                               consider(of_radius.arcs[i]);
-                               return true;
-                             });
+  const auto consider_round = [&](VertexId v, double radius) {
+    if (!map.graph.turn_circles().has(v)) return;
+    for (const Side side : {Side::kLeft, Side::kRight})
+      map.graph.turn_circles().visit_round(v, side, [&](std::uint32_t c) {
+        const TurnCircle& circle = map.graph.circles()[c];
+        if (circle.radius == radius && circle.vertex == v) consider(c);
+      });
+  };
+  for (const double radius : map.radii) {
+    // A vertex lies within its circles.
+    const double reach = 2.0 * radius;
+    map.outlines->visit_if([&](const Box& box) { return !horizon.hides(grown(box, reach)); },
+                           [&](const Outlines::Piece& piece) {
+                             for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v)
+                               consider_round(v, radius);
+                             return true;
+                           });
+  }
   // In the same order whatever the boxes.
   std::sort(links.begin() + static_cast<std::ptrdiff_t>(first), links.end(),
             [](const TerminalLink& a, const TerminalLink& b) { return a.circle < b.circle; });

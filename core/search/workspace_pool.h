@@ -4,11 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/search/arrival_search.h"
-
 namespace [[gnu::visibility("default")]] arcway {
 
-/// Workspaces for searches at the same time: as many as there ever were at once. Thread-safe.
+/// Workspaces for queries at the same time: as many as there ever were at once. Thread-safe.
+template <class Workspace>
 class WorkspacePool {
  public:
   /// A workspace for as long as this lives.
@@ -18,28 +17,28 @@ class WorkspacePool {
     Lease(const Lease&) = delete;
     Lease& operator=(const Lease&) = delete;
     ~Lease() { pool_.put_back(std::move(workspace_)); }
-    SearchWorkspace& operator*() { return workspace_; }
+    Workspace* operator->() { return &workspace_; }
 
    private:
     WorkspacePool& pool_;
-    SearchWorkspace workspace_;
+    Workspace workspace_;
   };
 
  private:
-  SearchWorkspace take() {
+  Workspace take() {
     const std::lock_guard lock(mutex_);
     if (idle_.empty()) return {};
-    SearchWorkspace workspace = std::move(idle_.back());
+    Workspace workspace = std::move(idle_.back());
     idle_.pop_back();
     return workspace;
   }
-  void put_back(SearchWorkspace workspace) {
+  void put_back(Workspace workspace) {
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(workspace));
   }
 
   std::mutex mutex_;
-  std::vector<SearchWorkspace> idle_;
+  std::vector<Workspace> idle_;
 };
 
 }  // namespace arcway

@@ -14,10 +14,15 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+PointDistance point_distance(const World& world, const QuerySet& queries) {
+  return {world, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
+          std::make_shared<const Outlines>(world)};
+}
+
 double distance_in(const World& world, const Vec2& start, const Vec2& goal) {
   const QuerySet queries = make_reference_queries(world);
-  const PointDistance distance(world, build_reduced_visibility_graph(world, *queries.visibility));
-  return distance(start, goal, *queries.visibility);
+  PointDistance::Workspace workspace;
+  return point_distance(world, queries)(start, goal, *queries.visibility, workspace);
 }
 
 // Dijkstra over start, goal and all vertices, every pair asked for.
@@ -61,7 +66,8 @@ TEST(PointDistance, IsThatOfAllPairsOfVertices) {
     const ClutterKind kind = seed % 2 == 0 ? ClutterKind::kStar : ClutterKind::kConvex;
     const World world = random_world({.kind = kind, .obstacles = 8, .vertices = 6, .fill = 0.35, .seed = seed});
     const QuerySet queries = make_reference_queries(world);
-    const PointDistance distance(world, build_reduced_visibility_graph(world, *queries.visibility));
+    const PointDistance distance = point_distance(world, queries);
+    PointDistance::Workspace workspace;
     for (int i = 0; i < 12; ++i) {
       const auto free_point = [&] {
         for (;;) {
@@ -71,8 +77,8 @@ TEST(PointDistance, IsThatOfAllPairsOfVertices) {
       };
       const Vec2 start = free_point(), goal = free_point();
       const double expected = brute_force(world, start, goal);
-      EXPECT_NEAR(distance(start, goal, *queries.visibility), expected, 1e-12 * expected) << "seed " << seed;
-      EXPECT_NEAR(distance(goal, start, *queries.visibility), expected, 1e-12 * expected) << "seed " << seed;
+      EXPECT_NEAR(distance(start, goal, *queries.visibility, workspace), expected, 1e-12 * expected) << "seed " << seed;
+      EXPECT_NEAR(distance(goal, start, *queries.visibility, workspace), expected, 1e-12 * expected) << "seed " << seed;
     }
   }
 }

@@ -155,6 +155,7 @@ TEST(FeasibleGraph, IsTheSameWhenChecksWaitUntilTheyAreAskedFor) {
   const FeasibleGraph eager = c.graph(GraphMode::kEager);
   const FeasibleGraph lazy = c.graph(GraphMode::kLazy);
   EXPECT_EQ(lazy.counts().kept, 0u);
+  EXPECT_EQ(lazy.counts().candidates, 0u);
   expect_same(kept_links(lazy), eager.links());
   for (std::uint32_t circle = 0; circle < eager.circles().size(); ++circle) {
     const auto a = eager.free_headings(circle).intervals();

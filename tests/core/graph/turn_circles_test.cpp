@@ -17,7 +17,8 @@ World wall(double thickness) { return World({{{{0, -20}, {thickness, -20}, {thic
 
 TurnCircles circles_of(const World& world, std::vector<double> radii) {
   const QuerySet queries = make_reference_queries(world);
-  return {world, build_reduced_visibility_graph(world, *queries.visibility), radii, Vehicle().footprint(1e-3)};
+  const auto rows = rows_of(world, build_reduced_visibility_graph(world, *queries.visibility));
+  return {world, *rows, radii, Vehicle().footprint(1e-3)};
 }
 
 TEST(TurnCircles, GoRoundBothCornersAtTheEndOfAThinWall) {

@@ -22,6 +22,7 @@ TEST(Clearance, EmptyWorld) {
   const Clearance clearance = clearance_along({{}, 5.0, 0.0}, kBody, World({}));
   EXPECT_EQ(clearance.distance, std::numeric_limits<double>::infinity());
   EXPECT_EQ(clearance.edge, kNone);
+  EXPECT_EQ(clearance_below(7.0, {{}, 5.0, 0.0}, kBody, Outlines(World({}))), 7.0);
 }
 
 TEST(Clearance, StraightBesideAndAhead) {
@@ -96,6 +97,11 @@ TEST(Clearance, AgreesWithTheValidatorInRandomWorlds) {
         {0.0, 0.0, 6.0 * unit(random)}, 5.0 * unit(random), round % 3 == 0 ? 0.0 : (2.0 * unit(random) - 1.0) / 1.3};
     const Clearance clearance = clearance_along(segment, vehicle.footprint(), world);
     const ValidationReport report = validate(world, vehicle, segment.start, segment.end(), {{segment}, {}, {}, {}});
+    const Outlines outlines(world);
+    const double half = 0.5 * clearance.distance;
+    EXPECT_NEAR(clearance_below(1e3, segment, vehicle.footprint(), outlines), clearance.distance, 1e-14);
+    EXPECT_NEAR(clearance_below(2.0 * half + 1e-9, segment, vehicle.footprint(), outlines), clearance.distance, 1e-14);
+    EXPECT_EQ(clearance_below(half, segment, vehicle.footprint(), outlines), half);
     EXPECT_EQ(clearance.distance > 0.0, report.valid()) << "round " << round;
     if (!report.valid()) continue;
     ++free;

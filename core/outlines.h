@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/geometry/box_tree.h"
+#include "core/world.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// The outlines of all regions in short pieces, to be looked up by place. Every edge is in one piece, up to its
+/// direction. Immutable and thread-safe. O(n log n), about 30 bytes a vertex.
+class Outlines {
+ public:
+  explicit Outlines(const World& world);
+
+  /// Some edges of a ring one after the other.
+  struct Piece {
+    VertexId first;                ///< vertex at points[0]; the next ones follow, but for the last point
+    std::span<const Vec2> points;  ///< one more than edges; the last one begins the next piece
+    [[nodiscard]] std::size_t edge_count() const { return points.size() - 1; }
+  };
+
+  /// Calls visit(piece) for each piece near a box, until a call returns false. Returns whether none did.
+  template <class Visitor>
+  bool visit_overlaps(const Box& box, Visitor&& visit) const {
+    return tree_.visit_overlaps(box, [&](std::uint32_t i) { return visit(piece(i)); });
+  }
+  /// The same for each piece whose box, and all boxes around it, pass a test; see BoxTree::visit_if.
+  template <class Test, class Visitor>
+  bool visit_if(Test&& passes, Visitor&& visit) const {
+    return tree_.visit_if(passes, [&](std::uint32_t i) { return visit(piece(i)); });
+  }
+  [[nodiscard]] std::size_t size() const { return tree_.size(); }
+
+ private:
+  struct Start {
+    VertexId vertex;
+    std::uint32_t point;
+  };
+  [[nodiscard]] Piece piece(std::uint32_t i) const {
+    return {starts_[i].vertex, std::span(points_).subspan(starts_[i].point, starts_[i + 1].point - starts_[i].point)};
+  }
+
+  std::vector<Vec2> points_;
+  std::vector<Start> starts_;  // one more than pieces
+  BoxTree tree_;
+};
+
+}  // namespace arcway
