@@ -1,0 +1,79 @@
+#include "accel/lazy_rows.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "accel/wedge/tangent_neighbours.h"
+#include "core/graph/slot_cache.h"
+
+namespace arcway {
+
+namespace {
+
+// Calls visit(u, v) for all pairs of vertices that lie within a distance, and some others, by a grid of cells that
+// large.
+template <class Visit>
+void visit_near_pairs(const World& world, double distance, const Visit& visit) {
+  constexpr double kMostCells = 1e9;  // a side
+  struct Item {
+    std::uint64_t cell;  // column, then row
+    VertexId vertex;
+  };
+  const Vec2 low = world.box().min;
+  const double size = std::max(distance, (world.box().max - low).maxCoeff() / kMostCells);
+  const auto cell_of = [&](const Vec2& p) {
+    const Vec2 place = (p - low) / size;
+    return (static_cast<std::uint64_t>(place.x()) << 32) + static_cast<std::uint64_t>(place.y());
+  };
+  std::vector<Item> items;
+  for (const VertexId v : world.convex_vertices()) items.push_back({cell_of(world.vertex(v)), v});
+  std::sort(items.begin(), items.end(),
+            [](const Item& a, const Item& b) { return a.cell != b.cell ? a.cell < b.cell : a.vertex < b.vertex; });
+  constexpr std::uint64_t kColumn = std::uint64_t{1} << 32;
+  for (std::size_t i = 0, next = 0; i < items.size(); ++i) {
+    for (std::size_t k = i + 1; k < items.size() && items[k].cell <= items[i].cell + 1; ++k)
+      visit(items[i].vertex, items[k].vertex);
+    while (next < items.size() && items[next].cell + 1 < items[i].cell + kColumn) ++next;
+    for (std::size_t k = next; k < items.size() && items[k].cell <= items[i].cell + kColumn + 1; ++k)
+      visit(items[i].vertex, items[k].vertex);
+  }
+}
+
+class LazyRows final : public VisibilityRows {
+ public:
+  LazyRows(const World& world, const Executor& executor)
+      : world_(world), neighbours_(world, executor), rows_(world.vertices().size()) {}
+
+  [[nodiscard]] std::span<const VertexId> of(VertexId vertex) const override {
+    return rows_.get(vertex, [&] { return std::make_unique<const std::vector<VertexId>>(neighbours_.of(vertex)); });
+  }
+
+  [[nodiscard]] std::vector<Pair> pairs_within(double length,
+                                               const std::function<bool(VertexId, VertexId)>& wanted) const override {
+    std::vector<Pair> pairs;
+    if (!(length > 0.0)) return pairs;
+    visit_near_pairs(world_, length, [&](VertexId u, VertexId v) {
+      const Vec2 &at_u = world_.vertex(u), &at_v = world_.vertex(v);
+      if (!((at_v - at_u).norm() <= length) || !wanted(u, v)) return;
+      if (!is_tangent(world_, u, at_v) || !is_tangent(world_, v, at_u)) return;
+      if (std::ranges::binary_search(of(u), v)) pairs.emplace_back(std::minmax(u, v));
+    });
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+  }
+
+ private:
+  World world_;
+  TangentNeighbours neighbours_;
+  SlotCache<std::vector<VertexId>> rows_;
+};
+
+}  // namespace
+
+std::shared_ptr<const VisibilityRows> make_lazy_rows(const World& world, const Executor& executor) {
+  return std::make_shared<const LazyRows>(world, executor);
+}
+
+}  // namespace arcway
