@@ -73,6 +73,8 @@ struct BuildOptions {
   /// Builds the reduced graph, for PlannerOptions::reduced_graph.
   /// @param team  must outlive the builder.
   [[nodiscard]] ReducedGraphBuilder reduced_graph(const Team& team) const;
+  /// Its rows, found as a search asks for them; none where the builder gives whole graphs only.
+  [[nodiscard]] std::shared_ptr<const VisibilityRows> lazy_rows(const World& world, const Executor& executor) const;
 
   /// "wedge" or "pairwise": what was asked for, or what suits the world; or "prepared".
   [[nodiscard]] std::string builder_name(const World& world) const;

@@ -5,6 +5,7 @@
 #include "bench/cli/arguments.h"
 #ifdef ARCWAY_WITH_ACCEL
 #include "accel/graph_builder.h"
+#include "accel/lazy_rows.h"
 #include "accel/make_queries.h"
 #include "accel/pairwise_graph.h"
 #include "accel/parallel.h"
@@ -95,6 +96,10 @@ ReducedGraphBuilder BuildOptions::reduced_graph(const Team& team) const {
   };
 }
 
+std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World& world, const Executor& executor) const {
+  return builder_name(world) == "wedge" ? make_lazy_rows(world, executor) : nullptr;
+}
+
 #else
 
 std::size_t BuildOptions::thread_count() const { return 1; }
@@ -103,6 +108,7 @@ std::string BuildOptions::builder_name(const World&) const { return prepared ? "
 QuerySet BuildOptions::queries(const World& world) const { return make_reference_queries(world); }
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }
 ReducedGraphBuilder BuildOptions::reduced_graph(const Team&) const { return build_reduced_visibility_graph; }
+std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World&, const Executor&) const { return nullptr; }
 
 #endif
 

@@ -95,10 +95,15 @@ double cusp_cost_of(const PlanArguments& arguments) {
   return seconds;
 }
 
+bool has_all_rows(const Planner& planner) {
+  return planner.visibility_graph().vertex_count() == planner.world().vertices().size();
+}
+
 std::string prepare_rows(const Planner& planner, double build_seconds) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string text;
-  text += row("reduced graph", count_text(planner.visibility_graph().edge_count()) + " edges");
+  text += row("reduced graph", has_all_rows(planner) ? count_text(planner.visibility_graph().edge_count()) + " edges"
+                                                     : "rows found as the search needed them");
   text += feasible_row(planner);
   text += row("build", duration_text(build_seconds) + " (reduced graph " + duration_text(prepare.visibility_seconds) +
                            ", feasible graph " + duration_text(prepare.feasible_seconds) + ")");
@@ -139,8 +144,10 @@ std::string validity_row(const ValidationReport& report) {
 std::vector<LineSegment> edges_of(const Planner& planner) {
   const auto vertices = planner.world().vertices();
   std::vector<LineSegment> edges;
-  for (VertexId u = 0; u < planner.visibility_graph().vertex_count(); ++u)
-    for (const VertexId v : planner.visibility_graph().row(u)) edges.push_back({vertices[u], vertices[v]});
+  const auto rows = planner.visibility_rows();
+  for (VertexId u = 0; u < vertices.size(); ++u)
+    for (const VertexId v : rows->of(u))
+      if (u < v) edges.push_back({vertices[u], vertices[v]});
   return edges;
 }
 
@@ -196,7 +203,8 @@ std::string plan_json(const PlanArguments& arguments, const Planner& planner, do
   statistics["visibility_seconds"] = prepare.visibility_seconds;
   statistics["feasible_seconds"] = prepare.feasible_seconds;
   statistics["vertices"] = planner.world().vertices().size();
-  statistics["visibility_edges"] = planner.visibility_graph().edge_count();
+  statistics["rows"] = has_all_rows(planner) ? "all" : "lazy";
+  if (has_all_rows(planner)) statistics["visibility_edges"] = planner.visibility_graph().edge_count();
   statistics["circles"] = counts.circles;
   statistics["candidates"] = counts.candidates;
   statistics["kept"] = counts.kept;
@@ -422,14 +430,19 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   return refused == 0 ? kExitSolved : kExitNoPath;
 }
 
-/// From the map's file what it has of this vehicle; the rest is built.
+/// From the map's file what it has of this vehicle; the rest is built, or found as a search asks for it.
 Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
                      const PlannerOptions& options) {
   const QuerySet queries = arguments.build.queries(map.world);
   const auto threads = arguments.build.executor();
   ProgressBar bar;
   const ReportingExecutor executor(*threads, bar.callback());
-  if (!map.prepared) return {map.world, vehicle, queries, options, executor};
+  if (!map.prepared) {
+    const bool lazy = options.graph_mode == GraphMode::kLazy;
+    if (const auto rows = lazy ? arguments.build.lazy_rows(map.world, executor) : nullptr)
+      return {map.world, vehicle, queries, rows, options, executor};
+    return {map.world, vehicle, queries, options, executor};
+  }
   VisibilityGraph& reduced = map.prepared->reduced_graph;
   auto& robot = map.prepared->robot;
   if (!robot || to_json(robot->parameters) != to_json(vehicle.parameters()))

@@ -195,7 +195,7 @@ Clearance clearance_along(const PathSegment& segment, const Footprint& body, con
 }
 
 double clearance_below(double limit, const PathSegment& segment, const Footprint& body, const Outlines& outlines) {
-  const Motion motion(segment, body);
+  const Motion motion(segment.gear == Gear::kReverse ? segment.reversed() : segment, body);
   const Box swept = motion.swept_box();
   const Box near{swept.min - Vec2::Constant(limit), swept.max + Vec2::Constant(limit)};
   outlines.visit_overlaps(near, [&](const Outlines::Piece& piece) {

@@ -93,15 +93,10 @@ TEST(VisibilityMap, FindsTheTangentsOfAVertex) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const World world = test::nasty_world(seed + 40000, 14);
     const VisibilityMap map(world);
-    const VisibilityGraph graph =
-        build_reduced_visibility_graph(world, *make_reference_queries(world).visibility, SerialExecutor());
-    std::vector<std::vector<VertexId>> rows(world.vertices().size());
-    for (VertexId u = 0; u < rows.size(); ++u)
-      for (const VertexId v : graph.row(u)) {
-        rows[u].push_back(v);
-        rows[v].push_back(u);
-      }
-    for (VertexId v = 0; v < rows.size(); ++v) ASSERT_EQ(map.tangents_from(v), rows[v]) << seed << " " << v;
+    const auto rows = rows_of(
+        world, build_reduced_visibility_graph(world, *make_reference_queries(world).visibility, SerialExecutor()));
+    for (VertexId v = 0; v < world.vertices().size(); ++v)
+      ASSERT_TRUE(std::ranges::equal(map.tangents_from(v), rows->of(v))) << seed << " " << v;
     EXPECT_THROW((void)map.tangents_from(static_cast<VertexId>(world.vertices().size())), std::out_of_range);
   }
 }
