@@ -168,7 +168,7 @@ class AlternativeSearch {
     queries.sweep = std::make_shared<WalledSweep>(queries.sweep, walls);
     PlannerOptions options = planner_.options();
     options.graph_mode = GraphMode::kLazy;
-    const Planner walled(planner_.world(), planner_.vehicle(), queries, planner_.visibility_graph(), options,
+    const Planner walled(planner_.world(), planner_.vehicle(), queries, planner_.visibility_rows(), options,
                          SerialExecutor());
     return walled.plan(request_, rest());
   }
