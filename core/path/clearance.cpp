@@ -98,6 +98,10 @@ Near turning_point(const Vec2& center, const Vec2& point, double spin, double tu
   return near;
 }
 
+double distance_between(const Box& a, const Box& b) {
+  return (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(Vec2::Zero()).norm();
+}
+
 /// The motion of the body, seen from its start pose.
 class Motion {
  public:
@@ -105,7 +109,8 @@ class Motion {
       : segment_(segment),
         body_{{-body.rear, -body.half_width}, {body.front, body.half_width}},
         start_(segment.start),
-        end_(segment.end()) {}
+        end_(segment.end()),
+        swept_box_(swept_box()) {}
 
   [[nodiscard]] Box swept_box() const {
     Box box;
@@ -120,6 +125,17 @@ class Motion {
     box.extend(Vec2(middle - Vec2::Constant(reach)));
     box.extend(Vec2(middle + Vec2::Constant(reach)));
     return box;
+  }
+
+  /// No point of a box is nearer. For a line by the box in its frame: that of a long oblique one is mostly empty space.
+  [[nodiscard]] double distance_at_least(const Box& box) const {
+    if (!segment_.is_line()) return distance_between(swept_box_, box);
+    const Vec2 middle = start_(Vec2(0.5 * (box.min + box.max)));
+    const Vec2 half = 0.5 * (box.max - box.min);
+    const Vec2 axis = start_.axis.cwiseAbs();
+    const Vec2 extent(axis.dot(half), axis.x() * half.y() + axis.y() * half.x());
+    const Vec2 front(body_.max.x() + segment_.length, body_.max.y());
+    return distance_between({body_.min, front}, {middle - extent, middle + extent});
   }
 
   /// Distance to an edge, and the arc length.
@@ -150,11 +166,8 @@ class Motion {
   Rectangle body_;
   Frame start_;
   Frame end_;
+  Box swept_box_;
 };
-
-double distance_between(const Box& a, const Box& b) {
-  return (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(Vec2::Zero()).norm();
-}
 
 }  // namespace
 
@@ -196,12 +209,11 @@ Clearance clearance_along(const PathSegment& segment, const Footprint& body, con
 
 double clearance_below(double limit, const PathSegment& segment, const Footprint& body, const Outlines& outlines) {
   const Motion motion(segment.gear == Gear::kReverse ? segment.reversed() : segment, body);
-  const Box swept = motion.swept_box();
-  const Box near{swept.min - Vec2::Constant(limit), swept.max + Vec2::Constant(limit)};
-  outlines.visit_overlaps(near, [&](const Outlines::Piece& piece) {
+  const auto is_near = [&](const Box& box) { return motion.distance_at_least(box) < limit; };
+  outlines.visit_if(is_near, [&](const Outlines::Piece& piece) {
     for (std::size_t i = 0; i < piece.edge_count(); ++i) {
       const LineSegment edge{piece.points[i], piece.points[i + 1]};
-      if (distance_between(swept, {edge.a.cwiseMin(edge.b), edge.a.cwiseMax(edge.b)}) < limit)
+      if (is_near({edge.a.cwiseMin(edge.b), edge.a.cwiseMax(edge.b)}))
         limit = std::min(limit, motion.nearest(edge).distance);
     }
     return true;
