@@ -24,24 +24,6 @@ PointDistance::Workspace::Reached& PointDistance::Workspace::at(VertexId vertex)
   return reached;
 }
 
-namespace {
-
-constexpr auto later = [](const auto& a, const auto& b) { return a.estimate > b.estimate; };  // the smallest on top
-
-}  // namespace
-
-void PointDistance::Workspace::push(const Entry& entry) {
-  open_.push_back(entry);
-  std::push_heap(open_.begin(), open_.end(), later);
-}
-
-PointDistance::Workspace::Entry PointDistance::Workspace::pop() {
-  std::pop_heap(open_.begin(), open_.end(), later);
-  const Entry entry = open_.back();
-  open_.pop_back();
-  return entry;
-}
-
 PointDistance::PointDistance(const World& world, std::shared_ptr<const VisibilityRows> rows,
                              std::shared_ptr<const Outlines> outlines)
     : world_(world), rows_(std::move(rows)), outlines_(std::move(outlines)) {}
@@ -51,7 +33,7 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
   using Step = Workspace::Step;
   w.reset(world_.vertices().size());
   const auto to_goal = [&](const Vec2& p) { return (goal - p).norm(); };
-  w.push({to_goal(start), to_goal(start), kNone, Step::kToGoal});
+  w.open_.push({to_goal(start), to_goal(start), kNone, Step::kToGoal});
   Horizon horizon({start, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
   horizon.shorten(*outlines_);
   outlines_->visit_if([&](const Box& box) { return !horizon.hides(box); },
@@ -60,13 +42,13 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
                           const auto v = static_cast<VertexId>(piece.first + i);
                           if (!world_.is_convex(v) || world_.is_covered(v)) continue;
                           const double length = (piece.points[i] - start).norm();
-                          w.push({length + to_goal(piece.points[i]), length, v, Step::kFromStart});
+                          w.open_.push({length + to_goal(piece.points[i]), length, v, Step::kFromStart});
                         }
                         return true;
                       });
 
   while (!w.open_.empty()) {
-    const Workspace::Entry entry = w.pop();
+    const Workspace::Entry entry = w.open_.pop();
     const Vec2& here = entry.vertex == kNone ? start : world_.vertex(entry.vertex);
     if (entry.step == Step::kToGoal) {
       if (visibility.visible({here, goal})) return entry.length;
@@ -79,13 +61,13 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
       continue;
     reached.closed = true;
     if (is_tangent(world_, entry.vertex, goal))
-      w.push({entry.length + to_goal(here), entry.length + to_goal(here), entry.vertex, Step::kToGoal});
+      w.open_.push({entry.length + to_goal(here), entry.length + to_goal(here), entry.vertex, Step::kToGoal});
     for (const VertexId v : rows_->of(entry.vertex)) {
       const double length = entry.length + (world_.vertex(v) - here).norm();
       Workspace::Reached& next = w.at(v);
       if (next.length <= length) continue;
       next.length = length;
-      w.push({length + to_goal(world_.vertex(v)), length, v, Step::kEdge});
+      w.open_.push({length + to_goal(world_.vertex(v)), length, v, Step::kEdge});
     }
   }
   return std::numeric_limits<double>::infinity();

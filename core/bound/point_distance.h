@@ -8,6 +8,7 @@
 #include "core/graph/visibility_rows.h"
 #include "core/outlines.h"
 #include "core/query/visibility_query.h"
+#include "core/search/open_list.h"
 #include "core/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -35,6 +36,7 @@ class PointDistance {
       double length;    ///< up to the vertex, or up to the goal
       VertexId vertex;  ///< kNone: the start itself
       Step step;
+      friend bool before(const Entry& a, const Entry& b) { return a.estimate < b.estimate; }
     };
     struct Reached {
       double length;
@@ -43,10 +45,8 @@ class PointDistance {
     };
     void reset(std::size_t vertices);
     Reached& at(VertexId vertex);
-    void push(const Entry& entry);
-    Entry pop();
 
-    std::vector<Entry> open_;
+    OpenList<Entry> open_;
     std::vector<Reached> reached_;  // by vertex
     std::uint32_t search_ = 0;
   };

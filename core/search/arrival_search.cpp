@@ -8,6 +8,7 @@
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
 #include "core/path/speed_profile.h"
+#include "core/search/open_list.h"
 #include "core/search/per_circle.h"
 #include "core/search/speed_tree.h"
 
@@ -19,18 +20,22 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 enum class Kind : std::uint8_t { kDirect, kGoal, kGraph, kStart, kStartCircle };  // complete paths first on ties
 
+// What waits on an open list, in 16 bytes.
 struct Entry {
-  double estimate;       // of the whole path's time; the time itself for complete paths
-  std::uint32_t parent;  // label, where a graph link or a goal link is
-  std::uint32_t index;
-  Kind kind;
+  Entry(double e, Kind kind, std::uint32_t parent, std::uint32_t index)
+      : estimate(e),
+        what((std::uint64_t{static_cast<std::uint8_t>(kind)} << 61) | (std::uint64_t{parent} << 29) | index) {}
+  [[nodiscard]] Kind kind() const { return static_cast<Kind>(what >> 61); }
+  // Label, where a graph link or a goal link is.
+  [[nodiscard]] std::uint32_t parent() const { return static_cast<std::uint32_t>(what >> 29); }
+  [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(what & ((1U << 29) - 1)); }
+
+  double estimate;  // of the whole path's time; the time itself for complete paths
+  std::uint64_t what;
 };
 
-bool later(const Entry& a, const Entry& b) {  // the heap has the first on top
-  if (a.estimate != b.estimate) return a.estimate > b.estimate;
-  if (a.kind != b.kind) return a.kind > b.kind;
-  if (a.parent != b.parent) return a.parent > b.parent;
-  return a.index > b.index;
+bool before(const Entry& a, const Entry& b) {
+  return a.estimate != b.estimate ? a.estimate < b.estimate : a.what < b.what;
 }
 
 // An arrival on a circle by some path.
@@ -92,7 +97,7 @@ struct SearchWorkspace::Data {
   PerCircle first_label;
   PerCircle first_goal_link;
   PerCircle first_arc;
-  std::vector<Entry> open, arrivals;
+  OpenList<Entry> open, arrivals;
   std::vector<Label> labels;
   std::vector<ReachedArc> arcs;
   std::vector<TerminalCircle> start_circles, goal_circles;
@@ -152,7 +157,7 @@ class ArrivalSearch {
              length_of(start.connection) / top_speed_ + remaining(start.pose.position(), top_speed_));
     }
     while (!w_.open.empty() && !interrupted()) {
-      const Entry entry = pop();
+      const Entry entry = w_.open.pop();
       if (entry.estimate >= options_.faster_than) return;
       if (is_complete(entry) ? finish(entry) : expand(entry)) return;
       if (w_.labels.size() >= kFirstDoubt && !reachability_known_ && !goal_is_reachable()) return;
@@ -180,63 +185,54 @@ class ArrivalSearch {
   }
 
   void push(Kind kind, std::uint32_t parent, std::uint32_t index, double estimate) {
-    w_.open.push_back({estimate, parent, index, kind});
-    std::push_heap(w_.open.begin(), w_.open.end(), later);
+    w_.open.push({estimate, kind, parent, index});
     ++result_.nodes_pushed;
   }
 
-  Entry pop() {
-    std::pop_heap(w_.open.begin(), w_.open.end(), later);
-    const Entry entry = w_.open.back();
-    w_.open.pop_back();
-    return entry;
-  }
-
   [[nodiscard]] static bool is_complete(const Entry& entry) {
-    return entry.kind == Kind::kDirect || entry.kind == Kind::kGoal;
+    return entry.kind() == Kind::kDirect || entry.kind() == Kind::kGoal;
   }
 
   // Takes the best complete path that is free. The open list may be millions of others, which are not worth sorting.
   void finish_best() {
-    std::erase_if(w_.open, [](const Entry& entry) { return !is_complete(entry); });
-    std::make_heap(w_.open.begin(), w_.open.end(), later);
-    while (!w_.open.empty() && !finish(pop())) {
+    w_.open.keep_if(is_complete);
+    while (!w_.open.empty() && !finish(w_.open.pop())) {
     }
   }
 
   // Takes a complete path as the result if it is free.
   bool finish(const Entry& entry) {
-    if (entry.kind == Kind::kDirect) {
-      result_.path = std::move(w_.direct_paths[entry.index]);
+    if (entry.kind() == Kind::kDirect) {
+      result_.path = std::move(w_.direct_paths[entry.index()]);
       return true;
     }
-    GoalLink& goal = w_.goal_links[entry.index];
-    if (is_free(goal)) result_.path = path_through(entry.parent, goal.link);
+    GoalLink& goal = w_.goal_links[entry.index()];
+    if (is_free(goal)) result_.path = path_through(entry.parent(), goal.link);
     return goal.free;
   }
 
   // Always false: the search goes on.
   bool expand(const Entry& entry) {
-    switch (entry.kind) {
+    switch (entry.kind()) {
       case Kind::kStartCircle:
-        push_start_links(entry.index);
+        push_start_links(entry.index());
         break;
       case Kind::kStart: {
-        const TerminalLink& link = w_.start_links[entry.index];
+        const TerminalLink& link = w_.start_links[entry.index()];
         const TerminalCircle& from = w_.start_circles[link.terminal_circle];
         const std::uint32_t joint = drive(add_connection(from), link.turn * from.circle.radius, from.circle.radius,
                                           link.line.length, graph_.circles()[link.circle].radius);
-        arrive({link.circle, link.line.start.heading, 0.0, joint, kNone, entry.index, kNone});
+        arrive({link.circle, link.line.start.heading, 0.0, joint, kNone, entry.index(), kNone});
         break;
       }
       case Kind::kGraph: {
-        const Label& parent = w_.labels[entry.parent];
+        const Label& parent = w_.labels[entry.parent()];
         const TurnCircle& circle = graph_.circles()[parent.circle];
-        const FeasibleGraph::Link& link = graph_.links_from(parent.circle)[entry.index];
+        const FeasibleGraph::Link& link = graph_.links_from(parent.circle)[entry.index()];
         const double turn = turn_between(parent.heading, link.heading, circle.side);
         const std::uint32_t joint =
             drive(parent.joint, turn * circle.radius, circle.radius, link.length, graph_.circles()[link.to].radius);
-        arrive({link.to, link.heading, 0.0, joint, entry.parent, entry.index, kNone});
+        arrive({link.to, link.heading, 0.0, joint, entry.parent(), entry.index(), kNone});
         break;
       }
       case Kind::kDirect:
@@ -446,10 +442,7 @@ class ArrivalSearch {
       for (std::uint32_t i = range.first; i < range.last; ++i) push_arrival(Kind::kStart, kNone, i);
     }
     while (!w_.arrivals.empty() && !interrupted()) {
-      std::pop_heap(w_.arrivals.begin(), w_.arrivals.end(), later);
-      const Entry entry = w_.arrivals.back();
-      w_.arrivals.pop_back();
-      if (reaches_goal(entry)) return true;
+      if (reaches_goal(w_.arrivals.pop())) return true;
     }
     return result_.interrupted;
   }
@@ -467,13 +460,12 @@ class ArrivalSearch {
   void push_arrival(Kind kind, std::uint32_t from, std::uint32_t index) {
     const Arrival at = arrival_at(kind, from, index);
     const double distance = (goal_ - pose_on(graph_.circles()[at.circle], at.heading).position()).norm();
-    w_.arrivals.push_back({distance, from, index, kind});
-    std::push_heap(w_.arrivals.begin(), w_.arrivals.end(), later);
+    w_.arrivals.push({distance, kind, from, index});
   }
 
   // Takes an arrival if it is free and new; true if the goal is reached from the part of the circle ahead of it.
   bool reaches_goal(const Entry& entry) {
-    const Arrival at = arrival_at(entry.kind, entry.parent, entry.index);
+    const Arrival at = arrival_at(entry.kind(), entry.parent(), entry.index());
     const std::uint32_t c = at.circle;
     const double heading = at.heading;
     const Side side = graph_.circles()[c].side;
@@ -486,8 +478,8 @@ class ArrivalSearch {
       const double ahead = turn_between(heading, other.heading, side);
       if (ahead <= reach) limit = std::min(limit, ahead);
     }
-    const bool free = entry.kind == Kind::kStart ? is_free(w_.start_links[entry.index].line)
-                                                 : graph_.is_kept(entry.parent, entry.index);
+    const bool free = entry.kind() == Kind::kStart ? is_free(w_.start_links[entry.index()].line)
+                                                   : graph_.is_kept(entry.parent(), entry.index());
     if (!free) return false;
     result_.start_connected = true;
     w_.arcs.push_back({heading, reach, w_.first_arc.get(c)});
