@@ -22,6 +22,16 @@ constexpr double kLongestEdge = 1000.0;
 // An upper bound on asin(x), 0 <= x <= 1: asin is convex there.
 double above_asin(double x) { return x < 0.5 ? (kPi / 3.0) * x : kPi / 6.0 + (2.0 * kPi / 3.0) * (x - 0.5); }
 
+// atan2(d.y(), d.x()) within kDirectionError, d not zero; several times as fast.
+constexpr double kDirectionError = 0.0016;
+double about_atan2(const Vec2& d) {
+  const double x = std::abs(d.x()), y = std::abs(d.y());
+  const double t = std::min(x, y) / std::max(x, y);
+  const double angle = t * (0.25 * kPi + (1.0 - t) * (0.2447 + 0.0663 * t));
+  const double upper = y > x ? 0.5 * kPi - angle : angle;
+  return std::copysign(d.x() < 0.0 ? kPi - upper : upper, d.y());
+}
+
 }  // namespace
 
 Horizon::Horizon(const TurnCircle& circle, double heading, double turn) : circle_(circle) {
@@ -112,8 +122,8 @@ bool Horizon::hides(const Box& box) const {
   const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
   const double near = std::max((nearest - circle_.center).norm(), circle_.radius);
   // Headings of the straights to the ball around the box.
-  const double spread = above_asin(half / distance);
-  const double toward = std::atan2(d.y(), d.x());
+  const double spread = above_asin(half / distance) + kDirectionError;
+  const double toward = about_atan2(d);
   const double lead_near = above_asin(circle_.radius / near);
   const double lead_far = circle_.radius / std::max(near, distance + half);  // below its asin
   const bool left = circle_.side == Side::kLeft;

@@ -1,6 +1,7 @@
 #include "core/search/terminal_links.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "core/geometry/angle.h"
@@ -45,9 +46,19 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   if (body_covers_reference) horizon.shorten(*map.outlines);
 
   const std::size_t first = links.size();
+  struct {
+    Vec2 center = Vec2::Constant(NAN);
+    double radius = 0.0;
+    bool hidden = false;
+  } last;  // the left and the right circle of a vertex are one, as far as hiding goes
+  const auto is_hidden = [&](const TurnCircle& circle) {
+    if (circle.center != last.center || circle.radius != last.radius)
+      last = {circle.center, circle.radius, horizon.hides(box_around(circle.center, circle.radius))};
+    return last.hidden;
+  };
   const auto consider = [&](std::uint32_t circle) {
     const TurnCircle& other = map.graph.circles()[circle];
-    if (horizon.hides(box_around(other.center, other.radius))) return;
+    if (is_hidden(other)) return;
     const auto line = from_start ? directed_bitangent(own.circle, other) : directed_bitangent(other, own.circle);
     if (!line) return;
     const double heading = line->start.heading;
