@@ -2,38 +2,24 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <functional>
+#include <memory>
 #include <mutex>
 
 #include "core/planner.h"
 #include "datasets/clutter.h"
+#include "tests/support/same_graphs.h"
 #include "tests/support/thread_team.h"
 
 namespace arcway {
 namespace {
-
-template <class T>
-bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
-void expect_same(const FeasibleGraph& a, const FeasibleGraph& b) {
-  const FeasibleTables x = a.tables(), y = b.tables();
-  EXPECT_TRUE(same_bytes(x.interval_starts, y.interval_starts));
-  EXPECT_TRUE(same_bytes(x.intervals, y.intervals));
-  EXPECT_TRUE(same_bytes(x.link_starts, y.link_starts));
-  EXPECT_TRUE(same_bytes(x.links, y.links));
-  EXPECT_TRUE(same_bytes(x.link_counts, y.link_counts));
-  const FeasibleGraphCounts m = a.counts(), n = b.counts();
-  EXPECT_EQ(std::memcmp(&m, &n, sizeof m), 0);
-}
 
 struct Case {
   World world = random_world({.kind = ClutterKind::kStar, .obstacles = 20, .vertices = 6, .fill = 0.3, .seed = 5});
   Vehicle vehicle;
   QuerySet queries = make_reference_queries(world);
   VisibilityGraph visibility = build_reduced_visibility_graph(world, *queries.visibility);
+  std::shared_ptr<const VisibilityRows> rows = rows_of(world, visibility);
   std::vector<double> radii = {vehicle.min_turning_radius(), 2.0 * vehicle.min_turning_radius()};
   FeasibleGraph graph{world, vehicle, visibility, queries, radii, SerialExecutor()};
 };
@@ -41,7 +27,7 @@ struct Case {
 TEST(FeasibleTables, GiveTheSameGraphAgain) {
   const Case c;
   ASSERT_GT(c.graph.links().size(), 100u);
-  expect_same(FeasibleGraph(c.world, c.vehicle, c.visibility, c.queries, c.radii, c.graph.tables()), c.graph);
+  test::expect_same(FeasibleGraph(c.world, c.vehicle, c.rows, c.queries, c.radii, c.graph.tables()), c.graph);
 }
 
 TEST(FeasibleTables, ATeamOfProcessesBuildsTheSameGraph) {
@@ -52,7 +38,7 @@ TEST(FeasibleTables, ATeamOfProcessesBuildsTheSameGraph) {
       const FeasibleGraph graph(c.world, c.vehicle, c.visibility, c.queries, c.radii, SerialExecutor(),
                                 GraphMode::kEager, team);
       const std::scoped_lock lock(mutex);
-      if (team.rank() % 50 < 3) expect_same(graph, c.graph);
+      if (team.rank() % 50 < 3) test::expect_same(graph, c.graph);
     });
   }
 }
@@ -83,7 +69,7 @@ TEST(FeasibleTables, ThoseOfNoGraphAreRefusedWithTheEntryAtFault) {
     FeasibleTables other = tables;
     spoiled.spoil(other);
     try {
-      const FeasibleGraph graph(c.world, c.vehicle, c.visibility, c.queries, c.radii, std::move(other));
+      const FeasibleGraph graph(c.world, c.vehicle, c.rows, c.queries, c.radii, std::move(other));
       ADD_FAILURE() << "took " << name_of(spoiled.table) << " " << spoiled.index;
     } catch (const TableError& error) {
       EXPECT_EQ(error.table(), spoiled.table) << error.what();
@@ -96,7 +82,7 @@ TEST(PreparedGraph, PlansAsThePlannerThatBuiltIt) {
   const Case c;
   const Planner built(c.world, c.vehicle);
   const Planner taken(c.world, c.vehicle, c.queries, built.prepared_graph());
-  expect_same(taken.feasible_graph(), built.feasible_graph());
+  test::expect_same(taken.feasible_graph(), built.feasible_graph());
   const PlanRequest request{{1, 1, 0}, {20, 20, 1}};
   EXPECT_EQ(taken.plan(request).travel_time, built.plan(request).travel_time);
   const World other = random_world({.obstacles = 7, .vertices = 5, .fill = 0.3, .seed = 5});

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "core/graph/feasible_tables.h"
+
+namespace arcway::test {
+
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+/// Two eager graphs, bit for bit.
+inline void expect_same(const FeasibleGraph& a, const FeasibleGraph& b) {
+  const FeasibleTables x = a.tables(), y = b.tables();
+  EXPECT_TRUE(same_bytes(x.interval_starts, y.interval_starts));
+  EXPECT_TRUE(same_bytes(x.intervals, y.intervals));
+  EXPECT_TRUE(same_bytes(x.link_starts, y.link_starts));
+  EXPECT_TRUE(same_bytes(x.links, y.links));
+  EXPECT_TRUE(same_bytes(x.link_counts, y.link_counts));
+  const FeasibleGraphCounts m = a.counts(), n = b.counts();
+  EXPECT_EQ(std::memcmp(&m, &n, sizeof m), 0);
+}
+
+}  // namespace arcway::test
