@@ -335,6 +335,28 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
                                  });
 }
 
+Planner::Planner(const Planner& before, const World& world, const WorldChange& change, const QuerySet& queries,
+                 VisibilityGraph visibility_graph, const PlannerOptions& options, const Executor& executor) {
+  const std::size_t old_vertices = before.world().vertices().size(), vertices = world.vertices().size();
+  const auto stayed = std::ranges::count_if(change.moved, [](VertexId v) { return v != kNone; });
+  if (change.moved.size() != old_vertices || change.end_come < change.first_come ||
+      static_cast<std::size_t>(stayed) + (change.end_come - change.first_come) != vertices)
+    throw std::invalid_argument("the change leads from " + std::to_string(change.moved.size()) + " vertices to " +
+                                std::to_string(static_cast<std::size_t>(stayed) + change.end_come - change.first_come) +
+                                ", the worlds have " + std::to_string(old_vertices) + " and " +
+                                std::to_string(vertices));
+  const Vehicle& vehicle = before.vehicle();
+  const auto make_feasible = [&](const auto& rows, const PlannerOptions& o) {
+    if (o.radii != before.options().radii)
+      return FeasibleGraph(world, vehicle, rows, queries, o.radii, executor, o.graph_mode);
+    return FeasibleGraph(before.feasible_graph(), world, change, vehicle, rows, queries, o.radii, executor,
+                         o.graph_mode);
+  };
+  auto rows = rows_of(world, visibility_graph);
+  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
+                                 std::move(visibility_graph), std::move(rows), make_feasible);
+}
+
 PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) const {
   require_pose("start", request.start);
   require_pose("goal", request.goal);

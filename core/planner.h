@@ -21,6 +21,7 @@
 #include "core/team.h"
 #include "core/vehicle.h"
 #include "core/world.h"
+#include "core/world_change.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -162,6 +163,24 @@ class Planner {
   /// @throws TableError if the graphs are not of this map, as far as ranges and order tell.
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, PreparedGraph graphs,
           const PlannerOptions& options = {});
+
+  /// The planner after a change of the map, which plans as one built anew, bit for bit. What lies where nothing came or
+  /// went is taken from the planner before, what it found out lazily included; the rest is checked now with
+  /// GraphMode::kEager, and when a search first asks for it with kLazy.
+  ///
+  ///     const World after = before.world().changed(removed, added);
+  ///     const WorldChange change(before.world(), after, removed);
+  ///     const Planner planner(before, after, change, make_embree_queries(after),
+  ///                           change_reduced_visibility_graph(before.visibility_graph(), after, change), {},
+  ///                           executor);
+  ///
+  /// @param before  of the world before, for the same vehicle. Where the map's extent changes so much that other radii
+  ///   are chosen, nothing is taken from it.
+  /// @param visibility_graph  the reduced one of `world`.
+  /// @param options  of the new planner; a team is not asked.
+  /// @throws std::invalid_argument as above, or if the change is not one from the world before to `world`.
+  Planner(const Planner& before, const World& world, const WorldChange& change, const QuerySet& queries,
+          VisibilityGraph visibility_graph, const PlannerOptions& options, const Executor& executor);
 
   /// The fastest path of the graph under the true speed profile, refined. With `reverse` the cheapest found of that
   /// one, of paths by the graph with motions in both gears at their ends, and of short ones in both gears all the way:

@@ -14,6 +14,7 @@
 #include "core/bytes.h"
 #include "core/geometry/angle.h"
 #include "core/geometry/predicates.h"
+#include "core/graph/circle_change.h"
 #include "core/graph/feasible_tables.h"
 #include "core/graph/slot_cache.h"
 
@@ -87,6 +88,87 @@ struct FeasibleGraph::Data {
       for (const Departures& row : found) append(row.links, row.counts);
     }
     count_all();
+  }
+
+  // What another graph has found out, as far as a change of the world leaves it; the rest as the mode says.
+  void take_over(const Data& before, const WorldChange& change, const Footprint& grown_body, const Executor& executor) {
+    const CircleChange kept({before.world, *before.rows, before.turn_circles}, {world, *rows, turn_circles}, change,
+                            grown_body, kMostPassed + 1);
+    headings.resize(circles.size());
+    known_headings.resize(circles.size());
+    known_rows.resize(circles.size());
+    executor.begin_stage("changes");
+    executor.for_ranges(circles.size(), 64, [&](std::size_t begin, std::size_t end) {
+      for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
+        const HeadingSet* free = keeps_headings(c, kept) ? before.find_headings(kept.before(c)) : nullptr;
+        if (free) headings[c] = *free;
+        known_headings[c] = free ? 1 : 0;
+        const bool keeps = keeps_row(c, kept);
+        known_rows[c] = keeps && before.has_row(kept.before(c)) ? 1 : 0;
+        if (!keeps || known_rows[c] || mode == GraphMode::kEager) continue;
+        if (const LazyRow* row = before.lazy_rows.find(kept.before(c)))
+          lazy_rows.get(c, [&] { return moved_row(*row, c, kept); });
+      }
+    });
+
+    std::vector<Departures> found;
+    if (mode == GraphMode::kEager) {
+      find_headings(those_without(known_headings), executor);
+      found = find_kept(those_without(known_rows), executor);
+    }
+    auto next = found.begin();
+    for (std::uint32_t c = 0; c < circles.size(); ++c) {
+      if (known_rows[c]) {
+        append(moved_links(before.links_of(kept.before(c)), c, kept), before.link_counts[kept.before(c)]);
+      } else if (mode == GraphMode::kEager) {
+        append(next->links, next->counts);
+        ++next;
+      } else {
+        append({}, {});
+      }
+    }
+    count_all();
+  }
+
+  [[nodiscard]] bool keeps_headings(std::uint32_t c, const CircleChange& kept) const {
+    return kept.before(c) != kNone && kept.is_quiet_at(circles[c].vertex);
+  }
+
+  // Whether the same vertices are arrived at from a circle, and the ways there are as free as before.
+  [[nodiscard]] bool keeps_row(std::uint32_t c, const CircleChange& kept) const {
+    const TurnCircle& circle = circles[c];
+    if (kept.before(c) == kNone || !kept.keeps_row(circle.vertex)) return false;
+    if (circle.second != kNone && !kept.keeps_row(circle.second)) return false;
+    if (circle.second == kNone && kept.is_still_around(circle.vertex)) return true;
+    return std::ranges::all_of(arrivals_from(circle), [&](const Arrival& arrival) {
+      return kept.keeps_row(arrival.vertex) && kept.is_quiet_between(circle.vertex, arrival.vertex);
+    });
+  }
+
+  [[nodiscard]] static std::vector<Link> moved_links(std::span<const Link> before, std::uint32_t c,
+                                                     const CircleChange& kept) {
+    std::vector<Link> moved(before.begin(), before.end());
+    for (Link& link : moved) {
+      link.from = c;
+      link.to = kept.after(link.to);
+    }
+    return moved;
+  }
+
+  [[nodiscard]] static std::unique_ptr<const LazyRow> moved_row(const LazyRow& before, std::uint32_t c,
+                                                                const CircleChange& kept) {
+    auto row =
+        std::make_unique<LazyRow>(Departures{moved_links(before.departures.links, c, kept), before.departures.counts});
+    for (std::size_t i = 0; i < row->verdicts.size(); ++i)
+      row->verdicts[i].store(before.verdicts[i].load(std::memory_order_relaxed), std::memory_order_relaxed);
+    return row;
+  }
+
+  [[nodiscard]] static std::vector<std::uint32_t> those_without(const std::vector<std::uint8_t>& known) {
+    std::vector<std::uint32_t> unknown;
+    for (std::uint32_t c = 0; c < known.size(); ++c)
+      if (!known[c]) unknown.push_back(c);
+    return unknown;
   }
 
   void take(FeasibleTables known) {
@@ -163,7 +245,8 @@ struct FeasibleGraph::Data {
   }
 
   void count_all() {
-    for (const HeadingSet& set : headings) counts.circles_blocked += set.empty() ? 1 : 0;
+    for (std::uint32_t c = 0; c < circles.size(); ++c)
+      counts.circles_blocked += has_headings(c) && headings[c].empty() ? 1 : 0;
     for (const LinkCounts& row : link_counts) count(row, counts);
     counts.kept = links.size();
   }
@@ -311,7 +394,7 @@ struct FeasibleGraph::Data {
   }
 
   [[nodiscard]] const HeadingSet& headings_of(std::uint32_t c) const {
-    if (mode == GraphMode::kEager) return headings[c];
+    if (has_headings(c)) return headings[c];
     return lazy_headings.get(c, [&] {
       auto found = std::make_unique<HeadingSet>(queries.sweep->free_headings(body_on(circles[c])));
       keep_at_vertex(c, *found);
@@ -323,6 +406,21 @@ struct FeasibleGraph::Data {
   void keep_at_vertex(std::uint32_t c, HeadingSet& found) const {
     if (circles[c].radius == smallest_radius || !body_covers_reference) return;
     found = found.around(heading_at_vertex(world, circles[c]), kWidestTurn);
+  }
+
+  // Whether a circle's headings, or row, were all found when the graph was made.
+  [[nodiscard]] bool has_headings(std::uint32_t c) const {
+    return mode == GraphMode::kEager || (!known_headings.empty() && known_headings[c]);
+  }
+  [[nodiscard]] bool has_row(std::uint32_t c) const {
+    return mode == GraphMode::kEager || (!known_rows.empty() && known_rows[c]);
+  }
+  [[nodiscard]] const HeadingSet* find_headings(std::uint32_t c) const {
+    return has_headings(c) ? &headings[c] : lazy_headings.find(c);
+  }
+  // Of a circle that has its row.
+  [[nodiscard]] std::span<const Link> links_of(std::uint32_t c) const {
+    return std::span(links).subspan(link_starts[c], link_starts[c + 1] - link_starts[c]);
   }
 
   [[nodiscard]] const LazyRow& lazy_row(std::uint32_t c) const {
@@ -348,7 +446,7 @@ struct FeasibleGraph::Data {
   [[nodiscard]] FeasibleGraphCounts counts_so_far() const {
     FeasibleGraphCounts sum = counts;
     if (mode == GraphMode::kEager) return sum;
-    for (std::size_t c = 0; c < circles.size(); ++c) {
+    for (std::uint32_t c = 0; c < circles.size(); ++c) {
       if (const HeadingSet* set = lazy_headings.find(c); set && set->empty()) ++sum.circles_blocked;
       const LazyRow* row = lazy_rows.find(c);
       if (!row) continue;
@@ -390,12 +488,13 @@ struct FeasibleGraph::Data {
   std::span<const TurnCircle> circles;
   FeasibleGraphCounts counts;
 
-  std::vector<HeadingSet> headings;  // if eager
+  std::vector<HeadingSet> headings;  // if eager, or known before a change
   std::vector<Link> links;
   std::vector<std::uint64_t> link_starts{0};
   std::vector<LinkCounts> link_counts;
+  std::vector<std::uint8_t> known_headings, known_rows;  // by circle, after a change: whether they are in those
 
-  SlotCache<HeadingSet> lazy_headings;  // if lazy
+  SlotCache<HeadingSet> lazy_headings;  // if lazy, all others
   SlotCache<LazyRow> lazy_rows;
 };
 
@@ -416,6 +515,15 @@ FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, std::sh
                              const QuerySet& queries, std::span<const double> radii, FeasibleTables known) {
   auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, GraphMode::kEager);
   data->take(std::move(known));
+  data_ = std::move(data);
+}
+
+FeasibleGraph::FeasibleGraph(const FeasibleGraph& before, const World& world, const WorldChange& change,
+                             const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
+                             const QuerySet& queries, std::span<const double> radii, const Executor& executor,
+                             GraphMode mode) {
+  auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, mode);
+  data->take_over(*before.data_, change, vehicle.footprint(vehicle.safety_margin()), executor);
   data_ = std::move(data);
 }
 
@@ -440,13 +548,11 @@ std::span<const FeasibleGraph::Link> FeasibleGraph::links() const { return data_
 FeasibleGraphCounts FeasibleGraph::counts() const { return data_->counts_so_far(); }
 
 std::span<const FeasibleGraph::Link> FeasibleGraph::links_from(std::uint32_t circle) const {
-  if (data_->mode == GraphMode::kLazy) return data_->lazy_row(circle).departures.links;
-  const std::uint64_t first = data_->link_starts[circle];
-  return std::span(data_->links).subspan(first, data_->link_starts[circle + 1] - first);
+  return data_->has_row(circle) ? data_->links_of(circle) : data_->lazy_row(circle).departures.links;
 }
 
 bool FeasibleGraph::is_kept(std::uint32_t circle, std::size_t index) const {
-  return data_->mode == GraphMode::kEager || data_->decide(circle, index);
+  return data_->has_row(circle) || data_->decide(circle, index);
 }
 
 }  // namespace arcway

@@ -14,6 +14,7 @@
 #include "core/team.h"
 #include "core/vehicle.h"
 #include "core/world.h"
+#include "core/world_change.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -68,6 +69,15 @@ class FeasibleGraph {
   /// @throws TableError if the tables are not those of such a graph: a value out of range or order.
   FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
                 const QuerySet& queries, std::span<const double> radii, FeasibleTables known);
+
+  /// The graph after a change of the world, the same as built anew. What lies where nothing came or went is taken from
+  /// the graph before, as far as that one has found it out; the rest is checked now if eager, and when a search first
+  /// asks for it if lazy. O(n) beside that.
+  /// @param before  of the world before the change, the same vehicle and the same radii.
+  /// @param rows    of `world`; all are asked for, as are those of `before`.
+  FeasibleGraph(const FeasibleGraph& before, const World& world, const WorldChange& change, const Vehicle& vehicle,
+                std::shared_ptr<const VisibilityRows> rows, const QuerySet& queries, std::span<const double> radii,
+                const Executor& executor, GraphMode mode = GraphMode::kEager);
 
   [[nodiscard]] GraphMode mode() const;
   /// In the order of TurnCircles::all.

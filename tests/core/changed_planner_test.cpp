@@ -1,0 +1,151 @@
+// Planners after changes of the map, against planners built anew.
+
+#include <gtest/gtest.h>
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/planner.h"
+#include "datasets/clutter.h"
+#include "datasets/map_file.h"
+#include "tests/support/nasty_worlds.h"
+#include "tests/support/plans.h"
+#include "tests/support/same_graphs.h"
+#include "tests/support/thread_executor.h"
+
+namespace arcway {
+namespace {
+
+std::string bits_of(const PlanResult& result) {
+  std::string bits;
+  const auto add = [&bits](const auto& value) { bits.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  add(result.status);
+  for (const double value : {result.travel_time, result.length, result.lower_bound, result.min_clearance}) add(value);
+  for (const TimedSegment& s : result.segments)
+    for (const double value : {s.segment.start.x, s.segment.start.y, s.segment.start.heading, s.segment.length,
+                               s.segment.curvature, s.speed_in, s.speed_out, s.duration})
+      add(value);
+  return bits;
+}
+
+Planner changed(const Planner& before, const World& after, std::span<const ObstacleId> removed,
+                const PlannerOptions& options) {
+  const QuerySet queries = make_reference_queries(after);
+  return {before,
+          after,
+          WorldChange(before.world(), after, removed),
+          queries,
+          build_reduced_visibility_graph(after, *queries.visibility),
+          options,
+          test::ThreadExecutor(2)};
+}
+
+// Free or not.
+Pose draw_pose(const World& world, test::Random& random) {
+  Box box = world.box();
+  box.extend(Vec2(0, 0));
+  return {random.uniform(box.min.x(), box.max.x()), random.uniform(box.min.y(), box.max.y()),
+          random.uniform(0.0, 6.28)};
+}
+
+// Steps of removing some obstacles and adding others, by a chain of eager and one of lazy planners; the lazy one finds
+// something out between the steps.
+void expect_changes(World world, const Vehicle& vehicle, test::Random& random, int steps, std::int64_t one_in,
+                    const std::vector<double>& radii, const auto& draw_added) {
+  PlannerOptions eager_options{.radii = radii}, lazy_options{.graph_mode = GraphMode::kLazy, .radii = radii};
+  Planner eager(world, vehicle, eager_options), lazy(world, vehicle, lazy_options);
+  for (int step = 0; step < steps; ++step) {
+    SCOPED_TRACE("step " + std::to_string(step));
+    std::vector<ObstacleId> removed;
+    for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+      if (random.integer(1, one_in) == 1) removed.push_back(o);
+    world = world.changed(removed, draw_added());
+    eager = changed(eager, world, removed, eager_options);
+    lazy = changed(lazy, world, removed, lazy_options);
+    const Planner anew(world, vehicle, eager_options);
+    test::expect_same(eager.feasible_graph(), anew.feasible_graph());
+    if (testing::Test::HasFailure()) return;
+    for (int i = 0; i < 12; ++i) {
+      const PlanRequest request{draw_pose(world, random), draw_pose(world, random)};
+      const PlanResult expected = anew.plan(request);
+      ASSERT_EQ(bits_of(lazy.plan(request)), bits_of(expected));
+      ASSERT_EQ(bits_of(eager.plan(request)), bits_of(expected));
+      if (expected.solved()) test::expect_valid(anew, expected);
+    }
+  }
+}
+
+// Copies of obstacles, some of them moved by an edge of theirs, so that they touch or overlap others.
+std::vector<Polygon> draw_copies(const std::vector<Polygon>& obstacles, test::Random& random) {
+  std::vector<Polygon> added;
+  while (random.integer(0, 2) != 0) {
+    Polygon copy =
+        obstacles[static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(obstacles.size()) - 1))];
+    const Vec2 shift = static_cast<double>(random.integer(0, 3)) * (copy.outer[1] - copy.outer[0]);
+    for (Vec2& p : copy.outer) p += shift;
+    added.push_back(std::move(copy));
+  }
+  return added;
+}
+
+TEST(ChangedPlanner, PlansAsOneBuiltAnewInClutter) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const World world = random_world({.kind = seed % 2 == 0 ? ClutterKind::kStar : ClutterKind::kConvex,
+                                      .obstacles = 25,
+                                      .vertices = 6,
+                                      .fill = 0.15,
+                                      .seed = seed});
+    const std::vector<Polygon> obstacles = to_map_file(world).obstacles;
+    test::Random random(seed);
+    VehicleParameters parameters;
+    if (seed % 3 == 0) parameters.turn_speed = LateralAccelerationLimit{2.0};
+    expect_changes(world, Vehicle(parameters), random, 4, 12, {}, [&] { return draw_copies(obstacles, random); });
+    if (HasFailure()) return;
+  }
+}
+
+TEST(ChangedPlanner, PlansAsOneBuiltAnewInNastyWorlds) {
+  const Vehicle vehicle({.length = 0.3, .width = 0.16, .wheelbase = 0.26, .safety_margin = 0.01});
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Random random(seed);
+    const std::vector<double> radii{vehicle.min_turning_radius(), 2.0 * vehicle.min_turning_radius()};
+    expect_changes(test::nasty_world(seed, 12), vehicle, random, 4, 4, radii, [&] {
+      return random.integer(0, 2) == 0 ? std::vector<Polygon>{}
+                                       : to_map_file(test::nasty_world(random.bits(), 3)).obstacles;
+    });
+    if (HasFailure()) return;
+  }
+}
+
+TEST(ChangedPlanner, ChecksFewCirclesForAChangeOfOneObstacle) {
+  const World world = random_world({.obstacles = 300, .vertices = 6, .fill = 0.2, .seed = 3});
+  const PlannerOptions options{.graph_mode = GraphMode::kLazy};
+  const Planner before(world, Vehicle{});
+  const std::vector<ObstacleId> removed{150};
+  const World after = world.changed(removed, {});
+  const FeasibleGraphCounts kept = changed(before, after, removed, options).feasible_graph().counts();
+  EXPECT_GT(kept.candidates, before.feasible_graph().counts().candidates / 2);
+  EXPECT_LT(kept.candidates, before.feasible_graph().counts().candidates);
+}
+
+TEST(ChangedPlanner, RefusesAChangeOfAnotherWorld) {
+  const World world = random_world({.obstacles = 5, .vertices = 5, .fill = 0.2, .seed = 3});
+  const World other = random_world({.obstacles = 6, .vertices = 5, .fill = 0.2, .seed = 3});
+  const World after = world.changed(std::vector<ObstacleId>{2}, {});
+  const WorldChange change(world, after, std::vector<ObstacleId>{2});
+  const auto take = [&](const World& from, const World& to) {
+    const QuerySet queries = make_reference_queries(to);
+    return Planner(Planner(from, Vehicle{}), to, change, queries,
+                   build_reduced_visibility_graph(to, *queries.visibility), {}, SerialExecutor());
+  };
+  EXPECT_NO_THROW(take(world, after));
+  EXPECT_THROW(take(other, after), std::invalid_argument);
+  EXPECT_THROW(take(world, other), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace arcway
