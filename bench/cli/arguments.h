@@ -13,6 +13,7 @@
 
 #include "core/planner.h"
 #include "core/tour.h"
+#include "core/world_change.h"
 #include "datasets/prepared_map.h"
 #include "datasets/read_map.h"
 
@@ -35,6 +36,7 @@ using Action = std::function<int(std::string& out)>;
 /// @param team  of processes that do the same together; the first one prints and writes.
 void add_plan_command(CLI::App& app, Action& action, const Team& team);
 void add_prepare_command(CLI::App& app, Action& action, const Team& team);
+void add_change_command(CLI::App& app, Action& action);
 void add_graph_command(CLI::App& app, Action& action);
 void add_generate_command(CLI::App& app, Action& action);
 void add_validate_command(CLI::App& app, Action& action);
@@ -75,6 +77,10 @@ struct BuildOptions {
   [[nodiscard]] ReducedGraphBuilder reduced_graph(const Team& team) const;
   /// Its rows, found as a search asks for them; none where the builder gives whole graphs only.
   [[nodiscard]] std::shared_ptr<const VisibilityRows> lazy_rows(const World& world, const Executor& executor) const;
+  /// The reduced graph of a world after a change, from the one before where this backend and builder can do that.
+  [[nodiscard]] VisibilityGraph changed_graph(const VisibilityGraph& before, const World& after,
+                                              const WorldChange& change, const QuerySet& queries,
+                                              const Executor& executor) const;
 
   /// "wedge" or "pairwise": what was asked for, or what suits the world; or "prepared".
   [[nodiscard]] std::string builder_name(const World& world) const;

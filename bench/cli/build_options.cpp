@@ -9,6 +9,7 @@
 #include "accel/make_queries.h"
 #include "accel/pairwise_graph.h"
 #include "accel/parallel.h"
+#include "accel/wedge/changed_graph.h"
 #include "accel/wedge/wedge_graph.h"
 #endif
 
@@ -81,6 +82,14 @@ std::unique_ptr<const Executor> BuildOptions::executor() const {
   return std::make_unique<const TbbExecutor>(threads_asked_for());
 }
 
+VisibilityGraph BuildOptions::changed_graph(const VisibilityGraph& before, const World& after,
+                                            const WorldChange& change, const QuerySet& queries,
+                                            const Executor& executor) const {
+  if (backend == "reference" || builder == "pairwise")
+    return reduced_graph(SoloTeam())(after, *queries.visibility, executor);
+  return change_reduced_visibility_graph(before, after, change, executor);
+}
+
 std::string BuildOptions::builder_name(const World& world) const {
   if (prepared) return "prepared";
   if (builder != "auto") return builder;
@@ -103,6 +112,10 @@ std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World& world
 #else
 
 std::size_t BuildOptions::thread_count() const { return 1; }
+VisibilityGraph BuildOptions::changed_graph(const VisibilityGraph&, const World& after, const WorldChange&,
+                                            const QuerySet& queries, const Executor& executor) const {
+  return build_reduced_visibility_graph(after, *queries.visibility, executor);
+}
 std::string BuildOptions::builder_name(const World&) const { return prepared ? "prepared" : "pairwise"; }
 
 QuerySet BuildOptions::queries(const World& world) const { return make_reference_queries(world); }

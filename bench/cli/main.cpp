@@ -32,6 +32,7 @@ int run(int argc, char** argv, const arcway::Team& team) {
   add_plan_command(app, action, team);
   add_prepare_command(app, action, team);
 #ifndef ARCWAY_WITH_MPI
+  add_change_command(app, action);
   add_graph_command(app, action);
   add_generate_command(app, action);
   add_validate_command(app, action);

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/cli/arguments.h"
+#include "bench/cli/progress_bar.h"
+#include "core/planner.h"
+#include "core/world_change.h"
+#include "datasets/map_file.h"
+#include "datasets/prepared_map.h"
+
+namespace arcway::cli {
+namespace {
+
+struct ChangeArguments {
+  std::string map;
+  MapOptions reading;
+  std::vector<std::string> removed, added;
+  std::string out;
+  BuildOptions build;
+};
+
+std::vector<ObstacleId> removed_obstacles(const ChangeArguments& arguments, const World& world) {
+  std::vector<ObstacleId> removed;
+  for (const std::string& text : arguments.removed) {
+    const std::uint64_t id = parse_count(text, "--remove");
+    if (id >= world.obstacle_count())
+      throw UsageError("--remove: obstacle " + text + " of " + arguments.map + ", which has " +
+                       count_text(world.obstacle_count()) + ", counted from 0");
+    removed.push_back(static_cast<ObstacleId>(id));
+  }
+  std::sort(removed.begin(), removed.end());
+  if (const auto twice = std::adjacent_find(removed.begin(), removed.end()); twice != removed.end())
+    throw UsageError("--remove: obstacle " + std::to_string(*twice) + " is named twice");
+  return removed;
+}
+
+std::vector<Polygon> added_obstacles(const ChangeArguments& arguments) {
+  std::vector<Polygon> added;
+  for (const std::string& file : arguments.added) {
+    std::vector<Polygon> more = to_map_file(load_map(file, arguments.reading).world).obstacles;
+    added.insert(added.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
+  }
+  return added;
+}
+
+int run_change(const ChangeArguments& arguments, std::string& out) {
+  if (arguments.removed.empty() && arguments.added.empty())
+    throw UsageError("nothing to change: give --add MAP or --remove ID");
+  arguments.build.check();
+  LoadedMap map = load_map(arguments.map, arguments.reading);
+  if (!map.prepared) throw UsageError(arguments.map + ": no prepared map; arcway prepare makes one");
+  PreparedMap& prepared = *map.prepared;
+  const std::vector<ObstacleId> removed = removed_obstacles(arguments, map.world);
+  const std::vector<Polygon> added = added_obstacles(arguments);
+  const auto threads = arguments.build.executor();
+  ProgressBar bar;
+  const ReportingExecutor executor(*threads, bar.callback());
+
+  // What was prepared, taken up as it is; its time is none of the change.
+  std::optional<Planner> before;
+  if (prepared.robot) {
+    PreparedGraph graphs{prepared.reduced_graph, prepared.robot->radii, std::move(prepared.robot->feasible)};
+    try {
+      before.emplace(map.world, Vehicle(prepared.robot->parameters), arguments.build.queries(map.world),
+                     std::move(graphs));
+    } catch (const TableError& error) {
+      throw FormatError(prepared.source.complaint(error));
+    }
+  }
+
+  const Stopwatch watch;
+  const World after = map.world.changed(removed, added);
+  const WorldChange change(map.world, after, removed);
+  const QuerySet queries = arguments.build.queries(after);
+  VisibilityGraph reduced = arguments.build.changed_graph(prepared.reduced_graph, after, change, queries, executor);
+  std::string rows = row("reduced graph", count_text(reduced.edge_count()) + " edges");
+  PreparedMap result{after, {}, map.start, map.goal, std::nullopt, {}};
+  if (before) {
+    const Planner planner(*before, after, change, queries, std::move(reduced), {}, executor);
+    rows += feasible_row(planner);
+    PreparedGraph graphs = planner.prepared_graph();
+    result.reduced_graph = std::move(graphs.reduced_graph);
+    result.robot = {before->vehicle().parameters(), std::move(graphs.radii), std::move(graphs.feasible)};
+  } else {
+    result.reduced_graph = std::move(reduced);
+  }
+  const double seconds = watch.seconds();
+  std::string bytes = to_bytes(result);
+
+  out += arguments.map + ": " + count_text(removed.size()) + " obstacles removed, " + count_text(added.size()) +
+         " added\n" + world_rows(after) + rows + row("change", duration_text(seconds)) +
+         row("size", count_text(bytes.size()) + " bytes") + warning_rows(map);
+  OutputFiles files;
+  files.add(arguments.out, std::move(bytes));
+  files.write();
+  out += files.summary();
+  return kExitSolved;
+}
+
+}  // namespace
+
+void add_change_command(CLI::App& app, Action& action) {
+  CLI::App& command =
+      *app.add_subcommand("change", "Remove obstacles from a prepared map and add others, without building it anew");
+  const auto arguments = std::make_shared<ChangeArguments>();
+  command.add_option("PREPARED", arguments->map, "Prepared map: a file that prepare or change wrote")->required();
+  arguments->reading.add_to(command);
+  command
+      .add_option("--remove", arguments->removed,
+                  "Obstacle to remove, by its number in the prepared map, from 0; repeated, or several with commas")
+      ->type_name("ID")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--add", arguments->added, "Map whose obstacles come after the last one; repeated: in this order")
+      ->type_name("MAP")
+      ->allow_extra_args(false);
+  arguments->build.add_to(command);
+  command.add_option("--out", arguments->out, "File to write")->type_name("F.arcway")->required();
+  command.callback(
+      [arguments, &action] { action = [arguments](std::string& out) { return run_change(*arguments, out); }; });
+}
+
+}  // namespace arcway::cli

@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/tool.h"
+
+namespace {
+
+using arcway::test::kAround;
+using arcway::test::Tool;
+
+constexpr const char* kMap = "clutter/star/n30/m6/f20/s3";
+
+TEST_F(Tool, ChangesAPreparedMapToTheOnePreparedAnew) {
+  const std::string extra =
+      put("extra.wkt", "GEOMETRYCOLLECTION(POLYGON((1 1,3 1,3 3,1 1)),POLYGON((10 10,12 10,12 12,10 12,10 10)))");
+  for (const std::string kind : {"reduced", "feasible"}) {
+    ASSERT_EQ(run("prepare " + std::string(kMap) + " --kind " + kind + " --out " + file("m.arcway")).code, 0);
+    for (const std::string backend : {"", " --backend reference"}) {
+      const Run result = run("change " + file("m.arcway") + " --remove 3,17 --remove 0 --add " + extra + backend +
+                             " --out " + file("changed.arcway"));
+      ASSERT_EQ(result.code, 0) << result.err;
+      EXPECT_NE(result.out.find("3 obstacles removed, 2 added"), std::string::npos) << result.out;
+      ASSERT_EQ(run("convert " + file("changed.arcway") + " " + file("w.geojson")).code, 0);
+      ASSERT_EQ(run("prepare " + file("w.geojson") + " --kind " + kind + " --out " + file("anew.arcway")).code, 0);
+      EXPECT_TRUE(read("changed.arcway") == read("anew.arcway")) << kind << backend;
+    }
+  }
+}
+
+TEST_F(Tool, PlansOnAChangedMap) {
+  ASSERT_EQ(run("prepare " + map_ + " --out " + file("m.arcway")).code, 0);
+  ASSERT_EQ(run("change " + file("m.arcway") + " --remove 0 --out " + file("free.arcway")).code, 0);
+  const Run around = run("plan " + file("m.arcway") + kAround), straight = run("plan " + file("free.arcway") + kAround);
+  EXPECT_EQ(around.code, 0) << around.err;
+  EXPECT_EQ(straight.code, 0) << straight.err;
+  EXPECT_NE(around.out, straight.out);
+}
+
+TEST_F(Tool, RefusesChangesThatCannotBe) {
+  ASSERT_EQ(run("prepare " + map_ + " --out " + file("m.arcway")).code, 0);
+  const std::string change = "change " + file("m.arcway") + " --out " + file("n.arcway");
+  expect_bad_input(change, "nothing to change");
+  expect_bad_input(change + " --remove 1", "obstacle 1 of " + file("m.arcway") + ", which has 1");
+  expect_bad_input(change + " --remove 0 --remove 0", "obstacle 0 is named twice");
+  expect_bad_input(change + " --remove x", "--remove");
+  expect_bad_input(change + " --add " + put("bad.geojson", "{"), "bad.geojson");
+  expect_bad_input("change " + map_ + " --remove 0 --out " + file("n.arcway"), "no prepared map");
+  EXPECT_FALSE(exists("n.arcway"));
+}
+
+}  // namespace
