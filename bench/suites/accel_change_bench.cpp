@@ -34,14 +34,9 @@ Planner build(const World& world, const PlannerOptions& options) {
 Planner change(const Planner& before, const World& after, const std::vector<ObstacleId>& moved,
                const PlannerOptions& options) {
   const WorldChange what(before.world(), after, moved);
-  return {before,
-          after,
-          what,
-          make_embree_queries(after),
-          change_reduced_visibility_graph(
-              corrupting() ? corrupted(before.visibility_graph()) : before.visibility_graph(), after, what),
-          options,
-          SerialExecutor()};
+  VisibilityGraph graph = change_reduced_visibility_graph(before.visibility_graph(), after, what);
+  if (corrupting()) graph = corrupted(graph);
+  return {before, after, what, make_embree_queries(after), std::move(graph), options, SerialExecutor()};
 }
 
 bool same(const Planner& a, const Planner& b) {
