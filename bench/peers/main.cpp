@@ -14,6 +14,7 @@
 #ifdef ARCWAY_PEER_OMPL
 #include "bench/peers/ompl_peer.h"
 #include "bench/peers/planner_study.h"
+#include "datasets/robot.h"
 #endif
 
 namespace arcway::peers {
@@ -26,7 +27,7 @@ struct Options {
                                           "clutter/convex/n100/m10/f45", "clutter/star/n100/m10/f15",
                                           "clutter/star/n100/m10/f30", "clutter/star/n100/m10/f45"}};
 #endif
-  std::string only, out, unsolved;
+  std::string only, out, lost, robot;
 };
 
 void add_options(CLI::App& app, Options& options) {
@@ -45,7 +46,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--first-only", p.first_only, "RRTConnect's first path and nothing else");
   app.add_option("--first-within", p.first_within, "the time for that [s]")->capture_default_str();
   app.add_option("--seed", p.seed, "of queries and peers")->capture_default_str();
-  app.add_option("--unsolved", options.unsolved, "queries that a peer alone solves, with its path as a plan");
+  app.add_option("--robot", options.robot, "of the study of planners (JSON); default: the paper's");
+  app.add_option("--lost", options.lost,
+                 "queries that a peer alone solves, or with a faster path, and its path as a plan");
 #endif
 }
 
@@ -70,17 +73,19 @@ void run_studies(const Options& options) {
   if (options.only != "planners") results.duels = visibility_study(options.visibility, say);
   save();
 #ifdef ARCWAY_PEER_OMPL
-  std::string unsolved;
+  std::string lost;
   const PlannerStudyProgress progress{.line = say,
-                                      .unsolved = [&](const std::string& line) { unsolved += line + "\n"; },
+                                      .lost = [&](const std::string& line) { lost += line + "\n"; },
                                       .world_done =
                                           [&](const std::vector<report::PlannerQuery>& queries) {
                                             results.queries = queries;
                                             save();
                                           }};
-  if (options.only != "visibility") results.queries = planner_study(options.planners, progress);
+  PlannerStudyOptions planners = options.planners;
+  if (!options.robot.empty()) planners.vehicle = Vehicle(read_robot(read_file(options.robot), options.robot));
+  if (options.only != "visibility") results.queries = planner_study(planners, progress);
   save();
-  if (!options.unsolved.empty()) write_file_atomically(options.unsolved, unsolved);
+  if (!options.lost.empty()) write_file_atomically(options.lost, lost);
 #endif
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "bench/peers/cpu_clock.h"
@@ -62,7 +63,7 @@ class Study {
  private:
   void run_world(const std::string& name) {
     const World world = catalogue_world(name);
-    const Vehicle vehicle;
+    const Vehicle& vehicle = options_.vehicle;
     const QuerySet queries = fastest_queries(world);
     const CpuClock preparing(CpuClock::Of::kProcess);
     const Planner planner(world, vehicle, queries, {}, SerialExecutor());
@@ -71,26 +72,27 @@ class Study {
     for (std::size_t q = 0; q < requests.size(); ++q) {
       const Problem problem{world, vehicle, *queries.sweep, requests[q]};
       PlannerQuery result{name, q, 0.0, {}};
-      const bool solved = plan_ours(planner, problem, result);
+      const double time = plan_ours(planner, problem, result);
       Random random(options_.seed + q);
-      run_peer(OmplPlanner::kRrtConnect, problem, random, result, solved);
-      if (!options_.first_only) run_peer(OmplPlanner::kInformedRrtStar, problem, random, result, solved);
+      run_peer(OmplPlanner::kRrtConnect, problem, random, result, time);
+      if (!options_.first_only) run_peer(OmplPlanner::kInformedRrtStar, problem, random, result, time);
       report(result);
       results_.push_back(std::move(result));
     }
   }
 
-  static bool plan_ours(const Planner& planner, const Problem& problem, PlannerQuery& result) {
+  // The travel time; infinity without a path.
+  static double plan_ours(const Planner& planner, const Problem& problem, PlannerQuery& result) {
     const CpuClock clock(CpuClock::Of::kThread);
     const PlanResult plan = planner.plan(problem.request);
     const double seconds = clock.seconds();
     result.lower_bound = plan.lower_bound;
     result.answers.push_back(
         {"arcway", name_of(plan.status), seconds, plan.travel_time, plan.solved() && is_valid(problem, plan.path())});
-    return plan.solved();
+    return plan.solved() ? plan.travel_time : std::numeric_limits<double>::infinity();
   }
 
-  void run_peer(OmplPlanner kind, const Problem& problem, Random& random, PlannerQuery& result, bool solved_by_us) {
+  void run_peer(OmplPlanner kind, const Problem& problem, Random& random, PlannerQuery& result, double our_time) {
     std::vector<double> times = options_.first_only ? std::vector<double>() : options_.times;
     if (!options_.first_only && result.query < options_.long_queries) times.push_back(options_.long_time);
     std::ranges::sort(times);
@@ -104,8 +106,8 @@ class Study {
       }
       result.answers.push_back(
           {planner, "solved", solution->seconds, solution->travel_time, is_valid(problem, solution->path)});
-      if (!solved_by_us)
-        progress_.unsolved(result.world + " " + planner + " " + plan_text(problem.request, *solution, result));
+      if (solution->travel_time < our_time)
+        progress_.lost(result.world + " " + planner + " " + plan_text(problem.request, *solution, result));
     };
     add("first", first_within, run.first);
     for (std::size_t i = 0; i < times.size(); ++i) add(text_of("%g s", times[i]), times[i], run.at_time[i]);

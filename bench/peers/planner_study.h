@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "bench/report/peer_results.h"
+#include "core/vehicle.h"
 
 namespace arcway::peers {
 
 struct PlannerStudyOptions {
   std::vector<std::string> worlds;  ///< of the catalogue
-  std::size_t queries = 50;         ///< a world
-  std::vector<double> times{1.0};   ///< when to look at the peers' best path [s]
-  double long_time = 10.0;          ///< once more on the first `long_queries` of each world [s]
+  Vehicle vehicle;
+  std::size_t queries = 50;        ///< a world
+  std::vector<double> times{1.0};  ///< when to look at the peers' best path [s]
+  double long_time = 10.0;         ///< once more on the first `long_queries` of each world [s]
   std::size_t long_queries = 10;
   bool first_only = false;     ///< RRTConnect's first path and nothing else
   double first_within = 10.0;  ///< the time for that [s]; with `times`, the last of them is
@@ -23,8 +25,8 @@ struct PlannerStudyOptions {
 
 struct PlannerStudyProgress {
   std::function<void(const std::string&)> line;
-  /// The plan of a peer, as a file of plans has it, for a query that arcway did not solve.
-  std::function<void(const std::string&)> unsolved;
+  /// The plan of a peer, as a file of plans has it, for a query that arcway did not solve or with a slower path.
+  std::function<void(const std::string&)> lost;
   std::function<void(const std::vector<report::PlannerQuery>&)> world_done;
 };
 
