@@ -1,6 +1,7 @@
 #include "core/planner.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -29,9 +30,12 @@ constexpr double kLargestPoseCoordinate = 1e9;
 // angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
 constexpr double kMarginUnits = 1048576.0;
 
-// A plan that may be slower than the best one by more than this share is tried again with manoeuvres at both ends.
-constexpr double kLargeGap = 0.05;
-constexpr std::size_t kShortPoses = 24;  // for these
+// A plan that may be slower than the best one by more than `gap`, a share, is tried again with manoeuvres at both ends.
+struct Retry {
+  double gap;
+  std::uint32_t poses;
+};
+constexpr std::array<Retry, 2> kRetries{{{0.02, 12}, {0.1, 120}}};
 
 class Stopwatch {
  public:
@@ -395,13 +399,14 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   if (forwards.search.path) {
     keep_faster(*forwards.search.path, false);
     d.raise_bound(request, workspace->point, result);
-    const double time = speed_profile(*found, d.map.vehicle).total_time;
-    const bool doubtful = time > (1.0 + kLargeGap) * result.lower_bound && forwards.manoeuvre_poses == 0;
-    if (doubtful && d.options.manoeuvre_poses > 1 && !result.interrupted) {
+    for (const Retry& retry : kRetries) {
+      const double time = speed_profile(*found, d.map.vehicle).total_time;
+      const auto poses = std::min(retry.poses, d.options.manoeuvre_poses);
+      const bool doubtful = time > (1.0 + retry.gap) * result.lower_bound;
+      if (!doubtful || poses <= 1 || result.interrupted) break;
       SearchOptions faster = options;
       faster.faster_than = result.statistics.unrefined_travel_time;
       const FoundPath turning = d.search(result, [&] {
-        const std::size_t poses = std::min<std::size_t>(kShortPoses, d.options.manoeuvre_poses);
         return find_path_with_manoeuvres(d.map, request.start, request.goal, poses, faster, workspace->search);
       });
       if (turning.search.path) keep_faster(*turning.search.path, false);

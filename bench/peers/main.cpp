@@ -23,9 +23,10 @@ namespace {
 struct Options {
   VisibilityStudyOptions visibility;
 #ifdef ARCWAY_PEER_OMPL
-  PlannerStudyOptions planners{.worlds = {"clutter/convex/n100/m10/f15", "clutter/convex/n100/m10/f30",
-                                          "clutter/convex/n100/m10/f45", "clutter/star/n100/m10/f15",
-                                          "clutter/star/n100/m10/f30", "clutter/star/n100/m10/f45"}};
+  PlannerStudyOptions planners{
+      .worlds = {"clutter/convex/n100/m10/f15", "clutter/convex/n100/m10/f30", "clutter/convex/n100/m10/f45",
+                 "clutter/star/n100/m10/f15", "clutter/star/n100/m10/f30", "clutter/star/n100/m10/f45"},
+      .vehicle = {}};
 #endif
   std::string only, out, lost, robot;
 };

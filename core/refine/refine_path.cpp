@@ -18,6 +18,8 @@ namespace {
 constexpr double kSmallestGain = 1e-6;
 constexpr double kFirstStep = 1.0;    // of the smallest turning radius
 constexpr double kRoughStep = 0.125;  // fine enough to try other turns
+constexpr int kFewParts = 2;
+constexpr std::array kFinerParts{3, 4, 5};
 
 class Refiner {
  public:
@@ -41,17 +43,31 @@ class Refiner {
     lines_ = std::move(*lines);
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
+    settle();
+    // Words between other places may lead out of a local optimum.
+    for (std::size_t i = 0; i < kFinerParts.size() && !done();) {
+      if (insert_words(kFinerParts[i])) {
+        settle();
+        i = 0;
+      } else {
+        ++i;
+      }
+    }
+  }
+
+ private:
+  // A local optimum.
+  void settle() {
     bool more = true;
     while (more && !done()) {
       while (!done() && (drop_turns() || rejoin_ends() || merge_turns())) {
       }
       more = slide(kRoughStep);
-      more = insert_words() || more;
+      more = insert_words(kFewParts) || more;
     }
     slide(options_.smallest_step);
   }
 
- private:
   // A place on a straight line of the path.
   struct Station {
     std::size_t line;
@@ -219,7 +235,8 @@ class Refiner {
     return turn_between(lines_[circle].start.heading, lines_[circle + 1].start.heading, chain_.circles[circle].side);
   }
 
-  bool insert_words() {
+  // Words between places that divide each line into equal parts.
+  bool insert_words(int parts) {
     const auto ends = passings();
     const double twice = 2.0 * vehicle_.max_acceleration();
     const auto station = [&](std::size_t line, double part) {
@@ -234,7 +251,8 @@ class Refiner {
     std::vector<Station> stations;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       stations.push_back(station(i, 0.0));
-      if (lines_[i].length > smallest_) stations.push_back(station(i, 0.5));
+      if (lines_[i].length > smallest_)
+        for (int k = 1; k < parts; ++k) stations.push_back(station(i, k / static_cast<double>(parts)));
       if (lines_[i].length > 0.0) stations.push_back(station(i, 1.0));
     }
     for (std::size_t span = stations.size() - 1; span > 0; --span)

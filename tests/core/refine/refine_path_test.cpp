@@ -179,8 +179,9 @@ TEST(RefinePath, ThePlannerReportsBothTimes) {
     ASSERT_EQ(result.status, first.status);
     if (!result.solved()) continue;
     ++solved;
-    EXPECT_EQ(result.statistics.unrefined_travel_time, first.travel_time);
-    EXPECT_LE(result.travel_time, first.travel_time);
+    // Without refinement more paths are doubtful, and more ends tried.
+    EXPECT_GE(result.statistics.unrefined_travel_time, first.travel_time * (1.0 - 1e-12));
+    EXPECT_LE(result.travel_time, result.statistics.unrefined_travel_time);
     EXPECT_EQ(first.statistics.refine_trials, 0u);
     expect_valid(world, planner.vehicle(), request, result.path());
   }
