@@ -27,6 +27,9 @@ using Link = FeasibleGraph::Link;
 // Vertices that a straight leads past without a turn. With more of them, rows grow along every jagged wall of a scanned
 // map without a path found more.
 constexpr std::uint32_t kMostPassed = 2;
+// Edges between a circle's vertex and one that it leads to: a vertex before the one and another before the other as
+// well.
+constexpr std::uint32_t kMostSteps = kMostPassed + 3;
 // A turn round the thinnest vertex begins and ends at a right angle to the heading at the vertex; and a little more.
 constexpr double kWidestTurn = 0.55 * kPi;
 
@@ -93,7 +96,7 @@ struct FeasibleGraph::Data {
   // What another graph has found out, as far as a change of the world leaves it; the rest as the mode says.
   void take_over(const Data& before, const WorldChange& change, const Footprint& grown_body, const Executor& executor) {
     const CircleChange kept({before.world, *before.rows, before.turn_circles}, {world, *rows, turn_circles}, change,
-                            grown_body, kMostPassed + 1);
+                            grown_body, kMostSteps);
     headings.resize(circles.size());
     known_headings.resize(circles.size());
     known_rows.resize(circles.size());
@@ -139,6 +142,10 @@ struct FeasibleGraph::Data {
     const TurnCircle& circle = circles[c];
     if (kept.before(c) == kNone || !kept.keeps_row(circle.vertex)) return false;
     if (circle.second != kNone && !kept.keeps_row(circle.second)) return false;
+    for (const VertexId u : {circle.vertex, circle.second})
+      if (const VertexId before = u == kNone ? kNone : vertex_before(u, circle.side);
+          before != kNone && !kept.keeps_row(before))
+        return false;
     if (circle.second == kNone && kept.is_still_around(circle.vertex)) return true;
     return std::ranges::all_of(arrivals_from(circle), [&](const Arrival& arrival) {
       return kept.keeps_row(arrival.vertex) && kept.is_quiet_between(circle.vertex, arrival.vertex);
@@ -371,6 +378,7 @@ struct FeasibleGraph::Data {
     for (const VertexId u : {circle.vertex, circle.second})
       if (u != kNone)
         for (const VertexId v : rows->of(u)) add(u, circle.side, v, 0);
+    append_beside(circle, arrivals);
     for (std::size_t i = 0; i < arrivals.size(); ++i) {
       const Arrival at = arrivals[i];
       if (at.passed == kMostPassed) break;  // so have all that follow
@@ -386,6 +394,49 @@ struct FeasibleGraph::Data {
       }
     }
     return arrivals;
+  }
+
+  // A line past an obstacle's vertices may be free for a point, but bend round the next one for a body: then the
+  // straights lead from that one to the far end and, the same backwards, to the one before the far end.
+  void append_beside(const TurnCircle& circle, std::vector<Arrival>& arrivals) const {
+    const auto add = [&arrivals](const Arrival& arrival) {
+      const bool known = std::any_of(arrivals.begin(), arrivals.end(), [&arrival](const Arrival& a) {
+        return a.vertex == arrival.vertex && a.side == arrival.side;
+      });
+      if (!known) arrivals.push_back(arrival);
+    };
+    for (const VertexId u : {circle.vertex, circle.second}) {
+      const VertexId before = u == kNone ? kNone : vertex_before(u, circle.side);
+      if (before == kNone) continue;
+      for (const VertexId w : rows->of(before)) {
+        if (w == u || obstacle_side(world, before, world.vertex(w)) == circle.side) continue;
+        const Side side = obstacle_side(world, w, world.vertex(before));
+        if (bends_round(own_circle(before, circle.side), circle, own_circle(w, side))) add({w, side, before, 0});
+      }
+    }
+    for (std::size_t i = 0, count = arrivals.size(); i < count; ++i) {
+      const Arrival at = arrivals[i];
+      const VertexId before = vertex_before(at.vertex, at.side);
+      if (before == kNone || before == circle.vertex || before == circle.second) continue;
+      if (bends_round(circle, own_circle(before, at.side), own_circle(at.vertex, at.side)))
+        add({before, at.side, at.before, 0});
+    }
+  }
+
+  // The neighbor on its ring from which a path comes that has the obstacle on a side; kNone if they are no neighbors
+  // in the graph.
+  [[nodiscard]] VertexId vertex_before(VertexId v, Side side) const {
+    const VertexId before = side == Side::kLeft ? world.previous(v) : world.next(v);
+    const auto row = rows->of(v);
+    return turn_circles.has(before) && std::binary_search(row.begin(), row.end(), before) ? before : kNone;
+  }
+
+  // Whether a path by three circles turns to the side of the middle one, forwards, by less than a right angle.
+  static bool bends_round(const TurnCircle& from, const TurnCircle& middle, const TurnCircle& to) {
+    const auto arriving = line_between(from, middle);
+    const auto leaving = line_between(middle, to);
+    return arriving && leaving && sign_of(middle.side) * cross(*arriving, *leaving) > 0.0 &&
+           arriving->dot(*leaving) > 0.0;
   }
 
   // Of the smallest radius.

@@ -63,6 +63,47 @@ Arrivals straights_from(const Case& c, VertexId from, Side side) {
   return found;
 }
 
+struct Stop {
+  VertexId vertex, before;
+  Side side;
+};
+
+// The same; to the far ends of edges of the vertex before on its ring, where a path along the circles' bitangents turns
+// round `from`; and to the vertices before those, where it turns round them.
+std::vector<Stop> straights_beside_edges(const Case& c, std::span<const TurnCircle> circles, const TurnCircle& from) {
+  const auto round = [&](VertexId v, Side side) {
+    return std::find_if(circles.begin(), circles.end(), [&](const auto& t) { return t.vertex == v && t.side == side; });
+  };
+  const auto before_on_ring = [&](VertexId v, Side side) {
+    const VertexId before = side == Side::kLeft ? c.world.previous(v) : c.world.next(v);
+    return straights_from(c, before, side).contains({v, side}) ? before : kNone;
+  };
+  const auto bends = [&](const TurnCircle& a, const TurnCircle& middle, const TurnCircle& b) {
+    const auto arriving = directed_bitangent(a, middle);
+    const auto leaving = directed_bitangent(middle, b);
+    if (!arriving || !leaving) return false;
+    const double turn = sign_of(middle.side) * wrap_signed(leaving->start.heading - arriving->start.heading);
+    return turn > 0.0 && turn < 0.5 * kPi;
+  };
+  std::vector<Stop> stops;
+  const auto add = [&](const Stop& stop) {
+    for (const Stop& s : stops)
+      if (s.vertex == stop.vertex && s.side == stop.side) return;
+    stops.push_back(stop);
+  };
+  for (const auto& [v, side] : straights_from(c, from.vertex, from.side)) add({v, from.vertex, side});
+  if (const VertexId before = before_on_ring(from.vertex, from.side); before != kNone)
+    for (const auto& [v, side] : straights_from(c, before, from.side))
+      if (v != from.vertex && bends(*round(before, from.side), from, *round(v, side))) add({v, before, side});
+  for (std::size_t i = 0, count = stops.size(); i < count; ++i) {
+    const Stop at = stops[i];
+    const VertexId before = before_on_ring(at.vertex, at.side);
+    if (before != kNone && before != from.vertex && bends(from, *round(before, at.side), *round(at.vertex, at.side)))
+      add({before, at.before, at.side});
+  }
+  return stops;
+}
+
 // The same, and further on past vertices at which the path along the circles' bitangents would turn away.
 Arrivals straights_past_others(const Case& c, std::span<const TurnCircle> circles, const TurnCircle& from) {
   const auto round = [&](VertexId v, Side side) {
@@ -70,14 +111,13 @@ Arrivals straights_past_others(const Case& c, std::span<const TurnCircle> circle
                          [&](const auto& t) { return t.vertex == v && t.side == side; });
   };
   Arrivals found;
-  std::vector<std::array<VertexId, 2>> open;  // a vertex and the one before
-  const auto add = [&](VertexId before, const std::pair<VertexId, Side>& to) {
-    if (found.insert(to).second) open.push_back({to.first, before});
+  std::vector<Stop> open;
+  const auto add = [&](const Stop& stop) {
+    if (found.insert({stop.vertex, stop.side}).second) open.push_back(stop);
   };
-  for (const auto& to : straights_from(c, from.vertex, from.side)) add(from.vertex, to);
+  for (const Stop& stop : straights_beside_edges(c, circles, from)) add(stop);
   for (std::size_t i = 0; i < open.size(); ++i) {
-    const auto [v, before] = open[i];
-    const Side side = obstacle_side(c.world, v, c.world.vertex(before));
+    const auto [v, before, side] = open[i];
     const TurnCircle middle = round(v, side);
     const auto line = directed_bitangent(from, middle);
     if (!line) continue;
@@ -86,7 +126,7 @@ Arrivals straights_past_others(const Case& c, std::span<const TurnCircle> circle
       const bool taut = orientation(c.world.vertex(before), c.world.vertex(v), c.world.vertex(next.first)) !=
                         (side == Side::kLeft ? -1 : 1);
       if (onwards && taut && sign_of(side) * wrap_signed(onwards->start.heading - line->start.heading) < 0.0)
-        add(v, next);
+        add({next.first, v, next.second});
     }
   }
   return found;
@@ -170,6 +210,26 @@ TEST(FeasibleGraph, IsTheSameWhenChecksWaitUntilTheyAreAskedFor) {
   EXPECT_EQ(lazy.counts().rejected_departure, eager.counts().rejected_departure);
   EXPECT_EQ(lazy.counts().rejected_arrival, eager.counts().rejected_arrival);
   EXPECT_EQ(lazy.counts().rejected_straight, eager.counts().rejected_straight);
+}
+
+// A point passes the second vertex on its way from the first one to the other obstacle; the body does not.
+TEST(FeasibleGraph, LeadsRoundTheNextVertexWhereABodyWouldHitIt) {
+  const World world({{{{12.0, 12.0}, {2.0, 10.5}, {0.55, 5.0}, {3.0, 0.0}, {12.0, 0.0}}, {}},
+                     {{{-12.2, -1.1}, {-12.2, -11.1}, {-1.2, -1.1}}, {}}});
+  const Planner planner(world, Vehicle());
+  const FeasibleGraph& graph = planner.feasible_graph();
+  const auto leads = [&](VertexId from, Side departure, VertexId to, Side arrival) {
+    return std::any_of(graph.links().begin(), graph.links().end(), [&](const FeasibleGraph::Link& link) {
+      const TurnCircle& a = graph.circles()[link.from];
+      const TurnCircle& b = graph.circles()[link.to];
+      return a.vertex == from && a.side == departure && b.vertex == to && b.side == arrival;
+    });
+  };
+  const auto row = planner.visibility_graph().row(1);
+  ASSERT_TRUE(std::find(row.begin(), row.end(), 7) != row.end());
+  EXPECT_FALSE(leads(1, Side::kLeft, 7, Side::kRight));
+  EXPECT_TRUE(leads(2, Side::kLeft, 7, Side::kRight));
+  EXPECT_TRUE(leads(7, Side::kLeft, 2, Side::kRight));
 }
 
 // Next to a sharp vertex a gentle one is in the way of straights from and to it, but no path turns there.
