@@ -244,7 +244,8 @@ class TourPlanner {
     for (const Place& goal : request_.goals) nearest = std::min(nearest, (goal.position - at).norm());
     const Vehicle& vehicle = planner_.vehicle();
     if (!(length + nearest > 0.0)) return 0.0;
-    return (1.0 - 1e-12) * segment_time(length + nearest, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());
+    const double top_speed = request_.reverse ? vehicle.top_speed() : vehicle.max_speed();
+    return (1.0 - 1e-12) * segment_time(length + nearest, 0.0, top_speed, 0.0, vehicle.max_acceleration());
   }
 
   const Planner& planner_;

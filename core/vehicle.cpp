@@ -62,6 +62,10 @@ double speed_by(const TurnSpeedTable& law, double radius) {
   return std::lerp(below->second, above->second, (radius - below->first) / (above->first - below->first));
 }
 
+double speed_by(const TurnSpeedLaw& law, double radius) {
+  return std::visit([radius](const auto& kind) { return speed_by(kind, radius); }, law);
+}
+
 /// Reaches of a body from F along its axis as turning sees them.
 struct Reach {
   double far;  ///< to the farther end
@@ -105,6 +109,7 @@ Vehicle::Vehicle(VehicleParameters parameters) : parameters_(std::move(parameter
           p.max_steering_angle, "> 0 and < pi/2");
   require_positive(p.max_speed, "max_speed");
   std::visit([](const auto& law) { check(law); }, p.turn_speed);
+  if (p.max_reverse_speed) require_positive(*p.max_reverse_speed, "max_reverse_speed");
   require_positive(p.max_acceleration, "max_acceleration");
   require_positive(p.safety_margin, "safety_margin");
 }
@@ -133,8 +138,18 @@ Footprint Vehicle::footprint(double growth) const {
 }
 
 double Vehicle::turn_speed(double radius) const {
-  const double speed = std::visit([radius](const auto& law) { return speed_by(law, radius); }, parameters_.turn_speed);
-  return std::min(speed, parameters_.max_speed);
+  return std::min(speed_by(parameters_.turn_speed, radius), max_speed());
+}
+
+double Vehicle::reverse_turn_speed(double radius) const {
+  return std::min(speed_by(parameters_.turn_speed, radius), max_reverse_speed());
+}
+
+Vehicle Vehicle::with_gears_swapped() const {
+  VehicleParameters swapped = parameters_;
+  swapped.max_speed = max_reverse_speed();
+  swapped.max_reverse_speed = max_speed();
+  return Vehicle(std::move(swapped));
 }
 
 bool Vehicle::fits_straight(double passage_width) const { return passage_width > parameters_.width; }

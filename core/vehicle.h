@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limits>
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -48,6 +48,7 @@ struct VehicleParameters {
   double max_steering_angle = 0.78539816339744831;   ///< gamma [rad], in (0, pi/2)
   double max_speed = 12.0;                           ///< v_ms [m/s]
   TurnSpeedLaw turn_speed = ConstantTurnSpeed{8.0};  ///< v_mc(rho), at most v_ms
+  std::optional<double> max_reverse_speed = {};      ///< in place of v_ms where it drives backwards; none: v_ms [m/s]
   double max_acceleration = 50.0;                    ///< a_max, driving and braking [m/s^2]
   /// Every path keeps the body at least half of this from every obstacle; paths round vertices at this distance. [m], >
   /// 0
@@ -73,6 +74,13 @@ class Vehicle {
   [[nodiscard]] double safety_margin() const { return parameters_.safety_margin; }
   /// v_mc(radius), never above v_ms. radius > 0.
   [[nodiscard]] double turn_speed(double radius) const;
+  [[nodiscard]] double max_reverse_speed() const { return parameters_.max_reverse_speed.value_or(max_speed()); }
+  /// v_mc(radius), never above max_reverse_speed().
+  [[nodiscard]] double reverse_turn_speed(double radius) const;
+  /// No speed of the vehicle is higher, in either gear.
+  [[nodiscard]] double top_speed() const { return std::max(max_speed(), max_reverse_speed()); }
+  /// The vehicle that drives forwards as fast as this one backwards, and the other way round.
+  [[nodiscard]] Vehicle with_gears_swapped() const;
 
   /// (6): whether a passage of this width lets the vehicle go straight, D_min > 2b.
   [[nodiscard]] bool fits_straight(double passage_width) const;

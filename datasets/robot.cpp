@@ -32,7 +32,7 @@ TurnSpeedLaw turn_speed_of(const JsonPlace& place) {
 
 VehicleParameters robot_of(const JsonPlace& place) {
   place.allow_keys({"format", "version", "length", "width", "wheelbase", "steering", "max_steering_angle", "max_speed",
-                    "turn_speed", "max_acceleration", "safety_margin"});
+                    "turn_speed", "max_reverse_speed", "max_acceleration", "safety_margin"});
   place.require_format("arcway-robot", 1);
   VehicleParameters robot;
   const auto number = [&](std::string_view key, double& value) {
@@ -56,6 +56,7 @@ VehicleParameters robot_of(const JsonPlace& place) {
     if (!known) steering.expected("\"front\", \"rear\" or \"symmetric\"");
   }
   if (place.has("turn_speed")) robot.turn_speed = turn_speed_of(place.at("turn_speed"));
+  if (place.has("max_reverse_speed")) robot.max_reverse_speed = place.at("max_reverse_speed").number();
   return robot;
 }
 
@@ -108,6 +109,7 @@ std::string to_json(const VehicleParameters& robot) {
   number("max_steering_angle", robot.max_steering_angle);
   number("max_speed", robot.max_speed);
   out += ",\"turn_speed\":" + turn_speed_text(robot.turn_speed);
+  if (robot.max_reverse_speed) number("max_reverse_speed", *robot.max_reverse_speed);
   number("max_acceleration", robot.max_acceleration);
   number("safety_margin", robot.safety_margin);
   out += '}';

@@ -19,14 +19,15 @@ namespace [[gnu::visibility("default")]] arcway {
 ///     {"format": "arcway-robot", "version": 1, "length": 1.5, "width": 0.8, "wheelbase": 1.3,
 ///      "steering": "front" | "rear" | "symmetric", "max_steering_angle": 0.785, "max_speed": 12,
 ///      "turn_speed": 8 | {"lateral_acceleration": 2} | {"table": [[radius, speed], ...]},
-///      "max_acceleration": 50, "safety_margin": 0.001}
+///      "max_reverse_speed": 3, "max_acceleration": 50, "safety_margin": 0.001}
 ///
+/// Without "max_reverse_speed" the vehicle drives backwards as fast as forwards.
 /// Values are not judged: Vehicle does that.
 /// @throws FormatError naming key and value.
 VehicleParameters read_robot(std::string_view json, std::string_view name);
 /// @throws FormatError, FileError
 VehicleParameters read_robot_file(const std::filesystem::path& path);
-/// All keys, numbers that read back to the same doubles.
+/// All keys that have a value, numbers that read back to the same doubles.
 std::string to_json(const VehicleParameters& robot);
 
 struct Task {

@@ -62,6 +62,8 @@ double time_lost_on_arcs(double length, double turn_speed, const Vehicle& vehicl
 }  // namespace
 
 double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle, bool reverse) {
+  if (reverse && vehicle.max_reverse_speed() > vehicle.max_speed())
+    return travel_time_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse);
   const double radius = vehicle.min_turning_radius();
   const double turn = reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal);
   const double word = reverse ? reeds_shepp_distance(start, goal, radius) : shortest_word(start, goal, radius);

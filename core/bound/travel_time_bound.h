@@ -21,7 +21,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// @param distance  a length that the path has at least [m]: that of the straight line, or of a point's shortest path
 ///   if the body covers the reference point. Infinity: no path.
 ///
-/// With `reverse` the shortest word is that of Reeds and Shepp, and Theta = |h1 - h0|.
+/// With `reverse` the shortest word is that of Reeds and Shepp, Theta = |h1 - h0|, and speeds are those of the faster
+/// gear.
 /// Rounding is taken off. Constant time.
 double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
                          bool reverse = false);

@@ -47,13 +47,28 @@ double segment_time(double length, double v1, double v2, double v3, double accel
   return std::max(0.0, length + half_change) / (peak + v1) + std::max(0.0, length - half_change) / (peak + v3);
 }
 
+double relaxed_segment_time(double length, double v1, double v2, double v3, double acceleration) {
+  if (!(length > 0.0)) return 0.0;
+  const double change = 2.0 * acceleration * length;
+  const double entry = std::min(v1, std::sqrt(v3 * v3 + change));
+  const double exit = std::min(v3, std::sqrt(entry * entry + change));
+  // Rounding of the roots may leave the change a unit in the last place too large for (9) and (10).
+  if (std::abs(entry * entry - exit * exit) >= change) return 2.0 * length / (entry + exit);
+  return segment_time(length, entry, v2, exit, acceleration);
+}
+
+double speed_limit(const PathSegment& segment, const Vehicle& vehicle) {
+  const bool forward = segment.gear == Gear::kForward;
+  if (segment.is_line()) return forward ? vehicle.max_speed() : vehicle.max_reverse_speed();
+  const double radius = 1.0 / std::abs(segment.curvature);
+  return forward ? vehicle.turn_speed(radius) : vehicle.reverse_turn_speed(radius);
+}
+
 SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed,
                            double end_speed) {
   const std::size_t n = path.size();
   const double a = vehicle.max_acceleration();
-  const auto limit_of = [&vehicle](const PathSegment& segment) {
-    return segment.is_line() ? vehicle.max_speed() : vehicle.turn_speed(1.0 / std::abs(segment.curvature));
-  };
+  const auto limit_of = [&vehicle](const PathSegment& segment) { return speed_limit(segment, vehicle); };
   check_limit("start_speed", start_speed, n == 0 ? vehicle.max_speed() : limit_of(path.front()));
   check_limit("end_speed", end_speed, n == 0 ? vehicle.max_speed() : limit_of(path.back()));
   if (n == 0) {

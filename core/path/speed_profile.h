@@ -14,6 +14,10 @@ namespace [[gnu::visibility("default")]] arcway {
 /// use speed_profile). Constant time.
 double segment_time(double length, double v1, double v2, double v3, double acceleration);
 
+/// Time through a segment of a path whose speeds need not be reachable: a lower bound that equals (9) or (10) where
+/// they hold.
+double relaxed_segment_time(double length, double v1, double v2, double v3, double acceleration);
+
 /// Speeds at the joints of a path, and the time between them.
 struct SpeedProfile {
   std::vector<double> speeds;     ///< n + 1 speeds [m/s] at the joints, ends included
@@ -21,10 +25,12 @@ struct SpeedProfile {
   double total_time = 0.0;        ///< [s]
 };
 
-/// The fastest profile along a path: speed at most `max_speed` on lines and turn_speed(radius) on
-/// arcs, |dv/dt| <= max_acceleration, at rest where the gear changes, the given speeds at both ends. One backward and
-/// one forward pass over the joints, then (9) or (10) on each segment, which hold by then. O(n). Empty path: no
-/// durations, total time 0.
+/// The highest speed on a segment: max_speed on lines, turn_speed(radius) on arcs, or those for reversing.
+double speed_limit(const PathSegment& segment, const Vehicle& vehicle);
+
+/// The fastest profile along a path: speed at most speed_limit, |dv/dt| <= max_acceleration, at rest where the gear
+/// changes, the given speeds at both ends. One backward and one forward pass over the joints, then (9) or (10) on each
+/// segment, which hold by then. O(n). Empty path: no durations, total time 0.
 /// @throws std::invalid_argument if an end speed is negative, above its segment's limit, or cannot
 ///   be reached within the path.
 SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed = 0.0,

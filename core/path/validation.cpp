@@ -440,7 +440,10 @@ class Validator {
       return;
     }
     report_.travel_time += duration;
-    const double limit = s.is_line() ? vehicle_.max_speed() : vehicle_.turn_speed(1.0 / std::abs(s.curvature));
+    const bool backwards = s.gear == Gear::kReverse;
+    const double radius = 1.0 / std::abs(s.curvature);
+    double limit = backwards ? vehicle_.max_reverse_speed() : vehicle_.max_speed();
+    if (!s.is_line()) limit = backwards ? vehicle_.reverse_turn_speed(radius) : vehicle_.turn_speed(radius);
     for (const auto& [speed, at] : {std::pair(v1, 0.0), std::pair(v3, s.length)}) {
       if (speed >= 0.0 && speed <= limit * (1.0 + tolerance)) continue;
       add(Violation::kSpeedLimit, i, at, "the speed is " + text_of(speed) + " m/s, the limit " + text_of(limit));

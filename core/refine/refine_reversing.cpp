@@ -105,7 +105,7 @@ class ReversingRefiner {
     const double budget = to.time - from.time + (cusp_cost_ * static_cast<double>(to.cusps - from.cusps));
     std::vector<std::pair<double, std::size_t>> words;
     for (std::size_t word = 0; word < kReedsSheppWords; ++word) {
-      const double fastest = reeds_shepp_length(word, from.pose, to.pose, radius) / vehicle_.max_speed();
+      const double fastest = reeds_shepp_length(word, from.pose, to.pose, radius) / vehicle_.top_speed();
       if (fastest < budget) words.emplace_back(fastest, word);
     }
     std::sort(words.begin(), words.end());
@@ -149,17 +149,17 @@ class ReversingRefiner {
       const auto run = std::span(old).subspan(first, last - first);
       const bool forward = run.front().gear == Gear::kForward;
       Path driven = forward ? Path(run.begin(), run.end()) : reversed(run);
-      if (!done()) driven = refined(driven);
+      if (!done()) driven = refined(driven, forward ? vehicle_ : vehicle_.with_gears_swapped());
       append(path, forward ? driven : reversed(driven));
       first = last;
     }
     return accept(std::move(path));
   }
 
-  Path refined(const Path& run) {
+  Path refined(const Path& run, const Vehicle& vehicle) {
     RefineOptions rest = options_;
     rest.max_trials -= static_cast<std::uint32_t>(result_.trials);
-    RefinedPath refined = refine_path(run, run.front().start, run.back().end(), vehicle_, sweep_, rest, stop_);
+    RefinedPath refined = refine_path(run, run.front().start, run.back().end(), vehicle, sweep_, rest, stop_);
     result_.trials += refined.trials;
     result_.straights_checked += refined.straights_checked;
     result_.turns_checked += refined.turns_checked;

@@ -75,8 +75,8 @@ void append_line(Path& path, const Pose& start, double length) {
 }  // namespace
 
 struct SearchWorkspace::Data {
-  void reset(std::size_t circles, double acceleration) {
-    speeds.reset(acceleration);
+  void reset(std::size_t circles, double acceleration, TimeModel time_model) {
+    speeds.reset(acceleration, time_model);
     first_label.reset(circles);
     first_goal_link.reset(circles);
     first_arc.reset(circles);
@@ -123,15 +123,16 @@ class ArrivalSearch {
                 const SearchOptions& options, SearchWorkspace::Data& workspace, SearchResult& result)
       : map_(map),
         graph_(map.graph),
-        vehicle_(map.vehicle),
-        top_speed_(map.vehicle.max_speed()),
+        vehicle_(options.gear == Gear::kForward ? map.vehicle : map.vehicle.with_gears_swapped()),
+        line_speed_(vehicle_.max_speed()),
+        top_speed_(vehicle_.top_speed()),
         starts_(starts),
         goals_(goals),
         options_(options),
         goal_((goals[0].connection.empty() ? goals[0].pose : goals[0].connection.back().end()).position()),
         w_(workspace),
         result_(result) {
-    w_.reset(graph_.circles().size(), vehicle_.max_acceleration());
+    w_.reset(graph_.circles().size(), vehicle_.max_acceleration(), options.time_model);
   }
 
   void run() {
@@ -244,8 +245,8 @@ class ArrivalSearch {
 
   // Adds the joints behind an arc and the line after it, which leads to a circle of another radius.
   std::uint32_t drive(std::uint32_t joint, double arc, double radius, double line, double next_radius) {
-    const std::uint32_t departure = w_.speeds.add(joint, arc, vehicle_.turn_speed(radius), top_speed_);
-    return w_.speeds.add(departure, line, top_speed_, vehicle_.turn_speed(next_radius));
+    const std::uint32_t departure = w_.speeds.add(joint, arc, vehicle_.turn_speed(radius), line_speed_);
+    return w_.speeds.add(departure, line, line_speed_, vehicle_.turn_speed(next_radius));
   }
 
   // Adds the joints of a start terminal's connection up to its circle.
@@ -266,17 +267,13 @@ class ArrivalSearch {
     Gear gear;
   };
   [[nodiscard]] Stretch stretch_of(const PathSegment& segment) const {
-    return {segment.length, limit_on(segment), segment.gear};
+    return {segment.length, speed_limit(segment, vehicle_), segment.gear};
   }
 
   // Adds the joints behind a stretch: two where the gear changes.
   std::uint32_t add_stretch(std::uint32_t joint, const Stretch& stretch, const Stretch& next) {
     if (stretch.gear == next.gear) return w_.speeds.add(joint, stretch.length, stretch.limit, next.limit);
     return w_.speeds.add_stop(w_.speeds.add(joint, stretch.length, stretch.limit, 0.0), options_.cusp_cost);
-  }
-
-  [[nodiscard]] double limit_on(const PathSegment& segment) const {
-    return segment.is_line() ? top_speed_ : vehicle_.turn_speed(1.0 / std::abs(segment.curvature));
   }
 
   bool is_free(const Bitangent& line) {
@@ -363,8 +360,8 @@ class ArrivalSearch {
   void push_straight(Kind kind, std::uint32_t parent, std::uint32_t index, std::uint32_t joint, double turn,
                      const TurnCircle& from, double length, const TurnCircle& to, double heading) {
     const SpeedTree::Joint departure =
-        w_.speeds.extend(joint, turn * from.radius, vehicle_.turn_speed(from.radius), top_speed_);
-    const SpeedTree::Joint arrival = w_.speeds.extend(departure, length, top_speed_, vehicle_.turn_speed(to.radius));
+        w_.speeds.extend(joint, turn * from.radius, vehicle_.turn_speed(from.radius), line_speed_);
+    const SpeedTree::Joint arrival = w_.speeds.extend(departure, length, line_speed_, vehicle_.turn_speed(to.radius));
     push(kind, parent, index, arrival.time + remaining(pose_on(to, heading).position(), arrival.speed));
   }
 
@@ -568,8 +565,9 @@ class ArrivalSearch {
 
   const SearchMap& map_;
   const FeasibleGraph& graph_;
-  const Vehicle& vehicle_;
-  double top_speed_;
+  const Vehicle vehicle_;
+  double line_speed_;
+  double top_speed_;  // in either gear, as connections may have both
   std::span<const Terminal> starts_;
   std::span<const Terminal> goals_;
   const SearchOptions& options_;
@@ -580,16 +578,6 @@ class ArrivalSearch {
 };
 
 }  // namespace
-
-double relaxed_segment_time(double length, double v1, double v2, double v3, double acceleration) {
-  if (!(length > 0.0)) return 0.0;
-  const double change = 2.0 * acceleration * length;
-  const double entry = std::min(v1, std::sqrt(v3 * v3 + change));
-  const double exit = std::min(v3, std::sqrt(entry * entry + change));
-  // Rounding of the roots may leave the change a unit in the last place too large for (9) and (10).
-  if (std::abs(entry * entry - exit * exit) >= change) return 2.0 * length / (entry + exit);
-  return segment_time(length, entry, v2, exit, acceleration);
-}
 
 SearchResult search_arrivals(const SearchMap& map, std::span<const Terminal> starts, std::span<const Terminal> goals,
                              const SearchOptions& options, SearchWorkspace& workspace) {

@@ -12,6 +12,7 @@
 #include "core/search/heuristic.h"
 #include "core/search/search_map.h"
 #include "core/search/terminal_links.h"
+#include "core/search/time_model.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -20,6 +21,10 @@ struct SearchOptions {
   std::stop_token stop;
   std::optional<std::chrono::steady_clock::time_point> deadline;
   double cusp_cost = 0.0;  ///< of a change of gear in a connection, beside the time for it [s]
+  /// Gear in which the vehicle is driven where the search drives forwards; if backwards, the path found is to be driven
+  /// the other way, and has the speeds of that.
+  Gear gear = Gear::kForward;
+  TimeModel time_model = TimeModel::kProfile;
   /// Only paths that take less than one that is known are wanted [s].
   double faster_than = std::numeric_limits<double>::infinity();
   [[nodiscard]] bool interrupted() const {
@@ -69,9 +74,5 @@ class SearchWorkspace {
 /// every time, for eager and lazy graphs.
 SearchResult search_arrivals(const SearchMap& map, std::span<const Terminal> starts, std::span<const Terminal> goals,
                              const SearchOptions& options, SearchWorkspace& workspace);
-
-/// Time through a segment of a path whose speeds need not be reachable: a lower bound that equals (9) or (10) where
-/// they hold.
-double relaxed_segment_time(double length, double v1, double v2, double v3, double acceleration);
 
 }  // namespace arcway

@@ -23,13 +23,13 @@ constexpr std::size_t kPosesAlone = 40000;    // and where none is
 std::vector<Terminal> terminals_of(const SearchMap& map, const Pose& end, Direction direction,
                                    const SearchOptions& options) {
   const bool from_start = direction == Direction::kFromStart;
-  GearTree tree(end, map.vehicle, *map.queries.sweep, options.cusp_cost, {kTerminalCells, true},
-                [](const Pose&) { return 0.0; });
+  const bool swapped = from_start != (options.gear == Gear::kForward);  // a goal's tree is driven the other way
+  GearTree tree(end, swapped ? map.vehicle.with_gears_swapped() : map.vehicle, *map.queries.sweep, options.cusp_cost,
+                {kTerminalCells, true}, [](const Pose&) { return 0.0; });
   std::vector<Terminal> terminals{{end, {}}};
   for (std::size_t i = 0; i < kMostExpansions && terminals.size() < kMostTerminals && !options.interrupted(); ++i) {
     const auto node = tree.expand();
     if (!node) break;
-    // A goal's tree is driven the other way.
     if (*node == GearTree::kRoot || tree[*node].motion.gear != (from_start ? Gear::kReverse : Gear::kForward)) continue;
     terminals.push_back({tree[*node].pose, from_start ? tree.path_from_root(*node) : tree.path_to_root(*node)});
   }
@@ -46,9 +46,11 @@ class Finder {
   void join_graph(const Pose& from, const Pose& to, Gear gear, SearchWorkspace& workspace) {
     if (search_.interrupted) return;
     const bool forward = gear == Gear::kForward;
-    const auto starts = terminals_of(map_, forward ? from : to, Direction::kFromStart, options_);
-    const auto goals = terminals_of(map_, forward ? to : from, Direction::kToGoal, options_);
-    SearchResult joined = search_arrivals(map_, starts, goals, options_, workspace);
+    SearchOptions options = options_;
+    options.gear = gear;
+    const auto starts = terminals_of(map_, forward ? from : to, Direction::kFromStart, options);
+    const auto goals = terminals_of(map_, forward ? to : from, Direction::kToGoal, options);
+    SearchResult joined = search_arrivals(map_, starts, goals, options, workspace);
     search_.nodes_expanded += joined.nodes_expanded;
     search_.nodes_pushed += joined.nodes_pushed;
     count(joined.straights_checked, joined.turns_checked, starts.size() + goals.size(), joined.interrupted);

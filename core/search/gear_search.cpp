@@ -66,7 +66,7 @@ class GearSearch {
  private:
   [[nodiscard]] GearTree tree(std::size_t side) const {
     return {roots_[side],
-            vehicle_,
+            side == 0 ? vehicle_ : vehicle_.with_gears_swapped(),
             sweep_,
             options_.cusp_cost,
             {cells_[side], cells_[side] == kCells},
@@ -79,7 +79,7 @@ class GearSearch {
   }
 
   [[nodiscard]] double far(const Pose& from, const Pose& to) const {
-    return kGreed * reeds_shepp_distance(from, to, radius_) / vehicle_.max_speed();
+    return kGreed * reeds_shepp_distance(from, to, radius_) / vehicle_.top_speed();
   }
 
   struct Shot {
@@ -94,7 +94,7 @@ class GearSearch {
     const Pose& to = side == 0 ? root : pose;
     std::array<Shot, kReedsSheppWords> shots{};
     for (std::size_t word = 0; word < kReedsSheppWords; ++word)
-      shots[word] = {trees_[side][node].cost + reeds_shepp_length(word, from, to, radius_) / vehicle_.max_speed(),
+      shots[word] = {trees_[side][node].cost + reeds_shepp_length(word, from, to, radius_) / vehicle_.top_speed(),
                      word};
     std::sort(shots.begin(), shots.end(), [](const Shot& a, const Shot& b) {
       return a.estimate != b.estimate ? a.estimate < b.estimate : a.word < b.word;

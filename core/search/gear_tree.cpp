@@ -7,6 +7,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/graph/turn_circle.h"
+#include "core/path/speed_profile.h"
 
 namespace arcway {
 
@@ -100,7 +101,7 @@ void GearTree::add(std::uint32_t from, const PathSegment& motion) {
   const Node& parent = nodes_[from];
   const Pose end = motion.end();
   const bool cusp = from != kRoot && parent.motion.gear != motion.gear;
-  const double limit = motion.is_line() ? vehicle_.max_speed() : vehicle_.turn_speed(radius_);
+  const double limit = speed_limit(motion, vehicle_);
   const std::size_t size = speeds_.size();
   const std::uint32_t turned =
       cusp ? speeds_.add_stop(parent.joint, cusp_cost_) : speeds_.add(parent.joint, 0.0, limit, limit);

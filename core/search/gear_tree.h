@@ -24,7 +24,8 @@ struct GearTreeGrid {
 /// Poses that free motions in both gears reach from a pose: arcs of the smallest radius to either side and lines, some
 /// of a fixed length, some as far as they are free. Motions are checked exactly; only their number is limited, so a
 /// missing pose proves nothing. At most one pose for each cell of a grid over position, heading and gear is kept, the
-/// cheapest. What can be driven from the root can be driven to it the other way, in the same time.
+/// cheapest. What can be driven from the root can be driven to it the other way, in the same time if the vehicle's
+/// gears are swapped.
 class GearTree {
  public:
   struct Node {

@@ -14,13 +14,19 @@ constexpr int kSamples = 5;  // speeds at which two joints are compared
 
 }  // namespace
 
-void SpeedTree::reset(double acceleration) {
+void SpeedTree::reset(double acceleration, TimeModel time_model) {
   acceleration_ = acceleration;
+  time_model_ = time_model;
   joints_.assign(1, Joint{});
 }
 
 SpeedTree::Joint SpeedTree::extend(const Joint& from, double length, double limit, double next_limit) const {
   Joint joint{kNoJoint, length, limit, 0.0, 0.0};
+  if (time_model_ == TimeModel::kSegments) {
+    joint.speed = std::min(limit, next_limit);
+    joint.time = from.time + relaxed_segment_time(length, from.speed, limit, joint.speed, acceleration_);
+    return joint;
+  }
   const double change = 2.0 * acceleration_ * length;
   joint.speed = std::min({limit, next_limit, std::sqrt(from.speed * from.speed + change)});
   if (!(length > 0.0)) {
@@ -53,6 +59,7 @@ std::uint32_t SpeedTree::add_stop(std::uint32_t from, double wait) {
 }
 
 SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
+  if (time_model_ == TimeModel::kSegments) return {joint.time, joint.speed};
   const double a = acceleration_;
   double braking = 0.0;
   const Joint* at = &joint;
@@ -77,6 +84,7 @@ SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
 }
 
 bool SpeedTree::dominates(const Joint& a, const Joint& b) const {
+  if (time_model_ == TimeModel::kSegments) return a.time <= b.time;
   // A path that arrives slower by d makes up for it by accelerating, and loses d / a_max at most.
   const auto upper = [&](double speed) {
     return speed > a.speed ? a.time + (speed - a.speed) / acceleration_ : time_at(a, speed);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/search/time_model.h"
+
 namespace [[gnu::visibility("default")]] arcway {
 
 /// The fastest speed profiles of many paths from rest that share their beginnings: a tree of joints between path
@@ -23,7 +25,9 @@ class SpeedTree {
 
   /// Forgets all joints but the first one, index 0: at rest, time 0.
   /// @param acceleration  a_max [m/s^2], > 0.
-  void reset(double acceleration);
+  /// @param time_model  kSegments: joints are passed at the limits beside them, reachable or not, and T is the time at
+  ///   that speed.
+  void reset(double acceleration, TimeModel time_model = TimeModel::kProfile);
 
   [[nodiscard]] std::size_t size() const { return joints_.size(); }
   /// Forgets the joints added last.
@@ -56,6 +60,7 @@ class SpeedTree {
   [[nodiscard]] Passing pass(const Joint& joint, double speed) const;
 
   double acceleration_ = 1.0;
+  TimeModel time_model_ = TimeModel::kProfile;
   std::vector<Joint> joints_;
 };
 

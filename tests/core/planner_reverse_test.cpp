@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/geometry/angle.h"
 #include "core/path/speed_profile.h"
@@ -67,6 +68,46 @@ TEST(PlannerReverse, IsNeverDearerThanForwards) {
     }
   }
   EXPECT_GT(faster, 0);
+}
+
+// A lane that is left backwards at a speed of its own.
+TEST(PlannerReverse, KeepsToTheSpeedLimitForReversing) {
+  VehicleParameters parameters{.max_acceleration = 2.0};
+  const Pose inside{6.0, 0.0, 0.0}, outside{-10.0, 5.0, 0.0};
+  double before = 0.0;
+  for (const double speed : {12.0, 3.0, 1.0}) {
+    parameters.max_reverse_speed = speed;
+    const Planner planner(dead_end(), Vehicle(parameters));
+    for (const auto& [start, goal] : {std::pair{inside, outside}, std::pair{outside, inside}}) {
+      const PlanResult plan = planner.plan({.start = start, .goal = goal, .reverse = true});
+      ASSERT_TRUE(plan.solved()) << plan.reason;
+      expect_valid(planner, plan, true);
+      if (start.x != inside.x) continue;
+      EXPECT_GT(plan.travel_time, before);
+      before = plan.travel_time;
+      double fastest_back = 0.0;
+      for (const TimedSegment& s : plan.segments)
+        if (s.segment.gear == Gear::kReverse) fastest_back = std::max({fastest_back, s.speed_in, s.speed_out});
+      EXPECT_LE(fastest_back, speed);
+    }
+  }
+}
+
+// To and fro on an open field, a vehicle is as fast as its mirror image the other way round.
+TEST(PlannerReverse, FasterBackwardsThanForwards) {
+  const Vehicle forwards({.max_speed = 6.0, .max_reverse_speed = 2.0, .max_acceleration = 2.0});
+  const Vehicle backwards = forwards.with_gears_swapped();
+  const World world({box(8.0, -3.0, 9.0, 3.0)});
+  const Pose start{0, 0, 0}, goal{20, 0, 0};
+  const Pose turned_start{0, 0, kPi}, turned_goal{20, 0, kPi};
+  for (const auto& [vehicle, from, to] :
+       {std::tuple{forwards, start, goal}, std::tuple{backwards, turned_start, turned_goal}}) {
+    const Planner planner(world, vehicle);
+    const PlanResult plan = planner.plan({.start = from, .goal = to, .reverse = true});
+    ASSERT_TRUE(plan.solved()) << plan.reason;
+    expect_valid(planner, plan, true);
+    EXPECT_LT(plan.travel_time, 1.3 * plan.lower_bound);
+  }
 }
 
 TEST(PlannerReverse, StartAtTheGoalTakesNoTime) {

@@ -210,6 +210,23 @@ TEST(TurnSpeed, FollowsItsLawUpToTheTopSpeed) {
   EXPECT_EQ(table.turn_speed(9.0), 7.0);
 }
 
+TEST(Vehicle, ReverseHasASpeedLimitOfItsOwn) {
+  const Vehicle plain({.max_speed = 6.0, .turn_speed = LateralAccelerationLimit{2.0}});
+  EXPECT_EQ(plain.max_reverse_speed(), 6.0);
+  EXPECT_EQ(plain.reverse_turn_speed(2.0), plain.turn_speed(2.0));
+  const Vehicle slow({.max_speed = 6.0, .turn_speed = LateralAccelerationLimit{2.0}, .max_reverse_speed = 3.0});
+  EXPECT_EQ(slow.max_reverse_speed(), 3.0);
+  EXPECT_DOUBLE_EQ(slow.reverse_turn_speed(2.0), 2.0);
+  EXPECT_EQ(slow.reverse_turn_speed(8.0), 3.0);
+  EXPECT_DOUBLE_EQ(slow.turn_speed(8.0), 4.0);
+  EXPECT_EQ(slow.top_speed(), 6.0);
+  const Vehicle swapped = slow.with_gears_swapped();
+  EXPECT_EQ(swapped.max_speed(), 3.0);
+  EXPECT_EQ(swapped.top_speed(), 6.0);
+  EXPECT_EQ(swapped.turn_speed(8.0), 3.0);
+  EXPECT_DOUBLE_EQ(swapped.reverse_turn_speed(8.0), 4.0);
+}
+
 TEST(Vehicle, RefusesParametersByNameValueAndLimit) {
   using P = VehicleParameters;
   EXPECT_EQ(refusal_of([](P& p) { p.length = 0.0; }), "vehicle: length is 0, must be finite and > 0");
@@ -223,6 +240,8 @@ TEST(Vehicle, RefusesParametersByNameValueAndLimit) {
             "vehicle: max_steering_angle is nan, must be > 0 and < pi/2");
   EXPECT_EQ(refusal_of([](P& p) { p.max_speed = std::numeric_limits<double>::infinity(); }),
             "vehicle: max_speed is inf, must be finite and > 0");
+  EXPECT_EQ(refusal_of([](P& p) { p.max_reverse_speed = 0.0; }),
+            "vehicle: max_reverse_speed is 0, must be finite and > 0");
   EXPECT_EQ(refusal_of([](P& p) { p.max_acceleration = 0.0; }),
             "vehicle: max_acceleration is 0, must be finite and > 0");
   EXPECT_EQ(refusal_of([](P& p) { p.safety_margin = 0.0; }), "vehicle: safety_margin is 0, must be finite and > 0");

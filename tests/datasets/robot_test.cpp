@@ -35,6 +35,9 @@ TEST(RobotJson, RoundTripIsExact) {
   EXPECT_EQ(back.steering, Steering::kSymmetric);
   EXPECT_EQ(std::get<TurnSpeedTable>(back.turn_speed).entries, std::get<TurnSpeedTable>(parameters.turn_speed).entries);
   EXPECT_EQ(to_json(back), to_json(parameters));
+  EXPECT_EQ(back.max_reverse_speed, std::nullopt);
+  parameters.max_reverse_speed = 1.0 / 3.0;
+  EXPECT_EQ(read_robot(to_json(parameters), "r").max_reverse_speed, 1.0 / 3.0);
   parameters.turn_speed = LateralAccelerationLimit{2.5};
   EXPECT_EQ(to_json(read_robot(to_json(parameters), "r")), to_json(parameters));
 }

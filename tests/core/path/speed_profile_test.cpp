@@ -131,6 +131,17 @@ TEST(SpeedProfile, StopsWhereTheGearChanges) {
   EXPECT_NEAR(both.total_time, 2.0 * ahead, 1e-12);
 }
 
+TEST(SpeedProfile, BackwardsWithItsOwnLimit) {
+  const Vehicle vehicle({.max_speed = 6.0, .max_reverse_speed = 2.0, .max_acceleration = 4.0});
+  const PathSegment line{{0, 0, 0}, 20.0, 0.0}, arc{{0, 0, 0}, 5.0, 0.2};
+  EXPECT_EQ(speed_limit(line, vehicle), 6.0);
+  EXPECT_EQ(speed_limit(line.reversed(), vehicle), 2.0);
+  EXPECT_EQ(speed_limit(arc, vehicle), 6.0);
+  EXPECT_EQ(speed_limit(arc.reversed(), vehicle), 2.0);
+  const Path back{line.reversed()};
+  EXPECT_DOUBLE_EQ(speed_profile(back, vehicle).total_time, 0.5 + 19.0 / 2.0 + 0.5);
+}
+
 TEST(SpeedProfile, EndSpeeds) {
   const Vehicle vehicle = slow_vehicle();
   const Path path{{{}, 4.0, 0.0}, {{}, 5.0, 0.0}};

@@ -281,6 +281,26 @@ TEST(Validation, ClearanceIsThatOfSampledPosesInRandomWorlds) {
   EXPECT_GT(valid, 15);
 }
 
+TEST(Validation, ReverseHasASpeedLimitOfItsOwn) {
+  const Vehicle slow({.max_speed = 6.0, .max_reverse_speed = 2.0, .max_acceleration = 4.0});
+  for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+    for (const double curvature : {0.0, 0.2}) {
+      TimedPath path;
+      path.segments = {{{0, 0, 0}, 6.0, curvature, gear}, {}};
+      path.segments[1] = {path.segments[0].end(), 6.0, curvature, gear};
+      path.speed_in = {0.0, 4.0};
+      path.speed_out = {4.0, 0.0};
+      path.durations = {5.0, 5.0};
+      const auto report = validate(kEmpty, slow, path.segments.front().start, path.segments.back().end(), path);
+      if (gear == Gear::kForward) {
+        EXPECT_TRUE(report.valid());
+      } else {
+        EXPECT_EQ(kinds(report), (Kinds{Violation::kSpeedLimit, Violation::kSpeedLimit}));
+      }
+    }
+  }
+}
+
 // Out and back again, over the same ground.
 Path out_and_back(const Path& path) {
   Path both = path;

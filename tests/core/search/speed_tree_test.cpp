@@ -115,5 +115,25 @@ TEST(SpeedTree, StopsAddUpTheTimesBetweenThem) {
   }
 }
 
+TEST(SpeedTree, SegmentTimesTakeJointsAtTheirLimits) {
+  const Vehicle vehicle({.max_speed = 12.0, .turn_speed = ConstantTurnSpeed{8.0}, .max_acceleration = 2.0});
+  const double a = vehicle.max_acceleration();
+  SpeedTree tree;
+  tree.reset(a, TimeModel::kSegments);
+  const std::uint32_t line = tree.add(0, 40.0, 12.0, 8.0);
+  EXPECT_DOUBLE_EQ(tree[line].time, segment_time(40.0, 0.0, 12.0, 8.0, a));
+  const std::uint32_t arc = tree.add(line, 5.0, 8.0, 12.0);
+  EXPECT_EQ(tree[arc].speed, 8.0);
+  EXPECT_DOUBLE_EQ(tree[arc].time - tree[line].time, 5.0 / 8.0);
+  // Too short to stop on: the true profile brakes before.
+  const std::uint32_t stop = tree.add(arc, 1.0, 12.0, 0.0);
+  EXPECT_EQ(tree[stop].speed, 0.0);
+  EXPECT_EQ(tree.time_at(tree[stop], 0.0), tree[stop].time);
+  const Path path{{{0, 0, 0}, 40.0, 0.0}, {{40, 0, 0}, 5.0, 0.1}, {{45, 0, 0}, 1.0, 0.0}};
+  EXPECT_LT(tree[stop].time, speed_profile(path, vehicle).total_time);
+  EXPECT_TRUE(tree.dominates(tree[line], tree[arc]));
+  EXPECT_FALSE(tree.dominates(tree[arc], tree[line]));
+}
+
 }  // namespace
 }  // namespace arcway
