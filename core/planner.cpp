@@ -120,7 +120,8 @@ struct Planner::Data {
       : options(std::move(o)),
         visibility_graph(std::move(graph)),
         rows(std::move(r)),
-        map(world, vehicle, queries, options.radii, make_feasible(rows, options)) {
+        map(world, vehicle, queries, options.radii, make_feasible(rows, options)),
+        bottleneck(world, vehicle) {
     const Footprint bare = vehicle.footprint();
     if (options.point_robot_bound && std::min(bare.front, bare.rear) >= 0.0)
       point_distance.emplace(world, rows, map.outlines);
@@ -201,7 +202,16 @@ struct Planner::Data {
       result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
       result.reason = cancelled ? "the search was cancelled before it found a path"
                                 : "no path was found within the time limit of " + text_of(limits.time) + " s";
-    } else if (found.obstruction == Obstruction::kStart) {
+      result.bottleneck.reset();
+      return;
+    }
+    if (found.obstruction == Obstruction::kPassage) {
+      result.status = PlanStatus::kNoPassage;
+      result.reason = "no passage is wide enough: " + result.bottleneck->text(map.world) +
+                      "; the body takes more than " + rounded_text(result.bottleneck->needed) + " m";
+      return;
+    }
+    if (found.obstruction == Obstruction::kStart) {
       result.status = PlanStatus::kStartBlocked;
       result.reason = "the start " + text_of(result.start) + hemmed_in + "from it to the graph; nearest is " +
                       nearest_region(result.start);
@@ -212,12 +222,19 @@ struct Planner::Data {
     } else {
       result.status = PlanStatus::kNoPath;
       result.reason = "the feasible visibility graph does not join start and goal";
-      if (options.graph_mode == GraphMode::kLazy) return;  // its counts depend on what was asked before
-      const FeasibleGraphCounts& c = prepare_statistics.counts;
-      result.reason += " (" + std::to_string(c.rejected_straight) + " straights too narrow by (6), " +
-                       std::to_string(c.rejected_departure + c.rejected_arrival) + " turns by (7) of " +
-                       std::to_string(c.candidates) + " bitangents)";
+      if (options.graph_mode == GraphMode::kEager) {  // those of a lazy one depend on what was asked before
+        const FeasibleGraphCounts& c = prepare_statistics.counts;
+        result.reason += " (" + std::to_string(c.rejected_straight) + " straights too narrow by (6), " +
+                         std::to_string(c.rejected_departure + c.rejected_arrival) + " turns by (7) of " +
+                         std::to_string(c.candidates) + " bitangents)";
+      }
     }
+    if (result.statistics.manoeuvre_poses > 0)
+      result.reason += "; tried " + std::to_string(result.statistics.manoeuvre_poses) + " poses of manoeuvres";
+    if (result.bottleneck)
+      result.reason += "; " + result.bottleneck->text(map.world) + ", the body takes " +
+                       rounded_text(result.bottleneck->needed) + " m, in its tightest turn " +
+                       rounded_text(result.bottleneck->needed_to_turn) + " m";
   }
 
   // "obstacle 17" or "the bounds": the region around the pose, else the one nearest to it.
@@ -235,6 +252,7 @@ struct Planner::Data {
   std::shared_ptr<const VisibilityRows> rows;
   SearchMap map;
   std::optional<PointDistance> point_distance;
+  BottleneckFinder bottleneck;
   PrepareStatistics prepare_statistics;
   struct Workspace {
     SearchWorkspace search;
@@ -259,6 +277,8 @@ const char* name_of(PlanStatus status) {
       return "start blocked";
     case PlanStatus::kGoalBlocked:
       return "goal blocked";
+    case PlanStatus::kNoPassage:
+      return "no passage";
     case PlanStatus::kNoPath:
       return "no path";
     case PlanStatus::kTimeLimit:
@@ -381,9 +401,15 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   }
 
   WorkspacePool<Data::Workspace>::Lease workspace(d.workspaces);
-  const SearchOptions options{d.options.heuristic, limits.stop, deadline, request.cusp_cost};
+  SearchOptions options{d.options.heuristic, limits.stop, deadline, request.cusp_cost};
+  options.time_model = d.options.time_model;
   const FoundPath forwards = d.search(result, [&] {
-    return find_path(d.map, request.start, request.goal, d.options.manoeuvre_poses, options, workspace->search);
+    const auto no_passage = [&] {
+      result.bottleneck = d.bottleneck(request.start, request.goal);
+      return result.bottleneck && result.bottleneck->too_narrow();
+    };
+    return find_path(d.map, request.start, request.goal, d.options.manoeuvre_poses, no_passage, options,
+                     workspace->search);
   });
   std::optional<Path> found;
   const auto keep_faster = [&](const Path& path, bool reverse) {
@@ -412,7 +438,8 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
       if (turning.search.path) keep_faster(*turning.search.path, false);
     }
   }
-  if (request.reverse && !result.interrupted && !(found && found->empty())) {
+  const bool hopeless = forwards.obstruction == Obstruction::kPassage;
+  if (request.reverse && !result.interrupted && !hopeless && !(found && found->empty())) {
     const double unrefined = found ? result.statistics.unrefined_travel_time : kInfinity;
     const FoundPath both = d.search(result, [&] {
       return find_reversing_path(d.map, request.start, request.goal, unrefined, options, workspace->search);
@@ -429,6 +456,7 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
 
   const Stopwatch finishing;
   result.status = PlanStatus::kSolved;
+  result.bottleneck.reset();
   const SpeedProfile profile = speed_profile(path, d.map.vehicle);
   const Footprint bare = d.map.vehicle.footprint();
   // The middle of the body is further from the obstacles than the body.

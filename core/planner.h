@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -13,11 +14,13 @@
 #include "core/graph/feasible_graph.h"
 #include "core/graph/visibility_graph.h"
 #include "core/graph/visibility_rows.h"
+#include "core/passage/bottleneck.h"
 #include "core/path/path.h"
 #include "core/prepared_graph.h"
 #include "core/query/query_set.h"
 #include "core/refine/refine_path.h"
 #include "core/search/heuristic.h"
+#include "core/search/time_model.h"
 #include "core/team.h"
 #include "core/vehicle.h"
 #include "core/world.h"
@@ -31,7 +34,8 @@ using ReducedGraphBuilder =
 
 struct PlannerOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
-  GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
+  TimeModel time_model = TimeModel::kProfile;  ///< of searches
+  GraphMode graph_mode = GraphMode::kEager;    ///< of the feasible graph; plans are the same, bit for bit
   /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: turning_radii(vehicle, world).
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
@@ -66,6 +70,7 @@ enum class PlanStatus {
   kGoalOutsideBounds,
   kStartBlocked,  ///< no motion tried, of an arc, a line or a short manoeuvre, leads from the start to the graph
   kGoalBlocked,   ///< none leads from the graph to the goal
+  kNoPassage,     ///< proved: no passage is wide enough for the body, whichever way it is driven
   kNoPath,        ///< the graph has no way between start and goal
   kTimeLimit,     ///< the time limit ended the search before it found a path
   kCancelled      ///< the stop token did
@@ -113,6 +118,9 @@ struct PlanResult {
   double min_clearance = 0.0;     ///< of the bare body along the path [m]; infinity in a world without obstacles
   PathSegment clearance_segment;  ///< the segment where that is
   std::size_t clearance_index = 0;
+  /// Unless solved: the narrowest place of the widest way from start to goal. Nothing if that is wide enough for the
+  /// tightest turn, or as wide as the room around start or goal; or if the search was interrupted.
+  std::optional<Bottleneck> bottleneck;
   PlanStatistics statistics;
   /// By how much the plan may be slower than the best one at most: travel_time / lower_bound - 1; 0 for no time.
   [[nodiscard]] double optimality_gap() const { return travel_time > 0.0 ? travel_time / lower_bound - 1.0 : 0.0; }

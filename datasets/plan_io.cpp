@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/geometry/angle.h"
+#include "core/path/speed_profile.h"
 #include "datasets/json_text.h"
 
 namespace arcway {
@@ -40,13 +41,32 @@ void append_segment(std::string& out, const TimedSegment& timed) {
   out += '}';
 }
 
+void append_bottleneck(std::string& out, const Bottleneck& bottleneck) {
+  append_key(out, "bottleneck");
+  out += R"({"width":)";
+  append_number(out, bottleneck.width);
+  append_member(out, "needed", bottleneck.needed);
+  append_member(out, "needed_to_turn", bottleneck.needed_to_turn);
+  out += R"(,"between":[)";
+  const auto side = [&](ObstacleId obstacle, const Vec2& point) {
+    out += R"({"obstacle":)" + std::to_string(obstacle) + R"(,"point":[)";
+    append_number(out, point.x());
+    out += ',';
+    append_number(out, point.y());
+    out += "]}";
+  };
+  side(bottleneck.obstacle_a, bottleneck.on_a);
+  out += ',';
+  side(bottleneck.obstacle_b, bottleneck.on_b);
+  out += "]}";
+}
+
 // Time and speed along one segment: accelerate at a, hold the top speed, brake at a.
 class Motion {
  public:
   Motion(const TimedSegment& timed, const Vehicle& vehicle)
       : v1_(timed.speed_in), v3_(timed.speed_out), length_(timed.segment.length), a_(vehicle.max_acceleration()) {
-    const double limit =
-        timed.segment.is_line() ? vehicle.max_speed() : vehicle.turn_speed(1.0 / std::abs(timed.segment.curvature));
+    const double limit = speed_limit(timed.segment, vehicle);
     const double peak = std::sqrt(std::max(0.0, a_ * length_ + 0.5 * (v1_ * v1_ + v3_ * v3_)));
     top_ = std::max({std::min(limit, peak), v1_, v3_});
     speed_up_ = std::min(length_, (top_ * top_ - v1_ * v1_) / (2.0 * a_));
@@ -95,6 +115,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
     append_key(out, "reason");
     detail::append_string(out, result.reason);
   }
+  if (result.bottleneck) append_bottleneck(out, *result.bottleneck);
   if (result.interrupted) out += R"(,"interrupted":true)";
   append_key(out, "start");
   append_pose(out, result.start);
@@ -213,8 +234,8 @@ std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehic
 PlanFile read_plan(std::string_view text, std::string_view name) {
   const nlohmann::json value = detail::parse_json(text, name);
   const JsonPlace plan{value, std::string(name)};
-  plan.allow_keys({"format", "version", "q", "status", "reason", "interrupted", "start", "goal", "travel_time",
-                   "length", "lower_bound", "min_clearance", "path", "statistics"});
+  plan.allow_keys({"format", "version", "q", "status", "reason", "bottleneck", "interrupted", "start", "goal",
+                   "travel_time", "length", "lower_bound", "min_clearance", "path", "statistics"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
   file.status = plan.has("status") ? plan.at("status").string() : "";

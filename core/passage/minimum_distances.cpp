@@ -9,16 +9,10 @@
 #include <string>
 #include <utility>
 
-#include "core/geometry/distance.h"
+#include "core/geometry/closest_pair.h"
 
 namespace arcway {
 namespace {
-
-struct ClosestPair {
-  double distance = std::numeric_limits<double>::infinity();
-  Vec2 a{0.0, 0.0};
-  Vec2 b{0.0, 0.0};
-};
 
 Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}; }
 
@@ -26,41 +20,10 @@ double distance_between(const Box& a, const Box& b) {
   return (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(Vec2::Zero()).norm();
 }
 
-/// Where two segments that meet do so, rounded.
-Vec2 meeting_point(const LineSegment& s, const LineSegment& t) {
-  for (const Vec2& p : {s.a, s.b}) {
-    if (distance(p, t) == 0.0) return p;
-  }
-  for (const Vec2& p : {t.a, t.b}) {
-    if (distance(p, s) == 0.0) return p;
-  }
-  const Vec2 u = s.b - s.a;
-  const Vec2 v = t.b - t.a;
-  return s.a + std::clamp(cross(t.a - s.a, v) / cross(u, v), 0.0, 1.0) * u;
-}
-
 void lower(ClosestPair& best, const LineSegment& s, const LineSegment& t) {
   if (distance_between(box_of(s), box_of(t)) >= best.distance) return;
-  const double d = distance(s, t);
-  if (d >= best.distance) return;
-  if (d == 0.0) {
-    const Vec2 p = meeting_point(s, t);
-    best = {0.0, p, p};
-    return;
-  }
-  best.distance = d;
-  double least = std::numeric_limits<double>::infinity();  // the pair that gives d has an end of one of the two
-  const auto take = [&](const Vec2& a, const Vec2& b) {
-    const double length = (a - b).norm();
-    if (length >= least) return;
-    least = length;
-    best.a = a;
-    best.b = b;
-  };
-  take(s.a, closest_point(s.a, t));
-  take(s.b, closest_point(s.b, t));
-  take(closest_point(t.a, s), t.a);
-  take(closest_point(t.b, s), t.b);
+  const ClosestPair pair = closest_pair(s, t);
+  if (pair.distance < best.distance) best = pair;
 }
 
 ClosestPair between(const World& world, const LineSegment& s, ObstacleId o, ClosestPair best = {}) {

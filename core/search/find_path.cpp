@@ -52,7 +52,7 @@ class End {
 }  // namespace
 
 FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
-                    const SearchOptions& options, SearchWorkspace& workspace) {
+                    const std::function<bool()>& no_passage, const SearchOptions& options, SearchWorkspace& workspace) {
   FoundPath found;
   if ((start.position() - goal.position()).isZero(0.0) && wrap_signed(start.heading - goal.heading) == 0.0) {
     found.search.path = Path{};
@@ -68,6 +68,10 @@ FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, s
     result.turns_checked += found.search.turns_checked;
     found.search = std::move(result);
     if (found.search.path || found.search.interrupted) return found;
+    if (found.obstruction == Obstruction::kNothing && no_passage()) {
+      found.obstruction = Obstruction::kPassage;
+      return found;
+    }
     if (!found.search.goal_connected) {
       found.obstruction = Obstruction::kGoal;
       more = to.extend();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include "core/search/arrival_search.h"
 
@@ -9,9 +10,10 @@ namespace [[gnu::visibility("default")]] arcway {
 /// What stands in the way.
 enum class Obstruction {
   kNothing,
-  kStart,   ///< nothing leads from the start, or from the poses reached from it, to a circle of the graph
-  kGoal,    ///< nothing leads from a circle of the graph to the goal, or to poses from which it is reached
-  kBetween  ///< the graph joins neither to the other
+  kStart,    ///< nothing leads from the start, or from the poses reached from it, to a circle of the graph
+  kGoal,     ///< nothing leads from a circle of the graph to the goal, or to poses from which it is reached
+  kBetween,  ///< the graph joins neither to the other
+  kPassage   ///< no passage is wide enough
 };
 
 struct FoundPath {
@@ -24,8 +26,9 @@ struct FoundPath {
 /// several arcs, first of few poses, then of more, at the end that is in trouble; last of sparse ones at both, if each
 /// joins the graph.
 /// @param max_poses  for the manoeuvres of each end, four times as many if sparse.
+/// @param no_passage  asked once, before the manoeuvres: whether it is known that there is no path at all.
 FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
-                    const SearchOptions& options, SearchWorkspace& workspace);
+                    const std::function<bool()>& no_passage, const SearchOptions& options, SearchWorkspace& workspace);
 
 /// The fastest path that may begin and end with a manoeuvre, out of a few sparse ones: faster than a path by single
 /// arcs where a pose faces away from its way and there is room to turn, but slower to find.

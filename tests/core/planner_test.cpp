@@ -9,6 +9,7 @@
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
 #include "datasets/clutter.h"
+#include "datasets/random_queries.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
@@ -273,6 +274,27 @@ TEST(Planner, RefusesPosesAndOptionsThatCannotBe) {
   EXPECT_THROW(Planner(walled(), Vehicle{}, {.radii = {0.5}}), std::invalid_argument);
   const World far({{{{1e9, 1e9}, {1e9 + 4, 1e9}, {1e9, 1e9 + 4}}, {}}});
   EXPECT_THROW(Planner(far, Vehicle{}), std::invalid_argument);
+}
+
+TEST(Planner, SegmentTimesFindNothingFasterThanTrueTimes) {
+  const World world = random_world({.obstacles = 40, .vertices = 6, .fill = 0.3, .seed = 4});
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  PlannerOptions options{.manoeuvre_poses = 0};
+  options.refinement.max_trials = 0;
+  const Planner exact(world, vehicle, options);
+  options.time_model = TimeModel::kSegments;
+  const Planner by_segments(world, vehicle, options);
+  int slower = 0;
+  for (const PlanRequest& request :
+       random_queries(world, make_reference_queries(world), vehicle, {.count = 15, .min_distance = 0.4})) {
+    const PlanResult best = exact.plan(request), other = by_segments.plan(request);
+    ASSERT_EQ(best.solved(), other.solved());
+    if (!best.solved()) continue;
+    expect_valid(by_segments, other);
+    EXPECT_GE(other.travel_time, best.travel_time * (1.0 - 1e-9));
+    slower += other.travel_time > best.travel_time * (1.0 + 1e-6) ? 1 : 0;
+  }
+  EXPECT_GT(slower, 0);
 }
 
 }  // namespace

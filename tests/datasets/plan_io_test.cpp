@@ -77,6 +77,26 @@ TEST(PlanJson, TellsWhyThereIsNoPath) {
   EXPECT_NE(plan_to_json(interrupted, 0).find("\"interrupted\":true"), std::string::npos);
 }
 
+TEST(PlanJson, TellsTheBottleneck) {
+  PlanResult result;
+  result.status = PlanStatus::kNoPassage;
+  result.reason = "narrow";
+  EXPECT_EQ(plan_to_json(result, 0).find("bottleneck"), std::string::npos);
+  result.bottleneck = Bottleneck{.width = 0.5,
+                                 .needed = 0.75,
+                                 .needed_to_turn = 1.25,
+                                 .obstacle_a = 3,
+                                 .obstacle_b = 7,
+                                 .on_a = {1.0, 2.0},
+                                 .on_b = {1.0, 2.5}};
+  const std::string text = plan_to_json(result, 0);
+  EXPECT_NE(text.find(R"("bottleneck":{"width":0.5,"needed":0.75,"needed_to_turn":1.25,"between":[)"
+                      R"({"obstacle":3,"point":[1,2]},{"obstacle":7,"point":[1,2.5]}]})"),
+            std::string::npos)
+      << text;
+  EXPECT_TRUE(read_plan(text, "p").path.segments.empty());
+}
+
 TEST(PlanJson, ReadsPathsWithoutSpeeds) {
   const auto plan = [](const std::string& segments) {
     return R"({"format":"arcway-plan","version":1,"start":[0,0,0],"goal":[1,0,0],"path":[)" + segments + "]}";

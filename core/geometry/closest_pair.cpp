@@ -1,0 +1,46 @@
+#include "core/geometry/closest_pair.h"
+
+#include <algorithm>
+
+#include "core/geometry/distance.h"
+
+namespace arcway {
+namespace {
+
+Vec2 meeting_point(const LineSegment& s, const LineSegment& t) {
+  for (const Vec2& p : {s.a, s.b}) {
+    if (distance(p, t) == 0.0) return p;
+  }
+  for (const Vec2& p : {t.a, t.b}) {
+    if (distance(p, s) == 0.0) return p;
+  }
+  const Vec2 u = s.b - s.a;
+  const Vec2 v = t.b - t.a;
+  return s.a + std::clamp(cross(t.a - s.a, v) / cross(u, v), 0.0, 1.0) * u;
+}
+
+}  // namespace
+
+ClosestPair closest_pair(const LineSegment& s, const LineSegment& t) {
+  ClosestPair pair;
+  pair.distance = distance(s, t);
+  if (pair.distance == 0.0) {
+    pair.a = pair.b = meeting_point(s, t);
+    return pair;
+  }
+  double least = std::numeric_limits<double>::infinity();  // the pair that gives the distance has an end of one of them
+  const auto take = [&](const Vec2& a, const Vec2& b) {
+    const double length = (a - b).norm();
+    if (length >= least) return;
+    least = length;
+    pair.a = a;
+    pair.b = b;
+  };
+  take(s.a, closest_point(s.a, t));
+  take(s.b, closest_point(s.b, t));
+  take(closest_point(t.a, s), t.a);
+  take(closest_point(t.b, s), t.b);
+  return pair;
+}
+
+}  // namespace arcway

@@ -1,0 +1,74 @@
+#include "core/passage/bottleneck.h"
+
+#include <algorithm>
+#include <charconv>
+#include <mutex>
+
+#include "core/passage/gap_map.h"
+
+namespace arcway {
+namespace {
+
+constexpr double kProved = 1.0 - 0x1p-10;  // share of the safety margin that a proof counts on
+
+std::string text_of(const Vec2& p) { return "(" + rounded_text(p.x()) + ", " + rounded_text(p.y()) + ")"; }
+
+Vec2 middle_of(const Footprint& body, const Pose& pose) {
+  return pose.position() + 0.5 * (body.front - body.rear) * direction_of(pose.heading);
+}
+
+}  // namespace
+
+std::string rounded_text(double metres) {
+  char text[400];  // the largest double has 309 digits
+  std::string out(text, std::to_chars(text, text + sizeof text, metres, std::chars_format::fixed, 3).ptr);
+  out.erase(out.find_last_not_of('0') + 1);
+  if (out.back() == '.') out.pop_back();
+  return out;
+}
+
+std::string Bottleneck::text(const World& world) const {
+  const auto name = [&](ObstacleId o) {
+    return o == world.obstacle_count() ? std::string("the bounds") : "obstacle " + std::to_string(o);
+  };
+  const std::string a = name(obstacle_a), b = name(obstacle_b);
+  if (width == 0.0)
+    return obstacle_a == obstacle_b ? a + " lies all around start or goal, or meets itself at " + text_of(on_a)
+                                    : a + " and " + b + " meet at " + text_of(on_a) + " and leave no way";
+  const std::string place = obstacle_a == obstacle_b
+                                ? "between two sides of " + a + " at " + text_of(on_a) + " and " + text_of(on_b)
+                                : "between " + a + " at " + text_of(on_a) + " and " + b + " at " + text_of(on_b);
+  return "the widest way narrows to " + rounded_text(width) + " m " + place;
+}
+
+struct BottleneckFinder::Gaps {
+  std::once_flag once;
+  std::optional<GapMap> map;
+};
+
+BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle)
+    : world_(world), body_(vehicle.footprint()), gaps_(std::make_unique<Gaps>()) {
+  const VehicleParameters& p = vehicle.parameters();
+  vehicle_takes_.needed = std::min(p.length, p.width) + kProved * p.safety_margin;
+  vehicle_takes_.needed_to_turn =
+      swept_annulus(vehicle.footprint(0.5 * p.safety_margin), vehicle.min_turning_radius()).width();
+}
+
+BottleneckFinder::~BottleneckFinder() = default;
+
+std::optional<Bottleneck> BottleneckFinder::operator()(const Pose& from, const Pose& to) const {
+  std::call_once(gaps_->once, [this] {
+    gaps_->map.emplace(world_, std::max(vehicle_takes_.needed, vehicle_takes_.needed_to_turn));
+  });
+  const auto gap = gaps_->map->bottleneck(middle_of(body_, from), middle_of(body_, to));
+  if (!gap) return std::nullopt;
+  Bottleneck bottleneck = vehicle_takes_;
+  bottleneck.width = gap->width;
+  bottleneck.obstacle_a = world_.obstacle_of(gap->edge_a);
+  bottleneck.obstacle_b = world_.obstacle_of(gap->edge_b);
+  bottleneck.on_a = gap->on_a;
+  bottleneck.on_b = gap->on_b;
+  return bottleneck;
+}
+
+}  // namespace arcway

@@ -1,0 +1,143 @@
+#include "core/passage/gap_map.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "core/geometry/box_tree.h"
+#include "core/geometry/closest_pair.h"
+#include "core/geometry/distance.h"
+#include "core/geometry/ray_parity.h"
+
+namespace arcway {
+namespace {
+
+// A third edge has to come into a gap's circle by more than distances are rounded.
+constexpr double kInside = 1.0 - 1e-6;
+
+Box around(const LineSegment& s, double margin) {
+  const Vec2 growth = Vec2::Constant(margin);
+  return {s.a.cwiseMin(s.b) - growth, s.a.cwiseMax(s.b) + growth};
+}
+
+bool follow_each_other(const World& world, VertexId a, VertexId b) { return world.next(a) == b || world.next(b) == a; }
+
+// Whether a third edge comes into the circle that has the gap for a diameter.
+bool is_divided(const World& world, const BoxTree& edges, const Gap& gap) {
+  const Vec2 middle = 0.5 * (gap.on_a + gap.on_b);
+  const double radius = 0.5 * gap.width * kInside;
+  if (radius == 0.0) return false;
+  return !edges.visit_overlaps(around({middle, middle}, radius), [&](VertexId e) {
+    return e == gap.edge_a || e == gap.edge_b || !(distance(middle, world.edges()[e]) < radius);
+  });
+}
+
+// Tells two points apart by the parity of crossings with rays from them: a loop that parts them is odd.
+class Parting {
+ public:
+  Parting(const Vec2& from, const Vec2& to) : rays_{ray(from), ray(to)} {}
+
+  template <std::size_t kPoints>
+  [[nodiscard]] bool is_odd(const Vec2 (&chain)[kPoints]) const {
+    bool odd = false;
+    for (StepParity ray : rays_) {
+      for (std::size_t i = 0; i + 1 < kPoints; ++i) ray.add(chain[i], chain[i + 1]);
+      odd = odd != ray.inside();
+    }
+    return odd;
+  }
+
+ private:
+  static StepParity ray(const Vec2& p) { return {p, {p.x() + 1.0, p.y()}}; }
+
+  StepParity rays_[2];
+};
+
+// Items joined by even and odd links [union-find with parities].
+class ParityForest {
+ public:
+  explicit ParityForest(std::size_t size) : parent_(size), odd_(size, 0) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  // False if the two were joined by links of the other parity before: an odd loop.
+  bool join(std::uint32_t a, std::uint32_t b, bool odd) {
+    const bool odd_a = odd_to_root(a);
+    const bool odd_b = odd_to_root(b);
+    const std::uint32_t root_a = parent_[a], root_b = parent_[b];
+    if (root_a == root_b) return odd == (odd_a != odd_b);
+    parent_[root_b] = root_a;
+    odd_[root_b] = odd != (odd_a != odd_b) ? 1 : 0;
+    return true;
+  }
+
+ private:
+  // Hangs all on the way below the root.
+  bool odd_to_root(std::uint32_t a) {
+    std::uint32_t root = a;
+    bool odd = false;
+    for (; parent_[root] != root; root = parent_[root]) odd = odd != (odd_[root] != 0);
+    const bool whole = odd;
+    while (parent_[a] != root) {
+      const std::uint32_t next = parent_[a];
+      const bool rest = odd != (odd_[a] != 0);
+      parent_[a] = root;
+      odd_[a] = odd ? 1 : 0;
+      odd = rest;
+      a = next;
+    }
+    return whole;
+  }
+
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> odd_;  // the way to the parent
+};
+
+double room_around(const World& world, const Vec2& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const LineSegment& edge : world.edges()) least = std::min(least, distance(p, edge));
+  return 2.0 * least;
+}
+
+}  // namespace
+
+GapMap::GapMap(const World& world, double widest) : world_(world) {
+  const std::span<const LineSegment> edges = world.edges();
+  std::vector<Box> boxes;
+  boxes.reserve(edges.size());
+  for (const LineSegment& edge : edges) boxes.push_back(around(edge, 0.0));
+  const BoxTree tree(boxes);
+  for (VertexId a = 0; a < edges.size(); ++a)
+    tree.visit_overlaps(around(edges[a], widest), [&](VertexId b) {
+      if (b <= a || follow_each_other(world, a, b)) return true;
+      const ClosestPair pair = closest_pair(edges[a], edges[b]);
+      const Gap gap{pair.distance, a, b, pair.a, pair.b};
+      if (gap.width <= widest && !is_divided(world, tree, gap)) gaps_.push_back(gap);
+      return true;
+    });
+  std::sort(gaps_.begin(), gaps_.end(), [](const Gap& a, const Gap& b) {
+    return std::tie(a.width, a.edge_a, a.edge_b) < std::tie(b.width, b.edge_a, b.edge_b);
+  });
+}
+
+std::optional<Gap> GapMap::bottleneck(const Vec2& from, const Vec2& to) const {
+  if (from == to) return std::nullopt;
+  const Parting parting(from, to);
+  ParityForest forest(world_.edges().size());  // an edge stands for its first vertex
+  for (VertexId v = 0; v < world_.edges().size(); ++v) {
+    const auto& [a, b] = world_.edges()[v];
+    if (!forest.join(v, world_.next(v), parting.is_odd({a, b}))) return Gap{0.0, v, world_.next(v), b, b};
+  }
+  const double room = std::min(room_around(world_, from), room_around(world_, to));
+  for (const Gap& gap : gaps_) {
+    if (gap.width >= room) break;
+    const bool odd = parting.is_odd({world_.vertex(gap.edge_a), gap.on_a, gap.on_b, world_.vertex(gap.edge_b)});
+    if (!forest.join(gap.edge_a, gap.edge_b, odd)) return gap;
+  }
+  return std::nullopt;
+}
+
+}  // namespace arcway
