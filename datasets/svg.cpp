@@ -20,6 +20,9 @@ constexpr const char* kFreeColor = "#fbfcfe";
 constexpr const char* kOutsideColor = "#aeb7c4";
 constexpr const char* kPathColor = "#e4572e";
 constexpr const char* kReverseColor = "#1f6fd1";
+// Of Okabe and Ito's palette, what stands out from paths and from white.
+constexpr std::string_view kAlternativeColors[] = {"#0072b2", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
+constexpr const char* kGapColor = "#d00000";
 constexpr const char* kStartColor = "#1b9e5a";
 constexpr const char* kGoalColor = "#7b3fc4";
 
@@ -145,7 +148,7 @@ std::size_t SvgPicture::add_edges(std::span<const LineSegment> edges, const Edge
   return stride;
 }
 
-void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies) {
+void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies, const Colors& colors) {
   std::string line = "M";
   append_point(line, run.front().start.position());
   for (const PathSegment& segment : run) {
@@ -162,23 +165,29 @@ void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies) {
   // Bodies that can be seen lie above a thin line; a light edge sets off the line where they cannot.
   if (!bodies) path_ += "<path d=\"" + line + "\" " + stroke("#ffffff", 5.0) + " stroke-opacity=\"0.85\"/>\n";
   const bool forward = run.front().gear == Gear::kForward;
-  path_ += "<path d=\"" + line + "\" " + stroke(forward ? kPathColor : kReverseColor, bodies ? 1.8 : 2.6);
+  path_ += "<path d=\"" + line + "\" " + stroke(forward ? colors.forward : colors.reverse, bodies ? 1.8 : 2.6);
   if (!forward) path_ += " stroke-dasharray=\"" + shortest_text(7.0 / scale_) + ' ' + shortest_text(4.0 / scale_) + '"';
   path_ += "/>\n";
 }
 
-void SvgPicture::add_line(std::span<const PathSegment> path, const Footprint& body) {
+void SvgPicture::add_line(std::span<const PathSegment> path, const Footprint& body, const Colors& colors) {
   for (std::size_t first = 0; first < path.size();) {
     std::size_t last = first + 1;
     while (last < path.size() && path[last].gear == path[first].gear) ++last;
-    add_run(path.subspan(first, last - first), 2.0 * body.half_width * scale_ >= 5.0);
+    add_run(path.subspan(first, last - first), 2.0 * body.half_width * scale_ >= 5.0, colors);
     first = last;
   }
 }
 
+void SvgPicture::add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text) {
+  const std::string_view color = kAlternativeColors[alternatives_++ % std::size(kAlternativeColors)];
+  add_line(path, body, {color, color});
+  captions_.push_back("<tspan fill=\"" + std::string(color) + "\">\u25A0</tspan> " + escaped(text));
+}
+
 void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, double spacing) {
   if (path.empty()) return;
-  add_line(path, body);
+  add_line(path, body, {kPathColor, kReverseColor});
   const double length = body.front + body.rear;
   if (spacing <= 0.0) spacing = std::max(2.0 * length, 40.0 / scale_);
   const auto outline = [&](const Pose& pose) { add_outline(robot_, pose, body, 0.0); };
@@ -231,6 +240,35 @@ void SvgPicture::add_poses(const Pose& start, const Pose& goal, const Footprint&
   add_marker(goal, body, kGoalColor, "goal");
 }
 
+void SvgPicture::add_gap(const Vec2& a, const Vec2& b, std::string_view text) {
+  const Vec2 p = to_picture(a), q = to_picture(b);
+  for (const auto& [color, width] : {std::pair("#ffffff", "7"), std::pair(kGapColor, "3.5")}) {
+    markers_ += "<path d=\"M";
+    append(markers_, p);
+    markers_ += 'L';
+    append(markers_, q);
+    markers_ += "\" stroke=\"" + std::string(color) + "\" stroke-width=\"" + width + "\" stroke-linecap=\"round\"/>\n";
+  }
+  const Vec2 middle = 0.5 * (p + q);
+  markers_ += "<circle cx=\"";
+  append(markers_, middle.x());
+  markers_ += "\" cy=\"";
+  append(markers_, middle.y());
+  markers_ += "\" r=\"12\" fill=\"none\" stroke=\"" + std::string(kGapColor) + "\" stroke-width=\"1.5\"/>\n";
+  add_label(middle + Vec2(0.0, -8.0), kGapColor, text);
+}
+
+void SvgPicture::add_label(const Vec2& beside, std::string_view color, std::string_view text) {
+  const bool right = beside.x() + 60.0 < width_;
+  markers_ += "<text x=\"";
+  append(markers_, beside.x() + (right ? 12.0 : -12.0));
+  markers_ += "\" y=\"";
+  append(markers_, std::clamp(beside.y(), 16.0, height_ - 6.0));
+  markers_ += right ? "\"" : "\" text-anchor=\"end\"";
+  markers_ += " fill=\"" + std::string(color) + R"(" stroke="#ffffff" stroke-width="3" paint-order="stroke">)";
+  markers_ += escaped(text) + "</text>\n";
+}
+
 void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label) {
   const Vec2 p = to_picture(pose.position());
   // Picture coordinates: y down.
@@ -247,16 +285,8 @@ void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string
   append(markers_, p + u * size * 0.6 + n * 5.0);
   markers_ += 'L';
   append(markers_, p + u * size * 0.6 - n * 5.0);
-  markers_ += "Z\"" + fill + R"( stroke="#ffffff" stroke-width="1"/>)" + "\n<text x=\"";
-  // Beside the arrow, and within the picture.
-  const bool right = p.x() + 60.0 < width_;
-  append(markers_, p.x() + (right ? 12.0 : -12.0));
-  markers_ += "\" y=\"";
-  append(markers_, std::clamp(p.y() + (u.y() < -0.5 ? 18.0 : -10.0), 16.0, height_ - 6.0));
-  markers_ += right ? "\"" : "\" text-anchor=\"end\"";
-  markers_ += fill + R"( stroke="#ffffff" stroke-width="3" paint-order="stroke">)";
-  markers_ += label;
-  markers_ += "</text>\n";
+  markers_ += "Z\"" + fill + R"( stroke="#ffffff" stroke-width="1"/>)" + "\n";
+  add_label(p + Vec2(0.0, u.y() < -0.5 ? 18.0 : -10.0), color, label);
 }
 
 std::span<const std::string_view> SvgPicture::layers() {

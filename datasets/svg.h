@@ -37,12 +37,15 @@ class SvgPicture {
   /// The path, where it is driven backwards in blue and dashed, the body's outlines along it and the poses at its ends.
   /// @param spacing  between outlines [m]; 0: chosen by the body's length and the picture's scale.
   void add_path(std::span<const PathSegment> path, const Footprint& body, double spacing = 0.0);
-  /// The path alone.
-  void add_line(std::span<const PathSegment> path, const Footprint& body);
+  /// The path alone, in the next color of a palette that color-blind people can tell apart, where it is driven
+  /// backwards dashed, and below the map its color with a text.
+  void add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text);
   /// All that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
   void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
   /// Start and goal when there is no path.
   void add_poses(const Pose& start, const Pose& goal, const Footprint& body);
+  /// Among the markers, a gap from one point to another, with a text beside it.
+  void add_gap(const Vec2& a, const Vec2& b, std::string_view text);
   /// All layers but the caption.
   static std::span<const std::string_view> layers();
   /// Empties all layers but these.
@@ -58,11 +61,17 @@ class SvgPicture {
 
  private:
   void add_map(const World& world);
+  struct Colors {
+    std::string_view forward, reverse;
+  };
+  void add_line(std::span<const PathSegment> path, const Footprint& body, const Colors& colors);
   /// Segments of one gear as one line.
-  void add_run(std::span<const PathSegment> run, bool bodies);
+  void add_run(std::span<const PathSegment> run, bool bodies, const Colors& colors);
   /// The body at a pose, lengthened to the front.
   void add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const;
   void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);
+  /// A text beside a point of the picture, and within it.
+  void add_label(const Vec2& beside, std::string_view color, std::string_view text);
   /// Attributes of a line within the group "map".
   [[nodiscard]] std::string stroke(std::string_view color, double pixels) const;
   [[nodiscard]] Vec2 to_picture(const Vec2& p) const;
@@ -76,6 +85,7 @@ class SvgPicture {
   double parts_ = 10.0;    // of a metre that they are rounded to
   std::string bounds_, obstacles_, graph_, swept_, path_, robot_, markers_;
   std::vector<std::string> captions_;
+  std::size_t alternatives_ = 0;
   std::string title_, description_;
 };
 

@@ -151,6 +151,22 @@ std::vector<LineSegment> edges_of(const Planner& planner) {
   return edges;
 }
 
+std::string caption_of(const PlanResult& result) {
+  return "travel time " + fixed(result.travel_time, 2) + " s, length " + fixed(result.length, 1) +
+         " m, smallest clearance " + fixed(result.min_clearance, 3) + " m";
+}
+
+// A reason, part by part.
+std::vector<std::string> lines_of(const std::string& reason) {
+  std::vector<std::string> lines;
+  for (std::size_t first = 0; first < reason.size();) {
+    const std::size_t end = std::min(reason.find("; ", first), reason.size());
+    lines.push_back(reason.substr(first, end - first));
+    first = end + 2;
+  }
+  return lines;
+}
+
 // The first plan, and the lines of the others.
 std::string picture(const PlanArguments& arguments, const Planner& planner, const std::vector<CheckedPlan>& plans) {
   const PlanResult& result = plans.front().result;
@@ -171,17 +187,20 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
   SvgPicture svg(planner.world(), view);
   if (std::ranges::find(arguments.svg_layers, "graph") != arguments.svg_layers.end()) svg.add_edges(edges_of(planner));
   if (result.solved()) {
-    for (std::size_t i = plans.size(); i-- > 1;) svg.add_line(plans[i].result.path(), body);
     svg.add_swept_area(result.path(), body);
+    svg.add_caption(caption_of(result));
+    for (std::size_t i = 1; i < plans.size(); ++i)
+      svg.add_alternative(plans[i].result.path(), body,
+                          "alternative " + std::to_string(i + 1) + ": " + caption_of(plans[i].result));
     svg.add_path(result.path(), body);
-    svg.add_caption("travel time " + fixed(result.travel_time, 2) + " s, length " + fixed(result.length, 1) +
-                    " m, smallest clearance " + fixed(result.min_clearance, 3) + " m");
     svg.set_title("Time-optimal path",
                   "The path of a car-like robot among polygonal obstacles, with its body drawn "
                   "along the way.");
   } else {
     svg.add_poses(result.start, result.goal, body);
-    svg.add_caption(std::string(name_of(result.status)) + ": " + result.reason);
+    if (const auto& gap = result.bottleneck) svg.add_gap(gap->on_a, gap->on_b, rounded_text(gap->width) + " m");
+    for (const std::string& line : lines_of(std::string(name_of(result.status)) + ": " + result.reason))
+      svg.add_caption(line);
     svg.set_title("No path");
   }
   svg.show(arguments.svg_layers);

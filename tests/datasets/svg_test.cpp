@@ -60,6 +60,28 @@ TEST(Svg, DrawsReverseDashed) {
   EXPECT_NE(picture.str().find("M24 19L32 19L32 21L24 21Z"), std::string::npos);
 }
 
+TEST(Svg, AlternativesDifferInColorAndHaveALegend) {
+  const Path path{{{1, 1, 0}, 4.0, 0.0}}, back{{{1, 2, 0}, 4.0, 0.0, Gear::kReverse}};
+  SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  svg.add_alternative(path, {1.0, 0.5, 0.4}, "second & so on");
+  svg.add_alternative(back, {1.0, 0.5, 0.4}, "third");
+  svg.add_path(path, {1.0, 0.5, 0.4});
+  const std::string text = svg.str();
+  for (const char* color : {"#0072b2", "#009e73"}) {
+    EXPECT_NE(text.find(std::string("stroke=\"") + color), std::string::npos) << color;
+    EXPECT_NE(text.find(std::string("<tspan fill=\"") + color), std::string::npos) << color;
+  }
+  EXPECT_NE(text.find("second &amp; so on"), std::string::npos);
+  EXPECT_NE(text.find("stroke-dasharray"), std::string::npos);
+}
+
+TEST(Svg, MarksAGap) {
+  SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  svg.add_gap({5, 4}, {5, 4.5}, "0.5 m");
+  EXPECT_NE(svg.str().find(">0.5 m</text>"), std::string::npos);
+  EXPECT_NE(svg.str().find("<g id=\"markers\""), std::string::npos);
+}
+
 TEST(Svg, ShowsTheLayersAskedFor) {
   const World world({{{{0, 0}, {10, 0}, {10, 10}}, {}}}, Ring{{-10, -10}, {90, -10}, {90, 40}});
   const auto drawn = [&](const std::vector<std::string>& layers) {
