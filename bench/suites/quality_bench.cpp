@@ -34,7 +34,7 @@ void count_quality(benchmark::State& state, const std::vector<PlanResult>& resul
     expanded += static_cast<double>(r.statistics.nodes_expanded);
     start_blocked += r.status == PlanStatus::kStartBlocked;
     goal_blocked += r.status == PlanStatus::kGoalBlocked;
-    no_path += r.status == PlanStatus::kNoPath;
+    no_path += r.status == PlanStatus::kNoPath || r.status == PlanStatus::kNoPassage;
     if (!r.solved()) continue;
     solved += 1.0;
     clearance = std::min(clearance, r.min_clearance);
@@ -75,14 +75,19 @@ struct Variant {
 std::vector<Variant> variants(const World& world) {
   const double smallest = turning_radii(gentle_vehicle(), world).front();
   PlannerOptions one_radius{.radii = {smallest}}, unrefined, no_manoeuvres{.manoeuvre_poses = 0}, paper;
+  PlannerOptions segment_times{.time_model = TimeModel::kSegments};
   unrefined.refinement.max_trials = 0;
   paper.heuristic = Heuristic::kPaperDistance;
   PlannerOptions bare = one_radius;
   bare.refinement.max_trials = 0;
   bare.manoeuvre_poses = 0;
-  return {{"everything", {}},           {"one radius", one_radius},
-          {"no refinement", unrefined}, {"no manoeuvres", no_manoeuvres},
-          {"none of the three", bare},  {"the paper's heuristic", paper}};
+  return {{"everything", {}},
+          {"one radius", one_radius},
+          {"no refinement", unrefined},
+          {"no manoeuvres", no_manoeuvres},
+          {"none of the three", bare},
+          {"the paper's heuristic", paper},
+          {"the paper's segment times", segment_times}};
 }
 
 /// Gaps are compared over the queries that every variant solves, so that solving more does not look worse.
