@@ -10,6 +10,7 @@
 #include "core/path/speed_profile.h"
 #include "core/search/open_list.h"
 #include "core/search/per_circle.h"
+#include "core/search/pocket.h"
 #include "core/search/speed_tree.h"
 
 namespace arcway {
@@ -433,6 +434,7 @@ class ArrivalSearch {
   bool goal_is_reachable() {
     reachability_known_ = true;
     if (!w_.direct_paths.empty()) return true;
+    const bool in_pocket = goal_is_in_pocket();
     for (std::uint32_t s = 0; s < w_.start_circles.size(); ++s) {
       if (w_.start_circles[s].reach < 0.0) continue;
       const auto range = links_from_start(s);
@@ -440,8 +442,37 @@ class ArrivalSearch {
     }
     while (!w_.arrivals.empty() && !interrupted()) {
       if (reaches_goal(w_.arrivals.pop())) return true;
+      result_.start_is_open = w_.arcs.size() >= kOpen;
+      if (result_.start_is_open && in_pocket) return false;
     }
     return result_.interrupted;
+  }
+
+  // Whether so little leads to the goal that one sees, going backwards, that the start does not.
+  bool goal_is_in_pocket() {
+    if (graph_.mode() != GraphMode::kEager || w_.goal_links.size() > kLargestPocket) return false;
+    std::vector<Departure> ends;
+    for (GoalLink& goal : w_.goal_links)
+      if (is_free(goal)) ends.push_back({goal.link.circle, goal.link.line.start.heading});
+    const auto pocket = departures_towards(graph_, std::move(ends), kLargestPocket);
+    if (!pocket) return false;
+    PerCircle first;
+    first.reset(graph_.circles().size());
+    std::vector<std::uint32_t> next;
+    for (std::uint32_t i = 0; i < pocket->size(); ++i) {
+      next.push_back(first.get((*pocket)[i].circle));
+      first.set((*pocket)[i].circle, i);
+    }
+    for (std::uint32_t s = 0; s < w_.start_circles.size(); ++s) {
+      if (w_.start_circles[s].reach < 0.0) continue;
+      const auto range = links_from_start(s);
+      for (std::uint32_t i = range.first; i < range.last; ++i) {
+        const TerminalLink& link = w_.start_links[i];
+        for (std::uint32_t d = first.get(link.circle); d != kNone; d = next[d])
+          if (leads_to(graph_, link.line.start.heading, (*pocket)[d]) && is_free(link.line)) return false;
+      }
+    }
+    return true;
   }
 
   struct Arrival {
@@ -561,7 +592,9 @@ class ArrivalSearch {
   }
 
   static constexpr std::size_t kMostDirectPairs = 64;
-  static constexpr std::size_t kFirstDoubt = 256;  // labels, more than most searches take
+  static constexpr std::size_t kLargestPocket = 4096;  // departures
+  static constexpr std::size_t kOpen = 5000;           // arcs, more than a pocket round the start has
+  static constexpr std::size_t kFirstDoubt = 256;      // labels, more than most searches take
 
   const SearchMap& map_;
   const FeasibleGraph& graph_;

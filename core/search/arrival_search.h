@@ -37,6 +37,7 @@ struct SearchResult {
   bool interrupted = false;      ///< by the stop token or the deadline; a path is then the best one found by then
   bool start_connected = false;  ///< some motion leads from a start terminal to the graph or the goal
   bool goal_connected = false;   ///< some straight leads from a circle, reached or not, to a goal terminal's circle
+  bool start_is_open = false;    ///< without a path: thousands of arcs can be reached from the start terminals
   std::uint64_t nodes_expanded = 0;
   std::uint64_t nodes_pushed = 0;
   std::uint64_t straights_checked = 0;
@@ -65,8 +66,8 @@ class SearchWorkspace {
 /// speed profile of that path, see SpeedTree. On one circle a label ends where another one goes on at least as well at
 /// every speed. Departures are sorted by heading, so that one walk along the arc relaxes them in turn: linear in the
 /// bitangents. Complete paths come off the open list with their exact time, so that the first one is the fastest.
-/// After some hundred labels, or with several terminals, a walk over the reachable arcs without times and speeds finds
-/// out whether there is a path at all.
+/// After some hundred labels, or with several terminals, walks without times and speeds find out whether there is a path
+/// at all: backwards out of the goal's pocket, if it is in one and the graph eager, and over all reachable arcs.
 ///
 /// Terminals join by their left and right circles of every radius, driven forwards whatever the gear of their
 /// connections, and to each other by all six Dubins words. Straights of terminals, and those of lazy graphs, are

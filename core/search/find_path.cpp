@@ -82,7 +82,8 @@ FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, s
       found.manoeuvre_poses += from.terminals().size();
     } else {
       found.obstruction = Obstruction::kBetween;
-      const bool more_starts = from.extend_far();
+      // Who gets everywhere but to the goal is not helped by other ways to set out.
+      const bool more_starts = !found.search.start_is_open && from.extend_far();
       const bool more_goals = to.extend_far();
       more = more_starts || more_goals;
       found.manoeuvre_poses += from.terminals().size() + to.terminals().size();

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/graph/feasible_graph.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Where a path leaves a circle of the graph.
+struct Departure {
+  std::uint32_t circle;
+  double heading;
+};
+
+/// Whether who arrives on a departure's circle at a heading can turn as far as the departure.
+bool leads_to(const FeasibleGraph& graph, double arrival, const Departure& departure);
+
+/// All departures from which the graph leads to some given ones, those included: what lies in their pocket, found
+/// backwards. A goal that is hemmed in has few of them, however large the map.
+/// @param graph  eager.
+/// @return nothing if there are more than `most`. O(most x links that arrive on a circle).
+std::optional<std::vector<Departure>> departures_towards(const FeasibleGraph& graph, std::vector<Departure> ends,
+                                                         std::size_t most);
+
+}  // namespace arcway
