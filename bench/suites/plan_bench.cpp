@@ -140,10 +140,12 @@ void add(Study study) {
     });
   }
   Series by_threads(study, "PlanBatch" + at, "threads", "1 / threads", 0.0);
+  by_threads.allow(4.0);
   for (const std::size_t t : thread_counts())
     by_threads.add(static_cast<double>(t), [name, t](benchmark::State& state) { time_batch(state, name, t); });
   const std::size_t fewer = study == Study::kCheck ? 10 : 100;
-  Series by_radii(study, "PlanRadii/n:" + std::to_string(fewer), "radii", "O(r^2) pairs of radii an edge", 2.0);
+  Series by_radii(study, "PlanRadii/n:" + std::to_string(fewer), "radii", "at most O(r^2) pairs of radii an edge", 1.0);
+  by_radii.allow(6.0);
   for (const std::size_t r : sizes(study, {1, 2, 3, 4, 5, 6, 7}, 2, 7))
     by_radii.add(static_cast<double>(r),
                  [fewer, r](benchmark::State& state) { time_radii(state, clutter_name("convex", fewer, 10, 15), r); });
