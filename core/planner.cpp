@@ -35,7 +35,7 @@ struct Retry {
   double gap;
   std::uint32_t poses;
 };
-constexpr std::array<Retry, 2> kRetries{{{0.02, 12}, {0.1, 120}}};
+constexpr std::array<Retry, 2> kRetries{{{0.05, 12}, {0.1, 120}}};
 
 class Stopwatch {
  public:
