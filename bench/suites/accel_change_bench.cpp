@@ -83,7 +83,7 @@ void time_change(benchmark::State& state, const std::string& name, std::size_t c
 }
 
 void add(Study study) {
-  for (const std::size_t n : sizes(study, {30, 1000, 10000}, 30, 10000)) {
+  for (const std::size_t n : sizes(study, {30, 1000, 10000}, 30, 1000)) {
     if (study != Study::kCheck && n == 30) continue;
     const std::string name = clutter_name("convex", n, 10, 30);
     for (const auto& [mode, label] : {std::pair(GraphMode::kEager, "eager"), std::pair(GraphMode::kLazy, "lazy")}) {

@@ -127,7 +127,8 @@ void add(Study study) {
   const std::size_t obstacles = study == Study::kCheck ? 32 : 316;
   const std::string at = "/n:" + std::to_string(obstacles);
   const std::string name = clutter_name("convex", obstacles, 10, 30);
-  Series by_distance(study, "Plan" + at, "percent_of_side", "A*: grows with the distance", 2.0);
+  Series by_distance(study, "Plan" + at, "percent_of_side", "A*: grows with the distance", 0.5);
+  by_distance.allow(6.0);
   for (const std::size_t percent : sizes(study, {10, 20, 40, 60, 80}, 20, 80))
     by_distance.add(static_cast<double>(percent), [name, percent](benchmark::State& state) {
       time_queries(state, shared_planner(name), requests_at(name, 0.01 * static_cast<double>(percent)));

@@ -117,6 +117,7 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
 
 void add(Study study) {
   const std::size_t queries = study == Study::kFull ? 50 : 20;
+  const std::size_t ablated = study == Study::kFull ? 50 : study == Study::kQuick ? 10 : 3;  // by seven variants
   const std::size_t obstacles = study == Study::kCheck ? 32 : 316;
   const std::pair<const char*, Heuristic> heuristics[] = {{"travel_time", Heuristic::kTravelTime},
                                                           {"paper_distance", Heuristic::kPaperDistance},
@@ -136,7 +137,7 @@ void add(Study study) {
       const std::vector<Variant> all = variants(shared_world(world));
       for (std::size_t v = 0; v < all.size(); ++v)
         add_benchmark("Ablation/" + label + "/" + all[v].name,
-                      [world, v, queries](benchmark::State& state) { time_variant(state, world, v, queries); })
+                      [world, v, ablated](benchmark::State& state) { time_variant(state, world, v, ablated); })
             ->Iterations(1)
             ->Repetitions(1);
     }
