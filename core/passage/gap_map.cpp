@@ -15,8 +15,10 @@
 namespace arcway {
 namespace {
 
-// A third edge has to come into a gap's circle by more than distances are rounded.
+// A third edge has to come into a gap's circle by more than distances are rounded, else each of two edges that follow
+// each other may divide the other's gap: by a share of the radius, and of the largest coordinate.
 constexpr double kInside = 1.0 - 1e-6;
+constexpr double kRounding = 0x1p-48;
 
 Box around(const LineSegment& s, double margin) {
   const Vec2 growth = Vec2::Constant(margin);
@@ -28,8 +30,9 @@ bool follow_each_other(const World& world, VertexId a, VertexId b) { return worl
 // Whether a third edge comes into the circle that has the gap for a diameter.
 bool is_divided(const World& world, const BoxTree& edges, const Gap& gap) {
   const Vec2 middle = 0.5 * (gap.on_a + gap.on_b);
-  const double radius = 0.5 * gap.width * kInside;
-  if (radius == 0.0) return false;
+  const double largest = world.box().min.cwiseAbs().cwiseMax(world.box().max.cwiseAbs()).maxCoeff();
+  const double radius = 0.5 * gap.width * kInside - kRounding * largest;
+  if (!(radius > 0.0)) return false;
   return !edges.visit_overlaps(around({middle, middle}, radius), [&](VertexId e) {
     return e == gap.edge_a || e == gap.edge_b || !(distance(middle, world.edges()[e]) < radius);
   });
