@@ -556,7 +556,7 @@ struct FeasibleGraph::Data {
   std::vector<std::uint64_t> link_starts{0};
   std::vector<LinkCounts> link_counts;
   std::vector<std::uint8_t> known_headings, known_rows;  // by circle, after a change: whether they are in those
-  SlotCache<Incoming> incoming{1};  // once asked for
+  SlotCache<Incoming> incoming{1};                       // once asked for
 
   SlotCache<HeadingSet> lazy_headings;  // if lazy, all others
   SlotCache<LazyRow> lazy_rows;
