@@ -7,6 +7,7 @@
 
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
+#include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
 namespace arcway {
@@ -14,9 +15,7 @@ namespace {
 
 using test::expect_valid;
 
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
-}
+using test::box;
 
 // y where a path crosses x for the first time.
 double height_at(const Path& path, double x) {

@@ -11,14 +11,13 @@
 #include "core/planner.h"
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
+#include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
 namespace arcway {
 namespace {
 
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
-}
+using test::box;
 
 // Two rooms and a door.
 World rooms(double door) { return World({box(14, 0, 15, 10), box(14, 10 + door, 15, 30)}, box(0, 0, 30, 30).outer); }

@@ -11,6 +11,7 @@
 #include "core/planner.h"
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
+#include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
 namespace arcway {
@@ -18,9 +19,7 @@ namespace {
 
 using test::expect_valid;
 
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
-}
+using test::box;
 
 double cost_of(const PlanResult& result, double cusp_cost) {
   return result.travel_time + cusp_cost * static_cast<double>(cusps_of(result.path()));

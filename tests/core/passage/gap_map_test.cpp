@@ -12,6 +12,7 @@
 #include "core/geometry/distance.h"
 #include "core/query/query_set.h"
 #include "datasets/clutter.h"
+#include "tests/support/boxes.h"
 #include "tests/support/nasty_worlds.h"
 
 namespace arcway {
@@ -19,9 +20,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
-}
+using test::box;
 
 double clearance(const World& world, const Vec2& p) {
   double least = kInfinity;

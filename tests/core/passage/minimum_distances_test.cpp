@@ -6,14 +6,14 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tests/support/boxes.h"
+
 namespace arcway {
 namespace {
 
 using Ids = std::vector<ObstacleId>;
 
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
-}
+using test::box;
 
 // A path to the right and then up: the bisector at (10, 0) runs from the lower right to the upper left.
 const std::vector<Vec2> kCorner = {{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}};

@@ -8,15 +8,14 @@
 #include <random>
 
 #include "core/path/validation.h"
+#include "tests/support/boxes.h"
 
 namespace arcway {
 namespace {
 
 const Footprint kBody{1.4, 0.1, 0.4};
 
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
-}
+using test::box;
 
 TEST(Clearance, EmptyWorld) {
   const Clearance clearance = clearance_along({{}, 5.0, 0.0}, kBody, World({}));

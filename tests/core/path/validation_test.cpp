@@ -9,6 +9,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "tests/support/boxes.h"
+
 namespace arcway {
 namespace {
 
@@ -16,9 +18,7 @@ namespace {
 const Vehicle kVehicle;
 constexpr double kRadius = 2.0;
 
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
-}
+using test::box;
 
 Path straight(double length = 10.0) { return {{{0.0, 0.0, 0.0}, length, 0.0}}; }
 Path half_circle() { return {{{0.0, 0.0, 0.0}, kRadius * std::numbers::pi, 1.0 / kRadius}}; }

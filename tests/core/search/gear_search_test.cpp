@@ -7,14 +7,13 @@
 #include "core/path/speed_profile.h"
 #include "core/path/validation.h"
 #include "core/query/query_set.h"
+#include "tests/support/boxes.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {
 namespace {
 
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, {}};
-}
+using test::box;
 
 // A gap of a length between two boxes along the edge y = 0, a wall behind it. The paper's robot is 1.5 x 0.8 m.
 World parking_gap(double length) {

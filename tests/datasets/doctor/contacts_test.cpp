@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "core/geometry/predicates.h"
+#include "tests/support/boxes.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {
 namespace {
 
-Polygon box(double left, double bottom, double right, double top) {
-  return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, {}};
-}
+using test::box;
 
 // "none", "touching", ... of two polygons; the answer for the swapped pair must be the mirrored one.
 std::string relation(const Polygon& a, const Polygon& b) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/world.h"
+
+namespace arcway::test {
+
+/// An upright rectangle without holes.
+inline Polygon box(double left, double bottom, double right, double top) {
+  return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, {}};
+}
+
+}  // namespace arcway::test
