@@ -237,13 +237,12 @@ struct Planner::Data {
                        rounded_text(result.bottleneck->needed_to_turn) + " m";
   }
 
-  // "obstacle 17" or "the bounds": the region around the pose, else the one nearest to it.
+  // The region around the pose, else the one nearest to it.
   [[nodiscard]] std::string nearest_region(const Pose& pose) const {
     const ObstacleId inside = map.queries.distance->containing(pose.position());
     const VertexId edge = map.queries.distance->closest(pose.position()).edge;
     if (inside == kNone && edge == kNone) return "nothing";
-    const ObstacleId region = inside != kNone ? inside : map.world.obstacle_of(edge);
-    return region == map.world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region);
+    return region_text(map.world, inside != kNone ? inside : map.world.obstacle_of(edge));
   }
 
   Stopwatch watch;

@@ -19,6 +19,10 @@ Vec2 middle_of(const Footprint& body, const Pose& pose) {
 
 }  // namespace
 
+std::string region_text(const World& world, ObstacleId region) {
+  return region == world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region);
+}
+
 std::string rounded_text(double metres) {
   char text[400];  // the largest double has 309 digits
   std::string out(text, std::to_chars(text, text + sizeof text, metres, std::chars_format::fixed, 3).ptr);
@@ -28,10 +32,7 @@ std::string rounded_text(double metres) {
 }
 
 std::string Bottleneck::text(const World& world) const {
-  const auto name = [&](ObstacleId o) {
-    return o == world.obstacle_count() ? std::string("the bounds") : "obstacle " + std::to_string(o);
-  };
-  const std::string a = name(obstacle_a), b = name(obstacle_b);
+  const std::string a = region_text(world, obstacle_a), b = region_text(world, obstacle_b);
   if (width == 0.0)
     return obstacle_a == obstacle_b ? a + " lies all around start or goal, or meets itself at " + text_of(on_a)
                                     : a + " and " + b + " meet at " + text_of(on_a) + " and leave no way";

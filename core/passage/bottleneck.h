@@ -25,6 +25,8 @@ struct Bottleneck {
   [[nodiscard]] std::string text(const World& world) const;
 };
 
+/// "obstacle 17" or "the bounds".
+std::string region_text(const World& world, ObstacleId region);
 /// A length as people read it: to a millimetre, without trailing zeros.
 std::string rounded_text(double metres);
 
