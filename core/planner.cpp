@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "core/search/find_reversing_path.h"
 #include "core/search/search_map.h"
 #include "core/search/workspace_pool.h"
+#include "core/shortest_text.h"
 
 namespace arcway {
 
@@ -47,19 +47,10 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::string text_of(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-std::string text_of(const Pose& pose) {
-  return "(" + text_of(pose.x) + ", " + text_of(pose.y) + ", " + text_of(pose.heading) + ")";
-}
-
 void require_pose(const char* name, const Pose& pose) {
   for (const double value : {pose.x, pose.y, pose.heading})
     if (!(std::abs(value) <= kLargestPoseCoordinate))
-      throw std::invalid_argument(std::string(name) + " pose " + text_of(pose) + ": " + text_of(value) +
+      throw std::invalid_argument(std::string(name) + " pose " + shortest_text(pose) + ": " + shortest_text(value) +
                                   " is not finite or beyond 1e9");
 }
 
@@ -69,8 +60,9 @@ std::vector<double> checked_radii(const World& world, const Vehicle& vehicle, st
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
   for (const double radius : radii)
     if (!std::isfinite(radius) || radius < vehicle.min_turning_radius())
-      throw std::invalid_argument("radius " + text_of(radius) + " is below the vehicle's smallest turning radius, " +
-                                  text_of(vehicle.min_turning_radius()));
+      throw std::invalid_argument("radius " + shortest_text(radius) +
+                                  " is below the vehicle's smallest turning radius, " +
+                                  shortest_text(vehicle.min_turning_radius()));
   return radii;
 }
 
@@ -79,9 +71,10 @@ void require_margin(const World& world, const Vehicle& vehicle) {
   const double largest = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
   const double needed = kMarginUnits * (std::nextafter(largest, INFINITY) - largest);
   if (vehicle.safety_margin() < needed)
-    throw std::invalid_argument("safety margin " + text_of(vehicle.safety_margin()) +
-                                " m is too small for coordinates up to " + text_of(largest) +
-                                ": doubles need at least " + text_of(needed) + " m there; move the map to the origin");
+    throw std::invalid_argument("safety margin " + shortest_text(vehicle.safety_margin()) +
+                                " m is too small for coordinates up to " + shortest_text(largest) +
+                                ": doubles need at least " + shortest_text(needed) +
+                                " m there; move the map to the origin");
 }
 
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
@@ -140,7 +133,7 @@ struct Planner::Data {
       result.status = start ? PlanStatus::kStartInCollision : PlanStatus::kGoalInCollision;
     }
     result.reason =
-        std::string(start ? "the start " : "the goal ") + text_of(pose) +
+        std::string(start ? "the start " : "the goal ") + shortest_text(pose) +
         (out ? " lies outside the bounds"
              : ": the body, grown by half of the safety margin, collides; nearest is " + nearest_region(pose));
     return false;
@@ -201,7 +194,7 @@ struct Planner::Data {
       const bool cancelled = limits.stop.stop_requested();
       result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
       result.reason = cancelled ? "the search was cancelled before it found a path"
-                                : "no path was found within the time limit of " + text_of(limits.time) + " s";
+                                : "no path was found within the time limit of " + shortest_text(limits.time) + " s";
       result.bottleneck.reset();
       return;
     }
@@ -213,11 +206,11 @@ struct Planner::Data {
     }
     if (found.obstruction == Obstruction::kStart) {
       result.status = PlanStatus::kStartBlocked;
-      result.reason = "the start " + text_of(result.start) + hemmed_in + "from it to the graph; nearest is " +
+      result.reason = "the start " + shortest_text(result.start) + hemmed_in + "from it to the graph; nearest is " +
                       nearest_region(result.start);
     } else if (found.obstruction == Obstruction::kGoal) {
       result.status = PlanStatus::kGoalBlocked;
-      result.reason = "the goal " + text_of(result.goal) + hemmed_in + "from the graph to it; nearest is " +
+      result.reason = "the goal " + shortest_text(result.goal) + hemmed_in + "from the graph to it; nearest is " +
                       nearest_region(result.goal);
     } else {
       result.status = PlanStatus::kNoPath;
@@ -385,7 +378,7 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   require_pose("goal", request.goal);
   if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
   if (!(request.cusp_cost >= 0.0 && std::isfinite(request.cusp_cost)))
-    throw std::invalid_argument("cusp cost: " + text_of(request.cusp_cost) + " s, must be finite and >= 0");
+    throw std::invalid_argument("cusp cost: " + shortest_text(request.cusp_cost) + " s, must be finite and >= 0");
   const Stopwatch total;
   const auto deadline = deadline_of(limits);
   const Data& d = *data_;

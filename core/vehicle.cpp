@@ -1,26 +1,20 @@
 #include "core/vehicle.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "core/shortest_text.h"
+
 namespace arcway {
 namespace {
 
-std::string text_of(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
-
 void require(bool holds, std::string_view name, double value, std::string_view limit) {
   if (holds) return;
-  throw std::invalid_argument("vehicle: " + std::string(name) + " is " + text_of(value) + ", must be " +
+  throw std::invalid_argument("vehicle: " + std::string(name) + " is " + shortest_text(value) + ", must be " +
                               std::string(limit));
 }
 
@@ -40,7 +34,8 @@ void check(const TurnSpeedTable& law) {
   for (std::size_t i = 0; i < law.entries.size(); ++i) {
     const auto& [radius, speed] = law.entries[i];
     const std::string entry = "turn_speed.entries[" + std::to_string(i) + "]";
-    require(std::isfinite(radius) && radius > previous, entry + ".radius", radius, "finite and > " + text_of(previous));
+    require(std::isfinite(radius) && radius > previous, entry + ".radius", radius,
+            "finite and > " + shortest_text(previous));
     require_positive(speed, entry + ".speed");
     previous = radius;
   }

@@ -1,7 +1,6 @@
 #include "core/world.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "core/geometry/box_tree.h"
 #include "core/geometry/ray_parity.h"
+#include "core/shortest_text.h"
 
 namespace arcway {
 namespace {
@@ -18,28 +18,16 @@ namespace {
 constexpr std::size_t kScanVertices = 64;
 constexpr std::size_t kMaxVertices = 0x7FFFFFFF;
 
-// Shortest digits that give the same double, whatever the locale.
-std::string text(double x) {
-  char buffer[32];
-  const auto result = std::to_chars(buffer, buffer + sizeof(buffer), x);
-  return {buffer, result.ptr};
-}
-
-std::string text(const Vec2& p) {
-  std::string result = "(";
-  return result.append(text(p.x())).append(", ").append(text(p.y())).append(")");
-}
-
 // What is wrong with the coordinates of a vertex; empty if nothing is.
 std::string complaint_about(const Vec2& p) {
   for (const Eigen::Index axis : {0, 1}) {
     const double value = p[axis];
     const double magnitude = std::abs(value);
     if (value == 0.0 || (magnitude >= kMinMagnitude && magnitude <= kMaxMagnitude)) continue;
-    std::string what = (axis == 0 ? "x is " : "y is ") + (std::isnan(value) ? "nan" : text(value));
+    std::string what = (axis == 0 ? "x is " : "y is ") + (std::isnan(value) ? "nan" : shortest_text(value));
     if (std::isfinite(value)) {
-      what.append(", its magnitude must be 0 or from ").append(text(kMinMagnitude));
-      what.append(" to ").append(text(kMaxMagnitude));
+      what.append(", its magnitude must be 0 or from ").append(shortest_text(kMinMagnitude));
+      what.append(" to ").append(shortest_text(kMaxMagnitude));
     }
     return what;
   }
@@ -79,7 +67,7 @@ class Validator {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::size_t next = (i + 1) % ring.size();
       if (ring[i] == ring[next]) {
-        fail(vertex_text(index, next), "repeats vertex " + std::to_string(i) + " at " + text(ring[i]));
+        fail(vertex_text(index, next), "repeats vertex " + std::to_string(i) + " at " + shortest_text(ring[i]));
       }
     }
   }
@@ -96,11 +84,11 @@ class Validator {
     const char* verb = conflict->kind == RingConflict::Kind::kOverlap ? " overlap at " : " cross at ";
     if (conflict->ring_a == conflict->ring_b) {
       fail(ring_text(conflict->ring_a), "edges " + std::to_string(conflict->edge_a) + " and " +
-                                            std::to_string(conflict->edge_b) + verb + text(conflict->place));
+                                            std::to_string(conflict->edge_b) + verb + shortest_text(conflict->place));
     }
     fail("", "ring " + std::to_string(conflict->ring_a) + " edge " + std::to_string(conflict->edge_a) + " and ring " +
                  std::to_string(conflict->ring_b) + " edge " + std::to_string(conflict->edge_b) + verb +
-                 text(conflict->place));
+                 shortest_text(conflict->place));
   }
 
   // Rings that neither cross nor overlap lie entirely on one side of each other, so that one step
@@ -126,7 +114,7 @@ class Validator {
         return true;
       });
       if (!in_outer.inside()) {
-        fail(ring_text(h + 1), "the hole lies outside of its outer ring, vertex 0 at " + text(hole[0]));
+        fail(ring_text(h + 1), "the hole lies outside of its outer ring, vertex 0 at " + shortest_text(hole[0]));
       }
       hole_tree.visit_overlaps(hole_boxes[h], [&](std::uint32_t other) {
         if (other != h && starts_inside(hole, polygon_.holes[other])) {

@@ -1,13 +1,13 @@
 #include "datasets/clutter.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "core/shortest_text.h"
 #include "datasets/generators/layout.h"
 #include "datasets/random.h"
 
@@ -16,13 +16,9 @@ namespace {
 
 constexpr double kSlack = 1e-9;  // [m], so that rounding does not eat into the gap
 
-std::string text_of(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
 [[noreturn]] void refuse(const char* parameter, double value, const char* limit) {
-  throw std::invalid_argument(std::string("clutter: ") + parameter + " is " + text_of(value) + ", must be " + limit);
+  throw std::invalid_argument(std::string("clutter: ") + parameter + " is " + shortest_text(value) + ", must be " +
+                              limit);
 }
 
 void check(const ClutterParameters& p) {
@@ -162,9 +158,10 @@ std::vector<Ring> pack(Random& random, const ClutterParameters& p, double side, 
     }
     return rings;
   }
-  throw std::invalid_argument("clutter: cannot reach fill " + text_of(p.fill) + " with gap " + text_of(p.min_gap) +
-                              " m and radii from " + text_of(p.min_radius) + " to " + text_of(p.max_radius) +
-                              " m; reached " + text_of(best) + ": use larger radii or a smaller gap");
+  throw std::invalid_argument("clutter: cannot reach fill " + shortest_text(p.fill) + " with gap " +
+                              shortest_text(p.min_gap) + " m and radii from " + shortest_text(p.min_radius) + " to " +
+                              shortest_text(p.max_radius) + " m; reached " + shortest_text(best) +
+                              ": use larger radii or a smaller gap");
 }
 
 }  // namespace

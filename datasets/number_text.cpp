@@ -6,11 +6,6 @@
 
 namespace arcway {
 
-std::string shortest_text(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
 std::optional<double> read_number(std::string_view text) {
   const std::optional<double> value = take_number(text);
   return text.empty() ? value : std::nullopt;

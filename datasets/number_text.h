@@ -1,13 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace [[gnu::visibility("default")]] arcway {
-
-/// Shortest text that reads back to the same double, in any locale; "inf", "nan" if not finite.
-std::string shortest_text(double value);
 
 /// The whole text as a finite number, in any locale; a leading plus is taken, blanks are not.
 std::optional<double> read_number(std::string_view text);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "datasets/number_text.h"
+#include "core/shortest_text.h"
 
 namespace arcway {
 namespace {

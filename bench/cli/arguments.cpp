@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "core/geometry/angle.h"
+#include "core/shortest_text.h"
 #include "datasets/catalogue.h"
 #include "datasets/file_io.h"
 #include "datasets/number_text.h"

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "core/shortest_text.h"
 #include "datasets/doctor/doctor.h"
 #include "datasets/doctor/repair.h"
 #include "datasets/formats/geojson.h"
-#include "datasets/number_text.h"
 
 namespace arcway::cli {
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "core/shortest_text.h"
 #include "datasets/catalogue.h"
 #include "datasets/clutter.h"
 #include "datasets/formats/geojson.h"
-#include "datasets/number_text.h"
 #include "datasets/random_queries.h"
 
 namespace arcway::cli {

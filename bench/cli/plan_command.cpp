@@ -19,7 +19,7 @@
 #include "core/path/validation.h"
 #include "core/plan_batch.h"
 #include "core/planner.h"
-#include "datasets/number_text.h"
+#include "core/shortest_text.h"
 #include "datasets/plan_io.h"
 #include "datasets/robot.h"
 #include "datasets/svg.h"

@@ -1,11 +1,11 @@
 #include "core/path/speed_profile.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include "core/shortest_text.h"
 
 namespace arcway {
 namespace {
@@ -13,26 +13,20 @@ namespace {
 /// An end speed may miss what is reachable by rounding: it is then the reachable speed itself that was asked for.
 constexpr double kRounding = 1e-12;
 
-std::string text_of(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
-
 double reachable(double speed, double acceleration, double length) {
   return std::sqrt(speed * speed + 2.0 * acceleration * length);
 }
 
 void check_limit(const char* name, double speed, double limit) {
   if (speed >= 0.0 && speed <= limit) return;
-  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + text_of(speed) +
-                              " m/s, must be >= 0 and <= " + text_of(limit));
+  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + shortest_text(speed) +
+                              " m/s, must be >= 0 and <= " + shortest_text(limit));
 }
 
 void check_reached(const char* name, double speed, double bound) {
   if (speed <= bound * (1.0 + kRounding)) return;
-  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + text_of(speed) +
-                              " m/s, but the path is long enough for " + text_of(bound) + " only");
+  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + shortest_text(speed) +
+                              " m/s, but the path is long enough for " + shortest_text(bound) + " only");
 }
 
 }  // namespace

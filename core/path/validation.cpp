@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,18 +9,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/shortest_text.h"
+
 namespace arcway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShortestInterval = 1e-9;  ///< one that is not proved free by then is a collision [m]
 constexpr double kClearanceTolerance = 1e-6;
-
-std::string text_of(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
 
 /// An axis-parallel rectangle in a frame of the body.
 struct Rectangle {
@@ -349,7 +344,7 @@ class Validator {
     if (!is_finite(s.start) || !std::isfinite(s.length) || !std::isfinite(s.curvature)) {
       add(Violation::kNotFinite, i, 0.0, "the segment has a value that is not finite");
     } else if (s.length < 0.0) {
-      add(Violation::kNegativeLength, i, 0.0, "the length is " + text_of(s.length) + " m");
+      add(Violation::kNegativeLength, i, 0.0, "the length is " + shortest_text(s.length) + " m");
     } else if (!is_finite(s.end())) {
       add(Violation::kNotFinite, i, s.length, "the end pose has a value that is not finite");
     }
@@ -360,12 +355,13 @@ class Validator {
     const double gap = (is.position() - should.position()).norm();
     if (!(gap <= options_.position_tolerance)) {
       add(position, segment, arc_length,
-          what + " is " + text_of(gap) + " m off, allowed are " + text_of(options_.position_tolerance));
+          what + " is " + shortest_text(gap) + " m off, allowed are " + shortest_text(options_.position_tolerance));
     }
     const double turn = heading_difference(is.heading, should.heading);
     if (!(turn <= options_.heading_tolerance)) {
       add(heading, segment, arc_length,
-          what + " is turned by " + text_of(turn) + " rad, allowed are " + text_of(options_.heading_tolerance));
+          what + " is turned by " + shortest_text(turn) + " rad, allowed are " +
+              shortest_text(options_.heading_tolerance));
     }
   }
 
@@ -389,7 +385,7 @@ class Validator {
     const double limit = 1.0 / vehicle_.min_turning_radius();
     if (std::abs(s.curvature) > limit * (1.0 + options_.relative_tolerance)) {
       add(Violation::kCurvature, i, 0.0,
-          "the curvature is " + text_of(s.curvature) + " 1/m, the limit " + text_of(limit));
+          "the curvature is " + shortest_text(s.curvature) + " 1/m, the limit " + shortest_text(limit));
     }
     if (s.gear == Gear::kReverse && !options_.reverse) {
       add(Violation::kReverse, i, 0.0, "the segment is driven backwards, which is not allowed");
@@ -401,7 +397,7 @@ class Validator {
     const auto check = [&](std::size_t i, const PathSegment& segment) {
       for (const MotionCheck::Hit& hit : motion.check(segment)) {
         const bool bounds = world_.has_bounds() && hit.region == world_.obstacle_count();
-        const std::string place = " at " + text_of(hit.arc_length) + " m";
+        const std::string place = " at " + shortest_text(hit.arc_length) + " m";
         const std::string region = bounds ? "the bounds" : "obstacle " + std::to_string(hit.region);
         std::string message = "the body ";
         message += hit.edge != kNone ? "touches edge " + std::to_string(hit.edge) + " of "
@@ -446,7 +442,8 @@ class Validator {
     if (!s.is_line()) limit = backwards ? vehicle_.reverse_turn_speed(radius) : vehicle_.turn_speed(radius);
     for (const auto& [speed, at] : {std::pair(v1, 0.0), std::pair(v3, s.length)}) {
       if (speed >= 0.0 && speed <= limit * (1.0 + tolerance)) continue;
-      add(Violation::kSpeedLimit, i, at, "the speed is " + text_of(speed) + " m/s, the limit " + text_of(limit));
+      add(Violation::kSpeedLimit, i, at,
+          "the speed is " + shortest_text(speed) + " m/s, the limit " + shortest_text(limit));
     }
     check_speed_jump(i, 0.0, i == 0 ? 0.0 : path_.speed_out[i - 1], v1);
     if (i > 0 && s.gear != path_.segments[i - 1].gear) check_cusp(i, std::max(path_.speed_out[i - 1], v1));
@@ -456,8 +453,8 @@ class Validator {
     const double rounding = tolerance * tolerance * vehicle_.max_speed() * vehicle_.max_speed();
     if (change > 2.0 * a * s.length * (1.0 + tolerance) + rounding) {
       add(Violation::kAcceleration, i, 0.0,
-          "from " + text_of(v1) + " to " + text_of(v3) + " m/s within " + text_of(s.length) + " m takes " +
-              text_of(change / (2.0 * s.length)) + " m/s^2, the limit is " + text_of(a));
+          "from " + shortest_text(v1) + " to " + shortest_text(v3) + " m/s within " + shortest_text(s.length) +
+              " m takes " + shortest_text(change / (2.0 * s.length)) + " m/s^2, the limit is " + shortest_text(a));
       return;
     }
     // Up to the peak, along at it, down from it.
@@ -469,18 +466,19 @@ class Validator {
     const double slack = tolerance * fastest + 1e-12 * (1.0 + vehicle_.max_speed() / a);
     if (!(duration >= fastest - slack)) {
       add(Violation::kDuration, i, 0.0,
-          "the duration is " + text_of(duration) + " s, the shortest possible " + text_of(fastest));
+          "the duration is " + shortest_text(duration) + " s, the shortest possible " + shortest_text(fastest));
     }
   }
 
   void check_speed_jump(std::size_t i, double at, double before, double after) {
     if (std::abs(before - after) <= options_.relative_tolerance * std::max(1.0, std::abs(before))) return;
-    add(Violation::kSpeedJump, i, at, "the speed jumps from " + text_of(before) + " to " + text_of(after) + " m/s");
+    add(Violation::kSpeedJump, i, at,
+        "the speed jumps from " + shortest_text(before) + " to " + shortest_text(after) + " m/s");
   }
 
   void check_cusp(std::size_t i, double speed) {
     if (speed <= options_.relative_tolerance) return;
-    add(Violation::kCuspSpeed, i, 0.0, "the gear changes at " + text_of(speed) + " m/s");
+    add(Violation::kCuspSpeed, i, 0.0, "the gear changes at " + shortest_text(speed) + " m/s");
   }
 
   const World& world_;

@@ -1,4 +1,3 @@
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -7,6 +6,7 @@
 #include "core/query/distance_query.h"
 #include "core/query/sweep_query.h"
 #include "core/query/visibility_query.h"
+#include "core/shortest_text.h"
 
 // The public halves of the query interfaces: arguments are checked here, once for all implementations.
 namespace arcway {
@@ -22,9 +22,7 @@ void require_equal_sizes(std::size_t questions, std::size_t answers) {
 void require_coordinate(double value, std::size_t index) {
   const double magnitude = std::abs(value);
   if (magnitude <= kMaxMagnitude && (value == 0.0 || magnitude >= kMinMagnitude)) return;
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  throw std::invalid_argument("query " + std::to_string(index) + ": coordinate " + std::string(text, end) +
+  throw std::invalid_argument("query " + std::to_string(index) + ": coordinate " + shortest_text(value) +
                               " is not zero and not of magnitude 1e-100 to 1e100");
 }
 

@@ -7,9 +7,9 @@
 
 #include "core/geometry/polygon.h"
 #include "core/geometry/predicates.h"
+#include "core/shortest_text.h"
 #include "core/world.h"
 #include "datasets/doctor/contacts.h"
-#include "datasets/number_text.h"
 
 namespace arcway {
 namespace {
@@ -17,8 +17,6 @@ namespace {
 // Of a coordinate: where the default safety margin of 1 mm is no longer 2^20 units in the last place, which Planner
 // asks for.
 constexpr double kFar = 0x1p23;
-
-std::string text_of(const Vec2& p) { return "(" + shortest_text(p.x()) + ", " + shortest_text(p.y()) + ")"; }
 
 bool in_range(double x) {
   return x == 0.0 || (std::abs(x) >= kMinMagnitude && std::abs(x) <= kMaxMagnitude);  // not if NaN
@@ -72,7 +70,7 @@ class Examiner {
     const auto vertex = [&](std::size_t i) { return place + ", vertex " + std::to_string(i); };
     for (std::size_t i = 0; i < ring.size(); ++i) {
       if (in_range(ring[i].x()) && in_range(ring[i].y())) continue;
-      find(FindingKind::kOutOfRange, vertex(i), std::nullopt, "at " + text_of(ring[i]));
+      find(FindingKind::kOutOfRange, vertex(i), std::nullopt, "at " + shortest_text(ring[i]));
       return false;
     }
     for (const Vec2& p : ring) box_.extend(p);
@@ -177,7 +175,7 @@ class Examiner {
   void look_at_coordinates() {
     if (box_.empty()) return;
     const Vec2 extent = box_.max - box_.min;
-    const std::string from_to = "coordinates from " + text_of(box_.min) + " to " + text_of(box_.max);
+    const std::string from_to = "coordinates from " + shortest_text(box_.min) + " to " + shortest_text(box_.max);
     if (box_.min.x() >= -180.0 && box_.max.x() <= 180.0 && box_.min.y() >= -90.0 && box_.max.y() <= 90.0 &&
         extent.maxCoeff() < 1.0)
       find(FindingKind::kDegrees, "", box_.min, from_to);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/shortest_text.h"
 #include "datasets/file_io.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/number_text.h"

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/shortest_text.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"
-#include "datasets/number_text.h"
 
 namespace arcway {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/shortest_text.h"
 #include "datasets/formats/text_scanner.h"
-#include "datasets/number_text.h"
 
 namespace arcway {
 namespace {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/shortest_text.h"
 #include "datasets/grid/simplify.h"
 #include "datasets/grid/trace.h"
-#include "datasets/number_text.h"
 
 namespace arcway {
 

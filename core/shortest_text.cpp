@@ -1,0 +1,18 @@
+#include "core/shortest_text.h"
+
+#include <charconv>
+
+namespace arcway {
+
+std::string shortest_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string shortest_text(const Vec2& p) { return "(" + shortest_text(p.x()) + ", " + shortest_text(p.y()) + ")"; }
+
+std::string shortest_text(const Pose& pose) {
+  return "(" + shortest_text(pose.x) + ", " + shortest_text(pose.y) + ", " + shortest_text(pose.heading) + ")";
+}
+
+}  // namespace arcway
