@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/geometry/polygon.h"
+#include "core/tables.h"
+#include "core/world.h"
+
+/// What World demands of a map.
+namespace arcway {
+
+/// @param obstacles  their number, that of the bounds in the error.
+/// @throws WorldError if there are more vertices than ids.
+void require_vertex_count(std::size_t count, ObstacleId obstacles);
+
+/// @param id  the number of obstacles for the bounds.
+/// @throws WorldError as World says.
+void require_region(const Polygon& polygon, ObstacleId id, bool is_bounds);
+
+/// Everything that memory safety and the predicates rely on.
+/// @throws TableError if the tables are those of no world.
+void require_world(const WorldTables& tables);
+
+}  // namespace arcway
