@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/shortest_text.h"
+#include "datasets/markup_text.h"
 
 namespace arcway {
 namespace {
@@ -39,29 +40,6 @@ void append(std::string& out, const Vec2& p) {
   append(out, p.x());
   out += ' ';
   append(out, p.y());
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;  // control characters are not XML
-    }
-  }
-  return out;
 }
 
 // A group that Inkscape shows as a layer.

@@ -5,11 +5,9 @@
 #include <string_view>
 
 #include "bench/report/plot.h"
+#include "datasets/markup_text.h"
 
 namespace arcway::report {
-
-/// With the characters that mean something in HTML replaced.
-std::string escaped(std::string_view text);
 
 /// One number by a printf format.
 std::string number_text(const char* format, double value);
