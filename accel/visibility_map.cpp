@@ -169,7 +169,7 @@ struct VisibilityMap::Data {
     std::vector<VertexId> found;
     const std::span<const SightMap::Node> nodes = map.nodes();
     for (const std::uint32_t site : sites)
-      for (std::uint32_t n = map.first_node_at(site); n < nodes.size() && nodes[n].site == site; ++n)
+      for (std::uint32_t n = map.first_node_at(site); n != kNone; n = nodes[n].sibling)
         found.push_back(nodes[n].vertex);
     return found;
   }

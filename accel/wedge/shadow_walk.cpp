@@ -101,8 +101,7 @@ void ShadowWalk::follow_walls(const Box& place) {
 }
 
 void ShadowWalk::mark(std::uint32_t first_node) {
-  const std::span<const SightMap::Node> nodes = map_.nodes();
-  for (std::uint32_t n = first_node; n < nodes.size() && nodes[n].site == nodes[first_node].site; ++n) seen_[n] = 1;
+  for (std::uint32_t n = first_node; n != kNone; n = map_.nodes()[n].sibling) seen_[n] = 1;
 }
 
 bool ShadowWalk::meets(const std::uint32_t (&corners)[3], const Box& place) const {

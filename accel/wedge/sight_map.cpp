@@ -68,22 +68,38 @@ void SightMap::list_left_edges() {
 }
 
 void SightMap::lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles) {
-  const std::span<const VertexId> vertices = world_.convex_vertices();
-  // By site, then by tile.
-  std::vector<std::uint32_t> sites(vertices.size()), tile(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) sites[i] = map_.site_of[vertices[i]];
-  const std::vector<std::uint32_t> by_site = sorted_by_tile(sites, static_cast<std::uint32_t>(map_.sites.size()));
-  for (std::size_t i = 0; i < by_site.size(); ++i) tile[i] = tile_of_site[sites[by_site[i]]];
-  nodes_.reserve(vertices.size());
-  node_at_.assign(map_.sites.size(), kNone);
-  for (const std::uint32_t i : sorted_by_tile(tile, tiles)) {
-    const VertexId v = vertices[by_site[i]];
-    const VertexId previous = world_.previous(v), next = world_.next(v);
-    const std::uint32_t site = map_.site_of[v];
-    if (node_at_[site] == kNone) node_at_[site] = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({world_.vertex(v), world_.vertex(previous), world_.vertex(next), v, site, map_.site_of[previous],
-                      map_.site_of[next]});
+  const auto count = static_cast<VertexId>(world_.vertices().size());
+  std::vector<VertexId> leftmost;  // by ring
+  std::vector<std::uint32_t> tile;
+  std::vector<std::uint8_t> is_found(count, 0);
+  for (VertexId first = 0; first < count; ++first) {
+    if (is_found[first]) continue;
+    VertexId low = first;
+    for (VertexId v = first; !is_found[v]; v = world_.next(v)) {
+      is_found[v] = 1;
+      if (map_.site_of[v] < map_.site_of[low]) low = v;
+    }
+    leftmost.push_back(low);
+    tile.push_back(tile_of_site[map_.site_of[low]]);
   }
+  nodes_.reserve(world_.convex_vertices().size());
+  node_at_.assign(map_.sites.size(), kNone);
+  for (const std::uint32_t ring : sorted_by_tile(tile, tiles)) {
+    first_of_ring_.push_back(static_cast<std::uint32_t>(nodes_.size()));
+    VertexId previous = world_.previous(leftmost[ring]), v = leftmost[ring];
+    do {
+      const VertexId next = world_.next(v);
+      if (world_.is_convex(v) && !world_.is_covered(v)) {
+        const std::uint32_t site = map_.site_of[v];
+        nodes_.push_back({world_.vertex(v), world_.vertex(previous), world_.vertex(next), v, site,
+                          map_.site_of[previous], map_.site_of[next], node_at_[site], kNone, kNone, kNone, kNone});
+        node_at_[site] = static_cast<std::uint32_t>(nodes_.size() - 1);
+      }
+      previous = v;
+      v = next;
+    } while (v != leftmost[ring]);
+  }
+  first_of_ring_.push_back(static_cast<std::uint32_t>(nodes_.size()));
 }
 
 void SightMap::lay_out_doors(const Triangulation& t, std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles,
@@ -112,6 +128,7 @@ void SightMap::lay_out_doors(const Triangulation& t, std::span<const std::uint32
     }
   });
   find_fans(t, order);
+  find_plain_nodes();
 }
 
 void SightMap::find_fans(const Triangulation& t, std::span<const std::uint32_t> order) {
@@ -135,8 +152,10 @@ void SightMap::find_fans(const Triangulation& t, std::span<const std::uint32_t> 
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) missing += node_at_[nodes_[n].site] == n;
   each_half_edge([&](std::uint32_t h, std::uint32_t door) {
     if (t.twins[h] != kNone) return;
-    const std::uint32_t node = node_at_[t.corners[h]];
-    if (node != kNone) start_fan(h, door, node);
+    const std::uint32_t left = t.corners[h], right = t.corners[Triangulation::next(h)];
+    if (node_at_[left] != kNone) start_fan(h, door, node_at_[left]);
+    const std::uint32_t node = node_at_[right];
+    if (node != kNone && nodes_[node].next_site == left) nodes_[node].last_door = door;
   });
   if (missing > 0) {  // sites without walls
     each_half_edge([&](std::uint32_t h, std::uint32_t door) {
@@ -147,7 +166,7 @@ void SightMap::find_fans(const Triangulation& t, std::span<const std::uint32_t> 
 
   // Every node of a site has the fans of the site.
   const auto each_node_of = [&](const Start& start, const auto& visit) {
-    for (std::uint32_t n = start.node; n < nodes_.size() && nodes_[n].site == nodes_[start.node].site; ++n) visit(n);
+    for (std::uint32_t n = start.node; n != kNone; n = nodes_[n].sibling) visit(n);
   };
   first_fan_.assign(nodes_.size() + 1, 0);
   for (const Start& start : starts) each_node_of(start, [&](std::uint32_t n) { ++first_fan_[n + 1]; });
@@ -155,6 +174,26 @@ void SightMap::find_fans(const Triangulation& t, std::span<const std::uint32_t> 
   fans_.resize(first_fan_.back());
   std::vector<std::uint32_t> next(first_fan_.begin(), first_fan_.end() - 1);
   for (const Start& start : starts) each_node_of(start, [&](std::uint32_t n) { fans_[next[n]++] = start.fan; });
+}
+
+void SightMap::find_plain_nodes() {
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    Node& node = nodes_[n];
+    const bool is_alone = node_at_[node.site] == n && node.sibling == kNone && fans(n).size() == 1;
+    if (is_alone && node.last_door != kNone && fans(n)[0].first_site == node.previous_site) {
+      node.first_door = fans(n)[0].door;
+    } else {
+      node.last_door = kNone;
+    }
+  }
+  for (std::size_t ring = 0; ring + 1 < first_of_ring_.size(); ++ring) {
+    const std::uint32_t first = first_of_ring_[ring], end = first_of_ring_[ring + 1];
+    for (std::uint32_t n = first, previous = end - 1; n < end; previous = n++)
+      if (nodes_[n].is_plain() && nodes_[previous].is_plain() && nodes_[previous].next_site == nodes_[n].site) {
+        nodes_[n].before = previous;
+        nodes_[previous].after = n;
+      }
+  }
 }
 
 }  // namespace arcway

@@ -26,11 +26,21 @@ class SightMap {
     std::uint32_t node;   ///< first node at the apex, kNone if there is none
   };
 
-  /// A graph vertex, and what tangency at it needs. Those of one site follow each other.
+  /// A graph vertex, and what tangency at it needs. Nodes of one ring follow each other, counter-clockwise around the
+  /// obstacle from the ring's leftmost vertex.
+  ///
+  /// A node is *plain* if nothing but its ring meets its site: then the triangles around it are one fan, from its
+  /// previous edge to its next one.
   struct Node {
     Vec2 at, previous, next;
     VertexId vertex;
     std::uint32_t site, previous_site, next_site;
+    std::uint32_t sibling;     ///< the next node of the site, or kNone
+    std::uint32_t before;      ///< the node at the previous vertex if both are plain, or kNone
+    std::uint32_t after;       ///< the one at the next vertex
+    std::uint32_t first_door;  ///< if plain, the one through the previous edge, which has the site at its left end
+    std::uint32_t last_door;   ///< if plain, the one through the next edge, which has the site at its right end
+    [[nodiscard]] bool is_plain() const { return first_door != kNone; }
   };
 
   /// Triangles around a site, counter-clockwise from one wall to the next, or all around it if no wall ends there. Each
@@ -74,12 +84,13 @@ class SightMap {
   [[nodiscard]] bool is_blocked_by_broken(const LineSegment& segment) const;
 
  private:
-  /// Nodes and doors in the order of the tiles of their sites.
+  /// Rings in the order of the tiles of their leftmost sites, doors of those of their triangles.
   void lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles);
   void lay_out_doors(const Triangulation& triangulation, std::span<const std::uint32_t> tile_of_site,
                      std::uint32_t tiles, const Executor& executor);
   /// @param order  triangles in the order of their doors.
   void find_fans(const Triangulation& triangulation, std::span<const std::uint32_t> order);
+  void find_plain_nodes();
 
   World world_;
   PlanarMap map_;
@@ -87,7 +98,8 @@ class SightMap {
   std::unique_ptr<Door[]> doors_;  // not a vector, which would fill it first
   std::size_t door_count_ = 0;
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> node_at_;  // by site
+  std::vector<std::uint32_t> first_of_ring_;  // nodes; one more than rings
+  std::vector<std::uint32_t> node_at_;        // by site
   std::vector<Fan> fans_;
   std::vector<std::uint32_t> first_fan_;                     // by node
   std::vector<std::uint32_t> left_edges_, first_left_edge_;  // by site

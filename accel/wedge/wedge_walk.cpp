@@ -33,94 +33,140 @@ bool is_tangent(const SightMap::Node& node, const Vec2& from) {
 
 }  // namespace
 
-// +1 if the site, at (x, y) from the source, lies to the left of the direction.
-inline int WedgeWalk::side(const Limit& limit, double x, double y, std::uint32_t site) const {
-  const int sign = filtered_sign(limit.x, limit.y, x, y);
-  return sign != 0 ? sign : exact_side(limit.id, site);
+WedgeWalk::WedgeWalk(const SightMap& map) : map_(map), sure_(0.0) {
+  if (map.sites().empty()) return;
+  const Vec2 size = map.sites().back() - map.sites().front();  // of the frame
+  sure_ = 0x1p-50 * size.x() * size.y();                       // above the filter's bound for any of them
+}
+
+inline WedgeWalk::Limit WedgeWalk::limit(Kind kind, std::uint32_t from, std::uint32_t site, const Vec2& at) const {
+  const Vec2& origin = node(from).at;
+  Vec2 direction = at - origin;
+  if (kind == Kind::kAway) direction = -direction;
+  return {origin, direction, from, site | static_cast<std::uint32_t>(kind) << kSiteBits};
+}
+
+WedgeWalk::Limit WedgeWalk::straight(Kind kind, std::uint32_t from) const {
+  return {node(from).at, {0.0, kind == Kind::kUp ? 1.0 : -1.0}, from, static_cast<std::uint32_t>(kind) << kSiteBits};
+}
+
+// +1 if the site, at p, lies to the left of the limit's ray.
+inline int WedgeWalk::side(const Limit& limit, const Vec2& p, std::uint32_t site) const {
+  const double determinant =
+      limit.direction.x() * (p.y() - limit.origin.y()) - limit.direction.y() * (p.x() - limit.origin.x());
+  if (determinant > sure_) return 1;
+  if (determinant < -sure_) return -1;
+  return exact_side(limit, site);
+}
+
+int WedgeWalk::exact_side(const Limit& limit, std::uint32_t site) const {
+  const Node& source = node(limit.from);
+  const auto turn = [&] {
+    return limit.site() == site ? 0 : orientation(source.at, map_.sites()[limit.site()], map_.sites()[site]);
+  };
+  switch (limit.kind()) {
+    case Kind::kMet:
+    case Kind::kToward:
+      return turn();
+    case Kind::kAway:
+      return -turn();
+    case Kind::kDown:
+      return site > source.site ? 1 : -1;
+    case Kind::kUp:
+      return site > source.site ? -1 : 1;
+  }
+  return 0;
 }
 
 // Directions are tangent from the previous vertex's counter-clockwise to the opposite of the next one's, and from the
 // opposite of the previous one's to the next one's.
 void WedgeWalk::look_around(std::uint32_t index) {
-  using Kind = WedgeLimit::Kind;
-  source_ = &map_.nodes()[index];
-  const Node& node = *source_;
-  follow_edges_right();
-  follow_edges_left();
-  const Vec2 to_previous = node.previous - node.at, to_next = node.next - node.at;
-  wedge_low_ = {to_previous, node.previous_site, Kind::kToward};
-  wedge_high_ = {-to_next, node.next_site, Kind::kAway};
-  look_through_wedge(index);
-  wedge_low_ = {-to_previous, node.previous_site, Kind::kAway};
-  wedge_high_ = {to_next, node.next_site, Kind::kToward};
-  look_through_wedge(index);
+  const Node& source = map_.nodes()[index];
+  follow_edges_right(source);
+  follow_edges_left(source);
+  look_through_wedge(index, limit(Kind::kToward, index, source.previous_site, source.previous),
+                     limit(Kind::kAway, index, source.next_site, source.next));
+  look_through_wedge(index, limit(Kind::kAway, index, source.previous_site, source.previous),
+                     limit(Kind::kToward, index, source.next_site, source.next));
 }
 
 void WedgeWalk::look_right(std::uint32_t index) {
-  using Kind = WedgeLimit::Kind;
-  source_ = &map_.nodes()[index];
-  const Node& node = *source_;
-  follow_edges_right();
-  const auto look = [&](const WedgeLimit& low, const WedgeLimit& high) {
+  alias_ = kNone;
+  const Node& source = map_.nodes()[index];
+  follow_edges_right(source);
+  const bool from_left = source.previous_site < source.site, to_left = source.next_site < source.site;
+  if (!source.is_plain()) {
+    look_right_from(index);
+    return;
+  }
+  // Unless it is within a run, or its rays lead left.
+  if (from_left ? source.before == kNone : !to_left) look_from_run<Hand::kLeft>(index);
+  if (to_left ? source.after == kNone : !from_left) look_from_run<Hand::kRight>(index);
+}
+
+void WedgeWalk::look_right_from(std::uint32_t index) {
+  const Node& source = node(index);
+  const auto leads_right = [&](const Limit& limit) {
+    return (limit.kind() == Kind::kToward) == (limit.site() > source.site);
+  };
+  const auto look = [&](const Limit& low, const Limit& high) {
     const bool low_is_right = leads_right(low), high_is_right = leads_right(high);
     if (!low_is_right && !high_is_right) return;
-    wedge_low_ = low_is_right ? low : WedgeLimit{{0.0, -1.0}, kNone, Kind::kDown};
-    wedge_high_ = high_is_right ? high : WedgeLimit{{0.0, 1.0}, kNone, Kind::kUp};
-    look_through_wedge(index);
+    look_through_wedge(index, low_is_right ? low : straight(Kind::kDown, index),
+                       high_is_right ? high : straight(Kind::kUp, index));
   };
-  const Vec2 to_previous = node.previous - node.at, to_next = node.next - node.at;
-  look({to_previous, node.previous_site, Kind::kToward}, {-to_next, node.next_site, Kind::kAway});
-  look({-to_previous, node.previous_site, Kind::kAway}, {to_next, node.next_site, Kind::kToward});
+  look(limit(Kind::kToward, index, source.previous_site, source.previous),
+       limit(Kind::kAway, index, source.next_site, source.next));
+  look(limit(Kind::kAway, index, source.previous_site, source.previous),
+       limit(Kind::kToward, index, source.next_site, source.next));
 }
 
 // Along walls that leave the source, straight on to the first site with a node.
-void WedgeWalk::follow_edges_right() {
-  for (const PlanarMap::Edge& first : map_.edges_from(source_->site)) {
+void WedgeWalk::follow_edges_right(const Node& source) {
+  for (const PlanarMap::Edge& first : map_.edges_from(source.site)) {
     const PlanarMap::Edge* edge = &first;
     while (edge && !map_.is_covered(*edge) && map_.first_node_at(edge->high) == kNone) {
       const PlanarMap::Edge* straight_on = nullptr;
       for (const PlanarMap::Edge& next : map_.edges_from(edge->high))
-        if (orientation(source_->at, map_.sites()[edge->high], map_.sites()[next.high]) == 0) straight_on = &next;
+        if (orientation(source.at, map_.sites()[edge->high], map_.sites()[next.high]) == 0) straight_on = &next;
       edge = straight_on;
     }
-    if (edge && !map_.is_covered(*edge)) report_along_wall(first.high, edge->low, edge->high);
+    if (edge && !map_.is_covered(*edge)) report_along_wall(source, first.high, edge->low, edge->high);
   }
 }
 
-void WedgeWalk::follow_edges_left() {
-  for (const std::uint32_t first : map_.edges_to(source_->site)) {
+void WedgeWalk::follow_edges_left(const Node& source) {
+  for (const std::uint32_t first : map_.edges_to(source.site)) {
     const PlanarMap::Edge* edge = &map_.edge(first);
     while (edge && !map_.is_covered(*edge) && map_.first_node_at(edge->low) == kNone) {
       const PlanarMap::Edge* straight_on = nullptr;
       for (const std::uint32_t next : map_.edges_to(edge->low))
-        if (orientation(source_->at, map_.sites()[edge->low], map_.sites()[map_.edge(next).low]) == 0)
+        if (orientation(source.at, map_.sites()[edge->low], map_.sites()[map_.edge(next).low]) == 0)
           straight_on = &map_.edge(next);
       edge = straight_on;
     }
-    if (edge && !map_.is_covered(*edge)) report_along_wall(map_.edge(first).low, edge->high, edge->low);
+    if (edge && !map_.is_covered(*edge)) report_along_wall(source, map_.edge(first).low, edge->high, edge->low);
   }
 }
 
-void WedgeWalk::report_along_wall(std::uint32_t first, std::uint32_t before_end, std::uint32_t end) {
+void WedgeWalk::report_along_wall(const Node& source, std::uint32_t first, std::uint32_t before_end,
+                                  std::uint32_t end) {
   const std::span<const Node> nodes = map_.nodes();
-  const bool along_own = first == source_->previous_site || first == source_->next_site;
-  for (std::uint32_t n = map_.first_node_at(end); n < nodes.size() && nodes[n].site == end; ++n) {
+  const bool along_own = first == source.previous_site || first == source.next_site;
+  for (std::uint32_t n = map_.first_node_at(end); n != kNone; n = nodes[n].sibling) {
     const bool along_its = before_end == nodes[n].previous_site || before_end == nodes[n].next_site;
-    if ((along_own || is_tangent(*source_, nodes[n].at)) && (along_its || is_tangent(nodes[n], source_->at)))
-      add(nodes[n]);
+    if ((along_own || is_tangent(source, nodes[n].at)) && (along_its || is_tangent(nodes[n], source.at)))
+      add(source, nodes[n]);
   }
 }
 
-void WedgeWalk::look_through_wedge(std::uint32_t index) {
+void WedgeWalk::look_through_wedge(std::uint32_t index, const Limit& wedge_low, const Limit& wedge_high) {
   struct Spoke {
-    Limit direction;
+    Limit ray;
     int low, high;  // sides of the wedge's limits
   };
-  const Limit wedge_low{wedge_low_.direction.x(), wedge_low_.direction.y(), kWedgeLow};
-  const Limit wedge_high{wedge_high_.direction.x(), wedge_high_.direction.y(), kWedgeHigh};
   const auto spoke_to = [&](std::uint32_t site, const Vec2& at) {
-    const double x = at.x() - source_->at.x(), y = at.y() - source_->at.y();
-    return Spoke{{x, y, site}, side(wedge_low, x, y, site), side(wedge_high, x, y, site)};
+    return Spoke{limit(Kind::kMet, index, site, at), side(wedge_low, at, site), side(wedge_high, at, site)};
   };
   for (const SightMap::Fan& fan : map_.fans(index)) {
     Spoke from = spoke_to(fan.first_site, map_.sites()[fan.first_site]);
@@ -132,37 +178,119 @@ void WedgeWalk::look_through_wedge(std::uint32_t index) {
       const bool to_inside = to.low >= 0 && to.high <= 0;
       const bool low_between = from.low <= 0 && to.low > 0;
       if (triangle.right != kNone && (from_inside || low_between))
-        walk(triangle.right, from_inside ? from.direction : wedge_low, to_inside ? to.direction : wedge_high);
+        walk(triangle.right, from_inside ? from.ray : wedge_low, to_inside ? to.ray : wedge_high);
       const bool is_diagonal = triangle.left != kNone;
-      if (is_diagonal && to_inside && triangle.node != kNone) report(triangle.node);
+      if (is_diagonal && to_inside && triangle.node != kNone) report(node(index), triangle.node);
       from = to;
       door = triangle.left;
     } while (door != kNone && door != fan.door);
   }
 }
 
+// Around the obstacle from node to node, and in the triangles around each from spoke to spoke: all rays of the run
+// beyond the near limit pass the current spoke, or begin at the current node behind it.
+template <WedgeWalk::Hand kHand>
+void WedgeWalk::look_from_run(std::uint32_t first) {
+  constexpr bool kLeft = kHand == Hand::kLeft;
+  constexpr Kind kStart = kLeft ? Kind::kDown : Kind::kUp, kEnd = kLeft ? Kind::kUp : Kind::kDown;
+  const SightMap::Door* const doors = map_.doors().data();
+  const auto onward = [&](std::uint32_t door) { return kLeft ? doors[door].left : doors[door].right; };
+  const auto outward = [&](std::uint32_t door) { return kLeft ? doors[door].right : doors[door].left; };
+  const auto look_out = [&](std::uint32_t door, const Limit& near, const Limit& far) {
+    if (door != kNone) walk(door, kLeft ? near : far, kLeft ? far : near);
+  };
+
+  hand_ = kHand;
+  alias_ = kNone;
+  std::uint32_t place = first;
+  if (!kLeft && map_.nodes()[first].before != kNone && map_.nodes()[first].before > first) {
+    alias_ = place = map_.nodes()[first].before + 1;
+    alias_of_ = first;
+  }
+  const Node* source = &node(place);
+  std::uint32_t door = kLeft ? source->first_door : source->last_door;
+  Limit near = straight(kStart, place);
+  const std::uint32_t behind = kLeft ? source->previous_site : source->next_site;
+  if (behind < source->site) {
+    near = limit(Kind::kAway, place, behind, kLeft ? source->previous : source->next);
+  } else {
+    while (doors[door].site > source->site) door = onward(door);
+  }
+  while (true) {
+    ++steps_;
+    const SightMap::Door& triangle = doors[door];
+    if (onward(door) == kNone) {
+      const std::uint32_t ahead = kLeft ? source->next_site : source->previous_site;
+      if (ahead > source->site && (kLeft ? source->after : source->before) != kNone) {
+        place = kLeft ? place + 1 : place - 1;
+        source = &node(place);
+        door = outward(door);
+        continue;
+      }
+      const Limit edge = limit(Kind::kMet, place, triangle.site, triangle.apex);
+      look_out(outward(door), near, ahead > source->site ? edge : straight(kEnd, place));
+      return;
+    }
+    const int near_side = (kLeft ? 1 : -1) * side(near, triangle.apex, triangle.site);
+    if (near_side >= 0) {
+      const std::uint32_t from =
+          kLeft ? touch(near.from, place, triangle.apex) : touch(place, near.from, triangle.apex);
+      if (from == place && triangle.site < source->site) {
+        look_out(outward(door), near, straight(kEnd, place));
+        return;
+      }
+      if (triangle.node != kNone && (near_side > 0 || is_closed(near))) report(node(from), triangle.node);
+      const Limit middle = limit(Kind::kMet, from, triangle.site, triangle.apex);
+      if (near_side > 0) look_out(outward(door), near, middle);
+      near = middle;
+    }
+    door = onward(door);
+  }
+}
+
+// The place in [low, high] from which the run's tangent ray passes p, which none of the others hides.
+std::uint32_t WedgeWalk::touch(std::uint32_t low, std::uint32_t high, const Vec2& p) const {
+  while (low < high) {
+    if (hand_ == Hand::kLeft) {
+      const std::uint32_t middle = high - (high - low) / 2;
+      if (orientation(node(middle).previous, node(middle).at, p) >= 0) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    } else {
+      const std::uint32_t middle = low + (high - low) / 2;
+      if (orientation(node(middle).next, node(middle).at, p) <= 0) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+  }
+  return low;
+}
+
 void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
   const SightMap::Door* const doors = map_.doors().data();
-  const double source_x = source_->at.x(), source_y = source_->at.y();
   std::uint64_t steps = 0;
   while (true) {
     ++steps;
     const SightMap::Door& triangle = doors[door];
     prefetch(doors + triangle.left);
     prefetch(doors + triangle.right);
-    const double x = triangle.apex.x() - source_x, y = triangle.apex.y() - source_y;
-    const int low_side = side(low, x, y, triangle.site);
+    const int low_side = side(low, triangle.apex, triangle.site);
     if (low_side < 0) {
       door = triangle.left;
     } else {
-      const int high_side = side(high, x, y, triangle.site);
+      const int high_side = side(high, triangle.apex, triangle.site);
       if (high_side > 0) {
         door = triangle.right;
       } else {
+        const std::uint32_t from = touch(low.from, high.from, triangle.apex);
         const bool in_range = (low_side > 0 || is_closed(low)) && (high_side < 0 || is_closed(high));
-        if (in_range && triangle.node != kNone) report(triangle.node);
+        if (in_range && triangle.node != kNone) report(node(from), triangle.node);
         // A range from a limit to itself is empty.
-        const Limit middle{x, y, triangle.site};
+        const Limit middle = limit(Kind::kMet, from, triangle.site, triangle.apex);
         const bool look_left = high_side < 0 && triangle.left != kNone;
         const bool look_right = low_side > 0 && triangle.right != kNone;
         if (look_left && look_right) stack_.push_back({triangle.right, low, middle});
@@ -186,41 +314,17 @@ void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
   steps_ += steps;
 }
 
-void WedgeWalk::report(std::uint32_t first_node) {
-  const std::span<const Node> nodes = map_.nodes();
-  for (std::uint32_t n = first_node; n < nodes.size() && nodes[n].site == nodes[first_node].site; ++n)
-    if (is_tangent(nodes[n], source_->at)) add(nodes[n]);
+void WedgeWalk::report(const Node& source, std::uint32_t first_node) {
+  for (std::uint32_t n = first_node; n != kNone; n = map_.nodes()[n].sibling)
+    if (is_tangent(map_.nodes()[n], source.at)) add(source, map_.nodes()[n]);
 }
 
-void WedgeWalk::add(const Node& target) {
+void WedgeWalk::add(const Node& source, const Node& target) {
   if (!map_.is_whole()) {
     ++candidates_;
-    if (map_.is_blocked_by_broken({source_->at, target.at})) return;
+    if (map_.is_blocked_by_broken({source.at, target.at})) return;
   }
-  edges_.emplace_back(source_->vertex, target.vertex);
-}
-
-bool WedgeWalk::leads_right(const WedgeLimit& limit) const {
-  return (limit.kind == WedgeLimit::Kind::kToward) == (limit.site > source_->site);
-}
-
-int WedgeWalk::exact_side(std::uint32_t limit, std::uint32_t site) const {
-  const auto turn = [&](std::uint32_t other) {
-    return other == site ? 0 : orientation(source_->at, map_.sites()[other], map_.sites()[site]);
-  };
-  if (limit < kWedgeLow) return turn(limit);
-  const WedgeLimit& wedge = limit == kWedgeLow ? wedge_low_ : wedge_high_;
-  switch (wedge.kind) {
-    case WedgeLimit::Kind::kToward:
-      return turn(wedge.site);
-    case WedgeLimit::Kind::kAway:
-      return -turn(wedge.site);
-    case WedgeLimit::Kind::kDown:
-      return site > source_->site ? 1 : -1;
-    case WedgeLimit::Kind::kUp:
-      return site > source_->site ? -1 : 1;
-  }
-  return 0;
+  edges_.emplace_back(source.vertex, target.vertex);
 }
 
 std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node) {

@@ -15,11 +15,16 @@ namespace [[gnu::visibility("default")]] arcway {
 /// on the way is not convex. A reflex one would block it, a straight one has it run along its edges, and so on in both
 /// directions until a vertex that is not straight.) So walks look at open ranges of directions between the vertices
 /// that limit them, and edges of obstacles are followed by themselves.
+///
+/// Plain nodes that follow each other around an obstacle from left to right are a *run*, and all of a run is looked
+/// from at once: rays that leave it tangentially, with the obstacle on their left, say, begin further and further along
+/// the run as they turn counter-clockwise, and no two of them meet. So a range of them is passed through triangles like
+/// one that leaves from a single node; the vertex that splits it is seen from the node whose tangent wedge it lies in.
 class WedgeWalk {
  public:
-  explicit WedgeWalk(const SightMap& map) : map_(map) {}
+  explicit WedgeWalk(const SightMap& map);
 
-  /// Edges of a node to nodes further to the right: each edge is found from one of its ends.
+  /// Edges to the right of the nodes of the runs that start at a node: after all nodes, each edge is found once.
   void look_right(std::uint32_t node);
   /// All edges of a node.
   void look_around(std::uint32_t node);
@@ -31,41 +36,53 @@ class WedgeWalk {
  private:
   using Node = SightMap::Node;
 
-  /// A direction from the source: towards a site, or one that limits the wedge.
+  /// What limits a range: a ray from a node towards a site or away from it, or straight down or up. All but those
+  /// towards sites that walks have met belong to the range.
+  enum class Kind : std::uint32_t { kMet, kToward, kAway, kDown, kUp };
   struct Limit {
-    double x, y;       ///< rounded
-    std::uint32_t id;  ///< the site, or one of the two below
+    Vec2 origin;
+    Vec2 direction;         ///< rounded
+    std::uint32_t from;     ///< the node, by its place on the run
+    std::uint32_t site_of;  ///< site and kind
+    [[nodiscard]] std::uint32_t site() const { return site_of & kSiteMask; }
+    [[nodiscard]] Kind kind() const { return static_cast<Kind>(site_of >> kSiteBits); }
   };
-  static constexpr std::uint32_t kWedgeLow = 0xFFFFFFFEu;
-  static constexpr std::uint32_t kWedgeHigh = 0xFFFFFFFFu;
+  static constexpr int kSiteBits = 29;
+  static constexpr std::uint32_t kSiteMask = (1u << kSiteBits) - 1;
+  [[nodiscard]] Limit limit(Kind kind, std::uint32_t from, std::uint32_t site, const Vec2& at) const;
+  [[nodiscard]] Limit straight(Kind down_or_up, std::uint32_t from) const;
+  [[nodiscard]] static bool is_closed(const Limit& limit) { return limit.kind() != Kind::kMet; }
 
-  /// What limits a wedge: a direction towards a site or away from it, or straight down or up. All but the directions
-  /// towards sites that walks have met belong to the range that they limit.
-  struct WedgeLimit {
-    enum class Kind : std::uint8_t { kToward, kAway, kDown, kUp };
-    Vec2 direction;  ///< rounded
-    std::uint32_t site;
-    Kind kind;
-  };
-
-  void follow_edges_right();
-  void follow_edges_left();
+  void follow_edges_right(const Node& source);
+  void follow_edges_left(const Node& source);
   /// @param first       site at the other end of a wall that leaves the source.
   /// @param before_end  site before the last one.
-  void report_along_wall(std::uint32_t first, std::uint32_t before_end, std::uint32_t end);
-  void look_through_wedge(std::uint32_t node);
-  void walk(std::uint32_t door, Limit low, Limit high);
-  void report(std::uint32_t first_node);
-  void add(const Node& target);
+  void report_along_wall(const Node& source, std::uint32_t first, std::uint32_t before_end, std::uint32_t end);
 
-  [[nodiscard]] bool leads_right(const WedgeLimit& limit) const;
-  [[nodiscard]] int side(const Limit& limit, double x, double y, std::uint32_t site) const;
-  [[nodiscard]] int exact_side(std::uint32_t limit, std::uint32_t site) const;
-  [[nodiscard]] bool is_closed(const Limit& limit) const { return limit.id >= kWedgeLow; }
+  /// Where the obstacle lies, as seen along the rays.
+  enum class Hand : std::uint8_t { kLeft, kRight };
+  template <Hand kHand>
+  void look_from_run(std::uint32_t first);
+  [[nodiscard]] std::uint32_t touch(std::uint32_t low, std::uint32_t high, const Vec2& p) const;
+
+  void look_right_from(std::uint32_t node);
+  void look_through_wedge(std::uint32_t node, const Limit& low, const Limit& high);
+  void walk(std::uint32_t door, Limit low, Limit high);
+  void report(const Node& source, std::uint32_t first_node);
+  void add(const Node& source, const Node& target);
+
+  [[nodiscard]] const Node& node(std::uint32_t place) const {
+    return map_.nodes()[place == alias_ ? alias_of_ : place];
+  }
+  [[nodiscard]] int side(const Limit& limit, const Vec2& p, std::uint32_t site) const;
+  [[nodiscard]] int exact_side(const Limit& limit, std::uint32_t site) const;
 
   const SightMap& map_;
-  const Node* source_ = nullptr;
-  WedgeLimit wedge_low_{}, wedge_high_{};
+  double sure_;  ///< cross products of differences of coordinates beyond this have the right sign
+  Hand hand_ = Hand::kLeft;
+  /// Places on a run are its nodes, counter-clockwise around the obstacle; a ring's first node may also be one past the
+  /// last.
+  std::uint32_t alias_ = kNone, alias_of_ = kNone;
   struct Postponed {
     std::uint32_t door;
     Limit low, high;
