@@ -1,0 +1,116 @@
+#include "core/search/reachability.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "core/geometry/angle.h"
+#include "core/search/walk_links.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr std::size_t kLargestPocket = 4096;  // departures
+constexpr std::size_t kOpen = 5000;           // arcs, more than a pocket round the start has
+
+}  // namespace
+
+bool Reachability::goal_is_reachable(SearchContext& context, SearchEnds& ends) {
+  context_ = &context;
+  ends_ = &ends;
+  open_.clear();
+  arcs_.clear();
+  first_arc_.reset(context.graph.circles().size());
+  const bool in_pocket = goal_is_in_pocket();
+  for (std::uint32_t s = 0; s < ends.start_circles().size(); ++s) {
+    if (ends.start_circles()[s].reach < 0.0) continue;
+    const auto range = ends.links_from(s);
+    for (std::uint32_t i = range.first; i < range.last; ++i) push(kNone, i);
+  }
+  while (!open_.empty() && !context.interrupted()) {
+    if (reaches_goal(open_.pop())) return true;
+    context.result.start_is_open = arcs_.size() >= kOpen;
+    if (context.result.start_is_open && in_pocket) return false;
+  }
+  return context.result.interrupted;
+}
+
+// Whether so little leads to the goal that one sees, going backwards, that the start does not.
+bool Reachability::goal_is_in_pocket() {
+  if (context_->graph.mode() != GraphMode::kEager || ends_->goal_links().size() > kLargestPocket) return false;
+  std::vector<Departure> ends;
+  for (std::uint32_t g = 0; g < ends_->goal_links().size(); ++g) {
+    SearchEnds::GoalLink& goal = ends_->goal_link(g);
+    if (ends_->is_free(goal)) ends.push_back({goal.link.circle, goal.link.line.start.heading});
+  }
+  const auto pocket = departures_towards(context_->graph, std::move(ends), kLargestPocket);
+  return pocket && !start_leads_to(*pocket);
+}
+
+bool Reachability::start_leads_to(const std::vector<Departure>& pocket) {
+  PerCircle first;
+  first.reset(context_->graph.circles().size());
+  std::vector<std::uint32_t> next;
+  for (std::uint32_t i = 0; i < pocket.size(); ++i) {
+    next.push_back(first.get(pocket[i].circle));
+    first.set(pocket[i].circle, i);
+  }
+  for (std::uint32_t s = 0; s < ends_->start_circles().size(); ++s) {
+    if (ends_->start_circles()[s].reach < 0.0) continue;
+    const auto range = ends_->links_from(s);
+    for (std::uint32_t i = range.first; i < range.last; ++i) {
+      const TerminalLink& link = ends_->start_link(i);
+      for (std::uint32_t d = first.get(link.circle); d != kNone; d = next[d])
+        if (leads_to(context_->graph, link.line.start.heading, pocket[d]) && context_->is_free(link.line)) return true;
+    }
+  }
+  return false;
+}
+
+Reachability::Place Reachability::place_of(std::uint32_t circle, std::uint32_t index) const {
+  if (circle == kNone) return {ends_->start_link(index).circle, ends_->start_link(index).line.start.heading};
+  const FeasibleGraph::Link& link = context_->graph.links_from(circle)[index];
+  return {link.to, link.heading};
+}
+
+void Reachability::push(std::uint32_t circle, std::uint32_t index) {
+  const Place at = place_of(circle, index);
+  const Vec2 position = pose_on(context_->graph.circles()[at.circle], at.heading).position();
+  open_.push({(context_->goal - position).norm(), circle, index});
+}
+
+// Takes an arrival if it is free and new; true if the goal is reached from the part of the circle ahead of it.
+bool Reachability::reaches_goal(const Arrival& arrival) {
+  const FeasibleGraph& graph = context_->graph;
+  const auto [c, heading] = place_of(arrival.circle, arrival.index);
+  const Side side = graph.circles()[c].side;
+  const double reach = graph.free_headings(c).reach(heading, side);
+  if (reach < 0.0) return false;
+  double limit = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = first_arc_.get(c); i != kNone; i = arcs_[i].next) {
+    const Arc& other = arcs_[i];
+    if (turn_between(other.heading, heading, side) <= other.reach) return false;
+    const double ahead = turn_between(heading, other.heading, side);
+    if (ahead <= reach) limit = std::min(limit, ahead);
+  }
+  const bool free = arrival.circle == kNone ? context_->is_free(ends_->start_link(arrival.index).line)
+                                            : graph.is_kept(arrival.circle, arrival.index);
+  if (!free) return false;
+  context_->result.start_connected = true;
+  arcs_.push_back({heading, reach, first_arc_.get(c)});
+  first_arc_.set(c, static_cast<std::uint32_t>(arcs_.size() - 1));
+  for (std::uint32_t g = ends_->first_goal_link(c); g != kNone; g = ends_->goal_link(g).next) {
+    SearchEnds::GoalLink& goal = ends_->goal_link(g);
+    if (turn_between(heading, goal.link.line.start.heading, side) <= reach && ends_->is_free(goal)) return true;
+  }
+  walk_links(graph, c, heading, [&, from = c](std::uint32_t index, const FeasibleGraph::Link&, double turn) {
+    if (turn > reach || turn >= limit) return false;
+    push(from, index);
+    return true;
+  });
+  return false;
+}
+
+}  // namespace arcway

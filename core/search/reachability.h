@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/search/open_list.h"
+#include "core/search/per_circle.h"
+#include "core/search/pocket.h"
+#include "core/search/search_context.h"
+#include "core/search/search_ends.h"
+
+namespace arcway {
+
+/// Finds out whether any path of the graph leads from the starts to the goals, without times and speeds: backwards out
+/// of the goal's pocket, if it is in one and the graph eager, then over all that the starts reach, nearest to the goal
+/// first.
+class Reachability {
+ public:
+  /// True also if the search was interrupted before that was known. Fills in the result's start_connected and
+  /// start_is_open.
+  bool goal_is_reachable(SearchContext& context, SearchEnds& ends);
+
+ private:
+  // Part of a circle that some path turns on, whenever and however fast it gets there.
+  struct Arc {
+    double heading;      // of the arrival
+    double reach;        // of the free interval
+    std::uint32_t next;  // on the same circle
+  };
+  // An arrival on a circle that waits for its turn.
+  struct Arrival {
+    double distance;       // to the goal
+    std::uint32_t circle;  // that the link leaves; kNone: a link of the start
+    std::uint32_t index;
+    // Those of the start are last among equals.
+    friend bool before(const Arrival& a, const Arrival& b) {
+      if (a.distance != b.distance) return a.distance < b.distance;
+      return a.circle != b.circle ? a.circle < b.circle : a.index < b.index;
+    }
+  };
+  struct Place {
+    std::uint32_t circle;
+    double heading;
+  };
+
+  bool goal_is_in_pocket();
+  bool start_leads_to(const std::vector<Departure>& pocket);
+  [[nodiscard]] Place place_of(std::uint32_t circle, std::uint32_t index) const;
+  void push(std::uint32_t circle, std::uint32_t index);
+  bool reaches_goal(const Arrival& arrival);
+
+  SearchContext* context_ = nullptr;
+  SearchEnds* ends_ = nullptr;
+  OpenList<Arrival> open_;
+  std::vector<Arc> arcs_;
+  PerCircle first_arc_;
+};
+
+}  // namespace arcway

@@ -1,0 +1,99 @@
+#include "core/search/search_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/path/speed_profile.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostDirectPairs = 64;
+
+}  // namespace
+
+void SearchEnds::begin(SearchContext& context) {
+  context_ = &context;
+  start_circles_.clear();
+  goal_circles_.clear();
+  start_links_.clear();
+  start_link_ranges_.clear();
+  goal_links_.clear();
+  direct_paths_.clear();
+  first_goal_link_.reset(context.graph.circles().size());
+
+  append_circles(context.map, context.starts, Direction::kFromStart, start_circles_);
+  append_circles(context.map, context.goals, Direction::kToGoal, goal_circles_);
+  context.result.turns_checked += start_circles_.size() + goal_circles_.size();
+  start_link_ranges_.resize(start_circles_.size());
+  find_direct_paths();
+  // The goals of manoeuvres may have millions of links.
+  for (std::uint32_t g = 0; g < goal_circles_.size() && !context.interrupted(); ++g) add_goal_links(g);
+}
+
+void SearchEnds::find_direct_paths() {
+  // Many terminals mean manoeuvres in a narrow place: only the plain pair of poses is worth all words there.
+  if (context_->starts.size() * context_->goals.size() > kMostDirectPairs) return;
+  for (const Terminal& start : context_->starts)
+    for (const Terminal& goal : context_->goals)
+      for (const double radius : context_->map.radii)
+        for (const DubinsWord word : kDubinsWords) try_direct(start, goal, radius, word);
+}
+
+void SearchEnds::try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word) {
+  const auto middle = dubins_path(word, start.pose, goal.pose, radius);
+  if (!middle || !std::all_of(middle->begin(), middle->end(), [this](const auto& s) { return is_free(s); })) return;
+  context_->result.start_connected = context_->result.goal_connected = true;
+  Path path = start.connection;
+  path.insert(path.end(), middle->begin(), middle->end());
+  path.insert(path.end(), goal.connection.begin(), goal.connection.end());
+  const double time = travel_cost(path, context_->vehicle, context_->options.cusp_cost);
+  direct_paths_.push_back({std::move(path), time});
+}
+
+bool SearchEnds::is_free(const PathSegment& segment) {
+  if (segment.is_line()) return context_->is_free({segment.start, segment.length});
+  const Side side = segment.curvature > 0.0 ? Side::kLeft : Side::kRight;
+  const TurnCircle circle = turn_circle(segment.start, 1.0 / std::abs(segment.curvature), side);
+  ++context_->result.turns_checked;
+  const HeadingSet headings =
+      context_->map.queries.sweep->free_headings({circle.center, circle.radius, side, context_->map.body});
+  return headings.reach(segment.start.heading, side) >= segment.length / circle.radius;
+}
+
+SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
+  Range& range = start_link_ranges_[start_circle];
+  if (range.first == kNone) {
+    range.first = static_cast<std::uint32_t>(start_links_.size());
+    append_links(context_->map, start_circles_, start_circle, Direction::kFromStart, start_links_);
+    range.last = static_cast<std::uint32_t>(start_links_.size());
+  }
+  return range;
+}
+
+void SearchEnds::add_goal_links(std::uint32_t goal_circle) {
+  const Terminal& goal = context_->goals[goal_circles_[goal_circle].terminal];
+  const double way = (goal.pose.position() - context_->starts[0].pose.position()).norm() + length_of(goal.connection);
+  if (way / context_->vehicle.top_speed() >= context_->options.faster_than) return;
+  found_.clear();
+  append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, found_);
+  for (const TerminalLink& link : found_) {
+    goal_links_.push_back({link, first_goal_link_.get(link.circle), kInfinity, false, false});
+    first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));
+  }
+}
+
+bool SearchEnds::is_free(GoalLink& goal) {
+  if (!goal.checked) {
+    const Bitangent& line = goal.link.line;
+    goal.free = context_->graph.free_headings(goal.link.circle).contains(line.start.heading) && context_->is_free(line);
+    goal.checked = true;
+  }
+  return goal.free;
+}
+
+}  // namespace arcway

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/path/dubins.h"
+#include "core/search/per_circle.h"
+#include "core/search/search_context.h"
+#include "core/search/terminal_links.h"
+
+namespace arcway {
+
+/// How start and goal terminals join the graph, and each other.
+class SearchEnds {
+ public:
+  struct GoalLink {
+    TerminalLink link;
+    std::uint32_t next;  ///< on the same circle, or kNone
+    double best_time;    ///< of complete paths by this link, for the search to keep
+    bool checked, free;
+  };
+  struct DirectPath {
+    Path path;
+    double time;
+  };
+
+  /// Forgets the search before, finds the circles of all terminals, the free words between them, and the links to the
+  /// goals, unless interrupted.
+  void begin(SearchContext& context);
+
+  [[nodiscard]] std::span<const TerminalCircle> start_circles() const { return start_circles_; }
+  [[nodiscard]] std::span<const TerminalCircle> goal_circles() const { return goal_circles_; }
+  /// Words from a start to a goal.
+  [[nodiscard]] std::span<DirectPath> direct_paths() { return direct_paths_; }
+
+  /// Indices, from `first` to before `last`, of the links that leave a start circle; found when first asked for.
+  struct Range {
+    std::uint32_t first = kNone, last = kNone;
+  };
+  Range links_from(std::uint32_t start_circle);
+  [[nodiscard]] const TerminalLink& start_link(std::uint32_t index) const { return start_links_[index]; }
+
+  [[nodiscard]] std::span<const GoalLink> goal_links() const { return goal_links_; }
+  [[nodiscard]] GoalLink& goal_link(std::uint32_t index) { return goal_links_[index]; }
+  /// The first one that leaves a circle of the graph; the others by `next`.
+  [[nodiscard]] std::uint32_t first_goal_link(std::uint32_t circle) const { return first_goal_link_.get(circle); }
+  /// Whether the swept rectangle, and the body on the graph's circle where it begins, is free.
+  bool is_free(GoalLink& goal);
+
+ private:
+  void find_direct_paths();
+  void try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word);
+  bool is_free(const PathSegment& segment);
+  void add_goal_links(std::uint32_t goal_circle);
+
+  SearchContext* context_ = nullptr;
+  std::vector<TerminalCircle> start_circles_, goal_circles_;
+  std::vector<TerminalLink> start_links_, found_;
+  std::vector<Range> start_link_ranges_;  // by start circle; kNone: not found yet
+  std::vector<GoalLink> goal_links_;
+  PerCircle first_goal_link_;
+  std::vector<DirectPath> direct_paths_;
+};
+
+}  // namespace arcway

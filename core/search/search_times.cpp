@@ -1,0 +1,60 @@
+#include "core/search/search_times.h"
+
+#include "core/path/speed_profile.h"
+
+namespace arcway {
+
+void SearchTimes::begin(const SearchContext& context) {
+  context_ = &context;
+  line_speed_ = context.vehicle.max_speed();
+  speeds_.reset(context.vehicle.max_acceleration(), context.options.time_model);
+}
+
+std::uint32_t SearchTimes::add_connection(const TerminalCircle& from) {
+  const Path& connection = context_->starts[from.terminal].connection;
+  std::uint32_t joint = 0;
+  const Stretch circle{0.0, context_->vehicle.turn_speed(from.circle.radius), Gear::kForward};
+  for (std::size_t i = 0; i < connection.size(); ++i)
+    joint = add_stretch(joint, stretch_of(connection[i]),
+                        i + 1 < connection.size() ? stretch_of(connection[i + 1]) : circle);
+  return joint;
+}
+
+std::uint32_t SearchTimes::add_drive(std::uint32_t joint, double arc, double radius, double line, double next_radius) {
+  const std::uint32_t departure = speeds_.add(joint, arc, context_->vehicle.turn_speed(radius), line_speed_);
+  return speeds_.add(departure, line, line_speed_, context_->vehicle.turn_speed(next_radius));
+}
+
+SpeedTree::Joint SearchTimes::drive(std::uint32_t joint, double arc, double radius, double line,
+                                    double next_radius) const {
+  const auto departure = speeds_.extend(joint, arc, context_->vehicle.turn_speed(radius), line_speed_);
+  return speeds_.extend(departure, line, line_speed_, context_->vehicle.turn_speed(next_radius));
+}
+
+double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius, const TerminalLink& link,
+                                 const TerminalCircle& to) {
+  const std::size_t size = speeds_.size();
+  joint = add_drive(joint, arc, radius, link.line.length, to.circle.radius);
+  Stretch stretch{link.turn * to.circle.radius, context_->vehicle.turn_speed(to.circle.radius), Gear::kForward};
+  for (const PathSegment& segment : context_->goals[to.terminal].connection) {
+    const Stretch next = stretch_of(segment);
+    joint = add_stretch(joint, stretch, next);
+    stretch = next;
+  }
+  joint = add_stretch(joint, stretch, {0.0, 0.0, stretch.gear});
+  const double time = speeds_[joint].time;
+  speeds_.truncate(size);
+  return time;
+}
+
+SearchTimes::Stretch SearchTimes::stretch_of(const PathSegment& segment) const {
+  return {segment.length, speed_limit(segment, context_->vehicle), segment.gear};
+}
+
+// Two joints where the gear changes.
+std::uint32_t SearchTimes::add_stretch(std::uint32_t joint, const Stretch& stretch, const Stretch& next) {
+  if (stretch.gear == next.gear) return speeds_.add(joint, stretch.length, stretch.limit, next.limit);
+  return speeds_.add_stop(speeds_.add(joint, stretch.length, stretch.limit, 0.0), context_->options.cusp_cost);
+}
+
+}  // namespace arcway

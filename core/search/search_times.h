@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/search/search_context.h"
+#include "core/search/speed_tree.h"
+
+namespace arcway {
+
+/// The times of the paths that a search tries: its tree of speeds, by arcs, lines and connections of terminals.
+class SearchTimes {
+ public:
+  /// Forgets the search before.
+  void begin(const SearchContext& context);
+
+  [[nodiscard]] const SpeedTree& speeds() const { return speeds_; }
+
+  /// The joint at the end of a start terminal's connection, which leads to its circle.
+  std::uint32_t add_connection(const TerminalCircle& from);
+  /// The joint behind an arc and the line after it, which leads to a circle of another radius.
+  std::uint32_t add_drive(std::uint32_t joint, double arc, double radius, double line, double next_radius);
+  /// What add_drive gives, not added to the tree.
+  [[nodiscard]] SpeedTree::Joint drive(std::uint32_t joint, double arc, double radius, double line,
+                                       double next_radius) const;
+  /// The exact time of the whole path that goes on from a joint by an arc, a link to a goal's circle, and what follows.
+  double time_to_goal(std::uint32_t joint, double arc, double radius, const TerminalLink& link,
+                      const TerminalCircle& to);
+
+ private:
+  // What matters of a segment for the speeds.
+  struct Stretch {
+    double length;
+    double limit;
+    Gear gear;
+  };
+  [[nodiscard]] Stretch stretch_of(const PathSegment& segment) const;
+  std::uint32_t add_stretch(std::uint32_t joint, const Stretch& stretch, const Stretch& next);
+
+  const SearchContext* context_ = nullptr;
+  double line_speed_ = 0.0;
+  SpeedTree speeds_;
+};
+
+}  // namespace arcway
