@@ -67,7 +67,7 @@ class SearchWorkspace {
 /// every speed. Departures are sorted by heading, so that one walk along the arc relaxes them in turn: linear in the
 /// bitangents. Complete paths come off the open list with their exact time, so that the first one is the fastest.
 /// After some hundred labels, or with several terminals, walks without times and speeds find out whether there is a
-/// path at all: backwards out of the goal's pocket, if it is in one and the graph eager, and over all reachable arcs.
+/// path at all: see Reachability.
 ///
 /// Terminals join by their left and right circles of every radius, driven forwards whatever the gear of their
 /// connections, and to each other by all six Dubins words. Straights of terminals, and those of lazy graphs, are

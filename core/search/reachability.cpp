@@ -23,7 +23,6 @@ bool Reachability::goal_is_reachable(SearchContext& context, SearchEnds& ends) {
   open_.clear();
   arcs_.clear();
   first_arc_.reset(context.graph.circles().size());
-  const bool in_pocket = goal_is_in_pocket();
   for (std::uint32_t s = 0; s < ends.start_circles().size(); ++s) {
     if (ends.start_circles()[s].reach < 0.0) continue;
     const auto range = ends.links_from(s);
@@ -31,8 +30,10 @@ bool Reachability::goal_is_reachable(SearchContext& context, SearchEnds& ends) {
   }
   while (!open_.empty() && !context.interrupted()) {
     if (reaches_goal(open_.pop())) return true;
-    context.result.start_is_open = arcs_.size() >= kOpen;
-    if (context.result.start_is_open && in_pocket) return false;
+    // Most walks get to the goal long before.
+    if (arcs_.size() < kOpen || context.result.start_is_open) continue;
+    context.result.start_is_open = true;
+    if (goal_is_in_pocket()) return false;
   }
   return context.result.interrupted;
 }

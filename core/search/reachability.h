@@ -12,9 +12,9 @@
 
 namespace arcway {
 
-/// Finds out whether any path of the graph leads from the starts to the goals, without times and speeds: backwards out
-/// of the goal's pocket, if it is in one and the graph eager, then over all that the starts reach, nearest to the goal
-/// first.
+/// Finds out whether any path of the graph leads from the starts to the goals, without times and speeds: over all that
+/// the starts reach, nearest to the goal first, and where that is much and the graph eager, backwards out of the goal's
+/// pocket, if it is in one.
 class Reachability {
  public:
   /// True also if the search was interrupted before that was known. Fills in the result's start_connected and
