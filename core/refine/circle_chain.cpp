@@ -12,18 +12,6 @@ namespace {
 
 constexpr double kUlps = 64.0 * std::numeric_limits<double>::epsilon();
 
-// Where circles touch up to rounding, `directed_bitangent` may find none: they meet on the line of their centres.
-std::optional<Bitangent> joint_of(const TurnCircle& from, const TurnCircle& to) {
-  if (const auto line = directed_bitangent(from, to)) return line;
-  const Vec2 d = to.center - from.center;
-  const double offset = sign_of(to.side) * to.radius - sign_of(from.side) * from.radius;
-  const double scale =
-      std::max({from.radius, to.radius, from.center.cwiseAbs().maxCoeff(), to.center.cwiseAbs().maxCoeff()});
-  if (std::abs(d.norm() - std::abs(offset)) > kUlps * scale || d.norm() <= kUlps * scale) return std::nullopt;
-  const Vec2 t = -offset * perpendicular(d);
-  return Bitangent{pose_on(from, wrap_positive(std::atan2(t.y(), t.x()))), 0.0};
-}
-
 TurnCircle circle_of(const PathSegment& arc) {
   const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
   return turn_circle(arc.start, 1.0 / std::abs(arc.curvature), side);
@@ -33,11 +21,31 @@ Pose advanced(const Pose& pose, double length) { return PathSegment{pose, length
 
 }  // namespace
 
+std::optional<Bitangent> joint_of(const TurnCircle& from, const TurnCircle& to) {
+  if (const auto line = directed_bitangent(from, to)) return line;
+  // Circles that touch meet on the line of their centres.
+  const Vec2 d = to.center - from.center;
+  const double offset = sign_of(to.side) * to.radius - sign_of(from.side) * from.radius;
+  const double scale =
+      std::max({from.radius, to.radius, from.center.cwiseAbs().maxCoeff(), to.center.cwiseAbs().maxCoeff()});
+  if (std::abs(d.norm() - std::abs(offset)) > kUlps * scale || d.norm() <= kUlps * scale) return std::nullopt;
+  const Vec2 t = -offset * perpendicular(d);
+  return Bitangent{pose_on(from, wrap_positive(std::atan2(t.y(), t.x()))), 0.0};
+}
+
+TurnCircle CircleChain::first_circle(double lead, double radius, Side side) const {
+  return turn_circle(advanced(start, lead), radius, side);
+}
+
+TurnCircle CircleChain::last_circle(double lead, double radius, Side side) const {
+  return turn_circle(advanced(goal, -lead), radius, side);
+}
+
+Bitangent CircleChain::last_line(double lead) const { return {advanced(goal, -lead), lead}; }
+
 void CircleChain::place_ends() {
-  TurnCircle& first = circles.front();
-  TurnCircle& last = circles.back();
-  first = turn_circle(advanced(start, lead_in), first.radius, first.side);
-  last = turn_circle(advanced(goal, -lead_out), last.radius, last.side);
+  circles.front() = first_circle(lead_in, circles.front().radius, circles.front().side);
+  circles.back() = last_circle(lead_out, circles.back().radius, circles.back().side);
 }
 
 std::optional<CircleChain> chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal) {
@@ -68,7 +76,7 @@ std::optional<std::vector<Bitangent>> lines_of(const CircleChain& chain) {
     if (!line) return std::nullopt;
     lines.push_back(*line);
   }
-  lines.push_back({advanced(chain.goal, -chain.lead_out), chain.lead_out});
+  lines.push_back(chain.last_line(chain.lead_out));
   return lines;
 }
 

@@ -19,6 +19,11 @@ struct CircleChain {
   double lead_out = 0.0;            ///< straight from the last circle to the goal [m], >= 0
   std::vector<TurnCircle> circles;  ///< at least two
 
+  /// The first circle for a straight length before it, and the last one for a straight length behind it.
+  [[nodiscard]] TurnCircle first_circle(double lead, double radius, Side side) const;
+  [[nodiscard]] TurnCircle last_circle(double lead, double radius, Side side) const;
+  /// The straight to the goal behind the last circle.
+  [[nodiscard]] Bitangent last_line(double lead) const;
   /// Moves the first and the last circle to where their radii and the leads put them.
   void place_ends();
 };
@@ -27,9 +32,13 @@ struct CircleChain {
 /// @returns nothing for fewer than two circles. Turns that a path makes by more than a full circle are lost.
 std::optional<CircleChain> chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal);
 
+/// The directed bitangent of two circles. Circles that touch up to rounding are joined where they touch.
+/// @returns nothing where they have no bitangent.
+std::optional<Bitangent> joint_of(const TurnCircle& from, const TurnCircle& to);
+
 /// The straight lines of a chain, one more than circles: through the start, between the circles, through the goal.
-/// @returns nothing where two neighbours have no bitangent. Circles that touch up to rounding are joined where they
-///   touch. Error of both ends: a few units in the last place of the coordinates and radii.
+/// @returns nothing where two neighbours have no bitangent, see joint_of. Error of both ends: a few units in the last
+///   place of the coordinates and radii.
 std::optional<std::vector<Bitangent>> lines_of(const CircleChain& chain);
 
 /// The path along the lines of a chain; arcs shorter than a full circle, no segments of zero length.

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/geometry/angle.h"
 #include "core/path/speed_profile.h"
 #include "core/refine/circle_chain.h"
+#include "core/refine/timed_chain.h"
 
 namespace arcway {
 
@@ -16,6 +18,8 @@ namespace {
 
 // Less than this part of the travel time is not worth a step.
 constexpr double kSmallestGain = 1e-6;
+// Far more than the rounding of travel times, relative to them.
+constexpr double kRounding = 1e-9;
 constexpr double kFirstStep = 1.0;    // of the smallest turning radius
 constexpr double kRoughStep = 0.125;  // fine enough to try other turns
 constexpr int kFewParts = 2;
@@ -37,10 +41,7 @@ class Refiner {
     // A radius is known by its curvature alone, and may come out too small by rounding.
     for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_);
     chain.place_ends();
-    auto lines = lines_of(chain);
-    if (!lines) return;
-    chain_ = std::move(chain);
-    lines_ = std::move(*lines);
+    if (!chain_.begin(std::move(chain), vehicle_)) return;
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
     settle();
@@ -73,6 +74,7 @@ class Refiner {
     std::size_t line;
     double part;  // of the line's length
     Pose pose;
+    Vec2 left;
     double time;   // when the path gets there; between the ends of a line roughly [s]
     double speed;  // there [m/s]
   };
@@ -82,33 +84,36 @@ class Refiner {
     return result_.interrupted || result_.trials >= options_.max_trials;
   }
 
-  // Takes a chain if it is faster and free.
-  bool accept(CircleChain&& trial) {
-    if (done() || trial.circles.size() < 2 || trial.lead_in < 0.0 || trial.lead_out < 0.0) return false;
-    for (const TurnCircle& circle : trial.circles)
-      if (circle.radius < smallest_) return false;
+  [[nodiscard]] const std::vector<TurnCircle>& circles() const { return chain_.chain().circles; }
+  [[nodiscard]] const std::vector<Bitangent>& lines() const { return chain_.lines(); }
+
+  // Takes a change if it makes the path faster and the path stays free.
+  bool accept(const ChainChange& change) {
+    if (done() || change.size_after(circles().size()) < 2 || change.lead_in < 0.0 || change.lead_out < 0.0)
+      return false;
+    for (std::size_t i = 0; i < change.count; ++i)
+      if (change.circles[i].radius < smallest_) return false;
     ++result_.trials;
-    std::optional<std::vector<Bitangent>> lines = lines_of(trial);
-    if (!lines) return false;
-    Path path = path_of(trial, *lines);
-    const double time = speed_profile(path, vehicle_).total_time;
-    if (!(time < result_.travel_time * (1.0 - kSmallestGain)) || !is_free(path)) return false;
-    chain_ = std::move(trial);
-    lines_ = std::move(*lines);
-    result_.path = std::move(path);
-    result_.travel_time = time;
+    if (!chain_.lay_out(change)) return false;
+    const double wanted = result_.travel_time * (1.0 - kSmallestGain);
+    if (chain_.time_after(change) > wanted * (1.0 + kRounding) || !is_free(chain_.laid_out())) return false;
+    if (!chain_.make(change) || !(chain_.made_time() < wanted)) return false;
+    result_.path = chain_.made_path();
+    result_.travel_time = chain_.made_time();
+    chain_.take();
     ++result_.improvements;
     return true;
   }
 
   // Whether the parts that the current path does not have are free, cheapest questions first.
-  bool is_free(const Path& path) {
-    for (const PathSegment& s : path)
-      if (s.is_line() && !is_known(s) && !straight_free(s.start, s.length)) return false;
-    for (const PathSegment& s : path)
-      if (!s.is_line() && !is_known(s) && !straight_free(s.at(0.5 * s.length), 0.0)) return false;
-    for (const PathSegment& s : path)
-      if (!s.is_line() && !is_known(s) && !turn_free(s)) return false;
+  bool is_free(std::span<const TimedChain::Part> parts) {
+    for (const TimedChain::Part& part : parts)
+      if (!part.is_arc && !is_known(part.segment()) && !straight_free(part.line.start, part.length)) return false;
+    for (const TimedChain::Part& part : parts)
+      if (part.is_arc && !is_known(part.segment()) && !straight_free(part.segment().at(0.5 * part.length), 0.0))
+        return false;
+    for (const TimedChain::Part& part : parts)
+      if (part.is_arc && !is_known(part.segment()) && !turn_free(part.segment())) return false;
     return true;
   }
 
@@ -132,59 +137,47 @@ class Refiner {
     return free.reach(arc.start.heading, side) >= arc.length * std::abs(arc.curvature);
   }
 
+  // The circles [first, last) replaced by others.
+  [[nodiscard]] ChainChange replaced(std::size_t first, std::size_t last,
+                                     std::initializer_list<TurnCircle> by = {}) const {
+    ChainChange change{first, last, by.size(), {}, chain_.chain().lead_in, chain_.chain().lead_out};
+    std::copy(by.begin(), by.end(), change.circles.begin());
+    return change;
+  }
+
   bool drop_turns() {
     bool any = false;
-    for (std::size_t span = chain_.circles.size() - 1; span >= 2; --span)
-      for (std::size_t i = 0; i + span < chain_.circles.size(); ++i) any |= accept(replaced(i + 1, i + span, {}));
+    for (std::size_t span = circles().size() - 1; span >= 2; --span)
+      for (std::size_t i = 0; i + span < circles().size(); ++i) any |= accept(replaced(i + 1, i + span));
     return any;
   }
 
   bool rejoin_ends() {
     bool any = false;
-    for (std::size_t keep = 1; keep < chain_.circles.size(); ++keep)  // circles from the other end
+    for (std::size_t keep = 1; keep < circles().size(); ++keep)  // circles from the other end
       for (const bool at_start : {true, false})
         for (const Side side : {Side::kLeft, Side::kRight}) {
-          if (keep >= chain_.circles.size()) break;
-          CircleChain trial = chain_;
-          auto& circles = trial.circles;
-          const auto kept = static_cast<std::ptrdiff_t>(keep);
-          const TurnCircle turn{{0.0, 0.0}, smallest_, side, kNone};
-          if (at_start) {
-            circles.erase(circles.begin(), circles.end() - kept);
-            circles.insert(circles.begin(), turn);
-            trial.lead_in = 0.0;
-          } else {
-            circles.erase(circles.begin() + kept, circles.end());
-            circles.push_back(turn);
-            trial.lead_out = 0.0;
-          }
-          trial.place_ends();
-          any |= accept(std::move(trial));
+          const std::size_t size = circles().size();
+          if (keep >= size) break;
+          ChainChange change = at_start ? replaced(0, size - keep, {chain_.chain().first_circle(0.0, smallest_, side)})
+                                        : replaced(keep, size, {chain_.chain().last_circle(0.0, smallest_, side)});
+          (at_start ? change.lead_in : change.lead_out) = 0.0;
+          any |= accept(change);
         }
     return any;
   }
 
-  // The chain with the circles [first, last) replaced by others.
-  [[nodiscard]] CircleChain replaced(std::size_t first, std::size_t last, std::initializer_list<TurnCircle> by) const {
-    CircleChain trial = chain_;
-    auto& circles = trial.circles;
-    const auto at = circles.erase(circles.begin() + static_cast<std::ptrdiff_t>(first),
-                                  circles.begin() + static_cast<std::ptrdiff_t>(last));
-    circles.insert(at, by);
-    return trial;
-  }
-
   bool merge_turns() {
     bool any = false;
-    for (std::size_t span = chain_.circles.size(); span >= 2; --span)
-      for (std::size_t i = 0; i + span <= chain_.circles.size(); ++i) any |= merge(i, i + span);
+    for (std::size_t span = circles().size(); span >= 2; --span)
+      for (std::size_t i = 0; i + span <= circles().size(); ++i) any |= merge(i, i + span);
     return any;
   }
 
   // One circle tangent to the lines before and behind the circles [first, last).
   bool merge(std::size_t first, std::size_t last) {
-    const Bitangent& before = lines_[first];
-    const Bitangent& behind = lines_[last];
+    const Bitangent before = lines()[first];
+    const Bitangent behind = lines()[last];
     const double turn = wrap_signed(behind.start.heading - before.start.heading);
     if (std::abs(turn) < 1e-3 || std::abs(turn) > 3.0) return false;
     const Vec2 d = direction_of(before.start.heading);
@@ -199,61 +192,39 @@ class Refiner {
       const double radius = factor * smallest_;
       if (radius * slope > room) break;
       const Vec2 touch = before.start.position() + (ahead - radius * slope) * d;
-      CircleChain trial =
+      ChainChange change =
           replaced(first, last, {turn_circle({touch.x(), touch.y(), before.start.heading}, radius, side)});
-      if (first == 0) trial.lead_in = ahead - radius * slope;
-      if (last == chain_.circles.size()) trial.lead_out = back - radius * slope;
-      if (accept(std::move(trial))) return true;
+      if (first == 0) change.lead_in = ahead - radius * slope;
+      if (last == circles().size()) change.lead_out = back - radius * slope;
+      if (accept(change)) return true;
     }
     return false;
   }
 
-  struct Passing {
-    double time;
-    double speed;
-  };
-  // When, and how fast, the path gets to both ends of each line.
-  [[nodiscard]] std::vector<std::array<Passing, 2>> passings() const {
-    const SpeedProfile profile = speed_profile(path_of(chain_, lines_), vehicle_);
-    std::vector<std::array<Passing, 2>> result;
-    Passing at{0.0, 0.0};
-    std::size_t segment = 0;
-    const auto drive = [&] {
-      at.time += profile.durations[segment++];
-      at.speed = profile.speeds[segment];
-    };
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      if (i > 0 && turn_on(i - 1) > 0.0) drive();
-      const Passing begin = at;
-      if (lines_[i].length > 0.0) drive();
-      result.push_back({begin, at});
-    }
-    return result;
-  }
-
-  [[nodiscard]] double turn_on(std::size_t circle) const {
-    return turn_between(lines_[circle].start.heading, lines_[circle + 1].start.heading, chain_.circles[circle].side);
-  }
-
   // Words between places that divide each line into equal parts.
   bool insert_words(int parts) {
-    const auto ends = passings();
     const double twice = 2.0 * vehicle_.max_acceleration();
     const auto station = [&](std::size_t line, double part) {
-      const Bitangent& l = lines_[line];
-      const auto& [begin, end] = ends[line];
-      const Vec2 p = l.start.position() + part * l.length * direction_of(l.start.heading);
+      const Bitangent& l = lines()[line];
+      const auto begin = chain_.begin_of(line), end = chain_.end_of(line);
+      const Vec2 ahead = direction_of(l.start.heading);
+      const Vec2 p = l.start.position() + part * l.length * ahead;
       const double speed =
           std::min({vehicle_.max_speed(), std::sqrt(begin.speed * begin.speed + twice * part * l.length),
                     std::sqrt(end.speed * end.speed + twice * (1.0 - part) * l.length)});
-      return Station{line, part, {p.x(), p.y(), l.start.heading}, begin.time + part * (end.time - begin.time), speed};
+      return Station{line,
+                     part,
+                     {p.x(), p.y(), l.start.heading},
+                     perpendicular(ahead),
+                     begin.time + part * (end.time - begin.time),
+                     speed};
     };
     std::vector<Station> stations;
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
+    for (std::size_t i = 0; i < lines().size(); ++i) {
       stations.push_back(station(i, 0.0));
-      if (lines_[i].length > smallest_)
+      if (lines()[i].length > smallest_)
         for (int k = 1; k < parts; ++k) stations.push_back(station(i, k / static_cast<double>(parts)));
-      if (lines_[i].length > 0.0) stations.push_back(station(i, 1.0));
+      if (lines()[i].length > 0.0) stations.push_back(station(i, 1.0));
     }
     for (std::size_t span = stations.size() - 1; span > 0; --span)
       for (std::size_t i = 0; i + span < stations.size(); ++i)
@@ -269,11 +240,20 @@ class Refiner {
   }
 
   bool insert_word(const Station& from, const Station& to) {
+    // Most pairs are told from the distance alone.
+    const double distance = (to.pose.position() - from.pose.position()).norm();
+    const double least = std::max(distance / vehicle_.max_speed(), time_between(distance, from.speed, to.speed));
+    if (least > (to.time - from.time) * (1.0 + kRounding)) return false;
+    const double longest = (to.time - from.time) * (1.0 + kRounding) * vehicle_.max_speed();  // line of a word
     for (const double radius : radii_)
       for (const Side departure : {Side::kLeft, Side::kRight})
         for (const Side arrival : {Side::kLeft, Side::kRight}) {
-          const TurnCircle first = turn_circle(from.pose, radius, departure);
-          const TurnCircle second = turn_circle(to.pose, radius, arrival);
+          const TurnCircle first{from.pose.position() + sign_of(departure) * radius * from.left, radius, departure,
+                                 kNone};
+          const TurnCircle second{to.pose.position() + sign_of(arrival) * radius * to.left, radius, arrival, kNone};
+          const double offset = departure == arrival ? 0.0 : 2.0 * radius;
+          const double square = (second.center - first.center).squaredNorm() - offset * offset;
+          if (square > longest * longest) continue;
           const auto line = directed_bitangent(first, second);
           if (!line) continue;
           const double turn = turn_between(from.pose.heading, line->start.heading, departure) +
@@ -281,10 +261,10 @@ class Refiner {
           const double fastest = line->length / vehicle_.max_speed() + turn * radius / vehicle_.turn_speed(radius);
           const double straight = time_between(line->length + turn * radius, from.speed, to.speed);
           if (std::max(fastest, straight) >= to.time - from.time) continue;
-          CircleChain trial = replaced(from.line, to.line, {first, second});
-          if (from.line == 0) trial.lead_in = from.part * chain_.lead_in;
-          if (to.line + 1 == lines_.size()) trial.lead_out = (1.0 - to.part) * chain_.lead_out;
-          if (accept(std::move(trial))) return true;
+          ChainChange change = replaced(from.line, to.line, {first, second});
+          if (from.line == 0) change.lead_in *= from.part;
+          if (to.line + 1 == lines().size()) change.lead_out *= 1.0 - to.part;
+          if (accept(change)) return true;
         }
     return false;
   }
@@ -295,8 +275,8 @@ class Refiner {
       bool moved = true;
       for (int round = 0; moved && round < 8 && !done(); ++round) {
         moved = false;
-        for (std::size_t i = 0; i < chain_.circles.size(); ++i)
-          moved |= (i == 0 || i + 1 == chain_.circles.size()) ? slide_end(i, step) : slide_middle(i, step);
+        for (std::size_t i = 0; i < circles().size(); ++i)
+          moved |= (i == 0 || i + 1 == circles().size()) ? slide_end(i, step) : slide_middle(i, step);
         any |= moved;
       }
     }
@@ -307,16 +287,17 @@ class Refiner {
     bool any = false;
     for (const double lead : {0.0, step * smallest_, -step * smallest_})
       for (const double grow : {0.0, step, -0.5 * step}) {
-        CircleChain trial = chain_;
-        double& length = i == 0 ? trial.lead_in : trial.lead_out;
-        double& radius = trial.circles[i].radius;
+        const CircleChain& chain = chain_.chain();
+        const TurnCircle& old = circles()[i];
+        const double length = i == 0 ? chain.lead_in : chain.lead_out;
         const double longer = std::max(0.0, length + lead);
-        const double larger = std::max(smallest_, radius * (1.0 + grow));
-        if (longer == length && larger == radius) continue;
-        length = longer;
-        radius = larger;
-        trial.place_ends();
-        any |= accept(std::move(trial));
+        const double larger = std::max(smallest_, old.radius * (1.0 + grow));
+        if (longer == length && larger == old.radius) continue;
+        ChainChange change = replaced(
+            i, i + 1,
+            {i == 0 ? chain.first_circle(longer, larger, old.side) : chain.last_circle(longer, larger, old.side)});
+        (i == 0 ? change.lead_in : change.lead_out) = longer;
+        any |= accept(change);
       }
     return any;
   }
@@ -340,9 +321,8 @@ class Refiner {
                                                      {-1, 0, -0.5}}};
     bool any = false;
     for (const Move& move : kMoves) {
-      CircleChain trial = chain_;
-      TurnCircle& c = trial.circles[i];
-      const double middle = lines_[i].start.heading + sign_of(c.side) * 0.5 * turn_on(i);
+      TurnCircle c = circles()[i];
+      const double middle = lines()[i].start.heading + sign_of(c.side) * 0.5 * chain_.turn_on(i);
       const Vec2 ahead = direction_of(middle);
       const Vec2 inwards = sign_of(c.side) * perpendicular(ahead);
       const double length = step * smallest_;
@@ -353,7 +333,7 @@ class Refiner {
       const Vec2 turned = std::cos(angle) * inwards + std::sin(angle) * perpendicular(inwards);
       c.center = pivot + (swept_annulus(body_, larger).inner + move.inwards * length) * turned;
       c.radius = larger;
-      any |= accept(std::move(trial));
+      any |= accept(replaced(i, i + 1, {c}));
     }
     return any;
   }
@@ -366,8 +346,7 @@ class Refiner {
   Footprint body_;
   double smallest_;
   std::vector<double> radii_;
-  CircleChain chain_;
-  std::vector<Bitangent> lines_;
+  TimedChain chain_;
 };
 
 }  // namespace

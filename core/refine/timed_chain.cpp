@@ -1,0 +1,162 @@
+#include "core/refine/timed_chain.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace arcway {
+
+namespace {
+
+constexpr std::uint32_t kRoot = 0;
+
+}  // namespace
+
+bool TimedChain::begin(CircleChain chain, const Vehicle& vehicle) {
+  vehicle_ = &vehicle;
+  made_.chain = std::move(chain);
+  if (!complete(made_)) return false;
+  take();
+  return true;
+}
+
+bool TimedChain::complete(State& state) const {
+  auto lines = lines_of(state.chain);
+  if (!lines) return false;
+  state.lines = std::move(*lines);
+  state.path = path_of(state.chain, state.lines);
+  state.profile = speed_profile(state.path, *vehicle_);
+  return true;
+}
+
+double TimedChain::turn_on(std::size_t circle) const {
+  const auto& lines = now_.lines;
+  return turn_between(lines[circle].start.heading, lines[circle + 1].start.heading, now_.chain.circles[circle].side);
+}
+
+bool TimedChain::make(const ChainChange& change) {
+  const auto& circles = now_.chain.circles;
+  const auto at = [&circles](std::size_t i) { return circles.begin() + static_cast<std::ptrdiff_t>(i); };
+  CircleChain& made = made_.chain;
+  made.start = now_.chain.start;
+  made.goal = now_.chain.goal;
+  made.lead_in = change.lead_in;
+  made.lead_out = change.lead_out;
+  made.circles.assign(circles.begin(), at(change.first));
+  made.circles.insert(made.circles.end(), change.circles.begin(),
+                      change.circles.begin() + static_cast<std::ptrdiff_t>(change.count));
+  made.circles.insert(made.circles.end(), at(change.last), circles.end());
+  return complete(made_);
+}
+
+void TimedChain::take() {
+  std::swap(now_, made_);
+  time_parts();
+}
+
+void TimedChain::time_parts() {
+  stretches_.clear();
+  for (std::size_t i = 0; i < now_.lines.size(); ++i) {
+    stretches_.push_back({now_.lines[i].length, vehicle_->max_speed()});
+    if (i == now_.chain.circles.size()) break;
+    const double radius = now_.chain.circles[i].radius;
+    stretches_.push_back({turn_on(i) * radius, vehicle_->turn_speed(radius)});
+  }
+
+  passings_.clear();
+  Passing at{0.0, 0.0};
+  std::size_t segment = 0;
+  for (const Stretch& stretch : stretches_) {
+    passings_.push_back(at);
+    if (!(stretch.length > 0.0)) continue;
+    at.time += now_.profile.durations[segment++];
+    at.speed = now_.profile.speeds[segment];
+  }
+  passings_.push_back(at);
+
+  from_start_.reset(vehicle_->max_acceleration());
+  from_goal_.reset(vehicle_->max_acceleration());
+  start_joints_.resize(stretches_.size());
+  goal_joints_.resize(stretches_.size());
+  for (const bool forwards : {true, false}) {
+    SpeedTree& tree = forwards ? from_start_ : from_goal_;
+    std::uint32_t joint = kRoot;
+    const Stretch* before = nullptr;  // not added yet
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      const std::size_t k = forwards ? i : stretches_.size() - 1 - i;
+      const bool empty = !(stretches_[k].length > 0.0);
+      if (before != nullptr && !empty) joint = tree.add(joint, before->length, before->limit, stretches_[k].limit);
+      if (!empty) before = &stretches_[k];
+      (forwards ? start_joints_ : goal_joints_)[k] = joint;
+    }
+  }
+}
+
+PathSegment TimedChain::Part::segment() const {
+  if (!is_arc) return {line.start, length, 0.0};
+  return {pose_on(circle, line.start.heading), length, sign_of(circle.side) / circle.radius};
+}
+
+void TimedChain::add_line(const Bitangent& line) {
+  if (line.length > 0.0) laid_out_.push_back({line.length, vehicle_->max_speed(), line, {}, false});
+}
+
+void TimedChain::add_arc(const TurnCircle& circle, double from, double to) {
+  const double length = turn_between(from, to, circle.side) * circle.radius;
+  const Pose heading{0.0, 0.0, from};
+  if (length > 0.0) laid_out_.push_back({length, vehicle_->turn_speed(circle.radius), {heading, 0.0}, circle, true});
+}
+
+bool TimedChain::lay_out(const ChainChange& change) {
+  const CircleChain& chain = now_.chain;
+  const TurnCircle* at = nullptr;
+  double heading = chain.start.heading;
+  laid_out_.clear();
+  if (change.first == 0) {
+    add_line({chain.start, change.lead_in});
+  } else {
+    at = &chain.circles[change.first - 1];
+    heading = now_.lines[change.first - 1].start.heading;
+    add_line(now_.lines[change.first - 1]);
+  }
+  const auto go_to = [&](const TurnCircle& next) {
+    if (at != nullptr) {
+      const auto line = joint_of(*at, next);
+      if (!line) return false;
+      add_arc(*at, heading, line->start.heading);
+      add_line(*line);
+      heading = line->start.heading;
+    }
+    at = &next;
+    return true;
+  };
+  for (std::size_t i = 0; i < change.count; ++i)
+    if (!go_to(change.circles[i])) return false;
+  const bool to_goal = change.last == chain.circles.size();
+  if (!to_goal && !go_to(chain.circles[change.last])) return false;
+  const Bitangent end = to_goal ? chain.last_line(change.lead_out) : now_.lines[change.last + 1];
+  add_arc(*at, heading, end.start.heading);
+  add_line(end);
+  return true;
+}
+
+double TimedChain::time_after(const ChainChange& change) {
+  const std::size_t first = change.first == 0 ? 0 : 2 * (change.first - 1);
+  const std::size_t end = stretches_.size() - 1;
+  const std::size_t last = change.last == now_.chain.circles.size() ? end : 2 * (change.last + 1);
+  // How fast an outer joint may be passed depends on the line next to it, if there is one.
+  if ((first > 0 && !(stretches_[first].length > 0.0)) || (last < end && !(stretches_[last].length > 0.0))) return 0.0;
+  const std::size_t size = from_start_.size();
+  std::uint32_t joint = start_joints_[first];
+  for (std::size_t i = 0; i < laid_out_.size(); ++i)
+    joint = from_start_.add(joint, laid_out_[i].length, laid_out_[i].limit,
+                            laid_out_[std::min(i + 1, laid_out_.size() - 1)].limit);
+  const SpeedTree::Joint& here = from_start_[joint];
+  const SpeedTree::Joint& there = from_goal_[goal_joints_[last]];
+  const double speed = std::min(here.speed, there.speed);
+  const double time = from_start_.time_at(here, speed) + from_goal_.time_at(there, speed);
+  from_start_.truncate(size);
+  return time;
+}
+
+}  // namespace arcway

@@ -1,0 +1,114 @@
+#include "core/refine/timed_chain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/geometry/angle.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+TurnCircle random_circle(test::Random& random) {
+  const Side side = random.unit() < 0.5 ? Side::kLeft : Side::kRight;
+  return {random.point(0.0, 30.0), random.uniform(1.3, 4.0), side, kNone};
+}
+
+CircleChain random_chain(test::Random& random, std::size_t size) {
+  const auto pose = [&] { return Pose{random.uniform(0, 30), random.uniform(0, 30), random.uniform(-4.0, 4.0)}; };
+  CircleChain chain{pose(), pose(), std::max(0.0, random.uniform(-3, 3)), std::max(0.0, random.uniform(-3, 3)), {}};
+  for (std::size_t i = 0; i < size; ++i) chain.circles.push_back(random_circle(random));
+  chain.place_ends();
+  return chain;
+}
+
+ChainChange random_change(test::Random& random, const CircleChain& chain) {
+  const auto size = static_cast<std::int64_t>(chain.circles.size());
+  const auto first = random.integer(0, size), last = random.integer(first, std::min(size, first + 3));
+  auto count = static_cast<std::size_t>(random.integer(0, 2));
+  if (first == 0 || last == size) count = std::max<std::size_t>(count, 1);
+  ChainChange change{
+      static_cast<std::size_t>(first), static_cast<std::size_t>(last), count, {}, chain.lead_in, chain.lead_out};
+  for (std::size_t i = 0; i < count; ++i) change.circles[i] = random_circle(random);
+  const auto end = [&](std::size_t i) -> TurnCircle& { return change.circles[i]; };
+  if (first == 0) {
+    change.lead_in = std::max(0.0, random.uniform(-2, 4));
+    end(0) = chain.first_circle(change.lead_in, end(0).radius, end(0).side);
+  }
+  if (last == size) {
+    change.lead_out = std::max(0.0, random.uniform(-2, 4));
+    end(count - 1) = chain.last_circle(change.lead_out, end(count - 1).radius, end(count - 1).side);
+  }
+  return change;
+}
+
+class TimedChainOf : public testing::TestWithParam<double> {};
+
+TEST_P(TimedChainOf, TimesAChangeAsTheWholePathIsTimed) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = GetParam()});
+  test::Random random(5);
+  TimedChain timed;
+  int compared = 0, not_told = 0;
+  for (int i = 0; i < 20000; ++i) {
+    if (i % 20 == 0)
+      while (!timed.begin(random_chain(random, static_cast<std::size_t>(random.integer(2, 9))), vehicle)) {
+      }
+    const ChainChange change = random_change(random, timed.chain());
+    if (change.size_after(timed.chain().circles.size()) < 2) continue;
+    const bool has_lines = timed.lay_out(change);
+    const double time = has_lines ? timed.time_after(change) : 0.0;
+    ASSERT_EQ(timed.make(change), has_lines) << "change " << i;
+    if (!has_lines) continue;
+    if (time == 0.0) {
+      ++not_told;
+      continue;
+    }
+    ASSERT_NEAR(time, timed.made_time(), 1e-12 * timed.made_time()) << "change " << i;
+    ++compared;
+    // What the path before has not: all of it is among the parts laid out.
+    for (const PathSegment& segment : timed.made_path()) {
+      const auto is_segment = [&segment](const PathSegment& other) {
+        return other.start.x == segment.start.x && other.start.y == segment.start.y && other.length == segment.length &&
+               other.curvature == segment.curvature;
+      };
+      const Path before = path_of(timed.chain(), timed.lines());
+      EXPECT_TRUE(std::ranges::any_of(before, is_segment) ||
+                  std::ranges::any_of(timed.laid_out(), [&](const auto& part) { return is_segment(part.segment()); }))
+          << "change " << i;
+    }
+    if (random.unit() < 0.3) timed.take();
+  }
+  EXPECT_GT(compared, 1000);
+  EXPECT_LT(not_told, compared / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Accelerations, TimedChainOf, testing::Values(0.5, 2.0, 50.0));
+
+TEST(TimedChain, KnowsWhenAndHowFastItsLinesArePassed) {
+  test::Random random(6);
+  const Vehicle vehicle;
+  TimedChain timed;
+  for (int i = 0; i < 200; ++i) {
+    if (!timed.begin(random_chain(random, 4), vehicle)) continue;
+    const Path path = path_of(timed.chain(), timed.lines());
+    const SpeedProfile profile = speed_profile(path, vehicle);
+    EXPECT_EQ(timed.begin_of(0).time, 0.0);
+    EXPECT_NEAR(timed.end_of(timed.lines().size() - 1).time, profile.total_time, 1e-12 * profile.total_time);
+    double time = 0.0;
+    std::size_t line = 0;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      if (path[k].is_line()) {
+        while (timed.lines()[line].length != path[k].length) ++line;
+        EXPECT_EQ(timed.begin_of(line).time, time);
+        EXPECT_EQ(timed.begin_of(line).speed, profile.speeds[k]);
+        EXPECT_EQ(timed.end_of(line).speed, profile.speeds[k + 1]);
+      }
+      time += profile.durations[k];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace arcway
