@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,10 +11,11 @@
 
 #include "core/bytes.h"
 #include "core/geometry/angle.h"
-#include "core/geometry/predicates.h"
 #include "core/graph/circle_change.h"
+#include "core/graph/destinations.h"
 #include "core/graph/feasible_tables.h"
 #include "core/graph/slot_cache.h"
+#include "core/tables.h"
 
 namespace arcway {
 
@@ -24,12 +23,6 @@ namespace {
 
 using Link = FeasibleGraph::Link;
 
-// Vertices that a straight leads past without a turn. With more of them, rows grow along every jagged wall of a scanned
-// map without a path found more.
-constexpr std::uint32_t kMostPassed = 2;
-// Edges between a circle's vertex and one that it leads to: a vertex before the one and another before the other as
-// well.
-constexpr std::uint32_t kMostSteps = kMostPassed + 3;
 // A turn round the thinnest vertex begins and ends at a right angle to the heading at the vertex; and a little more.
 constexpr double kWidestTurn = 0.55 * kPi;
 
@@ -38,15 +31,6 @@ struct Departures {
   std::vector<Link> links;
   LinkCounts counts;
 };
-
-// The direction of the bitangent, not normalized; nothing if there is none.
-std::optional<Vec2> line_between(const TurnCircle& from, const TurnCircle& to) {
-  const Vec2 d = to.center - from.center;
-  const double offset = sign_of(to.side) * to.radius - sign_of(from.side) * from.radius;
-  const double square = d.squaredNorm() - offset * offset;
-  if (!(square > 0.0)) return std::nullopt;
-  return std::sqrt(square) * d - offset * perpendicular(d);
-}
 
 enum class Verdict : std::uint8_t { kUnknown, kKept, kArrival, kStraight };
 
@@ -82,6 +66,7 @@ struct FeasibleGraph::Data {
         smallest_radius(radii.front()),
         rows(std::move(r)),
         turn_circles(world, *rows, radii, vehicle.footprint(vehicle.safety_margin())),
+        destinations(world, *rows, turn_circles),
         circles(turn_circles.all()),
         lazy_headings(m == GraphMode::kLazy ? circles.size() : 0),
         lazy_rows(m == GraphMode::kLazy ? circles.size() : 0) {
@@ -108,7 +93,7 @@ struct FeasibleGraph::Data {
   // What another graph has found out, as far as a change of the world leaves it; the rest as the mode says.
   void take_over(const Data& before, const WorldChange& change, const Footprint& grown_body, const Executor& executor) {
     const CircleChange kept({before.world, *before.rows, before.turn_circles}, {world, *rows, turn_circles}, change,
-                            grown_body, kMostSteps);
+                            grown_body, Destinations::kMostSteps);
     headings.resize(circles.size());
     known_headings.resize(circles.size());
     known_rows.resize(circles.size());
@@ -155,11 +140,11 @@ struct FeasibleGraph::Data {
     if (kept.before(c) == kNone || !kept.keeps_row(circle.vertex)) return false;
     if (circle.second != kNone && !kept.keeps_row(circle.second)) return false;
     for (const VertexId u : {circle.vertex, circle.second})
-      if (const VertexId before = u == kNone ? kNone : vertex_before(u, circle.side);
+      if (const VertexId before = u == kNone ? kNone : destinations.vertex_before(u, circle.side);
           before != kNone && !kept.keeps_row(before))
         return false;
     if (circle.second == kNone && kept.is_still_around(circle.vertex)) return true;
-    return std::ranges::all_of(arrivals_from(circle), [&](const Arrival& arrival) {
+    return std::ranges::all_of(destinations.from(circle), [&](const Destinations::Arrival& arrival) {
       return kept.keeps_row(arrival.vertex) && kept.is_quiet_between(circle.vertex, arrival.vertex);
     });
   }
@@ -191,7 +176,7 @@ struct FeasibleGraph::Data {
   }
 
   void take(FeasibleTables known) {
-    require_tables(known);
+    require_tables(known, circles.size());
     take_headings(known);
     links = std::move(known.links);
     link_starts = std::move(known.link_starts);
@@ -284,42 +269,6 @@ struct FeasibleGraph::Data {
     }
   }
 
-  // Sizes and ranges; what headings and lengths are is taken as it comes.
-  void require_tables(const FeasibleTables& known) const {
-    const auto require_starts = [&](Table table, std::span<const std::uint64_t> starts, std::size_t count) {
-      if (starts.size() != circles.size() + 1)
-        throw TableError(table, starts.size(), "at the end, there are " + std::to_string(circles.size()) + " circles");
-      for (std::size_t c = 0; c < starts.size(); ++c) {
-        const std::uint64_t before = c == 0 ? 0 : starts[c - 1];
-        const bool is_end = c == 0 || c + 1 == starts.size();
-        const std::uint64_t wanted = c == 0 ? 0 : count;
-        if (starts[c] < before || starts[c] > count || (is_end && starts[c] != wanted))
-          throw TableError(table, c,
-                           std::to_string(starts[c]) + " follows " + std::to_string(before) +
-                               ", they must rise from 0 to " + std::to_string(count));
-      }
-    };
-    require_starts(Table::kIntervalStarts, known.interval_starts, known.intervals.size());
-    require_starts(Table::kLinkStarts, known.link_starts, known.links.size());
-    if (known.link_counts.size() != circles.size())
-      throw TableError(Table::kLinkCounts, known.link_counts.size(),
-                       "at the end, there are " + std::to_string(circles.size()) + " circles");
-    for (std::uint32_t c = 0; c < circles.size(); ++c) {
-      for (std::uint64_t i = known.link_starts[c]; i < known.link_starts[c + 1]; ++i) {
-        const Link& link = known.links[i];
-        if (link.from != c || link.to >= circles.size())
-          throw TableError(Table::kLinks, i,
-                           "from circle " + std::to_string(link.from) + " to " + std::to_string(link.to) + " in row " +
-                               std::to_string(c) + " of " + std::to_string(circles.size()));
-        const double least = i == known.link_starts[c] ? 0.0 : known.links[i - 1].heading;
-        if (!(link.heading >= least && link.heading < kTwoPi) || !(link.length >= 0.0 && std::isfinite(link.length)))
-          throw TableError(Table::kLinks, i,
-                           "heading " + std::to_string(link.heading) + " and length " + std::to_string(link.length) +
-                               ", headings rise from 0 to 2 pi and lengths are finite");
-      }
-    }
-  }
-
   [[nodiscard]] Departures kept_departures(std::uint32_t c) const {
     Departures row = departures(c);
     row.counts.arrivals = static_cast<std::uint32_t>(
@@ -342,7 +291,7 @@ struct FeasibleGraph::Data {
     const TurnCircle& circle = circles[c];
     const HeadingSet& free = headings_of(c);
     Departures row;
-    for (const Arrival& arrival : arrivals_from(circle))
+    for (const Destinations::Arrival& arrival : destinations.from(circle))
       turn_circles.visit_round(arrival.vertex, arrival.side, [&](std::uint32_t to) {
         ++row.counts.candidates;
         const auto line = directed_bitangent(circle, circles[to]);
@@ -364,96 +313,6 @@ struct FeasibleGraph::Data {
     row.counts.repeated = static_cast<std::uint32_t>(row.links.end() - repeated);
     row.links.erase(repeated, row.links.end());
     return row;
-  }
-
-  // A vertex at the end of a straight, and the side to which a path turns there.
-  struct Arrival {
-    VertexId vertex;
-    Side side;
-    VertexId before;
-    std::uint32_t passed;  // vertices between it and the circle
-  };
-
-  // The vertices that the straights from a circle lead to: those that its own see and, where the straight to a vertex
-  // and the one behind it would have a path turn away from the vertex in between, those behind it, past kMostPassed
-  // vertices at most.
-  [[nodiscard]] std::vector<Arrival> arrivals_from(const TurnCircle& circle) const {
-    std::vector<Arrival> arrivals;
-    const auto add = [&](VertexId from, Side departure, VertexId to, std::uint32_t passed) {
-      // Seen from `to` the obstacle at `from` lies on the other side than for who leaves towards `to`.
-      if (obstacle_side(world, from, world.vertex(to)) == departure) return;
-      const Side side = obstacle_side(world, to, world.vertex(from));
-      for (const Arrival& known : arrivals)
-        if (known.vertex == to && known.side == side) return;
-      arrivals.push_back({to, side, from, passed});
-    };
-    for (const VertexId u : {circle.vertex, circle.second})
-      if (u != kNone)
-        for (const VertexId v : rows->of(u)) add(u, circle.side, v, 0);
-    append_beside(circle, arrivals);
-    for (std::size_t i = 0; i < arrivals.size(); ++i) {
-      const Arrival at = arrivals[i];
-      if (at.passed == kMostPassed) break;  // so have all that follow
-      const TurnCircle& middle = own_circle(at.vertex, at.side);
-      const auto line = line_between(circle, middle);
-      if (!line) continue;
-      for (const VertexId next : rows->of(at.vertex)) {
-        const int turn = orientation(world.vertex(at.before), world.vertex(at.vertex), world.vertex(next));
-        if (turn == (at.side == Side::kLeft ? -1 : 1)) continue;
-        const TurnCircle& behind = own_circle(next, obstacle_side(world, next, world.vertex(at.vertex)));
-        const auto onwards = line_between(middle, behind);
-        if (onwards && sign_of(at.side) * cross(*line, *onwards) < 0.0) add(at.vertex, at.side, next, at.passed + 1);
-      }
-    }
-    return arrivals;
-  }
-
-  // A line past an obstacle's vertices may be free for a point, but bend round the next one for a body: then the
-  // straights lead from that one to the far end and, the same backwards, to the one before the far end.
-  void append_beside(const TurnCircle& circle, std::vector<Arrival>& arrivals) const {
-    const auto add = [&arrivals](const Arrival& arrival) {
-      const bool known = std::any_of(arrivals.begin(), arrivals.end(), [&arrival](const Arrival& a) {
-        return a.vertex == arrival.vertex && a.side == arrival.side;
-      });
-      if (!known) arrivals.push_back(arrival);
-    };
-    for (const VertexId u : {circle.vertex, circle.second}) {
-      const VertexId before = u == kNone ? kNone : vertex_before(u, circle.side);
-      if (before == kNone) continue;
-      for (const VertexId w : rows->of(before)) {
-        if (w == u || obstacle_side(world, before, world.vertex(w)) == circle.side) continue;
-        const Side side = obstacle_side(world, w, world.vertex(before));
-        if (bends_round(own_circle(before, circle.side), circle, own_circle(w, side))) add({w, side, before, 0});
-      }
-    }
-    for (std::size_t i = 0, count = arrivals.size(); i < count; ++i) {
-      const Arrival at = arrivals[i];
-      const VertexId before = vertex_before(at.vertex, at.side);
-      if (before == kNone || before == circle.vertex || before == circle.second) continue;
-      if (bends_round(circle, own_circle(before, at.side), own_circle(at.vertex, at.side)))
-        add({before, at.side, at.before, 0});
-    }
-  }
-
-  // The neighbor on its ring from which a path comes that has the obstacle on a side; kNone if they are no neighbors
-  // in the graph.
-  [[nodiscard]] VertexId vertex_before(VertexId v, Side side) const {
-    const VertexId before = side == Side::kLeft ? world.previous(v) : world.next(v);
-    const auto row = rows->of(v);
-    return turn_circles.has(before) && std::binary_search(row.begin(), row.end(), before) ? before : kNone;
-  }
-
-  // Whether a path by three circles turns to the side of the middle one, forwards, by less than a right angle.
-  static bool bends_round(const TurnCircle& from, const TurnCircle& middle, const TurnCircle& to) {
-    const auto arriving = line_between(from, middle);
-    const auto leaving = line_between(middle, to);
-    return arriving && leaving && sign_of(middle.side) * cross(*arriving, *leaving) > 0.0 &&
-           arriving->dot(*leaving) > 0.0;
-  }
-
-  // Of the smallest radius.
-  [[nodiscard]] const TurnCircle& own_circle(VertexId v, Side side) const {
-    return circles[turn_circles.first_round(v, side)];
   }
 
   [[nodiscard]] const HeadingSet& headings_of(std::uint32_t c) const {
@@ -548,6 +407,7 @@ struct FeasibleGraph::Data {
   double smallest_radius;
   std::shared_ptr<const VisibilityRows> rows;
   TurnCircles turn_circles;
+  Destinations destinations;
   std::span<const TurnCircle> circles;
   FeasibleGraphCounts counts;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,5 +26,9 @@ struct FeasibleTables {
   std::vector<FeasibleGraph::Link> links;      ///< those kept, by heading, then `to`
   std::vector<LinkCounts> link_counts;         ///< by circle
 };
+
+/// Sizes and ranges; what headings and lengths are is taken as it comes.
+/// @param circles  of the graph.  @throws TableError for the first entry that cannot be.
+void require_tables(const FeasibleTables& known, std::size_t circles);
 
 }  // namespace arcway
