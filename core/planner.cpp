@@ -16,6 +16,7 @@
 #include "core/refine/refine_reversing.h"
 #include "core/search/find_path.h"
 #include "core/search/find_reversing_path.h"
+#include "core/search/narrow_places.h"
 #include "core/search/search_map.h"
 #include "core/search/workspace_pool.h"
 #include "core/shortest_text.h"
@@ -36,6 +37,8 @@ struct Retry {
   std::uint32_t poses;
 };
 constexpr std::array<Retry, 2> kRetries{{{0.05, 12}, {0.1, 120}}};
+// Then with circles in narrow places.
+constexpr double kNarrowPlacesGap = 0.1;
 
 class Stopwatch {
  public:
@@ -114,6 +117,7 @@ struct Planner::Data {
         visibility_graph(std::move(graph)),
         rows(std::move(r)),
         map(world, vehicle, queries, options.radii, make_feasible(rows, options)),
+        narrow_places(map),
         bottleneck(world, vehicle) {
     const Footprint bare = vehicle.footprint();
     if (options.point_robot_bound && std::min(bare.front, bare.rear) >= 0.0)
@@ -243,6 +247,7 @@ struct Planner::Data {
   VisibilityGraph visibility_graph;
   std::shared_ptr<const VisibilityRows> rows;
   SearchMap map;
+  NarrowPlaces narrow_places;
   std::optional<PointDistance> point_distance;
   BottleneckFinder bottleneck;
   PrepareStatistics prepare_statistics;
@@ -400,8 +405,8 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
       result.bottleneck = d.bottleneck(request.start, request.goal);
       return result.bottleneck && result.bottleneck->too_narrow();
     };
-    return find_path(d.map, request.start, request.goal, d.options.manoeuvre_poses, no_passage, options,
-                     workspace->search);
+    return find_path(d.map, d.options.gap_circles ? &d.narrow_places : nullptr, request.start, request.goal,
+                     d.options.manoeuvre_poses, no_passage, options, workspace->search);
   });
   std::optional<Path> found;
   const auto keep_faster = [&](const Path& path, bool reverse) {
@@ -417,17 +422,29 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   if (forwards.search.path) {
     keep_faster(*forwards.search.path, false);
     d.raise_bound(request, workspace->point, result);
-    for (const Retry& retry : kRetries) {
+    const auto is_doubtful = [&](double gap) {
       const double time = speed_profile(*found, d.map.vehicle).total_time;
-      const auto poses = std::min(retry.poses, d.options.manoeuvre_poses);
-      const bool doubtful = time > (1.0 + retry.gap) * result.lower_bound;
-      if (!doubtful || poses <= 1 || result.interrupted) break;
+      return time > (1.0 + gap) * result.lower_bound && !result.interrupted;
+    };
+    const auto faster_ones = [&] {
       SearchOptions faster = options;
       faster.faster_than = result.statistics.unrefined_travel_time;
+      return faster;
+    };
+    for (const Retry& retry : kRetries) {
+      const auto poses = std::min(retry.poses, d.options.manoeuvre_poses);
+      if (poses <= 1 || !is_doubtful(retry.gap)) break;
       const FoundPath turning = d.search(result, [&] {
-        return find_path_with_manoeuvres(d.map, request.start, request.goal, poses, faster, workspace->search);
+        return find_path_with_manoeuvres(d.map, request.start, request.goal, poses, faster_ones(), workspace->search);
       });
       if (turning.search.path) keep_faster(*turning.search.path, false);
+    }
+    if (d.options.gap_circles && is_doubtful(kNarrowPlacesGap)) {
+      const FoundPath narrow = d.search(result, [&] {
+        return find_path_with_manoeuvres(d.narrow_places.map(), request.start, request.goal, 0, faster_ones(),
+                                         workspace->search);
+      });
+      if (narrow.search.path) keep_faster(*narrow.search.path, false);
     }
   }
   const bool hopeless = forwards.obstruction == Obstruction::kPassage;

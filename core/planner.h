@@ -41,6 +41,9 @@ struct PlannerOptions {
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
   /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres.
   std::uint32_t manoeuvre_poses = 400;
+  /// Where single arcs find no path, or the plan may be 10 % slower than the best one, the graph with more circles in
+  /// narrow places is searched as well: see find_gap_circles. It is made when the first query needs it.
+  bool gap_circles = true;
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
   bool point_robot_bound = true;

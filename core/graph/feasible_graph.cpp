@@ -58,14 +58,19 @@ struct LazyRow {
 struct FeasibleGraph::Data {
   Data(const World& w, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> r, QuerySet q,
        std::span<const double> radii, GraphMode m)
+      : Data(w, vehicle, r, std::move(q), radii.front(),
+             TurnCircles(w, *r, radii, vehicle.footprint(vehicle.safety_margin())), m) {}
+
+  Data(const World& w, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> r, QuerySet q, double smallest,
+       TurnCircles c, GraphMode m)
       : world(w),
         queries(std::move(q)),
         body(vehicle.footprint(0.5 * vehicle.safety_margin())),
         body_covers_reference(body.front >= 0.0 && body.rear >= 0.0),
         mode(m),
-        smallest_radius(radii.front()),
+        smallest_radius(smallest),
         rows(std::move(r)),
-        turn_circles(world, *rows, radii, vehicle.footprint(vehicle.safety_margin())),
+        turn_circles(std::move(c)),
         destinations(world, *rows, turn_circles),
         circles(turn_circles.all()),
         lazy_headings(m == GraphMode::kLazy ? circles.size() : 0),
@@ -286,28 +291,48 @@ struct FeasibleGraph::Data {
     return row;
   }
 
+  // Calls visit(circle) for those that a straight from a circle may lead to, for some of them repeatedly.
+  template <class Visitor>
+  void visit_destinations(std::uint32_t c, Visitor&& visit) const {
+    const TurnCircle& circle = circles[c];
+    if (!turn_circles.is_of_gate(c)) {
+      for (const Destinations::Arrival& arrival : destinations.from(circle))
+        turn_circles.visit_round(arrival.vertex, arrival.side, visit);
+    } else if (!turn_circles.is_exit(c)) {
+      return turn_circles.visit_exits_behind(c, visit);
+    }
+    if (turn_circles.usual_count() == circles.size()) return;
+    for (const VertexId u : {circle.vertex, circle.second}) {
+      if (u == kNone) continue;
+      turn_circles.visit_entries(u, visit);
+      for (const VertexId v : rows->of(u)) turn_circles.visit_entries(v, visit);
+      if (!turn_circles.is_of_gate(c)) continue;
+      for (const Side side : {Side::kLeft, Side::kRight}) turn_circles.visit_round(u, side, visit);
+      for (const VertexId v : rows->of(u)) turn_circles.visit_round(v, obstacle_side(world, v, world.vertex(u)), visit);
+    }
+  }
+
   // Bitangents that leave a circle at a free heading.
   [[nodiscard]] Departures departures(std::uint32_t c) const {
     const TurnCircle& circle = circles[c];
     const HeadingSet& free = headings_of(c);
     Departures row;
-    for (const Destinations::Arrival& arrival : destinations.from(circle))
-      turn_circles.visit_round(arrival.vertex, arrival.side, [&](std::uint32_t to) {
-        ++row.counts.candidates;
-        const auto line = directed_bitangent(circle, circles[to]);
-        if (!line) {
-          ++row.counts.overlaps;
-        } else if (!free.contains(line->start.heading)) {
-          ++row.counts.departures;
-        } else {
-          row.links.push_back({c, to, line->start.heading, line->length});
-        }
-      });
+    visit_destinations(c, [&](std::uint32_t to) {
+      ++row.counts.candidates;
+      const auto line = directed_bitangent(circle, circles[to]);
+      if (!line) {
+        ++row.counts.overlaps;
+      } else if (!free.contains(line->start.heading)) {
+        ++row.counts.departures;
+      } else {
+        row.links.push_back({c, to, line->start.heading, line->length});
+      }
+    });
     std::sort(row.links.begin(), row.links.end(), [](const Link& a, const Link& b) {
       if (a.heading != b.heading) return a.heading < b.heading;
       return a.to < b.to;
     });
-    // Circles round two vertices are found at both.
+    // Circles that know two vertices are found at both.
     const auto repeated =
         std::unique(row.links.begin(), row.links.end(), [](const Link& a, const Link& b) { return a.to == b.to; });
     row.counts.repeated = static_cast<std::uint32_t>(row.links.end() - repeated);
@@ -449,6 +474,12 @@ FeasibleGraph::FeasibleGraph(const FeasibleGraph& before, const World& world, co
   auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, mode);
   data->take_over(*before.data_, change, vehicle.footprint(vehicle.safety_margin()), executor);
   data_ = std::move(data);
+}
+
+FeasibleGraph::FeasibleGraph(const FeasibleGraph& usual, const Vehicle& vehicle, const ExtraCircles& extra) {
+  const Data& before = *usual.data_;
+  data_ = std::make_shared<Data>(before.world, vehicle, before.rows, before.queries, before.smallest_radius,
+                                 TurnCircles(before.turn_circles, extra), GraphMode::kLazy);
 }
 
 FeasibleTables FeasibleGraph::tables() const {

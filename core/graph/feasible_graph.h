@@ -79,6 +79,11 @@ class FeasibleGraph {
                 std::shared_ptr<const VisibilityRows> rows, const QuerySet& queries, std::span<const double> radii,
                 const Executor& executor, GraphMode mode = GraphMode::kEager);
 
+  /// A lazy graph with extra circles: all straights of the usual one, those between its circles and the extra ones
+  /// round a vertex as if these were usual, and those that lead on to gates, through them and off them.
+  /// @param usual  of the same vehicle, without extra circles.
+  FeasibleGraph(const FeasibleGraph& usual, const Vehicle& vehicle, const ExtraCircles& extra);
+
   [[nodiscard]] GraphMode mode() const;
   /// In the order of TurnCircles::all.
   [[nodiscard]] std::span<const TurnCircle> circles() const;

@@ -1,10 +1,13 @@
 #include "core/graph/turn_circles.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace arcway {
 
 TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
                          const Footprint& grown_body)
-    : radius_count_(radii.size()), first_(world.vertices().size(), kNone), shared_starts_(first_.size() + 1, 0) {
+    : radius_count_(radii.size()), first_(world.vertices().size(), kNone) {
   for (const VertexId v : world.convex_vertices()) {
     first_[v] = static_cast<std::uint32_t>(circles_.size());
     for (const double radius : radii)
@@ -22,18 +25,49 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
     if (obstacle_side(world, u, world.vertex(w)) == side) continue;
     const auto circle = turn_circle(world, u, w, radii[0], side, grown_body);
     if (!circle) continue;
-    for (const VertexId v : {u, w}) ++shared_starts_[v + 1];
     for (const Side turn : {Side::kLeft, Side::kRight}) {
       circles_.push_back(*circle);
       circles_.back().side = turn;
     }
   }
-  for (std::size_t v = 0; v < first_.size(); ++v) shared_starts_[v + 1] += shared_starts_[v];
-  shared_.resize(shared_starts_.back());
-  std::vector<std::uint64_t> next(shared_starts_.begin(), shared_starts_.end() - 1);
-  const std::size_t own = 2 * radius_count_ * world.convex_vertices().size();
-  for (auto c = static_cast<std::uint32_t>(own); c < circles_.size(); c += 2)
-    for (const VertexId v : {circles_[c].vertex, circles_[c].second}) shared_[next[v]++] = c;
+  usual_count_ = first_of_gates_ = circles_.size();
+  more_ = by_vertex(2 * radius_count_ * world.convex_vertices().size(), circles_.size(), 2);
+}
+
+TurnCircles::TurnCircles(const TurnCircles& usual, const ExtraCircles& extra) : TurnCircles(usual) {
+  const auto own = static_cast<std::size_t>(std::ranges::count_if(first_, [](auto f) { return f != kNone; }));
+  for (TurnCircle circle : extra.round)
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      circle.side = side;
+      circles_.push_back(circle);
+    }
+  first_of_gates_ = circles_.size();
+  for (const Gate& gate : extra.gates) {
+    circles_.insert(circles_.end(), gate.entries.begin(), gate.entries.end());
+    const auto exits = static_cast<std::uint32_t>(circles_.size());
+    circles_.insert(circles_.end(), gate.exits.begin(), gate.exits.end());
+    gate_.resize(circles_.size() - first_of_gates_, static_cast<std::uint32_t>(gates_.size()));
+    gates_.push_back({exits, static_cast<std::uint32_t>(circles_.size())});
+  }
+  more_ = by_vertex(2 * radius_count_ * own, first_of_gates_, 2);
+  beside_ = by_vertex(first_of_gates_, circles_.size(), 1);
+  extra_reach_ = extra.reach;
+}
+
+TurnCircles::ByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last, std::uint32_t step) const {
+  ByVertex result;
+  result.starts.assign(first_.size() + 1, 0);
+  const auto visit = [&](auto&& see) {
+    for (auto c = static_cast<std::uint32_t>(first); c < last; c += step)
+      for (const VertexId v : {circles_[c].vertex, circles_[c].second})
+        if (v != kNone) see(v, c);
+  };
+  visit([&](VertexId v, std::uint32_t) { ++result.starts[v + 1]; });
+  std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
+  result.circles.resize(result.starts.back());
+  std::vector<std::uint64_t> next(result.starts.begin(), result.starts.end() - 1);
+  visit([&](VertexId v, std::uint32_t c) { result.circles[next[v]++] = c; });
+  return result;
 }
 
 }  // namespace arcway

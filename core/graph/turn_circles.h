@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/graph/extra_circles.h"
 #include "core/graph/turn_circle.h"
 #include "core/graph/visibility_rows.h"
 #include "core/vehicle.h"
@@ -21,6 +22,10 @@ class TurnCircles {
   TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
               const Footprint& grown_body);
 
+  /// The usual circles and behind them extra ones: those round a vertex, left before right, then those of the gates,
+  /// the entries of each before its exits.
+  TurnCircles(const TurnCircles& usual, const ExtraCircles& extra);
+
   /// Those of one vertex first: all of a vertex are neighbors, radii ascending, for each left before right. Then those
   /// of two, left before right.
   [[nodiscard]] std::span<const TurnCircle> all() const { return circles_; }
@@ -35,15 +40,64 @@ class TurnCircles {
   void visit_round(VertexId v, Side side, Visitor&& visit) const {
     const std::uint32_t right = side == Side::kLeft ? 0 : 1;
     for (std::uint32_t k = 0; k < radius_count_; ++k) visit(first_[v] + 2 * k + right);
-    for (std::uint64_t i = shared_starts_[v]; i < shared_starts_[v + 1]; ++i) visit(shared_[i] + right);
+    for (const std::uint32_t left : more_.of(v)) visit(left + right);
+  }
+
+  /// How many circles are usual ones; all that follow are extra.
+  [[nodiscard]] std::size_t usual_count() const { return usual_count_; }
+  /// An extra circle lies wholly that near to the vertices that it knows [m]; 0 if there is none.
+  [[nodiscard]] double extra_reach() const { return extra_reach_; }
+  /// Calls visit(circle) for each extra circle that has this one for its first vertex.
+  template <class Visitor>
+  void visit_extra(VertexId v, Visitor&& visit) const {
+    for (const std::uint32_t left : more_.of(v))
+      if (left >= usual_count_)
+        for (const std::uint32_t c : {left, left + 1}) visit(c);
+    for (const std::uint32_t c : beside_.of(v))
+      if (circles_[c].vertex == v) visit(c);
+  }
+  /// Calls visit(circle) for each gate's entry that knows this vertex.
+  template <class Visitor>
+  void visit_entries(VertexId v, Visitor&& visit) const {
+    for (const std::uint32_t c : beside_.of(v))
+      if (!is_exit(c)) visit(c);
+  }
+  /// Of a circle: whether it is one of a gate, and there an exit.
+  [[nodiscard]] bool is_of_gate(std::uint32_t c) const { return c >= first_of_gates_; }
+  [[nodiscard]] bool is_exit(std::uint32_t c) const { return is_of_gate(c) && c >= gate_of(c).exits; }
+  /// Calls visit(circle) for each exit of an entry's gate.
+  template <class Visitor>
+  void visit_exits_behind(std::uint32_t entry, Visitor&& visit) const {
+    for (std::uint32_t c = gate_of(entry).exits; c < gate_of(entry).end; ++c) visit(c);
   }
 
  private:
+  // Circles by a vertex.
+  struct ByVertex {
+    [[nodiscard]] std::span<const std::uint32_t> of(VertexId v) const {
+      return starts.empty() ? std::span<const std::uint32_t>()
+                            : std::span(circles).subspan(starts[v], starts[v + 1] - starts[v]);
+    }
+    std::vector<std::uint64_t> starts;
+    std::vector<std::uint32_t> circles;
+  };
+  // The circles [first, last), one in so many, by the vertices that they know.
+  [[nodiscard]] ByVertex by_vertex(std::size_t first, std::size_t last, std::uint32_t step) const;
+
+  struct GateRange {
+    std::uint32_t exits, end;  // circles
+  };
+  [[nodiscard]] const GateRange& gate_of(std::uint32_t c) const { return gates_[gate_[c - first_of_gates_]]; }
+
   std::size_t radius_count_;
   std::vector<TurnCircle> circles_;
-  std::vector<std::uint32_t> first_;          // of each vertex's own circles, or kNone
-  std::vector<std::uint64_t> shared_starts_;  // into shared_, by vertex
-  std::vector<std::uint32_t> shared_;         // left circles round two vertices
+  std::vector<std::uint32_t> first_;  // of each vertex's own circles, or kNone
+  ByVertex more_;                     // the left ones of those that are no vertex's own, gates left out
+  ByVertex beside_;                   // those of gates
+  std::size_t usual_count_ = 0, first_of_gates_ = 0;
+  double extra_reach_ = 0.0;
+  std::vector<std::uint32_t> gate_;  // by circle from first_of_gates_ on
+  std::vector<GateRange> gates_;
 };
 
 }  // namespace arcway

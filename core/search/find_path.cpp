@@ -51,43 +51,70 @@ class End {
 
 }  // namespace
 
-FoundPath find_path(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
-                    const std::function<bool()>& no_passage, const SearchOptions& options, SearchWorkspace& workspace) {
+FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose& start, const Pose& goal,
+                    std::size_t max_poses, const std::function<bool()>& no_passage, const SearchOptions& options,
+                    SearchWorkspace& workspace) {
   FoundPath found;
   if ((start.position() - goal.position()).isZero(0.0) && wrap_signed(start.heading - goal.heading) == 0.0) {
     found.search.path = Path{};
     return found;
   }
-  End from(map, start, Direction::kFromStart, max_poses);
-  End to(map, goal, Direction::kToGoal, max_poses);
-  for (bool more = true; more;) {
-    SearchResult result = search_arrivals(map, from.terminals(), to.terminals(), options, workspace);
+  // True if that ends it.
+  const auto search = [&](const SearchMap& on, const End& from, const End& to) {
+    SearchResult result = search_arrivals(on, from.terminals(), to.terminals(), options, workspace);
     result.nodes_expanded += found.search.nodes_expanded;
     result.nodes_pushed += found.search.nodes_pushed;
     result.straights_checked += found.search.straights_checked;
     result.turns_checked += found.search.turns_checked;
-    found.search = std::move(result);
-    if (found.search.path || found.search.interrupted) return found;
-    if (found.obstruction == Obstruction::kNothing && no_passage()) {
-      found.obstruction = Obstruction::kPassage;
-      return found;
+    if (&on != &map) {  // what stands in the way does so in the plain map
+      result.start_connected = found.search.start_connected;
+      result.goal_connected = found.search.goal_connected;
+      result.start_is_open = found.search.start_is_open;
     }
+    found.search = std::move(result);
+    return found.search.path || found.search.interrupted;
+  };
+  End from(map, start, Direction::kFromStart, max_poses);
+  End to(map, goal, Direction::kToGoal, max_poses);
+  // More poses for the end that is in trouble; false if there are no more.
+  const auto extend = [&] {
     if (!found.search.goal_connected) {
       found.obstruction = Obstruction::kGoal;
-      more = to.extend();
+      const bool more = to.extend();
       found.manoeuvre_poses += to.terminals().size();
-    } else if (!found.search.start_connected) {
-      found.obstruction = Obstruction::kStart;
-      more = from.extend();
-      found.manoeuvre_poses += from.terminals().size();
-    } else {
-      found.obstruction = Obstruction::kBetween;
-      // Who gets everywhere but to the goal is not helped by other ways to set out.
-      const bool more_starts = !found.search.start_is_open && from.extend_far();
-      const bool more_goals = to.extend_far();
-      more = more_starts || more_goals;
-      found.manoeuvre_poses += from.terminals().size() + to.terminals().size();
+      return more;
     }
+    if (!found.search.start_connected) {
+      found.obstruction = Obstruction::kStart;
+      const bool more = from.extend();
+      found.manoeuvre_poses += from.terminals().size();
+      return more;
+    }
+    found.obstruction = Obstruction::kBetween;
+    // Who gets everywhere but to the goal is not helped by other ways to set out.
+    const bool more_starts = !found.search.start_is_open && from.extend_far();
+    const bool more_goals = to.extend_far();
+    found.manoeuvre_poses += from.terminals().size() + to.terminals().size();
+    return more_starts || more_goals;
+  };
+
+  if (search(map, from, to)) return found;
+  if (no_passage()) {
+    found.obstruction = Obstruction::kPassage;
+    return found;
+  }
+  const SearchMap& narrow = places ? places->map() : map;
+  const bool has_places = &narrow != &map;
+  if (has_places && search(narrow, from, to)) return found;
+  while (extend())
+    if (search(map, from, to)) return found;
+  if (has_places && max_poses > 0) {
+    End few_from(map, start, Direction::kFromStart, std::min(max_poses, kFirstPoses));
+    End few_to(map, goal, Direction::kToGoal, std::min(max_poses, kFirstPoses));
+    if (found.obstruction != Obstruction::kGoal) few_from.extend();
+    if (found.obstruction != Obstruction::kStart) few_to.extend();
+    found.manoeuvre_poses += few_from.terminals().size() + few_to.terminals().size();
+    search(narrow, few_from, few_to);
   }
   return found;
 }

@@ -68,24 +68,27 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
                                    : turn_between(heading, own.heading, own.circle.side);
     if (turn <= own.reach) links.push_back({index, circle, *line, turn});
   };
+  const TurnCircles& circles_of = map.graph.turn_circles();
   const auto consider_round = [&](VertexId v, double radius) {
-    if (!map.graph.turn_circles().has(v)) return;
+    if (!circles_of.has(v)) return;
     for (const Side side : {Side::kLeft, Side::kRight})
-      map.graph.turn_circles().visit_round(v, side, [&](std::uint32_t c) {
+      circles_of.visit_round(v, side, [&](std::uint32_t c) {
         const TurnCircle& circle = map.graph.circles()[c];
-        if (circle.radius == radius && circle.vertex == v) consider(c);
+        if (circle.radius == radius && circle.vertex == v && c < circles_of.usual_count()) consider(c);
       });
   };
-  for (const double radius : map.radii) {
-    // A vertex lies within its circles.
-    const double reach = 2.0 * radius;
+  // Vertices of which circles that lie so near to them may be seen.
+  const auto visit_near = [&](double reach, auto&& visit) {
     map.outlines->visit_if([&](const Box& box) { return !horizon.hides(grown(box, reach)); },
                            [&](const Outlines::Piece& piece) {
-                             for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v)
-                               consider_round(v, radius);
+                             for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v) visit(v);
                              return true;
                            });
-  }
+  };
+  // A vertex lies within its circles.
+  for (const double radius : map.radii) visit_near(2.0 * radius, [&](VertexId v) { consider_round(v, radius); });
+  if (circles_of.usual_count() < map.graph.circles().size())
+    visit_near(circles_of.extra_reach(), [&](VertexId v) { circles_of.visit_extra(v, consider); });
   // In the same order whatever the boxes.
   std::sort(links.begin() + static_cast<std::ptrdiff_t>(first), links.end(),
             [](const TerminalLink& a, const TerminalLink& b) { return a.circle < b.circle; });

@@ -11,6 +11,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/geometry/predicates.h"
+#include "core/passage/gap_circles.h"
 #include "core/planner.h"
 #include "datasets/clutter.h"
 #include "tests/support/plans.h"
@@ -272,6 +273,45 @@ TEST(FeasibleGraph, StopsWhenAsked) {
   const StoppableExecutor executor(serial, stop.get_token());
   EXPECT_THROW(FeasibleGraph(c.world, c.vehicle, c.visibility, c.queries, c.radii, executor), Cancelled);
   EXPECT_THROW((void)build_reduced_visibility_graph(c.world, *c.queries.visibility, executor), Cancelled);
+}
+
+TEST(FeasibleGraph, KeepsItsStraightsAmongMoreCircles) {
+  Case c;
+  c.world = random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.45, .seed = 3});
+  c.queries = make_reference_queries(c.world);
+  c.visibility = build_reduced_visibility_graph(c.world, *c.queries.visibility);
+  const FeasibleGraph usual = c.graph(GraphMode::kEager);
+  const ExtraCircles extra = find_gap_circles(c.world, c.vehicle, c.radii[0]);
+  ASSERT_FALSE(extra.round.empty());
+  ASSERT_FALSE(extra.gates.empty());
+  const FeasibleGraph more(usual, c.vehicle, extra);
+  const std::size_t count = usual.circles().size();
+  const TurnCircles& circles = more.turn_circles();
+  ASSERT_EQ(circles.usual_count(), count);
+  std::size_t gate_circles = 0;
+  for (const Gate& gate : extra.gates) gate_circles += gate.entries.size() + gate.exits.size();
+  ASSERT_EQ(more.circles().size(), count + 2 * extra.round.size() + gate_circles);
+
+  const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
+  std::vector<FeasibleGraph::Link> among_usual;
+  std::size_t onto = 0, through = 0, off = 0, round = 0;
+  for (const FeasibleGraph::Link& link : kept_links(more)) {
+    if (link.from < count && link.to < count) {
+      among_usual.push_back(link);
+      continue;
+    }
+    EXPECT_TRUE(c.queries.sweep->straight_free(
+        swept_rectangle(pose_on(more.circles()[link.from], link.heading), link.length, body)));
+    EXPECT_TRUE(more.free_headings(link.from).contains(link.heading));
+    EXPECT_TRUE(more.free_headings(link.to).contains(link.heading));
+    const bool from_gate = circles.is_of_gate(link.from), to_gate = circles.is_of_gate(link.to);
+    const bool in_gate = from_gate && !circles.is_exit(link.from);
+    EXPECT_EQ(in_gate,
+              to_gate && circles.is_exit(link.to));  // an entry leads to its gate's exits, and nothing else does
+    (in_gate ? through : to_gate ? onto : from_gate ? off : round) += 1;
+  }
+  expect_same(among_usual, usual.links());
+  for (const std::size_t kind : {onto, through, off, round}) EXPECT_GT(kind, 0u);
 }
 
 }  // namespace
