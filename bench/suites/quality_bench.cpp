@@ -75,17 +75,21 @@ struct Variant {
 std::vector<Variant> variants(const World& world) {
   const double smallest = turning_radii(gentle_vehicle(), world).front();
   PlannerOptions one_radius{.radii = {smallest}}, unrefined, no_manoeuvres{.manoeuvre_poses = 0}, paper;
+  PlannerOptions no_gap_circles;
+  no_gap_circles.gap_circles = false;
   PlannerOptions segment_times{.time_model = TimeModel::kSegments};
   unrefined.refinement.max_trials = 0;
   paper.heuristic = Heuristic::kPaperDistance;
   PlannerOptions bare = one_radius;
   bare.refinement.max_trials = 0;
   bare.manoeuvre_poses = 0;
+  bare.gap_circles = false;
   return {{"everything", {}},
           {"one radius", one_radius},
           {"no refinement", unrefined},
           {"no manoeuvres", no_manoeuvres},
-          {"none of the three", bare},
+          {"no circles in gaps", no_gap_circles},
+          {"none of the four", bare},
           {"the paper's heuristic", paper},
           {"the paper's segment times", segment_times}};
 }
@@ -117,7 +121,7 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
 
 void add(Study study) {
   const std::size_t queries = study == Study::kFull ? 50 : 20;
-  const std::size_t ablated = study == Study::kFull ? 50 : study == Study::kQuick ? 4 : 3;  // by seven variants
+  const std::size_t ablated = study == Study::kFull ? 50 : study == Study::kQuick ? 4 : 3;  // by eight variants
   const std::size_t obstacles = study == Study::kCheck ? 32 : 316;
   const std::pair<const char*, Heuristic> heuristics[] = {{"travel_time", Heuristic::kTravelTime},
                                                           {"paper_distance", Heuristic::kPaperDistance},
