@@ -1,11 +1,12 @@
 #include "accel/wedge/sight_map.h"
 
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 
-#include "accel/triangulation/delaunay_flips.h"
 #include "accel/triangulation/free_space_sweep.h"
+#include "accel/triangulation/delaunay_flips.h"
 #include "accel/wedge/tiles.h"
 #include "core/query/blocking.h"
 
@@ -13,7 +14,8 @@ namespace arcway {
 
 namespace {
 
-constexpr std::size_t kTrianglesPerRange = 4096;
+constexpr std::size_t kTrianglesPerBlock = 4096;
+constexpr std::size_t kRingsPerRange = 256;
 constexpr std::size_t kMaxVertices = std::size_t{1} << 28;  // six half-edges a vertex, and one bit for marks
 
 Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}; }
@@ -37,7 +39,7 @@ SightMap::SightMap(const World& world, const Executor& executor) : world_(world)
   flip_towards_delaunay(map_.sites, space->triangulation, executor);
   const Tiles tiles(world_.box(), map_.sites.size());
   const std::vector<std::uint32_t> tile_of_site = tiles.of(map_.sites);
-  lay_out_nodes(tile_of_site, tiles.count());
+  lay_out_nodes(tile_of_site, tiles.count(), executor);
   lay_out_doors(space->triangulation, tile_of_site, tiles.count(), executor);
 
   std::vector<Box> boxes;
@@ -67,39 +69,63 @@ void SightMap::list_left_edges() {
   left_edges_ = sorted_by_tile(ends, static_cast<std::uint32_t>(map_.sites.size()));
 }
 
-void SightMap::lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles) {
+void SightMap::lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles,
+                             const Executor& executor) {
+  struct Loop {
+    VertexId leftmost;
+    std::uint32_t nodes;
+  };
   const auto count = static_cast<VertexId>(world_.vertices().size());
-  std::vector<VertexId> leftmost;  // by ring
-  std::vector<std::uint32_t> tile;
+  const auto has_node = [&](VertexId v) { return world_.is_convex(v) && !world_.is_covered(v); };
+  std::vector<Loop> rings;
+  std::vector<std::uint32_t> tile;  // by ring
   std::vector<std::uint8_t> is_found(count, 0);
   for (VertexId first = 0; first < count; ++first) {
     if (is_found[first]) continue;
-    VertexId low = first;
+    Loop ring{first, 0};
     for (VertexId v = first; !is_found[v]; v = world_.next(v)) {
       is_found[v] = 1;
-      if (map_.site_of[v] < map_.site_of[low]) low = v;
+      ring.nodes += has_node(v) ? 1 : 0;
+      if (map_.site_of[v] < map_.site_of[ring.leftmost]) ring.leftmost = v;
     }
-    leftmost.push_back(low);
-    tile.push_back(tile_of_site[map_.site_of[low]]);
+    rings.push_back(ring);
+    tile.push_back(tile_of_site[map_.site_of[ring.leftmost]]);
   }
-  nodes_.reserve(world_.convex_vertices().size());
+  const std::vector<std::uint32_t> order = sorted_by_tile(tile, tiles);
+  first_of_ring_.assign(1, 0);
+  for (const std::uint32_t r : order) first_of_ring_.push_back(first_of_ring_.back() + rings[r].nodes);
+
+  nodes_.resize(first_of_ring_.back());
+  executor.for_ranges(order.size(), kRingsPerRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      std::uint32_t n = first_of_ring_[r];
+      const VertexId first = rings[order[r]].leftmost;
+      VertexId previous = world_.previous(first), v = first;
+      do {
+        const VertexId next = world_.next(v);
+        if (has_node(v))
+          nodes_[n++] = {world_.vertex(v),
+                         world_.vertex(previous),
+                         world_.vertex(next),
+                         v,
+                         map_.site_of[v],
+                         map_.site_of[previous],
+                         map_.site_of[next],
+                         kNone,
+                         kNone,
+                         kNone,
+                         kNone,
+                         kNone};
+        previous = v;
+        v = next;
+      } while (v != first);
+    }
+  });
   node_at_.assign(map_.sites.size(), kNone);
-  for (const std::uint32_t ring : sorted_by_tile(tile, tiles)) {
-    first_of_ring_.push_back(static_cast<std::uint32_t>(nodes_.size()));
-    VertexId previous = world_.previous(leftmost[ring]), v = leftmost[ring];
-    do {
-      const VertexId next = world_.next(v);
-      if (world_.is_convex(v) && !world_.is_covered(v)) {
-        const std::uint32_t site = map_.site_of[v];
-        nodes_.push_back({world_.vertex(v), world_.vertex(previous), world_.vertex(next), v, site,
-                          map_.site_of[previous], map_.site_of[next], node_at_[site], kNone, kNone, kNone, kNone});
-        node_at_[site] = static_cast<std::uint32_t>(nodes_.size() - 1);
-      }
-      previous = v;
-      v = next;
-    } while (v != leftmost[ring]);
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    nodes_[n].sibling = node_at_[nodes_[n].site];
+    node_at_[nodes_[n].site] = n;
   }
-  first_of_ring_.push_back(static_cast<std::uint32_t>(nodes_.size()));
 }
 
 void SightMap::lay_out_doors(const Triangulation& t, std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles,
@@ -110,58 +136,84 @@ void SightMap::lay_out_doors(const Triangulation& t, std::span<const std::uint32
   std::vector<std::uint32_t>& place = tile;
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
 
-  door_count_ = t.corners.size();
-  doors_ = std::make_unique_for_overwrite<Door[]>(door_count_);
-  executor.for_ranges(order.size(), kTrianglesPerRange, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      std::uint32_t site[3], behind[3];
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t h = 3 * order[i] + k, twin = t.twins[h];
-        site[k] = t.corners[h];
-        behind[k] = twin == kNone ? kNone : 3 * place[twin / 3] + twin % 3;
-      }
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t next = k == 2 ? 0 : k + 1, previous = k == 0 ? 2 : k - 1;
-        const std::uint32_t apex = site[previous];
-        doors_[3 * i + k] = {map_.sites[apex], behind[previous], behind[next], apex, node_at_[apex]};
+  doors_.resize(t.corners.size());
+  std::vector<std::vector<Wall>> walls((order.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock);
+  executor.for_ranges(walls.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t block = first; block < last; ++block) {
+      const std::size_t end = std::min(order.size(), (block + 1) * kTrianglesPerBlock);
+      for (std::size_t i = block * kTrianglesPerBlock; i < end; ++i) {
+        std::uint32_t site[3], behind[3];
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          const std::uint32_t h = 3 * order[i] + k, twin = t.twins[h];
+          site[k] = t.corners[h];
+          behind[k] = twin == kNone ? kNone : 3 * place[twin / 3] + twin % 3;
+        }
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          const std::uint32_t next = k == 2 ? 0 : k + 1, previous = k == 0 ? 2 : k - 1;
+          const std::uint32_t apex = site[previous];
+          const auto door = static_cast<std::uint32_t>(3 * i + k);
+          doors_[door] = {map_.sites[apex], behind[previous], behind[next], apex, node_at_[apex]};
+          if (behind[k] == kNone) walls[block].push_back({site[k], site[next], door});
+        }
       }
     }
   });
-  find_fans(t, order);
-  find_plain_nodes();
+  find_plain_nodes(walls);
+  find_fans(walls);
 }
 
-void SightMap::find_fans(const Triangulation& t, std::span<const std::uint32_t> order) {
+void SightMap::find_plain_nodes(const std::vector<std::vector<Wall>>& walls) {
+  std::vector<std::uint8_t> fans(nodes_.size(), 0);  // up to two, by first node of a site
+  for (const auto& block : walls)
+    for (const Wall& wall : block) {
+      if (const std::uint32_t n = node_at_[wall.left]; n != kNone) {
+        if (fans[n] < 2) ++fans[n];
+        if (nodes_[n].previous_site == wall.right) nodes_[n].first_door = wall.door;
+      }
+      if (const std::uint32_t n = node_at_[wall.right]; n != kNone && nodes_[n].next_site == wall.left)
+        nodes_[n].last_door = wall.door;
+    }
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    Node& node = nodes_[n];
+    const bool is_alone = node_at_[node.site] == n && node.sibling == kNone && fans[n] == 1;
+    if (!is_alone || node.first_door == kNone || node.last_door == kNone) node.first_door = node.last_door = kNone;
+  }
+  for (std::size_t ring = 0; ring + 1 < first_of_ring_.size(); ++ring) {
+    const std::uint32_t first = first_of_ring_[ring], end = first_of_ring_[ring + 1];
+    for (std::uint32_t n = first, previous = end - 1; n < end; previous = n++)
+      if (nodes_[n].is_plain() && nodes_[previous].is_plain() && nodes_[previous].next_site == nodes_[n].site) {
+        nodes_[n].before = previous;
+        nodes_[previous].after = n;
+      }
+  }
+}
+
+void SightMap::find_fans(const std::vector<std::vector<Wall>>& walls) {
   struct Start {
     std::uint32_t node;
     Fan fan;
   };
   std::vector<Start> starts;
-  starts.reserve(nodes_.size());
   std::vector<std::uint8_t> has_fan(nodes_.size(), 0);
-  std::size_t missing = 0;
-  const auto each_half_edge = [&](const auto& visit) {
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-      for (std::uint32_t k = 0; k < 3; ++k) visit(3 * order[i] + k, 3 * i + k);
-  };
-  const auto start_fan = [&](std::uint32_t h, std::uint32_t door, std::uint32_t node) {
-    starts.push_back({node, {door, t.corners[Triangulation::next(h)]}});
-    if (!has_fan[node]) --missing;
+  const auto start_fan = [&](const Wall& wall) {
+    const std::uint32_t node = node_at_[wall.left];
+    if (node == kNone || nodes_[node].is_plain()) return;
+    starts.push_back({node, {wall.door, wall.right}});
     has_fan[node] = 1;
   };
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) missing += node_at_[nodes_[n].site] == n;
-  each_half_edge([&](std::uint32_t h, std::uint32_t door) {
-    if (t.twins[h] != kNone) return;
-    const std::uint32_t left = t.corners[h], right = t.corners[Triangulation::next(h)];
-    if (node_at_[left] != kNone) start_fan(h, door, node_at_[left]);
-    const std::uint32_t node = node_at_[right];
-    if (node != kNone && nodes_[node].next_site == left) nodes_[node].last_door = door;
-  });
-  if (missing > 0) {  // sites without walls
-    each_half_edge([&](std::uint32_t h, std::uint32_t door) {
-      const std::uint32_t node = node_at_[t.corners[h]];
-      if (node != kNone && !has_fan[node]) start_fan(h, door, node);
-    });
+  for (const auto& block : walls)
+    for (const Wall& wall : block) start_fan(wall);
+  const auto lacks_fan = [&](std::uint32_t n) {
+    return node_at_[nodes_[n].site] == n && !nodes_[n].is_plain() && !has_fan[n];
+  };
+  bool is_complete = true;
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) is_complete = is_complete && !lacks_fan(n);
+  if (!is_complete) {  // sites without walls
+    for (std::uint32_t d = 0; d < doors_.size(); ++d) {
+      const std::uint32_t left = doors_[d % 3 == 2 ? d - 2 : d + 1].site,
+                          right = doors_[d % 3 == 0 ? d + 2 : d - 1].site;
+      if (node_at_[left] != kNone && lacks_fan(node_at_[left])) start_fan({left, right, d});
+    }
   }
 
   // Every node of a site has the fans of the site.
@@ -174,26 +226,6 @@ void SightMap::find_fans(const Triangulation& t, std::span<const std::uint32_t> 
   fans_.resize(first_fan_.back());
   std::vector<std::uint32_t> next(first_fan_.begin(), first_fan_.end() - 1);
   for (const Start& start : starts) each_node_of(start, [&](std::uint32_t n) { fans_[next[n]++] = start.fan; });
-}
-
-void SightMap::find_plain_nodes() {
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
-    Node& node = nodes_[n];
-    const bool is_alone = node_at_[node.site] == n && node.sibling == kNone && fans(n).size() == 1;
-    if (is_alone && node.last_door != kNone && fans(n)[0].first_site == node.previous_site) {
-      node.first_door = fans(n)[0].door;
-    } else {
-      node.last_door = kNone;
-    }
-  }
-  for (std::size_t ring = 0; ring + 1 < first_of_ring_.size(); ++ring) {
-    const std::uint32_t first = first_of_ring_[ring], end = first_of_ring_[ring + 1];
-    for (std::uint32_t n = first, previous = end - 1; n < end; previous = n++)
-      if (nodes_[n].is_plain() && nodes_[previous].is_plain() && nodes_[previous].next_site == nodes_[n].site) {
-        nodes_[n].before = previous;
-        nodes_[previous].after = n;
-      }
-  }
 }
 
 }  // namespace arcway

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/triangulation.h"
+#include "accel/wedge/big_vector.h"
 #include "core/executor.h"
 #include "core/geometry/box_tree.h"
 #include "core/world.h"
@@ -53,8 +53,9 @@ class SightMap {
   /// O(n log n). Throws std::length_error beyond 2^28 vertices. The same for any executor.
   explicit SightMap(const World& world, const Executor& executor = SerialExecutor());
 
-  [[nodiscard]] std::span<const Door> doors() const { return {doors_.get(), door_count_}; }
+  [[nodiscard]] std::span<const Door> doors() const { return doors_; }
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+  /// Those of a node that is not plain.
   [[nodiscard]] std::span<const Fan> fans(std::uint32_t node) const {
     return std::span(fans_).subspan(first_fan_[node], first_fan_[node + 1] - first_fan_[node]);
   }
@@ -85,23 +86,26 @@ class SightMap {
 
  private:
   /// Rings in the order of the tiles of their leftmost sites, doors of those of their triangles.
-  void lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles);
+  void lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles, const Executor& executor);
   void lay_out_doors(const Triangulation& triangulation, std::span<const std::uint32_t> tile_of_site,
                      std::uint32_t tiles, const Executor& executor);
-  /// @param order  triangles in the order of their doors.
-  void find_fans(const Triangulation& triangulation, std::span<const std::uint32_t> order);
-  void find_plain_nodes();
+  /// A door that leads into free space through an obstacle edge.
+  struct Wall {
+    std::uint32_t left, right;  ///< sites
+    std::uint32_t door;
+  };
+  void find_plain_nodes(const std::vector<std::vector<Wall>>& walls);
+  void find_fans(const std::vector<std::vector<Wall>>& walls);
 
   World world_;
   PlanarMap map_;
   std::vector<std::uint8_t> edge_is_covered_;
-  std::unique_ptr<Door[]> doors_;  // not a vector, which would fill it first
-  std::size_t door_count_ = 0;
-  std::vector<Node> nodes_;
+  BigVector<Door> doors_;
+  BigVector<Node> nodes_;
   std::vector<std::uint32_t> first_of_ring_;  // nodes; one more than rings
   std::vector<std::uint32_t> node_at_;        // by site
   std::vector<Fan> fans_;
-  std::vector<std::uint32_t> first_fan_;                     // by node
+  std::vector<std::uint32_t> first_fan_;                     // by node, none of plain ones
   std::vector<std::uint32_t> left_edges_, first_left_edge_;  // by site
   std::vector<VertexId> broken_edges_;
   BoxTree broken_tree_;

@@ -81,6 +81,7 @@ int WedgeWalk::exact_side(const Limit& limit, std::uint32_t site) const {
 // Directions are tangent from the previous vertex's counter-clockwise to the opposite of the next one's, and from the
 // opposite of the previous one's to the next one's.
 void WedgeWalk::look_around(std::uint32_t index) {
+  alias_ = kNone;
   const Node& source = map_.nodes()[index];
   follow_edges_right(source);
   follow_edges_left(source);
@@ -88,20 +89,28 @@ void WedgeWalk::look_around(std::uint32_t index) {
                      limit(Kind::kAway, index, source.next_site, source.next));
   look_through_wedge(index, limit(Kind::kAway, index, source.previous_site, source.previous),
                      limit(Kind::kToward, index, source.next_site, source.next));
+  take_tangent();
 }
 
 void WedgeWalk::look_right(std::uint32_t index) {
   alias_ = kNone;
   const Node& source = map_.nodes()[index];
-  follow_edges_right(source);
   const bool from_left = source.previous_site < source.site, to_left = source.next_site < source.site;
-  if (!source.is_plain()) {
+  if (source.is_plain()) {
+    if ((from_left || source.before != kNone) && (to_left || source.after != kNone)) {
+      if (!from_left) add(source, map_.nodes()[source.before]);
+      if (!to_left) add(source, map_.nodes()[source.after]);
+    } else {
+      follow_edges_right(source);
+    }
+    // Unless it is within a run, or its rays lead left.
+    if (from_left ? source.before == kNone : !to_left) look_from_run<Hand::kLeft>(index);
+    if (to_left ? source.after == kNone : !from_left) look_from_run<Hand::kRight>(index);
+  } else {
+    follow_edges_right(source);
     look_right_from(index);
-    return;
   }
-  // Unless it is within a run, or its rays lead left.
-  if (from_left ? source.before == kNone : !to_left) look_from_run<Hand::kLeft>(index);
-  if (to_left ? source.after == kNone : !from_left) look_from_run<Hand::kRight>(index);
+  take_tangent();
 }
 
 void WedgeWalk::look_right_from(std::uint32_t index) {
@@ -161,6 +170,7 @@ void WedgeWalk::report_along_wall(const Node& source, std::uint32_t first, std::
 }
 
 void WedgeWalk::look_through_wedge(std::uint32_t index, const Limit& wedge_low, const Limit& wedge_high) {
+  const Node& source = map_.nodes()[index];
   struct Spoke {
     Limit ray;
     int low, high;  // sides of the wedge's limits
@@ -168,7 +178,8 @@ void WedgeWalk::look_through_wedge(std::uint32_t index, const Limit& wedge_low, 
   const auto spoke_to = [&](std::uint32_t site, const Vec2& at) {
     return Spoke{limit(Kind::kMet, index, site, at), side(wedge_low, at, site), side(wedge_high, at, site)};
   };
-  for (const SightMap::Fan& fan : map_.fans(index)) {
+  const SightMap::Fan own{source.first_door, source.previous_site};
+  for (const SightMap::Fan& fan : source.is_plain() ? std::span(&own, 1) : map_.fans(index)) {
     Spoke from = spoke_to(fan.first_site, map_.sites()[fan.first_site]);
     std::uint32_t door = fan.door;
     do {
@@ -180,7 +191,7 @@ void WedgeWalk::look_through_wedge(std::uint32_t index, const Limit& wedge_low, 
       if (triangle.right != kNone && (from_inside || low_between))
         walk(triangle.right, from_inside ? from.ray : wedge_low, to_inside ? to.ray : wedge_high);
       const bool is_diagonal = triangle.left != kNone;
-      if (is_diagonal && to_inside && triangle.node != kNone) report(node(index), triangle.node);
+      if (is_diagonal && to_inside && triangle.node != kNone) report(index, triangle.node);
       from = to;
       door = triangle.left;
     } while (door != kNone && door != fan.door);
@@ -239,7 +250,7 @@ void WedgeWalk::look_from_run(std::uint32_t first) {
         look_out(outward(door), near, straight(kEnd, place));
         return;
       }
-      if (triangle.node != kNone && (near_side > 0 || is_closed(near))) report(node(from), triangle.node);
+      if (triangle.node != kNone && (near_side > 0 || is_closed(near))) report(from, triangle.node);
       const Limit middle = limit(Kind::kMet, from, triangle.site, triangle.apex);
       if (near_side > 0) look_out(outward(door), near, middle);
       near = middle;
@@ -288,7 +299,7 @@ void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
       } else {
         const std::uint32_t from = touch(low.from, high.from, triangle.apex);
         const bool in_range = (low_side > 0 || is_closed(low)) && (high_side < 0 || is_closed(high));
-        if (in_range && triangle.node != kNone) report(node(from), triangle.node);
+        if (in_range && triangle.node != kNone) report(from, triangle.node);
         // A range from a limit to itself is empty.
         const Limit middle = limit(Kind::kMet, from, triangle.site, triangle.apex);
         const bool look_left = high_side < 0 && triangle.left != kNone;
@@ -314,9 +325,20 @@ void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
   steps_ += steps;
 }
 
-void WedgeWalk::report(const Node& source, std::uint32_t first_node) {
-  for (std::uint32_t n = first_node; n != kNone; n = map_.nodes()[n].sibling)
-    if (is_tangent(map_.nodes()[n], source.at)) add(source, map_.nodes()[n]);
+inline void WedgeWalk::report(std::uint32_t place, std::uint32_t first_node) {
+  const Node* const target = map_.nodes().data() + first_node;
+  prefetch(target);
+  prefetch(&target->vertex);
+  seen_.emplace_back(place == alias_ ? alias_of_ : place, first_node);
+}
+
+void WedgeWalk::take_tangent() {
+  for (const auto& [from, first_node] : seen_) {
+    const Node& source = map_.nodes()[from];
+    for (std::uint32_t n = first_node; n != kNone; n = map_.nodes()[n].sibling)
+      if (is_tangent(map_.nodes()[n], source.at)) add(source, map_.nodes()[n]);
+  }
+  seen_.clear();
 }
 
 void WedgeWalk::add(const Node& source, const Node& target) {

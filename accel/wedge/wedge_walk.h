@@ -68,7 +68,8 @@ class WedgeWalk {
   void look_right_from(std::uint32_t node);
   void look_through_wedge(std::uint32_t node, const Limit& low, const Limit& high);
   void walk(std::uint32_t door, Limit low, Limit high);
-  void report(const Node& source, std::uint32_t first_node);
+  void report(std::uint32_t place, std::uint32_t first_node);
+  void take_tangent();
   void add(const Node& source, const Node& target);
 
   [[nodiscard]] const Node& node(std::uint32_t place) const {
@@ -88,6 +89,7 @@ class WedgeWalk {
     Limit low, high;
   };
   std::vector<Postponed> stack_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> seen_;  // nodes, to be tested once the second ones are at hand
   std::vector<std::pair<VertexId, VertexId>> edges_;
   std::uint64_t steps_ = 0;
   std::uint64_t candidates_ = 0;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "accel/make_queries.h"
@@ -111,6 +113,55 @@ TEST(WedgeGraph, OnePolygonOfManyVertices) {
   test::Random random(5);
   EXPECT_TRUE(agrees(World({{test::random_star(random, {0, 0}, 20, 100, 700), {}}})));
   EXPECT_TRUE(agrees(World({}, test::random_star(random, {0, 0}, 20, 100, 700))));
+}
+
+Ring round(const Vec2& center, double radius, int vertices) {
+  Ring ring;
+  for (int i = 0; i < vertices; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / vertices;
+    ring.push_back(center + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return ring;
+}
+
+// Long runs of nodes that are looked from at once.
+TEST(WedgeGraph, SmoothObstacles) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    test::Random random(seed);
+    std::vector<Polygon> obstacles;
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 3; ++k)
+        obstacles.push_back(
+            {round({3.0 * i + random.uniform(-0.4, 0.4), 3.0 * k}, random.uniform(0.3, 1.4), 10 * i + 20 * k + 7), {}});
+    EXPECT_TRUE(agrees(World(obstacles))) << seed;
+    EXPECT_TRUE(agrees(World(obstacles, round({4.5, 3.0}, 12.0, 50)))) << seed;
+  }
+}
+
+// Rays of a run pass vertices exactly, and edges of other obstacles lie on the lines of its own.
+TEST(WedgeGraph, RoundObstaclesOnAGrid) {
+  const Ring octagon{{1, 0}, {2, 0}, {3, 1}, {3, 2}, {2, 3}, {1, 3}, {0, 2}, {0, 1}};
+  std::vector<Polygon> obstacles;
+  for (int i = 0; i < 6; ++i)
+    for (int k = 0; k < 6; ++k) {
+      if ((i + 2 * k) % 5 == 0) continue;
+      obstacles.push_back({octagon, {}});
+      for (Vec2& p : obstacles.back().outer) p += Vec2(4 * i + (k % 3), 3 * k + (i % 2));
+    }
+  EXPECT_TRUE(agrees(World(obstacles)));
+  EXPECT_TRUE(agrees(World(obstacles, test::square(-1, -1, 40))));
+}
+
+// Chains that turn more than once around, with other obstacles in their arms.
+TEST(WedgeGraph, Spirals) {
+  Ring spiral;
+  for (int i = 0; i <= 90; ++i) spiral.push_back((1.0 + 0.1 * i) * Vec2(std::cos(0.2 * i), std::sin(0.2 * i)));
+  for (int i = 90; i >= 0; --i) spiral.push_back((0.8 + 0.1 * i) * Vec2(std::cos(0.2 * i), std::sin(0.2 * i)));
+  std::vector<Polygon> obstacles{{spiral, {}}};
+  EXPECT_TRUE(agrees(World(obstacles)));
+  for (int i = 0; i < 8; ++i)
+    obstacles.push_back({round((2.4 + 0.5 * i) * Vec2(std::cos(1.0 * i), std::sin(1.0 * i)), 0.05, 12), {}});
+  EXPECT_TRUE(agrees(World(obstacles)));
 }
 
 TEST(WedgeGraph, ThousandsOfSitesInManyTiles) {
