@@ -6,7 +6,7 @@
 #include <string>
 
 #include "accel/triangulation/free_space_sweep.h"
-#include "accel/triangulation/delaunay_flips.h"
+#include "accel/triangulation/short_diagonals.h"
 #include "accel/wedge/tiles.h"
 #include "core/query/blocking.h"
 
@@ -36,7 +36,7 @@ SightMap::SightMap(const World& world, const Executor& executor) : world_(world)
   }
   edge_is_covered_ = std::move(space->edge_is_covered);
   executor.begin_stage("triangulation");
-  flip_towards_delaunay(map_.sites, space->triangulation, executor);
+  shorten_diagonals(map_.sites, space->triangulation, executor);
   const Tiles tiles(world_.box(), map_.sites.size());
   const std::vector<std::uint32_t> tile_of_site = tiles.of(map_.sites);
   lay_out_nodes(tile_of_site, tiles.count(), executor);

@@ -9,7 +9,7 @@ namespace arcway {
 
 namespace {
 
-constexpr std::size_t kSitesPerTile = 400;
+constexpr std::size_t kSitesPerTile = 64;
 constexpr std::uint32_t kMaxSide = 1024;
 
 // Place of a cell on the Hilbert curve through side x side cells; side is a power of two.

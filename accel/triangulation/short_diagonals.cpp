@@ -1,0 +1,146 @@
+#include "accel/triangulation/short_diagonals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace arcway {
+
+namespace {
+
+// Whether the diagonal between c and d is surely inside the quadrilateral that c and d form with a and b, and so much
+// shorter than the one between a and b that walks win more than a flip costs. Lengths decrease, so flips end.
+inline bool is_shorter(const Vec2& c, const Vec2& d, const Vec2& a, const Vec2& b, double long_square) {
+  constexpr double kEnough = 0.12, kEnoughIfLong = 0.8;  // of the square
+  const double ex = b.x() - a.x(), ey = b.y() - a.y();
+  const double fx = d.x() - c.x(), fy = d.y() - c.y();
+  const double before = ex * ex + ey * ey, after = fx * fx + fy * fy;
+  if (!(after < (before > long_square ? kEnoughIfLong : kEnough) * before)) return false;
+  const double a_left = fx * (a.y() - c.y()), a_right = fy * (a.x() - c.x());
+  const double b_left = fx * (b.y() - c.y()), b_right = fy * (b.x() - c.x());
+  constexpr double kErrorBound = 0x1p-50;
+  return a_right - a_left > kErrorBound * (std::abs(a_left) + std::abs(a_right)) &&
+         b_left - b_right > kErrorBound * (std::abs(b_left) + std::abs(b_right));
+}
+
+// Square of the length from which on diagonals are long: in open country, where many lines of sight cross each.
+double long_square_of(std::span<const Vec2> sites, const Triangulation& t) {
+  constexpr double kWalls = 10.0;
+  constexpr std::size_t kStride = 22;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t h = 0; h < t.corners.size(); h += kStride) {
+    if (t.twins[h] != kNone) continue;
+    sum += (sites[t.corners[Triangulation::next(static_cast<std::uint32_t>(h))]] - sites[t.corners[h]]).norm();
+    ++count;
+  }
+  const double length = count > 0 ? kWalls * sum / static_cast<double>(count) : 0.0;
+  return length * length;
+}
+
+// Flips within the half-edges [begin, end) of whole triangles, and touches no others.
+class Flipper {
+ public:
+  Flipper(std::span<const Vec2> sites, Triangulation& t, double long_square, std::uint32_t begin, std::uint32_t end)
+      : sites_(sites),
+        corners_(t.corners),
+        twins_(t.twins),
+        long_square_(long_square),
+        begin_(begin),
+        size_(end - begin) {}
+
+  void flip_all() {
+    for (next_ = begin_; next_ < begin_ + size_; ++next_)
+      if (twins_[next_] != kNone && next_ < twins_[next_]) flip_around(next_);
+  }
+
+  void flip_around(std::uint32_t first) {
+    suspects_.push_back(first);
+    while (!suspects_.empty()) {
+      const std::uint32_t h = suspects_.back();
+      suspects_.pop_back();
+      flip(h);
+    }
+  }
+
+  /// Half-edges whose flip would have touched others.
+  [[nodiscard]] std::span<const std::uint32_t> left_over() const { return left_over_; }
+
+ private:
+  [[nodiscard]] bool is_out(std::uint32_t h) const { return h - begin_ >= size_; }
+  [[nodiscard]] bool is_foreign(std::uint32_t h) const { return h != kNone && is_out(h); }
+
+  void flip(std::uint32_t h) {
+    const auto next = Triangulation::next;
+    const auto previous = Triangulation::previous;
+    const std::uint32_t g = twins_[h];
+    if (g == kNone) return;
+    if (is_out(g)) {
+      left_over_.push_back(h);
+      return;
+    }
+    // Triangles (a, b, c) and (b, a, d) on both sides of the edge a-b.
+    const std::uint32_t bc = next(h), ca = previous(h), ad = next(g), db = previous(g);
+    const std::uint32_t a = corners_[h], b = corners_[g], c = corners_[ca], d = corners_[db];
+    if (!is_shorter(sites_[c], sites_[d], sites_[a], sites_[b], long_square_)) return;
+    const std::uint32_t beyond_ca = twins_[ca], beyond_db = twins_[db];
+    if (is_foreign(beyond_ca) || is_foreign(beyond_db)) {
+      left_over_.push_back(h);
+      return;
+    }
+    // They become (d, b, c), in the place of the first, and (c, a, d).
+    corners_[h] = d;
+    corners_[bc] = b;
+    corners_[ca] = c;
+    corners_[g] = c;
+    corners_[ad] = a;
+    corners_[db] = d;
+    join(h, beyond_db);
+    join(ca, db);
+    join(g, beyond_ca);
+    // The other two outer edges stay where they are.
+    for (const std::uint32_t outer : {h, bc, g, ad}) suspect(outer);
+  }
+
+  // Unless its turn is yet to come.
+  void suspect(std::uint32_t h) {
+    if (twins_[h] != kNone && std::min(h, twins_[h]) <= next_) suspects_.push_back(h);
+  }
+
+  void join(std::uint32_t h, std::uint32_t twin) {
+    twins_[h] = twin;
+    if (twin != kNone) twins_[twin] = h;
+  }
+
+  std::span<const Vec2> sites_;
+  std::vector<std::uint32_t>& corners_;
+  std::vector<std::uint32_t>& twins_;
+  double long_square_;
+  std::uint32_t begin_, size_;
+  std::uint32_t next_ = kNone;  // half-edge that flip_all is at
+  std::vector<std::uint32_t> suspects_;
+  std::vector<std::uint32_t> left_over_;
+};
+
+}  // namespace
+
+void shorten_diagonals(std::span<const Vec2> sites, Triangulation& triangulation, const Executor& executor) {
+  constexpr std::uint32_t kBlock = 3 * 16384;
+  const auto size = static_cast<std::uint32_t>(triangulation.corners.size());
+  const std::size_t blocks = (size + kBlock - 1) / kBlock;
+  const double long_square = long_square_of(sites, triangulation);
+  std::vector<std::vector<std::uint32_t>> seams(blocks);
+  executor.for_ranges(blocks, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t block = first; block < last; ++block) {
+      const auto begin = static_cast<std::uint32_t>(block) * kBlock;
+      Flipper flipper(sites, triangulation, long_square, begin, std::min(begin + kBlock, size));
+      flipper.flip_all();
+      seams[block].assign(flipper.left_over().begin(), flipper.left_over().end());
+    }
+  });
+  Flipper whole(sites, triangulation, long_square, 0, size);
+  for (const auto& seam : seams)
+    for (const std::uint32_t h : seam) whole.flip_around(h);
+}
+
+}  // namespace arcway
