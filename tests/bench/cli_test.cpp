@@ -344,7 +344,7 @@ TEST_F(Tool, PlansOnRealMaps) {
     EXPECT_NE(read("p.svg").find("</svg>"), std::string::npos);
     EXPECT_EQ(status == "solved", read("p.svg").find("id=\"path\"") != std::string::npos);
   }
-  EXPECT_EQ(plans, 51u);
+  EXPECT_EQ(plans, 52u);
 }
 
 TEST_F(Tool, GraphsOfABox) {
