@@ -73,7 +73,7 @@ VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, co
     const std::scoped_lock lock(mutex);
     lists.push_back(std::move(edges));
   });
-  return graph_of(after.vertices().size(), lists);
+  return graph_of(after.vertices().size(), lists, executor);
 }
 
 }  // namespace arcway

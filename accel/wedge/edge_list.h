@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/executor.h"
 #include "core/graph/visibility_graph.h"
 
 namespace arcway {
@@ -13,7 +14,8 @@ namespace arcway {
 using EdgeList = std::vector<std::pair<VertexId, VertexId>>;
 
 /// The graph that has the edges of all lists, in any order and direction.
-inline VisibilityGraph graph_of(std::size_t vertices, const std::vector<EdgeList>& lists) {
+inline VisibilityGraph graph_of(std::size_t vertices, const std::vector<EdgeList>& lists, const Executor& executor) {
+  constexpr std::size_t kRowsPerRange = 1024;
   std::vector<std::uint64_t> starts(vertices + 1, 0);
   for (const EdgeList& list : lists)
     for (const auto& [u, v] : list) ++starts[std::min(u, v) + 1];
@@ -22,7 +24,9 @@ inline VisibilityGraph graph_of(std::size_t vertices, const std::vector<EdgeList
   std::vector<std::uint64_t> place(starts.begin(), starts.end() - 1);
   for (const EdgeList& list : lists)
     for (const auto& [u, v] : list) targets[place[std::min(u, v)]++] = std::max(u, v);
-  for (std::size_t u = 0; u < vertices; ++u) std::sort(targets.begin() + starts[u], targets.begin() + starts[u + 1]);
+  executor.for_ranges(vertices, kRowsPerRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t u = begin; u < end; ++u) std::sort(targets.begin() + starts[u], targets.begin() + starts[u + 1]);
+  });
   return {std::move(starts), std::move(targets)};
 }
 

@@ -1,6 +1,7 @@
 #include "accel/wedge/sight_map.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,7 @@ namespace arcway {
 namespace {
 
 constexpr std::size_t kTrianglesPerBlock = 4096;
+constexpr std::size_t kNodesPerRange = 4096;
 constexpr std::size_t kRingsPerRange = 256;
 constexpr std::size_t kMaxVertices = std::size_t{1} << 28;  // six half-edges a vertex, and one bit for marks
 
@@ -27,20 +29,17 @@ SightMap::SightMap(const World& world, const Executor& executor) : world_(world)
     throw std::length_error("wedge builder: the world has " + std::to_string(world.vertices().size()) +
                             " vertices, at most " + std::to_string(kMaxVertices) + " fit");
   if (world.vertices().empty()) return;
+  executor.begin_stage("triangulation");
   std::optional<FreeSpace> space;
-  if (make_plain_map(world, map_)) space = triangulate_free_space(map_);
+  if (make_plain_map(world, map_)) space = sweep(executor);
   if (!space) {
     map_ = make_cut_map(world);
-    space = triangulate_free_space(map_);
+    space = sweep(executor);
     if (!space) throw std::logic_error("wedge builder: edges meet after they have been cut");
   }
   edge_is_covered_ = std::move(space->edge_is_covered);
-  executor.begin_stage("triangulation");
   shorten_diagonals(map_.sites, space->triangulation, executor);
-  const Tiles tiles(world_.box(), map_.sites.size());
-  const std::vector<std::uint32_t> tile_of_site = tiles.of(map_.sites);
-  lay_out_nodes(tile_of_site, tiles.count(), executor);
-  lay_out_doors(space->triangulation, tile_of_site, tiles.count(), executor);
+  lay_out_doors(space->triangulation, executor);
 
   std::vector<Box> boxes;
   for (const ObstacleId o : map_.broken) {
@@ -51,6 +50,21 @@ SightMap::SightMap(const World& world, const Executor& executor) : world_(world)
     }
   }
   broken_tree_ = BoxTree(boxes);
+}
+
+// The sweep cannot be shared out, but nodes need no triangles.
+std::optional<FreeSpace> SightMap::sweep(const Executor& executor) {
+  std::optional<FreeSpace> space;
+  executor.for_ranges(2, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task) {
+      if (task == 0) {
+        space = triangulate_free_space(map_);
+      } else {
+        lay_out_nodes();
+      }
+    }
+  });
+  return space;
 }
 
 bool SightMap::is_blocked_by_broken(const LineSegment& segment) const {
@@ -69,14 +83,16 @@ void SightMap::list_left_edges() {
   left_edges_ = sorted_by_tile(ends, static_cast<std::uint32_t>(map_.sites.size()));
 }
 
-void SightMap::lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles,
-                             const Executor& executor) {
+void SightMap::lay_out_nodes() {
   struct Loop {
     VertexId leftmost;
     std::uint32_t nodes;
   };
   const auto count = static_cast<VertexId>(world_.vertices().size());
   const auto has_node = [&](VertexId v) { return world_.is_convex(v) && !world_.is_covered(v); };
+  const Tiles tiles(world_.box(), map_.sites.size());
+  tile_count_ = tiles.count();
+  tile_of_site_ = tiles.of(map_.sites);
   std::vector<Loop> rings;
   std::vector<std::uint32_t> tile;  // by ring
   std::vector<std::uint8_t> is_found(count, 0);
@@ -89,50 +105,48 @@ void SightMap::lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::u
       if (map_.site_of[v] < map_.site_of[ring.leftmost]) ring.leftmost = v;
     }
     rings.push_back(ring);
-    tile.push_back(tile_of_site[map_.site_of[ring.leftmost]]);
+    tile.push_back(tile_of_site_[map_.site_of[ring.leftmost]]);
   }
-  const std::vector<std::uint32_t> order = sorted_by_tile(tile, tiles);
+  const std::vector<std::uint32_t> order = sorted_by_tile(tile, tile_count_);
   first_of_ring_.assign(1, 0);
   for (const std::uint32_t r : order) first_of_ring_.push_back(first_of_ring_.back() + rings[r].nodes);
 
   nodes_.resize(first_of_ring_.back());
-  executor.for_ranges(order.size(), kRingsPerRange, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) {
-      std::uint32_t n = first_of_ring_[r];
-      const VertexId first = rings[order[r]].leftmost;
-      VertexId previous = world_.previous(first), v = first;
-      do {
-        const VertexId next = world_.next(v);
-        if (has_node(v))
-          nodes_[n++] = {world_.vertex(v),
-                         world_.vertex(previous),
-                         world_.vertex(next),
-                         v,
-                         map_.site_of[v],
-                         map_.site_of[previous],
-                         map_.site_of[next],
-                         kNone,
-                         kNone,
-                         kNone,
-                         kNone,
-                         kNone};
-        previous = v;
-        v = next;
-      } while (v != first);
-    }
-  });
+  std::uint32_t n = 0;
+  for (const std::uint32_t ring : order) {
+    const VertexId first = rings[ring].leftmost;
+    VertexId previous = world_.previous(first), v = first;
+    do {
+      const VertexId next = world_.next(v);
+      if (has_node(v))
+        nodes_[n++] = {world_.vertex(v),
+                       world_.vertex(previous),
+                       world_.vertex(next),
+                       v,
+                       map_.site_of[v],
+                       map_.site_of[previous],
+                       map_.site_of[next],
+                       kNone,
+                       kNone,
+                       kNone,
+                       kNone,
+                       kNone};
+      previous = v;
+      v = next;
+    } while (v != first);
+  }
   node_at_.assign(map_.sites.size(), kNone);
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+  for (n = 0; n < nodes_.size(); ++n) {
     nodes_[n].sibling = node_at_[nodes_[n].site];
     node_at_[nodes_[n].site] = n;
   }
 }
 
-void SightMap::lay_out_doors(const Triangulation& t, std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles,
-                             const Executor& executor) {
+void SightMap::lay_out_doors(const Triangulation& t, const Executor& executor) {
   std::vector<std::uint32_t> tile(t.triangle_count());
-  for (std::size_t i = 0; i < tile.size(); ++i) tile[i] = tile_of_site[t.corners[3 * i]];
-  const std::vector<std::uint32_t> order = sorted_by_tile(tile, tiles);
+  for (std::size_t i = 0; i < tile.size(); ++i) tile[i] = tile_of_site_[t.corners[3 * i]];
+  const std::vector<std::uint32_t> order = sorted_by_tile(tile, tile_count_);
+  tile_of_site_ = {};
   std::vector<std::uint32_t>& place = tile;
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
 
@@ -158,34 +172,40 @@ void SightMap::lay_out_doors(const Triangulation& t, std::span<const std::uint32
       }
     }
   });
-  find_plain_nodes(walls);
+  find_plain_nodes(walls, executor);
   find_fans(walls);
 }
 
-void SightMap::find_plain_nodes(const std::vector<std::vector<Wall>>& walls) {
-  std::vector<std::uint8_t> fans(nodes_.size(), 0);  // up to two, by first node of a site
-  for (const auto& block : walls)
-    for (const Wall& wall : block) {
-      if (const std::uint32_t n = node_at_[wall.left]; n != kNone) {
-        if (fans[n] < 2) ++fans[n];
-        if (nodes_[n].previous_site == wall.right) nodes_[n].first_door = wall.door;
+void SightMap::find_plain_nodes(const std::vector<std::vector<Wall>>& walls, const Executor& executor) {
+  std::vector<std::uint32_t> fans(nodes_.size(), 0);  // by first node of a site
+  executor.for_ranges(walls.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t block = first; block < last; ++block)
+      for (const Wall& wall : walls[block]) {
+        if (const std::uint32_t n = node_at_[wall.left]; n != kNone) {
+          std::atomic_ref(fans[n]).fetch_add(1, std::memory_order_relaxed);
+          if (nodes_[n].previous_site == wall.right) nodes_[n].first_door = wall.door;
+        }
+        if (const std::uint32_t n = node_at_[wall.right]; n != kNone && nodes_[n].next_site == wall.left)
+          nodes_[n].last_door = wall.door;
       }
-      if (const std::uint32_t n = node_at_[wall.right]; n != kNone && nodes_[n].next_site == wall.left)
-        nodes_[n].last_door = wall.door;
+  });
+  executor.for_ranges(nodes_.size(), kNodesPerRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      Node& node = nodes_[n];
+      const bool is_alone = node_at_[node.site] == n && node.sibling == kNone && fans[n] == 1;
+      if (!is_alone || node.first_door == kNone || node.last_door == kNone) node.first_door = node.last_door = kNone;
     }
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
-    Node& node = nodes_[n];
-    const bool is_alone = node_at_[node.site] == n && node.sibling == kNone && fans[n] == 1;
-    if (!is_alone || node.first_door == kNone || node.last_door == kNone) node.first_door = node.last_door = kNone;
-  }
-  for (std::size_t ring = 0; ring + 1 < first_of_ring_.size(); ++ring) {
-    const std::uint32_t first = first_of_ring_[ring], end = first_of_ring_[ring + 1];
-    for (std::uint32_t n = first, previous = end - 1; n < end; previous = n++)
-      if (nodes_[n].is_plain() && nodes_[previous].is_plain() && nodes_[previous].next_site == nodes_[n].site) {
-        nodes_[n].before = previous;
-        nodes_[previous].after = n;
-      }
-  }
+  });
+  executor.for_ranges(first_of_ring_.size() - 1, kRingsPerRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t ring = begin; ring < end; ++ring) {
+      const std::uint32_t first = first_of_ring_[ring], behind = first_of_ring_[ring + 1];
+      for (std::uint32_t n = first, previous = behind - 1; n < behind; previous = n++)
+        if (nodes_[n].is_plain() && nodes_[previous].is_plain() && nodes_[previous].next_site == nodes_[n].site) {
+          nodes_[n].before = previous;
+          nodes_[previous].after = n;
+        }
+    }
+  });
 }
 
 void SightMap::find_fans(const std::vector<std::vector<Wall>>& walls) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "accel/triangulation/free_space_sweep.h"
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/triangulation.h"
 #include "accel/wedge/big_vector.h"
@@ -85,16 +87,17 @@ class SightMap {
   [[nodiscard]] bool is_blocked_by_broken(const LineSegment& segment) const;
 
  private:
+  /// Free space of the map, if it is one; and nodes and tiles.
+  std::optional<FreeSpace> sweep(const Executor& executor);
   /// Rings in the order of the tiles of their leftmost sites, doors of those of their triangles.
-  void lay_out_nodes(std::span<const std::uint32_t> tile_of_site, std::uint32_t tiles, const Executor& executor);
-  void lay_out_doors(const Triangulation& triangulation, std::span<const std::uint32_t> tile_of_site,
-                     std::uint32_t tiles, const Executor& executor);
+  void lay_out_nodes();
+  void lay_out_doors(const Triangulation& triangulation, const Executor& executor);
   /// A door that leads into free space through an obstacle edge.
   struct Wall {
     std::uint32_t left, right;  ///< sites
     std::uint32_t door;
   };
-  void find_plain_nodes(const std::vector<std::vector<Wall>>& walls);
+  void find_plain_nodes(const std::vector<std::vector<Wall>>& walls, const Executor& executor);
   void find_fans(const std::vector<std::vector<Wall>>& walls);
 
   World world_;
@@ -102,6 +105,8 @@ class SightMap {
   std::vector<std::uint8_t> edge_is_covered_;
   BigVector<Door> doors_;
   BigVector<Node> nodes_;
+  std::vector<std::uint32_t> tile_of_site_;  // while doors are yet to be laid out
+  std::uint32_t tile_count_ = 0;
   std::vector<std::uint32_t> first_of_ring_;  // nodes; one more than rings
   std::vector<std::uint32_t> node_at_;        // by site
   std::vector<Fan> fans_;

@@ -63,7 +63,7 @@ VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, con
     sum.broken_regions = map.broken_count();
     *statistics = sum;
   }
-  return graph_of(world.vertices().size(), parts);
+  return graph_of(world.vertices().size(), parts, executor);
 }
 
 }  // namespace arcway
