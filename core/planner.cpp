@@ -431,15 +431,16 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
       faster.faster_than = result.statistics.unrefined_travel_time;
       return faster;
     };
+    const SearchMap& map = forwards.by_narrow_places ? d.narrow_places.map() : d.map;
     for (const Retry& retry : kRetries) {
       const auto poses = std::min(retry.poses, d.options.manoeuvre_poses);
       if (poses <= 1 || !is_doubtful(retry.gap)) break;
       const FoundPath turning = d.search(result, [&] {
-        return find_path_with_manoeuvres(d.map, request.start, request.goal, poses, faster_ones(), workspace->search);
+        return find_path_with_manoeuvres(map, request.start, request.goal, poses, faster_ones(), workspace->search);
       });
       if (turning.search.path) keep_faster(*turning.search.path, false);
     }
-    if (d.options.gap_circles && is_doubtful(kNarrowPlacesGap)) {
+    if (d.options.gap_circles && !forwards.by_narrow_places && is_doubtful(kNarrowPlacesGap)) {
       const FoundPath narrow = d.search(result, [&] {
         return find_path_with_manoeuvres(d.narrow_places.map(), request.start, request.goal, 0, faster_ones(),
                                          workspace->search);

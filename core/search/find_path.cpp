@@ -72,6 +72,7 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
       result.start_is_open = found.search.start_is_open;
     }
     found.search = std::move(result);
+    found.by_narrow_places = found.search.path && &on != &map;
     return found.search.path || found.search.interrupted;
   };
   End from(map, start, Direction::kFromStart, max_poses);

@@ -21,6 +21,7 @@ struct FoundPath {
   SearchResult search;  ///< counters summed up over all searches
   Obstruction obstruction = Obstruction::kNothing;
   std::size_t manoeuvre_poses = 0;  ///< tried
+  bool by_narrow_places = false;    ///< the path is one of the graph with circles in narrow places
 };
 
 /// The fastest path between two poses: by single arcs at both ends or, where these lead nowhere, by short manoeuvres of

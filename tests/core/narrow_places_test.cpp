@@ -129,6 +129,19 @@ TEST(NarrowPlaces, LeadRoundACornerAsNarrowAsItCanBe) {
   }
 }
 
+TEST(NarrowPlaces, AreReachedByManoeuvres) {
+  // Beside the door, too near for an arc from the start and one onto the door's line.
+  Rooms near = rooms(0.9, 1.0, {10.0});
+  const Planner planner(near.world, Vehicle()), single(near.world, Vehicle(), {.manoeuvre_poses = 0});
+  for (const Pose& start : {Pose{8.0, 9.0, 0.5 * kPi}, Pose{8.0, 8.0, 0.25 * kPi}, Pose{7.5, 12.0, -0.5 * kPi}}) {
+    near.request.start = start;
+    EXPECT_FALSE(single.plan(near.request).solved());
+    const PlanResult result = planner.plan(near.request);
+    ASSERT_TRUE(result.solved()) << result.reason;
+    test::expect_valid(planner, result);
+  }
+}
+
 TEST(NarrowPlaces, TakeObstaclesThatTouchOrOverlap) {
   // Walls in pieces that share edges, overlap or touch at corners; one door of 0.85 m.
   const World world(
@@ -164,7 +177,7 @@ TEST(NarrowPlaces, LoseNoPathOfClutters) {
   for (const char* name : {"clutter/convex/n60/m10/f45/s1", "clutter/star/n60/m10/f45/s1"}) {
     const World world = catalogue_world(name);
     const Planner with(world, Vehicle()), without(world, Vehicle(), {.gap_circles = false});
-    for (const PlanRequest& request : catalogue_queries(name, 15, 1)) {
+    for (const PlanRequest& request : catalogue_queries(name, 10, 1)) {
       const PlanResult before = without.plan(request), now = with.plan(request);
       if (now.solved()) test::expect_valid(with, now);
       EXPECT_TRUE(now.solved() || !before.solved());
