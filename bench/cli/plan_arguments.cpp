@@ -1,0 +1,126 @@
+#include "bench/cli/plan_arguments.h"
+
+#include <algorithm>
+
+#include "datasets/svg.h"
+
+namespace arcway::cli {
+namespace {
+
+Heuristic heuristic_of(const std::string& name) {
+  if (name == "travel_time") return Heuristic::kTravelTime;
+  if (name == "paper") return Heuristic::kPaperDistance;
+  if (name == "dijkstra") return Heuristic::kDijkstra;
+  throw UsageError("--heuristic: expected travel_time, paper or dijkstra, got \"" + name + "\"");
+}
+
+GraphMode graph_mode_of(const std::string& name, bool batch) {
+  if (name.empty()) return batch ? GraphMode::kEager : GraphMode::kLazy;
+  if (name == "eager") return GraphMode::kEager;
+  if (name == "lazy") return GraphMode::kLazy;
+  throw UsageError("--graph: expected eager or lazy, got \"" + name + "\"");
+}
+
+}  // namespace
+
+void PlanArguments::add_to(CLI::App& command) {
+  command.add_option("WORLD", map, kMapHelp)->required();
+  reading.add_to(command);
+  command.add_option("--robot", robot, "Robot (JSON); default: the paper's")->type_name("R.json");
+  command.add_option("--start", start, "Start pose; default: the map's")->type_name("X,Y,HEADING");
+  command
+      .add_option("--goal", goals,
+                  "Goal, without HEADING in any; repeated: the one that is reached first; default: the map's")
+      ->type_name("X,Y[,HEADING]")
+      ->allow_extra_args(false);
+  command.add_option("--via", via, "Place to pass on the way; repeated: in this order")
+      ->type_name("X,Y[,HEADING]")
+      ->allow_extra_args(false);
+  command
+      .add_option("--alternatives", alternatives,
+                  "So many ways, the fastest first, which pass some obstacle on different sides")
+      ->type_name("K")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command.add_option("--queries", queries, "Many queries: q,sx,sy,stheta,gx,gy,gtheta")->type_name("Q.csv");
+  command.add_option("--out", out, "Results of --queries, one line a query")->type_name("R.csv");
+  command.add_option("--heuristic", heuristic, "travel_time (admissible), paper (distance) or dijkstra")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option("--graph", graph,
+                  "eager (check all bitangents first), the default of --queries, or lazy (as the search needs them), "
+                  "that of one query")
+      ->type_name("MODE");
+  command.add_option("--time-limit", time_limit, "Of each search; then the best path found so far, if any")
+      ->type_name("SECONDS");
+  command.add_flag("--reverse", reverse, "Drive backwards as well, where that is faster or nothing else leads there");
+  command.add_option("--cusp-cost", cusp_cost, "Of a change of gear, beside the time to stop; default: 0")
+      ->type_name("SECONDS");
+  command.add_option("--refine-trials", refine_trials, "Paths that refinement may try; 0 leaves it out")
+      ->type_name("N")
+      ->capture_default_str();
+  build.add_to(command);
+  command.add_option("--svg", svg, "Write a picture")->type_name("F.svg");
+  command.add_option("--svg-layers", svg_layers, "What it shows: bounds,obstacles,graph,swept,path,robot,markers")
+      ->type_name("LAYER,...")
+      ->delimiter(',')
+      ->default_str("all but graph");
+  command.add_option("--svg-view", svg_view, "What part it shows: the whole map, or the path's surroundings")
+      ->type_name("map|path")
+      ->capture_default_str();
+  command.add_option("--json", json, "Write the exact plan; with --queries one object a line")->type_name("F.json");
+  command.add_option("--csv", csv, "Write the path as samples")->type_name("F.csv");
+  command.add_option("--ros-path", ros_path, "Write the path as a nav_msgs/Path in JSON")->type_name("F.json");
+}
+
+void PlanArguments::check() const {
+  if (batch()) {
+    if (out.empty()) throw UsageError("--queries: needs --out R.csv for the results");
+    if (!start.empty() || !goals.empty() || !via.empty() || alternatives > 1) {
+      throw UsageError(
+          "--queries: start and goal come from the file; leave out --start, --goal, --via, --alternatives");
+    }
+    if (!svg.empty() || !csv.empty() || !ros_path.empty()) {
+      throw UsageError("--queries: --svg, --csv and --ros-path show one plan; leave them out");
+    }
+  } else if (!out.empty()) {
+    throw UsageError("--out: only with --queries; see --json and --csv for one plan");
+  }
+  build.check();
+  if (svg_view != "map" && svg_view != "path")
+    throw UsageError("--svg-view: expected map or path, got \"" + svg_view + "\"");
+  for (const std::string& layer : svg_layers)
+    if (std::ranges::find(SvgPicture::layers(), layer) == SvgPicture::layers().end())
+      throw UsageError("--svg-layers: expected bounds, obstacles, graph, swept, path, robot or markers, got \"" +
+                       layer + "\"");
+}
+
+PlannerOptions PlanArguments::planner_options(const Team& team) const {
+  PlannerOptions options;
+  options.heuristic = heuristic_of(heuristic);
+  options.graph_mode = graph_mode_of(graph, batch());
+  options.reduced_graph = build.reduced_graph(team);
+  options.refinement.max_trials = refine_trials;
+  options.team = &team;
+  return options;
+}
+
+PlanLimits PlanArguments::limits() const {
+  const std::string& text = time_limit;
+  if (text.empty()) return {};
+  const double seconds = parse_number(text, "--time-limit");
+  if (seconds < 0.0) throw UsageError("--time-limit: at least 0 s, got \"" + text + "\"");
+  return {.time = seconds};
+}
+
+double PlanArguments::cusp_cost_seconds() const {
+  const std::string& text = cusp_cost;
+  if (text.empty()) return 0.0;
+  if (!reverse) throw UsageError("--cusp-cost: only with --reverse");
+  const double seconds = parse_number(text, "--cusp-cost");
+  if (seconds < 0.0) throw UsageError("--cusp-cost: at least 0 s, got \"" + text + "\"");
+  return seconds;
+}
+
+}  // namespace arcway::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bench/cli/arguments.h"
+#include "core/planner.h"
+#include "core/team.h"
+
+namespace arcway::cli {
+
+/// What `arcway plan` was asked for, as typed.
+struct PlanArguments {
+  std::string map;
+  MapOptions reading;
+  std::string robot;
+  std::string start;
+  std::vector<std::string> goals, via;
+  std::uint32_t alternatives = 1;
+  std::string queries, out;
+  std::string heuristic = "travel_time";
+  std::string graph;
+  std::string time_limit;
+  bool reverse = false;
+  std::string cusp_cost;
+  std::uint32_t refine_trials = RefineOptions{}.max_trials;
+  std::string svg, json, csv, ros_path;
+  std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "markers"};
+  std::string svg_view = "map";
+  BuildOptions build;
+
+  void add_to(CLI::App& command);
+  /// @throws UsageError for options that do not go together, or values that are none.
+  void check() const;
+
+  [[nodiscard]] bool batch() const { return !queries.empty(); }
+  /// @throws UsageError, as the next two.
+  [[nodiscard]] PlannerOptions planner_options(const Team& team) const;
+  [[nodiscard]] PlanLimits limits() const;
+  [[nodiscard]] double cusp_cost_seconds() const;  ///< 0 if not given
+};
+
+}  // namespace arcway::cli

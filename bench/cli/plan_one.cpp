@@ -1,0 +1,198 @@
+#include "bench/cli/plan_one.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/alternatives.h"
+#include "core/curved_plan.h"
+#include "core/shortest_text.h"
+#include "datasets/plan_io.h"
+#include "datasets/svg.h"
+
+namespace arcway::cli {
+namespace {
+
+std::vector<LineSegment> edges_of(const Planner& planner) {
+  const auto vertices = planner.world().vertices();
+  std::vector<LineSegment> edges;
+  const auto rows = planner.visibility_rows();
+  for (VertexId u = 0; u < vertices.size(); ++u)
+    for (const VertexId v : rows->of(u))
+      if (u < v) edges.push_back({vertices[u], vertices[v]});
+  return edges;
+}
+
+std::string caption_of(const PlanResult& result) {
+  return "travel time " + fixed(result.travel_time, 2) + " s, length " + fixed(result.length, 1) +
+         " m, smallest clearance " + fixed(result.min_clearance, 3) + " m";
+}
+
+// A reason, part by part.
+std::vector<std::string> lines_of(const std::string& reason) {
+  std::vector<std::string> lines;
+  for (std::size_t first = 0; first < reason.size();) {
+    const std::size_t end = std::min(reason.find("; ", first), reason.size());
+    lines.push_back(reason.substr(first, end - first));
+    first = end + 2;
+  }
+  return lines;
+}
+
+// The first plan, and the lines of the others.
+std::string picture(const PlanArguments& arguments, const Planner& planner, const std::vector<CheckedPlan>& plans) {
+  const PlanResult& result = plans.front().result;
+  const Footprint body = planner.vehicle().footprint();
+  Box view;
+  view.extend(result.start.position());
+  view.extend(result.goal.position());
+  for (const CheckedPlan& plan : plans)
+    for (const TimedSegment& s : plan.result.segments) view.extend(s.segment.start.position());
+  if (arguments.svg_view == "map" && !planner.world().box().empty()) {
+    view.extend(planner.world().box().min);
+    view.extend(planner.world().box().max);
+  } else {
+    const double reach = body.front + body.rear + 0.05 * (view.max - view.min).maxCoeff();
+    view.extend(Vec2(view.min.array() - reach));
+    view.extend(Vec2(view.max.array() + reach));
+  }
+  SvgPicture svg(planner.world(), view);
+  if (std::ranges::find(arguments.svg_layers, "graph") != arguments.svg_layers.end()) svg.add_edges(edges_of(planner));
+  if (result.solved()) {
+    svg.add_swept_area(result.path(), body);
+    svg.add_caption(caption_of(result));
+    for (std::size_t i = 1; i < plans.size(); ++i)
+      svg.add_alternative(plans[i].result.path(), body,
+                          "alternative " + std::to_string(i + 1) + ": " + caption_of(plans[i].result));
+    svg.add_path(result.path(), body);
+    svg.set_title("Time-optimal path",
+                  "The path of a car-like robot among polygonal obstacles, with its body drawn "
+                  "along the way.");
+  } else {
+    svg.add_poses(result.start, result.goal, body);
+    if (const auto& gap = result.bottleneck) svg.add_gap(gap->on_a, gap->on_b, rounded_text(gap->width) + " m");
+    for (const std::string& line : lines_of(std::string(name_of(result.status)) + ": " + result.reason))
+      svg.add_caption(line);
+    svg.set_title("No path");
+  }
+  svg.show(arguments.svg_layers);
+  return svg.str();
+}
+
+/// The plan, and in its statistics what it took to prepare the map.
+std::string plan_json(const PlanArguments& arguments, const Planner& planner, double build_seconds,
+                      const PlanResult& result, std::uint64_t q) {
+  const PrepareStatistics& prepare = planner.prepare_statistics();
+  const FeasibleGraphCounts counts = planner.feasible_graph().counts();
+  auto json = nlohmann::ordered_json::parse(plan_to_json(result, q));
+  auto& statistics = json["statistics"];
+  statistics["backend"] = arguments.build.backend;
+  statistics["graph"] = planner.feasible_graph().mode() == GraphMode::kLazy ? "lazy" : "eager";
+  statistics["builder"] = arguments.build.builder_name(planner.world());
+  statistics["threads"] = arguments.build.thread_count();
+  statistics["build_seconds"] = build_seconds;
+  statistics["visibility_seconds"] = prepare.visibility_seconds;
+  statistics["feasible_seconds"] = prepare.feasible_seconds;
+  statistics["vertices"] = planner.world().vertices().size();
+  statistics["rows"] = has_all_rows(planner) ? "all" : "lazy";
+  if (has_all_rows(planner)) statistics["visibility_edges"] = planner.visibility_graph().edge_count();
+  statistics["circles"] = counts.circles;
+  statistics["candidates"] = counts.candidates;
+  statistics["kept"] = counts.kept;
+  statistics["rejected_overlap"] = counts.rejected_overlap;
+  statistics["rejected_departure"] = counts.rejected_departure;
+  statistics["rejected_arrival"] = counts.rejected_arrival;
+  statistics["rejected_straight"] = counts.rejected_straight;
+  return json.dump() + "\n";
+}
+
+}  // namespace
+
+std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
+                                  const PlanLimits& limits) {
+  std::vector<CheckedPlan> plans;
+  if (arguments.alternatives == 1) {
+    plans.push_back(checked(planner, plan_tour(planner, request, limits).plan, request.reverse));
+    return plans;
+  }
+  const Place& goal = request.goals.front();
+  if (!request.via.empty() || request.goals.size() > 1 || !goal.heading)
+    throw UsageError("--alternatives: only to one goal with a heading, and without --via");
+  const PlanRequest plain{.start = request.start,
+                          .goal = {goal.position.x(), goal.position.y(), *goal.heading},
+                          .reverse = request.reverse,
+                          .cusp_cost = request.cusp_cost};
+  for (PlanResult& result : plan_alternatives(planner, plain, arguments.alternatives, limits))
+    plans.push_back(checked(planner, std::move(result), request.reverse));
+  return plans;
+}
+
+int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
+             const TourRequest& request, const std::vector<CheckedPlan>& plans, const Team& team, std::string& out) {
+  const CheckedPlan& plan = plans.front();
+  const PlanResult& result = plan.result;
+
+  OutputFiles files;
+  if (!arguments.svg.empty()) files.add(arguments.svg, picture(arguments, planner, plans));
+  std::string json;
+  for (std::size_t i = 0; i < plans.size() && !arguments.json.empty(); ++i)
+    json += plan_json(arguments, planner, build_seconds, plans[i].result, i);
+  if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
+  if (!arguments.csv.empty() && result.solved()) {
+    files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle()));
+  }
+  if (!arguments.ros_path.empty() && result.solved()) {
+    files.add(arguments.ros_path, path_to_nav_msgs(result.segments, planner.vehicle()) + "\n");
+  }
+
+  out += arguments.map + ": " + name_of(result.status) + "\n";
+  if (!result.solved()) out += row("reason", result.reason);
+  out += row("start", pose_text(request.start));
+  for (const Place& place : request.via) out += row("by way of", place_text(place));
+  if (result.solved()) {
+    out += row("goal", pose_text(result.goal)) + result_rows(result) + validity_row(*plan.report);
+  } else {
+    for (const Place& goal : request.goals) out += row("goal", place_text(goal));
+  }
+  bool good = plan.good();
+  for (std::size_t i = 1; i < plans.size(); ++i) {
+    out += "\n" + row("alternative", count_text(i + 1) + " of " + count_text(plans.size())) +
+           result_rows(plans[i].result) + validity_row(*plans[i].report);
+    good = good && plans[i].good();
+  }
+  out += "\n" + world_rows(planner.world()) + prepare_rows(planner, build_seconds) +
+         row("built by", arguments.build.summary(planner.world())) + search_rows(result.statistics);
+  out += warning_rows(map);
+  if (team.rank() == 0) files.write();
+  out += files.summary();
+  return good ? kExitSolved : kExitNoPath;
+}
+
+int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
+                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, const Team& team,
+                std::string& out) {
+  CurveTolerances tolerances;
+  tolerances.last = arguments.reading.read_options().vector.curve_tolerance;
+  tolerances.first = std::max(tolerances.first, tolerances.last);
+  double build_seconds = 0.0;
+  const auto timed = [&](const World& rings) {
+    const Stopwatch watch;
+    Planner planner = make_planner(rings);
+    build_seconds = watch.seconds();
+    return planner;
+  };
+  const Place& goal = request.goals.front();
+  const PlanRequest plain{.start = request.start,
+                          .goal = {goal.position.x(), goal.position.y(), *goal.heading},
+                          .reverse = request.reverse,
+                          .cusp_cost = request.cusp_cost};
+  CurvedPlan plan = plan_among_curves(map.curved, plain, tolerances, timed, limits);
+  map.notes.push_back(count_text(map.curved.curves.size()) + " curves, as rings within " +
+                      shortest_text(tolerances.first) + " m, near the path within " +
+                      shortest_text(plan.rounds.back().tolerance) + " m; planned " + count_text(plan.rounds.size()) +
+                      (plan.rounds.size() == 1 ? " time" : " times"));
+  const std::vector<CheckedPlan> plans{checked(plan.planner, std::move(plan.result), request.reverse)};
+  return plan_one(arguments, map, plan.planner, build_seconds, request, plans, team, out);
+}
+
+}  // namespace arcway::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/cli/arguments.h"
+#include "bench/cli/plan_arguments.h"
+#include "bench/cli/plan_rows.h"
+#include "core/planner.h"
+#include "core/team.h"
+#include "core/tour.h"
+
+namespace arcway::cli {
+
+/// Alternatives, or the one plan that leads by all places to a goal.
+/// @throws UsageError where alternatives are asked for and there is more than a start and a goal.
+std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
+                                  const PlanLimits& limits);
+
+/// Writes the files that were asked for, and what is printed to `out`.
+/// @param plans  at least one; the first one is what is drawn and sampled.
+/// @returns the exit code.
+int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
+             const TourRequest& request, const std::vector<CheckedPlan>& plans, const Team& team, std::string& out);
+
+/// Plans on rings that are refined near the path, down to the tolerance that the map was read with.
+int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
+                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, const Team& team,
+                std::string& out);
+
+}  // namespace arcway::cli

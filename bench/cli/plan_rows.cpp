@@ -1,0 +1,65 @@
+#include "bench/cli/plan_rows.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bench/cli/arguments.h"
+
+namespace arcway::cli {
+
+CheckedPlan checked(const Planner& planner, PlanResult result, bool reverse) {
+  CheckedPlan plan{std::move(result), std::nullopt};
+  if (plan.result.solved()) {
+    plan.report = validate(planner.world(), planner.vehicle(), plan.result.start, plan.result.goal,
+                           plan.result.timed_path(), {.reverse = reverse});
+  }
+  return plan;
+}
+
+bool has_all_rows(const Planner& planner) {
+  return planner.visibility_graph().vertex_count() == planner.world().vertices().size();
+}
+
+std::string prepare_rows(const Planner& planner, double build_seconds) {
+  const PrepareStatistics& prepare = planner.prepare_statistics();
+  std::string text;
+  text += row("reduced graph", has_all_rows(planner) ? count_text(planner.visibility_graph().edge_count()) + " edges"
+                                                     : "rows found as the search needed them");
+  text += feasible_row(planner);
+  text += row("build", duration_text(build_seconds) + " (reduced graph " + duration_text(prepare.visibility_seconds) +
+                           ", feasible graph " + duration_text(prepare.feasible_seconds) + ")");
+  return text;
+}
+
+std::string result_rows(const PlanResult& result) {
+  std::string text;
+  text += row("travel time", fixed(result.travel_time, 3) + " s" +
+                                 (result.interrupted ? ", the best found within the time limit" : ""));
+  text += row("before refinement", fixed(result.statistics.unrefined_travel_time, 3) + " s");
+  text += row("length", fixed(result.length, 3) + " m in " + count_text(result.segments.size()) + " segments");
+  const Path path = result.path();
+  const bool reverse = std::any_of(path.begin(), path.end(), [](const auto& s) { return s.gear == Gear::kReverse; });
+  if (reverse) text += row("changes of gear", count_text(cusps_of(path)));
+  text +=
+      row("lower bound", fixed(result.lower_bound, 3) + " s, gap " + fixed(100.0 * result.optimality_gap(), 2) + " %");
+  text += row("smallest clearance", fixed(result.min_clearance, 6) + " m");
+  return text;
+}
+
+std::string search_rows(const PlanStatistics& statistics) {
+  std::string text;
+  text +=
+      row("query", duration_text(statistics.total_seconds) + " (search " + duration_text(statistics.search_seconds) +
+                       ", refinement " + duration_text(statistics.refine_seconds) + ", profile " +
+                       duration_text(statistics.profile_seconds) + ")");
+  text += row("arrivals",
+              count_text(statistics.nodes_expanded) + " expanded, " + count_text(statistics.nodes_pushed) + " pushed");
+  return text;
+}
+
+std::string validity_row(const ValidationReport& report) {
+  if (report.valid()) return row("valid", "yes, every moment of the motion checked");
+  return row("valid", "NO: " + report.issues.front().message);
+}
+
+}  // namespace arcway::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/path/validation.h"
+#include "core/planner.h"
+
+namespace arcway::cli {
+
+/// A plan and what the validator says of it; no report unless solved.
+struct CheckedPlan {
+  PlanResult result;
+  std::optional<ValidationReport> report;
+  [[nodiscard]] bool good() const { return report && report->valid(); }
+};
+CheckedPlan checked(const Planner& planner, PlanResult result, bool reverse);
+
+/// Whether all rows of the reduced graph were found, rather than those that a search asked for.
+bool has_all_rows(const Planner& planner);
+
+/// Rows of the text that the tool prints: what was built and how long it took, a plan, its search, its check.
+std::string prepare_rows(const Planner& planner, double build_seconds);
+std::string result_rows(const PlanResult& result);
+std::string search_rows(const PlanStatistics& statistics);
+std::string validity_row(const ValidationReport& report);
+
+}  // namespace arcway::cli
