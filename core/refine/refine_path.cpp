@@ -10,6 +10,7 @@
 #include "core/geometry/angle.h"
 #include "core/path/speed_profile.h"
 #include "core/refine/circle_chain.h"
+#include "core/refine/tied_turns.h"
 #include "core/refine/timed_chain.h"
 
 namespace arcway {
@@ -22,6 +23,8 @@ constexpr double kSmallestGain = 1e-6;
 constexpr double kRounding = 1e-9;
 constexpr double kFirstStep = 1.0;    // of the smallest turning radius
 constexpr double kRoughStep = 0.125;  // fine enough to try other turns
+constexpr double kTiedTurn = 0.5;     // for the first step of circles that are tied to others [rad]
+constexpr double kLeastTurn = 0.02;   // that is worth being driven in two parts [rad]
 constexpr int kFewParts = 2;
 constexpr std::array kFinerParts{3, 4, 5};
 
@@ -64,6 +67,7 @@ class Refiner {
       while (!done() && (drop_turns() || rejoin_ends() || merge_turns())) {
       }
       more = slide(kRoughStep);
+      more = widen_turns() || more;
       more = insert_words(kFewParts) || more;
     }
     slide(options_.smallest_step);
@@ -269,17 +273,63 @@ class Refiner {
     return false;
   }
 
+  // Parts of turns become wider ones, where these are faster.
+  bool widen_turns() {
+    if (radii_.size() < 2) return false;
+    bool any = false;
+    for (std::size_t i = 0; i < circles().size(); ++i)
+      for (const bool leaving : {true, false}) any |= widen(i, leaving);
+    any |= pinch(0);
+    any |= pinch(circles().size() - 1);
+    return any;
+  }
+
+  bool widen(std::size_t i, bool leaving) {
+    const std::size_t other = leaving ? i + 1 : i - 1;
+    if (other >= circles().size() || chain_.turn_on(i) < kLeastTurn) return false;
+    if (are_tied(chain_.chain(), lines(), std::min(i, other))) return false;
+    for (const double share : {0.25, 0.5, 0.75, 0.9})
+      for (const double factor : {1.5, 2.5, 5.0, 10.0})
+        if (accept(widened(chain_.chain(), lines(), i, leaving, share, factor))) return true;
+    return false;
+  }
+
+  // The vehicle is slow at the ends of its path: tight turns cost little there.
+  bool pinch(std::size_t i) {
+    const double radius = circles()[i].radius;
+    if (radius <= smallest_) return false;
+    for (const double turn : {0.1, 0.2, 0.4, 0.8})
+      for (const double factor : {1.0, 0.5, 2.0})
+        if (accept(pinched(chain_.chain(), i, smallest_, turn, std::max(factor * radius, 1.5 * smallest_))))
+          return true;
+    return false;
+  }
+
   bool slide(double last_step) {
     bool any = false;
     for (double step = kFirstStep; step >= last_step && !done(); step *= 0.5) {
       bool moved = true;
       for (int round = 0; moved && round < 8 && !done(); ++round) {
         moved = false;
-        for (std::size_t i = 0; i < circles().size(); ++i)
-          moved |= (i == 0 || i + 1 == circles().size()) ? slide_end(i, step) : slide_middle(i, step);
+        for (std::size_t i = 0; i < circles().size(); ++i) moved |= slide_circle(i, step);
         any |= moved;
       }
     }
+    return any;
+  }
+
+  bool slide_circle(std::size_t i, double step) {
+    if (i == 0 || i + 1 == circles().size()) return slide_end(i, step);
+    return is_tied(chain_.chain(), lines(), i) ? slide_tied(i, step) : slide_middle(i, step);
+  }
+
+  bool slide_tied(std::size_t i, double step) {
+    bool any = false;
+    for (const double turn : {0.0, kTiedTurn * step, -kTiedTurn * step})
+      for (const double grow : {0.0, step, -0.5 * step}) {
+        if ((turn == 0.0 && grow == 0.0) || !is_tied(chain_.chain(), lines(), i)) continue;
+        any |= accept(retied(chain_.chain(), lines(), i, turn, circles()[i].radius * (1.0 + grow)));
+      }
     return any;
   }
 
@@ -293,9 +343,9 @@ class Refiner {
         const double longer = std::max(0.0, length + lead);
         const double larger = std::max(smallest_, old.radius * (1.0 + grow));
         if (longer == length && larger == old.radius) continue;
-        ChainChange change = replaced(
-            i, i + 1,
-            {i == 0 ? chain.first_circle(longer, larger, old.side) : chain.last_circle(longer, larger, old.side)});
+        ChainChange change = shifted(
+            chain, lines(), i,
+            i == 0 ? chain.first_circle(longer, larger, old.side) : chain.last_circle(longer, larger, old.side));
         (i == 0 ? change.lead_in : change.lead_out) = longer;
         any |= accept(change);
       }
@@ -333,7 +383,7 @@ class Refiner {
       const Vec2 turned = std::cos(angle) * inwards + std::sin(angle) * perpendicular(inwards);
       c.center = pivot + (swept_annulus(body_, larger).inner + move.inwards * length) * turned;
       c.radius = larger;
-      any |= accept(replaced(i, i + 1, {c}));
+      any |= accept(shifted(chain_.chain(), lines(), i, c));
     }
     return any;
   }

@@ -11,11 +11,11 @@
 
 namespace arcway {
 
-/// A change of a chain: some neighbouring circles give way to others, two at most.
+/// A change of a chain: some neighbouring circles give way to others, a few at most.
 struct ChainChange {
   std::size_t first, last;  ///< circles [first, last) go, and
   std::size_t count;        ///< so many of these come
-  std::array<TurnCircle, 2> circles;
+  std::array<TurnCircle, 6> circles;
   double lead_in, lead_out;  ///< of the changed chain
 
   [[nodiscard]] std::size_t size_after(std::size_t circles_before) const {
