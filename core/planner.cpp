@@ -411,6 +411,11 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   std::optional<Path> found;
   const auto keep_faster = [&](const Path& path, bool reverse) {
     const double unrefined = result.statistics.unrefined_travel_time;
+    if (!found) {
+      result.statistics.first_path_seconds = total.seconds();
+      result.statistics.first_travel_time = speed_profile(path, d.map.vehicle).total_time;
+      result.first_path = path;
+    }
     Path refined = d.refined(path, options, reverse, result);
     const auto cost = [&](const Path& p) { return travel_cost(p, d.map.vehicle, request.cusp_cost); };
     if (!found || cost(refined) < cost(*found)) {

@@ -98,6 +98,8 @@ struct PlanStatistics {
   std::uint64_t refine_trials = 0;        ///< paths that refinement tried
   std::uint64_t refine_improvements = 0;  ///< those of them that it took
   double unrefined_travel_time = 0.0;     ///< of the path before refinement [s]
+  double first_travel_time = 0.0;         ///< of `first_path` [s]
+  double first_path_seconds = 0.0;        ///< until that was found, of total_seconds
   double search_seconds = 0.0;
   double refine_seconds = 0.0;
   double bound_seconds = 0.0;    ///< lower bound
@@ -115,6 +117,7 @@ struct PlanResult {
   std::vector<TimedSegment> segments;
   double travel_time = 0.0;  ///< [s]
   double length = 0.0;       ///< [m]
+  Path first_path;           ///< the first one found, as free, before refinement; none for tours
   /// No path can take less [s]: travel_time_bound with the length of the straight line; if solved, `point_robot_bound`
   /// is set and the body covers the reference point, with that of a point's shortest path among the obstacles.
   double lower_bound = 0.0;

@@ -139,6 +139,8 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
   append_member(out, "turns_checked", result.statistics.turns_checked);
   append_member(out, "manoeuvre_poses", result.statistics.manoeuvre_poses);
   append_member(out, "unrefined_travel_time", result.statistics.unrefined_travel_time);
+  append_member(out, "first_travel_time", result.statistics.first_travel_time);
+  append_member(out, "first_path_seconds", result.statistics.first_path_seconds);
   append_member(out, "refine_trials", result.statistics.refine_trials);
   append_member(out, "refine_improvements", result.statistics.refine_improvements);
   append_member(out, "refine_seconds", result.statistics.refine_seconds);

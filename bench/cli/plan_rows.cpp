@@ -48,6 +48,9 @@ std::string result_rows(const PlanResult& result) {
 
 std::string search_rows(const PlanStatistics& statistics) {
   std::string text;
+  if (statistics.first_path_seconds > 0.0)
+    text += row("first path",
+                fixed(statistics.first_travel_time, 3) + " s, after " + duration_text(statistics.first_path_seconds));
   text +=
       row("query", duration_text(statistics.total_seconds) + " (search " + duration_text(statistics.search_seconds) +
                        ", refinement " + duration_text(statistics.refine_seconds) + ", profile " +

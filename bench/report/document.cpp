@@ -189,6 +189,7 @@ Document make_document(const Inputs& inputs) {
   if (inputs.peers) add(planners_section(*inputs.peers));
   add(quality_section(results));
   add(ablation_section(results));
+  add(radii_section(results));
   if (inputs.peers) add(planners_by_world_section(*inputs.peers));
   add(growth_section(studies));
   for (const Study& study : studies) add(study_section(study));

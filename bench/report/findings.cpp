@@ -121,6 +121,11 @@ std::string counter_text(const Measurement& m, const std::string& name, const ch
   return found == m.counters.end() ? "–" : number_text(format, found->second);
 }
 
+std::string seconds_text(const Measurement& m, const std::string& name) {
+  const auto found = m.counters.find(name);
+  return found == m.counters.end() ? "–" : time_text(found->second);
+}
+
 }  // namespace
 
 std::vector<std::string> growth_findings(const Results& results, const std::vector<Study>& studies) {
@@ -221,19 +226,23 @@ Section quality_section(const Results& results) {
       .title = "Quality of the plans",
       .paragraphs =
           {"Random queries in clutters of 100 obstacles. Bound: no path takes less. Best known: the graph's best "
-           "path by Dijkstra's search, refined the same way."},
+           "path by Dijkstra's search, refined the same way. First path: before refinement. Wall times, median "
+           "over the queries that are solved; the mean over all."},
       .figures = {},
-      .table = {{"world", "queries", "solved", "start blocked", "goal blocked", "no path", "time / bound, median",
-                 "time / best known, worst", "smallest clearance", "expansions a query", "time a query"},
+      .table = {{"world", "queries", "solved", "start blocked", "goal blocked", "no path", "first path / bound, median",
+                 "after", "refined / bound, median", "after", "time / best known, worst", "smallest clearance",
+                 "expansions a query", "time a query, mean"},
                 {},
                 1}};
   for (const Measurement* m : of_stage(results, "Quality"))
     section.table.rows.push_back(
         {rest_of(*m), counter_text(*m, "queries", "%.0f"), counter_text(*m, "solved_share", "%.2f"),
          counter_text(*m, "start_blocked", "%.0f"), counter_text(*m, "goal_blocked", "%.0f"),
-         counter_text(*m, "no_path", "%.0f"), counter_text(*m, "time_over_bound_median", "%.3f"),
-         counter_text(*m, "time_over_best_worst", "%.3f"), counter_text(*m, "min_clearance_m", "%.4f") + " m",
-         counter_text(*m, "expansions_per_query", "%.0f"), time_text(median(m->cpu_seconds))});
+         counter_text(*m, "no_path", "%.0f"), counter_text(*m, "first_over_bound_median", "%.3f"),
+         seconds_text(*m, "first_path_seconds_median"), counter_text(*m, "time_over_bound_median", "%.3f"),
+         seconds_text(*m, "plan_seconds_median"), counter_text(*m, "time_over_best_worst", "%.3f"),
+         counter_text(*m, "min_clearance_m", "%.4f") + " m", counter_text(*m, "expansions_per_query", "%.0f"),
+         time_text(median(m->cpu_seconds))});
   return section;
 }
 
@@ -259,6 +268,31 @@ Section ablation_section(const Results& results) {
     (*row)[at] = counter_text(*m, "gap_percent_median", "%.2f") + " (" + counter_text(*m, "solved", "%.0f") + ")";
   }
   for (auto& row : section.table.rows) row.resize(header.size());
+  return section;
+}
+
+Section radii_section(const Results& results) {
+  Section section{
+      .title = "Travel time over the number of radii",
+      .paragraphs =
+          {"Robots with limits on their acceleration, sideways and along [m/s²], random queries in clutters of "
+           "100 obstacles: travel time over that with circles of the smallest radius only, median and worst. "
+           "Refinement widens turns as well; the last ratio is to a robot that has no use for wide turns, "
+           "graph and refinement both, driven as fast as the first one can."},
+      .figures = {},
+      .table = {{"robot and world", "radii", "solved", "first path / with one radius", "refined / with one radius",
+                 "refined / tightest turns only", "time a query, mean"},
+                {},
+                1}};
+  for (const Measurement* m : of_stage(results, "Radii")) {
+    const auto ratio = [&](const std::string& name) {
+      return counter_text(*m, name + "_median", "%.3f") + " (" + counter_text(*m, name + "_worst", "%.3f") + ")";
+    };
+    section.table.rows.push_back({rest_of(*m), number_text("%.0f", place_of(m->name).size),
+                                  counter_text(*m, "solved", "%.0f"), ratio("first_over_one"),
+                                  ratio("refined_over_one"), ratio("refined_over_tightest"),
+                                  time_text(median(m->cpu_seconds))});
+  }
   return section;
 }
 

@@ -26,4 +26,7 @@ Section quality_section(const Results& results);
 /// Travel time over the lower bound with the planner's features switched off one by one; a row each, a column a world.
 Section ablation_section(const Results& results);
 
+/// Travel time over the number of radii, for robots whose wider turns are faster; a row each.
+Section radii_section(const Results& results);
+
 }  // namespace arcway::report

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/robots.h"
 #include "bench/suites/allocations.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/plans.h"
@@ -102,7 +103,7 @@ void time_batch(benchmark::State& state, const std::string& world_name, std::siz
 }
 
 void time_radii(benchmark::State& state, const std::string& world_name, std::size_t radii) {
-  const Vehicle vehicle = gentle_vehicle();
+  const Vehicle vehicle = gentle_robot(2.0, 2.0);
   std::vector<double> all = turning_radii(vehicle, shared_world(world_name));
   all.resize(std::min(radii, all.size()));
   const Planner planner = make_planner(shared_world(world_name), vehicle, {.radii = all});

@@ -47,6 +47,4 @@ bool are_right(const Planner& planner, const std::vector<PlanResult>& results) {
          std::ranges::all_of(results, [&](const PlanResult& r) { return !r.solved() || is_valid(planner, r); });
 }
 
-Vehicle gentle_vehicle() { return Vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0}); }
-
 }  // namespace arcway::bench

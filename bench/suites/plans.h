@@ -21,8 +21,4 @@ std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanR
 /// Whether at least one query is solved and the validator takes all paths.
 bool are_right(const Planner& planner, const std::vector<PlanResult>& results);
 
-/// A robot whose speed on arcs grows with the radius: 2 m/s^2 sideways, driving and braking. Wider turns are faster, so
-/// that circles of several radii matter.
-Vehicle gentle_vehicle();
-
 }  // namespace arcway::bench

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/robots.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
 #include "core/graph/turning_radii.h"
@@ -28,7 +29,7 @@ void count_quality(benchmark::State& state, const std::vector<PlanResult>& resul
                    const std::vector<PlanResult>& best) {
   double solved = 0.0, expanded = 0.0, clearance = std::numeric_limits<double>::infinity(), worst = 1.0;
   double start_blocked = 0.0, goal_blocked = 0.0, no_path = 0.0;
-  std::vector<double> over_bound;
+  std::vector<double> over_bound, first_over_bound, first_seconds, seconds;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const PlanResult& r = results[i];
     expanded += static_cast<double>(r.statistics.nodes_expanded);
@@ -39,6 +40,9 @@ void count_quality(benchmark::State& state, const std::vector<PlanResult>& resul
     solved += 1.0;
     clearance = std::min(clearance, r.min_clearance);
     over_bound.push_back(r.travel_time / r.lower_bound);
+    first_over_bound.push_back(r.statistics.first_travel_time / r.lower_bound);
+    first_seconds.push_back(r.statistics.first_path_seconds);
+    seconds.push_back(r.statistics.total_seconds);
     if (best[i].solved()) worst = std::max(worst, r.travel_time / best[i].travel_time);
   }
   const auto count = static_cast<double>(results.size());
@@ -49,6 +53,9 @@ void count_quality(benchmark::State& state, const std::vector<PlanResult>& resul
   state.counters["expansions_per_query"] = expanded / count;
   state.counters["queries"] = count;
   state.counters["time_over_bound_median"] = median_of(over_bound);
+  state.counters["first_over_bound_median"] = median_of(first_over_bound);
+  state.counters["first_path_seconds_median"] = median_of(first_seconds);
+  state.counters["plan_seconds_median"] = median_of(seconds);
   state.counters["time_over_best_worst"] = worst;
   state.counters["min_clearance_m"] = clearance;
 }
@@ -73,7 +80,7 @@ struct Variant {
 };
 
 std::vector<Variant> variants(const World& world) {
-  const double smallest = turning_radii(gentle_vehicle(), world).front();
+  const double smallest = turning_radii(gentle_robot(2.0, 2.0), world).front();
   PlannerOptions one_radius{.radii = {smallest}}, unrefined, no_manoeuvres{.manoeuvre_poses = 0}, paper;
   PlannerOptions no_gap_circles;
   no_gap_circles.gap_circles = false;
@@ -101,10 +108,10 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
   const std::vector<Variant> all = variants(world);
   const std::vector<PlanRequest> requests = catalogue_queries(world_name, queries, 1);
   std::vector<std::vector<PlanResult>>& results = plans[world_name];
-  const Planner planner = make_planner(world, gentle_vehicle(), all[chosen].options);
+  const Planner planner = make_planner(world, gentle_robot(2.0, 2.0), all[chosen].options);
   for (const Variant& v : all)
     if (results.size() < all.size())
-      results.push_back(plan_all(make_planner(world, gentle_vehicle(), v.options), requests));
+      results.push_back(plan_all(make_planner(world, gentle_robot(2.0, 2.0), v.options), requests));
   if (!require(state, are_right(planner, results[chosen]), kWrong)) return;
   for (auto _ : state)
     for (const PlanRequest& request : requests) benchmark::DoNotOptimize(planner.plan(request));

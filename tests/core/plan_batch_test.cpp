@@ -29,7 +29,7 @@ struct Case {
 // Everything but times.
 std::string bits_of(PlanResult result) {
   result.statistics.search_seconds = result.statistics.refine_seconds = result.statistics.bound_seconds =
-      result.statistics.profile_seconds = result.statistics.total_seconds = 0.0;
+      result.statistics.profile_seconds = result.statistics.total_seconds = result.statistics.first_path_seconds = 0.0;
   return plan_to_json(result, 0) + result.reason;
 }
 
