@@ -1,7 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/context/context.h"
@@ -23,31 +27,37 @@ namespace {
 struct Options {
   VisibilityStudyOptions visibility;
 #ifdef ARCWAY_PEER_OMPL
-  PlannerStudyOptions planners{
-      .worlds = {"clutter/convex/n100/m10/f15", "clutter/convex/n100/m10/f30", "clutter/convex/n100/m10/f45",
-                 "clutter/star/n100/m10/f15", "clutter/star/n100/m10/f30", "clutter/star/n100/m10/f45"},
-      .vehicle = {}};
+  PlannerSetting planners{.name = {}, .worlds = {}, .vehicle = Vehicle()};  // where no standard one is meant
+  std::vector<std::string> settings;
+  std::optional<std::size_t> queries;  // of the standard ones, too
 #endif
   std::string only, out, lost, robot;
+  bool update = false;
 };
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option("--out", options.out, "JSON for `arcway report`");
+  app.add_flag("--update", options.update, "Keep what the file has of other studies and settings");
   app.add_option("--only", options.only, "one of the studies")->check(CLI::IsMember({"visibility", "planners"}));
   app.add_option("--obstacles", options.visibility.obstacles, "sizes of the visibility study")->delimiter(',');
   app.add_option("--repetitions", options.visibility.repetitions, "of each side of a duel")->capture_default_str();
   app.add_option("--limit", options.visibility.limit, "leave out what takes longer [s]")->capture_default_str();
 #ifdef ARCWAY_PEER_OMPL
-  PlannerStudyOptions& p = options.planners;
-  app.add_option("--worlds", p.worlds, "of the study of planners")->delimiter(',')->capture_default_str();
-  app.add_option("--queries", p.queries, "a world")->capture_default_str();
+  PlannerSetting& p = options.planners;
+  std::vector<std::string> names;
+  for (const PlannerSetting& setting : standard_settings()) names.push_back(setting.name);
+  app.add_option("--settings", options.settings, "of the study of planners; default: all")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
+  app.add_option("--worlds", p.worlds, "a setting of its own, to which the options below belong")->delimiter(',');
+  app.add_option("--queries", options.queries, "a world");
   app.add_option("--times", p.times, "when to look at the peers' best path [s]")->delimiter(',')->capture_default_str();
   app.add_option("--long-time", p.long_time, "once more, on the first queries of a world [s]")->capture_default_str();
   app.add_option("--long-queries", p.long_queries, "how many those are")->capture_default_str();
   app.add_flag("--first-only", p.first_only, "RRTConnect's first path and nothing else");
   app.add_option("--first-within", p.first_within, "the time for that [s]")->capture_default_str();
   app.add_option("--seed", p.seed, "of queries and peers")->capture_default_str();
-  app.add_option("--robot", options.robot, "of the study of planners (JSON); default: the paper's");
+  app.add_option("--robot", options.robot, "JSON; default: the paper's");
   app.add_option("--lost", options.lost,
                  "queries that a peer alone solves, or with a faster path, and its path as a plan");
 #endif
@@ -65,28 +75,59 @@ report::PeerResults new_results() {
   return results;
 }
 
+#ifdef ARCWAY_PEER_OMPL
+std::vector<PlannerSetting> chosen_settings(const Options& options) {
+  if (!options.planners.worlds.empty()) {
+    std::vector<PlannerSetting> own{options.planners};
+    own[0].queries = options.queries.value_or(own[0].queries);
+    own[0].name = options.robot.empty() ? "paper's robot" : options.robot;
+    if (!options.robot.empty()) own[0].vehicle = Vehicle(read_robot(read_file(options.robot), options.robot));
+    return own;
+  }
+  std::vector<PlannerSetting> chosen = standard_settings();
+  const auto is_left_out = [&](const PlannerSetting& s) {
+    return std::ranges::find(options.settings, s.name) == options.settings.end();
+  };
+  if (!options.settings.empty()) std::erase_if(chosen, is_left_out);
+  for (PlannerSetting& setting : chosen) setting.queries = options.queries.value_or(setting.queries);
+  return chosen;
+}
+
+// One setting after the other; what was there of them goes.
+void study_planners(const Options& options, const std::function<void(const std::string&)>& say,
+                    const std::function<void()>& save, report::PeerResults& results) {
+  std::string lost;
+  for (const PlannerSetting& setting : chosen_settings(options)) {
+    std::erase_if(results.queries, [&](const report::PlannerQuery& q) { return q.setting == setting.name; });
+    const PlannerStudyProgress progress{.line = say,
+                                        .lost = [&](const std::string& line) { lost += line + "\n"; },
+                                        .world_done =
+                                            [&](const std::vector<report::PlannerQuery>& queries) {
+                                              results.queries.insert(results.queries.end(), queries.begin(),
+                                                                     queries.end());
+                                              save();
+                                            }};
+    planner_study(setting, progress);
+    if (!options.lost.empty()) write_file_atomically(options.lost, lost);
+  }
+}
+#endif
+
 void run_studies(const Options& options) {
   const auto say = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   report::PeerResults results = new_results();
+  if (options.update) {
+    report::PeerResults before = report::read_peer_results(read_file(options.out), options.out);
+    results.duels = std::move(before.duels);
+    results.queries = std::move(before.queries);
+  }
   const auto save = [&] {
     if (!options.out.empty()) write_file_atomically(options.out, report::peer_results_json(results));
   };
   if (options.only != "planners") results.duels = visibility_study(options.visibility, say);
   save();
 #ifdef ARCWAY_PEER_OMPL
-  std::string lost;
-  const PlannerStudyProgress progress{.line = say,
-                                      .lost = [&](const std::string& line) { lost += line + "\n"; },
-                                      .world_done =
-                                          [&](const std::vector<report::PlannerQuery>& queries) {
-                                            results.queries = queries;
-                                            save();
-                                          }};
-  PlannerStudyOptions planners = options.planners;
-  if (!options.robot.empty()) planners.vehicle = Vehicle(read_robot(read_file(options.robot), options.robot));
-  if (options.only != "visibility") results.queries = planner_study(planners, progress);
-  save();
-  if (!options.lost.empty()) write_file_atomically(options.lost, lost);
+  if (options.only != "visibility") study_planners(options, say, save, results);
 #endif
 }
 

@@ -12,12 +12,14 @@
 #include <ompl/util/Console.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
 #include "bench/peers/cpu_clock.h"
 #include "bench/peers/shortcut.h"
 #include "core/geometry/angle.h"
+#include "core/graph/turning_radii.h"
 
 namespace arcway::peers {
 namespace {
@@ -110,7 +112,7 @@ class Setup {
 
   std::shared_ptr<ob::Planner> make(OmplPlanner kind) {
     std::shared_ptr<ob::Planner> planner;
-    if (kind == OmplPlanner::kRrtConnect) {
+    if (kind != OmplPlanner::kInformedRrtStar) {
       planner = std::make_shared<og::RRTConnect>(information_);
     } else {
       planner = std::make_shared<og::InformedRRTstar>(information_);
@@ -164,15 +166,15 @@ class Setup {
   ob::ProblemDefinitionPtr definition_;
 };
 
-void run_restarts(Setup& setup, const Problem& problem, const CpuClock& clock, std::span<const double> times,
-                  Random& random, PeerRun& run) {
+void run_restarts(Setup& setup, const Problem& problem, std::span<const double> radii, const CpuClock& clock,
+                  std::span<const double> times, Random& random, PeerRun& run) {
   std::optional<PeerSolution> best;
   std::optional<PeerSolution> next = run.first;
   for (const double time : times) {
     const auto over = [&] { return clock.seconds() >= time; };
     while (!over()) {
       if (next) {
-        next->path = shortcut(std::move(next->path), problem, random, kPatience, over);
+        next->path = shortcut(std::move(next->path), problem, radii, random, kPatience, over);
         next->travel_time = travel_time(next->path, problem.vehicle);
         next->seconds = clock.seconds();
         if (!best || next->travel_time < best->travel_time) best = std::move(next);
@@ -189,7 +191,15 @@ void run_restarts(Setup& setup, const Problem& problem, const CpuClock& clock, s
 }  // namespace
 
 const char* name_of(OmplPlanner planner) {
-  return planner == OmplPlanner::kRrtConnect ? "ompl_rrtconnect" : "ompl_informed_rrtstar";
+  switch (planner) {
+    case OmplPlanner::kRrtConnect:
+      return "ompl_rrtconnect";
+    case OmplPlanner::kRrtConnectWide:
+      return "ompl_rrtconnect_wide";
+    case OmplPlanner::kInformedRrtStar:
+      return "ompl_informed_rrtstar";
+  }
+  return "unknown";
 }
 
 PeerRun run_ompl(OmplPlanner kind, const Problem& problem, double first_within, std::span<const double> times,
@@ -206,7 +216,9 @@ PeerRun run_ompl(OmplPlanner kind, const Problem& problem, double first_within, 
     return run;
   }
   if (kind == OmplPlanner::kRrtConnect) {
-    run_restarts(setup, problem, clock, times, random, run);
+    run_restarts(setup, problem, std::array{problem.vehicle.min_turning_radius()}, clock, times, random, run);
+  } else if (kind == OmplPlanner::kRrtConnectWide) {
+    run_restarts(setup, problem, turning_radii(problem.vehicle, problem.world), clock, times, random, run);
   } else {
     for (const double time : times) {
       if (clock.seconds() < time) setup.solve(*planner, clock, time, false);

@@ -12,6 +12,7 @@ namespace arcway::peers {
 
 enum class OmplPlanner {
   kRrtConnect,       ///< restarted, every solution shortcut for travel time, the best one kept
+  kRrtConnectWide,   ///< the same, shortcut by turns of all of turning_radii
   kInformedRrtStar,  ///< asymptotically optimal in length, one run
 };
 const char* name_of(OmplPlanner planner);
@@ -27,8 +28,9 @@ struct PeerRun {
   std::vector<std::optional<PeerSolution>> at_time;  ///< the best path after each of the times asked for
 };
 
-/// Runs OMPL in its Dubins space with the smallest turning radius. Motions are the shortest Dubins words, decided
-/// exactly. All times are processor times of the calling thread: on a busy machine a planner gets what it was promised.
+/// Runs OMPL in its Dubins space with the smallest turning radius, the only one that it has. Motions are the shortest
+/// Dubins words, decided exactly. All times are processor times of the calling thread: on a busy machine a planner gets
+/// what it was promised.
 /// @param first_within  gives up when there is no path by then [s].
 /// @param times         ascending [s]; empty: returns at the first solution.
 PeerRun run_ompl(OmplPlanner planner, const Problem& problem, double first_within, std::span<const double> times,

@@ -4,9 +4,12 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "bench/peers/cpu_clock.h"
 #include "bench/peers/ompl_peer.h"
+#include "bench/robots.h"
+#include "core/graph/turning_radii.h"
 #include "core/planner.h"
 #include "datasets/catalogue.h"
 #include "datasets/plan_io.h"
@@ -47,38 +50,52 @@ std::string plan_text(const PlanRequest& request, const PeerSolution& solution, 
   return plan_to_json(plan, query.query);
 }
 
+PlannerSetting gentle_setting(std::string name, double lateral_acceleration, double acceleration) {
+  return {.name = std::move(name),
+          .worlds = {"clutter/convex/n100/m10/f15", "clutter/convex/n100/m10/f30", "clutter/star/n100/m10/f15",
+                     "clutter/star/n100/m10/f30"},
+          .vehicle = bench::gentle_robot(lateral_acceleration, acceleration),
+          .queries = 10,
+          .shortest_too = false};
+}
+
+bool has_faster_turns(const Vehicle& vehicle, const World& world) { return turning_radii(vehicle, world).size() > 1; }
+
 class Study {
  public:
-  Study(const PlannerStudyOptions& options, const PlannerStudyProgress& progress)
-      : options_(options), progress_(progress) {}
+  Study(const PlannerSetting& setting, const PlannerStudyProgress& progress) : setting_(setting), progress_(progress) {}
 
-  std::vector<PlannerQuery> run() {
-    for (const std::string& world : options_.worlds) {
-      run_world(world);
-      progress_.world_done(results_);
-    }
-    return std::move(results_);
+  void run() {
+    for (const std::string& world : setting_.worlds) progress_.world_done(run_world(world));
   }
 
  private:
-  void run_world(const std::string& name) {
+  std::vector<PlannerQuery> run_world(const std::string& name) {
     const World world = catalogue_world(name);
-    const Vehicle& vehicle = options_.vehicle;
+    const Vehicle& vehicle = setting_.vehicle;
     const QuerySet queries = fastest_queries(world);
     const CpuClock preparing(CpuClock::Of::kProcess);
     const Planner planner(world, vehicle, queries, {}, SerialExecutor());
-    progress_.line(name + ": arcway prepared in " + text_of("%.3g s", preparing.seconds()));
-    const std::vector<PlanRequest> requests = catalogue_queries(name, options_.queries, options_.seed);
+    progress_.line(setting_.name + ", " + name + ": arcway prepared in " + text_of("%.3g s", preparing.seconds()));
+    std::optional<Planner> tightest;
+    if (has_faster_turns(vehicle, world))
+      tightest.emplace(world, bench::without_faster_turns(vehicle), queries, PlannerOptions(), SerialExecutor());
+    const std::vector<PlanRequest> requests = catalogue_queries(name, setting_.queries, setting_.seed);
+    std::vector<PlannerQuery> results;
     for (std::size_t q = 0; q < requests.size(); ++q) {
       const Problem problem{world, vehicle, *queries.sweep, requests[q]};
-      PlannerQuery result{name, q, 0.0, {}};
+      PlannerQuery result{setting_.name, name, q, 0.0, {}};
       const double time = plan_ours(planner, problem, result);
-      Random random(options_.seed + q);
+      if (tightest) plan_tightest(*tightest, problem, result);
+      Random random(setting_.seed + q);
       run_peer(OmplPlanner::kRrtConnect, problem, random, result, time);
-      if (!options_.first_only) run_peer(OmplPlanner::kInformedRrtStar, problem, random, result, time);
+      if (tightest && !setting_.first_only) run_peer(OmplPlanner::kRrtConnectWide, problem, random, result, time);
+      if (!setting_.first_only && setting_.shortest_too)
+        run_peer(OmplPlanner::kInformedRrtStar, problem, random, result, time);
       report(result);
-      results_.push_back(std::move(result));
+      results.push_back(std::move(result));
     }
+    return results;
   }
 
   // The travel time; infinity without a path.
@@ -86,17 +103,33 @@ class Study {
     const CpuClock clock(CpuClock::Of::kThread);
     const PlanResult plan = planner.plan(problem.request);
     const double seconds = clock.seconds();
+    const auto add = [&](const char* name, double until, double time, const Path& path) {
+      result.answers.push_back({name, name_of(plan.status), until, time, plan.solved() && is_valid(problem, path)});
+    };
     result.lower_bound = plan.lower_bound;
-    result.answers.push_back(
-        {"arcway", name_of(plan.status), seconds, plan.travel_time, plan.solved() && is_valid(problem, plan.path())});
+    add("arcway", seconds, plan.travel_time, plan.path());
+    // The planner's own clock is the wall's: its share of the plan is taken.
+    const PlanStatistics& s = plan.statistics;
+    const double share = plan.solved() ? s.first_path_seconds / s.total_seconds : 1.0;
+    add("arcway first", share * seconds, s.first_travel_time, plan.first_path);
     return plan.solved() ? plan.travel_time : std::numeric_limits<double>::infinity();
   }
 
+  // By the speeds that the vehicle really has on the path.
+  static void plan_tightest(const Planner& planner, const Problem& problem, PlannerQuery& result) {
+    const CpuClock clock(CpuClock::Of::kThread);
+    const PlanResult plan = planner.plan(problem.request);
+    const double seconds = clock.seconds();
+    const Path path = plan.path();
+    result.answers.push_back({"arcway_tightest", name_of(plan.status), seconds, travel_time(path, problem.vehicle),
+                              plan.solved() && is_valid(problem, path)});
+  }
+
   void run_peer(OmplPlanner kind, const Problem& problem, Random& random, PlannerQuery& result, double our_time) {
-    std::vector<double> times = options_.first_only ? std::vector<double>() : options_.times;
-    if (!options_.first_only && result.query < options_.long_queries) times.push_back(options_.long_time);
+    std::vector<double> times = setting_.first_only ? std::vector<double>() : setting_.times;
+    if (!setting_.first_only && result.query < setting_.long_queries) times.push_back(setting_.long_time);
     std::ranges::sort(times);
-    const double first_within = times.empty() ? options_.first_within : times.back();
+    const double first_within = times.empty() ? setting_.first_within : times.back();
     const PeerRun run = run_ompl(kind, problem, first_within, times, random);
     const auto add = [&](const std::string& when, double limit, const std::optional<PeerSolution>& solution) {
       const std::string planner = std::string(name_of(kind)) + " " + when;
@@ -109,7 +142,7 @@ class Study {
       if (solution->travel_time < our_time)
         progress_.lost(result.world + " " + planner + " " + plan_text(problem.request, *solution, result));
     };
-    add("first", first_within, run.first);
+    if (kind != OmplPlanner::kRrtConnectWide) add("first", first_within, run.first);
     for (std::size_t i = 0; i < times.size(); ++i) add(text_of("%g s", times[i]), times[i], run.at_time[i]);
   }
 
@@ -122,15 +155,29 @@ class Study {
     progress_.line(line);
   }
 
-  const PlannerStudyOptions& options_;
+  const PlannerSetting& setting_;
   const PlannerStudyProgress& progress_;
-  std::vector<PlannerQuery> results_;
 };
 
 }  // namespace
 
-std::vector<PlannerQuery> planner_study(const PlannerStudyOptions& options, const PlannerStudyProgress& progress) {
-  return Study(options, progress).run();
+std::vector<PlannerSetting> standard_settings() {
+  const auto clutters = [](const std::string& size) {
+    std::vector<std::string> worlds;
+    for (const char* kind : {"convex", "star"})
+      for (const char* fill : {"f15", "f30", "f45"})
+        worlds.push_back(std::string("clutter/") + kind + "/" + size + "/m10/" + fill);
+    return worlds;
+  };
+  return {{.name = "n100", .worlds = clutters("n100"), .vehicle = Vehicle()},
+          {.name = "n1000", .worlds = clutters("n1000"), .vehicle = Vehicle(), .queries = 5, .long_queries = 5},
+          gentle_setting("lateral2_along2", 2.0, 2.0),
+          gentle_setting("lateral4_along2", 4.0, 2.0),
+          gentle_setting("lateral8_along4", 8.0, 4.0)};
+}
+
+void planner_study(const PlannerSetting& setting, const PlannerStudyProgress& progress) {
+  Study(setting, progress).run();
 }
 
 }  // namespace arcway::peers

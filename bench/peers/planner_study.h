@@ -11,28 +11,39 @@
 
 namespace arcway::peers {
 
-struct PlannerStudyOptions {
+/// What planners are compared on.
+struct PlannerSetting {
+  std::string name;
   std::vector<std::string> worlds;  ///< of the catalogue
   Vehicle vehicle;
   std::size_t queries = 50;        ///< a world
   std::vector<double> times{1.0};  ///< when to look at the peers' best path [s]
   double long_time = 10.0;         ///< once more on the first `long_queries` of each world [s]
   std::size_t long_queries = 10;
+  bool shortest_too = true;    ///< whether planners that look for the shortest path take part
   bool first_only = false;     ///< RRTConnect's first path and nothing else
   double first_within = 10.0;  ///< the time for that [s]; with `times`, the last of them is
   std::uint64_t seed = 1;      ///< of queries and peers
 };
 
+/// - n100, n1000: the paper's robot in six clutters of 100 and of 1,000 obstacles;
+/// - lateral2_along2 and so on: robots whose turns are the faster the wider they are, by their accelerations [m/s^2],
+/// in
+///   four clutters of 100 obstacles.
+std::vector<PlannerSetting> standard_settings();
+
 struct PlannerStudyProgress {
   std::function<void(const std::string&)> line;
   /// The plan of a peer, as a file of plans has it, for a query that arcway did not solve or with a slower path.
   std::function<void(const std::string&)> lost;
+  /// The queries of a world.
   std::function<void(const std::vector<report::PlannerQuery>&)> world_done;
 };
 
 /// arcway and OMPL's planners on the same queries with the same exact checks by the same queries of the map, planner
-/// after planner on each query, one thread, processor time. Lower bounds are arcway's.
-std::vector<report::PlannerQuery> planner_study(const PlannerStudyOptions& options,
-                                                const PlannerStudyProgress& progress);
+/// after planner on each query, one thread, processor time. Lower bounds are arcway's. `arcway first` is its first
+/// path, before refinement; `arcway_tightest`, where wider turns are faster, what it finds if it may only turn as
+/// tightly as it can.
+void planner_study(const PlannerSetting& setting, const PlannerStudyProgress& progress);
 
 }  // namespace arcway::peers

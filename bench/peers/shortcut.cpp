@@ -25,9 +25,9 @@ std::pair<Path, Path> ends_of(const Path& path, double from, double to) {
 
 }  // namespace
 
-Path shortcut(Path path, const Problem& problem, Random& random, int patience, const std::function<bool()>& stop) {
+Path shortcut(Path path, const Problem& problem, std::span<const double> radii, Random& random, int patience,
+              const std::function<bool()>& stop) {
   const Footprint body = checked_body(problem.vehicle);
-  const double radius = problem.vehicle.min_turning_radius();
   double time = travel_time(path, problem.vehicle);
   for (int failures = 0; failures < patience && !stop(); ++failures) {
     const double length = length_of(path);
@@ -41,6 +41,7 @@ Path shortcut(Path path, const Problem& problem, Random& random, int patience, c
       Path whole, word;
     };
     std::vector<Candidate> faster;
+    const double radius = radii[random.below(radii.size())];
     for (const DubinsWord word : kDubinsWords) {
       std::optional<Path> middle = dubins_path(word, head.back().end(), tail.front().start, radius);
       if (!middle) continue;

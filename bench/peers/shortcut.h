@@ -1,14 +1,18 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "bench/peers/exact_motion.h"
 #include "datasets/random.h"
 
 namespace arcway::peers {
 
-/// Replaces random stretches of a path by Dubins words while that lowers the travel time of the whole and the words are
-/// free, until `patience` attempts in a row have failed or `stop` says so. Never returns a slower path.
-Path shortcut(Path path, const Problem& problem, Random& random, int patience, const std::function<bool()>& stop);
+/// Replaces random stretches of a path by Dubins words of one of the radii, taken by chance, while that lowers the
+/// travel time of the whole and the words are free, until `patience` attempts in a row have failed or `stop` says so.
+/// Never returns a slower path.
+/// @param radii  at least one, none below the vehicle's smallest.
+Path shortcut(Path path, const Problem& problem, std::span<const double> radii, Random& random, int patience,
+              const std::function<bool()>& stop);
 
 }  // namespace arcway::peers

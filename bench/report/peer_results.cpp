@@ -12,6 +12,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kFormat = "arcway-peers";
+constexpr const char* kFirstSetting = "n100";  // of files that name none
 
 /// Times and ratios are read by people: six digits say enough.
 double rounded(double value) {
@@ -44,7 +45,11 @@ ordered_json to_json(const PlannerQuery& q) {
     if (a.solved()) answer.update({{"travel_time", rounded(a.travel_time)}, {"valid", a.valid}});
     answers.push_back(std::move(answer));
   }
-  return {{"world", q.world}, {"query", q.query}, {"lower_bound", rounded(q.lower_bound)}, {"answers", answers}};
+  return {{"setting", q.setting},
+          {"world", q.world},
+          {"query", q.query},
+          {"lower_bound", rounded(q.lower_bound)},
+          {"answers", answers}};
 }
 
 Duel duel_of(const ordered_json& json) {
@@ -64,7 +69,7 @@ Duel duel_of(const ordered_json& json) {
 }
 
 PlannerQuery query_of(const ordered_json& json) {
-  PlannerQuery q{json.at("world"), json.at("query"), json.at("lower_bound"), {}};
+  PlannerQuery q{json.value("setting", kFirstSetting), json.at("world"), json.at("query"), json.at("lower_bound"), {}};
   for (const ordered_json& a : json.at("answers"))
     q.answers.push_back(
         {a.at("planner"), a.at("status"), a.at("seconds"), a.value("travel_time", 0.0), a.value("valid", false)});

@@ -29,6 +29,7 @@ struct PlannerAnswer {
 };
 
 struct PlannerQuery {
+  std::string setting;  ///< what the planners were compared on: "n100"
   std::string world;
   std::size_t query = 0;
   double lower_bound = 0.0;  ///< [s]

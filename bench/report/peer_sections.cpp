@@ -65,10 +65,10 @@ void count(Record& record, const PlannerQuery& query, const PlannerAnswer& answe
 }
 
 /// @param world  empty: all.
-std::vector<Record> records_of(const PeerResults& peers, const std::string& world) {
+std::vector<Record> records_of(const PeerResults& peers, const std::string& setting, const std::string& world = {}) {
   std::vector<Record> records;
   for (const PlannerQuery& q : peers.queries) {
-    if (!world.empty() && q.world != world) continue;
+    if (q.setting != setting || (!world.empty() && q.world != world)) continue;
     double best = std::numeric_limits<double>::infinity();
     for (const PlannerAnswer& a : q.answers)
       if (a.solved() && a.valid) best = std::min(best, a.travel_time);
@@ -129,10 +129,18 @@ std::vector<Curve> trade_off(const std::vector<Record>& records) {
   return curves;
 }
 
-std::vector<std::string> worlds_of(const PeerResults& peers) {
+/// In the order of the file.
+std::vector<std::string> settings_of(const PeerResults& peers) {
+  std::vector<std::string> settings;
+  for (const PlannerQuery& q : peers.queries)
+    if (std::ranges::find(settings, q.setting) == settings.end()) settings.push_back(q.setting);
+  return settings;
+}
+
+std::vector<std::string> worlds_of(const PeerResults& peers, const std::string& setting) {
   std::vector<std::string> worlds;
   for (const PlannerQuery& q : peers.queries)
-    if (std::ranges::find(worlds, q.world) == worlds.end()) worlds.push_back(q.world);
+    if (q.setting == setting && std::ranges::find(worlds, q.world) == worlds.end()) worlds.push_back(q.world);
   return worlds;
 }
 
@@ -154,15 +162,16 @@ void add_duel_findings(const PeerResults& peers, std::vector<std::string>& sente
   sentences.push_back(text + (losses.empty() ? " no peer wins." : " a peer wins " + losses + "."));
 }
 
-void add_planner_findings(const PeerResults& peers, std::vector<std::string>& sentences) {
-  const std::vector<Record> records = records_of(peers, "");
+void add_planner_findings(const PeerResults& peers, const std::string& setting, std::vector<std::string>& sentences) {
+  const std::vector<Record> records = records_of(peers, setting);
   if (records.empty() || records.front().solved == 0) return;
   const Record& ours = records.front();
-  std::string text = "Planners: arcway solves " + std::to_string(ours.solved) + " of " + std::to_string(ours.queries) +
-                     " queries in " + time_text(median(ours.seconds)) + " each";
+  std::string text = "Planners, " + setting + ": arcway solves " + std::to_string(ours.solved) + " of " +
+                     std::to_string(ours.queries) + " queries in " + time_text(median(ours.seconds)) + " each";
   for (const Record& r : records) {
     // Those that went on after their first path, on all queries.
-    if (&r == &ours || r.planner.ends_with(" first") || r.queries < ours.queries) continue;
+    if (&r == &ours || r.planner.starts_with("arcway") || r.planner.ends_with(" first") || r.queries < ours.queries)
+      continue;
     text += "; " + r.planner + " solves " + std::to_string(r.solved) + ", with faster paths on " +
             std::to_string(r.faster_path) + " and slower ones on " + std::to_string(r.slower_path) +
             (r.theirs_alone > 0 ? ", " + std::to_string(r.theirs_alone) + " of them alone" : "");
@@ -175,7 +184,7 @@ void add_planner_findings(const PeerResults& peers, std::vector<std::string>& se
 std::vector<std::string> peer_findings(const PeerResults& peers) {
   std::vector<std::string> sentences;
   if (!peers.duels.empty()) add_duel_findings(peers, sentences);
-  if (!peers.queries.empty()) add_planner_findings(peers, sentences);
+  for (const std::string& setting : settings_of(peers)) add_planner_findings(peers, setting, sentences);
   return sentences;
 }
 
@@ -223,9 +232,11 @@ std::vector<std::string> peer_figures(const PeerResults& peers) {
                                    .y_text = ratio_text,
                                    .level = 1.0},
                                   duels, "Visibility: above the line at 1 arcway is faster, below it the peer."));
-  if (const std::vector<Curve> planners = trade_off(records_of(peers, "")); !planners.empty())
+  for (const std::string& setting : settings_of(peers)) {
+    const std::vector<Curve> planners = trade_off(records_of(peers, setting));
+    if (planners.empty()) continue;
     figures.push_back(
-        figure_html({.title = "Travel time over the lower bound, over the time to the answer",
+        figure_html({.title = "Travel time over the lower bound, over the time to the answer: " + setting,
                      .x_label = "time to the answer, median",
                      .y_label = "travel time / lower bound",
                      .x_text = time_text,
@@ -233,33 +244,45 @@ std::vector<std::string> peer_figures(const PeerResults& peers) {
                     planners,
                     "Planners: left is sooner, down is a faster path. Bars: the middle half of the queries. "
                     "The bound is that of a point, so that a car cannot reach 1."));
+  }
   return figures;
 }
 
 Section planners_section(const PeerResults& peers) {
   Section section{
       .title = "Planners: time against quality",
-      .paragraphs = {"Forward-only car, the same queries, maps and exact collision checks for all, one thread, "
-                     "processor time; arcway's map is prepared before, in some hundredths of a second. What is only "
-                     "in the peers' favour: after the first path they go on to improve it until the time is up."},
+      .paragraphs =
+          {"Forward-only car, the same queries, maps and exact collision checks for all, one thread, "
+           "processor time; arcway's map is prepared before, in some hundredths of a second. What is only "
+           "in the peers' favour: after the first path they go on to improve it until the time is up. Settings: "
+           "the paper's robot in clutters of 100 and of 1,000 obstacles; robots whose speed on an arc is "
+           "limited by their lateral acceleration, in clutters of 100, fill 0.15 and 0.3. `arcway first` is "
+           "the first path, before refinement; `arcway_tightest` turns as tightly as it can only."},
       .figures = {},
-      .table = {kRecordHeader, {}, 1}};
-  for (const Record& r : records_of(peers, "")) section.table.rows.push_back(record_row(r));
+      .table = {kRecordHeader, {}, 2}};
+  section.table.header.insert(section.table.header.begin(), "setting");
+  for (const std::string& setting : settings_of(peers))
+    for (const Record& r : records_of(peers, setting)) {
+      section.table.rows.push_back(record_row(r));
+      section.table.rows.back().insert(section.table.rows.back().begin(), setting);
+    }
   return section;
 }
 
 Section planners_by_world_section(const PeerResults& peers) {
   Section section{
-      .title = "Planners by world", .paragraphs = {}, .figures = {}, .table = {kRecordHeader, {}, 2}, .folded = true};
-  section.table.header.insert(section.table.header.begin(), "world");
-  section.table.header.emplace_back("why not solved");
-  for (const std::string& world : worlds_of(peers))
-    for (const Record& r : records_of(peers, world)) {
-      std::vector<std::string> row = record_row(r);
-      row.insert(row.begin(), world);
-      row.push_back(reasons_text(r));
-      section.table.rows.push_back(std::move(row));
-    }
+      .title = "Planners by world", .paragraphs = {}, .figures = {}, .table = {kRecordHeader, {}, 3}, .folded = true};
+  std::vector<std::string>& header = section.table.header;
+  header.insert(header.begin(), {"setting", "world"});
+  header.emplace_back("why not solved");
+  for (const std::string& setting : settings_of(peers))
+    for (const std::string& world : worlds_of(peers, setting))
+      for (const Record& r : records_of(peers, setting, world)) {
+        std::vector<std::string> row = record_row(r);
+        row.insert(row.begin(), {setting, world});
+        row.push_back(reasons_text(r));
+        section.table.rows.push_back(std::move(row));
+      }
   return section;
 }
 

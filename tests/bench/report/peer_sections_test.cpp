@@ -16,7 +16,8 @@ PeerResults example() {
   const PlannerAnswer fast{"arcway", "solved", 0.001, 10.0, true}, slow{"peer 1 s", "solved", 0.5, 15.0, true};
   const PlannerAnswer no_fast{"arcway", "no path", 0.001, 0.0, false},
       no_slow{"peer 1 s", "no path in 1 s", 1.0, 0.0, false};
-  peers.queries = {{"w", 0, 9.0, {fast, slow}}, {"w", 1, 9.0, {fast, no_slow}}, {"v", 0, 9.0, {no_fast, slow}}};
+  peers.queries = {
+      {"n1", "w", 0, 9.0, {fast, slow}}, {"n1", "w", 1, 9.0, {fast, no_slow}}, {"n1", "v", 0, 9.0, {no_fast, slow}}};
   return peers;
 }
 
@@ -56,13 +57,24 @@ TEST(Duels, KeepWhatAPeerWinsAndWhatIsLeftOut) {
 TEST(Planners, AreCountedByWhatOneOfTwoSolves) {
   const Table table = planners_section(example()).table;
   ASSERT_EQ(table.rows.size(), 2u);
-  EXPECT_EQ(table.rows[0][1], "2 of 3");
+  EXPECT_EQ(table.rows[0][2], "2 of 3");
   EXPECT_EQ(table.rows[1],
-            (std::vector<std::string>{"peer 1 s", "2 of 3", "2", "500 ms", "1.667 / 1.667 / 1.667",
+            (std::vector<std::string>{"n1", "peer 1 s", "2 of 3", "2", "500 ms", "1.667 / 1.667 / 1.667",
                                       "1.250 / 1.450 / 1.500", "1.500 / 1.500 / 1.500", "0 / 1", "1 / 1"}));
   const Table by_world = planners_by_world_section(example()).table;
   ASSERT_EQ(by_world.rows.size(), 4u);
   EXPECT_EQ(by_world.rows[1].back(), "1 no path in 1 s");
+}
+
+TEST(Planners, AreComparedWithinASetting) {
+  PeerResults peers = example();
+  peers.queries[2].setting = "n2";
+  const Table table = planners_section(peers).table;
+  ASSERT_EQ(table.rows.size(), 4u);
+  EXPECT_EQ(table.rows[1][0], "n1");
+  EXPECT_EQ(table.rows[1][2], "1 of 2");
+  EXPECT_EQ(table.rows[3][0], "n2");
+  EXPECT_EQ(table.rows[3][2], "1 of 1");
 }
 
 }  // namespace
