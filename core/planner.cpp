@@ -11,6 +11,7 @@
 #include "core/bound/travel_time_bound.h"
 #include "core/geometry/angle.h"
 #include "core/graph/turning_radii.h"
+#include "core/passage/enclosure.h"
 #include "core/path/clearance.h"
 #include "core/path/speed_profile.h"
 #include "core/refine/refine_reversing.h"
@@ -39,6 +40,8 @@ struct Retry {
 constexpr std::array<Retry, 2> kRetries{{{0.05, 12}, {0.1, 120}}};
 // Then with circles in narrow places.
 constexpr double kNarrowPlacesGap = 0.1;
+// Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
+constexpr std::size_t kEnclosureBoxes = 40000;
 
 class Stopwatch {
  public:
@@ -191,7 +194,8 @@ struct Planner::Data {
   }
 
   // Status and reason of a search that found nothing.
-  void explain(const FoundPath& found, bool reverse, const PlanLimits& limits, PlanResult& result) const {
+  void explain(const FoundPath& found, const std::optional<Enclosure>& enclosure, bool reverse,
+               const PlanLimits& limits, PlanResult& result) const {
     const std::string hemmed_in = std::string(" is hemmed in: no ") + (reverse ? "" : "forward ") +
                                   "motion of arcs and lines that was tried leads ";
     if (result.interrupted) {
@@ -208,7 +212,14 @@ struct Planner::Data {
                       "; the body takes more than " + rounded_text(result.bottleneck->needed) + " m";
       return;
     }
-    if (found.obstruction == Obstruction::kStart) {
+    if (enclosure) {
+      const Pose& end = enclosure->at_start ? result.start : result.goal;
+      result.status = PlanStatus::kNoPassage;
+      result.reason = "no passage is wide enough: however the body is moved and turned, its middle gets less than " +
+                      rounded_text(enclosure->reach) + " m away from " +
+                      (enclosure->at_start ? "the start " : "the goal ") + shortest_text(end) + "; nearest is " +
+                      nearest_region(end);
+    } else if (found.obstruction == Obstruction::kStart) {
       result.status = PlanStatus::kStartBlocked;
       result.reason = "the start " + shortest_text(result.start) + hemmed_in + "from it to the graph; nearest is " +
                       nearest_region(result.start);
@@ -453,7 +464,12 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
       if (narrow.search.path) keep_faster(*narrow.search.path, false);
     }
   }
-  const bool hopeless = forwards.obstruction == Obstruction::kPassage;
+  std::optional<Enclosure> enclosure;
+  bool hopeless = forwards.obstruction == Obstruction::kPassage;
+  if (request.reverse && !found && !result.interrupted && !hopeless) {
+    enclosure = find_enclosure(request.start, request.goal, d.map.body, *d.map.queries.sweep, kEnclosureBoxes);
+    hopeless = enclosure.has_value();
+  }
   if (request.reverse && !result.interrupted && !hopeless && !(found && found->empty())) {
     const double unrefined = found ? result.statistics.unrefined_travel_time : kInfinity;
     const FoundPath both = d.search(result, [&] {
@@ -462,7 +478,7 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
     if (both.search.path) keep_faster(*both.search.path, true);
   }
   if (!found) {
-    d.explain(forwards, request.reverse, limits, result);
+    d.explain(forwards, enclosure, request.reverse, limits, result);
     result.statistics.total_seconds = total.seconds();
     return result;
   }
