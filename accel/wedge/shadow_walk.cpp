@@ -33,8 +33,7 @@ void ShadowWalk::look_from(const Box& place) {
       std::uint32_t beyond[3];
       corners_of(door / 3, beyond);
       if (meets(beyond, place)) continue;  // sights that go on there are looked for from there
-      const std::uint32_t right = corners[j], left = corners[(j + 1) % 3];
-      walk(corners, {door, {left, right}, {right, left}});
+      walk(corners, {door, kNone, kNone});
     }
   }
   follow_walls(place);
@@ -53,16 +52,15 @@ void ShadowWalk::walk(const std::uint32_t (&corners)[3], Range range) {
         return;
       }
       const SightMap::Door& triangle = doors[door];
-      if (side(low, triangle.site) < 0) {
+      if (low != kNone && all_pass(corners, low, triangle.site, 1)) {
         door = triangle.left;
-      } else if (side(high, triangle.site) > 0) {
+      } else if (high != kNone && all_pass(corners, high, triangle.site, -1)) {
         door = triangle.right;
       } else {
         mark(triangle.node);
-        if (triangle.right != kNone)
-          stack_.push_back({triangle.right, low, {outermost(corners, triangle.site, -1), triangle.site}});
+        if (triangle.right != kNone) stack_.push_back({triangle.right, low, triangle.site});
         door = triangle.left;
-        low = {outermost(corners, triangle.site, 1), triangle.site};
+        low = triangle.site;
       }
     }
   }
@@ -113,16 +111,12 @@ bool ShadowWalk::meets(const std::uint32_t (&corners)[3], const Box& place) cons
   return true;
 }
 
-int ShadowWalk::side(const Ray& ray, std::uint32_t site) const {
-  return orientation(map_.sites()[ray.origin], map_.sites()[ray.past], map_.sites()[site]);
-}
-
-// The corner that has no other one on the given side of its ray past a site.
-std::uint32_t ShadowWalk::outermost(const std::uint32_t (&corners)[3], std::uint32_t site, int side) const {
-  std::uint32_t found = corners[0];
+// Whether a site lies to the right (1) or to the left (-1) of the rays from all corners past the limit: no ray that
+// leaves the limit on its other side gets there.
+bool ShadowWalk::all_pass(const std::uint32_t (&corners)[3], std::uint32_t limit, std::uint32_t site, int side) const {
   for (const std::uint32_t corner : corners)
-    if (orientation(map_.sites()[found], map_.sites()[site], map_.sites()[corner]) == side) found = corner;
-  return found;
+    if (orientation(map_.sites()[corner], map_.sites()[limit], map_.sites()[site]) * side >= 0) return false;
+  return true;
 }
 
 }  // namespace arcway

@@ -12,8 +12,8 @@ namespace arcway {
 ///
 /// A line of sight from the place leaves the last triangle that meets it through a side that leads away, and then
 /// passes through doors. The points of that triangle stand for those of the place. Between doors, sights are limited
-/// by two rays, each from the triangle's outermost corner past the vertex that they have last been split at: as the
-/// edges of a shadow are by a lamp's.
+/// by the two vertices that they have last been split at: what lies beyond one as seen from all corners of the triangle
+/// is in its shadow.
 class ShadowWalk {
  public:
   /// @param map  with its left edges listed.
@@ -24,20 +24,16 @@ class ShadowWalk {
   [[nodiscard]] const std::vector<std::uint8_t>& seen() const { return seen_; }
 
  private:
-  /// The ray from one site past another; none if `origin` is kNone.
-  struct Ray {
-    std::uint32_t origin, past;
-  };
   struct Range {
     std::uint32_t door;
-    Ray low, high;
+    std::uint32_t low, high;  ///< sites that all rays pass on the left, on the right; kNone: none
   };
   void walk(const std::uint32_t (&corners)[3], Range range);
   void follow_walls(const Box& place);
   void mark(std::uint32_t first_node);
   [[nodiscard]] bool meets(const std::uint32_t (&corners)[3], const Box& place) const;
-  [[nodiscard]] int side(const Ray& ray, std::uint32_t site) const;
-  [[nodiscard]] std::uint32_t outermost(const std::uint32_t (&corners)[3], std::uint32_t site, int side) const;
+  [[nodiscard]] bool all_pass(const std::uint32_t (&corners)[3], std::uint32_t limit, std::uint32_t site,
+                              int side) const;
 
   const SightMap& map_;
   std::vector<std::uint8_t> seen_;
