@@ -8,14 +8,20 @@ namespace arcway {
 
 namespace {
 
-// Whether the diagonal between c and d is surely inside the quadrilateral that c and d form with a and b, and so much
-// shorter than the one between a and b that walks win more than a flip costs. Lengths decrease, so flips end.
-inline bool is_shorter(const Vec2& c, const Vec2& d, const Vec2& a, const Vec2& b, double long_square) {
-  constexpr double kEnough = 0.12, kEnoughIfLong = 0.8;  // of the square
+// What a diagonal must become to be flipped.
+struct Demand {
+  double enough;          // share of the squared length
+  double enough_if_long;  // and of long ones
+  double long_square;     // squared length from which on they are
+};
+
+// Whether the diagonal between c and d is surely inside the quadrilateral that c and d form with a and b, and short
+// enough to replace the one between a and b. Lengths decrease, so flips end.
+inline bool is_shorter(const Vec2& c, const Vec2& d, const Vec2& a, const Vec2& b, const Demand& demand) {
   const double ex = b.x() - a.x(), ey = b.y() - a.y();
   const double fx = d.x() - c.x(), fy = d.y() - c.y();
   const double before = ex * ex + ey * ey, after = fx * fx + fy * fy;
-  if (!(after < (before > long_square ? kEnoughIfLong : kEnough) * before)) return false;
+  if (!(after < (before > demand.long_square ? demand.enough_if_long : demand.enough) * before)) return false;
   const double a_left = fx * (a.y() - c.y()), a_right = fy * (a.x() - c.x());
   const double b_left = fx * (b.y() - c.y()), b_right = fy * (b.x() - c.x());
   constexpr double kErrorBound = 0x1p-50;
@@ -23,9 +29,7 @@ inline bool is_shorter(const Vec2& c, const Vec2& d, const Vec2& a, const Vec2& 
          b_left - b_right > kErrorBound * (std::abs(b_left) + std::abs(b_right));
 }
 
-// Square of the length from which on diagonals are long: in open country, where many lines of sight cross each.
-double long_square_of(std::span<const Vec2> sites, const Triangulation& t) {
-  constexpr double kWalls = 10.0;
+double mean_wall(std::span<const Vec2> sites, const Triangulation& t) {
   constexpr std::size_t kStride = 22;
   double sum = 0.0;
   std::size_t count = 0;
@@ -34,20 +38,20 @@ double long_square_of(std::span<const Vec2> sites, const Triangulation& t) {
     sum += (sites[t.corners[Triangulation::next(static_cast<std::uint32_t>(h))]] - sites[t.corners[h]]).norm();
     ++count;
   }
-  const double length = count > 0 ? kWalls * sum / static_cast<double>(count) : 0.0;
-  return length * length;
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+Demand demand_for(Diagonals which, std::span<const Vec2> sites, const Triangulation& triangulation) {
+  if (which == Diagonals::kAll) return {1.0, 1.0, 0.0};
+  const double length = 10.0 * mean_wall(sites, triangulation);
+  return {0.12, 0.8, length * length};
 }
 
 // Flips within the half-edges [begin, end) of whole triangles, and touches no others.
 class Flipper {
  public:
-  Flipper(std::span<const Vec2> sites, Triangulation& t, double long_square, std::uint32_t begin, std::uint32_t end)
-      : sites_(sites),
-        corners_(t.corners),
-        twins_(t.twins),
-        long_square_(long_square),
-        begin_(begin),
-        size_(end - begin) {}
+  Flipper(std::span<const Vec2> sites, Triangulation& t, const Demand& demand, std::uint32_t begin, std::uint32_t end)
+      : sites_(sites), corners_(t.corners), twins_(t.twins), demand_(demand), begin_(begin), size_(end - begin) {}
 
   void flip_all() {
     for (next_ = begin_; next_ < begin_ + size_; ++next_)
@@ -82,7 +86,7 @@ class Flipper {
     // Triangles (a, b, c) and (b, a, d) on both sides of the edge a-b.
     const std::uint32_t bc = next(h), ca = previous(h), ad = next(g), db = previous(g);
     const std::uint32_t a = corners_[h], b = corners_[g], c = corners_[ca], d = corners_[db];
-    if (!is_shorter(sites_[c], sites_[d], sites_[a], sites_[b], long_square_)) return;
+    if (!is_shorter(sites_[c], sites_[d], sites_[a], sites_[b], demand_)) return;
     const std::uint32_t beyond_ca = twins_[ca], beyond_db = twins_[db];
     if (is_foreign(beyond_ca) || is_foreign(beyond_db)) {
       left_over_.push_back(h);
@@ -115,7 +119,7 @@ class Flipper {
   std::span<const Vec2> sites_;
   std::vector<std::uint32_t>& corners_;
   std::vector<std::uint32_t>& twins_;
-  double long_square_;
+  Demand demand_;
   std::uint32_t begin_, size_;
   std::uint32_t next_ = kNone;  // half-edge that flip_all is at
   std::vector<std::uint32_t> suspects_;
@@ -124,21 +128,22 @@ class Flipper {
 
 }  // namespace
 
-void shorten_diagonals(std::span<const Vec2> sites, Triangulation& triangulation, const Executor& executor) {
+void shorten_diagonals(std::span<const Vec2> sites, Triangulation& triangulation, Diagonals which,
+                       const Executor& executor) {
   constexpr std::uint32_t kBlock = 3 * 16384;
   const auto size = static_cast<std::uint32_t>(triangulation.corners.size());
   const std::size_t blocks = (size + kBlock - 1) / kBlock;
-  const double long_square = long_square_of(sites, triangulation);
+  const Demand demand = demand_for(which, sites, triangulation);
   std::vector<std::vector<std::uint32_t>> seams(blocks);
   executor.for_ranges(blocks, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block) {
       const auto begin = static_cast<std::uint32_t>(block) * kBlock;
-      Flipper flipper(sites, triangulation, long_square, begin, std::min(begin + kBlock, size));
+      Flipper flipper(sites, triangulation, demand, begin, std::min(begin + kBlock, size));
       flipper.flip_all();
       seams[block].assign(flipper.left_over().begin(), flipper.left_over().end());
     }
   });
-  Flipper whole(sites, triangulation, long_square, 0, size);
+  Flipper whole(sites, triangulation, demand, 0, size);
   for (const auto& seam : seams)
     for (const std::uint32_t h : seam) whole.flip_around(h);
 }

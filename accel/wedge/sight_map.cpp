@@ -7,7 +7,6 @@
 #include <string>
 
 #include "accel/triangulation/free_space_sweep.h"
-#include "accel/triangulation/short_diagonals.h"
 #include "accel/wedge/tiles.h"
 #include "core/query/blocking.h"
 
@@ -24,7 +23,7 @@ Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}
 
 }  // namespace
 
-SightMap::SightMap(const World& world, const Executor& executor) : world_(world) {
+SightMap::SightMap(const World& world, const Executor& executor, Diagonals shortened) : world_(world) {
   if (world.vertices().size() > kMaxVertices)
     throw std::length_error("wedge builder: the world has " + std::to_string(world.vertices().size()) +
                             " vertices, at most " + std::to_string(kMaxVertices) + " fit");
@@ -38,7 +37,7 @@ SightMap::SightMap(const World& world, const Executor& executor) : world_(world)
     if (!space) throw std::logic_error("wedge builder: edges meet after they have been cut");
   }
   edge_is_covered_ = std::move(space->edge_is_covered);
-  shorten_diagonals(map_.sites, space->triangulation, executor);
+  shorten_diagonals(map_.sites, space->triangulation, shortened, executor);
   lay_out_doors(space->triangulation, executor);
 
   std::vector<Box> boxes;

@@ -7,6 +7,7 @@
 
 #include "accel/triangulation/free_space_sweep.h"
 #include "accel/triangulation/planar_map.h"
+#include "accel/triangulation/short_diagonals.h"
 #include "accel/triangulation/triangulation.h"
 #include "accel/wedge/big_vector.h"
 #include "core/executor.h"
@@ -53,7 +54,8 @@ class SightMap {
   };
 
   /// O(n log n). Throws std::length_error beyond 2^28 vertices. The same for any executor.
-  explicit SightMap(const World& world, const Executor& executor = SerialExecutor());
+  explicit SightMap(const World& world, const Executor& executor = SerialExecutor(),
+                    Diagonals shortened = Diagonals::kAll);
 
   [[nodiscard]] std::span<const Door> doors() const { return doors_; }
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }

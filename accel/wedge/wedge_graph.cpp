@@ -37,11 +37,28 @@ void exchange(std::vector<EdgeList>& parts, WedgeStatistics& sum, const Team& te
   }
 }
 
+// Steps a node, from some nodes all over the map.
+double steps_a_node(const SightMap& map) {
+  constexpr std::size_t kSample = 256, kGolden = 2654435761;
+  WedgeWalk walk(map);
+  if (map.nodes().empty()) return 0.0;
+  for (std::size_t i = 0; i < kSample; ++i)
+    walk.look_right(static_cast<std::uint32_t>(i * kGolden % map.nodes().size()));
+  return static_cast<double>(walk.steps()) / kSample;
+}
+
+// Where walks are long, shorter diagonals are worth a second triangulation.
+SightMap map_for_all(const World& world, const Executor& executor) {
+  constexpr double kManySteps = 100.0;
+  SightMap map(world, executor, Diagonals::kLong);
+  return steps_a_node(map) > kManySteps ? SightMap(world, executor, Diagonals::kAll) : std::move(map);
+}
+
 }  // namespace
 
 VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, const Executor& executor,
                                                          WedgeStatistics* statistics, const Team& team) {
-  const SightMap map(world, executor);
+  const SightMap map = map_for_all(world, executor);
   std::mutex mutex;
   std::vector<EdgeList> parts;
   WedgeStatistics sum;

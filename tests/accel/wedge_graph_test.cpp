@@ -188,6 +188,16 @@ TEST(WedgeGraph, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+// Walks that see far get shorter diagonals than those that do not: the same edges.
+TEST(WedgeGraph, OpenCountryAndLongAisles) {
+  EXPECT_TRUE(
+      agrees(random_world({.kind = ClutterKind::kConvex, .obstacles = 60, .vertices = 8, .fill = 0.005, .seed = 3})));
+  std::vector<Polygon> boxes;
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 40; ++k) boxes.push_back({test::square(2 * k, 3 * i, 1), {}});
+  EXPECT_TRUE(agrees(World(boxes)));
+}
+
 TEST(WedgeGraph, CountsRegionsThatCross) {
   WedgeStatistics statistics;
   const auto count = [&](const World& world) {
