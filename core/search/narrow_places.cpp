@@ -1,15 +1,34 @@
 #include "core/search/narrow_places.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/passage/gap_circles.h"
 
 namespace arcway {
 
+namespace {
+
+constexpr double kWideTurn = 4.0;  // of the smallest radius: sweeps hardly more than the body's width
+
+// What sweeps less fits into more places, (7). Where a wider turn is a faster one, the map's own radii have it, or are
+// not to have it.
+void add_wide_turns(const SearchMap& map, ExtraCircles& extra) {
+  const double radius = kWideTurn * map.radii.front();
+  if (map.radii.size() > 1 || map.vehicle.turn_speed(radius) > map.vehicle.turn_speed(map.radii.front())) return;
+  const Footprint grown_body = map.vehicle.footprint(map.vehicle.safety_margin());
+  for (const VertexId v : map.world.convex_vertices())
+    extra.round.push_back(turn_circle(map.world, v, radius, Side::kLeft, grown_body));
+  extra.reach = std::max(extra.reach, 2.0 * radius);
+}
+
+}  // namespace
+
 const SearchMap& NarrowPlaces::map() const {
   std::call_once(once_, [this] {
-    const ExtraCircles extra = find_gap_circles(map_.world, map_.vehicle, map_.radii.front());
+    ExtraCircles extra = find_gap_circles(map_.world, map_.vehicle, map_.radii.front());
     if (extra.round.empty() && extra.gates.empty()) return;
+    add_wide_turns(map_, extra);
     SearchMap detailed = map_;
     detailed.graph = FeasibleGraph(map_.graph, map_.vehicle, extra);
     detailed_ = std::move(detailed);

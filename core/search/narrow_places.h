@@ -7,7 +7,9 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// A map with extra circles in its narrow places, see find_gap_circles; made when first asked for. Thread-safe.
+/// A map with extra circles in its narrow places, see find_gap_circles. If it has such places, but one radius and v_mc
+/// is the same on wider turns, circles four times as wide go round all vertices as well. Made when first asked for.
+/// Thread-safe.
 class NarrowPlaces {
  public:
   /// @param map  must outlive this.
