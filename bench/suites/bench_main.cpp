@@ -70,7 +70,7 @@ class Reporter final : public benchmark::BenchmarkReporter {
     // What is left out says so once, not once a repetition.
     const bool ended_early = was_skipped(runs.front());
     if (ended_early) runs.resize(1);
-    if (!is_budget_skip(skip_message(runs.front()))) ++(ended_early ? failures_ : successes_);
+    if (!is_left_out(skip_message(runs.front()))) ++(ended_early ? failures_ : successes_);
     console_.ReportRuns(runs);
     json_.ReportRuns(runs);
   }

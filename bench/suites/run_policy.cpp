@@ -33,13 +33,16 @@ std::vector<std::string> benchmark_arguments(Study study) {
   return {};
 }
 
-void skip_for_budget(benchmark::State& state, double expected_seconds, double budget_seconds) {
-  char text[128];
-  std::snprintf(text, sizeof text, "%sabout %.3g s expected, the budget is %.3g s", kPrefix.data(), expected_seconds,
-                budget_seconds);
-  state.SkipWithError(text);
+void leave_out(benchmark::State& state, std::string_view reason) {
+  state.SkipWithError((std::string(kPrefix) + std::string(reason)).c_str());
 }
 
-bool is_budget_skip(std::string_view message) { return message.starts_with(kPrefix); }
+void skip_for_budget(benchmark::State& state, double expected_seconds, double budget_seconds) {
+  char text[128];
+  std::snprintf(text, sizeof text, "about %.3g s expected, the budget is %.3g s", expected_seconds, budget_seconds);
+  leave_out(state, text);
+}
+
+bool is_left_out(std::string_view message) { return message.starts_with(kPrefix); }
 
 }  // namespace arcway::bench
