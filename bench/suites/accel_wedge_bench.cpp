@@ -43,7 +43,7 @@ void add(Study study) {
   }
   const std::size_t obstacles = study == Study::kCheck ? 20 : 1000;
   Series by_each(study, "WedgeGraph/convex_of/obstacles:" + std::to_string(obstacles), "vertices_of_each",
-                 "O(m^2): rays graze their own obstacle", 2.0);
+                 "O(m): what is seen of other obstacles", 1.0);
   for (const std::size_t m : sizes(study, {4, 8, 16, 32, 64, 128, 256}, 16, 256))
     by_each.add(static_cast<double>(m),
                 [=](benchmark::State& state) { build(state, clutter_name("convex", obstacles, m, 30), 1); });
