@@ -41,7 +41,7 @@ constexpr std::array<Retry, 2> kRetries{{{0.05, 12}, {0.1, 120}}};
 // Then with circles in narrow places.
 constexpr double kNarrowPlacesGap = 0.1;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
-constexpr std::size_t kEnclosureBoxes = 40000;
+constexpr std::size_t kEnclosureBoxes = 15000;
 
 class Stopwatch {
  public:
