@@ -78,14 +78,17 @@ int HeadingSet::find(double heading) const {
   return -1;
 }
 
+double reach_within(const HeadingInterval& interval, double heading, Side side) {
+  const double wrapped = wrap_positive(heading);
+  const double h = wrapped < interval.low ? wrapped + kTwoPi : wrapped;
+  if (h > interval.high) return -1.0;
+  if (interval.high - interval.low >= kTwoPi) return kTwoPi;
+  return side == Side::kLeft ? interval.high - h : h - interval.low;
+}
+
 double HeadingSet::reach(double heading, Side side) const {
   const int index = find(heading);
-  if (index < 0) return -1.0;
-  if (is_full()) return kFullCircle;
-  const HeadingInterval& interval = intervals_[static_cast<std::size_t>(index)];
-  double h = wrap_positive(heading);
-  if (h < interval.low) h += kFullCircle;
-  return std::max(0.0, side == Side::kLeft ? interval.high - h : h - interval.low);
+  return index < 0 ? -1.0 : reach_within(intervals_[static_cast<std::size_t>(index)], heading, side);
 }
 
 HeadingSet HeadingSet::around(double heading, double most) const {

@@ -13,6 +13,10 @@ struct HeadingInterval {
   double high;
 };
 
+/// How far one can turn from a heading towards a side within an interval [rad]: at most 2 pi; negative if the heading
+/// is not in it.
+double reach_within(const HeadingInterval& interval, double heading, Side side);
+
 /// A set of headings as disjoint intervals, ascending by `low`; only the last one may pass 2 pi. The full
 /// circle is the one interval [0, 2 pi].
 class HeadingSet {

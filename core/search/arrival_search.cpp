@@ -6,6 +6,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/path/speed_profile.h"
+#include "core/search/circle_table.h"
 #include "core/search/open_list.h"
 #include "core/search/per_circle.h"
 #include "core/search/reachability.h"
@@ -23,15 +24,12 @@ constexpr std::size_t kFirstDoubt = 256;  // labels, more than most searches tak
 
 enum class Kind : std::uint8_t { kDirect, kGoal, kGraph, kStart, kStartCircle };  // complete paths first on ties
 
-// What waits on the open list, in 16 bytes.
+// What waits on the open list, in 16 bytes. Of two with one estimate the one that was pushed first comes first.
 struct Entry {
-  Entry(double e, Kind kind, std::uint32_t parent, std::uint32_t index)
-      : estimate(e),
-        what((std::uint64_t{static_cast<std::uint8_t>(kind)} << 61) | (std::uint64_t{parent} << 29) | index) {}
+  Entry(double e, Kind kind, std::size_t index)
+      : estimate(e), what((std::uint64_t{static_cast<std::uint8_t>(kind)} << 61) | index) {}
   [[nodiscard]] Kind kind() const { return static_cast<Kind>(what >> 61); }
-  // Label, where a graph link or a goal link is.
-  [[nodiscard]] std::uint32_t parent() const { return static_cast<std::uint32_t>(what >> 29); }
-  [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(what & ((1U << 29) - 1)); }
+  [[nodiscard]] std::size_t index() const { return what & ((std::uint64_t{1} << 61) - 1); }
 
   double estimate;  // of the whole path's time; the time itself for complete paths
   std::uint64_t what;
@@ -43,9 +41,19 @@ bool before(const Entry& a, const Entry& b) {
 
 bool is_complete(const Entry& entry) { return entry.kind() == Kind::kDirect || entry.kind() == Kind::kGoal; }
 
+// A link of the graph, or a goal link, that waits.
+struct Step {
+  std::uint32_t label;  // that it goes on from
+  std::uint32_t to;     // circle of the graph, or goal link
+  std::uint32_t index;  // of the link among those of its circle
+  double turn;          // before it
+  double heading, length;
+};
+
 // An arrival on a circle by some path.
 struct Label {
   std::uint32_t circle;
+  double radius;  // of the circle
   double heading;
   double reach;  // of the free interval
   std::uint32_t joint;
@@ -70,7 +78,8 @@ struct SearchWorkspace::Data {
   SearchTimes times;
   Reachability reachability;
   OpenList<Entry> open;
-  std::vector<Label> labels;
+  HugeVector<Step> steps;
+  HugeVector<Label> labels;
   PerCircle first_label;
 };
 
@@ -86,6 +95,7 @@ class ArrivalSearch {
   ArrivalSearch(SearchContext& context, SearchWorkspace::Data& workspace)
       : context_(context),
         graph_(context.graph),
+        circles_(*context.map.circles),
         vehicle_(context.vehicle),
         top_speed_(vehicle_.top_speed()),
         result_(context.result),
@@ -93,6 +103,7 @@ class ArrivalSearch {
         ends_(workspace.ends) {
     w_.times.begin(context);
     w_.open.clear();
+    w_.steps.clear();
     w_.labels.clear();
     w_.first_label.reset(graph_.circles().size());
   }
@@ -101,7 +112,7 @@ class ArrivalSearch {
     if (context_.interrupted()) return;
     ends_.begin(context_);
     for (std::uint32_t i = 0; i < ends_.direct_paths().size(); ++i)
-      push(Kind::kDirect, kNone, i, ends_.direct_paths()[i].time);
+      push(Kind::kDirect, i, ends_.direct_paths()[i].time);
     // A goal that nothing leads to would have the whole graph searched in vain.
     for (std::uint32_t g = 0; g < ends_.goal_links().size() && !result_.goal_connected && !context_.interrupted(); ++g)
       result_.goal_connected = ends_.is_free(ends_.goal_link(g));
@@ -114,6 +125,7 @@ class ArrivalSearch {
     push_start_circles();
     while (!w_.open.empty() && !context_.interrupted()) {
       const Entry entry = w_.open.pop();
+      prefetch_next();
       if (entry.estimate >= context_.options.faster_than) return;
       if (is_complete(entry)) {
         if (finish(entry)) return;
@@ -145,9 +157,26 @@ class ArrivalSearch {
     return 0.0;
   }
 
-  void push(Kind kind, std::uint32_t parent, std::uint32_t index, double estimate) {
-    w_.open.push({estimate, kind, parent, index});
+  void push(Kind kind, std::size_t index, double estimate) {
+    w_.open.push({estimate, kind, index});
     ++result_.nodes_pushed;
+  }
+  void push(Kind kind, const Step& step, double estimate) {
+    push(kind, w_.steps.size(), estimate);
+    w_.steps.push_back(step);
+  }
+
+  // Has the memory brought near that the next entries need: first what they are, then what they lead to.
+  void prefetch_next() const {
+    const std::span<const Entry> next = w_.open.first_few();
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      if (next[i].kind() != Kind::kGraph) continue;
+      const Step& step = w_.steps[next[i].index()];
+      circles_.prefetch(step.to);
+      w_.first_label.prefetch(step.to);
+      __builtin_prefetch(&w_.labels[step.label]);
+      if (i == 0) circles_.prefetch_links(step.to);
+    }
   }
 
   // Takes the best complete path that is free. The open list may be millions of others, which are not worth sorting.
@@ -163,35 +192,36 @@ class ArrivalSearch {
       result_.path = std::move(ends_.direct_paths()[entry.index()].path);
       return true;
     }
-    SearchEnds::GoalLink& goal = ends_.goal_link(entry.index());
-    if (ends_.is_free(goal)) result_.path = path_through(entry.parent(), goal.link);
+    const Step& step = w_.steps[entry.index()];
+    SearchEnds::GoalLink& goal = ends_.goal_link(step.to);
+    if (ends_.is_free(goal)) result_.path = path_through(step.label, goal.link);
     return goal.free;
   }
 
   void expand(const Entry& entry) {
-    if (entry.kind() == Kind::kStartCircle) return push_start_links(entry.index());
+    const auto index = static_cast<std::uint32_t>(entry.index());
+    if (entry.kind() == Kind::kStartCircle) return push_start_links(index);
     if (entry.kind() == Kind::kStart) {
-      const TerminalLink& link = ends_.start_link(entry.index());
+      const TerminalLink& link = ends_.start_link(index);
       const TerminalCircle& from = ends_.start_circles()[link.terminal_circle];
-      const std::uint32_t joint =
-          w_.times.add_drive(w_.times.add_connection(from), link.turn * from.circle.radius, from.circle.radius,
-                             link.line.length, graph_.circles()[link.circle].radius);
-      return arrive({link.circle, link.line.start.heading, 0.0, joint, kNone, entry.index(), kNone});
+      const double radius = circles_.circle(link.circle).radius;
+      const std::uint32_t joint = w_.times.add_drive(w_.times.add_connection(from), link.turn * from.circle.radius,
+                                                     from.circle.radius, link.line.length, radius);
+      return arrive({link.circle, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone});
     }
-    const Label& parent = w_.labels[entry.parent()];
-    const TurnCircle& circle = graph_.circles()[parent.circle];
-    const FeasibleGraph::Link& link = graph_.links_from(parent.circle)[entry.index()];
-    const double turn = turn_between(parent.heading, link.heading, circle.side);
-    const std::uint32_t joint = w_.times.add_drive(parent.joint, turn * circle.radius, circle.radius, link.length,
-                                                   graph_.circles()[link.to].radius);
-    arrive({link.to, link.heading, 0.0, joint, entry.parent(), entry.index(), kNone});
+    const Step step = w_.steps[entry.index()];
+    const Label& parent = w_.labels[step.label];
+    const double radius = circles_.circle(step.to).radius;
+    const std::uint32_t joint =
+        w_.times.add_drive(parent.joint, step.turn * parent.radius, parent.radius, step.length, radius);
+    arrive({step.to, radius, step.heading, 0.0, joint, step.label, step.index, kNone});
   }
 
   void push_start_circles() {
     for (std::uint32_t s = 0; s < ends_.start_circles().size(); ++s) {
       const Terminal& start = context_.starts[ends_.start_circles()[s].terminal];
       if (ends_.start_circles()[s].reach >= 0.0)
-        push(Kind::kStartCircle, kNone, s,
+        push(Kind::kStartCircle, s,
              length_of(start.connection) / top_speed_ + remaining(start.pose.position(), top_speed_));
     }
   }
@@ -203,24 +233,25 @@ class ArrivalSearch {
     for (std::uint32_t i = range.first; i < range.last; ++i) {
       const TerminalLink& link = ends_.start_link(i);
       if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
-      push_straight(Kind::kStart, kNone, i, joint, link.turn, from.circle, link.line.length,
-                    graph_.circles()[link.circle], link.line.start.heading);
+      const double radius = circles_.circle(link.circle).radius;
+      push(Kind::kStart, i, estimate(joint, link.turn, from.circle.radius, link.line, radius));
     }
   }
 
-  // Pushes an arrival behind an arc and a line.
-  void push_straight(Kind kind, std::uint32_t parent, std::uint32_t index, std::uint32_t joint, double turn,
-                     const TurnCircle& from, double length, const TurnCircle& to, double heading) {
-    const SpeedTree::Joint arrival = w_.times.drive(joint, turn * from.radius, from.radius, length, to.radius);
-    push(kind, parent, index, arrival.time + remaining(pose_on(to, heading).position(), arrival.speed));
+  // Of the whole path that goes on from a joint by an arc and a line to a circle of some radius.
+  [[nodiscard]] double estimate(std::uint32_t joint, double turn, double radius, const Bitangent& line,
+                                double next_radius) const {
+    const SpeedTree::Joint arrival = w_.times.drive(joint, turn * radius, radius, line.length, next_radius);
+    const Vec2 position = line.start.position() + line.length * direction_of(line.start.heading);
+    return arrival.time + remaining(position, arrival.speed);
   }
 
   // Goes on from a new label, unless it is as good as an older one or cannot be reached after all.
   void arrive(Label label) {
-    const TurnCircle& circle = graph_.circles()[label.circle];
-    label.reach = graph_.free_headings(label.circle).reach(label.heading, circle.side);
+    const CircleTable::Circle circle = circles_.circle(label.circle);
+    label.reach = circles_.reach(label.circle, label.heading);
     if (label.reach < 0.0) return;
-    const double limit = undominated_turn(label, circle);
+    const double limit = undominated_turn(label, circle.side);
     if (limit < 0.0) return;
     const bool free = label.parent == kNone ? context_.is_free(ends_.start_link(label.index).line)
                                             : graph_.is_kept(w_.labels[label.parent].circle, label.index);
@@ -231,24 +262,24 @@ class ArrivalSearch {
     w_.labels.push_back(label);
     const auto index = static_cast<std::uint32_t>(w_.labels.size() - 1);
     w_.first_label.set(label.circle, index);
-    leave(index, limit);
+    leave(index, circle, limit);
   }
 
   // How far a label can turn before an older one does as well; negative if that is so from the beginning.
-  [[nodiscard]] double undominated_turn(const Label& label, const TurnCircle& circle) const {
+  [[nodiscard]] double undominated_turn(const Label& label, Side side) const {
     const SpeedTree& speeds = w_.times.speeds();
-    const double speed = vehicle_.turn_speed(circle.radius);
+    const double speed = vehicle_.turn_speed(label.radius);
     double limit = kInfinity;
     for (std::uint32_t i = w_.first_label.get(label.circle); i != kNone; i = w_.labels[i].next) {
       const Label& other = w_.labels[i];
-      const double behind = turn_between(other.heading, label.heading, circle.side);
+      const double behind = turn_between(other.heading, label.heading, side);
       if (behind <= other.reach) {
-        const auto here = speeds.extend(other.joint, behind * circle.radius, speed, speed);
+        const auto here = speeds.extend(other.joint, behind * label.radius, speed, speed);
         if (speeds.dominates(here, speeds[label.joint])) return -1.0;
       }
-      const double ahead = turn_between(label.heading, other.heading, circle.side);
+      const double ahead = turn_between(label.heading, other.heading, side);
       if (ahead <= label.reach && ahead < limit) {
-        const auto there = speeds.extend(label.joint, ahead * circle.radius, speed, speed);
+        const auto there = speeds.extend(label.joint, ahead * label.radius, speed, speed);
         if (speeds.dominates(speeds[other.joint], there)) limit = ahead;
       }
     }
@@ -256,27 +287,31 @@ class ArrivalSearch {
   }
 
   // Leaves a circle from the arrival's heading on, as far as its free interval goes and no older label takes over.
-  void leave(std::uint32_t index, double limit) {
+  void leave(std::uint32_t index, const CircleTable::Circle& circle, double limit) {
     const Label label = w_.labels[index];
-    const TurnCircle& circle = graph_.circles()[label.circle];
     const auto goes_on = [&](double turn) { return turn <= label.reach && turn < limit; };
 
     for (std::uint32_t g = ends_.first_goal_link(label.circle); g != kNone; g = ends_.goal_link(g).next) {
       SearchEnds::GoalLink& goal = ends_.goal_link(g);
       const double turn = turn_between(label.heading, goal.link.line.start.heading, circle.side);
       if (!goes_on(turn) || (goal.checked && !goal.free)) continue;
-      const double time = w_.times.time_to_goal(label.joint, turn * circle.radius, circle.radius, goal.link,
+      const double time = w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link,
                                                 ends_.goal_circles()[goal.link.terminal_circle]);
       if (time >= goal.best_time) continue;
       goal.best_time = time;
-      push(Kind::kGoal, index, g, time);
+      push(Kind::kGoal, {index, g, kNone, 0.0, 0.0, 0.0}, time);
     }
 
-    walk_links(graph_, label.circle, label.heading,
+    const bool one_radius = circles_.has_one_radius();
+    walk_links(circles_.links_from(label.circle), circle.side, label.heading,
                [&](std::uint32_t at, const FeasibleGraph::Link& link, double turn) {
                  if (!goes_on(turn)) return false;
-                 push_straight(Kind::kGraph, index, at, label.joint, turn, circle, link.length,
-                               graph_.circles()[link.to], link.heading);
+                 const Vec2 left = perpendicular(direction_of(link.heading));
+                 const Vec2 from = circle.center - sign_of(circle.side) * circle.radius * left;
+                 const Bitangent line{{from.x(), from.y(), link.heading}, link.length};
+                 const double radius = one_radius ? label.radius : circles_.circle(link.to).radius;
+                 push(Kind::kGraph, {index, link.to, at, turn, link.heading, link.length},
+                      estimate(label.joint, turn, label.radius, line, radius));
                  return true;
                });
   }
@@ -308,6 +343,7 @@ class ArrivalSearch {
 
   SearchContext& context_;
   const FeasibleGraph& graph_;
+  const CircleTable& circles_;
   const Vehicle& vehicle_;
   double top_speed_;  // in either gear, as connections may have both
   bool reachability_known_ = false;

@@ -1,7 +1,6 @@
 #include "core/search/narrow_places.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/passage/gap_circles.h"
 
@@ -29,9 +28,7 @@ const SearchMap& NarrowPlaces::map() const {
     ExtraCircles extra = find_gap_circles(map_.world, map_.vehicle, map_.radii.front());
     if (extra.round.empty() && extra.gates.empty()) return;
     add_wide_turns(map_, extra);
-    SearchMap detailed = map_;
-    detailed.graph = FeasibleGraph(map_.graph, map_.vehicle, extra);
-    detailed_ = std::move(detailed);
+    detailed_ = map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, extra));
   });
   return detailed_ ? *detailed_ : map_;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -15,6 +16,10 @@ class OpenList {
   [[nodiscard]] std::size_t size() const { return heap_.size(); }
   /// Precondition: not empty.
   [[nodiscard]] const Entry& top() const { return heap_.front(); }
+  /// The first entry, and a few of which one is the second.
+  [[nodiscard]] std::span<const Entry> first_few() const {
+    return std::span(heap_).first(std::min(kChildren + 1, heap_.size()));
+  }
   void clear() { heap_.clear(); }
 
   void push(const Entry& entry) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "core/huge_pages.h"
 #include "core/world.h"
 
 namespace arcway {
@@ -22,6 +22,8 @@ class PerCircle {
   [[nodiscard]] std::uint32_t get(std::uint32_t circle) const {
     return values_[circle].epoch == epoch_ ? values_[circle].index : kNone;
   }
+  /// Says that a circle will be asked about soon.
+  void prefetch(std::uint32_t circle) const { __builtin_prefetch(&values_[circle]); }
   void set(std::uint32_t circle, std::uint32_t index) { values_[circle] = {epoch_, index}; }
 
  private:
@@ -29,7 +31,7 @@ class PerCircle {
     std::uint32_t epoch;
     std::uint32_t index;
   };
-  std::vector<Value> values_;
+  HugeVector<Value> values_;
   std::uint32_t epoch_ = 0;
 };
 

@@ -106,11 +106,12 @@ bool Reachability::reaches_goal(const Arrival& arrival) {
     SearchEnds::GoalLink& goal = ends_->goal_link(g);
     if (turn_between(heading, goal.link.line.start.heading, side) <= reach && ends_->is_free(goal)) return true;
   }
-  walk_links(graph, c, heading, [&, from = c](std::uint32_t index, const FeasibleGraph::Link&, double turn) {
-    if (turn > reach || turn >= limit) return false;
-    push(from, index);
-    return true;
-  });
+  walk_links(graph.links_from(c), side, heading,
+             [&, from = c](std::uint32_t index, const FeasibleGraph::Link&, double turn) {
+               if (turn > reach || turn >= limit) return false;
+               push(from, index);
+               return true;
+             });
   return false;
 }
 

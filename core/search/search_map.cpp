@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/search/circle_table.h"
+
 namespace arcway {
 
 SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<double> r, FeasibleGraph g)
@@ -10,7 +12,15 @@ SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<d
       queries(std::move(q)),
       radii(std::move(r)),
       graph(std::move(g)),
+      circles(std::make_shared<const CircleTable>(graph)),
       body(v.footprint(0.5 * v.safety_margin())),
       outlines(std::make_shared<const Outlines>(w)) {}
+
+SearchMap SearchMap::with_graph(FeasibleGraph other) const {
+  SearchMap map = *this;
+  map.graph = std::move(other);
+  map.circles = std::make_shared<const CircleTable>(map.graph);
+  return map;
+}
 
 }  // namespace arcway

@@ -11,18 +11,23 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
+class CircleTable;
+
 /// What all searches on one map share. Immutable.
 struct SearchMap {
   /// @param radii  those of the graph.
   SearchMap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii,
             FeasibleGraph graph);
+  /// The same map with another graph.
+  [[nodiscard]] SearchMap with_graph(FeasibleGraph other) const;
 
   World world;
   Vehicle vehicle;
   QuerySet queries;
   std::vector<double> radii;
   FeasibleGraph graph;
-  Footprint body;  ///< with half of the safety margin: what is checked
+  std::shared_ptr<const CircleTable> circles;  ///< of the graph
+  Footprint body;                              ///< with half of the safety margin: what is checked
   std::shared_ptr<const Outlines> outlines;
 };
 

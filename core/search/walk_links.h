@@ -24,11 +24,9 @@ inline std::size_t first_ahead(std::span<const FeasibleGraph::Link> links, doubl
 
 /// Calls visit(index, link, turn) for the links that leave a circle, from a heading on, until a call returns false.
 template <class Visitor>
-void walk_links(const FeasibleGraph& graph, std::uint32_t circle, double heading, Visitor&& visit) {
-  const std::span<const FeasibleGraph::Link> links = graph.links_from(circle);
+void walk_links(std::span<const FeasibleGraph::Link> links, Side side, double heading, Visitor&& visit) {
   if (links.empty()) return;
   const std::size_t count = links.size();
-  const Side side = graph.circles()[circle].side;
   for (std::size_t step = 0, at = first_ahead(links, heading, side); step < count; ++step) {
     if (!visit(static_cast<std::uint32_t>(at), links[at], turn_between(heading, links[at].heading, side))) return;
     at = side == Side::kLeft ? (at + 1) % count : (at + count - 1) % count;

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/graph/feasible_graph.h"
+#include "core/huge_pages.h"
+
+namespace arcway {
+
+/// A feasible graph as searches read it: of an eager graph all that they ask about a circle lies in one cache line, as
+/// a search on a large map waits for memory most of the time; a lazy graph is asked itself. Immutable, thread-safe.
+class CircleTable {
+ public:
+  explicit CircleTable(const FeasibleGraph& graph);
+
+  struct Circle {
+    Vec2 center;
+    double radius;
+    Side side;
+  };
+  [[nodiscard]] Circle circle(std::uint32_t c) const {
+    if (const Record* r = record(c)) return {r->center, r->radius, r->side};
+    const TurnCircle& circle = graph_.circles()[c];
+    return {circle.center, circle.radius, circle.side};
+  }
+  /// Whether all circles are known to have the same radius.
+  [[nodiscard]] bool has_one_radius() const { return has_one_radius_; }
+  /// See HeadingSet::reach, towards the circle's own side.
+  [[nodiscard]] double reach(std::uint32_t c, double heading) const {
+    if (const Record* r = record(c); r && r->has_one_interval) return reach_within(r->free, heading, r->side);
+    return graph_.free_headings(c).reach(heading, graph_.circles()[c].side);
+  }
+  /// See FeasibleGraph::links_from.
+  [[nodiscard]] std::span<const FeasibleGraph::Link> links_from(std::uint32_t c) const {
+    if (const Record* r = record(c)) return links_.subspan(r->first_link, r->links);
+    return graph_.links_from(c);
+  }
+  /// Says that a circle will be asked about soon.
+  void prefetch(std::uint32_t c) const {
+    if (const Record* r = record(c)) __builtin_prefetch(r);
+  }
+  /// Says that the links will be asked for that leave a circle; best some time after `prefetch`.
+  void prefetch_links(std::uint32_t c) const {
+    if (const Record* r = record(c)) __builtin_prefetch(links_.data() + r->first_link);
+  }
+
+ private:
+  struct alignas(64) Record {
+    Vec2 center;
+    double radius;
+    HeadingInterval free;  // if there is just one interval
+    std::uint32_t first_link, links;
+    Side side;
+    bool has_one_interval;
+  };
+  [[nodiscard]] const Record* record(std::uint32_t c) const { return records_.empty() ? nullptr : &records_[c]; }
+
+  FeasibleGraph graph_;
+  bool has_one_radius_ = false;
+  std::span<const FeasibleGraph::Link> links_;
+  HugeVector<Record> records_;  // none of a lazy graph
+};
+
+}  // namespace arcway

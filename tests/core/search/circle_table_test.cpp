@@ -1,0 +1,53 @@
+#include "core/search/circle_table.h"
+
+#include <gtest/gtest.h>
+
+#include "core/graph/turning_radii.h"
+#include "core/planner.h"
+#include "datasets/clutter.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+TEST(CircleTable, SaysWhatTheGraphSays) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}});
+  test::Random random(4);
+  int inside = 0, outside = 0;
+  for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar})
+    for (const GraphMode mode : {GraphMode::kEager, GraphMode::kLazy}) {
+      const World world = random_world({.kind = kind, .obstacles = 30, .vertices = 8, .fill = 0.4, .seed = 5});
+      const Planner planner(world, vehicle, {.graph_mode = mode});
+      const FeasibleGraph& graph = planner.feasible_graph();
+      const CircleTable table(graph);
+      EXPECT_FALSE(table.has_one_radius());
+      for (std::uint32_t c = 0; c < graph.circles().size(); ++c) {
+        const TurnCircle& circle = graph.circles()[c];
+        const CircleTable::Circle same = table.circle(c);
+        EXPECT_EQ(same.center, circle.center);
+        EXPECT_EQ(same.radius, circle.radius);
+        EXPECT_EQ(same.side, circle.side);
+        EXPECT_EQ(table.links_from(c).data(), graph.links_from(c).data());
+        EXPECT_EQ(table.links_from(c).size(), graph.links_from(c).size());
+        std::vector<double> headings{0.0, random.uniform(0.0, kTwoPi), random.uniform(0.0, kTwoPi)};
+        for (const HeadingInterval& free : graph.free_headings(c).intervals())
+          headings.insert(headings.end(), {free.low, free.high, 0.5 * (free.low + free.high)});
+        for (const double heading : headings) {
+          const double reach = table.reach(c, heading);
+          EXPECT_EQ(reach, graph.free_headings(c).reach(heading, circle.side)) << "circle " << c << " at " << heading;
+          EXPECT_EQ(reach >= 0.0, graph.free_headings(c).contains(heading));
+          ++(reach < 0.0 ? outside : inside);
+        }
+      }
+    }
+  EXPECT_GT(inside, 1000);
+  EXPECT_GT(outside, 1000);
+}
+
+TEST(CircleTable, KnowsThatThereIsOneRadius) {
+  const World world = random_world({.obstacles = 10, .vertices = 8, .fill = 0.3, .seed = 5});
+  EXPECT_TRUE(CircleTable(Planner(world, Vehicle()).feasible_graph()).has_one_radius());
+}
+
+}  // namespace
+}  // namespace arcway
