@@ -59,7 +59,7 @@ void EmbreeSweep::do_straight_free(std::span<const SweptRectangle> rectangles, s
 void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const {
   scenes_->for_batch(bodies.size(), [&](std::size_t begin, std::size_t end) {
     const std::span<const LineSegment> edges = scenes_->world().edges();
-    std::vector<HeadingInterval> blocked;
+    static thread_local std::vector<HeadingInterval> blocked;  // single questions are many, and need no new memory
     for (std::size_t i = begin; i < end; ++i) {
       const TurningBody& body = bodies[i];
       const double reach = reach_of(body);
@@ -68,7 +68,7 @@ void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
         if (may_touch(body, edges[e])) append_blocked_headings(body, edges[e], blocked);
         return reach;
       });
-      result[i] = HeadingSet::complement(blocked);
+      HeadingSet::complement(blocked, result[i]);
       // Where no edge is touched the body is wholly inside or wholly outside each region.
       for (int k = static_cast<int>(result[i].intervals().size()) - 1; k >= 0; --k) {
         const HeadingInterval& interval = result[i].intervals()[static_cast<std::size_t>(k)];

@@ -19,7 +19,8 @@ constexpr double kRounding = 1e-12;
 double shortest_word(const Pose& start, const Pose& goal, double radius) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const DubinsWord word : kDubinsWords)
-    if (const auto path = dubins_path(word, start, goal, radius)) shortest = std::min(shortest, length_of(*path));
+    if (const auto path = dubins_word(word, start, goal, radius))
+      shortest = std::min(shortest, length_of(path->segments()));
   return shortest;
 }
 

@@ -89,7 +89,7 @@ std::optional<Parts> three_arcs(const Circles& c, double radius) {
 
 }  // namespace
 
-std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, double radius) {
+std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const Pose& goal, double radius) {
   if (!(radius > 0.0) || !std::isfinite(radius)) {
     throw std::invalid_argument("dubins_path: radius must be finite and > 0");
   }
@@ -108,9 +108,11 @@ std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& 
   }
   if (!parts) return std::nullopt;
 
-  Path path;
+  DubinsPath path;
   const auto append = [&path, &start](double length, double curvature) {
-    if (length > 0.0) path.push_back({path.empty() ? start : path.back().end(), length, curvature});
+    if (!(length > 0.0)) return;
+    path.parts[path.count] = {path.count == 0 ? start : path.parts[path.count - 1].end(), length, curvature};
+    ++path.count;
   };
   append(parts->first * radius, circles.s0 / radius);
   if (turns_thrice) {
@@ -120,6 +122,12 @@ std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& 
   }
   append(parts->last * radius, circles.s1 / radius);
   return path;
+}
+
+std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, double radius) {
+  const auto path = dubins_word(word, start, goal, radius);
+  if (!path) return std::nullopt;
+  return Path(path->segments().begin(), path->segments().end());
 }
 
 }  // namespace arcway

@@ -58,8 +58,10 @@ double speed_limit(const PathSegment& segment, const Vehicle& vehicle) {
   return forward ? vehicle.turn_speed(radius) : vehicle.reverse_turn_speed(radius);
 }
 
-SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed,
-                           double end_speed) {
+namespace {
+
+void fill(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed, double end_speed,
+          SpeedProfile& profile) {
   const std::size_t n = path.size();
   const double a = vehicle.max_acceleration();
   const auto limit_of = [&vehicle](const PathSegment& segment) { return speed_limit(segment, vehicle); };
@@ -68,12 +70,16 @@ SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& veh
   if (n == 0) {
     check_reached("start_speed", start_speed, end_speed);
     check_reached("end_speed", end_speed, start_speed);
-    return {.speeds = {start_speed}, .durations = {}, .total_time = 0.0};
+    profile.speeds.assign(1, start_speed);
+    profile.durations.clear();
+    profile.total_time = 0.0;
+    return;
   }
 
-  SpeedProfile profile;
   std::vector<double>& v = profile.speeds;
   v.resize(n + 1);
+  profile.durations.clear();
+  profile.total_time = 0.0;
   v[n] = end_speed;
   for (std::size_t i = n; i-- > 0;) {
     double limit = i == 0 ? limit_of(path[0]) : std::min(limit_of(path[i - 1]), limit_of(path[i]));
@@ -92,7 +98,19 @@ SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& veh
     profile.durations.push_back(duration);
     profile.total_time += duration;
   }
+}
+
+}  // namespace
+
+SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed,
+                           double end_speed) {
+  SpeedProfile profile;
+  fill(path, vehicle, start_speed, end_speed, profile);
   return profile;
+}
+
+void speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, SpeedProfile& profile) {
+  fill(path, vehicle, 0.0, 0.0, profile);
 }
 
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost) {

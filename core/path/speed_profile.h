@@ -36,6 +36,9 @@ double speed_limit(const PathSegment& segment, const Vehicle& vehicle);
 SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed = 0.0,
                            double end_speed = 0.0);
 
+/// The same from rest to rest into a profile whose memory is used again.
+void speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, SpeedProfile& profile);
+
 /// Travel time of a path from rest to rest, and `cusp_cost` for each change of gear [s].
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost);
 

@@ -102,7 +102,7 @@ void BruteForceQuery::do_free_headings(std::span<const TurningBody> bodies, std:
       for (VertexId e = first; e < last; ++e)
         if (may_touch(body, world_.edges()[e])) append_blocked_headings(body, world_.edges()[e], blocked);
     }
-    result[i] = HeadingSet::complement(blocked);
+    HeadingSet::complement(blocked, result[i]);
     // Where no edge is touched the body is wholly inside or wholly outside each region.
     for (int k = static_cast<int>(result[i].intervals().size()) - 1; k >= 0; --k) {
       const HeadingInterval& interval = result[i].intervals()[static_cast<std::size_t>(k)];

@@ -9,34 +9,39 @@
 
 namespace arcway {
 
-HeadingSet HeadingSet::complement(const std::vector<HeadingInterval>& blocked) {
-  if (blocked.empty()) return full();
-  std::vector<HeadingInterval> cut;  // within [0, 2 pi], those that pass the seam in two pieces
-  cut.reserve(blocked.size() + 2);
-  for (const HeadingInterval& b : blocked) {
-    const double extent = b.high - b.low;
-    if (extent >= kFullCircle) return {};
-    const double low = wrap_positive(b.low);
-    const double high = low + extent;
-    if (high >= kFullCircle) {
-      cut.push_back({low, kFullCircle});
-      cut.push_back({0.0, high - kFullCircle});
-    } else {
-      cut.push_back({low, high});
-    }
-  }
-  std::sort(cut.begin(), cut.end(), [](const auto& a, const auto& b) { return a.low < b.low; });
+HeadingSet HeadingSet::complement(std::vector<HeadingInterval> blocked) {
+  HeadingSet result;
+  complement(blocked, result);
+  return result;
+}
 
-  std::vector<HeadingInterval> free;
+void HeadingSet::complement(std::vector<HeadingInterval>& blocked, HeadingSet& result) {
+  std::vector<HeadingInterval>& free = result.intervals_;
+  free.clear();
+  if (blocked.empty()) {
+    free.push_back({0.0, kFullCircle});
+    return;
+  }
+  // Within [0, 2 pi]: those that pass the seam in two pieces.
+  for (std::size_t i = 0, count = blocked.size(); i < count; ++i) {
+    const double extent = blocked[i].high - blocked[i].low;
+    if (extent >= kFullCircle) return;
+    const double low = wrap_positive(blocked[i].low);
+    const double high = low + extent;
+    blocked[i] = {low, std::min(high, kFullCircle)};
+    if (high >= kFullCircle) blocked.push_back({0.0, high - kFullCircle});
+  }
+  std::sort(blocked.begin(), blocked.end(), [](const auto& a, const auto& b) { return a.low < b.low; });
+
   const auto add = [&free](double low, double high) {
     low = std::nextafter(low, kFullCircle * 2);
     high = std::nextafter(high, -1.0);
     if (low <= high && low < kFullCircle) free.push_back({low, high});
   };
   double reached = 0.0;
-  const bool open_at_seam = cut.front().low > 0.0;
-  if (open_at_seam) free.push_back({0.0, std::nextafter(cut.front().low, -1.0)});
-  for (const HeadingInterval& b : cut) {
+  const bool open_at_seam = blocked.front().low > 0.0;
+  if (open_at_seam) free.push_back({0.0, std::nextafter(blocked.front().low, -1.0)});
+  for (const HeadingInterval& b : blocked) {
     if (b.low > reached && reached > 0.0) add(reached, b.low);
     reached = std::max({reached, b.high, std::numeric_limits<double>::min()});
   }
@@ -49,7 +54,6 @@ HeadingSet HeadingSet::complement(const std::vector<HeadingInterval>& blocked) {
       add(reached, kFullCircle);
     }
   }
-  return HeadingSet(std::move(free));
 }
 
 HeadingSet HeadingSet::of_intervals(std::vector<HeadingInterval> intervals) {

@@ -26,7 +26,9 @@ class HeadingSet {
   static HeadingSet full() { return HeadingSet({{0.0, kFullCircle}}); }
   /// The complement of the union of closed intervals, each of at most a full circle, in any order. The ends belong to
   /// the intervals given, so the result leaves them out: its own ends are the next double inwards.
-  static HeadingSet complement(const std::vector<HeadingInterval>& blocked);
+  static HeadingSet complement(std::vector<HeadingInterval> blocked);
+  /// The same into a set whose memory is used again; `blocked` is used up, but keeps its memory.
+  static void complement(std::vector<HeadingInterval>& blocked, HeadingSet& result);
   /// The set that has these intervals.
   /// @throws std::invalid_argument naming the first one that breaks the rules above.
   static HeadingSet of_intervals(std::vector<HeadingInterval> intervals);

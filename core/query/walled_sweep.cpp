@@ -31,7 +31,7 @@ void WalledSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
         blocked.push_back({free[k].high, last ? free[0].low + kTwoPi : free[k + 1].low});
       }
     }
-    result[i] = HeadingSet::complement(blocked);
+    HeadingSet::complement(blocked, result[i]);
   }
 }
 

@@ -45,11 +45,13 @@ void SearchEnds::find_direct_paths() {
 }
 
 void SearchEnds::try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word) {
-  const auto middle = dubins_path(word, start.pose, goal.pose, radius);
-  if (!middle || !std::all_of(middle->begin(), middle->end(), [this](const auto& s) { return is_free(s); })) return;
+  const auto word_path = dubins_word(word, start.pose, goal.pose, radius);
+  if (!word_path) return;
+  const std::span<const PathSegment> middle = word_path->segments();
+  if (!std::ranges::all_of(middle, [this](const PathSegment& s) { return is_free(s); })) return;
   context_->result.start_connected = context_->result.goal_connected = true;
   Path path = start.connection;
-  path.insert(path.end(), middle->begin(), middle->end());
+  path.insert(path.end(), middle.begin(), middle.end());
   path.insert(path.end(), goal.connection.begin(), goal.connection.end());
   const double time = travel_cost(path, context_->vehicle, context_->options.cusp_cost);
   direct_paths_.push_back({std::move(path), time});

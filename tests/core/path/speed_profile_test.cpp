@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 #include <stdexcept>
 
 namespace arcway {
@@ -158,6 +159,20 @@ TEST(SpeedProfile, RefusesEndSpeedsOutOfReach) {
   EXPECT_THROW(speed_profile(path, vehicle, 12.5, 0.0), std::invalid_argument);
   EXPECT_THROW(speed_profile(path, vehicle, 6.001, 0.0), std::invalid_argument);
   EXPECT_THROW(speed_profile(path, vehicle, 0.0, 6.001), std::invalid_argument);
+}
+
+TEST(SpeedProfile, FillsAProfileThatWasInUse) {
+  const Vehicle vehicle = slow_vehicle();
+  const Path path{{{}, 4.0, 0.0}, {{}, 5.0, 0.5}, {{}, 3.0, 0.0}};
+  SpeedProfile used = speed_profile(path, vehicle);
+  for (std::size_t n = 0; n <= path.size(); ++n) {
+    const auto part = std::span(path).first(n);
+    const SpeedProfile fresh = speed_profile(part, vehicle);
+    speed_profile(part, vehicle, used);
+    EXPECT_EQ(used.speeds, fresh.speeds);
+    EXPECT_EQ(used.durations, fresh.durations);
+    EXPECT_EQ(used.total_time, fresh.total_time);
+  }
 }
 
 }  // namespace

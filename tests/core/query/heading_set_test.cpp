@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "core/geometry/angle.h"
 
 namespace arcway {
@@ -66,6 +68,21 @@ TEST(HeadingSet, AroundAHeadingIsWhatCanBeReachedFromIt) {
   EXPECT_FALSE(across.contains(0.7));
   EXPECT_FALSE(across.contains(5.8));
   EXPECT_NEAR(HeadingSet::full().around(3.0, 0.25).intervals()[0].low, 2.75, 1e-12);
+}
+
+TEST(HeadingSet, ComplementsIntoASetThatWasInUse) {
+  HeadingSet set = HeadingSet::complement({{1.0, 2.0}, {3.0, 4.0}});
+  for (const std::vector<HeadingInterval>& blocked :
+       {std::vector<HeadingInterval>{{6.0, 7.0}, {3.0, 4.0}}, {}, {{0.5, 0.75}}, {{1.0, 1.0 + kTwoPi}}}) {
+    const HeadingSet fresh = HeadingSet::complement(blocked);
+    std::vector<HeadingInterval> used = blocked;
+    HeadingSet::complement(used, set);
+    ASSERT_EQ(set.intervals().size(), fresh.intervals().size());
+    for (std::size_t i = 0; i < fresh.intervals().size(); ++i) {
+      EXPECT_EQ(set.intervals()[i].low, fresh.intervals()[i].low);
+      EXPECT_EQ(set.intervals()[i].high, fresh.intervals()[i].high);
+    }
+  }
 }
 
 }  // namespace
