@@ -4,8 +4,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "core/bound/point_distance.h"
 #include "core/bound/travel_time_bound.h"
@@ -112,6 +115,15 @@ std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimit
 }  // namespace
 
 struct Planner::Data {
+  struct Workspace {
+    FindWorkspace find;
+    PointDistance::Workspace point;
+    RefineWorkspace refine;
+    RefinedPath refined;
+    Path best;  // so far
+    SpeedProfile profile;
+  };
+
   /// @param make_feasible  gives the feasible graph for the rows of the reduced graph and the radii.
   template <class MakeFeasible>
   Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, VisibilityGraph graph,
@@ -162,24 +174,36 @@ struct Planner::Data {
     return found;
   }
 
-  // The path after refinement.
-  Path refined(const Path& path, const SearchOptions& search, bool reverse, PlanResult& result) const {
+  // Refines a path into workspace.refined.
+  void refine(const Path& path, const SearchOptions& search, bool reverse, Workspace& workspace,
+              PlanResult& result) const {
     const Stopwatch refining;
     PlanStatistics& s = result.statistics;
-    s.unrefined_travel_time = speed_profile(path, map.vehicle).total_time;
+    RefinedPath& refined = workspace.refined;
+    s.unrefined_travel_time = travel_time(path, workspace);
     const RefineOptions& refinement = options.refinement;
-    if (refinement.max_trials == 0) return path;
+    if (refinement.max_trials == 0) {
+      refined.path = path;
+      return;
+    }
     const auto stop = [&search] { return search.interrupted(); };
-    RefinedPath refined =
-        reverse ? refine_reversing_path(path, map.vehicle, *map.queries.sweep, search.cusp_cost, refinement, stop)
-                : refine_path(path, result.start, result.goal, map.vehicle, *map.queries.sweep, refinement, stop);
+    if (reverse) {
+      refined = refine_reversing_path(path, map.vehicle, *map.queries.sweep, search.cusp_cost, refinement, stop);
+    } else {
+      refine_path(path, result.start, result.goal, map.vehicle, *map.queries.sweep, refinement, stop, workspace.refine,
+                  refined);
+    }
     result.interrupted = result.interrupted || refined.interrupted;
     s.refine_trials += refined.trials;
     s.refine_improvements += refined.improvements;
     s.straights_checked += refined.straights_checked;
     s.turns_checked += refined.turns_checked;
     s.refine_seconds += refining.seconds();
-    return std::move(refined.path);
+  }
+
+  double travel_time(const Path& path, Workspace& workspace) const {
+    speed_profile(path, map.vehicle, workspace.profile);
+    return workspace.profile.total_time;
   }
 
   // The lower bound with the way round the obstacles, if that is wanted.
@@ -262,10 +286,6 @@ struct Planner::Data {
   std::optional<PointDistance> point_distance;
   BottleneckFinder bottleneck;
   PrepareStatistics prepare_statistics;
-  struct Workspace {
-    SearchWorkspace search;
-    PointDistance::Workspace point;
-  };
   mutable WorkspacePool<Workspace> workspaces;
 };
 
@@ -390,6 +410,12 @@ Planner::Planner(const Planner& before, const World& world, const WorldChange& c
 }
 
 PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) const {
+  PlanResult result;
+  plan(request, limits, result);
+  return result;
+}
+
+void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const {
   require_pose("start", request.start);
   require_pose("goal", request.goal);
   if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
@@ -398,71 +424,77 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   const Stopwatch total;
   const auto deadline = deadline_of(limits);
   const Data& d = *data_;
-  PlanResult result;
+  std::vector<TimedSegment> segments = std::move(result.segments);
+  Path first_path = std::move(result.first_path);
+  segments.clear();
+  first_path.clear();
+  result = {};
+  result.segments = std::move(segments);
+  result.first_path = std::move(first_path);
   result.start = request.start;
   result.goal = request.goal;
   const double straight = (request.goal.position() - request.start.position()).norm();
   result.lower_bound = travel_time_bound(request.start, request.goal, straight, d.map.vehicle, request.reverse);
   if (!d.pose_is_free(request.start, true, result) || !d.pose_is_free(request.goal, false, result)) {
     result.statistics.total_seconds = total.seconds();
-    return result;
+    return;
   }
 
   WorkspacePool<Data::Workspace>::Lease workspace(d.workspaces);
   SearchOptions options{d.options.heuristic, limits.stop, deadline, request.cusp_cost};
   options.time_model = d.options.time_model;
-  const FoundPath forwards = d.search(result, [&] {
-    const auto no_passage = [&] {
-      result.bottleneck = d.bottleneck(request.start, request.goal);
-      return result.bottleneck && result.bottleneck->too_narrow();
-    };
+  const auto no_passage = [&] {
+    result.bottleneck = d.bottleneck(request.start, request.goal);
+    return result.bottleneck && result.bottleneck->too_narrow();
+  };
+  FoundPath forwards = d.search(result, [&] {
     return find_path(d.map, d.options.gap_circles ? &d.narrow_places : nullptr, request.start, request.goal,
-                     d.options.manoeuvre_poses, no_passage, options, workspace->search);
+                     d.options.manoeuvre_poses, std::cref(no_passage), options, workspace->find);
   });
-  std::optional<Path> found;
-  const auto keep_faster = [&](const Path& path, bool reverse) {
+  Path& best = workspace->best;
+  bool found = false;
+  const auto keep_faster = [&](Path&& path, bool reverse) {
     const double unrefined = result.statistics.unrefined_travel_time;
     if (!found) {
       result.statistics.first_path_seconds = total.seconds();
-      result.statistics.first_travel_time = speed_profile(path, d.map.vehicle).total_time;
+      result.statistics.first_travel_time = d.travel_time(path, *workspace);
       result.first_path = path;
     }
-    Path refined = d.refined(path, options, reverse, result);
-    const auto cost = [&](const Path& p) { return travel_cost(p, d.map.vehicle, request.cusp_cost); };
-    if (!found || cost(refined) < cost(*found)) {
-      found = std::move(refined);
+    d.refine(path, options, reverse, *workspace, result);
+    workspace->find.search.reuse(std::move(path));
+    const auto cost = [&](const Path& p) {
+      return d.travel_time(p, *workspace) + request.cusp_cost * static_cast<double>(cusps_of(p));
+    };
+    if (!found || cost(workspace->refined.path) < cost(best)) {
+      std::swap(best, workspace->refined.path);
+      found = true;
     } else {
       result.statistics.unrefined_travel_time = unrefined;
     }
   };
-  if (forwards.search.path) {
-    keep_faster(*forwards.search.path, false);
+  const bool has_forwards = forwards.search.path.has_value();
+  if (has_forwards) {
+    keep_faster(std::move(*forwards.search.path), false);
     d.raise_bound(request, workspace->point, result);
     const auto is_doubtful = [&](double gap) {
-      const double time = speed_profile(*found, d.map.vehicle).total_time;
-      return time > (1.0 + gap) * result.lower_bound && !result.interrupted;
+      return d.travel_time(best, *workspace) > (1.0 + gap) * result.lower_bound && !result.interrupted;
     };
-    const auto faster_ones = [&] {
+    const auto try_faster = [&](const SearchMap& map, std::size_t poses) {
       SearchOptions faster = options;
       faster.faster_than = result.statistics.unrefined_travel_time;
-      return faster;
+      FoundPath turning = d.search(result, [&] {
+        return find_path_with_manoeuvres(map, request.start, request.goal, poses, faster, workspace->find);
+      });
+      if (turning.search.path) keep_faster(std::move(*turning.search.path), false);
     };
     const SearchMap& map = forwards.by_narrow_places ? d.narrow_places.map() : d.map;
     for (const Retry& retry : kRetries) {
       const auto poses = std::min(retry.poses, d.options.manoeuvre_poses);
       if (poses <= 1 || !is_doubtful(retry.gap)) break;
-      const FoundPath turning = d.search(result, [&] {
-        return find_path_with_manoeuvres(map, request.start, request.goal, poses, faster_ones(), workspace->search);
-      });
-      if (turning.search.path) keep_faster(*turning.search.path, false);
+      try_faster(map, poses);
     }
-    if (d.options.gap_circles && !forwards.by_narrow_places && is_doubtful(kNarrowPlacesGap)) {
-      const FoundPath narrow = d.search(result, [&] {
-        return find_path_with_manoeuvres(d.narrow_places.map(), request.start, request.goal, 0, faster_ones(),
-                                         workspace->search);
-      });
-      if (narrow.search.path) keep_faster(*narrow.search.path, false);
-    }
+    if (d.options.gap_circles && !forwards.by_narrow_places && is_doubtful(kNarrowPlacesGap))
+      try_faster(d.narrow_places.map(), 0);
   }
   std::optional<Enclosure> enclosure;
   bool hopeless = forwards.obstruction == Obstruction::kPassage;
@@ -470,25 +502,26 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
     enclosure = find_enclosure(request.start, request.goal, d.map.body, *d.map.queries.sweep, kEnclosureBoxes);
     hopeless = enclosure.has_value();
   }
-  if (request.reverse && !result.interrupted && !hopeless && !(found && found->empty())) {
+  if (request.reverse && !result.interrupted && !hopeless && !(found && best.empty())) {
     const double unrefined = found ? result.statistics.unrefined_travel_time : kInfinity;
-    const FoundPath both = d.search(result, [&] {
-      return find_reversing_path(d.map, request.start, request.goal, unrefined, options, workspace->search);
+    FoundPath both = d.search(result, [&] {
+      return find_reversing_path(d.map, request.start, request.goal, unrefined, options, workspace->find.search);
     });
-    if (both.search.path) keep_faster(*both.search.path, true);
+    if (both.search.path) keep_faster(std::move(*both.search.path), true);
   }
   if (!found) {
     d.explain(forwards, enclosure, request.reverse, limits, result);
     result.statistics.total_seconds = total.seconds();
-    return result;
+    return;
   }
-  if (!forwards.search.path) d.raise_bound(request, workspace->point, result);
-  const Path path = std::move(*found);
+  if (!has_forwards) d.raise_bound(request, workspace->point, result);
+  const Path& path = best;
 
   const Stopwatch finishing;
   result.status = PlanStatus::kSolved;
   result.bottleneck.reset();
-  const SpeedProfile profile = speed_profile(path, d.map.vehicle);
+  SpeedProfile& profile = workspace->profile;
+  speed_profile(path, d.map.vehicle, profile);
   const Footprint bare = d.map.vehicle.footprint();
   // The middle of the body is further from the obstacles than the body.
   const Pose& from = request.start;
@@ -512,7 +545,6 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   result.length = length_of(path);
   result.statistics.profile_seconds = finishing.seconds();
   result.statistics.total_seconds = total.seconds();
-  return result;
 }
 
 const World& Planner::world() const { return data_->map.world; }

@@ -203,6 +203,9 @@ class Planner {
   /// @throws std::invalid_argument if a pose is not finite or beyond 1e9 m, the time limit is not a number, or the cost
   ///   of a cusp is negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
+  /// The same into a result whose memory is used again. With accel's queries and an eager graph, a request without
+  /// `reverse` that was answered before then asks the heap for nothing, if single arcs join its ends to a path.
+  void plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const;
 
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Vehicle& vehicle() const;

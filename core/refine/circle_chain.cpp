@@ -48,8 +48,11 @@ void CircleChain::place_ends() {
   circles.back() = last_circle(lead_out, circles.back().radius, circles.back().side);
 }
 
-std::optional<CircleChain> chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal) {
-  CircleChain chain{start, goal, 0.0, 0.0, {}};
+bool chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal, CircleChain& chain) {
+  chain.start = start;
+  chain.goal = goal;
+  chain.lead_in = chain.lead_out = 0.0;
+  chain.circles.clear();
   double curvature = 0.0;  // of the segment before
   for (const PathSegment& segment : path) {
     if (!segment.is_line()) {
@@ -62,26 +65,38 @@ std::optional<CircleChain> chain_of(std::span<const PathSegment> path, const Pos
     }
     curvature = segment.curvature;
   }
-  if (chain.circles.size() < 2) return std::nullopt;
+  if (chain.circles.size() < 2) return false;
   chain.place_ends();
+  return true;
+}
+
+std::optional<CircleChain> chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal) {
+  CircleChain chain;
+  if (!chain_of(path, start, goal, chain)) return std::nullopt;
   return chain;
 }
 
-std::optional<std::vector<Bitangent>> lines_of(const CircleChain& chain) {
-  std::vector<Bitangent> lines;
+bool lines_of(const CircleChain& chain, std::vector<Bitangent>& lines) {
+  lines.clear();
   lines.reserve(chain.circles.size() + 1);
   lines.push_back({chain.start, chain.lead_in});
   for (std::size_t i = 0; i + 1 < chain.circles.size(); ++i) {
     const auto line = joint_of(chain.circles[i], chain.circles[i + 1]);
-    if (!line) return std::nullopt;
+    if (!line) return false;
     lines.push_back(*line);
   }
   lines.push_back(chain.last_line(chain.lead_out));
+  return true;
+}
+
+std::optional<std::vector<Bitangent>> lines_of(const CircleChain& chain) {
+  std::vector<Bitangent> lines;
+  if (!lines_of(chain, lines)) return std::nullopt;
   return lines;
 }
 
-Path path_of(const CircleChain& chain, std::span<const Bitangent> lines) {
-  Path path;
+void path_of(const CircleChain& chain, std::span<const Bitangent> lines, Path& path) {
+  path.clear();
   path.reserve(2 * chain.circles.size() + 1);
   const auto append = [&path](const Pose& start, double length, double curvature) {
     if (length > 0.0) path.push_back({start, length, curvature});
@@ -94,6 +109,11 @@ Path path_of(const CircleChain& chain, std::span<const Bitangent> lines) {
     append(pose_on(circle, heading), turn * circle.radius, sign_of(circle.side) / circle.radius);
     append(lines[i + 1].start, lines[i + 1].length, 0.0);
   }
+}
+
+Path path_of(const CircleChain& chain, std::span<const Bitangent> lines) {
+  Path path;
+  path_of(chain, lines, path);
   return path;
 }
 

@@ -31,6 +31,8 @@ struct CircleChain {
 /// The circles of a path of arcs and lines. Neighbouring arcs of one circle count as one.
 /// @returns nothing for fewer than two circles. Turns that a path makes by more than a full circle are lost.
 std::optional<CircleChain> chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal);
+/// The same into a chain whose memory is used again; false for fewer than two circles.
+bool chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal, CircleChain& chain);
 
 /// The directed bitangent of two circles. Circles that touch up to rounding are joined where they touch.
 /// @returns nothing where they have no bitangent.
@@ -40,8 +42,12 @@ std::optional<Bitangent> joint_of(const TurnCircle& from, const TurnCircle& to);
 /// @returns nothing where two neighbours have no bitangent, see joint_of. Error of both ends: a few units in the last
 ///   place of the coordinates and radii.
 std::optional<std::vector<Bitangent>> lines_of(const CircleChain& chain);
+/// The same into a vector whose memory is used again; false where two neighbours have no bitangent.
+bool lines_of(const CircleChain& chain, std::vector<Bitangent>& lines);
 
 /// The path along the lines of a chain; arcs shorter than a full circle, no segments of zero length.
 Path path_of(const CircleChain& chain, std::span<const Bitangent> lines);
+/// The same into a path whose memory is used again.
+void path_of(const CircleChain& chain, std::span<const Bitangent> lines, Path& path);
 
 }  // namespace arcway

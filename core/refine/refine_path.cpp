@@ -28,23 +28,56 @@ constexpr double kLeastTurn = 0.02;   // that is worth being driven in two parts
 constexpr int kFewParts = 2;
 constexpr std::array kFinerParts{3, 4, 5};
 
+// A place on a straight line of the path.
+struct Station {
+  std::size_t line;
+  double part;  // of the line's length
+  Pose pose;
+  Vec2 left;
+  double time;   // when the path gets there; between the ends of a line roughly [s]
+  double speed;  // there [m/s]
+};
+
+}  // namespace
+
+struct RefineWorkspace::Data {
+  CircleChain first_chain;
+  TimedChain chain;
+  std::vector<double> radii;
+  std::vector<Station> stations;
+  HeadingSet headings;
+  SpeedProfile profile;
+};
+
+RefineWorkspace::RefineWorkspace() : data_(std::make_unique<Data>()) {}
+RefineWorkspace::~RefineWorkspace() = default;
+RefineWorkspace::RefineWorkspace(RefineWorkspace&&) noexcept = default;
+RefineWorkspace& RefineWorkspace::operator=(RefineWorkspace&&) noexcept = default;
+
+namespace {
+
 class Refiner {
  public:
   Refiner(const Vehicle& vehicle, const SweepQuery& sweep, const RefineOptions& options,
-          const std::function<bool()>& stop, RefinedPath& result)
+          const std::function<bool()>& stop, RefineWorkspace::Data& workspace, RefinedPath& result)
       : vehicle_(vehicle),
         sweep_(sweep),
         options_(options),
         stop_(stop),
         result_(result),
         body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
-        smallest_(vehicle.min_turning_radius()) {}
+        smallest_(vehicle.min_turning_radius()),
+        chain_(workspace.chain),
+        radii_(workspace.radii),
+        stations_(workspace.stations),
+        headings_(workspace.headings) {}
 
-  void run(CircleChain chain) {
+  void run(CircleChain& chain) {
     // A radius is known by its curvature alone, and may come out too small by rounding.
     for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_);
     chain.place_ends();
-    if (!chain_.begin(std::move(chain), vehicle_)) return;
+    if (!chain_.begin(chain, vehicle_)) return;
+    radii_.clear();
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
     settle();
@@ -72,16 +105,6 @@ class Refiner {
     }
     slide(options_.smallest_step);
   }
-
-  // A place on a straight line of the path.
-  struct Station {
-    std::size_t line;
-    double part;  // of the line's length
-    Pose pose;
-    Vec2 left;
-    double time;   // when the path gets there; between the ends of a line roughly [s]
-    double speed;  // there [m/s]
-  };
 
   [[nodiscard]] bool done() {
     if (stop_ && !result_.interrupted) result_.interrupted = stop_();
@@ -137,8 +160,9 @@ class Refiner {
     const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
     const TurnCircle circle = turn_circle(arc.start, 1.0 / std::abs(arc.curvature), side);
     ++result_.turns_checked;
-    const HeadingSet free = sweep_.free_headings(TurningBody{circle.center, circle.radius, side, body_});
-    return free.reach(arc.start.heading, side) >= arc.length * std::abs(arc.curvature);
+    const TurningBody body{circle.center, circle.radius, side, body_};
+    sweep_.free_headings({&body, 1}, {&headings_, 1});
+    return headings_.reach(arc.start.heading, side) >= arc.length * std::abs(arc.curvature);
   }
 
   // The circles [first, last) replaced by others.
@@ -223,7 +247,8 @@ class Refiner {
                      begin.time + part * (end.time - begin.time),
                      speed};
     };
-    std::vector<Station> stations;
+    std::vector<Station>& stations = stations_;
+    stations.clear();
     for (std::size_t i = 0; i < lines().size(); ++i) {
       stations.push_back(station(i, 0.0));
       if (lines()[i].length > smallest_)
@@ -395,18 +420,31 @@ class Refiner {
   RefinedPath& result_;
   Footprint body_;
   double smallest_;
-  std::vector<double> radii_;
-  TimedChain chain_;
+  TimedChain& chain_;
+  std::vector<double>& radii_;
+  std::vector<Station>& stations_;
+  HeadingSet& headings_;
 };
 
 }  // namespace
 
+void refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
+                 const RefineOptions& options, const std::function<bool()>& stop, RefineWorkspace& workspace,
+                 RefinedPath& result) {
+  RefineWorkspace::Data& w = *workspace;
+  result.path = path;
+  result.trials = result.improvements = result.straights_checked = result.turns_checked = 0;
+  result.interrupted = false;
+  speed_profile(path, vehicle, w.profile);
+  result.travel_time = w.profile.total_time;
+  if (chain_of(path, start, goal, w.first_chain)) Refiner(vehicle, sweep, options, stop, w, result).run(w.first_chain);
+}
+
 RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
                         const SweepQuery& sweep, const RefineOptions& options, const std::function<bool()>& stop) {
+  RefineWorkspace workspace;
   RefinedPath result;
-  result.path = path;
-  result.travel_time = speed_profile(path, vehicle).total_time;
-  if (auto chain = chain_of(path, start, goal)) Refiner(vehicle, sweep, options, stop, result).run(std::move(*chain));
+  refine_path(path, start, goal, vehicle, sweep, options, stop, workspace, result);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 
 #include "core/path/path.h"
 #include "core/query/sweep_query.h"
@@ -26,6 +27,21 @@ struct RefinedPath {
   bool interrupted = false;             ///< `stop` ended it: more trials might have made the path faster
 };
 
+/// Memory of a refinement, kept for the next one: for one at a time, of any path.
+class RefineWorkspace {
+ public:
+  RefineWorkspace();
+  ~RefineWorkspace();
+  RefineWorkspace(RefineWorkspace&&) noexcept;
+  RefineWorkspace& operator=(RefineWorkspace&&) noexcept;
+
+  struct Data;
+  Data& operator*() { return *data_; }
+
+ private:
+  std::unique_ptr<Data> data_;
+};
+
 /// Makes a free path faster by local changes, as long as time falls:
 /// - turns between two circles are left out where their bitangent is free;
 /// - start or goal joins a later circle by an arc to either side;
@@ -41,5 +57,9 @@ struct RefinedPath {
 RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
                         const SweepQuery& sweep, const RefineOptions& options = {},
                         const std::function<bool()>& stop = {});
+/// The same with memory that is used again, that of `result` included.
+void refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
+                 const RefineOptions& options, const std::function<bool()>& stop, RefineWorkspace& workspace,
+                 RefinedPath& result);
 
 }  // namespace arcway

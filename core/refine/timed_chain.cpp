@@ -12,20 +12,18 @@ constexpr std::uint32_t kRoot = 0;
 
 }  // namespace
 
-bool TimedChain::begin(CircleChain chain, const Vehicle& vehicle) {
+bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle) {
   vehicle_ = &vehicle;
-  made_.chain = std::move(chain);
+  made_.chain = chain;
   if (!complete(made_)) return false;
   take();
   return true;
 }
 
 bool TimedChain::complete(State& state) const {
-  auto lines = lines_of(state.chain);
-  if (!lines) return false;
-  state.lines = std::move(*lines);
-  state.path = path_of(state.chain, state.lines);
-  state.profile = speed_profile(state.path, *vehicle_);
+  if (!lines_of(state.chain, state.lines)) return false;
+  path_of(state.chain, state.lines, state.path);
+  speed_profile(state.path, *vehicle_, state.profile);
   return true;
 }
 

@@ -27,7 +27,7 @@ struct ChainChange {
 class TimedChain {
  public:
   /// Takes a chain; false if two of its neighbours have no bitangent. The vehicle must outlive the use.
-  bool begin(CircleChain chain, const Vehicle& vehicle);
+  bool begin(const CircleChain& chain, const Vehicle& vehicle);
 
   [[nodiscard]] const CircleChain& chain() const { return now_.chain; }
   /// One more than circles: see `lines_of`.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/angle.h"
@@ -81,12 +82,15 @@ struct SearchWorkspace::Data {
   HugeVector<Step> steps;
   HugeVector<Label> labels;
   PerCircle first_label;
+  std::vector<std::uint32_t> chain;  // labels of the path found, last first
+  Path path;                         // memory for it
 };
 
 SearchWorkspace::SearchWorkspace() : data_(std::make_unique<Data>()) {}
 SearchWorkspace::~SearchWorkspace() = default;
 SearchWorkspace::SearchWorkspace(SearchWorkspace&&) noexcept = default;
 SearchWorkspace& SearchWorkspace::operator=(SearchWorkspace&&) noexcept = default;
+void SearchWorkspace::reuse(Path&& path) { data_->path = std::move(path); }
 
 namespace {
 
@@ -316,12 +320,14 @@ class ArrivalSearch {
                });
   }
 
-  [[nodiscard]] Path path_through(std::uint32_t last, const TerminalLink& goal) const {
-    std::vector<std::uint32_t> chain;  // labels, last first
+  [[nodiscard]] Path path_through(std::uint32_t last, const TerminalLink& goal) {
+    std::vector<std::uint32_t>& chain = w_.chain;
+    chain.clear();
     for (std::uint32_t at = last; at != kNone; at = w_.labels[at].parent) chain.push_back(at);
     const TerminalLink& start = ends_.start_link(w_.labels[chain.back()].index);
     const TerminalCircle& from = ends_.start_circles()[start.terminal_circle];
-    Path path = context_.starts[from.terminal].connection;
+    Path path = std::move(w_.path);
+    path = context_.starts[from.terminal].connection;
     append_arc(path, from.circle, from.heading, start.turn);
     append_line(path, start.line.start, start.line.length);
     for (std::size_t i = chain.size(); i-- > 0;) {

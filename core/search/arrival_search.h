@@ -54,6 +54,8 @@ class SearchWorkspace {
 
   struct Data;
   Data& operator*() { return *data_; }
+  /// Takes the memory of a path that a search gave, for the next one.
+  void reuse(Path&& path);
 
  private:
   std::unique_ptr<Data> data_;

@@ -1,8 +1,8 @@
 #include "core/search/find_path.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
-#include <vector>
 
 #include "core/geometry/angle.h"
 #include "core/search/manoeuvres.h"
@@ -17,8 +17,13 @@ constexpr std::size_t kSparseFactor = 4;
 // One end of a path and the poses by which it may join the graph.
 class End {
  public:
-  End(const SearchMap& map, const Pose& pose, Direction direction, std::size_t max_poses)
-      : map_(map), pose_(pose), direction_(direction), max_poses_(max_poses), terminals_{{pose, {}}} {}
+  End(const SearchMap& map, const Pose& pose, Direction direction, std::size_t max_poses, ManoeuvreWorkspace& workspace)
+      : map_(map),
+        direction_(direction),
+        max_poses_(max_poses),
+        workspace_(workspace),
+        plain_{pose, {}},
+        terminals_(&plain_, 1) {}
 
   [[nodiscard]] std::span<const Terminal> terminals() const { return terminals_; }
   // More poses than before; false if there are no more.
@@ -38,22 +43,24 @@ class End {
  private:
   void find(std::size_t poses, Spread spread) {
     asked_ = poses;
-    terminals_ = find_manoeuvres(pose_, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses, spread);
+    terminals_ = find_manoeuvres(plain_.pose, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses,
+                                 spread, workspace_);
   }
 
   const SearchMap& map_;
-  Pose pose_;
   Direction direction_;
   std::size_t max_poses_;
   std::size_t asked_ = 0;
-  std::vector<Terminal> terminals_;
+  ManoeuvreWorkspace& workspace_;
+  Terminal plain_;
+  std::span<const Terminal> terminals_;
 };
 
 }  // namespace
 
 FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose& start, const Pose& goal,
                     std::size_t max_poses, const std::function<bool()>& no_passage, const SearchOptions& options,
-                    SearchWorkspace& workspace) {
+                    FindWorkspace& workspace) {
   FoundPath found;
   if ((start.position() - goal.position()).isZero(0.0) && wrap_signed(start.heading - goal.heading) == 0.0) {
     found.search.path = Path{};
@@ -61,7 +68,7 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
   }
   // True if that ends it.
   const auto search = [&](const SearchMap& on, const End& from, const End& to) {
-    SearchResult result = search_arrivals(on, from.terminals(), to.terminals(), options, workspace);
+    SearchResult result = search_arrivals(on, from.terminals(), to.terminals(), options, workspace.search);
     result.nodes_expanded += found.search.nodes_expanded;
     result.nodes_pushed += found.search.nodes_pushed;
     result.straights_checked += found.search.straights_checked;
@@ -75,8 +82,8 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
     found.by_narrow_places = found.search.path && &on != &map;
     return found.search.path || found.search.interrupted;
   };
-  End from(map, start, Direction::kFromStart, max_poses);
-  End to(map, goal, Direction::kToGoal, max_poses);
+  End from(map, start, Direction::kFromStart, max_poses, workspace.from);
+  End to(map, goal, Direction::kToGoal, max_poses, workspace.to);
   // More poses for the end that is in trouble; false if there are no more.
   const auto extend = [&] {
     if (!found.search.goal_connected) {
@@ -110,8 +117,8 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
   while (extend())
     if (search(map, from, to)) return found;
   if (has_places && max_poses > 0) {
-    End few_from(map, start, Direction::kFromStart, std::min(max_poses, kFirstPoses));
-    End few_to(map, goal, Direction::kToGoal, std::min(max_poses, kFirstPoses));
+    End few_from(map, start, Direction::kFromStart, std::min(max_poses, kFirstPoses), workspace.from);
+    End few_to(map, goal, Direction::kToGoal, std::min(max_poses, kFirstPoses), workspace.to);
     if (found.obstruction != Obstruction::kGoal) few_from.extend();
     if (found.obstruction != Obstruction::kStart) few_to.extend();
     found.manoeuvre_poses += few_from.terminals().size() + few_to.terminals().size();
@@ -121,14 +128,15 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
 }
 
 FoundPath find_path_with_manoeuvres(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t poses,
-                                    const SearchOptions& options, SearchWorkspace& workspace) {
-  const auto terminals = [&](const Pose& pose, Direction direction) {
-    return find_manoeuvres(pose, direction, map.vehicle, map.radii[0], *map.queries.sweep, poses, Spread::kSparse);
+                                    const SearchOptions& options, FindWorkspace& workspace) {
+  const auto terminals = [&](const Pose& pose, Direction direction, ManoeuvreWorkspace& memory) {
+    return find_manoeuvres(pose, direction, map.vehicle, map.radii[0], *map.queries.sweep, poses, Spread::kSparse,
+                           memory);
   };
-  const std::vector<Terminal> from = terminals(start, Direction::kFromStart);
-  const std::vector<Terminal> to = terminals(goal, Direction::kToGoal);
+  const auto from = terminals(start, Direction::kFromStart, workspace.from);
+  const auto to = terminals(goal, Direction::kToGoal, workspace.to);
   FoundPath found;
-  found.search = search_arrivals(map, from, to, options, workspace);
+  found.search = search_arrivals(map, from, to, options, workspace.search);
   found.manoeuvre_poses = from.size() + to.size();
   return found;
 }

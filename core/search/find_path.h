@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/search/arrival_search.h"
+#include "core/search/manoeuvres.h"
 #include "core/search/narrow_places.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -24,6 +25,12 @@ struct FoundPath {
   bool by_narrow_places = false;    ///< the path is one of the graph with circles in narrow places
 };
 
+/// Memory of both, kept for the next time.
+struct FindWorkspace {
+  SearchWorkspace search;
+  ManoeuvreWorkspace from, to;
+};
+
 /// The fastest path between two poses: by single arcs at both ends or, where these lead nowhere, by short manoeuvres of
 /// several arcs, first of few poses, then of more, at the end that is in trouble; last of sparse ones at both, if each
 /// joins the graph. Before the manoeuvres, and with few of them after all, the graph with circles in narrow places is
@@ -33,12 +40,12 @@ struct FoundPath {
 /// @param no_passage  asked once, before the manoeuvres: whether it is known that there is no path at all.
 FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose& start, const Pose& goal,
                     std::size_t max_poses, const std::function<bool()>& no_passage, const SearchOptions& options,
-                    SearchWorkspace& workspace);
+                    FindWorkspace& workspace);
 
 /// The fastest path that may begin and end with a manoeuvre, out of a few sparse ones: faster than a path by single
 /// arcs where a pose faces away from its way and there is room to turn, but slower to find.
 /// @param poses  for the manoeuvres of each end.
 FoundPath find_path_with_manoeuvres(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t poses,
-                                    const SearchOptions& options, SearchWorkspace& workspace);
+                                    const SearchOptions& options, FindWorkspace& workspace);
 
 }  // namespace arcway

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "core/query/sweep_query.h"
@@ -12,6 +14,21 @@ namespace [[gnu::visibility("default")]] arcway {
 /// How far poses are from each other: dense ones find the way out of a narrow place, sparse ones a place to turn back.
 enum class Spread { kDense, kSparse };
 
+/// Memory of find_manoeuvres, kept for the next time: for one at a time, of any map.
+class ManoeuvreWorkspace {
+ public:
+  ManoeuvreWorkspace();
+  ~ManoeuvreWorkspace();
+  ManoeuvreWorkspace(ManoeuvreWorkspace&&) noexcept;
+  ManoeuvreWorkspace& operator=(ManoeuvreWorkspace&&) noexcept;
+
+  struct Data;
+  Data& operator*() { return *data_; }
+
+ private:
+  std::unique_ptr<Data> data_;
+};
+
 /// Poses that free forward motions of short steps (left arc, right arc, straight) reach from a start, or from which
 /// they reach a goal, nearest first, the pose itself among them; at most one pose for each cell of a grid over position
 /// and heading. Straight steps are of three lengths; arcs turn by one angle, or where an obstacle is nearer by the rest
@@ -19,5 +36,9 @@ enum class Spread { kDense, kSparse };
 /// nothing. At most `max_poses` poses, O(max_poses) queries.
 std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                       const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense);
+/// The same in memory that is used again: theirs is the workspace's.
+std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+                                          const SweepQuery& sweep, std::size_t max_poses, Spread spread,
+                                          ManoeuvreWorkspace& workspace);
 
 }  // namespace arcway

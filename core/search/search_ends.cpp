@@ -26,8 +26,8 @@ void SearchEnds::begin(SearchContext& context) {
   direct_paths_.clear();
   first_goal_link_.reset(context.graph.circles().size());
 
-  append_circles(context.map, context.starts, Direction::kFromStart, start_circles_);
-  append_circles(context.map, context.goals, Direction::kToGoal, goal_circles_);
+  append_circles(context.map, context.starts, Direction::kFromStart, headings_, start_circles_);
+  append_circles(context.map, context.goals, Direction::kToGoal, headings_, goal_circles_);
   context.result.turns_checked += start_circles_.size() + goal_circles_.size();
   start_link_ranges_.resize(start_circles_.size());
   find_direct_paths();
@@ -62,9 +62,9 @@ bool SearchEnds::is_free(const PathSegment& segment) {
   const Side side = segment.curvature > 0.0 ? Side::kLeft : Side::kRight;
   const TurnCircle circle = turn_circle(segment.start, 1.0 / std::abs(segment.curvature), side);
   ++context_->result.turns_checked;
-  const HeadingSet headings =
-      context_->map.queries.sweep->free_headings({circle.center, circle.radius, side, context_->map.body});
-  return headings.reach(segment.start.heading, side) >= segment.length / circle.radius;
+  const TurningBody body{circle.center, circle.radius, side, context_->map.body};
+  context_->map.queries.sweep->free_headings({&body, 1}, {&headings_, 1});
+  return headings_.reach(segment.start.heading, side) >= segment.length / circle.radius;
 }
 
 SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {

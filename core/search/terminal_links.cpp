@@ -17,7 +17,7 @@ Box box_around(const Vec2& p, double reach) { return grown({p, p}, reach); }
 }  // namespace
 
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
-                    std::vector<TerminalCircle>& circles) {
+                    HeadingSet& headings, std::vector<TerminalCircle>& circles) {
   for (std::uint32_t t = 0; t < terminals.size(); ++t) {
     // Manoeuvres are for narrow places, and their poses are many.
     const bool plain = terminals[t].connection.empty();
@@ -26,8 +26,9 @@ void append_circles(const SearchMap& map, std::span<const Terminal> terminals, D
         const Pose& pose = terminals[t].pose;
         const TurnCircle circle = turn_circle(pose, radius, side);
         const Side towards = direction == Direction::kFromStart ? side : opposite(side);
-        const HeadingSet free = map.queries.sweep->free_headings({circle.center, radius, side, map.body});
-        circles.push_back({t, circle, wrap_positive(pose.heading), free.reach(pose.heading, towards)});
+        const TurningBody body{circle.center, radius, side, map.body};
+        map.queries.sweep->free_headings({&body, 1}, {&headings, 1});
+        circles.push_back({t, circle, wrap_positive(pose.heading), headings.reach(pose.heading, towards)});
       }
   }
 }

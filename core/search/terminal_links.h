@@ -36,9 +36,9 @@ struct TerminalLink {
 };
 
 /// Appends the left and right circles of every radius for each terminal, of the smallest for those with a connection.
-/// O(terminals * radii) heading sets.
+/// O(terminals * radii) heading sets, each in `headings`, whose memory is used again.
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
-                    std::vector<TerminalCircle>& circles);
+                    HeadingSet& headings, std::vector<TerminalCircle>& circles);
 
 /// Appends the straights between circles[index] and the graph, but for some that are certainly blocked. Looks only at
 /// the vertices that the obstacles near by do not hide.

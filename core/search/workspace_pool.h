@@ -18,6 +18,7 @@ class WorkspacePool {
     Lease& operator=(const Lease&) = delete;
     ~Lease() { pool_.put_back(std::move(workspace_)); }
     Workspace* operator->() { return &workspace_; }
+    Workspace& operator*() { return workspace_; }
 
    private:
     WorkspacePool& pool_;

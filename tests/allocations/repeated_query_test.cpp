@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "accel/make_queries.h"
+#include "bench/suites/allocations.h"
+#include "core/planner.h"
+#include "datasets/clutter.h"
+#include "datasets/random_queries.h"
+
+// In a program of its own, as it counts all that asks the heap for memory.
+namespace arcway {
+namespace {
+
+bool counts() {
+  const std::uint64_t before = bench::heap_use().allocations;
+  const auto memory = std::make_unique<std::vector<int>>(100);
+  return bench::heap_use().allocations >= before + 2 && memory->size() == 100;
+}
+
+class RepeatedQuery : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
+  if (!counts()) GTEST_SKIP() << "a sanitizer's operator new does not count";
+  const World world = random_world({.obstacles = 300, .vertices = 10, .fill = 0.3, .seed = 2});
+  const Vehicle vehicle;
+  const QuerySet queries = make_embree_queries(world);
+  const Planner planner(world, vehicle, queries, {.refinement = {.max_trials = GetParam()}}, SerialExecutor());
+  std::vector<PlanRequest> requests = random_queries(world, queries, vehicle, {.count = 60, .seed = 3});
+  // Where single arcs reach no path, the planner looks for the narrowest passage, which takes memory.
+  const Planner plain(world, vehicle, queries, planner.prepared_graph(), {.manoeuvre_poses = 0, .gap_circles = false});
+  std::erase_if(requests, [&](const PlanRequest& request) { return !plain.plan(request).solved(); });
+  ASSERT_GT(requests.size(), 40U);
+
+  PlanResult result;
+  // Where memory goes back and forth between two places, both have grown only after a few times.
+  for (int round = 0; round < 4; ++round)
+    for (const PlanRequest& request : requests) planner.plan(request, {}, result);
+  std::uint64_t manoeuvres = 0;
+  for (const PlanRequest& request : requests) {
+    const std::uint64_t before = bench::heap_use().allocations;
+    planner.plan(request, {}, result);
+    EXPECT_EQ(bench::heap_use().allocations, before) << "query " << &request - requests.data();
+    EXPECT_TRUE(result.solved());
+    manoeuvres += result.statistics.manoeuvre_poses;
+  }
+  EXPECT_GT(manoeuvres, 0U);  // they have memory of their own
+}
+
+INSTANTIATE_TEST_SUITE_P(RefinedOrNot, RepeatedQuery, testing::Values(0U, 4000U));
+
+}  // namespace
+}  // namespace arcway
