@@ -40,7 +40,7 @@ struct Retry {
   double gap;
   std::uint32_t poses;
 };
-constexpr std::array<Retry, 2> kRetries{{{0.05, 12}, {0.1, 120}}};
+constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
 // Then with circles in narrow places.
 constexpr double kNarrowPlacesGap = 0.1;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
