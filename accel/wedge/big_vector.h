@@ -1,30 +1,21 @@
 #pragma once
 
-#include <cstddef>
 #include <new>
 #include <utility>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] arcway {
+#include "core/huge_pages.h"
 
-/// Memory for large arrays: in huge pages where the system has some to give, so that neither first touches nor the
-/// translation of addresses cost much.
-/// @throws std::bad_alloc
-void* allocate_big(std::size_t bytes);
-void free_big(void* memory, std::size_t bytes);
+namespace arcway {
 
-/// For arrays that are filled once, and not by being resized, and then read all over the place.
+/// For large arrays that are filled once, and not by being resized, and then read all over the place.
 template <class T>
-class BigAllocator {
+class BigAllocator : public HugePageAllocator<T> {
  public:
-  using value_type = T;
-
   BigAllocator() = default;
   template <class U>
   explicit BigAllocator(const BigAllocator<U>& /*other*/) {}
 
-  T* allocate(std::size_t count) { return static_cast<T*>(allocate_big(count * sizeof(T))); }
-  void deallocate(T* memory, std::size_t count) { free_big(memory, count * sizeof(T)); }
   template <class U, class... Arguments>
   void construct(U* place, Arguments&&... arguments) {
     if constexpr (sizeof...(Arguments) == 0) {
@@ -33,7 +24,6 @@ class BigAllocator {
       ::new (static_cast<void*>(place)) U{std::forward<Arguments>(arguments)...};
     }
   }
-  friend bool operator==(const BigAllocator&, const BigAllocator&) { return true; }
 };
 
 template <class T>
