@@ -43,6 +43,8 @@ struct Retry {
 constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
 // Then with circles in narrow places.
 constexpr double kNarrowPlacesGap = 0.1;
+// Their graph is lazy: where there is no path, a search checks all that the start reaches, seconds on larger maps.
+constexpr std::size_t kNarrowPlacesVertices = 50'000;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
 constexpr std::size_t kEnclosureBoxes = 15000;
 
@@ -269,6 +271,10 @@ struct Planner::Data {
                        rounded_text(result.bottleneck->needed_to_turn) + " m";
   }
 
+  [[nodiscard]] bool has_narrow_places() const {
+    return options.gap_circles && map.world.vertices().size() <= kNarrowPlacesVertices;
+  }
+
   // The region around the pose, else the one nearest to it.
   [[nodiscard]] std::string nearest_region(const Pose& pose) const {
     const ObstacleId inside = map.queries.distance->containing(pose.position());
@@ -448,7 +454,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     return result.bottleneck && result.bottleneck->too_narrow();
   };
   FoundPath forwards = d.search(result, [&] {
-    return find_path(d.map, d.options.gap_circles ? &d.narrow_places : nullptr, request.start, request.goal,
+    return find_path(d.map, d.has_narrow_places() ? &d.narrow_places : nullptr, request.start, request.goal,
                      d.options.manoeuvre_poses, std::cref(no_passage), options, workspace->find);
   });
   Path& best = workspace->best;
@@ -493,7 +499,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
       if (poses <= 1 || !is_doubtful(retry.gap)) break;
       try_faster(map, poses);
     }
-    if (d.options.gap_circles && !forwards.by_narrow_places && is_doubtful(kNarrowPlacesGap))
+    if (d.has_narrow_places() && !forwards.by_narrow_places && is_doubtful(kNarrowPlacesGap))
       try_faster(d.narrow_places.map(), 0);
   }
   std::optional<Enclosure> enclosure;

@@ -42,7 +42,8 @@ struct PlannerOptions {
   /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres.
   std::uint32_t manoeuvre_poses = 400;
   /// Where single arcs find no path, or the plan may be 10 % slower than the best one, the graph with more circles in
-  /// narrow places is searched as well: see find_gap_circles. It is made when the first query needs it.
+  /// narrow places is searched as well: see find_gap_circles. It is made when the first query needs it. On maps of at
+  /// most 50,000 vertices: beyond that a query without a path would take seconds.
   bool gap_circles = true;
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
