@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/path/path.h"
+#include "core/vehicle.h"
+#include "core/world.h"
+
+namespace arcway {
+
+/// Collision and clearance of a motion for the validator, segment by segment. Lines: by the rectangle that they sweep;
+/// arcs: bisected until bounds on the distance between body and edges prove them free. Shares no decision with the
+/// planner. O(edges) a segment, more near contact. The world must outlive the use.
+class MotionCheck {
+ public:
+  MotionCheck(const World& world, const Vehicle& vehicle);
+
+  struct Hit {
+    ObstacleId region;
+    double arc_length;
+    VertexId edge;  ///< none: the body is inside
+  };
+
+  /// The first contact found with an obstacle, and with the bounds, if any; lowers `clearance`.
+  std::vector<Hit> check(const PathSegment& segment);
+
+  [[nodiscard]] double clearance() const;
+
+  /// An axis-parallel rectangle in a frame of the body.
+  struct Rectangle {
+    double x0, x1, y0, y1;
+    [[nodiscard]] double distance_to(const Vec2& p) const;
+  };
+
+ private:
+  [[nodiscard]] double body_distance(const Pose& pose) const;
+  [[nodiscard]] std::optional<ObstacleId> swallowing(const Pose& pose) const;
+  template <typename Visit>
+  void for_near(const Box& swept, const Visit& visit) const;
+  void add_hit(std::vector<Hit>& hits, const Hit& hit) const;
+  void check_line(const PathSegment& line, std::vector<Hit>& hits);
+  double bound(const PathSegment& arc, double s0, double s1, VertexId e, bool& contact);
+  [[nodiscard]] bool proved(double lower) const;
+  void check_arc(const PathSegment& arc, std::vector<Hit>& hits);
+
+  const World& world_;
+  Rectangle body_{};
+  double reach_ = 0.0;      ///< of the body from F
+  std::vector<Box> boxes_;  ///< of the edges
+  double rounding_ = 0.0;   ///< of a distance
+  double upper_;            ///< a clearance that occurs on the path
+  double lower_;            ///< a proved bound so far
+};
+
+}  // namespace arcway
