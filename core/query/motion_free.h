@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/path/path.h"
+#include "core/query/heading_set.h"
 #include "core/query/sweep_query.h"
 #include "core/vehicle.h"
 
@@ -12,5 +13,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// interval of headings for each arc. Exact as the sweep query is; no step size. Lines are asked for first: a rectangle
 /// costs less than a set of headings.
 bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion);
+
+/// The same for one arc driven forwards; `headings` is memory that is used again.
+bool turn_free(const SweepQuery& sweep, const Footprint& body, const PathSegment& arc, HeadingSet& headings);
 
 }  // namespace arcway

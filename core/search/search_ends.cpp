@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/path/speed_profile.h"
+#include "core/query/motion_free.h"
 
 namespace arcway {
 
@@ -59,12 +60,8 @@ void SearchEnds::try_direct(const Terminal& start, const Terminal& goal, double 
 
 bool SearchEnds::is_free(const PathSegment& segment) {
   if (segment.is_line()) return context_->is_free({segment.start, segment.length});
-  const Side side = segment.curvature > 0.0 ? Side::kLeft : Side::kRight;
-  const TurnCircle circle = turn_circle(segment.start, 1.0 / std::abs(segment.curvature), side);
   ++context_->result.turns_checked;
-  const TurningBody body{circle.center, circle.radius, side, context_->map.body};
-  context_->map.queries.sweep->free_headings({&body, 1}, {&headings_, 1});
-  return headings_.reach(segment.start.heading, side) >= segment.length / circle.radius;
+  return turn_free(*context_->map.queries.sweep, context_->map.body, segment, headings_);
 }
 
 SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
