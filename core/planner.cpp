@@ -463,13 +463,13 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     const double unrefined = result.statistics.unrefined_travel_time;
     if (!found) {
       result.statistics.first_path_seconds = total.seconds();
-      result.statistics.first_travel_time = d.travel_time(path, *workspace);
       result.first_path = path;
     }
     d.refine(path, options, reverse, *workspace, result);
+    if (!found) result.statistics.first_travel_time = result.statistics.unrefined_travel_time;
     workspace->find.search.reuse(std::move(path));
     const auto cost = [&](const Path& p) {
-      return d.travel_time(p, *workspace) + request.cusp_cost * static_cast<double>(cusps_of(p));
+      return travel_cost(p, d.map.vehicle, request.cusp_cost, workspace->profile);
     };
     if (!found || cost(workspace->refined.path) < cost(best)) {
       std::swap(best, workspace->refined.path);
@@ -530,9 +530,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   speed_profile(path, d.map.vehicle, profile);
   const Footprint bare = d.map.vehicle.footprint();
   // The middle of the body is further from the obstacles than the body.
-  const Pose& from = request.start;
-  const Vec2 middle = from.position() + 0.5 * (bare.front - bare.rear) * direction_of(from.heading);
-  result.min_clearance = d.map.queries.distance->closest(middle).distance;
+  result.min_clearance = d.map.queries.distance->closest(middle_of(bare, request.start)).distance;
   const auto look_along = [&](const PathSegment& segment) {
     return clearance_below(result.min_clearance, segment, bare, *d.map.outlines);
   };

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "core/passage/gap_map.h"
+#include "core/query/sweep_query.h"
 
 namespace arcway {
 namespace {
@@ -12,10 +13,6 @@ namespace {
 constexpr double kProved = 1.0 - 0x1p-10;  // share of the safety margin that a proof counts on
 
 std::string text_of(const Vec2& p) { return "(" + rounded_text(p.x()) + ", " + rounded_text(p.y()) + ")"; }
-
-Vec2 middle_of(const Footprint& body, const Pose& pose) {
-  return pose.position() + 0.5 * (body.front - body.rear) * direction_of(pose.heading);
-}
 
 }  // namespace
 

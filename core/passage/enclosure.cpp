@@ -25,14 +25,18 @@ struct Box3 {
   std::int32_t x, y, heading;
 };
 
+Pose middle_pose(const Footprint& footprint, const Pose& pose) {
+  const Vec2 p = middle_of(footprint, pose);
+  return {p.x(), p.y(), pose.heading};
+}
+
 class Flood {
  public:
   Flood(const Pose& from, const Pose& to, const Footprint& footprint, const SweepQuery& sweep, int level)
       : sweep_(sweep),
-        offset_(0.5 * (footprint.front - footprint.rear)),
         headings_(kFewestHeadings << level),
-        from_(middle(from)),
-        to_(middle(to)) {
+        from_(middle_pose(footprint, from)),
+        to_(middle_pose(footprint, to)) {
     const double half_length = 0.5 * (footprint.front + footprint.rear);
     const double half_width = footprint.half_width;
     edge_ = kCoarsest * half_width / (1 << level);
@@ -74,10 +78,6 @@ class Flood {
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
-  [[nodiscard]] Pose middle(const Pose& pose) const {
-    const Vec2 p = pose.position() + offset_ * direction_of(pose.heading);
-    return {p.x(), p.y(), pose.heading};
-  }
   [[nodiscard]] Pose center_of(const Box3& box) const {
     return {from_.x + edge_ * box.x, from_.y + edge_ * box.y, from_.heading + kTwoPi * box.heading / headings_};
   }
@@ -101,7 +101,6 @@ class Flood {
   }
 
   const SweepQuery& sweep_;
-  double offset_;  // of the body's middle, ahead of the reference point
   std::int32_t headings_;
   Pose from_, to_;  // of the middle
   double edge_ = 0.0;

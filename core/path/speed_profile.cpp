@@ -114,7 +114,13 @@ void speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, Sp
 }
 
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost) {
-  return speed_profile(path, vehicle).total_time + cusp_cost * static_cast<double>(cusps_of(path));
+  SpeedProfile profile;
+  return travel_cost(path, vehicle, cusp_cost, profile);
+}
+
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost, SpeedProfile& profile) {
+  speed_profile(path, vehicle, profile);
+  return profile.total_time + cusp_cost * static_cast<double>(cusps_of(path));
 }
 
 }  // namespace arcway

@@ -42,4 +42,7 @@ void speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, Sp
 /// Travel time of a path from rest to rest, and `cusp_cost` for each change of gear [s].
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost);
 
+/// The same by way of a profile whose memory is used again.
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost, SpeedProfile& profile);
+
 }  // namespace arcway

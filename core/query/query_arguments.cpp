@@ -123,4 +123,8 @@ SweptRectangle swept_rectangle(const Pose& from, double length, const Footprint&
   return {Vec2(tail - left), Vec2(nose - left), Vec2(nose + left), Vec2(tail + left)};
 }
 
+Vec2 middle_of(const Footprint& body, const Pose& pose) {
+  return pose.position() + 0.5 * (body.front - body.rear) * direction_of(pose.heading);
+}
+
 }  // namespace arcway

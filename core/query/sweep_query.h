@@ -19,6 +19,9 @@ using SweptRectangle = std::array<Vec2, 4>;
 /// place where corners are rounded: all implementations decide on these corners.
 SweptRectangle swept_rectangle(const Pose& from, double length, const Footprint& body);
 
+/// The middle of the body.
+Vec2 middle_of(const Footprint& body, const Pose& pose);
+
 /// A body that turns about a fixed centre at a fixed radius, driving forwards.
 struct TurningBody {
   Vec2 center;

@@ -9,6 +9,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/path/speed_profile.h"
+#include "core/query/motion_free.h"
 #include "core/refine/circle_chain.h"
 #include "core/refine/tied_turns.h"
 #include "core/refine/timed_chain.h"
@@ -140,7 +141,7 @@ class Refiner {
       if (part.is_arc && !is_known(part.segment()) && !straight_free(part.segment().at(0.5 * part.length), 0.0))
         return false;
     for (const TimedChain::Part& part : parts)
-      if (part.is_arc && !is_known(part.segment()) && !turn_free(part.segment())) return false;
+      if (part.is_arc && !is_known(part.segment()) && !is_free(part.segment())) return false;
     return true;
   }
 
@@ -156,27 +157,16 @@ class Refiner {
     return sweep_.straight_free(swept_rectangle(from, length, body_));
   }
 
-  bool turn_free(const PathSegment& arc) {
-    const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
-    const TurnCircle circle = turn_circle(arc.start, 1.0 / std::abs(arc.curvature), side);
+  bool is_free(const PathSegment& arc) {
     ++result_.turns_checked;
-    const TurningBody body{circle.center, circle.radius, side, body_};
-    sweep_.free_headings({&body, 1}, {&headings_, 1});
-    return headings_.reach(arc.start.heading, side) >= arc.length * std::abs(arc.curvature);
-  }
-
-  // The circles [first, last) replaced by others.
-  [[nodiscard]] ChainChange replaced(std::size_t first, std::size_t last,
-                                     std::initializer_list<TurnCircle> by = {}) const {
-    ChainChange change{first, last, by.size(), {}, chain_.chain().lead_in, chain_.chain().lead_out};
-    std::copy(by.begin(), by.end(), change.circles.begin());
-    return change;
+    return turn_free(sweep_, body_, arc, headings_);
   }
 
   bool drop_turns() {
     bool any = false;
     for (std::size_t span = circles().size() - 1; span >= 2; --span)
-      for (std::size_t i = 0; i + span < circles().size(); ++i) any |= accept(replaced(i + 1, i + span));
+      for (std::size_t i = 0; i + span < circles().size(); ++i)
+        any |= accept(replaced(chain_.chain(), i + 1, i + span));
     return any;
   }
 
@@ -187,8 +177,9 @@ class Refiner {
         for (const Side side : {Side::kLeft, Side::kRight}) {
           const std::size_t size = circles().size();
           if (keep >= size) break;
-          ChainChange change = at_start ? replaced(0, size - keep, {chain_.chain().first_circle(0.0, smallest_, side)})
-                                        : replaced(keep, size, {chain_.chain().last_circle(0.0, smallest_, side)});
+          ChainChange change =
+              at_start ? replaced(chain_.chain(), 0, size - keep, {chain_.chain().first_circle(0.0, smallest_, side)})
+                       : replaced(chain_.chain(), keep, size, {chain_.chain().last_circle(0.0, smallest_, side)});
           (at_start ? change.lead_in : change.lead_out) = 0.0;
           any |= accept(change);
         }
@@ -220,8 +211,8 @@ class Refiner {
       const double radius = factor * smallest_;
       if (radius * slope > room) break;
       const Vec2 touch = before.start.position() + (ahead - radius * slope) * d;
-      ChainChange change =
-          replaced(first, last, {turn_circle({touch.x(), touch.y(), before.start.heading}, radius, side)});
+      ChainChange change = replaced(chain_.chain(), first, last,
+                                    {turn_circle({touch.x(), touch.y(), before.start.heading}, radius, side)});
       if (first == 0) change.lead_in = ahead - radius * slope;
       if (last == circles().size()) change.lead_out = back - radius * slope;
       if (accept(change)) return true;
@@ -290,7 +281,7 @@ class Refiner {
           const double fastest = line->length / vehicle_.max_speed() + turn * radius / vehicle_.turn_speed(radius);
           const double straight = time_between(line->length + turn * radius, from.speed, to.speed);
           if (std::max(fastest, straight) >= to.time - from.time) continue;
-          ChainChange change = replaced(from.line, to.line, {first, second});
+          ChainChange change = replaced(chain_.chain(), from.line, to.line, {first, second});
           if (from.line == 0) change.lead_in *= from.part;
           if (to.line + 1 == lines().size()) change.lead_out *= 1.0 - to.part;
           if (accept(change)) return true;

@@ -15,12 +15,6 @@ TurnCircle touching(const TurnCircle& tighter, double heading, double radius) {
   return turn_circle(pose_on(tighter, heading), radius, tighter.side);
 }
 
-ChainChange replaced(const CircleChain& chain, std::size_t i, std::initializer_list<TurnCircle> by) {
-  ChainChange change{i, i + 1, by.size(), {}, chain.lead_in, chain.lead_out};
-  std::copy(by.begin(), by.end(), change.circles.begin());
-  return change;
-}
-
 bool is_tied_to_previous(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i) {
   return i > 0 && chain.circles[i - 1].radius < chain.circles[i].radius && are_tied(chain, lines, i - 1);
 }
@@ -44,7 +38,7 @@ bool is_tied(const CircleChain& chain, std::span<const Bitangent> lines, std::si
 
 ChainChange shifted(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i,
                     const TurnCircle& circle) {
-  ChainChange change = replaced(chain, i, {circle});
+  ChainChange change = replaced(chain, i, i + 1, {circle});
   auto& circles = change.circles;
   const auto has_room = [&] { return change.count < circles.size(); };
   for (std::size_t k = i + 1; k + 1 < chain.circles.size() && is_tied_to_previous(chain, lines, k) && has_room(); ++k) {
@@ -79,7 +73,7 @@ ChainChange widened(const CircleChain& chain, std::span<const Bitangent> lines, 
   const double turn = turn_between(arrival, lines[i + 1].start.heading, tighter.side);
   const double heading = arrival + sign_of(tighter.side) * turn * (leaving ? share : 1.0 - share);
   const TurnCircle wider = touching(tighter, heading, factor * tighter.radius);
-  return leaving ? replaced(chain, i, {tighter, wider}) : replaced(chain, i, {wider, tighter});
+  return leaving ? replaced(chain, i, i + 1, {tighter, wider}) : replaced(chain, i, i + 1, {wider, tighter});
 }
 
 ChainChange pinched(const CircleChain& chain, std::size_t i, double tightest, double turn, double radius) {
@@ -90,7 +84,7 @@ ChainChange pinched(const CircleChain& chain, std::size_t i, double tightest, do
   const double heading =
       at_start ? chain.start.heading + sign_of(side) * turn : chain.goal.heading - sign_of(side) * turn;
   const TurnCircle tied = touching(end, heading, radius);
-  return at_start ? replaced(chain, i, {end, tied}) : replaced(chain, i, {tied, end});
+  return at_start ? replaced(chain, i, i + 1, {end, tied}) : replaced(chain, i, i + 1, {tied, end});
 }
 
 }  // namespace arcway

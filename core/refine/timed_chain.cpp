@@ -12,6 +12,13 @@ constexpr std::uint32_t kRoot = 0;
 
 }  // namespace
 
+ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t last,
+                     std::initializer_list<TurnCircle> by) {
+  ChainChange change{first, last, by.size(), {}, chain.lead_in, chain.lead_out};
+  std::copy(by.begin(), by.end(), change.circles.begin());
+  return change;
+}
+
 bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle) {
   vehicle_ = &vehicle;
   made_.chain = chain;

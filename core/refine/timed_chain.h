@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 #include "core/path/speed_profile.h"
@@ -22,6 +23,10 @@ struct ChainChange {
     return circles_before - (last - first) + count;
   }
 };
+
+/// The circles [first, last) of a chain replaced by others, its ends as they are.
+ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t last,
+                     std::initializer_list<TurnCircle> by = {});
 
 /// A chain with its lines, its path and the path's speeds, and what becomes of them by a change.
 class TimedChain {
