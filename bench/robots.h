@@ -1,14 +1,24 @@
 #pragma once
 
+#include <string>
+
 #include "core/vehicle.h"
 
 namespace arcway::bench {
 
 /// The paper's robot with limits on its acceleration, sideways and along [m/s^2]: wider turns are faster, so that
 /// circles of several radii matter.
-inline Vehicle gentle_robot(double lateral_acceleration, double acceleration) {
-  return Vehicle({.turn_speed = LateralAccelerationLimit{lateral_acceleration}, .max_acceleration = acceleration});
-}
+struct GentleRobot {
+  int lateral_acceleration, acceleration;
+  [[nodiscard]] std::string name() const {
+    return "lateral" + std::to_string(lateral_acceleration) + "_along" + std::to_string(acceleration);
+  }
+  [[nodiscard]] Vehicle vehicle() const {
+    return Vehicle(
+        {.turn_speed = LateralAccelerationLimit{1.0 * lateral_acceleration}, .max_acceleration = 1.0 * acceleration});
+  }
+};
+inline constexpr GentleRobot kGentleRobots[] = {{2, 2}, {4, 2}, {8, 4}};
 
 /// The robot whose turns of any radius are as fast as its tightest ones: what it drives, the given one drives as well,
 /// and has no use for wide turns.

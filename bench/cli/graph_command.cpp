@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/counts_json.h"
 #include "core/graph/feasible_graph.h"
 #include "core/graph/visibility_graph.h"
 #include "datasets/svg.h"
@@ -89,16 +90,8 @@ std::string counts_json(const GraphArguments& arguments, const World& world, con
                                  {"threads", arguments.build.thread_count()},
                                  {"visibility_seconds", built.visibility_seconds}};
   if (arguments.kind == "feasible") {
-    const FeasibleGraphCounts& counts = built.counts;
     json["feasible_seconds"] = built.feasible_seconds;
-    json["circles"] = counts.circles;
-    json["circles_blocked"] = counts.circles_blocked;
-    json["candidates"] = counts.candidates;
-    json["kept"] = counts.kept;
-    json["rejected_overlap"] = counts.rejected_overlap;
-    json["rejected_departure"] = counts.rejected_departure;
-    json["rejected_arrival"] = counts.rejected_arrival;
-    json["rejected_straight"] = counts.rejected_straight;
+    json.update(json_of(built.counts));
   }
   return json.dump() + "\n";
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bench/cli/counts_json.h"
 #include "core/alternatives.h"
 #include "core/curved_plan.h"
 #include "core/shortest_text.h"
@@ -83,7 +84,6 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
 std::string plan_json(const PlanArguments& arguments, const Planner& planner, double build_seconds,
                       const PlanResult& result, std::uint64_t q) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
-  const FeasibleGraphCounts counts = planner.feasible_graph().counts();
   auto json = nlohmann::ordered_json::parse(plan_to_json(result, q));
   auto& statistics = json["statistics"];
   statistics["backend"] = arguments.build.backend;
@@ -96,14 +96,17 @@ std::string plan_json(const PlanArguments& arguments, const Planner& planner, do
   statistics["vertices"] = planner.world().vertices().size();
   statistics["rows"] = has_all_rows(planner) ? "all" : "lazy";
   if (has_all_rows(planner)) statistics["visibility_edges"] = planner.visibility_graph().edge_count();
-  statistics["circles"] = counts.circles;
-  statistics["candidates"] = counts.candidates;
-  statistics["kept"] = counts.kept;
-  statistics["rejected_overlap"] = counts.rejected_overlap;
-  statistics["rejected_departure"] = counts.rejected_departure;
-  statistics["rejected_arrival"] = counts.rejected_arrival;
-  statistics["rejected_straight"] = counts.rejected_straight;
+  statistics.update(json_of(planner.feasible_graph().counts()));
   return json.dump() + "\n";
+}
+
+// To its only goal, which has a heading.
+PlanRequest plain(const TourRequest& request) {
+  const Place& goal = request.goals.front();
+  return {.start = request.start,
+          .goal = {goal.position.x(), goal.position.y(), *goal.heading},
+          .reverse = request.reverse,
+          .cusp_cost = request.cusp_cost};
 }
 
 }  // namespace
@@ -118,11 +121,7 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
   const Place& goal = request.goals.front();
   if (!request.via.empty() || request.goals.size() > 1 || !goal.heading)
     throw UsageError("--alternatives: only to one goal with a heading, and without --via");
-  const PlanRequest plain{.start = request.start,
-                          .goal = {goal.position.x(), goal.position.y(), *goal.heading},
-                          .reverse = request.reverse,
-                          .cusp_cost = request.cusp_cost};
-  for (PlanResult& result : plan_alternatives(planner, plain, arguments.alternatives, limits))
+  for (PlanResult& result : plan_alternatives(planner, plain(request), arguments.alternatives, limits))
     plans.push_back(checked(planner, std::move(result), request.reverse));
   return plans;
 }
@@ -181,12 +180,7 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
     build_seconds = watch.seconds();
     return planner;
   };
-  const Place& goal = request.goals.front();
-  const PlanRequest plain{.start = request.start,
-                          .goal = {goal.position.x(), goal.position.y(), *goal.heading},
-                          .reverse = request.reverse,
-                          .cusp_cost = request.cusp_cost};
-  CurvedPlan plan = plan_among_curves(map.curved, plain, tolerances, timed, limits);
+  CurvedPlan plan = plan_among_curves(map.curved, plain(request), tolerances, timed, limits);
   map.notes.push_back(count_text(map.curved.curves.size()) + " curves, as rings within " +
                       shortest_text(tolerances.first) + " m, near the path within " +
                       shortest_text(plan.rounds.back().tolerance) + " m; planned " + count_text(plan.rounds.size()) +

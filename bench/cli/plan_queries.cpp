@@ -9,6 +9,7 @@
 
 #include "bench/cli/plan_rows.h"
 #include "bench/cli/progress_bar.h"
+#include "bench/quantiles.h"
 #include "core/bytes.h"
 #include "core/plan_batch.h"
 #include "core/shortest_text.h"
@@ -28,13 +29,6 @@ std::string batch_line(std::uint64_t q, const CheckedPlan& plan) {
     line += ",,,,";
   }
   return line + "," + fixed(1e3 * result.statistics.total_seconds, 3) + "\n";
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// What a batch says of one query.
@@ -135,7 +129,7 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   out += row("valid", solved == 0    ? "no plan to check"
                       : refused == 0 ? "all of them, every moment of the motion checked"
                                      : "NO, " + count_text(refused) + " refused; " + first_refusal);
-  out += row("query times", "median " + duration_text(median(seconds)) + ", sum " +
+  out += row("query times", "median " + duration_text(seconds.empty() ? 0.0 : bench::median(seconds)) + ", sum " +
                                 duration_text(std::accumulate(seconds.begin(), seconds.end(), 0.0)) + "; " +
                                 duration_text(total) + " with validation");
   out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +

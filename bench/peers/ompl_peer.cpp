@@ -16,7 +16,7 @@
 #include <cmath>
 #include <memory>
 
-#include "bench/peers/cpu_clock.h"
+#include "bench/cpu_clock.h"
 #include "bench/peers/shortcut.h"
 #include "core/geometry/angle.h"
 #include "core/graph/turning_radii.h"
@@ -123,7 +123,7 @@ class Setup {
   }
 
   /// Runs on until `seconds` of the clock, or the first exact solution if `stop_at_first`.
-  void solve(ob::Planner& planner, const CpuClock& clock, double seconds, bool stop_at_first) {
+  void solve(ob::Planner& planner, const bench::CpuClock& clock, double seconds, bool stop_at_first) {
     // RRT* hands its solution over when it ends; until then the finite cost tells of it.
     const auto* star = dynamic_cast<const og::RRTstar*>(&planner);
     planner.solve(ob::PlannerTerminationCondition([&, star, stop_at_first, seconds] {
@@ -133,7 +133,7 @@ class Setup {
     }));
   }
 
-  [[nodiscard]] std::optional<PeerSolution> solution(const CpuClock& clock) const {
+  [[nodiscard]] std::optional<PeerSolution> solution(const bench::CpuClock& clock) const {
     if (!definition_->hasExactSolution()) return std::nullopt;
     const auto& found = *definition_->getSolutionPath()->as<og::PathGeometric>();
     PeerSolution solution;
@@ -166,7 +166,7 @@ class Setup {
   ob::ProblemDefinitionPtr definition_;
 };
 
-void run_restarts(Setup& setup, const Problem& problem, std::span<const double> radii, const CpuClock& clock,
+void run_restarts(Setup& setup, const Problem& problem, std::span<const double> radii, const bench::CpuClock& clock,
                   std::span<const double> times, Random& random, PeerRun& run) {
   std::optional<PeerSolution> best;
   std::optional<PeerSolution> next = run.first;
@@ -205,7 +205,7 @@ const char* name_of(OmplPlanner planner) {
 PeerRun run_ompl(OmplPlanner kind, const Problem& problem, double first_within, std::span<const double> times,
                  Random& random) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  const CpuClock clock(CpuClock::Of::kThread);
+  const bench::CpuClock clock(bench::CpuClock::Of::kThread);
   PeerRun run;
   Setup setup(problem);
   const std::shared_ptr<ob::Planner> planner = setup.make(kind);

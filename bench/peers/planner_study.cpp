@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "bench/peers/cpu_clock.h"
+#include "bench/cpu_clock.h"
 #include "bench/peers/ompl_peer.h"
 #include "bench/robots.h"
 #include "core/graph/turning_radii.h"
@@ -50,11 +50,11 @@ std::string plan_text(const PlanRequest& request, const PeerSolution& solution, 
   return plan_to_json(plan, query.query);
 }
 
-PlannerSetting gentle_setting(std::string name, double lateral_acceleration, double acceleration) {
-  return {.name = std::move(name),
+PlannerSetting gentle_setting(const bench::GentleRobot& robot) {
+  return {.name = robot.name(),
           .worlds = {"clutter/convex/n100/m10/f15", "clutter/convex/n100/m10/f30", "clutter/star/n100/m10/f15",
                      "clutter/star/n100/m10/f30"},
-          .vehicle = bench::gentle_robot(lateral_acceleration, acceleration),
+          .vehicle = robot.vehicle(),
           .queries = 10,
           .shortest_too = false};
 }
@@ -74,7 +74,7 @@ class Study {
     const World world = catalogue_world(name);
     const Vehicle& vehicle = setting_.vehicle;
     const QuerySet queries = fastest_queries(world);
-    const CpuClock preparing(CpuClock::Of::kProcess);
+    const bench::CpuClock preparing(bench::CpuClock::Of::kProcess);
     const Planner planner(world, vehicle, queries, {}, SerialExecutor());
     progress_.line(setting_.name + ", " + name + ": arcway prepared in " + text_of("%.3g s", preparing.seconds()));
     std::optional<Planner> tightest;
@@ -100,7 +100,7 @@ class Study {
 
   // The travel time; infinity without a path.
   static double plan_ours(const Planner& planner, const Problem& problem, PlannerQuery& result) {
-    const CpuClock clock(CpuClock::Of::kThread);
+    const bench::CpuClock clock(bench::CpuClock::Of::kThread);
     const PlanResult plan = planner.plan(problem.request);
     const double seconds = clock.seconds();
     const auto add = [&](const char* name, double until, double time, const Path& path) {
@@ -117,7 +117,7 @@ class Study {
 
   // By the speeds that the vehicle really has on the path.
   static void plan_tightest(const Planner& planner, const Problem& problem, PlannerQuery& result) {
-    const CpuClock clock(CpuClock::Of::kThread);
+    const bench::CpuClock clock(bench::CpuClock::Of::kThread);
     const PlanResult plan = planner.plan(problem.request);
     const double seconds = clock.seconds();
     const Path path = plan.path();
@@ -169,11 +169,11 @@ std::vector<PlannerSetting> standard_settings() {
         worlds.push_back(std::string("clutter/") + kind + "/" + size + "/m10/" + fill);
     return worlds;
   };
-  return {{.name = "n100", .worlds = clutters("n100"), .vehicle = Vehicle()},
-          {.name = "n1000", .worlds = clutters("n1000"), .vehicle = Vehicle(), .queries = 5, .long_queries = 5},
-          gentle_setting("lateral2_along2", 2.0, 2.0),
-          gentle_setting("lateral4_along2", 4.0, 2.0),
-          gentle_setting("lateral8_along4", 8.0, 4.0)};
+  std::vector<PlannerSetting> settings{
+      {.name = "n100", .worlds = clutters("n100"), .vehicle = Vehicle()},
+      {.name = "n1000", .worlds = clutters("n1000"), .vehicle = Vehicle(), .queries = 5, .long_queries = 5}};
+  for (const bench::GentleRobot& robot : bench::kGentleRobots) settings.push_back(gentle_setting(robot));
+  return settings;
 }
 
 void planner_study(const PlannerSetting& setting, const PlannerStudyProgress& progress) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "bench/peers/cpu_clock.h"
+#include "bench/cpu_clock.h"
 #include "core/graph/visibility_graph.h"
 #include "core/query/query_set.h"
 #include "datasets/catalogue.h"
@@ -188,7 +188,7 @@ std::vector<Contest> contests() {
 }
 
 double seconds_of(const std::function<Rows(const World&)>& answer, const World& world, std::size_t times) {
-  const CpuClock clock(CpuClock::Of::kProcess);
+  const bench::CpuClock clock(bench::CpuClock::Of::kProcess);
   for (std::size_t i = 0; i < times; ++i) (void)answer(world);
   return clock.seconds() / static_cast<double>(times);
 }
@@ -201,7 +201,7 @@ std::size_t times_for(double seconds) {
 
 /// @return  seconds of the slower side; the times are in the duel.
 double fight(const Contest& contest, const World& world, std::size_t repetitions, report::Duel& duel) {
-  const CpuClock clock(CpuClock::Of::kProcess);
+  const bench::CpuClock clock(bench::CpuClock::Of::kProcess);
   const Rows ours = contest.our_answer(world);
   const double our_guess = clock.seconds();
   const Rows peers = contest.peer_answer(world);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 
+#include "bench/quantiles.h"
 #include "bench/report/findings.h"
 #include "bench/report/markup.h"
 #include "bench/report/peer_sections.h"
@@ -38,8 +39,9 @@ Table measurement_table(const std::vector<const Measurement*>& measurements) {
   table.header.insert(table.header.end(), counters.begin(), counters.end());
   for (const Measurement* m : measurements) {
     const auto [low, high] = std::ranges::minmax(m->wall_seconds);
-    std::vector<std::string> row{m->name, time_text(median(m->wall_seconds)), time_text(low) + " – " + time_text(high),
-                                 time_text(median(m->cpu_seconds)), std::to_string(m->wall_seconds.size())};
+    std::vector<std::string> row{m->name, time_text(bench::median(m->wall_seconds)),
+                                 time_text(low) + " – " + time_text(high), time_text(bench::median(m->cpu_seconds)),
+                                 std::to_string(m->wall_seconds.size())};
     for (const std::string& name : counters) {
       const auto found = m->counters.find(name);
       row.push_back(found == m->counters.end() ? "" : counter_text(found->second));
@@ -208,7 +210,7 @@ std::string to_csv(const Results& results) {
       continue;
     }
     const auto [low, high] = std::ranges::minmax(m.wall_seconds);
-    for (const double value : {median(m.wall_seconds), low, high, median(m.cpu_seconds)})
+    for (const double value : {bench::median(m.wall_seconds), low, high, bench::median(m.cpu_seconds)})
       csv += "," + number_text("%.9g", value);
     csv += ",\n";
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "bench/quantiles.h"
 #include "bench/report/markup.h"
 
 namespace arcway::report {
@@ -242,7 +243,7 @@ Section quality_section(const Results& results) {
          seconds_text(*m, "first_path_seconds_median"), counter_text(*m, "time_over_bound_median", "%.3f"),
          seconds_text(*m, "plan_seconds_median"), counter_text(*m, "time_over_best_worst", "%.3f"),
          counter_text(*m, "min_clearance_m", "%.4f") + " m", counter_text(*m, "expansions_per_query", "%.0f"),
-         time_text(median(m->cpu_seconds))});
+         time_text(bench::median(m->cpu_seconds))});
   return section;
 }
 
@@ -291,7 +292,7 @@ Section radii_section(const Results& results) {
     section.table.rows.push_back({rest_of(*m), number_text("%.0f", place_of(m->name).size),
                                   counter_text(*m, "solved", "%.0f"), ratio("first_over_one"),
                                   ratio("refined_over_one"), ratio("refined_over_tightest"),
-                                  time_text(median(m->cpu_seconds))});
+                                  time_text(bench::median(m->cpu_seconds))});
   }
   return section;
 }

@@ -4,24 +4,17 @@
 #include <limits>
 #include <map>
 
+#include "bench/quantiles.h"
 #include "bench/report/markup.h"
 
 namespace arcway::report {
 namespace {
 
-/// Of a sorted, non-empty list, between the two nearest ranks.
-double quantile(const std::vector<double>& sorted, double share) {
-  const double rank = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(rank);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (rank - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 std::string quantiles_text(std::vector<double> values, std::initializer_list<double> shares) {
   if (values.empty()) return "–";
-  std::ranges::sort(values);
   std::string text;
-  for (const double share : shares) text += (text.empty() ? "" : " / ") + number_text("%.3f", quantile(values, share));
+  for (const double share : shares)
+    text += (text.empty() ? "" : " / ") + number_text("%.3f", bench::quantile(values, share));
   return text;
 }
 
@@ -95,7 +88,7 @@ std::vector<std::string> record_row(const Record& r) {
   return {r.planner,
           std::to_string(r.solved) + " of " + std::to_string(r.queries),
           std::to_string(r.valid),
-          r.seconds.empty() ? "–" : time_text(median(r.seconds)),
+          r.seconds.empty() ? "–" : time_text(bench::median(r.seconds)),
           quantiles_text(r.over_bound, {0.25, 0.5, 0.75}),
           quantiles_text(r.over_best, {0.5, 0.9, 1.0}),
           quantiles_text(r.over_ours, {0.0, 0.5, 1.0}),
@@ -121,9 +114,8 @@ std::vector<Curve> trade_off(const std::vector<Record>& records) {
     const std::string name = r.planner.substr(0, r.planner.find(' '));
     auto curve = std::ranges::find(curves, name, &Curve::name);
     if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{name, {}, {}});
-    std::vector<double> sorted = r.over_bound;
-    std::ranges::sort(sorted);
-    curve->points.push_back({median(r.seconds), quantile(sorted, 0.5), quantile(sorted, 0.25), quantile(sorted, 0.75)});
+    curve->points.push_back({bench::median(r.seconds), bench::quantile(r.over_bound, 0.5),
+                             bench::quantile(r.over_bound, 0.25), bench::quantile(r.over_bound, 0.75)});
   }
   for (Curve& curve : curves) std::ranges::sort(curve.points, {}, &Curve::Point::x);
   return curves;
@@ -152,7 +144,7 @@ void add_duel_findings(const PeerResults& peers, std::vector<std::string>& sente
     const bool goes_on =
         i + 1 < peers.duels.size() && title_of(peers.duels[i + 1]) == title_of(d) && peers.duels[i + 1].error.empty();
     if (!d.error.empty() || goes_on) continue;
-    const double ratio = median(ratios_of(d));
+    const double ratio = bench::median(ratios_of(d));
     std::string& list = by_peer[d.peer];
     list += (list.empty() ? " " : ", ") + ratio_text(ratio) + " (" + d.task + ")";
     if (ratio < 1.0) losses += (losses.empty() ? "" : ", ") + d.task + " (" + d.peer + ")";
@@ -167,7 +159,7 @@ void add_planner_findings(const PeerResults& peers, const std::string& setting, 
   if (records.empty() || records.front().solved == 0) return;
   const Record& ours = records.front();
   std::string text = "Planners, " + setting + ": arcway solves " + std::to_string(ours.solved) + " of " +
-                     std::to_string(ours.queries) + " queries in " + time_text(median(ours.seconds)) + " each";
+                     std::to_string(ours.queries) + " queries in " + time_text(bench::median(ours.seconds)) + " each";
   for (const Record& r : records) {
     // Those that went on after their first path, on all queries.
     if (&r == &ours || r.planner.starts_with("arcway") || r.planner.ends_with(" first") || r.queries < ours.queries)
@@ -204,8 +196,8 @@ Section duels_section(const PeerResults& peers) {
     }
     const std::vector<double> ratios = ratios_of(d);
     const auto [low, high] = std::ranges::minmax(ratios);
-    section.table.rows.push_back({d.task, d.peer, count_text(d.vertices), time_text(median(d.our_seconds)),
-                                  time_text(median(d.peer_seconds)), ratio_text(median(ratios)),
+    section.table.rows.push_back({d.task, d.peer, count_text(d.vertices), time_text(bench::median(d.our_seconds)),
+                                  time_text(bench::median(d.peer_seconds)), ratio_text(bench::median(ratios)),
                                   ratio_text(low) + " – " + ratio_text(high),
                                   low > 1.0    ? "arcway"
                                   : high < 1.0 ? d.peer
@@ -222,7 +214,7 @@ std::vector<std::string> peer_figures(const PeerResults& peers) {
     const auto [low, high] = std::ranges::minmax(ratios);
     auto curve = std::ranges::find(duels, title_of(d), &Curve::name);
     if (curve == duels.end()) curve = duels.insert(duels.end(), Curve{title_of(d), {}, {}});
-    curve->points.push_back({d.vertices, median(ratios), low, high});
+    curve->points.push_back({d.vertices, bench::median(ratios), low, high});
   }
   std::vector<std::string> figures;
   if (!duels.empty())

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "bench/quantiles.h"
 #include "datasets/file_io.h"
 
 namespace arcway::report {
@@ -89,14 +90,8 @@ Results read_results(std::string_view text, std::string_view name) {
   for (std::size_t i = 0; i < runs.size(); ++i)
     read_run(runs[i], std::string(name) + ": benchmarks[" + std::to_string(i) + "]", results, index, counters);
   for (Measurement& m : results.measurements)
-    for (const auto& [key, values] : counters[m.name]) m.counters[key] = median(values);
+    for (const auto& [key, values] : counters[m.name]) m.counters[key] = bench::median(values);
   return results;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 SeriesPlace place_of(std::string_view name) {

@@ -31,9 +31,6 @@ struct Results {
 /// @throws FormatError naming file and place.
 Results read_results(std::string_view json, std::string_view name);
 
-/// Of an unsorted, non-empty list.
-double median(std::vector<double> values);
-
 /// A measurement's place in its series: "ReducedGraph/embree/obstacles:100" is size 100 of the key "obstacles" in the
 /// series "ReducedGraph/embree", of the stage "ReducedGraph" and the variant "embree".
 struct SeriesPlace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/quantiles.h"
 #include "bench/report/markup.h"
 
 namespace arcway::report {
@@ -15,8 +16,8 @@ void finish(Study::Line& line, const std::string& key, const Clock& clock) {
     const std::vector<double>& times = clock.times_of(*m);
     const auto [low, high] = std::ranges::minmax(times);
     const double size = place_of(m->name).size;
-    line.curve.points.push_back({size, median(times), low, high});
-    points.push_back({size, median(times)});
+    line.curve.points.push_back({size, bench::median(times), low, high});
+    points.push_back({size, bench::median(times)});
     if (line.law.empty()) line.law = m->label;
   }
   line.curve.name = line.variant.empty() ? line.series : line.variant;
@@ -54,8 +55,8 @@ Clock::Clock(const Results& results) {
   std::vector<double> ratios;
   for (const Measurement& m : results.measurements)
     if (!m.wall_seconds.empty() && threads_of(m.name) == 1)
-      ratios.push_back(median(m.wall_seconds) / median(m.cpu_seconds));
-  if (!ratios.empty()) slowdown_ = median(ratios);
+      ratios.push_back(bench::median(m.wall_seconds) / bench::median(m.cpu_seconds));
+  if (!ratios.empty()) slowdown_ = bench::median(ratios);
 }
 
 const std::vector<double>& Clock::times_of(const Measurement& m) const {
@@ -111,7 +112,8 @@ std::vector<Change> changes_between(const Results& before, const Results& after)
     const bool by_wall = threads_of(b.name) > 1;
     const std::vector<double>& old_times = by_wall ? b.wall_seconds : b.cpu_seconds;
     const std::vector<double>& new_times = by_wall ? a->wall_seconds : a->cpu_seconds;
-    changes.push_back({b.name, median(old_times), median(new_times), mann_whitney_p(old_times, new_times)});
+    changes.push_back(
+        {b.name, bench::median(old_times), bench::median(new_times), mann_whitney_p(old_times, new_times)});
   }
   const auto rank = [](const Change& c) { return !c.significant() ? 2 : c.ratio() > 1.0 ? 0 : 1; };
   std::ranges::stable_sort(changes, [&](const Change& x, const Change& y) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstring>
-#include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +7,8 @@
 #include "accel/make_queries.h"
 #include "accel/wedge/changed_graph.h"
 #include "accel/wedge/wedge_graph.h"
+#include "bench/cpu_clock.h"
+#include "bench/quantiles.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
 #include "core/graph/feasible_tables.h"
@@ -19,12 +20,6 @@
 // queries and all graphs, one thread.
 namespace arcway::bench {
 namespace {
-
-double processor_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 Planner build(const World& world, const PlannerOptions& options) {
   return {world,   Vehicle(),       make_embree_queries(world), build_reduced_visibility_graph_by_wedges(world),
@@ -67,19 +62,18 @@ void time_change(benchmark::State& state, const std::string& name, std::size_t c
     return change(before, world.changed(moved, added), moved, options);
   };
   const MapFile after = to_map_file(world.changed(moved, added));
-  double start = processor_seconds();
+  const CpuClock rebuilding(CpuClock::Of::kProcess);
   const Planner anew = build(World(after.obstacles, after.bounds), {});
-  const double rebuild_seconds = processor_seconds() - start;
+  const double rebuild_seconds = rebuilding.seconds();
   if (!require(state, same(change_once({}), anew), "graphs differ from those built anew")) return;
   std::vector<double> seconds;
   for (auto _ : state) {
-    start = processor_seconds();
+    const CpuClock changing(CpuClock::Of::kProcess);
     benchmark::DoNotOptimize(change_once({.graph_mode = mode}));
-    seconds.push_back(processor_seconds() - start);
+    seconds.push_back(changing.seconds());
   }
-  std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
-  state.counters["of_rebuild"] = seconds[seconds.size() / 2] / rebuild_seconds;
+  state.counters["of_rebuild"] = median(seconds) / rebuild_seconds;
 }
 
 void add(Study study) {

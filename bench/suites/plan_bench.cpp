@@ -110,7 +110,7 @@ void time_batch(benchmark::State& state, const std::string& world_name, std::siz
 }
 
 void time_radii(benchmark::State& state, const std::string& world_name, std::size_t radii) {
-  const Vehicle vehicle = gentle_robot(2.0, 2.0);
+  const Vehicle vehicle = kGentleRobots[0].vehicle();
   std::vector<double> all = turning_radii(vehicle, shared_world(world_name));
   all.resize(std::min(radii, all.size()));
   const Planner planner = make_planner(shared_world(world_name), vehicle, {.radii = all});

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
@@ -17,11 +18,6 @@ namespace arcway::bench {
 namespace {
 
 constexpr const char* kWrong = "the validator refuses a path, or there is none";
-
-double median_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
 
 /// Share solved and why not, travel time over the lower bound and over the best known time, smallest clearance,
 /// expansions.
@@ -52,10 +48,10 @@ void count_quality(benchmark::State& state, const std::vector<PlanResult>& resul
   state.counters["no_path"] = no_path;
   state.counters["expansions_per_query"] = expanded / count;
   state.counters["queries"] = count;
-  state.counters["time_over_bound_median"] = median_of(over_bound);
-  state.counters["first_over_bound_median"] = median_of(first_over_bound);
-  state.counters["first_path_seconds_median"] = median_of(first_seconds);
-  state.counters["plan_seconds_median"] = median_of(seconds);
+  state.counters["time_over_bound_median"] = median(over_bound);
+  state.counters["first_over_bound_median"] = median(first_over_bound);
+  state.counters["first_path_seconds_median"] = median(first_seconds);
+  state.counters["plan_seconds_median"] = median(seconds);
   state.counters["time_over_best_worst"] = worst;
   state.counters["min_clearance_m"] = clearance;
 }
@@ -80,7 +76,7 @@ struct Variant {
 };
 
 std::vector<Variant> variants(const World& world) {
-  const double smallest = turning_radii(gentle_robot(2.0, 2.0), world).front();
+  const double smallest = turning_radii(kGentleRobots[0].vehicle(), world).front();
   PlannerOptions one_radius{.radii = {smallest}}, unrefined, no_manoeuvres{.manoeuvre_poses = 0}, paper;
   PlannerOptions no_gap_circles;
   no_gap_circles.gap_circles = false;
@@ -108,10 +104,10 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
   const std::vector<Variant> all = variants(world);
   const std::vector<PlanRequest> requests = catalogue_queries(world_name, queries, 1);
   std::vector<std::vector<PlanResult>>& results = plans[world_name];
-  const Planner planner = make_planner(world, gentle_robot(2.0, 2.0), all[chosen].options);
+  const Planner planner = make_planner(world, kGentleRobots[0].vehicle(), all[chosen].options);
   for (const Variant& v : all)
     if (results.size() < all.size())
-      results.push_back(plan_all(make_planner(world, gentle_robot(2.0, 2.0), v.options), requests));
+      results.push_back(plan_all(make_planner(world, kGentleRobots[0].vehicle(), v.options), requests));
   if (!require(state, are_right(planner, results[chosen]), kWrong)) return;
   for (auto _ : state)
     for (const PlanRequest& request : requests) benchmark::DoNotOptimize(planner.plan(request));
@@ -122,7 +118,7 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
       gaps.push_back(100.0 * results[chosen][q].optimality_gap());
   }
   state.counters["solved"] = static_cast<double>(std::ranges::count_if(results[chosen], &PlanResult::solved));
-  state.counters["gap_percent_median"] = gaps.empty() ? 0.0 : median_of(gaps);
+  state.counters["gap_percent_median"] = gaps.empty() ? 0.0 : median(gaps);
   state.counters["compared"] = static_cast<double>(gaps.size());
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
@@ -16,13 +17,6 @@ namespace arcway::bench {
 namespace {
 
 constexpr const char* kWrong = "the validator refuses a path, or there is none";
-
-struct Robot {
-  const char* name;
-  double lateral_acceleration, acceleration;  // [m/s^2]
-};
-constexpr Robot kRobots[] = {
-    {"lateral2_along2", 2.0, 2.0}, {"lateral4_along2", 4.0, 2.0}, {"lateral8_along4", 8.0, 4.0}};
 
 /// Travel times of a planner's answers, 0 where there is none.
 struct Times {
@@ -44,22 +38,21 @@ void count_ratios(benchmark::State& state, const std::string& name, const std::v
   for (std::size_t q = 0; q < mine.size(); ++q)
     if (mine[q] > 0.0 && others[q] > 0.0) ratios.push_back(mine[q] / others[q]);
   if (ratios.empty()) return;
-  std::ranges::sort(ratios);
-  state.counters[name + "_median"] = ratios[ratios.size() / 2];
-  state.counters[name + "_worst"] = ratios.back();
+  state.counters[name + "_median"] = median(ratios);
+  state.counters[name + "_worst"] = std::ranges::max(ratios);
 }
 
-void time_radii(benchmark::State& state, const Robot& robot, const std::string& world_name, std::size_t radii,
+void time_radii(benchmark::State& state, const GentleRobot& robot, const std::string& world_name, std::size_t radii,
                 std::size_t queries) {
   static std::map<std::string, std::pair<Times, Times>> references;  // one radius; turns no wider than that
   const World& world = shared_world(world_name);
-  const Vehicle vehicle = gentle_robot(robot.lateral_acceleration, robot.acceleration);
+  const Vehicle vehicle = robot.vehicle();
   const std::vector<PlanRequest> requests = catalogue_queries(world_name, queries, 1);
   std::vector<double> all = turning_radii(vehicle, world);
   const auto planned = [&](const Vehicle& driven, const PlannerOptions& options) {
     return times_of(plan_all(make_planner(world, driven, options), requests), vehicle);
   };
-  const std::string key = robot.name + world_name;
+  const std::string key = robot.name() + world_name;
   if (!references.contains(key))
     references[key] = {planned(vehicle, {.radii = {all.front()}}), planned(without_faster_turns(vehicle), {})};
   all.resize(std::min(radii, all.size()));
@@ -80,19 +73,18 @@ void time_radii(benchmark::State& state, const Robot& robot, const std::string& 
 void add(Study study) {
   if (study == Study::kQuick) return;  // takes minutes
   const bool check = study == Study::kCheck;
-  for (const Robot& robot : kRobots)
+  for (const GentleRobot& robot : kGentleRobots)
     for (const char* kind : {"convex", "star"})
       for (const int fill : {15, 30}) {
-        if (check && (&robot != kRobots || fill == 30)) continue;
+        if (check && (&robot != kGentleRobots || fill == 30)) continue;
         const std::string world = clutter_name(kind, check ? 10 : 100, 10, fill);
-        const std::size_t most =
-            turning_radii(gentle_robot(robot.lateral_acceleration, robot.acceleration), shared_world(world)).size();
+        const std::size_t most = turning_radii(robot.vehicle(), shared_world(world)).size();
         for (std::size_t r = 1; r <= (check ? 2 : most); ++r)
-          add_benchmark("Radii/" + std::string(robot.name) + "/" + kind + "_f" + std::to_string(fill) +
-                            "/radii:" + std::to_string(r),
-                        [&robot, world, r, queries = std::size_t{check ? 5u : 50u}](benchmark::State& state) {
-                          time_radii(state, robot, world, r, queries);
-                        })
+          add_benchmark(
+              "Radii/" + robot.name() + "/" + kind + "_f" + std::to_string(fill) + "/radii:" + std::to_string(r),
+              [&robot, world, r, queries = std::size_t{check ? 5u : 50u}](benchmark::State& state) {
+                time_radii(state, robot, world, r, queries);
+              })
               ->Iterations(1)
               ->Repetitions(1);
       }

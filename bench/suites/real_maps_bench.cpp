@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "bench/cpu_clock.h"
+#include "bench/quantiles.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
@@ -18,13 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-double quantile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
-}
-
 void plan_on(benchmark::State& state, const std::string& file, GraphMode mode, std::size_t queries) {
   const char* folder = std::getenv("ARCWAY_SHARED_DATA");
   if (folder == nullptr || !fs::exists(fs::path(folder) / file)) {
@@ -32,24 +26,24 @@ void plan_on(benchmark::State& state, const std::string& file, GraphMode mode, s
     return;
   }
   const World world = to_world(read_map(fs::path(folder) / file), file);
-  const double start = processor_seconds();
+  const CpuClock preparing(CpuClock::Of::kProcess);
   const Planner planner = make_planner(world, Vehicle(), {.graph_mode = mode});
-  const double built = processor_seconds();
+  const double prepare_seconds = preparing.seconds();
   const std::vector<PlanRequest> requests =
       random_queries(world, fastest_queries(world), Vehicle(), {.count = queries, .seed = 1});
   std::vector<PlanResult> results;
   std::vector<double> seconds;
   for (auto _ : state) {
     for (const PlanRequest& request : requests) {
-      const double before = processor_seconds();
+      const CpuClock planning(CpuClock::Of::kProcess);
       results.push_back(planner.plan(request));
-      seconds.push_back(processor_seconds() - before);
+      seconds.push_back(planning.seconds());
     }
   }
   if (!require(state, are_right(planner, results), "the validator refuses a path, or there is none")) return;
   set_batch(state, queries);
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
-  state.counters["prepare_s"] = built - start;
+  state.counters["prepare_s"] = prepare_seconds;
   state.counters["solved"] = static_cast<double>(std::ranges::count_if(results, &PlanResult::solved));
   state.counters["median_ms"] = 1e3 * quantile(seconds, 0.5);
   state.counters["p99_ms"] = 1e3 * quantile(seconds, 0.99);

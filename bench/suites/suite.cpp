@@ -1,12 +1,12 @@
 #include "bench/suites/suite.h"
 
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <utility>
 
+#include "bench/cpu_clock.h"
 #include "bench/suites/run_policy.h"
 #include "datasets/catalogue.h"
 
@@ -83,10 +83,10 @@ void Series::add(double size, Body body) {
       return;
     }
     state.SetLabel(series->law);
-    const std::clock_t start = std::clock();  // processor time: a busy machine leaves out no more than a quiet one
+    const CpuClock clock(CpuClock::Of::kProcess);
     body(state);
     if (state.max_iterations > 1) return;  // a repetition
-    series->last_seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    series->last_seconds = clock.seconds();
     series->last_size = size;
   };
   add_benchmark(name_ + "/" + size_name_ + ":" + number_text(size), run);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/quantiles.h"
 #include "bench/report/results.h"
 #include "tests/support/random_inputs.h"
 
@@ -21,7 +22,7 @@ std::vector<SizePoint> noisy_series(std::uint64_t seed, const std::function<doub
   for (double size = 10.0; size < 2e5; size *= std::sqrt(10.0)) {
     std::vector<double> repetitions;
     for (int i = 0; i < 5; ++i) repetitions.push_back(law(size) * random.uniform(0.9, 1.1));
-    points.push_back({size, median(repetitions)});
+    points.push_back({size, bench::median(repetitions)});
   }
   return points;
 }
