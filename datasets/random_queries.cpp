@@ -1,9 +1,11 @@
 #include "datasets/random_queries.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "core/geometry/angle.h"
+#include "core/passage/bottleneck.h"
 #include "datasets/random.h"
 
 namespace arcway {
@@ -32,6 +34,12 @@ std::vector<PlanRequest> random_queries(const World& world, const QuerySet& quer
     return Pose{x, y, random.uniform(-kPi, kPi)};
   };
   const auto is_free = [&](const Pose& pose) { return queries.sweep->straight_free(swept_rectangle(pose, 0.0, body)); };
+  std::optional<BottleneckFinder> find_bottleneck;
+  if (parameters.passable) find_bottleneck.emplace(world, vehicle);
+  const auto is_parted = [&](const Pose& start, const Pose& goal) {
+    const auto bottleneck = find_bottleneck ? (*find_bottleneck)(start, goal) : std::nullopt;
+    return bottleneck && bottleneck->too_narrow();
+  };
 
   std::vector<PlanRequest> pairs;
   pairs.reserve(parameters.count);
@@ -42,6 +50,7 @@ std::vector<PlanRequest> random_queries(const World& world, const QuerySet& quer
     }
     const Pose start = draw(), goal = draw();
     if ((goal.position() - start.position()).norm() < apart || !is_free(start) || !is_free(goal)) continue;
+    if (is_parted(start, goal)) continue;
     pairs.push_back({.start = start, .goal = goal});
     draws = 0;
   }

@@ -93,6 +93,23 @@ TEST(RandomQueries, AreApartAndFreeAndTheSameForTheSameSeed) {
   EXPECT_NE(catalogue_queries(name, 1, 2)[0].start.x, queries[0].start.x);
 }
 
+TEST(RandomQueries, AreNotPartedWhereTheyMustBePassable) {
+  // A wall with a door that is wide enough, and one without.
+  const Ring bounds{{0, 0}, {30, 0}, {30, 10}, {0, 10}};
+  const World world(
+      {Polygon{{{10, 0}, {11, 0}, {11, 8}, {10, 8}}, {}}, Polygon{{{20, 0}, {21, 0}, {21, 10}, {20, 10}}, {}}}, bounds);
+  const QuerySet queries = make_reference_queries(world);
+  const auto room = [](const Pose& pose) { return pose.x < 20.0 ? 0 : 1; };
+  const auto count_parted = [&](bool passable) {
+    int parted = 0;
+    for (const PlanRequest& request : random_queries(world, queries, Vehicle(), {.count = 50, .passable = passable}))
+      parted += room(request.start) != room(request.goal) ? 1 : 0;
+    return parted;
+  };
+  EXPECT_GT(count_parted(false), 10);
+  EXPECT_EQ(count_parted(true), 0);
+}
+
 TEST(RandomQueries, GiveUpWhereThereIsNoRoom) {
   const World full({Polygon{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}}}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}});
   EXPECT_THROW(random_queries(full, make_reference_queries(full), Vehicle()), std::runtime_error);
