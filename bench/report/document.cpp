@@ -192,6 +192,7 @@ Document make_document(const Inputs& inputs) {
   add(quality_section(results));
   add(ablation_section(results));
   add(radii_section(results));
+  add(real_maps_section(results));
   if (inputs.peers) add(planners_by_world_section(*inputs.peers));
   add(growth_section(studies));
   for (const Study& study : studies) add(study_section(study));

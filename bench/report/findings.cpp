@@ -297,4 +297,32 @@ Section radii_section(const Results& results) {
   return section;
 }
 
+Section real_maps_section(const Results& results) {
+  Section section{
+      .title = "Real maps",
+      .paragraphs =
+          {"A grid of random cells, a city and a coast, a vehicle that suits each, random queries that a disc "
+           "of the body's width can move between; every path passed the validator. Prepared: all bitangents "
+           "checked before; lazy: when a query first asks for them. One thread, processor times of single "
+           "runs."},
+      .figures = {},
+      .table = {{"map", "vertices", "body", "preparing", "queries", "solved", "start or goal blocked", "no path",
+                 "time limit", "first query", "median", "99 %"},
+                {},
+                1}};
+  for (const Measurement* m : of_stage(results, "RealMap")) {
+    const auto count = [&](const std::string& name) {
+      const auto found = m->counters.find(name);
+      return found == m->counters.end() ? 0.0 : found->second;
+    };
+    section.table.rows.push_back(
+        {rest_of(*m), count_text(count("vertices")), counter_text(*m, "body_length_m", "%.3g") + " m",
+         seconds_text(*m, "prepare_seconds"), counter_text(*m, "queries", "%.0f"), counter_text(*m, "solved", "%.0f"),
+         number_text("%.0f", count("start_blocked") + count("goal_blocked")), counter_text(*m, "no_path", "%.0f"),
+         counter_text(*m, "time_limit", "%.0f"), seconds_text(*m, "first_seconds"),
+         seconds_text(*m, "plan_seconds_median"), seconds_text(*m, "plan_seconds_p99")});
+  }
+  return section;
+}
+
 }  // namespace arcway::report

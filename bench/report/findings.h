@@ -29,4 +29,7 @@ Section ablation_section(const Results& results);
 /// Travel time over the number of radii, for robots whose wider turns are faster; a row each.
 Section radii_section(const Results& results);
 
+/// Preparing and planning on real maps; a row for each, with what became of the queries.
+Section real_maps_section(const Results& results);
+
 }  // namespace arcway::report

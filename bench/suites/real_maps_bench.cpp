@@ -6,6 +6,7 @@
 
 #include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
+#include "bench/robots.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
@@ -13,59 +14,80 @@
 #include "datasets/read_map.h"
 
 // Maps of a city, a coast and a grid of random cells, from the folder that ARCWAY_SHARED_DATA names: what it takes to
-// prepare them, and to plan between random poses.
+// prepare them for a vehicle that suits them, and to plan between random poses that a disc can move between.
 namespace arcway::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-void plan_on(benchmark::State& state, const std::string& file, GraphMode mode, std::size_t queries) {
+constexpr double kTimeLimit = 10.0;  // of one query [s]
+
+struct RealMap {
+  const char* name;
+  const char* file;
+  Vehicle (*vehicle)();
+};
+constexpr RealMap kGrid{"random512-20-0", "movingai/random512-20-0.geojson.gz", small_robot};
+constexpr RealMap kCity{"luxembourg", "city/luxembourg.geojson.gz", [] { return Vehicle(); }};
+constexpr RealMap kCityByCar{"luxembourg_by_car", "city/luxembourg.geojson.gz", town_car};
+constexpr RealMap kCoast{"chile", "coast/chile.geojson.gz", boat};
+
+void plan_on(benchmark::State& state, const RealMap& map, GraphMode mode, std::size_t count) {
   const char* folder = std::getenv("ARCWAY_SHARED_DATA");
-  if (folder == nullptr || !fs::exists(fs::path(folder) / file)) {
-    leave_out(state, "ARCWAY_SHARED_DATA names no folder with " + file);
+  if (folder == nullptr || !fs::exists(fs::path(folder) / map.file)) {
+    leave_out(state, std::string("ARCWAY_SHARED_DATA names no folder with ") + map.file);
     return;
   }
-  const World world = to_world(read_map(fs::path(folder) / file), file);
+  const World world = to_world(read_map(fs::path(folder) / map.file), map.file);
+  const Vehicle vehicle = map.vehicle();
   const CpuClock preparing(CpuClock::Of::kProcess);
-  const Planner planner = make_planner(world, Vehicle(), {.graph_mode = mode});
+  const Planner planner = make_planner(world, vehicle, {.graph_mode = mode});
   const double prepare_seconds = preparing.seconds();
   const std::vector<PlanRequest> requests =
-      random_queries(world, fastest_queries(world), Vehicle(), {.count = queries, .seed = 1});
+      random_queries(world, planner.queries(), vehicle, {.count = count, .seed = 1, .passable = true});
   std::vector<PlanResult> results;
   std::vector<double> seconds;
   for (auto _ : state) {
     for (const PlanRequest& request : requests) {
       const CpuClock planning(CpuClock::Of::kProcess);
-      results.push_back(planner.plan(request));
+      results.push_back(planner.plan(request, {.time = kTimeLimit}));
       seconds.push_back(planning.seconds());
     }
   }
   if (!require(state, are_right(planner, results), "the validator refuses a path, or there is none")) return;
-  set_batch(state, queries);
+  set_batch(state, count);
+  const auto having = [&](PlanStatus status) {
+    return static_cast<double>(std::ranges::count(results, status, &PlanResult::status));
+  };
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
-  state.counters["prepare_s"] = prepare_seconds;
-  state.counters["solved"] = static_cast<double>(std::ranges::count_if(results, &PlanResult::solved));
-  state.counters["median_ms"] = 1e3 * quantile(seconds, 0.5);
-  state.counters["p99_ms"] = 1e3 * quantile(seconds, 0.99);
+  state.counters["body_length_m"] = vehicle.parameters().length;
+  state.counters["prepare_seconds"] = prepare_seconds;
+  state.counters["queries"] = static_cast<double>(count);
+  state.counters["solved"] = having(PlanStatus::kSolved);
+  state.counters["start_blocked"] = having(PlanStatus::kStartBlocked);
+  state.counters["goal_blocked"] = having(PlanStatus::kGoalBlocked);
+  state.counters["no_path"] = having(PlanStatus::kNoPath);
+  state.counters["time_limit"] = having(PlanStatus::kTimeLimit);
+  state.counters["first_seconds"] = seconds.front();
+  state.counters["plan_seconds_median"] = quantile(seconds, 0.5);
+  state.counters["plan_seconds_p99"] = quantile(seconds, 0.99);
 }
 
-void add_map(const std::string& name, const std::string& file, GraphMode mode, std::size_t queries) {
-  const std::string full = "RealMap/" + name + (mode == GraphMode::kLazy ? "/lazy" : "/prepared");
-  add_benchmark(full, [=](benchmark::State& state) { plan_on(state, file, mode, queries); })
+void add_map(const RealMap& map, GraphMode mode, std::size_t count) {
+  const std::string name = std::string("RealMap/") + map.name + (mode == GraphMode::kLazy ? "/lazy" : "/prepared");
+  add_benchmark(name, [=](benchmark::State& state) { plan_on(state, map, mode, count); })
       ->Iterations(1)
       ->Repetitions(1);
 }
 
 void add(Study study) {
   if (study != Study::kFull) {
-    add_map("luxembourg", "city/luxembourg.geojson.gz", GraphMode::kLazy, study == Study::kQuick ? 3 : 1);
+    add_map(kCity, GraphMode::kLazy, study == Study::kQuick ? 3 : 1);
     return;
   }
-  for (const GraphMode mode : {GraphMode::kEager, GraphMode::kLazy}) {
-    add_map("random512-20-0", "movingai/random512-20-0.geojson.gz", mode, 100);
-    add_map("luxembourg", "city/luxembourg.geojson.gz", mode, 100);
-    add_map("chile", "coast/chile.geojson.gz", mode, 100);
-  }
+  for (const GraphMode mode : {GraphMode::kEager, GraphMode::kLazy})
+    for (const RealMap& map : {kGrid, kCity, kCoast}) add_map(map, mode, 100);
+  add_map(kCityByCar, GraphMode::kEager, 20);  // its accelerations make searches long
 }
 
 const Suite suite(add);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -137,6 +138,21 @@ TEST(Summary, TellsAStrangerWhatItCosts) {
             "100 µs at 1,000 vertices, 10 ms at 100,000 vertices.");
   EXPECT_EQ(summary[2].substr(0, 43), "Quality: 45 of 50 random queries are solved");
   EXPECT_NE(summary[3].find("none failed"), std::string::npos);
+}
+
+TEST(Tables, SayWhatBecameOfTheQueriesOnARealMap) {
+  const Results results = read_results(
+      file_of(run("RealMap/coast/prepared/process_time/real_time", 2.0,
+                  R"(,"vertices":72247,"body_length_m":12,"prepare_seconds":1.5,"queries":100,"solved":94,)"
+                  R"("start_blocked":2,"goal_blocked":3,"no_path":0,"time_limit":1,"first_seconds":0.25,)"
+                  R"("plan_seconds_median":0.07,"plan_seconds_p99":0.23)")),
+      "r.json");
+  const Document document = make_document({.results = results, .before = {}, .peers = {}});
+  const auto section = std::ranges::find(document.sections, "Real maps", &Section::title);
+  ASSERT_NE(section, document.sections.end());
+  const std::vector<std::vector<std::string>> expected{
+      {"coast/prepared", "72,247", "12 m", "1.5 s", "100", "94", "5", "0", "1", "250 ms", "70 ms", "230 ms"}};
+  EXPECT_EQ(section->table.rows, expected);
 }
 
 TEST(Summary, AdmitsThatTheMachineWasBusy) {
