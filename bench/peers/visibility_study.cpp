@@ -1,6 +1,7 @@
 #include "bench/peers/visibility_study.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <span>
@@ -16,6 +17,7 @@
 #endif
 #ifdef ARCWAY_WITH_ACCEL
 #include "accel/make_queries.h"
+#include "accel/parallel.h"
 #include "accel/wedge/tangent_neighbours.h"
 #include "accel/wedge/wedge_graph.h"
 #endif
@@ -41,6 +43,7 @@ struct Contest {
   std::function<Rows(const World&)> our_answer, peer_answer;
   double exponent;  ///< growth of the slower one over the obstacles, to leave out what would take too long
   bool comparable = true;
+  std::size_t threads = 1;  ///< ours
 };
 
 std::string world_name(std::size_t obstacles) { return "clutter/convex/n" + std::to_string(obstacles) + "/m10/f30/s1"; }
@@ -177,20 +180,31 @@ std::vector<Contest> contests() {
                    return rows;
                  },
                  1.2});
+  const auto triangulation = [](const World& w) { return Rows{{triangulate_by_cgal(w)}, {}}; };
   all.push_back({"reduced graph, against a triangulation alone", kBuilder, "CGAL triangulation",
-                 [](const World& w) { return rows_of(our_reduced_graph(w)); },
+                 [](const World& w) { return rows_of(our_reduced_graph(w)); }, triangulation, 1.1, false});
+#ifdef ARCWAY_WITH_ACCEL
+  all.push_back({"reduced graph by two threads, against a triangulation alone by one", kBuilder, "CGAL triangulation",
                  [](const World& w) {
-                   return Rows{{triangulate_by_cgal(w)}, {}};
+                   const TbbExecutor two(2);
+                   return rows_of(build_reduced_visibility_graph_by_wedges(w, two));
                  },
-                 1.1, false});
+                 triangulation, 1.1, false, 2});
+#endif
 #endif
   return all;
 }
 
-double seconds_of(const std::function<Rows(const World&)>& answer, const World& world, std::size_t times) {
-  const bench::CpuClock clock(bench::CpuClock::Of::kProcess);
+struct Times {
+  double wall, processor;  ///< [s]
+};
+
+Times times_of(const std::function<Rows(const World&)>& answer, const World& world, std::size_t times) {
+  const bench::CpuClock processor(bench::CpuClock::Of::kProcess);
+  const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < times; ++i) (void)answer(world);
-  return clock.seconds() / static_cast<double>(times);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  return {wall.count() / static_cast<double>(times), processor.seconds() / static_cast<double>(times)};
 }
 
 /// Enough repetitions in a row that the clock's steps and a cold cache do not matter.
@@ -211,8 +225,12 @@ double fight(const Contest& contest, const World& world, std::size_t repetitions
     return std::max(our_guess, peer_guess);
   }
   for (std::size_t i = 0; i < repetitions; ++i) {
-    duel.our_seconds.push_back(seconds_of(contest.our_answer, world, times_for(our_guess)));
-    duel.peer_seconds.push_back(seconds_of(contest.peer_answer, world, times_for(peer_guess)));
+    const Times our_times = times_of(contest.our_answer, world, times_for(our_guess));
+    const Times peer_times = times_of(contest.peer_answer, world, times_for(peer_guess));
+    duel.our_seconds.push_back(our_times.processor);
+    duel.our_wall_seconds.push_back(our_times.wall);
+    duel.peer_seconds.push_back(peer_times.processor);
+    duel.peer_wall_seconds.push_back(peer_times.wall);
   }
   return std::max(std::ranges::min(duel.our_seconds), std::ranges::min(duel.peer_seconds));
 }
@@ -235,6 +253,7 @@ std::vector<report::Duel> visibility_study(const VisibilityStudyOptions& options
                         {},
                         {},
                         {}};
+      duel.threads = contest.threads;
       const double expected = last_size > 0.0 ? last * std::pow(size / last_size, contest.exponent) : 0.0;
       if (expected > options.limit) {
         char text[96];

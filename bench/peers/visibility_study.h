@@ -16,7 +16,8 @@ struct VisibilityStudyOptions {
 };
 
 /// Lines of sight and visibility graphs by arcway and, with one thread each and in turn, by brute force and (where this
-/// program has it) CGAL. What both make is compared before; a difference leaves an error in place of times.
+/// program has it) CGAL; against CGAL's triangulation also with two threads. What both make is compared before; a
+/// difference leaves an error in place of times.
 /// @param progress  told what comes next.
 std::vector<report::Duel> visibility_study(const VisibilityStudyOptions& options,
                                            const std::function<void(const std::string&)>& progress);

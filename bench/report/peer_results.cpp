@@ -35,6 +35,11 @@ ordered_json to_json(const Duel& d) {
   }
   json["our_seconds"] = rounded(d.our_seconds);
   json["peer_seconds"] = rounded(d.peer_seconds);
+  if (!d.our_wall_seconds.empty()) {
+    json["our_wall_seconds"] = rounded(d.our_wall_seconds);
+    json["peer_wall_seconds"] = rounded(d.peer_wall_seconds);
+  }
+  if (d.threads > 1) json["threads"] = d.threads;
   return json;
 }
 
@@ -65,6 +70,15 @@ Duel duel_of(const ordered_json& json) {
   d.peer_seconds = json.at("peer_seconds").get<std::vector<double>>();
   if (d.our_seconds.empty() || d.our_seconds.size() != d.peer_seconds.size())
     throw FormatError("our_seconds and peer_seconds: expected as many of one as of the other, at least one");
+  d.our_wall_seconds = json.value("our_wall_seconds", std::vector<double>());
+  d.peer_wall_seconds = json.value("peer_wall_seconds", std::vector<double>());
+  d.threads = json.value("threads", std::size_t{1});
+  const auto are_as_many = [&](const std::vector<double>& wall) {
+    return wall.size() == d.our_seconds.size() || (wall.empty() && d.threads == 1);
+  };
+  if (!are_as_many(d.our_wall_seconds) || d.our_wall_seconds.size() != d.peer_wall_seconds.size())
+    throw FormatError(
+        "our_wall_seconds and peer_wall_seconds: expected as many as of our_seconds, or none of one thread");
   return d;
 }
 

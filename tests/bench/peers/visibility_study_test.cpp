@@ -12,6 +12,8 @@ TEST(VisibilityStudy, TimesEqualAnswersInTurn) {
     EXPECT_EQ(d.error, "") << d.task;
     EXPECT_EQ(d.our_seconds.size(), 2u);
     EXPECT_EQ(d.peer_seconds.size(), 2u);
+    EXPECT_EQ(d.our_wall_seconds.size(), 2u);
+    EXPECT_EQ(d.peer_wall_seconds.size(), 2u);
   }
 }
 

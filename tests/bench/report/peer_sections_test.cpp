@@ -12,7 +12,7 @@ PeerResults example() {
   peers.duels.push_back({"graph", "w1", 100.0, "wedge", "slow", {1.0, 2.0, 1.0}, {10.0, 20.0, 12.0}, ""});
   peers.duels.push_back({"graph", "w2", 1000.0, "wedge", "slow", {1.0}, {100.0}, ""});
   peers.duels.push_back({"graph", "w3", 10000.0, "wedge", "slow", {}, {}, "left out: too long"});
-  peers.duels.push_back({"sight", "w2", 1000.0, "embree", "quick", {4.0}, {1.0}, ""});
+  peers.duels.push_back({"sight", "w2", 1000.0, "embree", "quick", {4.0}, {1.0}, "", {4.0}, {1.0}, 1});
   const PlannerAnswer fast{"arcway", "solved", 0.001, 10.0, true}, slow{"peer 1 s", "solved", 0.5, 15.0, true};
   const PlannerAnswer no_fast{"arcway", "no path", 0.001, 0.0, false},
       no_slow{"peer 1 s", "no path in 1 s", 1.0, 0.0, false};
@@ -52,6 +52,17 @@ TEST(Duels, KeepWhatAPeerWinsAndWhatIsLeftOut) {
   EXPECT_EQ(peer_findings(example()).front(),
             "Visibility: a peer's time over arcway's, for equal answers on the largest map that both did: quick 0.25 "
             "(sight); slow 100 (graph); a peer wins sight (quick).");
+}
+
+TEST(Duels, OfSeveralThreadsGoByTheWallClock) {
+  PeerResults peers = example();
+  peers.duels = {{"graph", "w", 100.0, "wedge", "one", {2.0}, {3.0}, "", {1.0}, {4.0}, 2}};
+  const PeerResults read = read_peer_results(peer_results_json(peers), "p.json");
+  EXPECT_EQ(duels_section(read).table.rows.front(),
+            (std::vector<std::string>{"graph", "one", "100", "wall 1 s, processor 2 s", "wall 4 s, processor 3 s", "4",
+                                      "4 – 4", "arcway"}));
+  peers.duels.front().peer_wall_seconds.clear();
+  EXPECT_THROW((void)read_peer_results(peer_results_json(peers), "p.json"), FormatError);
 }
 
 TEST(Planners, AreCountedByWhatOneOfTwoSolves) {
