@@ -102,9 +102,9 @@ std::string memory_text(const std::vector<Study>& studies) {
   const auto* sight = find_line(studies, "LinesOfSight/embree", "obstacles");
   if (!graph || !plan || !sight) return {};
   return "While the visibility graph is built it takes " + counter_of(*graph, "peak_bytes_per_vertex", "%.0f") +
-         " bytes a vertex at the peak. On the largest map a plan on a prepared map allocates " +
-         counter_of(*plan, "allocations_per_query", "%.0f") + " times, its result included, a line of sight " +
-         counter_of(*sight, "allocations_per_question", "%.3g") + " times.";
+         " bytes a vertex at the peak. Allocations on the largest map: " +
+         counter_of(*plan, "allocations_per_query", "%.0f") + " by a plan on a prepared map, its result included, " +
+         counter_of(*sight, "allocations_per_question", "%.3g") + " by a line of sight.";
 }
 
 /// The part of a name after the stage.

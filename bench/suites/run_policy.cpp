@@ -16,7 +16,7 @@ double size_budget(Study study) {
     case Study::kQuick:
       return 2.0;
     case Study::kFull:
-      return 60.0;
+      return 20.0;
   }
   return 0.0;
 }
