@@ -28,7 +28,7 @@ std::vector<std::string> benchmark_arguments(Study study) {
     case Study::kQuick:
       return {"--benchmark_min_time=0.02", "--benchmark_repetitions=3"};
     case Study::kFull:
-      return {"--benchmark_min_time=0.1", "--benchmark_repetitions=9"};
+      return {"--benchmark_min_time=0.1", "--benchmark_repetitions=5"};
   }
   return {};
 }
