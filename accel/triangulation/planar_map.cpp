@@ -74,7 +74,12 @@ void make_sites(const World& world, PlanarMap& map) {
   map.sites.push_back(frame.min);
   map.sites.emplace_back(frame.min.x(), frame.max.y());
   map.site_of.resize(order.size());
+  constexpr std::size_t kAhead = 24;  // what is to be read and written next lies anywhere
   for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i + kAhead < order.size()) {
+      __builtin_prefetch(&world.vertices()[order[i + kAhead]]);
+      __builtin_prefetch(&map.site_of[order[i + kAhead]], 1);
+    }
     const Vec2& p = world.vertex(order[i]);
     if (i == 0 || p != map.sites.back()) map.sites.push_back(p);
     map.site_of[order[i]] = static_cast<std::uint32_t>(map.sites.size() - 1);

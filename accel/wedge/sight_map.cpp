@@ -111,33 +111,32 @@ void SightMap::lay_out_nodes() {
   for (const std::uint32_t r : order) first_of_ring_.push_back(first_of_ring_.back() + rings[r].nodes);
 
   nodes_.resize(first_of_ring_.back());
+  node_at_.assign(map_.sites.size(), kNone);
   std::uint32_t n = 0;
   for (const std::uint32_t ring : order) {
     const VertexId first = rings[ring].leftmost;
     VertexId previous = world_.previous(first), v = first;
     do {
       const VertexId next = world_.next(v);
-      if (has_node(v))
-        nodes_[n++] = {world_.vertex(v),
-                       world_.vertex(previous),
-                       world_.vertex(next),
-                       v,
-                       map_.site_of[v],
-                       map_.site_of[previous],
-                       map_.site_of[next],
-                       kNone,
-                       kNone,
-                       kNone,
-                       kNone,
-                       kNone};
+      if (has_node(v)) {
+        const std::uint32_t site = map_.site_of[v];
+        nodes_[n] = {world_.vertex(v),
+                     world_.vertex(previous),
+                     world_.vertex(next),
+                     v,
+                     site,
+                     map_.site_of[previous],
+                     map_.site_of[next],
+                     node_at_[site],
+                     kNone,
+                     kNone,
+                     kNone,
+                     kNone};
+        node_at_[site] = n++;
+      }
       previous = v;
       v = next;
     } while (v != first);
-  }
-  node_at_.assign(map_.sites.size(), kNone);
-  for (n = 0; n < nodes_.size(); ++n) {
-    nodes_[n].sibling = node_at_[nodes_[n].site];
-    node_at_[nodes_[n].site] = n;
   }
 }
 
@@ -171,11 +170,11 @@ void SightMap::lay_out_doors(const Triangulation& t, const Executor& executor) {
       }
     }
   });
-  find_plain_nodes(walls, executor);
-  find_fans(walls);
+  first_fan_.assign(nodes_.size() + 1, 0);
+  if (!find_plain_nodes(walls, executor)) find_fans(walls);
 }
 
-void SightMap::find_plain_nodes(const std::vector<std::vector<Wall>>& walls, const Executor& executor) {
+bool SightMap::find_plain_nodes(const std::vector<std::vector<Wall>>& walls, const Executor& executor) {
   std::vector<std::uint32_t> fans(nodes_.size(), 0);  // by first node of a site
   executor.for_ranges(walls.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block)
@@ -188,11 +187,14 @@ void SightMap::find_plain_nodes(const std::vector<std::vector<Wall>>& walls, con
           nodes_[n].last_door = wall.door;
       }
   });
+  std::atomic<bool> are_all_plain = true;
   executor.for_ranges(nodes_.size(), kNodesPerRange, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       Node& node = nodes_[n];
       const bool is_alone = node_at_[node.site] == n && node.sibling == kNone && fans[n] == 1;
-      if (!is_alone || node.first_door == kNone || node.last_door == kNone) node.first_door = node.last_door = kNone;
+      if (is_alone && node.first_door != kNone && node.last_door != kNone) continue;
+      node.first_door = node.last_door = kNone;
+      are_all_plain.store(false, std::memory_order_relaxed);
     }
   });
   executor.for_ranges(first_of_ring_.size() - 1, kRingsPerRange, [&](std::size_t begin, std::size_t end) {
@@ -205,6 +207,7 @@ void SightMap::find_plain_nodes(const std::vector<std::vector<Wall>>& walls, con
         }
     }
   });
+  return are_all_plain;
 }
 
 void SightMap::find_fans(const std::vector<std::vector<Wall>>& walls) {
@@ -239,7 +242,6 @@ void SightMap::find_fans(const std::vector<std::vector<Wall>>& walls) {
   const auto each_node_of = [&](const Start& start, const auto& visit) {
     for (std::uint32_t n = start.node; n != kNone; n = nodes_[n].sibling) visit(n);
   };
-  first_fan_.assign(nodes_.size() + 1, 0);
   for (const Start& start : starts) each_node_of(start, [&](std::uint32_t n) { ++first_fan_[n + 1]; });
   for (std::size_t n = 0; n < nodes_.size(); ++n) first_fan_[n + 1] += first_fan_[n];
   fans_.resize(first_fan_.back());

@@ -99,7 +99,9 @@ class SightMap {
     std::uint32_t left, right;  ///< sites
     std::uint32_t door;
   };
-  void find_plain_nodes(const std::vector<std::vector<Wall>>& walls, const Executor& executor);
+  /// Returns whether all are plain.
+  bool find_plain_nodes(const std::vector<std::vector<Wall>>& walls, const Executor& executor);
+  /// Those of all other nodes.
   void find_fans(const std::vector<std::vector<Wall>>& walls);
 
   World world_;
