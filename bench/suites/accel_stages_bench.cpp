@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "accel/triangulation/free_space_sweep.h"
+#include "accel/triangulation/planar_map.h"
+#include "accel/triangulation/short_diagonals.h"
+#include "accel/wedge/edge_list.h"
+#include "accel/wedge/sight_map.h"
+#include "accel/wedge/wedge_walk.h"
+#include "bench/suites/backends.h"
+#include "bench/suites/corruption.h"
+#include "bench/suites/graph_check.h"
+#include "bench/suites/suite.h"
+
+// The wedge builder's stages one by one, over the size of the map: each begins with what the one before it left.
+namespace arcway::bench {
+namespace {
+
+std::vector<EdgeList> walk_all(const SightMap& map, const Executor& executor) {
+  constexpr std::size_t kNodesPerRange = 256;
+  std::vector<EdgeList> parts((map.nodes().size() + kNodesPerRange - 1) / kNodesPerRange);
+  executor.for_ranges(parts.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t part = first; part < last; ++part) {
+      WedgeWalk walk(map);
+      const std::size_t end = std::min(map.nodes().size(), (part + 1) * kNodesPerRange);
+      for (std::size_t n = part * kNodesPerRange; n < end; ++n) walk.look_right(static_cast<std::uint32_t>(n));
+      parts[part] = walk.take_edges();
+    }
+  });
+  return parts;
+}
+
+bool is_right(benchmark::State& state, const World& world, const std::string& name, const Executor& executor) {
+  const auto right = [&] {
+    const SightMap map(world, executor, Diagonals::kLong);
+    const VisibilityGraph graph = graph_of(world.vertices().size(), walk_all(map, executor), executor);
+    return is_reduced_graph(world, corrupting() ? corrupted(graph) : graph);
+  };
+  return require_once(state, "WedgeStages/" + name, right, "edges differ from the reference");
+}
+
+using Stage = std::function<void(benchmark::State&, const World&, const Executor&)>;
+
+void sort_vertices(benchmark::State& state, const World& world, const Executor& /*executor*/) {
+  PlanarMap map;
+  for (auto _ : state) benchmark::DoNotOptimize(make_plain_map(world, map));
+}
+
+void sweep(benchmark::State& state, const World& world, const Executor& /*executor*/) {
+  PlanarMap map;
+  make_plain_map(world, map);
+  for (auto _ : state) benchmark::DoNotOptimize(triangulate_free_space(map));
+}
+
+void flip(benchmark::State& state, const World& world, const Executor& executor) {
+  PlanarMap map;
+  make_plain_map(world, map);
+  const Triangulation before = triangulate_free_space(map)->triangulation;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Triangulation triangulation = before;
+    state.ResumeTiming();
+    shorten_diagonals(map.sites, triangulation, Diagonals::kLong, executor);
+    benchmark::DoNotOptimize(triangulation);
+  }
+}
+
+void make_sight_map(benchmark::State& state, const World& world, const Executor& executor) {
+  for (auto _ : state) benchmark::DoNotOptimize(SightMap(world, executor, Diagonals::kLong));
+}
+
+void walk(benchmark::State& state, const World& world, const Executor& executor) {
+  const SightMap map(world, executor, Diagonals::kLong);
+  for (auto _ : state) benchmark::DoNotOptimize(walk_all(map, executor));
+}
+
+void gather_rows(benchmark::State& state, const World& world, const Executor& executor) {
+  const SightMap map(world, executor, Diagonals::kLong);
+  const std::vector<EdgeList> parts = walk_all(map, executor);
+  for (auto _ : state) benchmark::DoNotOptimize(graph_of(world.vertices().size(), parts, executor));
+}
+
+void add_series(Study study, const char* stage_name, std::size_t threads, const Stage& stage) {
+  Series series(study, std::string("WedgeStages/") + stage_name + "/threads:" + std::to_string(threads), "obstacles",
+                "O(n log n)", 1.1);
+  const auto obstacles = study == Study::kCheck ? std::vector<std::size_t>{100}
+                                                : sizes(study, {1000, 3162, 10000, 31623, 100000}, 0, 10000);
+  for (const std::size_t n : obstacles)
+    series.add(static_cast<double>(n), [=](benchmark::State& state) {
+      const std::string name = clutter_name("convex", n, 10, 30);
+      const World& world = shared_world(name);
+      const std::unique_ptr<Executor> executor = make_executor(threads);
+      if (is_right(state, world, name, *executor)) stage(state, world, *executor);
+    });
+}
+
+void add(Study study) {
+  add_series(study, "sorting", 1, sort_vertices);
+  add_series(study, "sweep", 1, sweep);
+  for (const std::size_t threads : thread_counts()) {
+    add_series(study, "flips", threads, flip);
+    add_series(study, "sight_map", threads, make_sight_map);
+    add_series(study, "walks", threads, walk);
+    add_series(study, "rows", threads, gather_rows);
+  }
+}
+
+const Suite suite(add);
+
+}  // namespace
+}  // namespace arcway::bench
