@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -19,6 +20,14 @@ constexpr std::size_t kNodesPerRange = 4096;
 constexpr std::size_t kRingsPerRange = 256;
 constexpr std::size_t kMaxVertices = std::size_t{1} << 28;  // six half-edges a vertex, and one bit for marks
 
+// One piece, for who watches or stops the build.
+bool sort(const Executor& executor, const std::function<bool()>& make_map) {
+  bool is_made = false;
+  executor.begin_stage("sorting");
+  executor.for_ranges(1, 1, [&](std::size_t, std::size_t) { is_made = make_map(); });
+  return is_made;
+}
+
 Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}; }
 
 }  // namespace
@@ -28,11 +37,13 @@ SightMap::SightMap(const World& world, const Executor& executor, Diagonals short
     throw std::length_error("wedge builder: the world has " + std::to_string(world.vertices().size()) +
                             " vertices, at most " + std::to_string(kMaxVertices) + " fit");
   if (world.vertices().empty()) return;
-  executor.begin_stage("triangulation");
   std::optional<FreeSpace> space;
-  if (make_plain_map(world, map_)) space = sweep(executor);
+  if (sort(executor, [&] { return make_plain_map(world, map_); })) space = sweep(executor);
   if (!space) {
-    map_ = make_cut_map(world);
+    sort(executor, [&] {
+      map_ = make_cut_map(world);
+      return true;
+    });
     space = sweep(executor);
     if (!space) throw std::logic_error("wedge builder: edges meet after they have been cut");
   }
@@ -53,6 +64,7 @@ SightMap::SightMap(const World& world, const Executor& executor, Diagonals short
 
 // The sweep cannot be shared out, but nodes need no triangles.
 std::optional<FreeSpace> SightMap::sweep(const Executor& executor) {
+  executor.begin_stage("triangulation");
   std::optional<FreeSpace> space;
   executor.for_ranges(2, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t task = begin; task < end; ++task) {

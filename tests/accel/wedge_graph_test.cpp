@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stop_token>
 #include <string>
+#include <vector>
 
 #include "accel/make_queries.h"
 #include "accel/pairwise_graph.h"
 #include "accel/parallel.h"
+#include "core/progress.h"
 #include "core/query/query_set.h"
 #include "datasets/catalogue.h"
 #include "datasets/clutter.h"
@@ -196,6 +199,23 @@ TEST(WedgeGraph, OpenCountryAndLongAisles) {
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 40; ++k) boxes.push_back({test::square(2 * k, 3 * i, 1), {}});
   EXPECT_TRUE(agrees(World(boxes)));
+}
+
+TEST(WedgeGraph, NamesItsStagesAndStopsAtEachOfThem) {
+  const World world = random_world({.obstacles = 200, .vertices = 6, .fill = 0.2, .seed = 3});
+  const std::vector<std::string> all{"sorting", "triangulation", "lines of sight"};
+  for (std::size_t end = 0; end < all.size(); ++end) {
+    const SerialExecutor serial;
+    std::stop_source stop;
+    const StoppableExecutor stoppable(serial, stop.get_token());
+    std::vector<std::string> stages;
+    const ReportingExecutor executor(stoppable, [&](const Progress& progress) {
+      if (stages.empty() || stages.back() != progress.stage) stages.emplace_back(progress.stage);
+      if (progress.stage == all[end]) stop.request_stop();
+    });
+    EXPECT_THROW((void)build_reduced_visibility_graph_by_wedges(world, executor), Cancelled);
+    EXPECT_EQ(stages, std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(end) + 1));
+  }
 }
 
 TEST(WedgeGraph, CountsRegionsThatCross) {
