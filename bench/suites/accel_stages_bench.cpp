@@ -84,18 +84,30 @@ void gather_rows(benchmark::State& state, const World& world, const Executor& ex
   for (auto _ : state) benchmark::DoNotOptimize(graph_of(world.vertices().size(), parts, executor));
 }
 
+void run(benchmark::State& state, const std::string& name, std::size_t threads, const Stage& stage) {
+  const World& world = shared_world(name);
+  const std::unique_ptr<Executor> executor = make_executor(threads);
+  if (is_right(state, world, name, *executor)) stage(state, world, *executor);
+}
+
 void add_series(Study study, const char* stage_name, std::size_t threads, const Stage& stage) {
   Series series(study, std::string("WedgeStages/") + stage_name + "/threads:" + std::to_string(threads), "obstacles",
                 "O(n log n)", 1.1);
   const auto obstacles = study == Study::kCheck ? std::vector<std::size_t>{100}
                                                 : sizes(study, {1000, 3162, 10000, 31623, 100000}, 0, 10000);
   for (const std::size_t n : obstacles)
-    series.add(static_cast<double>(n), [=](benchmark::State& state) {
-      const std::string name = clutter_name("convex", n, 10, 30);
-      const World& world = shared_world(name);
-      const std::unique_ptr<Executor> executor = make_executor(threads);
-      if (is_right(state, world, name, *executor)) stage(state, world, *executor);
-    });
+    series.add(static_cast<double>(n),
+               [=](benchmark::State& state) { run(state, clutter_name("convex", n, 10, 30), threads, stage); });
+}
+
+// Walks among 1,000 obstacles that have more and more vertices each.
+void add_walks_by_vertices(Study study) {
+  const std::size_t obstacles = study == Study::kCheck ? 20 : 1000;
+  Series series(study, "WedgeStages/walks/n:" + std::to_string(obstacles), "vertices_of_each",
+                "O(m): what is seen of other obstacles", 1.0);
+  for (const std::size_t m : sizes(study, {4, 8, 16, 32, 64, 128, 256}, 16, 256))
+    series.add(static_cast<double>(m),
+               [=](benchmark::State& state) { run(state, clutter_name("convex", obstacles, m, 30), 1, walk); });
 }
 
 void add(Study study) {
@@ -107,6 +119,7 @@ void add(Study study) {
     add_series(study, "walks", threads, walk);
     add_series(study, "rows", threads, gather_rows);
   }
+  add_walks_by_vertices(study);
 }
 
 const Suite suite(add);
