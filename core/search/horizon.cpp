@@ -10,8 +10,8 @@ namespace arcway {
 
 namespace {
 
-constexpr std::size_t kEnoughPieces = 64;
 constexpr double kFirstReach = 16.0;  // [m]
+constexpr int kPasses = 16;           // each as far again as the one before
 constexpr double kSlack = 1e-6;       // of headings [rad], and of distances relative to them
 // A piece within a ball this wide, seen from the circle's centre, spans less than pi of headings.
 constexpr double kWidestPiece = 0.7;
@@ -22,12 +22,13 @@ constexpr double kLongestEdge = 1000.0;
 // An upper bound on asin(x), 0 <= x <= 1: asin is convex there.
 double above_asin(double x) { return x < 0.5 ? (kPi / 3.0) * x : kPi / 6.0 + (2.0 * kPi / 3.0) * (x - 0.5); }
 
-// atan2(d.y(), d.x()) within kDirectionError, d not zero; several times as fast.
-constexpr double kDirectionError = 0.0016;
+// atan2(d.y(), d.x()) within kDirectionError, d not zero; several times as fast [Abramowitz, Stegun 1964, 4.4.49].
+constexpr double kDirectionError = 2e-5;
 double about_atan2(const Vec2& d) {
   const double x = std::abs(d.x()), y = std::abs(d.y());
   const double t = std::min(x, y) / std::max(x, y);
-  const double angle = t * (0.25 * kPi + (1.0 - t) * (0.2447 + 0.0663 * t));
+  const double u = t * t;
+  const double angle = t * (0.9998660 + u * (-0.3302995 + u * (0.1801410 + u * (-0.0851330 + u * 0.0208351))));
   const double upper = y > x ? 0.5 * kPi - angle : angle;
   return std::copysign(d.x() < 0.0 ? kPi - upper : upper, d.y());
 }
@@ -44,16 +45,20 @@ Horizon::Horizon(const TurnCircle& circle, double heading, double turn) : circle
 }
 
 void Horizon::shorten(const Outlines& outlines) {
-  std::size_t seen = 0;
-  for (double reach = kFirstReach; seen < kEnoughPieces; reach *= 2.0) {
+  Box seen;
+  double reach = kFirstReach;
+  for (int pass = 0; pass < kPasses; ++pass, reach *= 2.0) {
     const Box near{circle_.center - Vec2::Constant(circle_.radius + reach),
                    circle_.center + Vec2::Constant(circle_.radius + reach)};
-    seen = 0;
-    outlines.visit_overlaps(near, [&](const Outlines::Piece& piece) {
+    const auto is_new = [&](const Box& box) {
+      return box.overlaps(near) && !(seen.contains(box.min) && seen.contains(box.max)) && !hides(box);
+    };
+    outlines.visit_if(is_new, [this](const Outlines::Piece& piece) {
       shorten(piece.points);
-      return ++seen < 4 * kEnoughPieces;
+      return true;
     });
-    if (seen == outlines.size() || *std::max_element(far_.begin(), far_.end()) <= reach) break;
+    if (*std::max_element(far_.begin(), far_.end()) <= reach) break;
+    seen = near;
   }
 }
 
@@ -95,14 +100,28 @@ void Horizon::shorten_by(std::span<const Vec2> outline) {
     far = std::max(far, length);
   }
   far *= 1.0 + kSlack;
-  const double from = wrap_positive(std::atan2(low.y(), low.x())) + kSlack;
-  const double to = from + std::atan2(cross(low, high), low.dot(high)) - 2.0 * kSlack;
+  const double slack = kDirectionError + kSlack;
+  const double from = about_atan2(low) + slack + kTwoPi;
+  const double to = from + about_atan2({low.dot(high), cross(low, high)}) - 3.0 * slack;
   const auto first = static_cast<long>(std::ceil(from * (kHeadings / kTwoPi)));
   const auto last = static_cast<long>(std::floor(to * (kHeadings / kTwoPi)));  // ranges [first, last)
   for (long k = first; k < last; ++k) {
     double& known = far_[static_cast<std::size_t>(k) % kHeadings];
     known = std::min(known, far);
   }
+}
+
+bool Horizon::hides(const TurnCircle& to) const {
+  const Vec2 d = to.center - circle_.center;
+  const double offset = sign_of(to.side) * to.radius - sign_of(circle_.side) * circle_.radius;
+  const double square = d.squaredNorm() - offset * offset;
+  if (!(square > kSlack * offset * offset)) return false;  // they may touch, or there may be none
+  const double length = std::sqrt(square);
+  const double heading = about_atan2(length * d - offset * perpendicular(d)) + kTwoPi;
+  const double slack = kDirectionError + kSlack;
+  const auto first = static_cast<std::size_t>((heading - slack) * (kHeadings / kTwoPi));
+  const auto last = static_cast<std::size_t>((heading + slack) * (kHeadings / kTwoPi));
+  return std::max(far_[first % kHeadings], far_[last % kHeadings]) < length * (1.0 - kSlack);
 }
 
 double Horizon::reach(double heading) const {

@@ -26,6 +26,8 @@ class Horizon {
   [[nodiscard]] double reach(double heading) const;
   /// Whether all points of a box lie behind the horizon.
   [[nodiscard]] bool hides(const Box& box) const;
+  /// Whether the straight onto another directed circle is certainly not free; false also where there is none.
+  [[nodiscard]] bool hides(const TurnCircle& to) const;
 
  private:
   static constexpr std::size_t kHeadings = 512;

@@ -95,21 +95,25 @@ std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction,
   lengths.clear();
   open.clear();
   seen.begin(max_poses + kStepsFromAPose);
-  const auto add = [&](const Pose& reached, double length) -> Path& {
+  const auto add = [&](const Pose& reached, double length) -> Terminal& {
     if (terminals.size() == lengths.size()) terminals.emplace_back();
     Terminal& terminal = terminals[lengths.size()];
     terminal.pose = reached;
     terminal.connection.clear();
+    terminal.shared.reset();
     open.push({length, lengths.size()});
     lengths.push_back(length);
-    return terminal.connection;
+    return terminal;
   };
   add(pose, 0.0);
   seen.insert(cell_of(pose, grid));
 
-  const auto reach = [&](std::size_t from, const PathSegment& segment, const Pose& reached) {
+  const auto reach = [&](std::size_t from, const PathSegment& segment, const Pose& reached,
+                         std::optional<Side> turned = {}) {
     if (!seen.insert(cell_of(reached, grid))) return;
-    Path& connection = add(reached, lengths[from] + segment.length);
+    Terminal& terminal = add(reached, lengths[from] + segment.length);
+    terminal.shared = turned;
+    Path& connection = terminal.connection;
     const Path& before = terminals[from].connection;
     if (!forwards) connection.push_back(segment);
     connection.insert(connection.end(), before.begin(), before.end());
@@ -141,7 +145,7 @@ std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction,
         const double turn = (forwards ? 1.0 : -1.0) * sign_of(side) * angle;
         const Pose reached = pose_on(TurnCircle{center, radius, side, kNone}, here.heading + turn);
         const PathSegment arc{forwards ? here : reached, radius * angle, sign_of(side) / radius};
-        reach(at, arc, reached);
+        reach(at, arc, reached, side);
         if (!hemmed) break;
       }
     }

@@ -12,7 +12,6 @@ namespace arcway {
 namespace {
 
 Box grown(const Box& box, double by) { return {box.min - Vec2::Constant(by), box.max + Vec2::Constant(by)}; }
-Box box_around(const Vec2& p, double reach) { return grown({p, p}, reach); }
 
 }  // namespace
 
@@ -23,6 +22,7 @@ void append_circles(const SearchMap& map, std::span<const Terminal> terminals, D
     const bool plain = terminals[t].connection.empty();
     for (const double radius : std::span(map.radii).first(plain ? map.radii.size() : 1))
       for (const Side side : {Side::kLeft, Side::kRight}) {
+        if (terminals[t].shared == side) continue;
         const Pose& pose = terminals[t].pose;
         const TurnCircle circle = turn_circle(pose, radius, side);
         const Side towards = direction == Direction::kFromStart ? side : opposite(side);
@@ -47,19 +47,10 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   if (body_covers_reference) horizon.shorten(*map.outlines);
 
   const std::size_t first = links.size();
-  struct {
-    Vec2 center = Vec2::Constant(NAN);
-    double radius = 0.0;
-    bool hidden = false;
-  } last;  // the left and the right circle of a vertex are one, as far as hiding goes
-  const auto is_hidden = [&](const TurnCircle& circle) {
-    if (circle.center != last.center || circle.radius != last.radius)
-      last = {circle.center, circle.radius, horizon.hides(box_around(circle.center, circle.radius))};
-    return last.hidden;
-  };
   const auto consider = [&](std::uint32_t circle) {
     const TurnCircle& other = map.graph.circles()[circle];
-    if (is_hidden(other)) return;
+    const Side side = from_start ? other.side : opposite(other.side);
+    if (horizon.hides(TurnCircle{other.center, other.radius, side, kNone})) return;
     const auto line = from_start ? directed_bitangent(own.circle, other) : directed_bitangent(other, own.circle);
     if (!line) return;
     const double heading = line->start.heading;

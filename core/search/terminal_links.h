@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace [[gnu::visibility("default")]] arcway {
 struct Terminal {
   Pose pose;
   Path connection;  ///< from the start to `pose`, or from `pose` to the goal; empty for start and goal themselves
+  /// Another terminal's circle to this side passes through `pose`, so that it has all straights of this one's.
+  std::optional<Side> shared = {};
 };
 
 /// Which end of the path.
@@ -35,7 +38,8 @@ struct TerminalLink {
   double turn;  ///< on the terminal's circle [rad]
 };
 
-/// Appends the left and right circles of every radius for each terminal, of the smallest for those with a connection.
+/// Appends the left and right circles of every radius for each terminal, of the smallest for those with a connection;
+/// none that another terminal has as well.
 /// O(terminals * radii) heading sets, each in `headings`, whose memory is used again.
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
                     HeadingSet& headings, std::vector<TerminalCircle>& circles);

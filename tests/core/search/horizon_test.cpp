@@ -47,6 +47,37 @@ TEST(Horizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
   EXPECT_GT(reached, 500);
 }
 
+TEST(Horizon, HidesNoCircleOntoWhichAStraightIsFree) {
+  const Footprint body = Vehicle{}.footprint();
+  int hidden = 0, free = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const World world = random_world({.obstacles = 50, .vertices = 6, .fill = 0.2, .seed = seed});
+    const QuerySet queries = make_reference_queries(world);
+    const Outlines outlines(world);
+    test::Random random(seed);
+    for (int i = 0; i < 20; ++i) {
+      const double far = world.box().max.x();
+      const TurnCircle circle{random.point(0.0, far), 1.3, i % 2 == 0 ? Side::kLeft : Side::kRight, kNone};
+      Horizon horizon(circle, 0.0, kTwoPi);
+      horizon.shorten(outlines);
+      for (int k = 0; k < 200; ++k) {
+        // Far away, near by, overlapping, and of another radius.
+        const double spread = k % 4 == 0 ? 4.0 : 0.3 * far;
+        const TurnCircle to{circle.center + Vec2(random.uniform(-spread, spread), random.uniform(-spread, spread)),
+                            k % 3 == 0 ? 2.6 : 1.3, k % 2 == 0 ? Side::kLeft : Side::kRight, kNone};
+        const auto line = directed_bitangent(circle, to);
+        const bool is_free = line && queries.sweep->straight_free(swept_rectangle(line->start, line->length, body));
+        EXPECT_FALSE(is_free && horizon.hides(to)) << seed << " " << i << " " << k;
+        EXPECT_TRUE(line || !horizon.hides(to));
+        hidden += horizon.hides(to) ? 1 : 0;
+        free += is_free ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(hidden, 5000);
+  EXPECT_GT(free, 500);
+}
+
 TEST(Horizon, IsUnlimitedWithoutObstacles) {
   const Outlines outlines{World({})};
   Horizon horizon({{3, 4}, 2.0, Side::kLeft, kNone}, 0.0, kTwoPi);

@@ -45,6 +45,37 @@ TEST(Manoeuvres, TurnBackWhereThereIsRoom) {
   }
 }
 
+// A circle that a pose shares is looked at once, from where most of it lies ahead.
+TEST(Manoeuvres, ShareCirclesWithPosesThatTurnOnThemEarlier) {
+  const World world = catalogue_world("clutter/star/n100/m10/f30");
+  const Vehicle vehicle;
+  const QuerySet queries = make_reference_queries(world);
+  const double radius = vehicle.min_turning_radius();
+  const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
+  std::size_t shared = 0;
+  for (const PlanRequest& request : catalogue_queries("clutter/star/n100/m10/f30", 6, 1))
+    for (const Direction direction : {Direction::kFromStart, Direction::kToGoal}) {
+      const bool forwards = direction == Direction::kFromStart;
+      const auto terminals =
+          find_manoeuvres(forwards ? request.start : request.goal, direction, vehicle, radius, *queries.sweep, 60);
+      for (const Terminal& terminal : terminals) {
+        if (!terminal.shared) continue;
+        ++shared;
+        const Side side = *terminal.shared;
+        const TurnCircle circle = turn_circle(terminal.pose, radius, side);
+        const HeadingSet free = queries.sweep->free_headings({circle.center, radius, side, body});
+        EXPECT_TRUE(std::ranges::any_of(terminals, [&](const Terminal& other) {
+          const Vec2 center = turn_circle(other.pose, radius, side).center;
+          const double turn = forwards ? turn_between(other.pose.heading, terminal.pose.heading, side)
+                                       : turn_between(terminal.pose.heading, other.pose.heading, side);
+          return other.shared != side && (center - circle.center).norm() < 1e-9 &&
+                 turn <= free.reach(other.pose.heading, forwards ? side : opposite(side)) + 1e-9;
+        }));
+      }
+    }
+  EXPECT_GT(shared, 50u);
+}
+
 // Poses that face away from their way, with room to turn beside them.
 TEST(Manoeuvres, MakePathsFaster) {
   const std::string name = "clutter/star/n100/m10/f15";
