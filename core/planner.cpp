@@ -90,6 +90,8 @@ void require_margin(const World& world, const Vehicle& vehicle) {
 
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
   options.radii = checked_radii(world, vehicle, std::move(options.radii));
+  if (!(options.suboptimality >= 0.0 && std::isfinite(options.suboptimality)))
+    throw std::invalid_argument("suboptimality: " + shortest_text(options.suboptimality) + ", must be finite and >= 0");
   require_margin(world, vehicle);
   return options;
 }
@@ -439,6 +441,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   result.first_path = std::move(first_path);
   result.start = request.start;
   result.goal = request.goal;
+  result.statistics.suboptimality = d.options.suboptimality;
   const double straight = (request.goal.position() - request.start.position()).norm();
   result.lower_bound = travel_time_bound(request.start, request.goal, straight, d.map.vehicle, request.reverse);
   if (!d.pose_is_free(request.start, true, result) || !d.pose_is_free(request.goal, false, result)) {
@@ -449,6 +452,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   WorkspacePool<Data::Workspace>::Lease workspace(d.workspaces);
   SearchOptions options{d.options.heuristic, limits.stop, deadline, request.cusp_cost};
   options.time_model = d.options.time_model;
+  options.suboptimality = d.options.suboptimality;
   const auto no_passage = [&] {
     result.bottleneck = d.bottleneck(request.start, request.goal);
     return result.bottleneck && result.bottleneck->too_narrow();

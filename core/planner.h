@@ -35,7 +35,10 @@ using ReducedGraphBuilder =
 struct PlannerOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
   TimeModel time_model = TimeModel::kProfile;  ///< of searches
-  GraphMode graph_mode = GraphMode::kEager;    ///< of the feasible graph; plans are the same, bit for bit
+  /// w >= 0: before refinement, a path by single arcs may take up to 1 + w times as long as the fastest one of the
+  /// graph, and is found with fewer expansions. For large maps; see search_arrivals.
+  double suboptimality = 0.0;
+  GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
   /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: turning_radii(vehicle, world).
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
@@ -101,6 +104,7 @@ struct PlanStatistics {
   double unrefined_travel_time = 0.0;     ///< of the path before refinement [s]
   double first_travel_time = 0.0;         ///< of `first_path` [s]
   double first_path_seconds = 0.0;        ///< until that was found, of total_seconds
+  double suboptimality = 0.0;             ///< that the searches were allowed: PlannerOptions::suboptimality
   double search_seconds = 0.0;
   double refine_seconds = 0.0;
   double bound_seconds = 0.0;    ///< lower bound
@@ -161,8 +165,9 @@ class Planner {
   /// @param queries   about `world`.
   /// @param executor  used during construction only. A StoppableExecutor makes that cancellable, a ReportingExecutor
   ///   tells how far it is.
-  /// @throws std::invalid_argument if a radius is below the vehicle's smallest, or the safety margin is too small for
-  ///   doubles at the map's coordinates (below 2^20 units in the last place of the largest).
+  /// @throws std::invalid_argument if a radius is below the vehicle's smallest, the suboptimality is negative or not
+  ///   finite, or the safety margin is too small for doubles at the map's coordinates (below 2^20 units in the last
+  ///   place of the largest).
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
           const Executor& executor);
   /// The same from a reduced visibility graph built elsewhere.

@@ -28,6 +28,7 @@ void add(PlanStatistics& sum, const PlanStatistics& s) {
   sum.manoeuvre_poses += s.manoeuvre_poses;
   sum.refine_trials += s.refine_trials;
   sum.refine_improvements += s.refine_improvements;
+  sum.suboptimality = s.suboptimality;
   sum.search_seconds += s.search_seconds;
   sum.refine_seconds += s.refine_seconds;
   sum.bound_seconds += s.bound_seconds;

@@ -143,6 +143,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
   append_member(out, "first_path_seconds", result.statistics.first_path_seconds);
   append_member(out, "refine_trials", result.statistics.refine_trials);
   append_member(out, "refine_improvements", result.statistics.refine_improvements);
+  append_member(out, "suboptimality", result.statistics.suboptimality);
   append_member(out, "refine_seconds", result.statistics.refine_seconds);
   append_member(out, "bound_seconds", result.statistics.bound_seconds);
   append_member(out, "search_seconds", result.statistics.search_seconds);

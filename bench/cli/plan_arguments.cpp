@@ -48,6 +48,10 @@ void PlanArguments::add_to(CLI::App& command) {
       ->type_name("NAME")
       ->capture_default_str();
   command
+      .add_option("--suboptimality", suboptimality,
+                  "Searches may find a path 1 + W times as long in time as the fastest of the graph; default: 0")
+      ->type_name("W");
+  command
       .add_option("--graph", graph,
                   "eager (check all bitangents first), the default of --queries, or lazy (as the search needs them), "
                   "that of one query")
@@ -99,6 +103,8 @@ void PlanArguments::check() const {
 PlannerOptions PlanArguments::planner_options(const Team& team) const {
   PlannerOptions options;
   options.heuristic = heuristic_of(heuristic);
+  if (!suboptimality.empty()) options.suboptimality = parse_number(suboptimality, "--suboptimality");
+  if (options.suboptimality < 0.0) throw UsageError("--suboptimality: at least 0, got \"" + suboptimality + "\"");
   options.graph_mode = graph_mode_of(graph, batch());
   options.reduced_graph = build.reduced_graph(team);
   options.refinement.max_trials = refine_trials;

@@ -21,6 +21,7 @@ struct PlanArguments {
   std::uint32_t alternatives = 1;
   std::string queries, out;
   std::string heuristic = "travel_time";
+  std::string suboptimality;
   std::string graph;
   std::string time_limit;
   bool reverse = false;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bench/cli/arguments.h"
+#include "core/shortest_text.h"
 
 namespace arcway::cli {
 
@@ -57,6 +58,8 @@ std::string search_rows(const PlanStatistics& statistics) {
                        duration_text(statistics.profile_seconds) + ")");
   text += row("arrivals",
               count_text(statistics.nodes_expanded) + " expanded, " + count_text(statistics.nodes_pushed) + " pushed");
+  if (statistics.suboptimality > 0.0)
+    text += row("search", "may take " + shortest_text(statistics.suboptimality) + " more than the graph's fastest");
   return text;
 }
 

@@ -102,6 +102,7 @@ class ArrivalSearch {
         circles_(*context.map.circles),
         vehicle_(context.vehicle),
         top_speed_(vehicle_.top_speed()),
+        weight_(1.0 + context.options.suboptimality),
         result_(context.result),
         w_(workspace),
         ends_(workspace.ends) {
@@ -114,6 +115,7 @@ class ArrivalSearch {
 
   void run() {
     if (context_.interrupted()) return;
+    reachability_known_ = context_.options.faster_than < kInfinity;  // by the path that takes so long
     ends_.begin(context_);
     for (std::uint32_t i = 0; i < ends_.direct_paths().size(); ++i)
       push(Kind::kDirect, i, ends_.direct_paths()[i].time);
@@ -123,9 +125,7 @@ class ArrivalSearch {
     if (result_.interrupted) return finish_best();
     if (!result_.goal_connected) return;
     // Many terminals mean that few of them found no path: is there one at all?
-    if (context_.starts.size() + context_.goals.size() > 2 && context_.options.faster_than == kInfinity &&
-        !goal_is_reachable())
-      return;
+    if (context_.starts.size() + context_.goals.size() > 2 && !reachability_known_ && !goal_is_reachable()) return;
     push_start_circles();
     while (!w_.open.empty() && !context_.interrupted()) {
       const Entry entry = w_.open.pop();
@@ -148,7 +148,10 @@ class ArrivalSearch {
     return !ends_.direct_paths().empty() || w_.reachability.goal_is_reachable(context_, ends_);
   }
 
-  [[nodiscard]] double remaining(const Vec2& p, double speed) const {
+  // What the estimate adds to the time so far.
+  [[nodiscard]] double remaining(const Vec2& p, double speed) const { return weight_ * heuristic(p, speed); }
+
+  [[nodiscard]] double heuristic(const Vec2& p, double speed) const {
     const double distance = (context_.goal - p).norm();
     switch (context_.options.heuristic) {
       case Heuristic::kTravelTime:
@@ -352,6 +355,7 @@ class ArrivalSearch {
   const CircleTable& circles_;
   const Vehicle& vehicle_;
   double top_speed_;  // in either gear, as connections may have both
+  double weight_;     // of the heuristic
   bool reachability_known_ = false;
   SearchResult& result_;
   SearchWorkspace::Data& w_;

@@ -25,6 +25,7 @@ struct SearchOptions {
   /// the other way, and has the speeds of that.
   Gear gear = Gear::kForward;
   TimeModel time_model = TimeModel::kProfile;
+  double suboptimality = 0.0;  ///< w >= 0: the path found may take 1 + w times as long as the fastest one
   /// Only paths that take less than one that is known are wanted [s].
   double faster_than = std::numeric_limits<double>::infinity();
   [[nodiscard]] bool interrupted() const {
@@ -70,6 +71,12 @@ class SearchWorkspace {
 /// bitangents. Complete paths come off the open list with their exact time, so that the first one is the fastest.
 /// After some hundred labels, or with several terminals, walks without times and speeds find out whether there is a
 /// path at all: see Reachability.
+///
+/// With a suboptimality w the heuristic counts 1 + w times, which finds some path sooner. The one found takes at most
+/// 1 + w times as long as the fastest: at any time, the open list has an entry from which the fastest path goes on, or
+/// one as fast, since a label ends only where another one, expanded before, does as well at every speed; one that comes
+/// later, but is better, is expanded as well. The estimate of that entry is the time T so far and 1 + w times a bound
+/// on the rest, so at most 1 + w times the fastest time; the complete path that comes off first is not behind it.
 ///
 /// Terminals join by their left and right circles of every radius, driven forwards whatever the gear of their
 /// connections, and to each other by all six Dubins words. Straights of terminals, and those of lazy graphs, are
