@@ -1,6 +1,7 @@
 #include "core/search/arrival_search.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -22,6 +23,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kFirstDoubt = 256;  // labels, more than most searches take
+// Entries at the top of the open list: its first two levels, and the third.
+constexpr std::size_t kNext = 5, kSoon = 21;
 
 enum class Kind : std::uint8_t { kDirect, kGoal, kGraph, kStart, kStartCircle };  // complete paths first on ties
 
@@ -77,7 +80,11 @@ void append_line(Path& path, const Pose& start, double length) {
 struct SearchWorkspace::Data {
   SearchEnds ends;
   SearchTimes times;
-  Reachability reachability;
+  struct Reached {
+    const CircleTable* map = nullptr;
+    Reachability by_starts;
+  };
+  std::array<Reached, 2> reached;  // on the map of a query, and on that with circles in narrow places
   OpenList<Entry> open;
   HugeVector<Step> steps;
   HugeVector<Label> labels;
@@ -115,6 +122,8 @@ class ArrivalSearch {
 
   void run() {
     if (context_.interrupted()) return;
+    if (!context_.options.goes_on)
+      for (auto& reached : w_.reached) reached.map = nullptr;
     reachability_known_ = context_.options.faster_than < kInfinity;  // by the path that takes so long
     ends_.begin(context_);
     for (std::uint32_t i = 0; i < ends_.direct_paths().size(); ++i)
@@ -145,7 +154,17 @@ class ArrivalSearch {
   // Whether any path leads from the start to the goal.
   bool goal_is_reachable() {
     reachability_known_ = true;
-    return !ends_.direct_paths().empty() || w_.reachability.goal_is_reachable(context_, ends_);
+    return !ends_.direct_paths().empty() || reached_before().goal_is_reachable(context_, ends_);
+  }
+
+  Reachability& reached_before() {
+    const auto is_this_map = [this](const auto& reached) { return reached.map == &circles_; };
+    auto found = std::ranges::find_if(w_.reached, is_this_map);
+    if (found != w_.reached.end()) return found->by_starts;
+    found = w_.reached[0].map == nullptr ? w_.reached.begin() : w_.reached.begin() + 1;
+    found->map = &circles_;
+    found->by_starts.forget();
+    return found->by_starts;
   }
 
   // What the estimate adds to the time so far.
@@ -175,12 +194,17 @@ class ArrivalSearch {
 
   // Has the memory brought near that the next entries need: first what they are, then what they lead to.
   void prefetch_next() const {
-    const std::span<const Entry> next = w_.open.first_few();
+    const std::span<const Entry> next = w_.open.first_few(kSoon);
     for (std::size_t i = 0; i < next.size(); ++i) {
       if (next[i].kind() != Kind::kGraph) continue;
       const Step& step = w_.steps[next[i].index()];
+      if (i >= kNext) {
+        __builtin_prefetch(&step);
+        continue;
+      }
       circles_.prefetch(step.to);
       w_.first_label.prefetch(step.to);
+      ends_.prefetch(step.to);
       __builtin_prefetch(&w_.labels[step.label]);
       if (i == 0) circles_.prefetch_links(step.to);
     }

@@ -26,6 +26,8 @@ struct SearchOptions {
   Gear gear = Gear::kForward;
   TimeModel time_model = TimeModel::kProfile;
   double suboptimality = 0.0;  ///< w >= 0: the path found may take 1 + w times as long as the fastest one
+  /// The search before in the same workspace set out from the same pose, in the same gears: what it reached is known.
+  bool goes_on = false;
   /// Only paths that take less than one that is known are wanted [s].
   double faster_than = std::numeric_limits<double>::infinity();
   [[nodiscard]] bool interrupted() const {

@@ -66,9 +66,11 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
     found.search.path = Path{};
     return found;
   }
+  SearchOptions asked = options;
   // True if that ends it.
   const auto search = [&](const SearchMap& on, const End& from, const End& to) {
-    SearchResult result = search_arrivals(on, from.terminals(), to.terminals(), options, workspace.search);
+    SearchResult result = search_arrivals(on, from.terminals(), to.terminals(), asked, workspace.search);
+    asked.goes_on = true;
     result.nodes_expanded += found.search.nodes_expanded;
     result.nodes_pushed += found.search.nodes_pushed;
     result.straights_checked += found.search.straights_checked;

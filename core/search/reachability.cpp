@@ -17,25 +17,37 @@ constexpr std::size_t kOpen = 5000;           // arcs, more than a pocket round 
 
 }  // namespace
 
+void Reachability::forget() {
+  open_.clear();
+  arcs_.clear();
+}
+
 bool Reachability::goal_is_reachable(SearchContext& context, SearchEnds& ends) {
   context_ = &context;
   ends_ = &ends;
-  open_.clear();
-  arcs_.clear();
-  first_arc_.reset(context.graph.circles().size());
+  if (arcs_.empty()) {
+    first_arc_.reset(context.graph.circles().size());
+  } else {
+    context.result.start_connected = true;
+  }
+  for (std::uint32_t g = 0; g < ends.goal_links().size(); ++g)
+    if (is_known(ends.goal_link(g))) return true;
+  // Indices of start links are those of other starts.
+  open_.keep_if([](const Arrival& arrival) { return arrival.circle != kNone; });
   for (std::uint32_t s = 0; s < ends.start_circles().size(); ++s) {
     if (ends.start_circles()[s].reach < 0.0) continue;
     const auto range = ends.links_from(s);
     for (std::uint32_t i = range.first; i < range.last; ++i) push(kNone, i);
   }
-  while (!open_.empty() && !context.interrupted()) {
-    if (reaches_goal(open_.pop())) return true;
+  for (;;) {
     // Most walks get to the goal long before.
-    if (arcs_.size() < kOpen || context.result.start_is_open) continue;
-    context.result.start_is_open = true;
-    if (goal_is_in_pocket()) return false;
+    if (arcs_.size() >= kOpen && !context.result.start_is_open) {
+      context.result.start_is_open = true;
+      if (goal_is_in_pocket()) return false;
+    }
+    if (open_.empty() || context.interrupted()) return context.result.interrupted;
+    if (reaches_goal(open_.pop())) return true;
   }
-  return context.result.interrupted;
 }
 
 // Whether so little leads to the goal that one sees, going backwards, that the start does not.
@@ -82,6 +94,14 @@ void Reachability::push(std::uint32_t circle, std::uint32_t index) {
   open_.push({(context_->goal - position).norm(), circle, index});
 }
 
+bool Reachability::is_known(SearchEnds::GoalLink& goal) {
+  const double heading = goal.link.line.start.heading;
+  const Side side = context_->graph.circles()[goal.link.circle].side;
+  for (std::uint32_t i = first_arc_.get(goal.link.circle); i != kNone; i = arcs_[i].next)
+    if (turn_between(arcs_[i].heading, heading, side) <= arcs_[i].reach) return ends_->is_free(goal);
+  return false;
+}
+
 // Takes an arrival if it is free and new; true if the goal is reached from the part of the circle ahead of it.
 bool Reachability::reaches_goal(const Arrival& arrival) {
   const FeasibleGraph& graph = context_->graph;
@@ -102,16 +122,16 @@ bool Reachability::reaches_goal(const Arrival& arrival) {
   context_->result.start_connected = true;
   arcs_.push_back({heading, reach, first_arc_.get(c)});
   first_arc_.set(c, static_cast<std::uint32_t>(arcs_.size() - 1));
-  for (std::uint32_t g = ends_->first_goal_link(c); g != kNone; g = ends_->goal_link(g).next) {
-    SearchEnds::GoalLink& goal = ends_->goal_link(g);
-    if (turn_between(heading, goal.link.line.start.heading, side) <= reach && ends_->is_free(goal)) return true;
-  }
   walk_links(graph.links_from(c), side, heading,
              [&, from = c](std::uint32_t index, const FeasibleGraph::Link&, double turn) {
                if (turn > reach || turn >= limit) return false;
                push(from, index);
                return true;
              });
+  for (std::uint32_t g = ends_->first_goal_link(c); g != kNone; g = ends_->goal_link(g).next) {
+    SearchEnds::GoalLink& goal = ends_->goal_link(g);
+    if (turn_between(heading, goal.link.line.start.heading, side) <= reach && ends_->is_free(goal)) return true;
+  }
   return false;
 }
 

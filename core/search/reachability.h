@@ -14,11 +14,13 @@ namespace arcway {
 
 /// Finds out whether any path of the graph leads from the starts to the goals, without times and speeds: over all that
 /// the starts reach, nearest to the goal first, and where that is much and the graph eager, backwards out of the goal's
-/// pocket, if it is in one.
+/// pocket, if it is in one. Asked again about other starts and goals, it goes on from what it knows.
 class Reachability {
  public:
-  /// True also if the search was interrupted before that was known. Fills in the result's start_connected and
-  /// start_is_open.
+  /// Forgets all that starts have reached.
+  void forget();
+  /// What starts have reached counts as reached from then on, until forgotten: those of one pose, on one map. True also
+  /// if the search was interrupted before that was known. Fills in the result's start_connected and start_is_open.
   bool goal_is_reachable(SearchContext& context, SearchEnds& ends);
 
  private:
@@ -48,6 +50,8 @@ class Reachability {
   bool start_leads_to(const std::vector<Departure>& pocket);
   [[nodiscard]] Place place_of(std::uint32_t circle, std::uint32_t index) const;
   void push(std::uint32_t circle, std::uint32_t index);
+  // Whether a goal link leaves a part of a circle that is known to be reached.
+  bool is_known(SearchEnds::GoalLink& goal);
   bool reaches_goal(const Arrival& arrival);
 
   SearchContext* context_ = nullptr;

@@ -45,6 +45,8 @@ class SearchEnds {
   [[nodiscard]] GoalLink& goal_link(std::uint32_t index) { return goal_links_[index]; }
   /// The first one that leaves a circle of the graph; the others by `next`.
   [[nodiscard]] std::uint32_t first_goal_link(std::uint32_t circle) const { return first_goal_link_.get(circle); }
+  /// Says that the links will be asked for that leave a circle of the graph.
+  void prefetch(std::uint32_t circle) const { first_goal_link_.prefetch(circle); }
   /// Whether the swept rectangle, and the body on the graph's circle where it begins, is free.
   bool is_free(GoalLink& goal);
 
