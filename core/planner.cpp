@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -45,6 +47,8 @@ constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
 constexpr double kNarrowPlacesGap = 0.1;
 // Their graph is lazy: where there is no path, a search checks all that the start reaches, seconds on larger maps.
 constexpr std::size_t kNarrowPlacesVertices = 50'000;
+// Where wider turns are faster there is more to be found by refinement.
+constexpr std::uint64_t kTrialsFactor = 3;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
 constexpr std::size_t kEnclosureBoxes = 15000;
 
@@ -185,7 +189,10 @@ struct Planner::Data {
     PlanStatistics& s = result.statistics;
     RefinedPath& refined = workspace.refined;
     s.unrefined_travel_time = travel_time(path, workspace);
-    const RefineOptions& refinement = options.refinement;
+    RefineOptions refinement = options.refinement;
+    if (options.radii.size() > 1)
+      refinement.max_trials = static_cast<std::uint32_t>(
+          std::min<std::uint64_t>(kTrialsFactor * refinement.max_trials, std::numeric_limits<std::uint32_t>::max()));
     if (refinement.max_trials == 0) {
       refined.path = path;
       return;
@@ -208,6 +215,38 @@ struct Planner::Data {
   double travel_time(const Path& path, Workspace& workspace) const {
     speed_profile(path, map.vehicle, workspace.profile);
     return workspace.profile.total_time;
+  }
+
+  // Replaces the best path by that of the tightest turns if it is faster: refinement widens its turns as well, and ends
+  // in another local optimum.
+  void try_tightest_turns(const PlanLimits& limits, std::optional<std::chrono::steady_clock::time_point> deadline,
+                          Workspace& workspace, PlanResult& result) const {
+    if (options.radii.size() < 2 || result.interrupted) return;
+    std::call_once(tightest_once, [this] {
+      PlannerOptions o = options;
+      o.radii.resize(1);
+      o.graph_mode = GraphMode::kLazy;
+      o.team = nullptr;
+      tightest.emplace(map.world, map.vehicle, map.queries, rows, o, SerialExecutor());
+    });
+    PlanLimits rest{.stop = limits.stop};
+    if (deadline) rest.time = std::chrono::duration<double>(*deadline - std::chrono::steady_clock::now()).count();
+    const PlanResult tight = tightest->plan({.start = result.start, .goal = result.goal}, rest);
+    PlanStatistics& s = result.statistics;
+    const PlanStatistics& t = tight.statistics;
+    s.nodes_expanded += t.nodes_expanded;
+    s.nodes_pushed += t.nodes_pushed;
+    s.straights_checked += t.straights_checked;
+    s.turns_checked += t.turns_checked;
+    s.manoeuvre_poses += t.manoeuvre_poses;
+    s.refine_trials += t.refine_trials;
+    s.refine_improvements += t.refine_improvements;
+    s.search_seconds += t.search_seconds;
+    s.refine_seconds += t.refine_seconds;
+    result.interrupted = tight.interrupted;
+    if (!tight.solved() || !(tight.travel_time < travel_time(workspace.best, workspace))) return;
+    workspace.best = tight.path();
+    s.unrefined_travel_time = t.unrefined_travel_time;
   }
 
   // The lower bound with the way round the obstacles, if that is wanted.
@@ -294,6 +333,8 @@ struct Planner::Data {
   std::optional<PointDistance> point_distance;
   BottleneckFinder bottleneck;
   PrepareStatistics prepare_statistics;
+  mutable std::once_flag tightest_once;
+  mutable std::optional<Planner> tightest;  // of several radii only the smallest; made when first asked for
   mutable WorkspacePool<Workspace> workspaces;
 };
 
@@ -505,6 +546,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     }
     if (d.has_narrow_places() && !forwards.by_narrow_places && is_doubtful(kNarrowPlacesGap))
       try_faster(d.narrow_places.map(), 0);
+    d.try_tightest_turns(limits, deadline, *workspace, result);
   }
   std::optional<Enclosure> enclosure;
   bool hopeless = forwards.obstruction == Obstruction::kPassage;

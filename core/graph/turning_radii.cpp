@@ -1,14 +1,16 @@
 #include "core/graph/turning_radii.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace arcway {
 
 namespace {
 
-constexpr double kFactor = 2.0;
-constexpr double kLeastFactor = 1.4;  // the last radius is left out if it is nearer than that to the one before
-constexpr double kWidest = 1e6;       // [m]
+constexpr double kLeastRatio = 2.0;      // of a radius to the one before
+constexpr double kMostRatios = 4.0;      // radii but the smallest
+constexpr double kLeastLastRatio = 1.4;  // the last radius is left out if it is nearer than that to the one before
+constexpr double kWidest = 1e6;          // [m]
 
 // The smallest radius with the speed of the widest turns.
 double fastest_radius(const Vehicle& vehicle, double smallest) {
@@ -29,9 +31,10 @@ std::vector<double> turning_radii(const Vehicle& vehicle, const World& world) {
   const double smallest = vehicle.min_turning_radius();
   const double extent = world.box().empty() ? smallest : 0.5 * (world.box().max - world.box().min).norm();
   const double largest = std::min(fastest_radius(vehicle, smallest), extent);
+  const double factor = std::max(kLeastRatio, std::pow(largest / smallest, 1.0 / kMostRatios));
   std::vector<double> radii{smallest};
-  while (radii.back() * kFactor * kLeastFactor < largest) radii.push_back(radii.back() * kFactor);
-  if (radii.back() * kLeastFactor < largest) radii.push_back(largest);
+  while (radii.back() * factor * kLeastLastRatio < largest) radii.push_back(radii.back() * factor);
+  if (radii.back() * kLeastLastRatio < largest) radii.push_back(largest);
   return radii;
 }
 

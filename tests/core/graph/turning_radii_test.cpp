@@ -16,13 +16,23 @@ TEST(TurningRadii, IsTheSmallestAloneWhereAWiderTurnIsNoFaster) {
 
 TEST(TurningRadii, DoubleUntilTheTopSpeedIsReached) {
   VehicleParameters parameters;
-  parameters.turn_speed = LateralAccelerationLimit{2.0};
+  parameters.turn_speed = LateralAccelerationLimit{8.0};
   const Vehicle vehicle(parameters);
   const std::vector<double> radii = turning_radii(vehicle, field(1000));
-  ASSERT_EQ(radii.size(), 7u);
-  for (std::size_t i = 0; i + 1 < 6; ++i) EXPECT_DOUBLE_EQ(radii[i + 1], 2.0 * radii[i]);
-  EXPECT_NEAR(radii.back(), 72.0, 1e-6);  // v_ms^2 / a_lat
+  ASSERT_EQ(radii.size(), 5u);
+  for (std::size_t i = 0; i + 1 < 4; ++i) EXPECT_DOUBLE_EQ(radii[i + 1], 2.0 * radii[i]);
+  EXPECT_NEAR(radii.back(), 18.0, 1e-6);  // v_ms^2 / a_lat
   EXPECT_DOUBLE_EQ(vehicle.turn_speed(radii.back()), vehicle.max_speed());
+}
+
+TEST(TurningRadii, GrowFasterWhereThereIsFurtherToGo) {
+  VehicleParameters parameters;
+  parameters.turn_speed = LateralAccelerationLimit{2.0};
+  const std::vector<double> radii = turning_radii(Vehicle(parameters), field(1000));
+  ASSERT_EQ(radii.size(), 5u);
+  for (std::size_t i = 0; i + 1 < radii.size(); ++i)
+    EXPECT_NEAR(radii[i + 1] / radii[i], std::pow(72.0 / 1.3, 0.25), 1e-6);
+  EXPECT_NEAR(radii.back(), 72.0, 1e-6);
 }
 
 TEST(TurningRadii, EndWithTheMapAndWithTheTable) {
