@@ -16,6 +16,7 @@
 #include "core/bound/travel_time_bound.h"
 #include "core/geometry/angle.h"
 #include "core/graph/turning_radii.h"
+#include "core/passage/dead_end.h"
 #include "core/passage/enclosure.h"
 #include "core/path/clearance.h"
 #include "core/path/speed_profile.h"
@@ -51,6 +52,8 @@ constexpr std::size_t kNarrowPlacesVertices = 50'000;
 constexpr std::uint64_t kTrialsFactor = 3;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
 constexpr std::size_t kEnclosureBoxes = 15000;
+// The same of the proof that one which may not gets nowhere.
+constexpr std::size_t kDeadEndBoxes = 4000;
 
 class Stopwatch {
  public:
@@ -261,8 +264,9 @@ struct Planner::Data {
   }
 
   // Status and reason of a search that found nothing.
-  void explain(const FoundPath& found, const std::optional<Enclosure>& enclosure, bool reverse,
-               const PlanLimits& limits, PlanResult& result) const {
+  void explain(const FoundPath& found, const std::optional<DeadEnd>& dead_end,
+               const std::optional<Enclosure>& enclosure, bool reverse, const PlanLimits& limits,
+               PlanResult& result) const {
     const std::string hemmed_in = std::string(" is hemmed in: no ") + (reverse ? "" : "forward ") +
                                   "motion of arcs and lines that was tried leads ";
     if (result.interrupted) {
@@ -270,6 +274,16 @@ struct Planner::Data {
       result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
       result.reason = cancelled ? "the search was cancelled before it found a path"
                                 : "no path was found within the time limit of " + shortest_text(limits.time) + " s";
+      result.bottleneck.reset();
+      return;
+    }
+    if (dead_end) {
+      const Pose& end = dead_end->at_start ? result.start : result.goal;
+      result.status = dead_end->at_start ? PlanStatus::kStartBlocked : PlanStatus::kGoalBlocked;
+      result.reason = (dead_end->at_start ? "the start " : "the goal ") + shortest_text(end) +
+                      " is a dead end: every forward motion " +
+                      (dead_end->at_start ? "from it collides less than " : "to it begins less than ") +
+                      rounded_text(dead_end->reach) + " m away; nearest is " + nearest_region(end);
       result.bottleneck.reset();
       return;
     }
@@ -494,9 +508,14 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   SearchOptions options{d.options.heuristic, limits.stop, deadline, request.cusp_cost};
   options.time_model = d.options.time_model;
   options.suboptimality = d.options.suboptimality;
+  std::optional<DeadEnd> dead_end;
   const auto no_passage = [&] {
     result.bottleneck = d.bottleneck(request.start, request.goal);
-    return result.bottleneck && result.bottleneck->too_narrow();
+    if (result.bottleneck && result.bottleneck->too_narrow()) return true;
+    if (!request.reverse)
+      dead_end = find_dead_end(request.start, request.goal, d.map.body, d.map.vehicle.min_turning_radius(),
+                               *d.map.queries.sweep, kDeadEndBoxes);
+    return dead_end.has_value();
   };
   FoundPath forwards = d.search(result, [&] {
     return find_path(d.map, d.has_narrow_places() ? &d.narrow_places : nullptr, request.start, request.goal,
@@ -562,7 +581,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     if (both.search.path) keep_faster(std::move(*both.search.path), true);
   }
   if (!found) {
-    d.explain(forwards, enclosure, request.reverse, limits, result);
+    d.explain(forwards, dead_end, enclosure, request.reverse, limits, result);
     result.statistics.total_seconds = total.seconds();
     return;
   }

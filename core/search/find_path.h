@@ -15,7 +15,7 @@ enum class Obstruction {
   kStart,    ///< nothing leads from the start, or from the poses reached from it, to a circle of the graph
   kGoal,     ///< nothing leads from a circle of the graph to the goal, or to poses from which it is reached
   kBetween,  ///< the graph joins neither to the other
-  kPassage   ///< no passage is wide enough
+  kPassage   ///< it is known that there is no path
 };
 
 struct FoundPath {

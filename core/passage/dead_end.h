@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/path/path.h"
+#include "core/query/sweep_query.h"
+#include "core/vehicle.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Proof that a vehicle which does not reverse has no path between two poses: whatever it does, it collides near the
+/// start, or comes from near the goal.
+struct DeadEnd {
+  bool at_start;  ///< it is the start that cannot be left with its heading, else the goal that cannot be reached so
+  double reach;   ///< the reference point gets no further from there, or comes from no further away [m]
+};
+
+/// Looks for such a proof: positions and headings are divided into boxes. Those are followed that the reference point
+/// may be in after a step forwards of a certain length from a box reached before, whatever curvatures of at most
+/// 1 / radius it is driven with, unless the body collides everywhere in the box. Backwards from the goal likewise. If
+/// there are no more of them before they are some body widths away or near the other end, that is a proof; else boxes
+/// are halved, once. What is near is decided, not what is far: enclosures of any size that also hold for reversing
+/// are found by find_enclosure.
+/// @param footprint  of the body that must not touch anything.
+/// @param radius  smallest turning radius, > 0.
+/// @param max_boxes  of one size from one end; some microseconds each.
+/// @returns nothing if no proof is found: there may be a path or none.
+std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
+                                     const SweepQuery& sweep, std::size_t max_boxes);
+
+}  // namespace arcway

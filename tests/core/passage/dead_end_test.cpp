@@ -1,0 +1,136 @@
+#include "core/passage/dead_end.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "core/planner.h"
+#include "core/query/motion_free.h"
+#include "datasets/clutter.h"
+#include "datasets/random.h"
+#include "datasets/random_queries.h"
+#include "tests/support/boxes.h"
+
+namespace arcway {
+namespace {
+
+using test::box;
+
+constexpr std::size_t kBoxes = 4000;
+const Pose kFarGoal{-30, 5, 0};
+
+std::optional<DeadEnd> dead_end(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal) {
+  return find_dead_end(start, goal, vehicle.footprint(), vehicle.min_turning_radius(),
+                       *make_reference_queries(world).sweep, kBoxes);
+}
+
+// Whoever faces a wall gets away by the tightest turn if at all, in which the outer front corner gets furthest.
+TEST(DeadEnd, AWallAhead) {
+  const Vehicle vehicle;
+  const double needed = swept_annulus(vehicle.footprint(), vehicle.min_turning_radius()).outer;  // 2.2 m
+  for (const double ahead : {1.45, 1.6, 1.8, 0.9 * needed}) {
+    const auto proof = dead_end(World({box(ahead, -40, ahead + 1, 40)}), vehicle, {0, 0, 0}, kFarGoal);
+    ASSERT_TRUE(proof) << ahead;
+    EXPECT_TRUE(proof->at_start);
+    EXPECT_LT(proof->reach, 2.0);
+  }
+  for (const double ahead : {1.001 * needed, 1.2 * needed})
+    EXPECT_FALSE(dead_end(World({box(ahead, -40, ahead + 1, 40)}), vehicle, {0, 0, 0}, kFarGoal)) << ahead;
+}
+
+// The other way round for the goal: its tail sweeps less.
+TEST(DeadEnd, AWallBehindTheGoal) {
+  const Vehicle vehicle;
+  const Footprint body = vehicle.footprint();
+  const double needed = std::hypot(body.rear, vehicle.min_turning_radius() + body.half_width);  // 1.7 m
+  for (const double behind : {0.2, 0.8, 1.2}) {
+    const auto proof = dead_end(World({box(-behind - 1, -40, -behind, 40)}), vehicle, {30, 5, 0}, {0, 0, 0});
+    ASSERT_TRUE(proof) << behind;
+    EXPECT_FALSE(proof->at_start);
+  }
+  EXPECT_FALSE(dead_end(World({box(-1.01 * needed - 1, -40, -1.01 * needed, 40)}), vehicle, {30, 5, 0}, {0, 0, 0}));
+}
+
+TEST(DeadEnd, IsNoneTowardsAGoalThatIsNear) {
+  EXPECT_FALSE(dead_end(World({box(2, -40, 3, 40)}), Vehicle{}, {0, 0, 0}, {0.4, 0, 0}));
+}
+
+TEST(DeadEnd, IsTheReasonThatAPlanGives) {
+  const World world({box(1.8, -40, 3, 40)});
+  const Planner planner(world, Vehicle{});
+  const PlanResult plan = planner.plan({.start = {0, 0, 0}, .goal = kFarGoal});
+  EXPECT_EQ(plan.status, PlanStatus::kStartBlocked);
+  EXPECT_NE(plan.reason.find("is a dead end: every forward motion from it"), std::string::npos) << plan.reason;
+  EXPECT_EQ(plan.statistics.manoeuvre_poses, 0u);
+  EXPECT_TRUE(planner.plan({.start = {0, 0, 0}, .goal = kFarGoal, .reverse = true}).solved());
+  const PlanResult back = planner.plan({.start = {-30, 0, kPi}, .goal = {1.0, 0, kPi}});
+  EXPECT_EQ(back.status, PlanStatus::kGoalBlocked) << back.reason;
+  EXPECT_NE(back.reason.find("is a dead end: every forward motion to it"), std::string::npos) << back.reason;
+}
+
+// Drives on at random, by free arcs and lines, until it gets no further; how far away it comes.
+double random_drive(const SweepQuery& sweep, const Vehicle& vehicle, const Pose& start, Random& random) {
+  const Footprint body = vehicle.footprint();
+  const double least = vehicle.min_turning_radius();
+  Pose at = start;
+  double furthest = 0.0;
+  for (int failures = 0; failures < 6;) {
+    const double curvature = random.below(2) == 0 ? random.uniform(-1.0, 1.0) / least
+                             : random.below(2)    ? 1.0 / least
+                                                  : -1.0 / least;
+    const PathSegment motion{at, random.uniform(0.02, 0.4) * least, curvature};
+    if (!motion_free(sweep, body, {&motion, 1})) {
+      ++failures;
+      continue;
+    }
+    at = motion.end();
+    furthest = std::max(furthest, (at.position() - start.position()).norm());
+    if (furthest > 20.0) break;
+  }
+  return furthest;
+}
+
+TEST(DeadEnd, NoDriveGetsFurtherThanItSays) {
+  const Vehicle vehicle;
+  int proved = 0, open = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const World world = random_world({.obstacles = 40, .vertices = 6, .fill = 0.6, .seed = seed});
+    const QuerySet queries = make_reference_queries(world);
+    Random random(seed);
+    for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 25, .min_distance = 0.3})) {
+      const auto proof = find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
+                                       *queries.sweep, kBoxes);
+      if (!proof || !proof->at_start) {
+        ++open;
+        continue;
+      }
+      ++proved;
+      for (int drive = 0; drive < 50; ++drive)
+        EXPECT_LE(random_drive(*queries.sweep, vehicle, request.start, random), proof->reach) << seed;
+    }
+  }
+  EXPECT_GT(proved, 3);
+  EXPECT_GT(open, 3);
+}
+
+TEST(DeadEnd, IsNotProvedWhereThereIsAPath) {
+  int solved = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.45, .seed = seed});
+    const Vehicle vehicle;
+    const QuerySet queries = make_reference_queries(world);
+    const Planner planner(world, vehicle);
+    for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 8, .min_distance = 0.2})) {
+      if (!planner.plan(request).solved()) continue;
+      ++solved;
+      EXPECT_FALSE(find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
+                                 *queries.sweep, kBoxes))
+          << seed;
+    }
+  }
+  EXPECT_GT(solved, 15);
+}
+
+}  // namespace
+}  // namespace arcway
