@@ -139,10 +139,11 @@ std::string curve_svg(const PlotAxes& axes, const Curve& curve, std::size_t inde
 }  // namespace
 
 std::string time_text(double seconds) {
+  constexpr double kRoundsUp = 0.9995;  // to 1 with three digits
   if (seconds >= 100.0) return number_text("%.0f s", seconds);
-  if (seconds >= 1.0) return number_text("%.3g s", seconds);
-  if (seconds >= 1e-3) return number_text("%.3g ms", 1e3 * seconds);
-  if (seconds >= 1e-6) return number_text("%.3g µs", 1e6 * seconds);
+  if (seconds >= kRoundsUp) return number_text("%.3g s", seconds);
+  if (seconds >= 1e-3 * kRoundsUp) return number_text("%.3g ms", 1e3 * seconds);
+  if (seconds >= 1e-6 * kRoundsUp) return number_text("%.3g µs", 1e6 * seconds);
   return number_text("%.3g ns", 1e9 * seconds);
 }
 

@@ -24,7 +24,8 @@ const std::set<std::string> kOwnFields = {
 std::string plain_name(std::string name) {
   for (bool stripped = true; stripped;) {
     stripped = false;
-    if (const auto at = name.rfind("/repeats:"); at != std::string::npos) name.erase(at), stripped = true;
+    for (const char* policy : {"/repeats:", "/iterations:"})
+      if (const auto at = name.rfind(policy); at != std::string::npos) name.erase(at), stripped = true;
     for (const std::string_view suffix : kSuffixes)
       if (name.ends_with(suffix)) name.erase(name.size() - suffix.size()), stripped = true;
   }

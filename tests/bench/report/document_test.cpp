@@ -9,6 +9,7 @@
 #include <random>
 #include <string>
 
+#include "bench/report/plot.h"
 #include "bench/report/study.h"
 #include "datasets/file_io.h"
 
@@ -72,6 +73,19 @@ TEST(Place, SplitsNamesIntoStageVariantAndSize) {
   EXPECT_EQ(place.key, "radii");
   EXPECT_EQ(place.size, 3.0);
   EXPECT_EQ(place_of("Predicates/orientation/random").key, "");
+}
+
+TEST(Results, LeaveHowOftenABenchmarkRanOutOfItsName) {
+  const Results results =
+      read_results(file_of(run("Radii/a/radii:3/iterations:1/repeats:1/process_time/real_time", 1.0, "")), "r.json");
+  EXPECT_EQ(results.measurements.front().name, "Radii/a/radii:3");
+}
+
+TEST(TimeText, HasThreeDigitsAndTheUnitThatSuitsThem) {
+  EXPECT_EQ(time_text(0.9994), "999 ms");
+  EXPECT_EQ(time_text(0.9996), "1 s");
+  EXPECT_EQ(time_text(9.996e-7), "1 µs");
+  EXPECT_EQ(time_text(123.4), "123 s");
 }
 
 TEST(Results, GiveTheTimeOfOneAnswerOfABatch) {
