@@ -59,7 +59,8 @@ std::string search_rows(const PlanStatistics& statistics) {
   text += row("arrivals",
               count_text(statistics.nodes_expanded) + " expanded, " + count_text(statistics.nodes_pushed) + " pushed");
   if (statistics.suboptimality > 0.0)
-    text += row("search", "may take " + shortest_text(statistics.suboptimality) + " more than the graph's fastest");
+    text += row("search", "may take up to " + shortest_text(1.0 + statistics.suboptimality) +
+                              " times as long as the fastest of the graph");
   return text;
 }
 
