@@ -16,8 +16,7 @@
 #include "core/bound/travel_time_bound.h"
 #include "core/geometry/angle.h"
 #include "core/graph/turning_radii.h"
-#include "core/passage/dead_end.h"
-#include "core/passage/enclosure.h"
+#include "core/no_path.h"
 #include "core/path/clearance.h"
 #include "core/path/speed_profile.h"
 #include "core/refine/refine_reversing.h"
@@ -152,23 +151,6 @@ struct Planner::Data {
     prepare_statistics.counts = map.graph.counts();
   }
 
-  // Fills status and reason if the pose itself is not free; true if it is.
-  bool pose_is_free(const Pose& pose, bool start, PlanResult& result) const {
-    if (map.queries.sweep->straight_free(swept_rectangle(pose, 0.0, map.body))) return true;
-    const auto outside = static_cast<ObstacleId>(map.world.obstacle_count());
-    const bool out = map.world.has_bounds() && map.world.locate(pose.position(), outside) == PointLocation::kInside;
-    if (out) {
-      result.status = start ? PlanStatus::kStartOutsideBounds : PlanStatus::kGoalOutsideBounds;
-    } else {
-      result.status = start ? PlanStatus::kStartInCollision : PlanStatus::kGoalInCollision;
-    }
-    result.reason =
-        std::string(start ? "the start " : "the goal ") + shortest_text(pose) +
-        (out ? " lies outside the bounds"
-             : ": the body, grown by half of the safety margin, collides; nearest is " + nearest_region(pose));
-    return false;
-  }
-
   // Runs a search and counts what it did.
   template <typename Find>
   FoundPath search(PlanResult& result, const Find& find) const {
@@ -263,79 +245,8 @@ struct Planner::Data {
     result.statistics.bound_seconds = bounding.seconds();
   }
 
-  // Status and reason of a search that found nothing.
-  void explain(const FoundPath& found, const std::optional<DeadEnd>& dead_end,
-               const std::optional<Enclosure>& enclosure, bool reverse, const PlanLimits& limits,
-               PlanResult& result) const {
-    const std::string hemmed_in = std::string(" is hemmed in: no ") + (reverse ? "" : "forward ") +
-                                  "motion of arcs and lines that was tried leads ";
-    if (result.interrupted) {
-      const bool cancelled = limits.stop.stop_requested();
-      result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
-      result.reason = cancelled ? "the search was cancelled before it found a path"
-                                : "no path was found within the time limit of " + shortest_text(limits.time) + " s";
-      result.bottleneck.reset();
-      return;
-    }
-    if (dead_end) {
-      const Pose& end = dead_end->at_start ? result.start : result.goal;
-      result.status = dead_end->at_start ? PlanStatus::kStartBlocked : PlanStatus::kGoalBlocked;
-      result.reason = (dead_end->at_start ? "the start " : "the goal ") + shortest_text(end) +
-                      " is a dead end: every forward motion " +
-                      (dead_end->at_start ? "from it collides less than " : "to it begins less than ") +
-                      rounded_text(dead_end->reach) + " m away; nearest is " + nearest_region(end);
-      result.bottleneck.reset();
-      return;
-    }
-    if (found.obstruction == Obstruction::kPassage) {
-      result.status = PlanStatus::kNoPassage;
-      result.reason = "no passage is wide enough: " + result.bottleneck->text(map.world) +
-                      "; the body takes more than " + rounded_text(result.bottleneck->needed) + " m";
-      return;
-    }
-    if (enclosure) {
-      const Pose& end = enclosure->at_start ? result.start : result.goal;
-      result.status = PlanStatus::kNoPassage;
-      result.reason = "no passage is wide enough: however the body is moved and turned, its middle gets less than " +
-                      rounded_text(enclosure->reach) + " m away from " +
-                      (enclosure->at_start ? "the start " : "the goal ") + shortest_text(end) + "; nearest is " +
-                      nearest_region(end);
-    } else if (found.obstruction == Obstruction::kStart) {
-      result.status = PlanStatus::kStartBlocked;
-      result.reason = "the start " + shortest_text(result.start) + hemmed_in + "from it to the graph; nearest is " +
-                      nearest_region(result.start);
-    } else if (found.obstruction == Obstruction::kGoal) {
-      result.status = PlanStatus::kGoalBlocked;
-      result.reason = "the goal " + shortest_text(result.goal) + hemmed_in + "from the graph to it; nearest is " +
-                      nearest_region(result.goal);
-    } else {
-      result.status = PlanStatus::kNoPath;
-      result.reason = "the feasible visibility graph does not join start and goal";
-      if (options.graph_mode == GraphMode::kEager) {  // those of a lazy one depend on what was asked before
-        const FeasibleGraphCounts& c = prepare_statistics.counts;
-        result.reason += " (" + std::to_string(c.rejected_straight) + " straights too narrow by (6), " +
-                         std::to_string(c.rejected_departure + c.rejected_arrival) + " turns by (7) of " +
-                         std::to_string(c.candidates) + " bitangents)";
-      }
-    }
-    if (result.statistics.manoeuvre_poses > 0)
-      result.reason += "; tried " + std::to_string(result.statistics.manoeuvre_poses) + " poses of manoeuvres";
-    if (result.bottleneck)
-      result.reason += "; " + result.bottleneck->text(map.world) + ", the body takes " +
-                       rounded_text(result.bottleneck->needed) + " m, in its tightest turn " +
-                       rounded_text(result.bottleneck->needed_to_turn) + " m";
-  }
-
   [[nodiscard]] bool has_narrow_places() const {
     return options.gap_circles && map.world.vertices().size() <= kNarrowPlacesVertices;
-  }
-
-  // The region around the pose, else the one nearest to it.
-  [[nodiscard]] std::string nearest_region(const Pose& pose) const {
-    const ObstacleId inside = map.queries.distance->containing(pose.position());
-    const VertexId edge = map.queries.distance->closest(pose.position()).edge;
-    if (inside == kNone && edge == kNone) return "nothing";
-    return region_text(map.world, inside != kNone ? inside : map.world.obstacle_of(edge));
   }
 
   Stopwatch watch;
@@ -499,7 +410,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   result.statistics.suboptimality = d.options.suboptimality;
   const double straight = (request.goal.position() - request.start.position()).norm();
   result.lower_bound = travel_time_bound(request.start, request.goal, straight, d.map.vehicle, request.reverse);
-  if (!d.pose_is_free(request.start, true, result) || !d.pose_is_free(request.goal, false, result)) {
+  if (!pose_is_free(d.map, request.start, true, result) || !pose_is_free(d.map, request.goal, false, result)) {
     result.statistics.total_seconds = total.seconds();
     return;
   }
@@ -581,7 +492,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     if (both.search.path) keep_faster(std::move(*both.search.path), true);
   }
   if (!found) {
-    d.explain(forwards, dead_end, enclosure, request.reverse, limits, result);
+    explain(d.map, {forwards.obstruction, dead_end, enclosure, request.reverse}, limits, result);
     result.statistics.total_seconds = total.seconds();
     return;
   }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "core/passage/dead_end.h"
+#include "core/passage/enclosure.h"
+#include "core/planner.h"
+#include "core/search/find_path.h"
+#include "core/search/search_map.h"
+
+namespace arcway {
+
+/// What searches and proofs found out about a query that has no path.
+struct NoPath {
+  Obstruction obstruction;
+  std::optional<DeadEnd> dead_end;
+  std::optional<Enclosure> enclosure;
+  bool reverse;  ///< whether reversing was allowed
+};
+
+/// Whether the body is free at the start, or at the goal; else fills status and reason.
+bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult& result);
+
+/// Fills status and reason of a plan without a path, from what its result has so far.
+void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result);
+
+}  // namespace arcway
