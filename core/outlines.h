@@ -23,17 +23,12 @@ class Outlines {
     [[nodiscard]] std::size_t edge_count() const { return points.size() - 1; }
   };
 
-  /// Calls visit(piece) for each piece near a box, until a call returns false. Returns whether none did.
-  template <class Visitor>
-  bool visit_overlaps(const Box& box, Visitor&& visit) const {
-    return tree_.visit_overlaps(box, [&](std::uint32_t i) { return visit(piece(i)); });
-  }
-  /// The same for each piece whose box, and all boxes around it, pass a test; see BoxTree::visit_if.
+  /// Calls visit(piece) for each piece whose box, and all boxes around it, pass a test, until a call returns false.
+  /// Returns whether none did. See BoxTree::visit_if.
   template <class Test, class Visitor>
   bool visit_if(Test&& passes, Visitor&& visit) const {
     return tree_.visit_if(passes, [&](std::uint32_t i) { return visit(piece(i)); });
   }
-  [[nodiscard]] std::size_t size() const { return tree_.size(); }
 
  private:
   struct Start {

@@ -33,8 +33,6 @@ class SpeedTree {
   /// Forgets the joints added last.
   void truncate(std::size_t size) { joints_.resize(size); }
   [[nodiscard]] const Joint& operator[](std::uint32_t joint) const { return joints_[joint]; }
-  /// Says that a joint will be asked about soon.
-  void prefetch(std::uint32_t joint) const { __builtin_prefetch(&joints_[joint]); }
   /// The end of one more segment behind a joint, not added to the tree.
   /// @param limit  top speed on the segment;  @param next_limit  on what follows; 0 to stop [m/s].
   [[nodiscard]] Joint extend(std::uint32_t from, double length, double limit, double next_limit) const;
