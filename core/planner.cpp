@@ -132,6 +132,7 @@ struct Planner::Data {
     RefinedPath refined;
     Path best;  // so far
     SpeedProfile profile;
+    PlanResult tight;  // of the tightest turns
   };
 
   /// @param make_feasible  gives the feasible graph for the rows of the reduced graph and the radii.
@@ -216,22 +217,14 @@ struct Planner::Data {
     });
     PlanLimits rest{.stop = limits.stop};
     if (deadline) rest.time = std::chrono::duration<double>(*deadline - std::chrono::steady_clock::now()).count();
-    const PlanResult tight = tightest->plan({.start = result.start, .goal = result.goal}, rest);
-    PlanStatistics& s = result.statistics;
-    const PlanStatistics& t = tight.statistics;
-    s.nodes_expanded += t.nodes_expanded;
-    s.nodes_pushed += t.nodes_pushed;
-    s.straights_checked += t.straights_checked;
-    s.turns_checked += t.turns_checked;
-    s.manoeuvre_poses += t.manoeuvre_poses;
-    s.refine_trials += t.refine_trials;
-    s.refine_improvements += t.refine_improvements;
-    s.search_seconds += t.search_seconds;
-    s.refine_seconds += t.refine_seconds;
+    PlanResult& tight = workspace.tight;
+    tightest->plan({.start = result.start, .goal = result.goal}, rest, tight);
+    result.statistics += tight.statistics;
     result.interrupted = tight.interrupted;
     if (!tight.solved() || !(tight.travel_time < travel_time(workspace.best, workspace))) return;
-    workspace.best = tight.path();
-    s.unrefined_travel_time = t.unrefined_travel_time;
+    workspace.best.clear();
+    for (const TimedSegment& s : tight.segments) workspace.best.push_back(s.segment);
+    result.statistics.unrefined_travel_time = tight.statistics.unrefined_travel_time;
   }
 
   // The lower bound with the way round the obstacles, if that is wanted.
@@ -289,6 +282,22 @@ const char* name_of(PlanStatus status) {
       return "cancelled";
   }
   return "unknown";
+}
+
+PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
+  nodes_expanded += other.nodes_expanded;
+  nodes_pushed += other.nodes_pushed;
+  straights_checked += other.straights_checked;
+  turns_checked += other.turns_checked;
+  manoeuvre_poses += other.manoeuvre_poses;
+  refine_trials += other.refine_trials;
+  refine_improvements += other.refine_improvements;
+  suboptimality = std::max(suboptimality, other.suboptimality);
+  search_seconds += other.search_seconds;
+  refine_seconds += other.refine_seconds;
+  bound_seconds += other.bound_seconds;
+  profile_seconds += other.profile_seconds;
+  return *this;
 }
 
 Path PlanResult::path() const {
@@ -523,7 +532,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   if (path.empty()) result.min_clearance = look_along({request.start, 0.0, 0.0});
   result.travel_time = profile.total_time;
   result.length = length_of(path);
-  result.statistics.profile_seconds = finishing.seconds();
+  result.statistics.profile_seconds += finishing.seconds();
   result.statistics.total_seconds = total.seconds();
 }
 

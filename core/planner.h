@@ -114,6 +114,10 @@ struct PlanStatistics {
   double bound_seconds = 0.0;    ///< lower bound
   double profile_seconds = 0.0;  ///< speed profile and clearance
   double total_seconds = 0.0;
+
+  /// Adds the counters and the stages' times of another query; travel times and total_seconds stay, and of both
+  /// suboptimalities the larger one.
+  PlanStatistics& operator+=(const PlanStatistics& other);
 };
 
 struct PlanResult {
@@ -214,7 +218,8 @@ class Planner {
   ///   of a cusp is negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
   /// The same into a result whose memory is used again. With accel's queries and an eager graph, a request without
-  /// `reverse` that was answered before then asks the heap for nothing, if single arcs join its ends to a path.
+  /// `reverse` that was answered before then asks the heap for nothing, if single arcs join its ends to a path and
+  /// circles have one radius.
   void plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const;
 
   [[nodiscard]] const World& world() const;

@@ -20,21 +20,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kHeadings = 24;         // tried where the heading is open
 constexpr double kFinestStep = 2e-3;  // of an open heading [rad]
 
-void add(PlanStatistics& sum, const PlanStatistics& s) {
-  sum.nodes_expanded += s.nodes_expanded;
-  sum.nodes_pushed += s.nodes_pushed;
-  sum.straights_checked += s.straights_checked;
-  sum.turns_checked += s.turns_checked;
-  sum.manoeuvre_poses += s.manoeuvre_poses;
-  sum.refine_trials += s.refine_trials;
-  sum.refine_improvements += s.refine_improvements;
-  sum.suboptimality = s.suboptimality;
-  sum.search_seconds += s.search_seconds;
-  sum.refine_seconds += s.refine_seconds;
-  sum.bound_seconds += s.bound_seconds;
-  sum.profile_seconds += s.profile_seconds;
-}
-
 // A pose in which a place may be passed, and the best way to it.
 struct Stop {
   Pose pose;
@@ -89,7 +74,7 @@ class TourPlanner {
     rest.time -= elapsed();
     PlanResult leg =
         planner_.plan({.start = from, .goal = to, .reverse = request_.reverse, .cusp_cost = request_.cusp_cost}, rest);
-    add(statistics_, leg.statistics);
+    statistics_ += leg.statistics;
     interrupted_ = interrupted_ || leg.interrupted;
     return leg;
   }
