@@ -12,9 +12,8 @@ enum class GraphBuilder {
 /// "pairwise", "wedge".
 const char* name_of(GraphBuilder builder);
 
-/// The builder that is the faster one for a world, by measured crossover. Walks through wedges are faster from a dozen
-/// vertices on, whatever the shape, but for few convex obstacles of thousands of vertices each: there every ray grazes
-/// its own obstacle, while binary search finds the tangents of a pair at once. See accel/README.md. O(vertices).
+/// The builder that is the faster one for a world, as measured (accel/README.md). Walks through wedges are, whatever
+/// the number and the shape of the obstacles, up to 2^28 vertices; larger worlds are left to the pairwise one. O(1).
 GraphBuilder faster_graph_builder(const World& world);
 
 }  // namespace arcway

@@ -12,12 +12,12 @@ GraphBuilder choice(ClutterKind kind, std::size_t obstacles, std::size_t vertice
       random_world({.kind = kind, .obstacles = obstacles, .vertices = vertices, .fill = 0.2, .seed = 1}));
 }
 
-TEST(GraphBuilderChoice, WedgesButForFewConvexObstaclesOfManyVertices) {
+TEST(GraphBuilderChoice, WedgesForAnyShape) {
   EXPECT_EQ(faster_graph_builder(World({})), GraphBuilder::kWedge);
   EXPECT_EQ(choice(ClutterKind::kConvex, 2, 4), GraphBuilder::kWedge);
   EXPECT_EQ(choice(ClutterKind::kConvex, 1000, 10), GraphBuilder::kWedge);
   EXPECT_EQ(choice(ClutterKind::kConvex, 10, 1000), GraphBuilder::kWedge);
-  EXPECT_EQ(choice(ClutterKind::kConvex, 5, 3000), GraphBuilder::kPairwise);
+  EXPECT_EQ(choice(ClutterKind::kConvex, 5, 3000), GraphBuilder::kWedge);
   EXPECT_EQ(choice(ClutterKind::kStar, 5, 3000), GraphBuilder::kWedge);
 }
 
