@@ -89,32 +89,45 @@ class SightMap {
   [[nodiscard]] bool is_blocked_by_broken(const LineSegment& segment) const;
 
  private:
-  /// Free space of the map, if it is one; and nodes and tiles.
-  std::optional<FreeSpace> sweep(const Executor& executor);
-  /// Rings in the order of the tiles of their leftmost sites, doors of those of their triangles.
-  void lay_out_nodes();
-  void lay_out_doors(const Triangulation& triangulation, const Executor& executor);
-  /// A door that leads into free space through an obstacle edge.
-  struct Wall {
-    std::uint32_t left, right;  ///< sites
-    std::uint32_t door;
+  /// A ring of the world; all rings' nodes follow each other in the order of the tiles of their leftmost sites.
+  struct Ring {
+    VertexId leftmost;
+    std::uint32_t first_node, nodes;
   };
-  /// Returns whether all are plain.
-  bool find_plain_nodes(const std::vector<std::vector<Wall>>& walls, const Executor& executor);
-  /// Those of all other nodes.
-  void find_fans(const std::vector<std::vector<Wall>>& walls);
+  struct NodeOrder {
+    std::vector<Ring> rings;
+    std::uint32_t node_count = 0;
+    std::vector<std::uint32_t> shared_sites;  ///< that have several nodes
+  };
+  /// Free space of the map, if it is one; and the order of nodes.
+  std::optional<FreeSpace> sweep(const Executor& executor, NodeOrder& order);
+  /// Sets `node_at_`.
+  NodeOrder number_nodes();
+  [[nodiscard]] bool has_node(VertexId v) const;
+
+  /// The door that leads into free space through a wall, by the site at its left end.
+  struct alignas(8) Wall {
+    std::uint32_t door;
+    std::uint32_t right;  ///< site at its other end
+  };
+  static constexpr Wall kNoWall{kNone, kNone}, kSeveralWalls{0, kNone};
+  /// Doors in the order of the tiles of their triangles.
+  std::vector<Wall> lay_out_doors(Triangulation triangulation, const Executor& executor);
+  void lay_out_nodes(const NodeOrder& order, std::vector<Wall> walls, const Executor& executor);
+  /// Returns whether all nodes are plain.
+  bool lay_out_ring(const Ring& ring, std::span<const Wall> walls);
+  [[nodiscard]] std::uint32_t last_door_of_fan(std::uint32_t door, std::uint32_t next_site) const;
+  /// Those of all nodes that are not plain.
+  void find_fans();
 
   World world_;
-  PlanarMap map_;
+  PlanarMap map_;  // without what only the sweep needs
   std::vector<std::uint8_t> edge_is_covered_;
   BigVector<Door> doors_;
   BigVector<Node> nodes_;
-  std::vector<std::uint32_t> tile_of_site_;  // while doors are yet to be laid out
-  std::uint32_t tile_count_ = 0;
-  std::vector<std::uint32_t> first_of_ring_;  // nodes; one more than rings
-  std::vector<std::uint32_t> node_at_;        // by site
+  std::vector<std::uint32_t> node_at_;  // by site
   std::vector<Fan> fans_;
-  std::vector<std::uint32_t> first_fan_;                     // by node, none of plain ones
+  std::vector<std::uint32_t> first_fan_;                     // by node, none of plain ones; empty if all are
   std::vector<std::uint32_t> left_edges_, first_left_edge_;  // by site
   std::vector<VertexId> broken_edges_;
   BoxTree broken_tree_;

@@ -51,18 +51,18 @@ std::uint32_t Tiles::of(const Vec2& p) const {
   return ranks_[y * side_ + x];
 }
 
-std::vector<std::uint32_t> Tiles::of(std::span<const Vec2> points) const {
-  std::vector<std::uint32_t> tiles(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) tiles[i] = of(points[i]);
-  return tiles;
-}
-
-std::vector<std::uint32_t> sorted_by_tile(std::span<const std::uint32_t> tiles, std::uint32_t tile_count) {
+std::vector<std::uint32_t> places_by_tile(std::vector<std::uint32_t> tiles, std::uint32_t tile_count) {
   std::vector<std::uint32_t> starts(tile_count + 1, 0);
   for (const std::uint32_t tile : tiles) ++starts[tile + 1];
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<std::uint32_t> order(tiles.size());
-  for (std::uint32_t i = 0; i < tiles.size(); ++i) order[starts[tiles[i]]++] = i;
+  for (std::uint32_t& item : tiles) item = starts[item]++;
+  return tiles;
+}
+
+std::vector<std::uint32_t> sorted_by_tile(std::vector<std::uint32_t> tiles, std::uint32_t tile_count) {
+  const std::vector<std::uint32_t> places = places_by_tile(std::move(tiles), tile_count);
+  std::vector<std::uint32_t> order(places.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[places[i]] = i;
   return order;
 }
 

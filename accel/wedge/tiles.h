@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/world.h"
@@ -17,7 +16,6 @@ class Tiles {
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(ranks_.size()); }
   /// The tile of a point, in the order of the curve; points outside of the box count as its nearest.
   [[nodiscard]] std::uint32_t of(const Vec2& p) const;
-  [[nodiscard]] std::vector<std::uint32_t> of(std::span<const Vec2> points) const;
 
  private:
   Vec2 origin_;
@@ -26,9 +24,10 @@ class Tiles {
   std::vector<std::uint32_t> ranks_;  // by cell, row by row
 };
 
-/// The stable order of items by their tiles.
+/// Where items go in the stable order of their tiles.
 /// @param tiles  of each item, below tile_count.
-/// @return       the items' indices.
-std::vector<std::uint32_t> sorted_by_tile(std::span<const std::uint32_t> tiles, std::uint32_t tile_count);
+std::vector<std::uint32_t> places_by_tile(std::vector<std::uint32_t> tiles, std::uint32_t tile_count);
+/// The items' indices in that order.
+std::vector<std::uint32_t> sorted_by_tile(std::vector<std::uint32_t> tiles, std::uint32_t tile_count);
 
 }  // namespace arcway
