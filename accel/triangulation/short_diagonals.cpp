@@ -54,8 +54,10 @@ class Flipper {
       : sites_(sites), corners_(t.corners), twins_(t.twins), demand_(demand), begin_(begin), size_(end - begin) {}
 
   void flip_all() {
-    for (next_ = begin_; next_ < begin_ + size_; ++next_)
+    for (next_ = begin_; next_ < begin_ + size_; ++next_) {
+      fetch_ahead();
       if (twins_[next_] != kNone && next_ < twins_[next_]) flip_around(next_);
+    }
   }
 
   void flip_around(std::uint32_t first) {
@@ -71,6 +73,17 @@ class Flipper {
   [[nodiscard]] std::span<const std::uint32_t> left_over() const { return left_over_; }
 
  private:
+  // What is to be looked at soon.
+  void fetch_ahead() const {
+    constexpr std::uint32_t kFar = 48, kNear = 24;
+    if (next_ + kFar >= begin_ + size_) return;
+    if (const std::uint32_t twin = twins_[next_ + kFar]; twin != kNone) {
+      __builtin_prefetch(&corners_[twin]);
+      __builtin_prefetch(&twins_[twin]);
+    }
+    if (const std::uint32_t twin = twins_[next_ + kNear]; twin != kNone)
+      __builtin_prefetch(&sites_[corners_[Triangulation::previous(twin)]]);
+  }
   [[nodiscard]] bool is_out(std::uint32_t h) const { return h - begin_ >= size_; }
   [[nodiscard]] bool is_foreign(std::uint32_t h) const { return h != kNone && is_out(h); }
 
