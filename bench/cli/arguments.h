@@ -75,6 +75,8 @@ struct BuildOptions {
   /// Builds the reduced graph, for PlannerOptions::reduced_graph.
   /// @param team  must outlive the builder.
   [[nodiscard]] ReducedGraphBuilder reduced_graph(const Team& team) const;
+  /// Builds it at once, with queries only where the builder asks any.
+  [[nodiscard]] VisibilityGraph reduced_graph_of(const World& world, const Executor& executor) const;
   /// Its rows, found as a search asks for them; none where the builder gives whole graphs only.
   [[nodiscard]] std::shared_ptr<const VisibilityRows> lazy_rows(const World& world, const Executor& executor) const;
   /// The reduced graph of a world after a change, from the one before where this backend and builder can do that.

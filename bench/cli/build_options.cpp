@@ -105,6 +105,11 @@ ReducedGraphBuilder BuildOptions::reduced_graph(const Team& team) const {
   };
 }
 
+VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor) const {
+  if (builder_name(world) == "wedge") return build_reduced_visibility_graph_by_wedges(world, executor);
+  return reduced_graph(SoloTeam())(world, *queries(world).visibility, executor);
+}
+
 std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World& world, const Executor& executor) const {
   return builder_name(world) == "wedge" ? make_lazy_rows(world, executor) : nullptr;
 }
@@ -121,6 +126,9 @@ std::string BuildOptions::builder_name(const World&) const { return prepared ? "
 QuerySet BuildOptions::queries(const World& world) const { return make_reference_queries(world); }
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }
 ReducedGraphBuilder BuildOptions::reduced_graph(const Team&) const { return build_reduced_visibility_graph; }
+VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor) const {
+  return build_reduced_visibility_graph(world, *queries(world).visibility, executor);
+}
 std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World&, const Executor&) const { return nullptr; }
 
 #endif

@@ -23,8 +23,8 @@ struct GraphArguments {
 };
 
 struct BuiltGraph {
-  std::string edges_csv;
-  std::vector<LineSegment> lines;
+  std::string edges_csv;           ///< if a file of them is wanted
+  std::vector<LineSegment> lines;  ///< if a picture is wanted
   std::size_t edge_count = 0;
   double visibility_seconds = 0.0;
   double feasible_seconds = 0.0;
@@ -39,22 +39,23 @@ void append_edge(std::string& csv, VertexId u, VertexId v) {
 }
 
 BuiltGraph build_graph(const GraphArguments& arguments, const World& world) {
-  const QuerySet queries = arguments.build.queries(world);
   const std::unique_ptr<const Executor> executor = arguments.build.executor();
+  const bool with_csv = !arguments.edges.empty(), with_lines = !arguments.svg.empty();
   BuiltGraph built;
-  built.edges_csv = "u,v\n";
+  if (with_csv) built.edges_csv = "u,v\n";
 
   const Stopwatch visibility_watch;
-  const VisibilityGraph graph = arguments.kind == "visibility"
-                                    ? build_full_visibility_graph(world, *queries.visibility, *executor)
-                                    : arguments.build.reduced_graph(SoloTeam())(world, *queries.visibility, *executor);
+  const VisibilityGraph graph =
+      arguments.kind == "visibility"
+          ? build_full_visibility_graph(world, *arguments.build.queries(world).visibility, *executor)
+          : arguments.build.reduced_graph_of(world, *executor);
   built.visibility_seconds = visibility_watch.seconds();
   if (arguments.kind != "feasible") {
     built.edge_count = graph.edge_count();
     for (VertexId u = 0; u < graph.vertex_count(); ++u) {
       for (const VertexId v : graph.row(u)) {
-        append_edge(built.edges_csv, u, v);
-        built.lines.push_back({world.vertex(u), world.vertex(v)});
+        if (with_csv) append_edge(built.edges_csv, u, v);
+        if (with_lines) built.lines.push_back({world.vertex(u), world.vertex(v)});
       }
     }
     return built;
@@ -63,13 +64,15 @@ BuiltGraph build_graph(const GraphArguments& arguments, const World& world) {
   const Vehicle vehicle = load_vehicle(arguments.robot);
   const std::vector<double> radii = {vehicle.min_turning_radius()};
   const Stopwatch feasible_watch;
+  const QuerySet queries = arguments.build.queries(world);
   const FeasibleGraph feasible(world, vehicle, graph, queries, radii, *executor);
   built.feasible_seconds = feasible_watch.seconds();
   built.counts = feasible.counts();
   built.edge_count = feasible.links().size();
   for (const FeasibleGraph::Link& link : feasible.links()) {
     const TurnCircle& from = feasible.circles()[link.from];
-    append_edge(built.edges_csv, from.vertex, feasible.circles()[link.to].vertex);
+    if (with_csv) append_edge(built.edges_csv, from.vertex, feasible.circles()[link.to].vertex);
+    if (!with_lines) continue;
     const Vec2 begin = pose_on(from, link.heading).position();
     built.lines.push_back({begin, begin + link.length * direction_of(link.heading)});
   }
