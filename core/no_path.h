@@ -12,10 +12,10 @@ namespace arcway {
 
 /// What searches and proofs found out about a query that has no path.
 struct NoPath {
-  Obstruction obstruction;
-  std::optional<DeadEnd> dead_end;
-  std::optional<Enclosure> enclosure;
-  bool reverse;  ///< whether reversing was allowed
+  Obstruction obstruction = Obstruction::kNothing;
+  std::optional<DeadEnd> dead_end = {};
+  std::optional<Enclosure> enclosure = {};
+  bool reverse = false;  ///< whether reversing was allowed
 };
 
 /// Whether the body is free at the start, or at the goal; else fills status and reason.

@@ -218,8 +218,8 @@ class Planner {
   ///   of a cusp is negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
   /// The same into a result whose memory is used again. With accel's queries and an eager graph, a request without
-  /// `reverse` that was answered before then asks the heap for nothing, if single arcs join its ends to a path and
-  /// circles have one radius.
+  /// `reverse` that was answered before then asks the heap for nothing, if single arcs join its ends to a path on
+  /// circles of the smallest radius.
   void plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const;
 
   [[nodiscard]] const World& world() const;

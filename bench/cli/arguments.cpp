@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -275,12 +274,6 @@ std::string row(std::string_view label, std::string_view value) {
   std::string text = "  " + std::string(label);
   text.append(text.size() < kColumn ? kColumn - text.size() : 1, ' ');
   return text + std::string(value) + "\n";
-}
-
-Stopwatch::Stopwatch() : start_ns_(std::chrono::steady_clock::now().time_since_epoch().count()) {}
-
-double Stopwatch::seconds() const {
-  return 1e-9 * static_cast<double>(std::chrono::steady_clock::now().time_since_epoch().count() - start_ns_);
 }
 
 }  // namespace arcway::cli

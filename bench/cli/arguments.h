@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/planner.h"
+#include "core/stopwatch.h"
 #include "core/tour.h"
 #include "core/world_change.h"
 #include "datasets/prepared_map.h"
@@ -166,15 +167,5 @@ std::string place_text(const Place& place);
 
 /// "  label            value\n" with the values in one column.
 std::string row(std::string_view label, std::string_view value);
-
-/// Seconds since construction.
-class Stopwatch {
- public:
-  Stopwatch();
-  [[nodiscard]] double seconds() const;
-
- private:
-  std::int64_t start_ns_;
-};
 
 }  // namespace arcway::cli

@@ -19,19 +19,35 @@ bool counts() {
   return bench::heap_use().allocations >= before + 2 && memory->size() == 100;
 }
 
-class RepeatedQuery : public testing::TestWithParam<std::uint32_t> {};
+struct Case {
+  std::uint32_t trials;               // of refinement
+  double lateral_acceleration = 0.0;  // if there is one, circles have several radii
+  std::uint32_t obstacles = 300;
+  std::size_t queries = 60;
+};
+
+class RepeatedQuery : public testing::TestWithParam<Case> {};
 
 TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
   if (!counts()) GTEST_SKIP() << "a sanitizer's operator new does not count";
-  const World world = random_world({.obstacles = 300, .vertices = 10, .fill = 0.3, .seed = 2});
-  const Vehicle vehicle;
+  const Case& c = GetParam();
+  const World world = random_world({.obstacles = c.obstacles, .vertices = 10, .fill = 0.3, .seed = 2});
+  VehicleParameters parameters;
+  if (c.lateral_acceleration > 0.0) {
+    parameters.turn_speed = LateralAccelerationLimit{c.lateral_acceleration};
+    parameters.max_acceleration = 2.0;
+  }
+  const Vehicle vehicle(parameters);
   const QuerySet queries = make_embree_queries(world);
-  const Planner planner(world, vehicle, queries, {.refinement = {.max_trials = GetParam()}}, SerialExecutor());
-  std::vector<PlanRequest> requests = random_queries(world, queries, vehicle, {.count = 60, .seed = 3});
+  const Planner planner(world, vehicle, queries, {.refinement = {.max_trials = c.trials}}, SerialExecutor());
+  ASSERT_EQ(planner.options().radii.size() > 1, c.lateral_acceleration > 0.0);
+  std::vector<PlanRequest> requests = random_queries(world, queries, vehicle, {.count = c.queries, .seed = 3});
   // Where single arcs reach no path, the planner looks for the narrowest passage, which takes memory.
-  const Planner plain(world, vehicle, queries, planner.prepared_graph(), {.manoeuvre_poses = 0, .gap_circles = false});
+  const Planner plain(world, vehicle, queries, planner.visibility_rows(),
+                      {.radii = {vehicle.min_turning_radius()}, .manoeuvre_poses = 0, .gap_circles = false},
+                      SerialExecutor());
   std::erase_if(requests, [&](const PlanRequest& request) { return !plain.plan(request).solved(); });
-  ASSERT_GT(requests.size(), 40U);
+  ASSERT_GT(requests.size(), c.queries / 2);
 
   PlanResult result;
   // Where memory goes back and forth between two places, both have grown only after a few times.
@@ -48,7 +64,8 @@ TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
   EXPECT_GT(manoeuvres, 0U);  // they have memory of their own
 }
 
-INSTANTIATE_TEST_SUITE_P(RefinedOrNot, RepeatedQuery, testing::Values(0U, 4000U));
+INSTANTIATE_TEST_SUITE_P(RefinedOrNot, RepeatedQuery,
+                         testing::Values(Case{0}, Case{4000}, Case{0, 4.0, 60, 20}, Case{1000, 4.0, 60, 20}));
 
 }  // namespace
 }  // namespace arcway

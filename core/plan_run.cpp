@@ -1,0 +1,164 @@
+#include "core/plan_run.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "core/refine/refine_reversing.h"
+#include "core/search/find_reversing_path.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// A plan that may be slower than the best one by more than `gap`, a share, is tried again with manoeuvres at both ends.
+struct Retry {
+  double gap;
+  std::uint32_t poses;
+};
+constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
+// Then with circles in narrow places.
+constexpr double kNarrowPlacesGap = 0.1;
+// Where wider turns are faster there is more to be found by refinement.
+constexpr std::uint64_t kTrialsFactor = 3;
+
+// When the time limit of a query that begins now ends; nothing if never.
+std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimits& limits) {
+  using Clock = std::chrono::steady_clock;
+  const auto now = Clock::now();
+  const std::chrono::duration<double> limit(std::max(0.0, limits.time));
+  if (limit >= Clock::time_point::max() - now) return std::nullopt;
+  return now + std::chrono::duration_cast<Clock::duration>(limit);
+}
+
+}  // namespace
+
+PlanRun::PlanRun(const PlannerOptions& options, const PlanRequest& request, const PlanLimits& limits,
+                 PlanWorkspace& workspace, PlanResult& result)
+    : options_(options),
+      request_(request),
+      search_options_{options.heuristic, limits.stop, deadline_of(limits), request.cusp_cost},
+      workspace_(workspace),
+      result_(result) {
+  search_options_.time_model = options.time_model;
+  search_options_.suboptimality = options.suboptimality;
+}
+
+double PlanRun::cost_of(const Path& path, const Vehicle& vehicle) {
+  return travel_cost(path, vehicle, request_.cusp_cost, workspace_.profile);
+}
+
+// Runs a search and counts what it did.
+template <class Find>
+FoundPath PlanRun::search(const Find& find) {
+  const Stopwatch searching;
+  FoundPath found = find();
+  PlanStatistics& s = result_.statistics;
+  s.nodes_expanded += found.search.nodes_expanded;
+  s.nodes_pushed += found.search.nodes_pushed;
+  s.straights_checked += found.search.straights_checked;
+  s.turns_checked += found.search.turns_checked;
+  s.manoeuvre_poses += found.manoeuvre_poses;
+  s.search_seconds += searching.seconds();
+  result_.interrupted = result_.interrupted || found.search.interrupted;
+  return found;
+}
+
+// Refines a path into the workspace.
+void PlanRun::refine(const Path& path, const SearchMap& map, bool reverse) {
+  const Stopwatch refining;
+  RefinedPath& refined = workspace_.refined;
+  RefineOptions refinement = options_.refinement;
+  if (map.radii.size() > 1)
+    refinement.max_trials = static_cast<std::uint32_t>(
+        std::min<std::uint64_t>(kTrialsFactor * refinement.max_trials, std::numeric_limits<std::uint32_t>::max()));
+  if (refinement.max_trials == 0) {
+    refined.path = path;
+    return;
+  }
+  const auto stop = [this] { return search_options_.interrupted(); };
+  if (reverse) {
+    refined = refine_reversing_path(path, map.vehicle, *map.queries.sweep, request_.cusp_cost, refinement, stop);
+  } else {
+    refine_path(path, request_.start, request_.goal, map.vehicle, *map.queries.sweep, refinement, stop,
+                workspace_.refine, refined);
+  }
+  PlanStatistics& s = result_.statistics;
+  result_.interrupted = result_.interrupted || refined.interrupted;
+  s.refine_trials += refined.trials;
+  s.refine_improvements += refined.improvements;
+  s.straights_checked += refined.straights_checked;
+  s.turns_checked += refined.turns_checked;
+  s.refine_seconds += refining.seconds();
+}
+
+// Refines a path, and takes it if it is cheaper than the best one.
+PlanRun::Times PlanRun::keep(Path&& path, const SearchMap& map, bool reverse) {
+  PlanStatistics& s = result_.statistics;
+  speed_profile(path, map.vehicle, workspace_.profile);
+  const double unrefined = workspace_.profile.total_time;
+  if (!found_) {
+    s.first_path_seconds = total_.seconds();
+    s.first_travel_time = unrefined;
+    result_.first_path = path;
+  }
+  refine(path, map, reverse);
+  workspace_.find.search.reuse(std::move(path));
+  const double cost = cost_of(workspace_.refined.path, map.vehicle);
+  if (!found_ || cost < cost_of(workspace_.best, map.vehicle)) {
+    std::swap(workspace_.best, workspace_.refined.path);
+    s.unrefined_travel_time = unrefined;
+    found_ = true;
+  }
+  return {unrefined, cost};
+}
+
+Obstruction PlanRun::find_forwards(const PlanMaps& maps, const std::function<bool()>& no_passage) {
+  FoundPath forwards = search([&] {
+    return find_path(maps.plain, maps.narrow ? &*maps.narrow : nullptr, request_.start, request_.goal,
+                     options_.manoeuvre_poses, no_passage, search_options_, workspace_.find);
+  });
+  by_narrow_places_ = forwards.by_narrow_places;
+  fastest_ = {kInfinity, kInfinity};
+  if (forwards.search.path) fastest_ = keep(std::move(*forwards.search.path), maps.plain, false);
+  return forwards.obstruction;
+}
+
+void PlanRun::improve_forwards(const PlanMaps& maps) {
+  if (fastest_.cost == kInfinity) return;
+  const auto is_doubtful = [&](double gap) {
+    return fastest_.cost > (1.0 + gap) * result_.lower_bound && !result_.interrupted;
+  };
+  const SearchMap& map = by_narrow_places_ ? maps.narrow->map() : maps.plain;
+  for (const Retry& retry : kRetries) {
+    const auto poses = std::min(retry.poses, options_.manoeuvre_poses);
+    if (poses <= 1 || !is_doubtful(retry.gap)) break;
+    try_faster(map, poses);
+  }
+  if (maps.narrow && !by_narrow_places_ && is_doubtful(kNarrowPlacesGap)) try_faster(maps.narrow->map(), 0);
+}
+
+void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
+  SearchOptions faster = search_options_;
+  faster.faster_than = fastest_.unrefined;
+  FoundPath turning = search(
+      [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, faster, workspace_.find); });
+  if (!turning.search.path) return;
+  const Times times = keep(std::move(*turning.search.path), map, false);
+  if (times.cost < fastest_.cost) fastest_ = times;
+}
+
+void PlanRun::find_in_both_gears(const SearchMap& map) {
+  const double unrefined = found_ ? result_.statistics.unrefined_travel_time : kInfinity;
+  FoundPath both = search([&] {
+    return find_reversing_path(map, request_.start, request_.goal, unrefined, search_options_, workspace_.find.search);
+  });
+  if (both.search.path) keep(std::move(*both.search.path), map, true);
+}
+
+}  // namespace arcway

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+
+#include "core/path/path.h"
+#include "core/path/speed_profile.h"
+#include "core/plan_maps.h"
+#include "core/planner.h"
+#include "core/refine/refine_path.h"
+#include "core/search/find_path.h"
+#include "core/stopwatch.h"
+
+namespace arcway {
+
+/// Memory of a query, kept for the next one.
+struct PlanWorkspace {
+  FindWorkspace find;
+  RefineWorkspace refine;
+  RefinedPath refined;
+  Path best;
+  SpeedProfile profile;
+};
+
+/// One query on its way: paths are looked for on one map after another and refined, and the cheapest is kept. What that
+/// took is added to the result's statistics.
+class PlanRun {
+ public:
+  /// All arguments must outlive this.
+  PlanRun(const PlannerOptions& options, const PlanRequest& request, const PlanLimits& limits, PlanWorkspace& workspace,
+          PlanResult& result);
+
+  [[nodiscard]] bool found() const { return found_; }
+  /// So far.
+  [[nodiscard]] const Path& best() const { return workspace_.best; }
+
+  /// Looks for the fastest path of one set of maps, driven forwards.
+  /// @returns what stands in the way, if anything does.
+  Obstruction find_forwards(const PlanMaps& maps, const std::function<bool()>& no_passage);
+  /// Where the lower bound says that the path which find_forwards has found last, in these maps, may be far from the
+  /// best one: looks for faster ones with manoeuvres at both ends, and with circles in narrow places.
+  void improve_forwards(const PlanMaps& maps);
+  /// Looks for a cheaper path in both gears.
+  void find_in_both_gears(const SearchMap& map);
+
+ private:
+  // Of the fastest path of some maps.
+  struct Times {
+    double unrefined;
+    double cost;
+  };
+
+  template <class Find>
+  FoundPath search(const Find& find);
+  Times keep(Path&& path, const SearchMap& map, bool reverse);
+  void refine(const Path& path, const SearchMap& map, bool reverse);
+  void try_faster(const SearchMap& map, std::size_t poses);
+  [[nodiscard]] double cost_of(const Path& path, const Vehicle& vehicle);
+
+  const Stopwatch total_;
+  const PlannerOptions& options_;
+  const PlanRequest& request_;
+  SearchOptions search_options_;
+  PlanWorkspace& workspace_;
+  PlanResult& result_;
+  bool found_ = false;
+  bool by_narrow_places_ = false;  // the path that find_forwards found last
+  Times fastest_{};                // of the maps of find_forwards last
+};
+
+}  // namespace arcway
