@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "core/graph/visibility_rows.h"
 #include "core/search/narrow_places.h"
 #include "core/search/search_map.h"
+#include "core/vehicle.h"
 
 namespace arcway {
 
@@ -23,5 +27,17 @@ struct PlanMaps {
   SearchMap plain;
   std::optional<NarrowPlaces> narrow;
 };
+
+/// The vehicle that is as fast in every turn as the given one in a turn `factor` times as wide.
+Vehicle with_faster_turns(const Vehicle& vehicle, double factor);
+
+/// Maps with several radii on which the fastest path may take another way than on the one given. Circles round vertices
+/// have few radii, and what refinement makes of a turn is not known before: these maps have some of the radii, as a
+/// path of tight turns is a shorter one, and vehicles that are faster in their turns, as these can often be made wider.
+/// @param all       with at least two radii.
+/// @param smallest  with the smallest of them alone.
+/// @param rows      of the reduced graph of both.
+std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap& smallest,
+                                          const std::shared_ptr<const VisibilityRows>& rows);
 
 }  // namespace arcway

@@ -24,9 +24,6 @@ struct Retry {
 constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
 // Then with circles in narrow places.
 constexpr double kNarrowPlacesGap = 0.1;
-// Where wider turns are faster there is more to be found by refinement.
-constexpr std::uint64_t kTrialsFactor = 3;
-
 // When the time limit of a query that begins now ends; nothing if never.
 std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimits& limits) {
   using Clock = std::chrono::steady_clock;
@@ -38,19 +35,26 @@ std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimit
 
 }  // namespace
 
-PlanRun::PlanRun(const PlannerOptions& options, const PlanRequest& request, const PlanLimits& limits,
-                 PlanWorkspace& workspace, PlanResult& result)
+PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const PlanRequest& request,
+                 const PlanLimits& limits, PlanWorkspace& workspace, PlanResult& result)
     : options_(options),
+      map_(map),
       request_(request),
       search_options_{options.heuristic, limits.stop, deadline_of(limits), request.cusp_cost},
       workspace_(workspace),
       result_(result) {
   search_options_.time_model = options.time_model;
   search_options_.suboptimality = options.suboptimality;
+  workspace_.unrefined_times.clear();
 }
 
-double PlanRun::cost_of(const Path& path, const Vehicle& vehicle) {
-  return travel_cost(path, vehicle, request_.cusp_cost, workspace_.profile);
+double PlanRun::cost_of(const Path& path) {
+  return travel_cost(path, map_.vehicle, request_.cusp_cost, workspace_.profile);
+}
+
+double PlanRun::travel_time(const Path& path) {
+  speed_profile(path, map_.vehicle, workspace_.profile);
+  return workspace_.profile.total_time;
 }
 
 // Runs a search and counts what it did.
@@ -70,22 +74,21 @@ FoundPath PlanRun::search(const Find& find) {
 }
 
 // Refines a path into the workspace.
-void PlanRun::refine(const Path& path, const SearchMap& map, bool reverse) {
+void PlanRun::refine(const Path& path, double effort, bool reverse) {
   const Stopwatch refining;
   RefinedPath& refined = workspace_.refined;
   RefineOptions refinement = options_.refinement;
-  if (map.radii.size() > 1)
-    refinement.max_trials = static_cast<std::uint32_t>(
-        std::min<std::uint64_t>(kTrialsFactor * refinement.max_trials, std::numeric_limits<std::uint32_t>::max()));
+  refinement.max_trials = static_cast<std::uint32_t>(
+      std::min(effort * refinement.max_trials, 1.0 * std::numeric_limits<std::uint32_t>::max()));
   if (refinement.max_trials == 0) {
     refined.path = path;
     return;
   }
   const auto stop = [this] { return search_options_.interrupted(); };
   if (reverse) {
-    refined = refine_reversing_path(path, map.vehicle, *map.queries.sweep, request_.cusp_cost, refinement, stop);
+    refined = refine_reversing_path(path, map_.vehicle, *map_.queries.sweep, request_.cusp_cost, refinement, stop);
   } else {
-    refine_path(path, request_.start, request_.goal, map.vehicle, *map.queries.sweep, refinement, stop,
+    refine_path(path, request_.start, request_.goal, map_.vehicle, *map_.queries.sweep, refinement, stop,
                 workspace_.refine, refined);
   }
   PlanStatistics& s = result_.statistics;
@@ -98,19 +101,19 @@ void PlanRun::refine(const Path& path, const SearchMap& map, bool reverse) {
 }
 
 // Refines a path, and takes it if it is cheaper than the best one.
-PlanRun::Times PlanRun::keep(Path&& path, const SearchMap& map, bool reverse) {
+PlanRun::Times PlanRun::keep(Path&& path, double effort, bool reverse) {
   PlanStatistics& s = result_.statistics;
-  speed_profile(path, map.vehicle, workspace_.profile);
-  const double unrefined = workspace_.profile.total_time;
+  const double unrefined = travel_time(path);
+  workspace_.unrefined_times.push_back(unrefined);
   if (!found_) {
     s.first_path_seconds = total_.seconds();
     s.first_travel_time = unrefined;
     result_.first_path = path;
   }
-  refine(path, map, reverse);
+  refine(path, effort, reverse);
   workspace_.find.search.reuse(std::move(path));
-  const double cost = cost_of(workspace_.refined.path, map.vehicle);
-  if (!found_ || cost < cost_of(workspace_.best, map.vehicle)) {
+  const double cost = cost_of(workspace_.refined.path);
+  if (!found_ || cost < cost_of(workspace_.best)) {
     std::swap(workspace_.best, workspace_.refined.path);
     s.unrefined_travel_time = unrefined;
     found_ = true;
@@ -118,29 +121,30 @@ PlanRun::Times PlanRun::keep(Path&& path, const SearchMap& map, bool reverse) {
   return {unrefined, cost};
 }
 
-Obstruction PlanRun::find_forwards(const PlanMaps& maps, const std::function<bool()>& no_passage) {
+Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const std::function<bool()>& no_passage) {
   FoundPath forwards = search([&] {
     return find_path(maps.plain, maps.narrow ? &*maps.narrow : nullptr, request_.start, request_.goal,
                      options_.manoeuvre_poses, no_passage, search_options_, workspace_.find);
   });
-  by_narrow_places_ = forwards.by_narrow_places;
-  fastest_ = {kInfinity, kInfinity};
-  if (forwards.search.path) fastest_ = keep(std::move(*forwards.search.path), maps.plain, false);
+  if (forwards.search.path) {
+    maps_ = &maps;
+    by_narrow_places_ = forwards.by_narrow_places;
+    fastest_ = keep(std::move(*forwards.search.path), effort, false);
+  }
   return forwards.obstruction;
 }
 
-void PlanRun::improve_forwards(const PlanMaps& maps) {
-  if (fastest_.cost == kInfinity) return;
+void PlanRun::improve_forwards() {
   const auto is_doubtful = [&](double gap) {
     return fastest_.cost > (1.0 + gap) * result_.lower_bound && !result_.interrupted;
   };
-  const SearchMap& map = by_narrow_places_ ? maps.narrow->map() : maps.plain;
+  const SearchMap& map = by_narrow_places_ ? maps_->narrow->map() : maps_->plain;
   for (const Retry& retry : kRetries) {
     const auto poses = std::min(retry.poses, options_.manoeuvre_poses);
     if (poses <= 1 || !is_doubtful(retry.gap)) break;
     try_faster(map, poses);
   }
-  if (maps.narrow && !by_narrow_places_ && is_doubtful(kNarrowPlacesGap)) try_faster(maps.narrow->map(), 0);
+  if (maps_->narrow && !by_narrow_places_ && is_doubtful(kNarrowPlacesGap)) try_faster(maps_->narrow->map(), 0);
 }
 
 void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
@@ -149,8 +153,29 @@ void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
   FoundPath turning = search(
       [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, faster, workspace_.find); });
   if (!turning.search.path) return;
-  const Times times = keep(std::move(*turning.search.path), map, false);
+  const Times times = keep(std::move(*turning.search.path), 1.0, false);
   if (times.cost < fastest_.cost) fastest_ = times;
+}
+
+void PlanRun::find_other_way(const SearchMap& map, double effort) {
+  if (result_.interrupted) return;
+  FoundPath other = search([&] {
+    return find_path_with_manoeuvres(map, request_.start, request_.goal, 0, search_options_, workspace_.find);
+  });
+  if (!other.search.path) return;
+  // Paths of one time to the last bit are one path.
+  const auto& known = workspace_.unrefined_times;
+  if (std::find(known.begin(), known.end(), travel_time(*other.search.path)) == known.end()) {
+    keep(std::move(*other.search.path), effort, false);
+  } else {
+    workspace_.find.search.reuse(std::move(*other.search.path));
+  }
+}
+
+void PlanRun::refine_best(double effort) {
+  if (result_.interrupted) return;
+  refine(workspace_.best, effort, false);
+  if (cost_of(workspace_.refined.path) < cost_of(workspace_.best)) std::swap(workspace_.best, workspace_.refined.path);
 }
 
 void PlanRun::find_in_both_gears(const SearchMap& map) {
@@ -158,7 +183,7 @@ void PlanRun::find_in_both_gears(const SearchMap& map) {
   FoundPath both = search([&] {
     return find_reversing_path(map, request_.start, request_.goal, unrefined, search_options_, workspace_.find.search);
   });
-  if (both.search.path) keep(std::move(*both.search.path), map, true);
+  if (both.search.path) keep(std::move(*both.search.path), 1.0, true);
 }
 
 }  // namespace arcway

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "core/path/path.h"
 #include "core/path/speed_profile.h"
@@ -19,6 +20,7 @@ struct PlanWorkspace {
   RefinedPath refined;
   Path best;
   SpeedProfile profile;
+  std::vector<double> unrefined_times;  // of all paths found so far
 };
 
 /// One query on its way: paths are looked for on one map after another and refined, and the cheapest is kept. What that
@@ -26,19 +28,26 @@ struct PlanWorkspace {
 class PlanRun {
  public:
   /// All arguments must outlive this.
-  PlanRun(const PlannerOptions& options, const PlanRequest& request, const PlanLimits& limits, PlanWorkspace& workspace,
-          PlanResult& result);
+  /// @param map  any of the world, with the vehicle that is to drive.
+  PlanRun(const PlannerOptions& options, const SearchMap& map, const PlanRequest& request, const PlanLimits& limits,
+          PlanWorkspace& workspace, PlanResult& result);
 
   [[nodiscard]] bool found() const { return found_; }
   /// So far.
   [[nodiscard]] const Path& best() const { return workspace_.best; }
 
-  /// Looks for the fastest path of one set of maps, driven forwards.
+  /// Looks for the fastest path of one set of maps, driven forwards, and refines it.
+  /// @param effort  in trials of refinement, of what the options say.
   /// @returns what stands in the way, if anything does.
-  Obstruction find_forwards(const PlanMaps& maps, const std::function<bool()>& no_passage);
-  /// Where the lower bound says that the path which find_forwards has found last, in these maps, may be far from the
-  /// best one: looks for faster ones with manoeuvres at both ends, and with circles in narrow places.
-  void improve_forwards(const PlanMaps& maps);
+  Obstruction find_forwards(const PlanMaps& maps, double effort, const std::function<bool()>& no_passage);
+  /// Where the lower bound says that the path which find_forwards has found last may be far from the best one: looks
+  /// for faster ones on the same maps with manoeuvres at both ends, and with circles in narrow places.
+  void improve_forwards();
+  /// Looks for the fastest path of another map that takes a way of its own. The vehicle of that map need not be the
+  /// real one.
+  void find_other_way(const SearchMap& map, double effort);
+  /// Refines the best path further.
+  void refine_best(double effort);
   /// Looks for a cheaper path in both gears.
   void find_in_both_gears(const SearchMap& map);
 
@@ -51,20 +60,24 @@ class PlanRun {
 
   template <class Find>
   FoundPath search(const Find& find);
-  Times keep(Path&& path, const SearchMap& map, bool reverse);
-  void refine(const Path& path, const SearchMap& map, bool reverse);
+  Times keep(Path&& path, double effort, bool reverse);
+  void refine(const Path& path, double effort, bool reverse);
   void try_faster(const SearchMap& map, std::size_t poses);
-  [[nodiscard]] double cost_of(const Path& path, const Vehicle& vehicle);
+  [[nodiscard]] double cost_of(const Path& path);
+  [[nodiscard]] double travel_time(const Path& path);
 
   const Stopwatch total_;
   const PlannerOptions& options_;
+  const SearchMap& map_;
   const PlanRequest& request_;
   SearchOptions search_options_;
   PlanWorkspace& workspace_;
   PlanResult& result_;
   bool found_ = false;
-  bool by_narrow_places_ = false;  // the path that find_forwards found last
-  Times fastest_{};                // of the maps of find_forwards last
+  // Of the path that find_forwards found last.
+  const PlanMaps* maps_ = nullptr;
+  bool by_narrow_places_ = false;
+  Times fastest_{};  // on its maps
 };
 
 }  // namespace arcway

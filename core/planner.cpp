@@ -31,6 +31,9 @@ constexpr double kLargestPoseCoordinate = 1e9;
 // angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
 constexpr double kMarginUnits = 1048576.0;
 
+// Where wider turns are faster, the paths of several maps are refined as far as tells which is the best, and that one
+// then at length: in trials, of what the options say.
+constexpr double kQuickEffort = 0.375, kLastEffort = 2.0;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
 constexpr std::size_t kEnclosureBoxes = 15000;
 // The same of the proof that one which may not gets nowhere.
@@ -106,6 +109,7 @@ struct Planner::Data {
       const std::vector<double> smallest{options.radii.front()};
       FeasibleGraph lazy(world, vehicle, rows, queries, smallest, SerialExecutor(), GraphMode::kLazy);
       tightest.emplace(SearchMap(world, vehicle, queries, smallest, std::move(lazy)), options.gap_circles);
+      other_ways = maps_of_other_ways(maps.plain, tightest->plain, rows);
     }
     const Footprint bare = vehicle.footprint();
     if (options.point_robot_bound && std::min(bare.front, bare.rear) >= 0.0)
@@ -135,7 +139,8 @@ struct Planner::Data {
   VisibilityGraph visibility_graph;
   std::shared_ptr<const VisibilityRows> rows;
   PlanMaps maps;
-  std::optional<PlanMaps> tightest;  // of several radii only the smallest
+  std::optional<PlanMaps> tightest;   // of several radii only the smallest
+  std::vector<SearchMap> other_ways;  // of several radii
   std::optional<PointDistance> point_distance;
   BottleneckFinder bottleneck;
   PrepareStatistics prepare_statistics;
@@ -338,7 +343,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   }
 
   WorkspacePool<Data::Workspace>::Lease workspace(d.workspaces);
-  PlanRun run(d.options, request, limits, workspace->run, result);
+  PlanRun run(d.options, d.map(), request, limits, workspace->run, result);
   NoPath why{.reverse = request.reverse};
   const auto no_passage = [&] {
     result.bottleneck = d.bottleneck(request.start, request.goal);
@@ -348,16 +353,15 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
                                    *d.map().queries.sweep, kDeadEndBoxes);
     return why.dead_end.has_value();
   };
-  why.obstruction = run.find_forwards(d.maps, std::cref(no_passage));
+  why.obstruction = run.find_forwards(d.maps, d.tightest ? kQuickEffort : 1.0, std::cref(no_passage));
   const bool has_forwards = run.found();
   if (has_forwards) {
     d.raise_bound(request, workspace->point, result);
-    run.improve_forwards(d.maps);
-    // Refinement widens tight turns as well, and ends in another local optimum.
-    if (d.tightest && !result.interrupted) {
-      run.find_forwards(*d.tightest, [] { return false; });
-      run.improve_forwards(*d.tightest);
-    }
+    if (d.tightest && !result.interrupted) run.find_forwards(*d.tightest, 1.0, [] { return false; });
+    run.improve_forwards();
+    if (d.options.refinement.max_trials > 0)
+      for (const SearchMap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
+    if (d.tightest) run.refine_best(kLastEffort);
   }
   bool hopeless = why.obstruction == Obstruction::kPassage;
   if (request.reverse && !run.found() && !result.interrupted && !hopeless) {

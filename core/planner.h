@@ -40,7 +40,7 @@ struct PlannerOptions {
   double suboptimality = 0.0;
   GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
   /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: turning_radii(vehicle, world).
-  /// If there are several, a plan with the smallest alone is made as well, and no plan is slower than that.
+  /// If there are several, a plan with the smallest alone is made as well, and no plan is slower; so are some others.
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
   /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres.
@@ -52,7 +52,7 @@ struct PlannerOptions {
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
   bool point_robot_bound = true;
-  /// Of the path found; `max_trials = 0` turns it off. With several radii there are three times as many trials.
+  /// Of each path found; `max_trials = 0` turns it off. With several radii there are five times as many trials in all.
   RefineOptions refinement = {};
   /// Processes that build the same eager feasible graph together; used during construction only. None: this one alone.
   const Team* team = nullptr;

@@ -1,0 +1,62 @@
+#include "core/plan_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <variant>
+
+#include "core/executor.h"
+
+namespace arcway {
+
+namespace {
+
+// The first so many radii, and how much wider turns are supposed to become.
+struct OtherWay {
+  std::size_t radii;
+  double factor;
+};
+constexpr std::array<OtherWay, 4> kOtherWays{{{3, 4.0}, {2, 4.0}, {2, 16.0}, {1, 16.0}}};
+constexpr double kFactorOfAll = 2.0;
+
+struct Widened {
+  double factor;
+  TurnSpeedLaw operator()(const ConstantTurnSpeed& law) const { return law; }
+  TurnSpeedLaw operator()(const LateralAccelerationLimit& law) const {
+    return LateralAccelerationLimit{factor * law.lateral_acceleration};
+  }
+  TurnSpeedLaw operator()(TurnSpeedTable law) const {
+    for (auto& entry : law.entries) entry.first /= factor;
+    return law;
+  }
+};
+
+SearchMap with_faster_turns(SearchMap map, const Vehicle& vehicle, double factor) {
+  map.vehicle = arcway::with_faster_turns(vehicle, factor);
+  return map;
+}
+
+}  // namespace
+
+Vehicle with_faster_turns(const Vehicle& vehicle, double factor) {
+  VehicleParameters parameters = vehicle.parameters();
+  parameters.turn_speed = std::visit(Widened{factor}, parameters.turn_speed);
+  return Vehicle(std::move(parameters));
+}
+
+std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap& smallest,
+                                          const std::shared_ptr<const VisibilityRows>& rows) {
+  std::vector<SearchMap> maps{with_faster_turns(all, all.vehicle, kFactorOfAll)};
+  const auto add_with = [&](std::size_t count, double factor) {
+    if (count == 1) return maps.push_back(with_faster_turns(smallest, all.vehicle, factor));
+    const auto same = std::ranges::find(maps, count, [](const SearchMap& map) { return map.radii.size(); });
+    if (same != maps.end()) return maps.push_back(with_faster_turns(*same, all.vehicle, factor));
+    const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(count));
+    FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, SerialExecutor(), GraphMode::kLazy);
+    maps.emplace_back(all.world, with_faster_turns(all.vehicle, factor), all.queries, radii, std::move(lazy));
+  };
+  for (const auto& [count, factor] : kOtherWays) add_with(std::min(count, all.radii.size()), factor);
+  return maps;
+}
+
+}  // namespace arcway

@@ -1,0 +1,119 @@
+#include "core/plan_maps.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/graph/visibility_graph.h"
+#include "core/path/speed_profile.h"
+#include "core/planner.h"
+#include "core/search/arrival_search.h"
+#include "datasets/clutter.h"
+#include "datasets/random_queries.h"
+#include "tests/support/plans.h"
+
+namespace arcway {
+namespace {
+
+Vehicle driven_by(const TurnSpeedLaw& law) {
+  VehicleParameters parameters;
+  parameters.turn_speed = law;
+  parameters.max_acceleration = 2.0;
+  return Vehicle(parameters);
+}
+
+TEST(WithFasterTurns, IsAsFastAsInWiderTurns) {
+  for (const TurnSpeedLaw& law : {TurnSpeedLaw(ConstantTurnSpeed{5.0}), TurnSpeedLaw(LateralAccelerationLimit{2.0}),
+                                  TurnSpeedLaw(TurnSpeedTable{{{1.5, 2.0}, {6.0, 5.0}, {40.0, 11.0}}})}) {
+    const Vehicle vehicle = driven_by(law);
+    for (const double factor : {1.0, 2.0, 16.0}) {
+      const Vehicle faster = with_faster_turns(vehicle, factor);
+      for (const double radius : {1.3, 2.0, 7.0, 30.0, 300.0})
+        EXPECT_NEAR(faster.turn_speed(radius), vehicle.turn_speed(factor * radius), 1e-12);
+      EXPECT_EQ(faster.min_turning_radius(), vehicle.min_turning_radius());
+      EXPECT_EQ(faster.max_speed(), vehicle.max_speed());
+    }
+  }
+}
+
+class SeveralRadii : public testing::TestWithParam<ClutterKind> {
+ protected:
+  World world_ = random_world({.kind = GetParam(), .obstacles = 30, .vertices = 8, .fill = 0.2, .seed = 4});
+  Vehicle vehicle_ = driven_by(LateralAccelerationLimit{2.0});
+  QuerySet queries_ = make_reference_queries(world_);
+  Planner planner_{world_, vehicle_, queries_, {}, SerialExecutor()};
+  std::vector<PlanRequest> requests_ = random_queries(world_, queries_, vehicle_, {.count = 12, .seed = 5});
+
+  [[nodiscard]] Planner with_radii(std::vector<double> radii, const PlannerOptions& options = {}) const {
+    PlannerOptions o = options;
+    o.radii = std::move(radii);
+    return {world_, vehicle_, queries_, planner_.visibility_rows(), o, SerialExecutor()};
+  }
+};
+
+TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
+  ASSERT_GT(planner_.options().radii.size(), 3u);
+  const Planner smallest = with_radii({vehicle_.min_turning_radius()});
+  int solved = 0, faster = 0;
+  for (const PlanRequest& request : requests_) {
+    const PlanResult plan = planner_.plan(request);
+    const PlanResult tight = smallest.plan(request);
+    EXPECT_TRUE(plan.solved() || !tight.solved());
+    if (!plan.solved()) continue;
+    test::expect_valid(planner_, plan);
+    ++solved;
+    if (!tight.solved()) continue;
+    EXPECT_LE(plan.travel_time, tight.travel_time);
+    faster += plan.travel_time < 0.98 * tight.travel_time ? 1 : 0;
+  }
+  EXPECT_GT(solved, 6);
+  EXPECT_GT(faster, 0);
+}
+
+TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
+  const auto make_map = [&](const std::vector<double>& radii) {
+    return SearchMap(world_, vehicle_, queries_, radii,
+                     FeasibleGraph(world_, vehicle_, planner_.visibility_rows(), queries_, radii, SerialExecutor(),
+                                   GraphMode::kLazy));
+  };
+  const std::vector<double>& radii = planner_.options().radii;
+  const SearchMap all = make_map(radii), smallest = make_map({radii.front()});
+  const std::vector<SearchMap> maps = maps_of_other_ways(all, smallest, planner_.visibility_rows());
+  EXPECT_GT(maps.size(), 3u);
+  SearchWorkspace workspace;
+  int other = 0;
+  for (const PlanRequest& request : requests_) {
+    const PlanResult plan = planner_.plan(request);
+    if (!plan.solved()) continue;
+    const std::vector<Terminal> starts{{request.start, {}}}, goals{{request.goal, {}}};
+    const auto usual = search_arrivals(all, starts, goals, {}, workspace).path;
+    for (const SearchMap& map : maps) {
+      EXPECT_TRUE(std::ranges::includes(radii, map.radii));
+      EXPECT_GE(map.vehicle.turn_speed(radii.front()), vehicle_.turn_speed(radii.front()));
+      const auto path = search_arrivals(map, starts, goals, {}, workspace).path;
+      if (!path || !usual) continue;
+      // None is faster before refinement, as the graph of all radii holds them all.
+      const double time = speed_profile(*path, vehicle_).total_time;
+      EXPECT_GE(time, speed_profile(*usual, vehicle_).total_time * (1.0 - 1e-12));
+      other += time > speed_profile(*usual, vehicle_).total_time ? 1 : 0;
+      EXPECT_LE(plan.travel_time, time);
+    }
+  }
+  EXPECT_GT(other, 0);
+}
+
+TEST_P(SeveralRadii, WithoutRefinementTheGraphsFastestPathIsThePlan) {
+  const Planner plain = with_radii({}, {.manoeuvre_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}});
+  for (const PlanRequest& request : requests_) {
+    const PlanResult plan = plain.plan(request);
+    if (!plan.solved()) continue;
+    EXPECT_EQ(plan.travel_time, plan.statistics.first_travel_time);
+    EXPECT_EQ(plan.statistics.refine_trials, 0u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SeveralRadii, testing::Values(ClutterKind::kConvex, ClutterKind::kStar));
+
+}  // namespace
+}  // namespace arcway
