@@ -1,13 +1,13 @@
 #include "accel/wedge/wedge_graph.h"
 
 #include <array>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "accel/wedge/edge_list.h"
+#include "accel/wedge/edge_walks.h"
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/wedge_walk.h"
 #include "core/bytes.h"
@@ -16,10 +16,8 @@ namespace arcway {
 
 namespace {
 
-constexpr std::size_t kNodesPerRange = 256;
-
 // Everybody's edges, and sums of everybody's counters.
-void exchange(std::vector<EdgeList>& parts, WedgeStatistics& sum, const Team& team) {
+void exchange(std::vector<EdgeList>& parts, WalkCounts& sum, const Team& team) {
   std::string bytes;
   append_bytes(bytes, sum.steps);
   append_bytes(bytes, sum.candidates);
@@ -58,27 +56,19 @@ SightMap map_for_all(const World& world, const Executor& executor) {
 
 VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, const Executor& executor,
                                                          WedgeStatistics* statistics, const Team& team) {
-  const SightMap map = map_for_all(world, executor);
-  std::mutex mutex;
   std::vector<EdgeList> parts;
-  WedgeStatistics sum;
-  executor.begin_stage("lines of sight");
-  const auto [first, last] = team.share_of(map.nodes().size());
-  executor.for_ranges(last - first, kNodesPerRange, [&, first = first](std::size_t begin, std::size_t end) {
-    WedgeWalk walk(map);
-    for (std::size_t node = first + begin; node < first + end; ++node)
-      walk.look_right(static_cast<std::uint32_t>(node));
-    const std::scoped_lock lock(mutex);
-    parts.push_back(walk.take_edges());
-    sum.steps += walk.steps();
-    sum.candidates += walk.candidates();
-  });
-
+  WalkCounts sum;
+  {
+    const SightMap map = map_for_all(world, executor);  // gone when rows are made
+    if (statistics) *statistics = {map.doors().size() / 3, 0, 0, map.broken_count()};
+    executor.begin_stage("lines of sight");
+    const auto [first, last] = team.share_of(map.nodes().size());
+    parts = walk_right(map, first, last, executor, &sum);
+  }
   if (team.size() > 1) exchange(parts, sum, team);
   if (statistics) {
-    sum.triangles = map.doors().size() / 3;
-    sum.broken_regions = map.broken_count();
-    *statistics = sum;
+    statistics->steps = sum.steps;
+    statistics->candidates = sum.candidates;
   }
   return graph_of(world.vertices().size(), parts, executor);
 }

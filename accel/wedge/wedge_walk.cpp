@@ -349,6 +349,12 @@ void WedgeWalk::add(const Node& source, const Node& target) {
   edges_.emplace_back(source.vertex, target.vertex);
 }
 
+EdgeList WedgeWalk::take_edges() {
+  EdgeList taken = edges_;  // no longer than it must be
+  edges_.clear();
+  return taken;
+}
+
 std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node) {
   if (node == kNone) return {};
   WedgeWalk walk(map);

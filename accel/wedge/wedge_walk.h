@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "accel/wedge/edge_list.h"
 #include "accel/wedge/sight_map.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -29,7 +30,8 @@ class WedgeWalk {
   /// All edges of a node.
   void look_around(std::uint32_t node);
 
-  [[nodiscard]] std::vector<std::pair<VertexId, VertexId>> take_edges() { return std::move(edges_); }
+  /// Those found since they were last taken.
+  [[nodiscard]] EdgeList take_edges();
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
 
@@ -90,7 +92,7 @@ class WedgeWalk {
   };
   std::vector<Postponed> stack_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> seen_;  // nodes, to be tested once the second ones are at hand
-  std::vector<std::pair<VertexId, VertexId>> edges_;
+  EdgeList edges_;
   std::uint64_t steps_ = 0;
   std::uint64_t candidates_ = 0;
 };

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -9,8 +8,8 @@
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/short_diagonals.h"
 #include "accel/wedge/edge_list.h"
+#include "accel/wedge/edge_walks.h"
 #include "accel/wedge/sight_map.h"
-#include "accel/wedge/wedge_walk.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/graph_check.h"
@@ -21,17 +20,7 @@ namespace arcway::bench {
 namespace {
 
 std::vector<EdgeList> walk_all(const SightMap& map, const Executor& executor) {
-  constexpr std::size_t kNodesPerRange = 256;
-  std::vector<EdgeList> parts((map.nodes().size() + kNodesPerRange - 1) / kNodesPerRange);
-  executor.for_ranges(parts.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t part = first; part < last; ++part) {
-      WedgeWalk walk(map);
-      const std::size_t end = std::min(map.nodes().size(), (part + 1) * kNodesPerRange);
-      for (std::size_t n = part * kNodesPerRange; n < end; ++n) walk.look_right(static_cast<std::uint32_t>(n));
-      parts[part] = walk.take_edges();
-    }
-  });
-  return parts;
+  return walk_right(map, 0, map.nodes().size(), executor);
 }
 
 bool is_right(benchmark::State& state, const World& world, const std::string& name, const Executor& executor) {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "accel/wedge/edge_list.h"
+#include "accel/wedge/sight_map.h"
+#include "core/executor.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// What walks did.
+struct WalkCounts {
+  std::uint64_t steps = 0;       ///< triangles entered
+  std::uint64_t candidates = 0;  ///< edges tested against regions that are not whole
+};
+
+/// Looks to the right from the nodes [first, last): after all nodes, each edge is in one list once.
+/// @return lists in the order of the nodes, the same for any executor.
+std::vector<EdgeList> walk_right(const SightMap& map, std::size_t first, std::size_t last, const Executor& executor,
+                                 WalkCounts* counts = nullptr);
+
+}  // namespace arcway
