@@ -24,6 +24,10 @@ struct Retry {
 constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
 // Then with circles in narrow places.
 constexpr double kNarrowPlacesGap = 0.1;
+// Labels of a search for another way, beside a quarter of those of the first search: where turns cost next to nothing,
+// thousands of paths are as good as each other.
+constexpr std::uint64_t kMoreExpanded = 1000;
+
 // When the time limit of a query that begins now ends; nothing if never.
 std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimits& limits) {
   using Clock = std::chrono::steady_clock;
@@ -106,6 +110,7 @@ PlanRun::Times PlanRun::keep(Path&& path, double effort, bool reverse) {
   const double unrefined = travel_time(path);
   workspace_.unrefined_times.push_back(unrefined);
   if (!found_) {
+    first_expanded_ = s.nodes_expanded;
     s.first_path_seconds = total_.seconds();
     s.first_travel_time = unrefined;
     result_.first_path = path;
@@ -159,9 +164,10 @@ void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
 
 void PlanRun::find_other_way(const SearchMap& map, double effort) {
   if (result_.interrupted) return;
-  FoundPath other = search([&] {
-    return find_path_with_manoeuvres(map, request_.start, request_.goal, 0, search_options_, workspace_.find);
-  });
+  SearchOptions bounded = search_options_;
+  bounded.most_expanded = first_expanded_ / 4 + kMoreExpanded;
+  FoundPath other = search(
+      [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, 0, bounded, workspace_.find); });
   if (!other.search.path) return;
   // Paths of one time to the last bit are one path.
   const auto& known = workspace_.unrefined_times;

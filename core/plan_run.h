@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -74,6 +75,7 @@ class PlanRun {
   PlanWorkspace& workspace_;
   PlanResult& result_;
   bool found_ = false;
+  std::uint64_t first_expanded_ = 0;  // until the first path was found
   // Of the path that find_forwards found last.
   const PlanMaps* maps_ = nullptr;
   bool by_narrow_places_ = false;

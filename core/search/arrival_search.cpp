@@ -146,6 +146,7 @@ class ArrivalSearch {
         expand(entry);
       }
       if (w_.labels.size() >= kFirstDoubt && !reachability_known_ && !goal_is_reachable()) return;
+      if (w_.labels.size() >= context_.options.most_expanded) return finish_best();
     }
     if (result_.interrupted) finish_best();
   }

@@ -30,6 +30,8 @@ struct SearchOptions {
   bool goes_on = false;
   /// Only paths that take less than one that is known are wanted [s].
   double faster_than = std::numeric_limits<double>::infinity();
+  /// After so many expansions the best path found by then, if any, will do.
+  std::uint64_t most_expanded = std::numeric_limits<std::uint64_t>::max();
   [[nodiscard]] bool interrupted() const {
     return stop.stop_requested() || (deadline && std::chrono::steady_clock::now() >= *deadline);
   }

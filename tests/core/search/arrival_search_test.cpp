@@ -187,5 +187,44 @@ TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
   EXPECT_GT(solved, 15);
 }
 
+TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
+  const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 6});
+  const Vehicle vehicle;
+  const SearchMap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+  SearchWorkspace workspace;
+  const double side = world.box().max.x();
+  test::Random random(8);
+  const auto pose = [&] {
+    return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+  };
+  Terminal start, goal;
+  const auto search = [&](std::uint64_t most) {
+    SearchOptions options;
+    options.most_expanded = most;
+    return search_arrivals(map, {&start, 1}, {&goal, 1}, options, workspace);
+  };
+  SearchResult whole;
+  for (int i = 0; i < 200 && !(whole.path && whole.nodes_expanded > 20); ++i) {
+    start.pose = pose();
+    goal.pose = pose();
+    whole = search(SearchOptions{}.most_expanded);
+  }
+  ASSERT_TRUE(whole.path);
+  const double fastest = speed_profile(*whole.path, vehicle).total_time;
+  std::uint64_t without = 0, slower = 0;
+  for (std::uint64_t most = 1; most <= whole.nodes_expanded + 1; ++most) {
+    const SearchResult result = search(most);
+    EXPECT_FALSE(result.interrupted);
+    EXPECT_LE(result.nodes_expanded, most);
+    const double time = result.path ? speed_profile(*result.path, vehicle).total_time : 2.0 * fastest;
+    EXPECT_GE(time, fastest);
+    without += result.path ? 0 : 1;
+    slower += result.path && time > fastest ? 1 : 0;
+    EXPECT_TRUE(most <= whole.nodes_expanded || time == fastest);
+  }
+  EXPECT_GT(without, 0u);
+  EXPECT_LT(without + slower, whole.nodes_expanded + 1);
+}
+
 }  // namespace
 }  // namespace arcway
