@@ -16,6 +16,8 @@ namespace {
 
 using Edge = PlanarMap::Edge;
 
+constexpr std::size_t kAhead = 32;  // what is to be read and written next lies anywhere
+
 struct Keyed {
   std::uint32_t key;
   VertexId vertex;
@@ -74,7 +76,6 @@ void make_sites(const World& world, PlanarMap& map) {
   map.sites.push_back(frame.min);
   map.sites.emplace_back(frame.min.x(), frame.max.y());
   map.site_of.resize(order.size());
-  constexpr std::size_t kAhead = 24;  // what is to be read and written next lies anywhere
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i + kAhead < order.size()) {
       __builtin_prefetch(&world.vertices()[order[i + kAhead]]);
@@ -106,7 +107,10 @@ bool make_tables(const std::vector<Edge>& unsorted, PlanarMap& map) {
   map.edges[0] = bottom;
   map.edges[1] = top;
   std::vector<std::uint32_t> place(first.begin(), first.end() - 1);
-  for (const Edge& e : unsorted) map.edges[place[e.low]++] = e;
+  for (std::size_t i = 0; i < unsorted.size(); ++i) {
+    if (i + kAhead < unsorted.size()) __builtin_prefetch(&place[unsorted[i + kAhead].low], 1);
+    map.edges[place[unsorted[i].low]++] = unsorted[i];
+  }
 
   const auto slope_order = [&](const Edge& e, const Edge& f) {
     return e.high != f.high && orientation(map.sites[e.low], map.sites[e.high], map.sites[f.high]) > 0;
@@ -114,6 +118,7 @@ bool make_tables(const std::vector<Edge>& unsorted, PlanarMap& map) {
   std::uint32_t kept = 2;
   for (std::uint32_t s = 2, begin = 2; s < site_count; ++s) {
     const std::uint32_t end = first[s + 1];
+    if (end + kAhead < map.edges.size()) __builtin_prefetch(&map.sites[map.edges[end + kAhead].high]);
     if (end - begin == 2) {
       if (slope_order(map.edges[begin + 1], map.edges[begin])) std::swap(map.edges[begin], map.edges[begin + 1]);
     } else if (end - begin > 2) {
