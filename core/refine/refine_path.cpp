@@ -26,6 +26,7 @@ constexpr double kFirstStep = 1.0;    // of the smallest turning radius
 constexpr double kRoughStep = 0.125;  // fine enough to try other turns
 constexpr double kTiedTurn = 0.5;     // for the first step of circles that are tied to others [rad]
 constexpr double kLeastTurn = 0.02;   // that is worth being driven in two parts [rad]
+constexpr double kLeastRatio = 1.5;   // ratio of radii between which there is room for another one
 constexpr int kFewParts = 2;
 constexpr std::array kFinerParts{3, 4, 5};
 
@@ -303,10 +304,22 @@ class Refiner {
   bool widen(std::size_t i, bool leaving) {
     const std::size_t other = leaving ? i + 1 : i - 1;
     if (other >= circles().size() || chain_.turn_on(i) < kLeastTurn) return false;
-    if (are_tied(chain_.chain(), lines(), std::min(i, other))) return false;
+    if (are_tied(chain_.chain(), lines(), std::min(i, other))) return step(i, leaving);
     for (const double share : {0.25, 0.5, 0.75, 0.9})
       for (const double factor : {1.5, 2.5, 5.0, 10.0})
         if (accept(widened(chain_.chain(), lines(), i, leaving, share, factor))) return true;
+    return false;
+  }
+
+  // A turn that gets wider gets so by more steps.
+  bool step(std::size_t i, bool leaving) {
+    const std::size_t wide = leaving ? i + 1 : i - 1;
+    const double ratio = circles()[wide].radius / circles()[i].radius;
+    if (wide == 0 || wide + 1 == circles().size() || ratio < kLeastRatio) return false;
+    if (are_tied(chain_.chain(), lines(), leaving ? wide : wide - 1)) return false;
+    for (const double share : {0.5, 0.75, 0.9})
+      if (accept(stepped(chain_.chain(), lines(), i, leaving, share, std::sqrt(ratio) * circles()[i].radius)))
+        return true;
     return false;
   }
 

@@ -47,7 +47,7 @@ class RefineWorkspace {
 /// - start or goal joins a later circle by an arc to either side;
 /// - two turns to the same side become one, tangent to the lines before and behind;
 /// - two arcs join places on two lines of the path by a Dubins word of the smallest radius;
-/// - where wider turns are faster, a part of a turn becomes a wider one, and the ends of a path tighter ones;
+/// - where wider turns are faster, parts of a turn become wider ones, step by step, and the ends tighter ones;
 /// - centres and radii slide, by steps that are halved down to the smallest.
 /// A change is accepted only if the travel time under the speed profile falls and the swept area of the body grown by
 /// half of the safety margin is free by `sweep`. So the result is as free as the input and never slower; a path that

@@ -76,6 +76,23 @@ ChainChange widened(const CircleChain& chain, std::span<const Bitangent> lines, 
   return leaving ? replaced(chain, i, i + 1, {tighter, wider}) : replaced(chain, i, i + 1, {wider, tighter});
 }
 
+ChainChange stepped(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, bool leaving,
+                    double share, double radius) {
+  const TurnCircle& tighter = chain.circles[i];
+  const std::size_t wide = leaving ? i + 1 : i - 1;
+  const auto turn_on = [&](std::size_t k) {
+    return turn_between(lines[k].start.heading, lines[k + 1].start.heading, chain.circles[k].side);
+  };
+  const double given = (1.0 - share) * turn_on(i);
+  const double taken = std::min(given, 0.5 * turn_on(wide));
+  const double forwards = sign_of(tighter.side) * (leaving ? 1.0 : -1.0);
+  const double joint = lines[std::max(i, wide)].start.heading;
+  const TurnCircle middle = touching(tighter, joint - forwards * given, radius);
+  const TurnCircle wider = touching(middle, joint + forwards * taken, chain.circles[wide].radius);
+  return leaving ? replaced(chain, i, i + 2, {tighter, middle, wider})
+                 : replaced(chain, i - 1, i + 1, {wider, middle, tighter});
+}
+
 ChainChange pinched(const CircleChain& chain, std::size_t i, double tightest, double turn, double radius) {
   const bool at_start = i == 0;
   const Side side = chain.circles[i].side;

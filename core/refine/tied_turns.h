@@ -35,6 +35,12 @@ ChainChange retied(const CircleChain& chain, std::span<const Bitangent> lines, s
 ChainChange widened(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, bool leaving,
                     double share, double factor);
 
+/// Circle i, to which a wider one is tied behind it or, not `leaving`, before it, keeps a share of its turn only, and a
+/// circle of a radius between theirs comes between the two, tied to it; the wider one is tied to that, and turns less.
+/// Precondition: the wider one has neighbours on both sides.
+ChainChange stepped(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, bool leaving,
+                    double share, double radius);
+
 /// The first or the last circle, i, becomes as tight as can be, for the given turn; the rest of its turn is driven on a
 /// circle of another radius that is tied to it.
 ChainChange pinched(const CircleChain& chain, std::size_t i, double tightest, double turn, double radius);

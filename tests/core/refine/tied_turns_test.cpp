@@ -57,6 +57,34 @@ TEST(TiedTurns, KeepTheirEndsAndTouch) {
   }
 }
 
+TEST(TiedTurns, GetWiderByMoreSteps) {
+  for (const bool leaving : {true, false}) {
+    CircleChain chain = example();
+    chain = changed(chain, widened(chain, *lines_of(chain), leaving ? 0 : 1, leaving, 0.5, 3.0));
+    const auto lines = lines_of(chain);
+    ASSERT_TRUE(lines);
+    const std::size_t tight = leaving ? 0 : 2;
+    const auto turn_on = [&](const CircleChain& c, std::size_t i) {
+      const auto l = lines_of(c);
+      return turn_between(l->at(i).start.heading, l->at(i + 1).start.heading, c.circles[i].side);
+    };
+    const CircleChain steps = changed(chain, stepped(chain, *lines, tight, leaving, 0.75, 3.5));
+    ASSERT_EQ(steps.circles.size(), 4u);
+    ASSERT_TRUE(lines_of(steps));
+    const std::size_t still = leaving ? 0 : 3, middle = leaving ? 1 : 2, wide = leaving ? 2 : 1;
+    EXPECT_EQ(steps.circles[still].center, chain.circles[tight].center);
+    EXPECT_EQ(steps.circles[middle].radius, 3.5);
+    EXPECT_EQ(steps.circles[wide].radius, 6.0);
+    expect_touching(steps.circles[still], steps.circles[middle]);
+    expect_touching(steps.circles[middle], steps.circles[wide]);
+    const double before = turn_on(chain, tight);
+    EXPECT_NEAR(turn_on(steps, still), 0.75 * before, 1e-5);  // where circles touch is known to the root of rounding
+    EXPECT_NEAR(turn_on(steps, middle), 0.25 * before + std::min(0.25 * before, 0.5 * turn_on(chain, 1)), 1e-5);
+    const Pose end = path_of(steps, *lines_of(steps)).back().end();
+    EXPECT_NEAR((end.position() - chain.goal.position()).norm(), 0.0, 1e-6);
+  }
+}
+
 TEST(TiedTurns, FollowATighterOneThatMoves) {
   CircleChain chain = example();
   auto lines = lines_of(chain);
