@@ -5,22 +5,57 @@
 #include <utility>
 
 #include "core/geometry/angle.h"
+#include "core/geometry/predicates.h"
+#include "core/graph/visibility_graph.h"
 #include "core/search/horizon.h"
 
 namespace arcway {
 
+namespace {
+
+constexpr std::size_t kNext = 5;  // entries at the top of the open list: its first two levels
+
+// A shortest path is taut: where it turns at a vertex, it turns around the obstacle there. Of the edges that leave a
+// vertex those that do not lead on like this from the shortest way to it are on no shortest path.
+class TautTurn {
+ public:
+  /// @param from  a place that `vertex` is tangent to.
+  TautTurn(const World& world, VertexId vertex, const Vec2& from) : from_(from), at_(world.vertex(vertex)) {
+    const Vec2& next = world.vertex(world.next(vertex));
+    const Vec2& previous = world.vertex(world.previous(vertex));
+    const int side = from == previous ? 0 : orientation(from, at_, previous);  // 0 is the slow answer
+    left_ = (side != 0 ? side : orientation(from, at_, next)) > 0;
+    last_ = left_ ? &next : &previous;
+  }
+
+  // Whether a path may go on to a place that the vertex is tangent to.
+  [[nodiscard]] bool leads_to(const Vec2& to) const {
+    const int wrong = left_ ? -1 : 1;
+    return orientation(from_, at_, to) != wrong && (to == *last_ || orientation(at_, to, *last_) != wrong);
+  }
+
+ private:
+  const Vec2& from_;
+  const Vec2& at_;
+  bool left_;         // the obstacle's side
+  const Vec2* last_;  // its vertex that a turn gets to at most
+};
+
+}  // namespace
+
 void PointDistance::Workspace::reset(std::size_t vertices) {
   open_.clear();
-  if (reached_.size() < vertices) reached_.resize(vertices, {0.0, 0, false});
-  if (++search_ == 0) {
-    std::fill(reached_.begin(), reached_.end(), Reached{0.0, 0, false});
-    search_ = 1;
+  if (reached_.size() < vertices) reached_.resize(vertices, {0.0, kNone, 0});
+  search_ += 2;
+  if (search_ == 0) {
+    std::fill(reached_.begin(), reached_.end(), Reached{0.0, kNone, 0});
+    search_ = 2;
   }
 }
 
 PointDistance::Workspace::Reached& PointDistance::Workspace::at(VertexId vertex) {
   Reached& reached = reached_[vertex];
-  if (reached.search != search_) reached = {std::numeric_limits<double>::infinity(), search_, false};
+  if (reached.mark < search_) reached = {std::numeric_limits<double>::infinity(), kNone, search_};
   return reached;
 }
 
@@ -28,46 +63,65 @@ PointDistance::PointDistance(const World& world, std::shared_ptr<const Visibilit
                              std::shared_ptr<const Outlines> outlines)
     : world_(world), rows_(std::move(rows)), outlines_(std::move(outlines)) {}
 
+Horizon PointDistance::horizon_of(const Vec2& place) const {
+  Horizon horizon({place, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+  horizon.shorten(*outlines_);
+  return horizon;
+}
+
 double PointDistance::operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility,
                                  Workspace& w) const {
   using Step = Workspace::Step;
   w.reset(world_.vertices().size());
   const auto to_goal = [&](const Vec2& p) { return (goal - p).norm(); };
-  w.open_.push({to_goal(start), to_goal(start), kNone, Step::kToGoal});
-  Horizon horizon({start, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
-  horizon.shorten(*outlines_);
-  outlines_->visit_if([&](const Box& box) { return !horizon.hides(box); },
+  const std::span<const Vec2> places = world_.vertices();
+  const Horizon from_start = horizon_of(start), from_goal = horizon_of(goal);
+  w.open_.push({to_goal(start), kNone, Step::kToGoal});
+  outlines_->visit_if([&](const Box& box) { return !from_start.hides(box); },
                       [&](const Outlines::Piece& piece) {
                         for (std::size_t i = 0; i < piece.edge_count(); ++i) {
                           const auto v = static_cast<VertexId>(piece.first + i);
                           if (!world_.is_convex(v) || world_.is_covered(v)) continue;
-                          const double length = (piece.points[i] - start).norm();
-                          w.open_.push({length + to_goal(piece.points[i]), length, v, Step::kFromStart});
+                          w.open_.push({(places[v] - start).norm() + to_goal(places[v]), v, Step::kFromStart});
                         }
                         return true;
                       });
 
   while (!w.open_.empty()) {
     const Workspace::Entry entry = w.open_.pop();
-    const Vec2& here = entry.vertex == kNone ? start : world_.vertex(entry.vertex);
+    for (const Workspace::Entry& next : w.open_.first_few(kNext)) {
+      if (next.vertex == kNone) continue;
+      __builtin_prefetch(&places[next.vertex]);
+      __builtin_prefetch(&w.reached_[next.vertex]);
+      rows_->prefetch(next.vertex);
+    }
+    const Vec2& here = entry.vertex == kNone ? start : places[entry.vertex];
     if (entry.step == Step::kToGoal) {
-      if (visibility.visible({here, goal})) return entry.length;
+      if (visibility.visible({here, goal})) return entry.estimate;
       continue;
     }
     Workspace::Reached& reached = w.at(entry.vertex);
-    if (reached.closed) continue;
-    if (entry.step == Step::kFromStart &&
-        !(is_tangent(world_, entry.vertex, start) && visibility.visible({start, here})))
-      continue;
-    reached.closed = true;
-    if (is_tangent(world_, entry.vertex, goal))
-      w.open_.push({entry.length + to_goal(here), entry.length + to_goal(here), entry.vertex, Step::kToGoal});
-    for (const VertexId v : rows_->of(entry.vertex)) {
-      const double length = entry.length + (world_.vertex(v) - here).norm();
+    if (reached.mark != w.search_) continue;
+    if (entry.step == Step::kFromStart) {
+      if (!(is_tangent(world_, entry.vertex, start) && visibility.visible({start, here}))) continue;
+      reached = {(here - start).norm(), kNone, w.search_};
+    }
+    ++reached.mark;
+    const double length = reached.length;
+    const TautTurn turn(world_, entry.vertex, reached.parent == kNone ? start : places[reached.parent]);
+    if (turn.leads_to(goal) && !from_goal.hides(Box{here, here}) && is_tangent(world_, entry.vertex, goal))
+      w.open_.push({length + to_goal(here), entry.vertex, Step::kToGoal});
+    const std::span<const VertexId> row = rows_->of(entry.vertex);
+    for (const VertexId v : row) __builtin_prefetch(&places[v]);
+    for (const VertexId v : row) {
+      const Vec2& there = places[v];
+      if (!turn.leads_to(there)) continue;
+      const double length_there = length + (there - here).norm();
       Workspace::Reached& next = w.at(v);
-      if (next.length <= length) continue;
-      next.length = length;
-      w.open_.push({length + to_goal(world_.vertex(v)), length, v, Step::kEdge});
+      if (next.length <= length_there) continue;
+      next.length = length_there;
+      next.parent = entry.vertex;
+      w.open_.push({length_there + to_goal(there), v, Step::kEdge});
     }
   }
   return std::numeric_limits<double>::infinity();

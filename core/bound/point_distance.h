@@ -2,12 +2,13 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "core/geometry/vec2.h"
 #include "core/graph/visibility_rows.h"
+#include "core/huge_pages.h"
 #include "core/outlines.h"
 #include "core/query/visibility_query.h"
+#include "core/search/horizon.h"
 #include "core/search/open_list.h"
 #include "core/world.h"
 
@@ -33,22 +34,21 @@ class PointDistance {
     };
     struct Entry {
       double estimate;  ///< of the whole path
-      double length;    ///< up to the vertex, or up to the goal
       VertexId vertex;  ///< kNone: the start itself
       Step step;
       friend bool before(const Entry& a, const Entry& b) { return a.estimate < b.estimate; }
     };
     struct Reached {
-      double length;
-      std::uint32_t search;  ///< the last one that came here
-      bool closed;
+      double length;       ///< of the shortest path known
+      VertexId parent;     ///< on it; kNone: the start itself
+      std::uint32_t mark;  ///< the last search that came here, one more once that path is the shortest of all
     };
     void reset(std::size_t vertices);
     Reached& at(VertexId vertex);
 
     OpenList<Entry> open_;
-    std::vector<Reached> reached_;  // by vertex
-    std::uint32_t search_ = 0;
+    HugeVector<Reached> reached_;  // by vertex
+    std::uint32_t search_ = 0;     // even
   };
 
   /// @param rows      of the reduced visibility graph of `world`.
@@ -58,11 +58,14 @@ class PointDistance {
 
   /// Length of the shortest path, up to the rounding of its sum [m]; infinity if there is none. Neither point may lie
   /// inside an obstacle. A* over the graph with the distance to the goal, from the vertices that the outlines near by
-  /// do not hide; segments from the start and to the goal are asked of `visibility` when their turn comes.
+  /// do not hide, along edges that a taut string would take; segments from the start and to the goal are asked of
+  /// `visibility` when their turn comes.
   [[nodiscard]] double operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility,
                                   Workspace& workspace) const;
 
  private:
+  [[nodiscard]] Horizon horizon_of(const Vec2& place) const;
+
   World world_;
   std::shared_ptr<const VisibilityRows> rows_;
   std::shared_ptr<const Outlines> outlines_;

@@ -20,6 +20,9 @@ class VisibilityRows {
   /// long as the rows are. Precondition: the world has the vertex.
   [[nodiscard]] virtual std::span<const VertexId> of(VertexId vertex) const = 0;
 
+  /// Says that a row will be asked for soon.
+  virtual void prefetch(VertexId /*vertex*/) const {}
+
   using Pair = std::pair<VertexId, VertexId>;
   /// All edges u < v up to a length [m] for which wanted(u, v), ascending: without making rows that have none. `wanted`
   /// may be asked of other pairs of convex vertices as well, and is the same for (u, v) and (v, u).

@@ -90,5 +90,38 @@ TEST(PointDistance, MayPassWhereTwoSquaresTouch) {
   EXPECT_NEAR(round, brute_force(world, {1, 3}, {1, -1}), 1e-12);
 }
 
+// Squares that share corners, squares that share edges, and rows of collinear vertices: taut where angles are zero.
+TEST(PointDistance, IsThatOfAllPairsAmongContacts) {
+  test::Random random(12);
+  for (int world_index = 0; world_index < 12; ++world_index) {
+    std::vector<Polygon> squares;
+    for (int x = 0; x < 6; ++x)
+      for (int y = 0; y < 6; ++y)
+        if (random.uniform(0.0, 1.0) < 0.3) squares.push_back({test::square(x, y, 1.0), {}});
+    const World world(squares);
+    const QuerySet queries = make_reference_queries(world);
+    const PointDistance distance = point_distance(world, queries);
+    PointDistance::Workspace workspace;
+    for (int i = 0; i < 12; ++i) {
+      // On corners, on edges and off them.
+      const auto place = [&] {
+        const double part = i % 3 == 0 ? 1.0 : i % 3 == 1 ? 2.0 : 8.0;
+        for (;;) {
+          const Vec2 p = (random.point(-1.0, 7.0) * part).array().round().matrix() / part;
+          if (queries.distance->containing(p) == kNone) return p;
+        }
+      };
+      const Vec2 start = place(), goal = place();
+      const double expected = brute_force(world, start, goal);
+      const double found = distance(start, goal, *queries.visibility, workspace);
+      if (std::isinf(expected)) {
+        EXPECT_EQ(found, expected);
+      } else {
+        EXPECT_NEAR(found, expected, 1e-12 * (1.0 + expected)) << "world " << world_index << ", query " << i;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace arcway
