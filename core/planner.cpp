@@ -37,7 +37,7 @@ constexpr double kQuickEffort = 0.375, kLastEffort = 2.0;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
 constexpr std::size_t kEnclosureBoxes = 15000;
 // The same of the proof that one which may not gets nowhere.
-constexpr std::size_t kDeadEndBoxes = 4000;
+constexpr std::size_t kDeadEndChecks = 10000;
 
 void require_pose(const char* name, const Pose& pose) {
   for (const double value : {pose.x, pose.y, pose.heading})
@@ -350,7 +350,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     if (result.bottleneck && result.bottleneck->too_narrow()) return true;
     if (!request.reverse)
       why.dead_end = find_dead_end(request.start, request.goal, d.map().body, d.map().vehicle.min_turning_radius(),
-                                   *d.map().queries.sweep, kDeadEndBoxes);
+                                   *d.map().queries.sweep, kDeadEndChecks);
     return why.dead_end.has_value();
   };
   why.obstruction = run.find_forwards(d.maps, d.tightest ? kQuickEffort : 1.0, std::cref(no_passage));

@@ -67,14 +67,14 @@ class ForwardFlood {
     core_ = {footprint.front - shorter, footprint.rear - shorter, footprint.half_width - turn * length - shift};
   }
 
-  enum class End { kClosed, kOpen };
-  End run(std::size_t max_boxes) {
+  enum class End { kClosed, kOpen, kGivenUp };
+  End run(std::size_t max_checks) {
     if (core_.half_width <= 0.0 || core_.front + core_.rear <= 0.0 || step_ > kMostTurn * radius_) return End::kOpen;
     const auto width = static_cast<std::size_t>(2 * furthest_ + 1);
     seen_.assign(width * width * static_cast<std::size_t>(headings_), false);
     std::vector<Box3> open{{0, 0, 0}};
     seen_[index_of(open[0])] = true;
-    std::size_t boxes = 1;
+    std::size_t checks = 0;
     const double near = step_ + edge_;
     while (!open.empty()) {
       const Box3 box = open.back();  // the last one first: where there is a way out, it is found soon
@@ -84,15 +84,15 @@ class ForwardFlood {
       reach_ = std::max(reach_, (position - from_.position()).norm() + near);
       for (const Box3& move : moves_from(box.heading)) {
         const Box3 next{box.x + move.x, box.y + move.y, (box.heading + move.heading + headings_) % headings_};
-        if (std::max(std::abs(next.x), std::abs(next.y)) > furthest_) {
-          if (is_free(next)) return End::kOpen;
-          continue;
+        const bool is_far = std::max(std::abs(next.x), std::abs(next.y)) > furthest_;
+        if (!is_far) {
+          const std::size_t index = index_of(next);
+          if (seen_[index]) continue;
+          seen_[index] = true;
         }
-        const std::size_t index = index_of(next);
-        if (seen_[index]) continue;
-        seen_[index] = true;
+        if (checks++ == max_checks) return End::kGivenUp;
         if (!is_free(next)) continue;
-        if (++boxes > max_boxes) return End::kOpen;
+        if (is_far) return End::kOpen;
         open.push_back(next);
       }
     }
@@ -159,15 +159,19 @@ class ForwardFlood {
 }  // namespace
 
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, std::size_t max_boxes) {
+                                     const SweepQuery& sweep, std::size_t max_checks) {
   // Whoever drives from where it came sees the body the other way round.
   const Pose turned{goal.x, goal.y, goal.heading + kPi};
   const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
+  std::array<bool, 2> given_up{};  // smaller boxes would be even more
   for (int level = 0; level < kLevels; ++level)
     for (const bool at_start : {true, false}) {
+      if (given_up[at_start]) continue;
       ForwardFlood flood(at_start ? start : turned, at_start ? goal.position() : start.position(),
                          at_start ? footprint : swapped, radius, sweep, level);
-      if (flood.run(max_boxes) == ForwardFlood::End::kClosed) return DeadEnd{at_start, flood.reach()};
+      const ForwardFlood::End end = flood.run(max_checks << level);
+      if (end == ForwardFlood::End::kClosed) return DeadEnd{at_start, flood.reach()};
+      given_up[at_start] = end == ForwardFlood::End::kGivenUp;
     }
   return std::nullopt;
 }

@@ -20,13 +20,13 @@ struct DeadEnd {
 /// may be in after a step forwards of a certain length from a box reached before, whatever curvatures of at most
 /// 1 / radius it is driven with, unless the body collides everywhere in the box. Backwards from the goal likewise. If
 /// there are no more of them before they are some body widths away or near the other end, that is a proof; else boxes
-/// are halved, once. What is near is decided, not what is far: enclosures of any size that also hold for reversing
-/// are found by find_enclosure.
+/// are halved, once, unless they were too many before. What is near is decided, not what is far: enclosures of any size
+/// that also hold for reversing are found by find_enclosure.
 /// @param footprint  of the body that must not touch anything.
 /// @param radius  smallest turning radius, > 0.
-/// @param max_boxes  of one size from one end; some microseconds each.
+/// @param max_checks  of larger boxes from one end, and twice as many of smaller ones; below a microsecond each.
 /// @returns nothing if no proof is found: there may be a path or none.
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, std::size_t max_boxes);
+                                     const SweepQuery& sweep, std::size_t max_checks);
 
 }  // namespace arcway

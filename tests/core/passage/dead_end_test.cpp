@@ -17,12 +17,12 @@ namespace {
 
 using test::box;
 
-constexpr std::size_t kBoxes = 4000;
+constexpr std::size_t kChecks = 10000;
 const Pose kFarGoal{-30, 5, 0};
 
 std::optional<DeadEnd> dead_end(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal) {
   return find_dead_end(start, goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                       *make_reference_queries(world).sweep, kBoxes);
+                       *make_reference_queries(world).sweep, kChecks);
 }
 
 // Whoever faces a wall gets away by the tightest turn if at all, in which the outer front corner gets furthest.
@@ -100,7 +100,7 @@ TEST(DeadEnd, NoDriveGetsFurtherThanItSays) {
     Random random(seed);
     for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 25, .min_distance = 0.3})) {
       const auto proof = find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                                       *queries.sweep, kBoxes);
+                                       *queries.sweep, kChecks);
       if (!proof || !proof->at_start) {
         ++open;
         continue;
@@ -125,7 +125,7 @@ TEST(DeadEnd, IsNotProvedWhereThereIsAPath) {
       if (!planner.plan(request).solved()) continue;
       ++solved;
       EXPECT_FALSE(find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                                 *queries.sweep, kBoxes))
+                                 *queries.sweep, kChecks))
           << seed;
     }
   }
