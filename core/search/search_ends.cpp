@@ -19,6 +19,7 @@ constexpr std::size_t kMostDirectPairs = 64;
 
 void SearchEnds::begin(SearchContext& context) {
   context_ = &context;
+  longest_way_ = context.options.faster_than * context.vehicle.top_speed();
   start_circles_.clear();
   goal_circles_.clear();
   start_links_.clear();
@@ -68,7 +69,9 @@ SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
   Range& range = start_link_ranges_[start_circle];
   if (range.first == kNone) {
     range.first = static_cast<std::uint32_t>(start_links_.size());
-    append_links(context_->map, start_circles_, start_circle, Direction::kFromStart, start_links_);
+    const Terminal& start = context_->starts[start_circles_[start_circle].terminal];
+    append_links(context_->map, start_circles_, start_circle, Direction::kFromStart,
+                 {context_->goal, longest_way_ - length_of(start.connection)}, start_links_);
     range.last = static_cast<std::uint32_t>(start_links_.size());
   }
   return range;
@@ -76,10 +79,10 @@ SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
 
 void SearchEnds::add_goal_links(std::uint32_t goal_circle) {
   const Terminal& goal = context_->goals[goal_circles_[goal_circle].terminal];
-  const double way = (goal.pose.position() - context_->starts[0].pose.position()).norm() + length_of(goal.connection);
-  if (way / context_->vehicle.top_speed() >= context_->options.faster_than) return;
+  const WayLimit limit{context_->starts[0].pose.position(), longest_way_ - length_of(goal.connection)};
+  if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
   found_.clear();
-  append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, found_);
+  append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, limit, found_);
   for (const TerminalLink& link : found_) {
     goal_links_.push_back({link, first_goal_link_.get(link.circle), kInfinity, false, false});
     first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));

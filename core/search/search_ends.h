@@ -57,7 +57,8 @@ class SearchEnds {
   void add_goal_links(std::uint32_t goal_circle);
 
   SearchContext* context_ = nullptr;
-  HeadingSet headings_;  // memory
+  double longest_way_ = 0.0;  // of paths that are wanted [m]
+  HeadingSet headings_;       // memory
   std::vector<TerminalCircle> start_circles_, goal_circles_;
   std::vector<TerminalLink> start_links_, found_;
   std::vector<Range> start_link_ranges_;  // by start circle; kNone: not found yet

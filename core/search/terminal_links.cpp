@@ -11,6 +11,10 @@ namespace arcway {
 
 namespace {
 
+constexpr double kRounding = 1e-9;  // relative, of lengths
+
+double distance_to(const Box& box, const Vec2& p) { return (p.cwiseMax(box.min).cwiseMin(box.max) - p).norm(); }
+
 Box grown(const Box& box, double by) { return {box.min - Vec2::Constant(by), box.max + Vec2::Constant(by)}; }
 
 }  // namespace
@@ -34,7 +38,7 @@ void append_circles(const SearchMap& map, std::span<const Terminal> terminals, D
 }
 
 void append_links(const SearchMap& map, std::span<const TerminalCircle> circles, std::uint32_t index,
-                  Direction direction, std::vector<TerminalLink>& links) {
+                  Direction direction, const WayLimit& limit, std::vector<TerminalLink>& links) {
   const TerminalCircle& own = circles[index];
   if (own.reach < 0.0) return;
   const bool from_start = direction == Direction::kFromStart;
@@ -46,10 +50,17 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   const bool body_covers_reference = map.body.front >= 0.0 && map.body.rear >= 0.0;
   if (body_covers_reference) horizon.shorten(*map.outlines);
 
+  const double longest = limit.length * (1.0 + kRounding);
+  const auto is_far = [&](const Box& box) {
+    return distance_to(box, limit.other_end) + distance_to(box, own.circle.center) - own.circle.radius > longest;
+  };
   const std::size_t first = links.size();
   const auto consider = [&](std::uint32_t circle) {
     const TurnCircle& other = map.graph.circles()[circle];
     const Side side = from_start ? other.side : opposite(other.side);
+    const double least =
+        (limit.other_end - other.center).norm() + (own.circle.center - other.center).norm() - own.circle.radius;
+    if (least - 2.0 * other.radius > longest) return;
     if (horizon.hides(TurnCircle{other.center, other.radius, side, kNone})) return;
     const auto line = from_start ? directed_bitangent(own.circle, other) : directed_bitangent(other, own.circle);
     if (!line) return;
@@ -71,11 +82,12 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   };
   // Vertices of which circles that lie so near to them may be seen.
   const auto visit_near = [&](double reach, auto&& visit) {
-    map.outlines->visit_if([&](const Box& box) { return !horizon.hides(grown(box, reach)); },
-                           [&](const Outlines::Piece& piece) {
-                             for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v) visit(v);
-                             return true;
-                           });
+    map.outlines->visit_if(
+        [&](const Box& box) { return !is_far(grown(box, reach)) && !horizon.hides(grown(box, reach)); },
+        [&](const Outlines::Piece& piece) {
+          for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v) visit(v);
+          return true;
+        });
   };
   // A vertex lies within its circles.
   for (const double radius : map.radii) visit_near(2.0 * radius, [&](VertexId v) { consider_round(v, radius); });

@@ -44,9 +44,15 @@ struct TerminalLink {
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
                     HeadingSet& headings, std::vector<TerminalCircle>& circles);
 
-/// Appends the straights between circles[index] and the graph, but for some that are certainly blocked. Looks only at
-/// the vertices that the obstacles near by do not hide.
+/// How long a path may be between a terminal and the other end of the path.
+struct WayLimit {
+  Vec2 other_end;
+  double length;  ///< [m]; infinity: as long as it likes
+};
+
+/// Appends the straights between circles[index] and the graph, but for some that are certainly blocked, or on no path
+/// within the limit. Looks only at the vertices that the obstacles near by do not hide.
 void append_links(const SearchMap& map, std::span<const TerminalCircle> circles, std::uint32_t index,
-                  Direction direction, std::vector<TerminalLink>& links);
+                  Direction direction, const WayLimit& limit, std::vector<TerminalLink>& links);
 
 }  // namespace arcway
