@@ -34,18 +34,6 @@ struct Departures {
 
 enum class Verdict : std::uint8_t { kUnknown, kKept, kArrival, kStraight };
 
-// Links by where they lead to.
-struct Incoming {
-  Incoming(std::span<const Link> links, std::size_t circles) : starts(circles + 1, 0), indices(links.size()) {
-    for (const Link& link : links) ++starts[link.to + 1];
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-    for (std::uint32_t i = 0; i < links.size(); ++i) indices[next[links[i].to]++] = i;
-  }
-  std::vector<std::uint32_t> starts;
-  std::vector<std::uint32_t> indices;
-};
-
 // Links of which each is decided when it is first asked for.
 struct LazyRow {
   explicit LazyRow(Departures d) : departures(std::move(d)), verdicts(departures.links.size()) {}
@@ -441,7 +429,6 @@ struct FeasibleGraph::Data {
   std::vector<std::uint64_t> link_starts{0};
   std::vector<LinkCounts> link_counts;
   std::vector<std::uint8_t> known_headings, known_rows;  // by circle, after a change: whether they are in those
-  SlotCache<Incoming> incoming{1};                       // once asked for
 
   SlotCache<HeadingSet> lazy_headings;  // if lazy, all others
   SlotCache<LazyRow> lazy_rows;
@@ -501,13 +488,6 @@ const TurnCircles& FeasibleGraph::turn_circles() const { return data_->turn_circ
 const HeadingSet& FeasibleGraph::free_headings(std::uint32_t circle) const { return data_->headings_of(circle); }
 std::span<const FeasibleGraph::Link> FeasibleGraph::links() const { return data_->links; }
 FeasibleGraphCounts FeasibleGraph::counts() const { return data_->counts_so_far(); }
-
-std::span<const std::uint32_t> FeasibleGraph::links_to(std::uint32_t circle) const {
-  const Incoming& incoming = data_->incoming.get(
-      0, [this] { return std::make_unique<const Incoming>(std::span(data_->links), data_->circles.size()); });
-  const std::uint32_t first = incoming.starts[circle];
-  return std::span(incoming.indices).subspan(first, incoming.starts[circle + 1] - first);
-}
 
 std::span<const FeasibleGraph::Link> FeasibleGraph::links_from(std::uint32_t circle) const {
   return data_->has_row(circle) ? data_->links_of(circle) : data_->lazy_row(circle).departures.links;

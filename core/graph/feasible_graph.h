@@ -97,9 +97,6 @@ class FeasibleGraph {
   [[nodiscard]] bool is_kept(std::uint32_t circle, std::size_t index) const;
   /// All kept links, by circle. Eager graphs only.
   [[nodiscard]] std::span<const Link> links() const;
-  /// Those of them that lead to a circle, as indices into links(), ascending. Eager graphs only; the first call sorts
-  /// all of them, O(links).
-  [[nodiscard]] std::span<const std::uint32_t> links_to(std::uint32_t circle) const;
   /// All that has been found out, to be taken up again. Eager graphs only.
   [[nodiscard]] FeasibleTables tables() const;
   /// Of what has been decided so far.

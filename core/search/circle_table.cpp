@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <numeric>
 
 namespace arcway {
 
@@ -20,6 +22,25 @@ CircleTable::CircleTable(const FeasibleGraph& graph) : graph_(graph) {
   }
   has_one_radius_ =
       std::ranges::all_of(records_, [&](const Record& record) { return record.radius == records_[0].radius; });
+}
+
+std::span<const CircleTable::LinkOf> CircleTable::links_to(std::uint32_t c) const {
+  const Incoming& incoming = incoming_.get(0, [this] { return std::make_unique<const Incoming>(find_incoming()); });
+  return std::span(incoming.links).subspan(incoming.starts[c], incoming.starts[c + 1] - incoming.starts[c]);
+}
+
+CircleTable::Incoming CircleTable::find_incoming() const {
+  Incoming incoming;
+  incoming.starts.assign(size() + 1, 0);
+  for (std::uint32_t c = 0; c < size(); ++c)
+    for (const FeasibleGraph::Link& link : links_from(c)) ++incoming.starts[link.to + 1];
+  std::partial_sum(incoming.starts.begin(), incoming.starts.end(), incoming.starts.begin());
+  incoming.links.resize(incoming.starts.back());
+  std::vector<std::uint64_t> next(incoming.starts.begin(), incoming.starts.end() - 1);
+  for (std::uint32_t c = 0; c < size(); ++c)
+    for (std::uint32_t index = 0; const FeasibleGraph::Link& link : links_from(c))
+      incoming.links[next[link.to]++] = {c, index++};
+  return incoming;
 }
 
 }  // namespace arcway

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/graph/feasible_graph.h"
+#include "core/graph/slot_cache.h"
 #include "core/huge_pages.h"
 
 namespace arcway {
@@ -36,6 +39,17 @@ class CircleTable {
     if (const Record* r = record(c)) return links_.subspan(r->first_link, r->links);
     return graph_.links_from(c);
   }
+  /// See FeasibleGraph::is_kept.
+  [[nodiscard]] bool is_kept(std::uint32_t c, std::uint32_t index) const { return graph_.is_kept(c, index); }
+  /// One of the links that leave a circle: links_from(circle)[index].
+  struct LinkOf {
+    std::uint32_t circle, index;
+  };
+  /// The links that lead to a circle, by the one that they leave; those of a lazy graph are not decided by that. The
+  /// first call sorts all links, for which a lazy graph finds all rows: 8 bytes a link, kept.
+  [[nodiscard]] std::span<const LinkOf> links_to(std::uint32_t c) const;
+  [[nodiscard]] std::size_t size() const { return graph_.circles().size(); }
+  [[nodiscard]] bool is_lazy() const { return graph_.mode() == GraphMode::kLazy; }
   /// Says that a circle will be asked about soon.
   void prefetch(std::uint32_t c) const {
     if (const Record* r = record(c)) __builtin_prefetch(r);
@@ -56,10 +70,18 @@ class CircleTable {
   };
   [[nodiscard]] const Record* record(std::uint32_t c) const { return records_.empty() ? nullptr : &records_[c]; }
 
+  // Links by where they lead to.
+  struct Incoming {
+    std::vector<std::uint64_t> starts;
+    std::vector<LinkOf> links;
+  };
+  [[nodiscard]] Incoming find_incoming() const;
+
   FeasibleGraph graph_;
   bool has_one_radius_ = false;
   std::span<const FeasibleGraph::Link> links_;
   HugeVector<Record> records_;  // none of a lazy graph
+  SlotCache<Incoming> incoming_{1};
 };
 
 }  // namespace arcway

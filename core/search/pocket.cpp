@@ -1,26 +1,28 @@
 #include "core/search/pocket.h"
 
+#include <unordered_set>
+
 #include "core/geometry/angle.h"
 
 namespace arcway {
 
-bool leads_to(const FeasibleGraph& graph, double arrival, const Departure& departure) {
-  const Side side = graph.circles()[departure.circle].side;
-  const double reach = graph.free_headings(departure.circle).reach(arrival, side);
-  return reach >= 0.0 && turn_between(arrival, departure.heading, side) <= reach;
+bool leads_to(const CircleTable& circles, double arrival, const Departure& departure) {
+  const double reach = circles.reach(departure.circle, arrival);
+  return reach >= 0.0 && turn_between(arrival, departure.heading, circles.circle(departure.circle).side) <= reach;
 }
 
-std::optional<std::vector<Departure>> departures_towards(const FeasibleGraph& graph, std::vector<Departure> ends,
+std::optional<std::vector<Departure>> departures_towards(const CircleTable& circles, std::vector<Departure> ends,
                                                          std::size_t most) {
-  std::vector<bool> seen(graph.links().size());
+  std::unordered_set<std::uint64_t> seen;  // links
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (ends.size() > most) return std::nullopt;
     const Departure end = ends[i];
-    for (const std::uint32_t index : graph.links_to(end.circle)) {
-      const FeasibleGraph::Link& link = graph.links()[index];
-      if (seen[index] || !leads_to(graph, link.heading, end)) continue;
-      seen[index] = true;
-      ends.push_back({link.from, link.heading});
+    for (const CircleTable::LinkOf& at : circles.links_to(end.circle)) {
+      const double heading = circles.links_from(at.circle)[at.index].heading;
+      const std::uint64_t link = (std::uint64_t{at.circle} << 32) | at.index;
+      if (seen.contains(link) || !leads_to(circles, heading, end) || !circles.is_kept(at.circle, at.index)) continue;
+      seen.insert(link);
+      ends.push_back({at.circle, heading});
     }
   }
   return ends;

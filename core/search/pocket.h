@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/graph/feasible_graph.h"
+#include "core/search/circle_table.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -16,13 +16,13 @@ struct Departure {
 };
 
 /// Whether who arrives on a departure's circle at a heading can turn as far as the departure.
-bool leads_to(const FeasibleGraph& graph, double arrival, const Departure& departure);
+bool leads_to(const CircleTable& circles, double arrival, const Departure& departure);
 
 /// All departures from which the graph leads to some given ones, those included: what lies in their pocket, found
 /// backwards. A goal that is hemmed in has few of them, however large the map.
-/// @param graph  eager.
-/// @return nothing if there are more than `most`. O(most x links that arrive on a circle).
-std::optional<std::vector<Departure>> departures_towards(const FeasibleGraph& graph, std::vector<Departure> ends,
+/// @return nothing if there are more than `most`. O(most x links that arrive on a circle), after the first call of
+///   CircleTable::links_to.
+std::optional<std::vector<Departure>> departures_towards(const CircleTable& circles, std::vector<Departure> ends,
                                                          std::size_t most);
 
 }  // namespace arcway

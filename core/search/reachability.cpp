@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/geometry/angle.h"
+#include "core/search/circle_table.h"
 #include "core/search/walk_links.h"
 
 namespace arcway {
@@ -14,6 +15,9 @@ namespace {
 
 constexpr std::size_t kLargestPocket = 4096;  // departures
 constexpr std::size_t kOpen = 5000;           // arcs, more than a pocket round the start has
+
+// Of a lazy graph: with all their rows made, which the walk from the start asks for as well where it is large.
+constexpr std::size_t kMostLazyCircles = 300'000;
 
 }  // namespace
 
@@ -52,14 +56,23 @@ bool Reachability::goal_is_reachable(SearchContext& context, SearchEnds& ends) {
 
 // Whether so little leads to the goal that one sees, going backwards, that the start does not.
 bool Reachability::goal_is_in_pocket() {
-  if (context_->graph.mode() != GraphMode::kEager || ends_->goal_links().size() > kLargestPocket) return false;
+  const CircleTable& circles = *context_->map.circles;
+  if (ends_->goal_links().size() > kLargestPocket || !has_links_to(circles)) return false;
   std::vector<Departure> ends;
   for (std::uint32_t g = 0; g < ends_->goal_links().size(); ++g) {
     SearchEnds::GoalLink& goal = ends_->goal_link(g);
     if (ends_->is_free(goal)) ends.push_back({goal.link.circle, goal.link.line.start.heading});
   }
-  const auto pocket = departures_towards(context_->graph, std::move(ends), kLargestPocket);
+  const auto pocket = departures_towards(circles, std::move(ends), kLargestPocket);
   return pocket && !start_leads_to(*pocket);
+}
+
+// Makes the rows of a lazy graph, if they are not too many, so that links can be asked for by where they lead to.
+bool Reachability::has_links_to(const CircleTable& circles) {
+  if (!circles.is_lazy()) return true;
+  if (circles.size() > kMostLazyCircles) return false;
+  for (std::uint32_t c = 0; c < circles.size() && !context_->interrupted(); ++c) (void)circles.links_from(c);
+  return !context_->result.interrupted;
 }
 
 bool Reachability::start_leads_to(const std::vector<Departure>& pocket) {
@@ -76,7 +89,8 @@ bool Reachability::start_leads_to(const std::vector<Departure>& pocket) {
     for (std::uint32_t i = range.first; i < range.last; ++i) {
       const TerminalLink& link = ends_->start_link(i);
       for (std::uint32_t d = first.get(link.circle); d != kNone; d = next[d])
-        if (leads_to(context_->graph, link.line.start.heading, pocket[d]) && context_->is_free(link.line)) return true;
+        if (leads_to(*context_->map.circles, link.line.start.heading, pocket[d]) && context_->is_free(link.line))
+          return true;
     }
   }
   return false;

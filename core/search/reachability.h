@@ -13,8 +13,9 @@
 namespace arcway {
 
 /// Finds out whether any path of the graph leads from the starts to the goals, without times and speeds: over all that
-/// the starts reach, nearest to the goal first, and where that is much and the graph eager, backwards out of the goal's
-/// pocket, if it is in one. Asked again about other starts and goals, it goes on from what it knows.
+/// the starts reach, nearest to the goal first, and where that is much, backwards out of the goal's pocket, if it is in
+/// one; not on a lazy graph of hundreds of thousands of circles. Asked again about other starts and goals, it goes on
+/// from what it knows.
 class Reachability {
  public:
   /// Forgets all that starts have reached.
@@ -47,6 +48,7 @@ class Reachability {
   };
 
   bool goal_is_in_pocket();
+  bool has_links_to(const CircleTable& circles);
   bool start_leads_to(const std::vector<Departure>& pocket);
   [[nodiscard]] Place place_of(std::uint32_t circle, std::uint32_t index) const;
   void push(std::uint32_t circle, std::uint32_t index);
