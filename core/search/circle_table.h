@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/angle.h"
 #include "core/graph/feasible_graph.h"
 #include "core/graph/slot_cache.h"
 #include "core/huge_pages.h"
@@ -33,6 +34,14 @@ class CircleTable {
   [[nodiscard]] double reach(std::uint32_t c, double heading) const {
     if (const Record* r = record(c); r && r->has_one_interval) return reach_within(r->free, heading, r->side);
     return graph_.free_headings(c).reach(heading, graph_.circles()[c].side);
+  }
+  /// Whether a heading in [0, 2 pi), known within less than `slack`, may be free, as far as is known without a search.
+  [[nodiscard]] bool may_be_free(std::uint32_t c, double heading, double slack) const {
+    const Record* r = record(c);
+    if (!r || !r->has_one_interval) return true;
+    const double ahead = heading - r->free.low + slack;  // of the interval's begin, up to whole turns
+    const double width = r->free.high - r->free.low + 2.0 * slack;
+    return (ahead >= 0.0 && ahead <= width) || ahead + kTwoPi <= width || ahead >= kTwoPi;
   }
   /// See FeasibleGraph::links_from.
   [[nodiscard]] std::span<const FeasibleGraph::Link> links_from(std::uint32_t c) const {

@@ -111,17 +111,23 @@ void Horizon::shorten_by(std::span<const Vec2> outline) {
   }
 }
 
-bool Horizon::hides(const TurnCircle& to) const {
+Horizon::Sight Horizon::sight_of(const TurnCircle& to) const {
   const Vec2 d = to.center - circle_.center;
   const double offset = sign_of(to.side) * to.radius - sign_of(circle_.side) * circle_.radius;
   const double square = d.squaredNorm() - offset * offset;
-  if (!(square > kSlack * offset * offset)) return false;  // they may touch, or there may be none
+  if (!(square > kSlack * offset * offset)) return {0.0, 0.0};  // they may touch, or there may be none
   const double length = std::sqrt(square);
-  const double heading = about_atan2(length * d - offset * perpendicular(d)) + kTwoPi;
+  const double heading = about_atan2(length * d - offset * perpendicular(d));
+  return {heading < 0.0 ? heading + kTwoPi : heading, length};
+}
+
+bool Horizon::hides(const Sight& sight) const {
+  if (sight.length == 0.0) return false;
   const double slack = kDirectionError + kSlack;
+  const double heading = sight.heading + kTwoPi;
   const auto first = static_cast<std::size_t>((heading - slack) * (kHeadings / kTwoPi));
   const auto last = static_cast<std::size_t>((heading + slack) * (kHeadings / kTwoPi));
-  return std::max(far_[first % kHeadings], far_[last % kHeadings]) < length * (1.0 - kSlack);
+  return std::max(far_[first % kHeadings], far_[last % kHeadings]) < sight.length * (1.0 - kSlack);
 }
 
 double Horizon::reach(double heading) const {

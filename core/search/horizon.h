@@ -26,8 +26,15 @@ class Horizon {
   [[nodiscard]] double reach(double heading) const;
   /// Whether all points of a box lie behind the horizon.
   [[nodiscard]] bool hides(const Box& box) const;
-  /// Whether the straight onto another directed circle is certainly not free; false also where there is none.
-  [[nodiscard]] bool hides(const TurnCircle& to) const;
+  /// The straight onto another directed circle, as far as it is needed to look it up.
+  struct Sight {
+    double heading;  ///< [0, 2 pi] within kSightError
+    double length;   ///< [m]; 0: there may be none
+  };
+  static constexpr double kSightError = 1e-4;
+  [[nodiscard]] Sight sight_of(const TurnCircle& to) const;
+  /// Whether it is certainly not free; false also where there is none.
+  [[nodiscard]] bool hides(const Sight& sight) const;
 
  private:
   static constexpr std::size_t kHeadings = 512;

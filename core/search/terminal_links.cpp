@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "core/geometry/angle.h"
+#include "core/search/circle_table.h"
 #include "core/search/horizon.h"
 
 namespace arcway {
@@ -50,18 +52,25 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   const bool body_covers_reference = map.body.front >= 0.0 && map.body.rear >= 0.0;
   if (body_covers_reference) horizon.shorten(*map.outlines);
 
-  const double longest = limit.length * (1.0 + kRounding);
+  const bool is_limited = limit.length < std::numeric_limits<double>::infinity();
+  const double longest = limit.length * (1.0 + kRounding) + own.circle.radius;
   const auto is_far = [&](const Box& box) {
-    return distance_to(box, limit.other_end) + distance_to(box, own.circle.center) - own.circle.radius > longest;
+    return is_limited && distance_to(box, limit.other_end) + distance_to(box, own.circle.center) > longest;
+  };
+  const auto is_far_circle = [&](const TurnCircle& other) {
+    return is_limited && (limit.other_end - other.center).norm() + (own.circle.center - other.center).norm() >
+                             longest + 2.0 * other.radius;
   };
   const std::size_t first = links.size();
   const auto consider = [&](std::uint32_t circle) {
     const TurnCircle& other = map.graph.circles()[circle];
+    if (is_far_circle(other)) return;
     const Side side = from_start ? other.side : opposite(other.side);
-    const double least =
-        (limit.other_end - other.center).norm() + (own.circle.center - other.center).norm() - own.circle.radius;
-    if (least - 2.0 * other.radius > longest) return;
-    if (horizon.hides(TurnCircle{other.center, other.radius, side, kNone})) return;
+    const Horizon::Sight sight = horizon.sight_of(TurnCircle{other.center, other.radius, side, kNone});
+    if (horizon.hides(sight)) return;
+    // Most others meet an obstacle at their heading, which is exactly known by far slower functions.
+    const double about = from_start ? sight.heading : sight.heading + (sight.heading < kPi ? kPi : -kPi);
+    if (sight.length > 0.0 && !map.circles->may_be_free(circle, about, Horizon::kSightError)) return;
     const auto line = from_start ? directed_bitangent(own.circle, other) : directed_bitangent(other, own.circle);
     if (!line) return;
     const double heading = line->start.heading;

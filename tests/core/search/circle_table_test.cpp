@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/angle.h"
 #include "core/graph/turning_radii.h"
 #include "core/planner.h"
 #include "datasets/clutter.h"
@@ -13,7 +14,8 @@ namespace {
 TEST(CircleTable, SaysWhatTheGraphSays) {
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}});
   test::Random random(4);
-  int inside = 0, outside = 0;
+  constexpr double kSlack = 1e-3;
+  int inside = 0, outside = 0, ruled_out = 0;
   for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar})
     for (const GraphMode mode : {GraphMode::kEager, GraphMode::kLazy}) {
       const World world = random_world({.kind = kind, .obstacles = 30, .vertices = 8, .fill = 0.4, .seed = 5});
@@ -36,12 +38,16 @@ TEST(CircleTable, SaysWhatTheGraphSays) {
           const double reach = table.reach(c, heading);
           EXPECT_EQ(reach, graph.free_headings(c).reach(heading, circle.side)) << "circle " << c << " at " << heading;
           EXPECT_EQ(reach >= 0.0, graph.free_headings(c).contains(heading));
+          const double about = wrap_positive(heading + random.uniform(-1.0, 1.0) * kSlack);
+          EXPECT_TRUE(reach < 0.0 || table.may_be_free(c, about, kSlack)) << "circle " << c << " at " << heading;
+          ruled_out += table.may_be_free(c, about, kSlack) ? 0 : 1;
           ++(reach < 0.0 ? outside : inside);
         }
       }
     }
   EXPECT_GT(inside, 1000);
   EXPECT_GT(outside, 1000);
+  EXPECT_GT(ruled_out, 300);
 }
 
 TEST(CircleTable, KnowsThatThereIsOneRadius) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/geometry/angle.h"
 #include "core/query/query_set.h"
 #include "datasets/clutter.h"
 #include "tests/support/random_inputs.h"
@@ -67,9 +68,15 @@ TEST(Horizon, HidesNoCircleOntoWhichAStraightIsFree) {
                             k % 3 == 0 ? 2.6 : 1.3, k % 2 == 0 ? Side::kLeft : Side::kRight, kNone};
         const auto line = directed_bitangent(circle, to);
         const bool is_free = line && queries.sweep->straight_free(swept_rectangle(line->start, line->length, body));
-        EXPECT_FALSE(is_free && horizon.hides(to)) << seed << " " << i << " " << k;
-        EXPECT_TRUE(line || !horizon.hides(to));
-        hidden += horizon.hides(to) ? 1 : 0;
+        const Horizon::Sight sight = horizon.sight_of(to);
+        EXPECT_FALSE(is_free && horizon.hides(sight)) << seed << " " << i << " " << k;
+        EXPECT_TRUE(line || !horizon.hides(sight));
+        if (line && sight.length > 0.0) {
+          EXPECT_LT(std::abs(wrap_signed(sight.heading - line->start.heading)), Horizon::kSightError);
+          EXPECT_NEAR(sight.length, line->length, 1e-6 * line->length);
+          EXPECT_TRUE(sight.heading >= 0.0 && sight.heading < kTwoPi);
+        }
+        hidden += horizon.hides(sight) ? 1 : 0;
         free += is_free ? 1 : 0;
       }
     }
