@@ -24,6 +24,8 @@ struct Retry {
 constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
 // Then with circles in narrow places.
 constexpr double kNarrowPlacesGap = 0.1;
+// No other way is looked for where it cannot be faster by more than this share.
+constexpr double kOtherWaysGap = 0.01;
 // Labels of a search for another way, beside a quarter of those of the first search: where turns cost next to nothing,
 // thousands of paths are as good as each other.
 constexpr std::uint64_t kMoreExpanded = 1000;
@@ -163,7 +165,7 @@ void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
 }
 
 void PlanRun::find_other_way(const SearchMap& map, double effort) {
-  if (result_.interrupted) return;
+  if (result_.interrupted || cost_of(workspace_.best) <= (1.0 + kOtherWaysGap) * result_.lower_bound) return;
   SearchOptions bounded = search_options_;
   bounded.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   FoundPath other = search(

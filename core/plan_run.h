@@ -44,8 +44,8 @@ class PlanRun {
   /// Where the lower bound says that the path which find_forwards has found last may be far from the best one: looks
   /// for faster ones on the same maps with manoeuvres at both ends, and with circles in narrow places.
   void improve_forwards();
-  /// Looks for the fastest path of another map that takes a way of its own. The vehicle of that map need not be the
-  /// real one.
+  /// Looks for the fastest path of another map that takes a way of its own, unless the lower bound says that it is not
+  /// worth it. The vehicle of that map need not be the real one.
   void find_other_way(const SearchMap& map, double effort);
   /// Refines the best path further.
   void refine_best(double effort);
