@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
+#include <ostream>
 #include <vector>
 
 #include "accel/make_queries.h"
@@ -24,6 +26,10 @@ struct Case {
   double lateral_acceleration = 0.0;  // if there is one, circles have several radii
   std::uint32_t obstacles = 300;
   std::size_t queries = 60;
+
+  friend void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.trials << " trials" << (c.lateral_acceleration > 0.0 ? ", several radii" : "");
+  }
 };
 
 class RepeatedQuery : public testing::TestWithParam<Case> {};
