@@ -13,8 +13,6 @@ namespace arcway {
 
 namespace {
 
-constexpr std::size_t kMaxVertices = std::size_t{1} << 28;  // six half-edges a vertex, and one bit for marks
-
 // One piece, for who watches or stops the build.
 bool sort(const Executor& executor, const std::function<bool()>& make_map) {
   bool is_made = false;
@@ -28,9 +26,9 @@ Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}
 }  // namespace
 
 SightMap::SightMap(const World& world, const Executor& executor, Diagonals shortened) : world_(world) {
-  if (world.vertices().size() > kMaxVertices)
+  if (world.vertices().size() > kMostVertices)
     throw std::length_error("wedge builder: the world has " + std::to_string(world.vertices().size()) +
-                            " vertices, at most " + std::to_string(kMaxVertices) + " fit");
+                            " vertices, at most " + std::to_string(kMostVertices) + " fit");
   if (world.vertices().empty()) return;
   std::optional<FreeSpace> space;
   NodeOrder order;

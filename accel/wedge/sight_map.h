@@ -53,7 +53,10 @@ class SightMap {
     std::uint32_t first_site;  ///< the other end of the first door
   };
 
-  /// O(n log n). Throws std::length_error beyond 2^28 vertices. The same for any executor.
+  /// Six half-edges a vertex, and one bit for marks, fit into 32 bits.
+  static constexpr std::size_t kMostVertices = std::size_t{1} << 28;
+
+  /// O(n log n). Throws std::length_error beyond kMostVertices. The same for any executor.
   explicit SightMap(const World& world, const Executor& executor = SerialExecutor(),
                     Diagonals shortened = Diagonals::kAll);
 

@@ -57,6 +57,8 @@ class CircleTable {
   /// The links that lead to a circle, by the one that they leave; those of a lazy graph are not decided by that. The
   /// first call sorts all links, for which a lazy graph finds all rows: 8 bytes a link, kept.
   [[nodiscard]] std::span<const LinkOf> links_to(std::uint32_t c) const;
+  /// Whether that call has been made.
+  [[nodiscard]] bool knows_links_to() const { return incoming_.find(0) != nullptr; }
   [[nodiscard]] std::size_t size() const { return graph_.circles().size(); }
   [[nodiscard]] bool is_lazy() const { return graph_.mode() == GraphMode::kLazy; }
   /// Says that a circle will be asked about soon.

@@ -69,7 +69,7 @@ bool Reachability::goal_is_in_pocket() {
 
 // Makes the rows of a lazy graph, if they are not too many, so that links can be asked for by where they lead to.
 bool Reachability::has_links_to(const CircleTable& circles) {
-  if (!circles.is_lazy()) return true;
+  if (!circles.is_lazy() || circles.knows_links_to()) return true;
   if (circles.size() > kMostLazyCircles) return false;
   for (std::uint32_t c = 0; c < circles.size() && !context_->interrupted(); ++c) (void)circles.links_from(c);
   return !context_->result.interrupted;
