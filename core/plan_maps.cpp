@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <variant>
 
 #include "core/executor.h"
@@ -11,22 +13,24 @@ namespace arcway {
 
 namespace {
 
-// The first so many radii, and how much wider turns are supposed to become.
+// The first so many radii, and how much more lateral acceleration than there may be.
 struct OtherWay {
   std::size_t radii;
   double factor;
 };
 constexpr std::array<OtherWay, 4> kOtherWays{{{3, 4.0}, {2, 4.0}, {2, 16.0}, {1, 16.0}}};
-constexpr double kFactorOfAll = 2.0;
+constexpr double kUsualFactor = 2.0;
 
-struct Widened {
+struct Faster {
   double factor;
-  TurnSpeedLaw operator()(const ConstantTurnSpeed& law) const { return law; }
+  TurnSpeedLaw operator()(const ConstantTurnSpeed& law) const {
+    return ConstantTurnSpeed{std::sqrt(factor) * law.speed};
+  }
   TurnSpeedLaw operator()(const LateralAccelerationLimit& law) const {
     return LateralAccelerationLimit{factor * law.lateral_acceleration};
   }
   TurnSpeedLaw operator()(TurnSpeedTable law) const {
-    for (auto& entry : law.entries) entry.first /= factor;
+    for (auto& entry : law.entries) entry.second *= std::sqrt(factor);
     return law;
   }
 };
@@ -40,13 +44,18 @@ SearchMap with_faster_turns(SearchMap map, const Vehicle& vehicle, double factor
 
 Vehicle with_faster_turns(const Vehicle& vehicle, double factor) {
   VehicleParameters parameters = vehicle.parameters();
-  parameters.turn_speed = std::visit(Widened{factor}, parameters.turn_speed);
+  parameters.turn_speed = std::visit(Faster{factor}, parameters.turn_speed);
   return Vehicle(std::move(parameters));
+}
+
+PlanMaps::PlanMaps(SearchMap map, bool gap_circles)
+    : plain(std::move(map)), faster_turns(with_faster_turns(plain, plain.vehicle, kUsualFactor)) {
+  if (gap_circles && plain.world.vertices().size() <= kNarrowVertices) narrow.emplace(plain);
 }
 
 std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap& smallest,
                                           const std::shared_ptr<const VisibilityRows>& rows) {
-  std::vector<SearchMap> maps{with_faster_turns(all, all.vehicle, kFactorOfAll)};
+  std::vector<SearchMap> maps{with_faster_turns(all, all.vehicle, kUsualFactor)};
   const auto add_with = [&](std::size_t count, double factor) {
     if (count == 1) return maps.push_back(with_faster_turns(smallest, all.vehicle, factor));
     const auto same = std::ranges::find(maps, count, [](const SearchMap& map) { return map.radii.size(); });

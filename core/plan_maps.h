@@ -13,11 +13,14 @@
 
 namespace arcway {
 
+/// The vehicle that may take every turn with `factor` times the lateral acceleration, at most as fast as it drives
+/// straight.
+/// @param factor  >= 1
+Vehicle with_faster_turns(const Vehicle& vehicle, double factor);
+
 /// What paths with turns of some radii are looked for on.
 struct PlanMaps {
-  PlanMaps(SearchMap map, bool gap_circles) : plain(std::move(map)) {
-    if (gap_circles && plain.world.vertices().size() <= kNarrowVertices) narrow.emplace(plain);
-  }
+  PlanMaps(SearchMap map, bool gap_circles);
   PlanMaps(const PlanMaps&) = delete;  // `narrow` refers to `plain`
 
   /// The graph with circles in narrow places is lazy: where there is no path, a search checks all that the start
@@ -25,15 +28,15 @@ struct PlanMaps {
   static constexpr std::size_t kNarrowVertices = 50'000;
 
   SearchMap plain;
+  /// The same for a vehicle with faster turns. The path that refinement makes the fastest may take its way: many turns
+  /// become wider or are left out.
+  SearchMap faster_turns;
   std::optional<NarrowPlaces> narrow;
 };
 
-/// The vehicle that is as fast in every turn as the given one in a turn `factor` times as wide.
-Vehicle with_faster_turns(const Vehicle& vehicle, double factor);
-
-/// Maps with several radii on which the fastest path may take another way than on the one given. Circles round vertices
-/// have few radii, and what refinement makes of a turn is not known before: these maps have some of the radii, as a
-/// path of tight turns is a shorter one, and vehicles that are faster in their turns, as these can often be made wider.
+/// More maps with several radii on which the fastest path may take a way of its own. Circles round vertices have few
+/// radii, and what refinement makes of a turn is not known before: these maps have some of the radii, as a path of
+/// tight turns is a shorter one, and vehicles with faster turns.
 /// @param all       with at least two radii.
 /// @param smallest  with the smallest of them alone.
 /// @param rows      of the reduced graph of both.

@@ -152,6 +152,7 @@ void PlanRun::improve_forwards() {
     try_faster(map, poses);
   }
   if (maps_->narrow && !by_narrow_places_ && is_doubtful(kNarrowPlacesGap)) try_faster(maps_->narrow->map(), 0);
+  find_other_way(maps_->faster_turns, 1.0);
 }
 
 void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
@@ -165,7 +166,8 @@ void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
 }
 
 void PlanRun::find_other_way(const SearchMap& map, double effort) {
-  if (result_.interrupted || cost_of(workspace_.best) <= (1.0 + kOtherWaysGap) * result_.lower_bound) return;
+  if (result_.interrupted || options_.refinement.max_trials == 0) return;
+  if (cost_of(workspace_.best) <= (1.0 + kOtherWaysGap) * result_.lower_bound) return;
   SearchOptions bounded = search_options_;
   bounded.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   FoundPath other = search(

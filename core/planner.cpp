@@ -359,8 +359,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     d.raise_bound(request, workspace->point, result);
     if (d.tightest && !result.interrupted) run.find_forwards(*d.tightest, 1.0, [] { return false; });
     run.improve_forwards();
-    if (d.options.refinement.max_trials > 0)
-      for (const SearchMap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
+    for (const SearchMap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
     if (d.tightest) run.refine_best(kLastEffort);
   }
   bool hopeless = why.obstruction == Obstruction::kPassage;

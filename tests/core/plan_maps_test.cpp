@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/graph/visibility_graph.h"
 #include "core/path/speed_profile.h"
 #include "core/planner.h"
+#include "core/refine/refine_path.h"
 #include "core/search/arrival_search.h"
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
@@ -23,14 +25,15 @@ Vehicle driven_by(const TurnSpeedLaw& law) {
   return Vehicle(parameters);
 }
 
-TEST(WithFasterTurns, IsAsFastAsInWiderTurns) {
+TEST(WithFasterTurns, TakesTurnsWithSoMuchMoreLateralAcceleration) {
   for (const TurnSpeedLaw& law : {TurnSpeedLaw(ConstantTurnSpeed{5.0}), TurnSpeedLaw(LateralAccelerationLimit{2.0}),
                                   TurnSpeedLaw(TurnSpeedTable{{{1.5, 2.0}, {6.0, 5.0}, {40.0, 11.0}}})}) {
     const Vehicle vehicle = driven_by(law);
     for (const double factor : {1.0, 2.0, 16.0}) {
       const Vehicle faster = with_faster_turns(vehicle, factor);
       for (const double radius : {1.3, 2.0, 7.0, 30.0, 300.0})
-        EXPECT_NEAR(faster.turn_speed(radius), vehicle.turn_speed(factor * radius), 1e-12);
+        EXPECT_NEAR(faster.turn_speed(radius),
+                    std::min(vehicle.max_speed(), std::sqrt(factor) * vehicle.turn_speed(radius)), 1e-12);
       EXPECT_EQ(faster.min_turning_radius(), vehicle.min_turning_radius());
       EXPECT_EQ(faster.max_speed(), vehicle.max_speed());
     }
@@ -113,6 +116,37 @@ TEST_P(SeveralRadii, WithoutRefinementTheGraphsFastestPathIsThePlan) {
   }
 }
 
+class OneRadius : public testing::TestWithParam<ClutterKind> {};
+
+TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWayRefined) {
+  const World world = random_world({.kind = GetParam(), .obstacles = 40, .vertices = 8, .fill = 0.25, .seed = 11});
+  const Vehicle vehicle;
+  const QuerySet queries = make_reference_queries(world);
+  const Planner planner(world, vehicle, queries, {}, SerialExecutor());
+  const std::vector<double> radii = planner.options().radii;
+  ASSERT_EQ(radii.size(), 1u);
+  const PlanMaps maps(
+      {world, vehicle, queries, radii,
+       FeasibleGraph(world, vehicle, planner.visibility_rows(), queries, radii, SerialExecutor(), GraphMode::kLazy)},
+      false);
+  EXPECT_GT(maps.faster_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
+  SearchWorkspace workspace;
+  int other = 0;
+  for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 40, .seed = 5})) {
+    const PlanResult plan = planner.plan(request);
+    if (!plan.solved()) continue;
+    test::expect_valid(planner, plan);
+    const std::vector<Terminal> starts{{request.start, {}}}, goals{{request.goal, {}}};
+    const auto path = search_arrivals(maps.faster_turns, starts, goals, {}, workspace).path;
+    if (!path || plan.travel_time <= 1.01 * plan.lower_bound) continue;
+    const RefinedPath refined = refine_path(*path, request.start, request.goal, vehicle, *queries.sweep);
+    EXPECT_LE(plan.travel_time, refined.travel_time * (1.0 + 1e-12));
+    other += speed_profile(*path, vehicle).total_time > plan.statistics.first_travel_time ? 1 : 0;
+  }
+  EXPECT_GT(other, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, OneRadius, testing::Values(ClutterKind::kConvex, ClutterKind::kStar));
 INSTANTIATE_TEST_SUITE_P(Kinds, SeveralRadii, testing::Values(ClutterKind::kConvex, ClutterKind::kStar));
 
 }  // namespace
