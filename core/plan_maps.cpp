@@ -13,12 +13,13 @@ namespace arcway {
 
 namespace {
 
-// The first so many radii, and how much more lateral acceleration than there may be.
+// The first so many radii, of five at most, and how many times the lateral acceleration that there may be.
 struct OtherWay {
   std::size_t radii;
   double factor;
+  bool operator==(const OtherWay&) const = default;
 };
-constexpr std::array<OtherWay, 4> kOtherWays{{{3, 4.0}, {2, 4.0}, {2, 16.0}, {1, 16.0}}};
+constexpr std::array<OtherWay, 7> kOtherWays{{{3, 4.0}, {2, 4.0}, {2, 16.0}, {1, 16.0}, {4, 2.0}, {3, 1.0}, {5, 4.0}}};
 constexpr double kUsualFactor = 2.0;
 
 struct Faster {
@@ -64,7 +65,13 @@ std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap&
     FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, SerialExecutor(), GraphMode::kLazy);
     maps.emplace_back(all.world, with_faster_turns(all.vehicle, factor), all.queries, radii, std::move(lazy));
   };
-  for (const auto& [count, factor] : kOtherWays) add_with(std::min(count, all.radii.size()), factor);
+  std::vector<OtherWay> known{{all.radii.size(), kUsualFactor}, {all.radii.size(), 1.0}};
+  for (OtherWay way : kOtherWays) {
+    way.radii = std::min(way.radii, all.radii.size());
+    if (std::ranges::find(known, way) != known.end()) continue;
+    known.push_back(way);
+    add_with(way.radii, way.factor);
+  }
   return maps;
 }
 

@@ -26,6 +26,10 @@ constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
 constexpr double kNarrowPlacesGap = 0.1;
 // No other way is looked for where it cannot be faster by more than this share.
 constexpr double kOtherWaysGap = 0.01;
+// A second best path may become the best one when it is slower by no more than this share.
+constexpr double kCloseSecond = 0.01;
+// And is another one when it is slower by more than this.
+constexpr double kSameCost = 1e-6;
 // Labels of a search for another way, beside a quarter of those of the first search: where turns cost next to nothing,
 // thousands of paths are as good as each other.
 constexpr std::uint64_t kMoreExpanded = 1000;
@@ -48,7 +52,9 @@ PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const Plan
       request_(request),
       search_options_{options.heuristic, limits.stop, deadline_of(limits), request.cusp_cost},
       workspace_(workspace),
-      result_(result) {
+      result_(result),
+      best_cost_(kInfinity),
+      second_cost_(kInfinity) {
   search_options_.time_model = options.time_model;
   search_options_.suboptimality = options.suboptimality;
   workspace_.unrefined_times.clear();
@@ -106,7 +112,7 @@ void PlanRun::refine(const Path& path, double effort, bool reverse) {
   s.refine_seconds += refining.seconds();
 }
 
-// Refines a path, and takes it if it is cheaper than the best one.
+// Refines a path, and keeps it if it is one of the two cheapest.
 PlanRun::Times PlanRun::keep(Path&& path, double effort, bool reverse) {
   PlanStatistics& s = result_.statistics;
   const double unrefined = travel_time(path);
@@ -120,10 +126,19 @@ PlanRun::Times PlanRun::keep(Path&& path, double effort, bool reverse) {
   refine(path, effort, reverse);
   workspace_.find.search.reuse(std::move(path));
   const double cost = cost_of(workspace_.refined.path);
-  if (!found_ || cost < cost_of(workspace_.best)) {
+  if (cost < best_cost_) {
+    // Of paths that refinement has led to the same place one is enough.
+    if (best_cost_ > (1.0 + kSameCost) * cost) {
+      std::swap(workspace_.second, workspace_.best);
+      second_cost_ = best_cost_;
+    }
     std::swap(workspace_.best, workspace_.refined.path);
+    best_cost_ = cost;
     s.unrefined_travel_time = unrefined;
     found_ = true;
+  } else if (cost < second_cost_ && cost > (1.0 + kSameCost) * best_cost_) {
+    std::swap(workspace_.second, workspace_.refined.path);
+    second_cost_ = cost;
   }
   return {unrefined, cost};
 }
@@ -167,7 +182,7 @@ void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
 
 void PlanRun::find_other_way(const SearchMap& map, double effort) {
   if (result_.interrupted || options_.refinement.max_trials == 0) return;
-  if (cost_of(workspace_.best) <= (1.0 + kOtherWaysGap) * result_.lower_bound) return;
+  if (best_cost_ <= (1.0 + kOtherWaysGap) * result_.lower_bound) return;
   SearchOptions bounded = search_options_;
   bounded.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   FoundPath other = search(
@@ -183,9 +198,17 @@ void PlanRun::find_other_way(const SearchMap& map, double effort) {
 }
 
 void PlanRun::refine_best(double effort) {
-  if (result_.interrupted) return;
-  refine(workspace_.best, effort, false);
-  if (cost_of(workspace_.refined.path) < cost_of(workspace_.best)) std::swap(workspace_.best, workspace_.refined.path);
+  const auto refine_further = [&](const Path& path) {
+    if (result_.interrupted) return;
+    refine(path, effort, false);
+    const double cost = cost_of(workspace_.refined.path);
+    if (cost >= best_cost_) return;
+    std::swap(workspace_.best, workspace_.refined.path);
+    best_cost_ = cost;
+  };
+  const bool are_close = second_cost_ <= (1.0 + kCloseSecond) * best_cost_;
+  refine_further(workspace_.best);
+  if (are_close) refine_further(workspace_.second);
 }
 
 void PlanRun::find_in_both_gears(const SearchMap& map) {

@@ -19,7 +19,7 @@ struct PlanWorkspace {
   FindWorkspace find;
   RefineWorkspace refine;
   RefinedPath refined;
-  Path best;
+  Path best, second;
   SpeedProfile profile;
   std::vector<double> unrefined_times;  // of all paths found so far
 };
@@ -47,7 +47,7 @@ class PlanRun {
   /// Looks for the fastest path of another map that takes a way of its own, unless the lower bound says that it is not
   /// worth it. The vehicle of that map need not be the real one.
   void find_other_way(const SearchMap& map, double effort);
-  /// Refines the best path further.
+  /// Refines the best path further, and the second best if it is nearly as good: that one may become the best.
   void refine_best(double effort);
   /// Looks for a cheaper path in both gears.
   void find_in_both_gears(const SearchMap& map);
@@ -75,6 +75,7 @@ class PlanRun {
   PlanWorkspace& workspace_;
   PlanResult& result_;
   bool found_ = false;
+  double best_cost_, second_cost_;    // infinite where there is none
   std::uint64_t first_expanded_ = 0;  // until the first path was found
   // Of the path that find_forwards found last.
   const PlanMaps* maps_ = nullptr;
