@@ -101,7 +101,8 @@ class PairwiseBuilder {
       }
       ++binary_pairs;
       for (const auto& [u, v] : *tangents)
-        if (u >= lowest && u <= highest && !world_.is_covered(u) && !world_.is_covered(v)) pairs.emplace_back(u, v);
+        if (u >= lowest && u <= highest && world_.is_graph_vertex(u) && world_.is_graph_vertex(v))
+          pairs.emplace_back(u, v);
     }
     binary_pairs_ += binary_pairs;
   }

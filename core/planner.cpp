@@ -77,8 +77,6 @@ PlannerOptions checked_options(const World& world, const Vehicle& vehicle, Plann
   return options;
 }
 
-bool is_graph_vertex(const World& world, VertexId v) { return world.is_convex(v) && !world.is_covered(v); }
-
 // Checks the feasible graph anew.
 auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
   return [&](const std::shared_ptr<const VisibilityRows>& rows, const PlannerOptions& options) {
@@ -277,7 +275,7 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
                      "at the end, the world has " + std::to_string(world.vertices().size()) + " vertices");
   for (VertexId u = 0; u < world.vertices().size(); ++u)
     for (const VertexId v : graphs.reduced_graph.row(u))
-      if (!is_graph_vertex(world, u) || !is_graph_vertex(world, v))
+      if (!world.is_graph_vertex(u) || !world.is_graph_vertex(v))
         throw TableError(
             Table::kTargets, graphs.reduced_graph.row_starts()[u],
             "row " + std::to_string(u) + " joins it to " + std::to_string(v) + ", which are not both convex and free");

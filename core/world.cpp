@@ -92,9 +92,11 @@ struct World::Data {
     }
   }
 
+  [[nodiscard]] bool is_graph_vertex(VertexId v) const { return convex[v] && !covered[v]; }
+
   void list_convex_vertices() {
     for (VertexId v = 0; v < vertices.size(); ++v)
-      if (convex[v] && !covered[v]) convex_vertices.push_back(v);
+      if (is_graph_vertex(v)) convex_vertices.push_back(v);
   }
 
   [[nodiscard]] bool is_bounds(ObstacleId region) const { return has_bounds && region + 1 == boxes.size(); }
@@ -328,6 +330,7 @@ VertexId World::previous(VertexId v) const { return data_->previous[v]; }
 ObstacleId World::obstacle_of(VertexId v) const { return data_->obstacle_of[v]; }
 bool World::is_convex(VertexId v) const { return data_->convex[v]; }
 bool World::is_covered(VertexId v) const { return data_->covered[v]; }
+bool World::is_graph_vertex(VertexId v) const { return data_->is_graph_vertex(v); }
 std::span<const VertexId> World::convex_vertices() const { return data_->convex_vertices; }
 std::size_t World::obstacle_count() const { return data_->boxes.size() - (data_->has_bounds ? 1 : 0); }
 bool World::has_bounds() const { return data_->has_bounds; }

@@ -87,7 +87,10 @@ class World {
   [[nodiscard]] bool is_convex(VertexId v) const;
   /// Whether v lies strictly inside another obstacle or strictly outside the bounds.
   [[nodiscard]] bool is_covered(VertexId v) const;
-  /// The graph's vertices: convex and not covered, ascending.
+  /// Whether v may be a vertex of the reduced visibility graph: convex and not covered. A shortest path turns at no
+  /// other.
+  [[nodiscard]] bool is_graph_vertex(VertexId v) const;
+  /// All graph vertices, ascending.
   [[nodiscard]] std::span<const VertexId> convex_vertices() const;
 
   /// Number of obstacles without the bounds.

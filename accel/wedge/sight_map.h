@@ -106,7 +106,6 @@ class SightMap {
   std::optional<FreeSpace> sweep(const Executor& executor, NodeOrder& order);
   /// Sets `node_at_`.
   NodeOrder number_nodes();
-  [[nodiscard]] bool has_node(VertexId v) const;
 
   /// The door that leads into free space through a wall, by the site at its left end.
   struct alignas(8) Wall {

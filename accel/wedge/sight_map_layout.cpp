@@ -14,8 +14,6 @@ constexpr std::size_t kRingsPerRange = 256;
 
 }  // namespace
 
-bool SightMap::has_node(VertexId v) const { return world_.is_convex(v) && !world_.is_covered(v); }
-
 SightMap::NodeOrder SightMap::number_nodes() {
   const auto count = static_cast<VertexId>(world_.vertices().size());
   const Tiles tiles(world_.box(), map_.sites.size());
@@ -27,7 +25,7 @@ SightMap::NodeOrder SightMap::number_nodes() {
     Ring ring{first, 0, 0};
     for (VertexId v = first; !is_found[v]; v = world_.next(v)) {
       is_found[v] = true;
-      ring.nodes += has_node(v) ? 1 : 0;
+      ring.nodes += world_.is_graph_vertex(v) ? 1 : 0;
       if (map_.site_of[v] < map_.site_of[ring.leftmost]) ring.leftmost = v;
     }
     order.rings.push_back(ring);
@@ -41,7 +39,7 @@ SightMap::NodeOrder SightMap::number_nodes() {
   for (const Ring& ring : order.rings) {
     VertexId v = ring.leftmost;
     for (std::uint32_t n = ring.first_node; n < ring.first_node + ring.nodes; v = world_.next(v)) {
-      if (!has_node(v)) continue;
+      if (!world_.is_graph_vertex(v)) continue;
       std::uint32_t& last = node_at_[map_.site_of[v]];
       if (last != kNone) order.shared_sites.push_back(map_.site_of[v]);
       last = last == kNone ? n : std::max(last, n);
@@ -115,7 +113,7 @@ bool SightMap::lay_out_ring(const Ring& ring, std::span<const Wall> walls) {
   bool are_all_plain = true;
   for (std::uint32_t n = first; n < behind;) {
     const VertexId next = world_.next(v);
-    if (has_node(v)) {
+    if (world_.is_graph_vertex(v)) {
       const std::uint32_t site = map_.site_of[v], previous_site = map_.site_of[previous],
                           next_site = map_.site_of[next];
       Node node{world_.vertex(v),

@@ -81,7 +81,7 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
                       [&](const Outlines::Piece& piece) {
                         for (std::size_t i = 0; i < piece.edge_count(); ++i) {
                           const auto v = static_cast<VertexId>(piece.first + i);
-                          if (!world_.is_convex(v) || world_.is_covered(v)) continue;
+                          if (!world_.is_graph_vertex(v)) continue;
                           w.open_.push({(places[v] - start).norm() + to_goal(places[v]), v, Step::kFromStart});
                         }
                         return true;

@@ -42,10 +42,7 @@ class GapCircles {
         vehicle_(vehicle),
         radius_(radius),
         body_(vehicle.footprint(vehicle.safety_margin())),
-        swept_(swept_annulus(body_, radius)),
-        has_circles_(world.vertices().size(), false) {
-    for (const VertexId v : world.convex_vertices()) has_circles_[v] = true;
-  }
+        swept_(swept_annulus(body_, radius)) {}
 
   ExtraCircles find() && {
     const GapMap map(world_, swept_.outer);
@@ -71,7 +68,7 @@ class GapCircles {
 
   // @param across  from the vertex to what it faces, a vertex or an edge at a right angle to that.
   void add_round(VertexId v, double width, const Vec2& across, bool faces_vertex) {
-    if (v == kNone || !has_circles_[v]) return;
+    if (v == kNone || !world_.is_graph_vertex(v)) return;
     if (width < swept_.width()) {
       const auto radius = vehicle_.smallest_fitting_radius(width - kMargins * vehicle_.safety_margin());
       if (!radius || *radius > kWidestRadius * radius_) return;
@@ -166,7 +163,9 @@ class GapCircles {
       if (place.x < first || place.x <= last + kSame || count == kMostPlaces) continue;
       const Vec2 center = middle + forwards * place.x * along + sign_of(side) * radius_ * perpendicular(along);
       const auto near = [&](VertexId v) {
-        return v != kNone && has_circles_[v] && (world_.vertex(v) - center).norm() < kNear * swept_.outer ? v : kNone;
+        return v != kNone && world_.is_graph_vertex(v) && (world_.vertex(v) - center).norm() < kNear * swept_.outer
+                   ? v
+                   : kNone;
       };
       const VertexId own = near(place.contact->vertex);
       const VertexId other = near(vertex_across(beside, *place.contact));
@@ -181,7 +180,7 @@ class GapCircles {
   [[nodiscard]] VertexId vertex_across(const std::vector<Beside>& beside, const Beside& contact) const {
     const Beside* nearest = nullptr;
     for (const Beside& b : beside)
-      if (b.y * contact.y <= 0.0 && has_circles_[b.vertex] &&
+      if (b.y * contact.y <= 0.0 && world_.is_graph_vertex(b.vertex) &&
           (!nearest || std::abs(b.x - contact.x) < std::abs(nearest->x - contact.x)))
         nearest = &b;
     return nearest ? nearest->vertex : kNone;
@@ -197,7 +196,6 @@ class GapCircles {
   double radius_;
   Footprint body_;
   SweptAnnulus swept_;
-  std::vector<bool> has_circles_;
   Known known_;
   ExtraCircles found_;
 };

@@ -152,7 +152,8 @@ TEST(World, CoversWhatAScanCovers) {
         covered |= o != world.obstacle_of(v) && world.locate(world.vertex(v), o) == PointLocation::kInside;
       }
       ASSERT_EQ(world.is_covered(v), covered) << "round " << round << " vertex " << v;
-      if (!covered && world.is_convex(v)) expected.push_back(v);
+      ASSERT_EQ(world.is_graph_vertex(v), world.is_convex(v) && !covered) << "round " << round << " vertex " << v;
+      if (world.is_graph_vertex(v)) expected.push_back(v);
     }
     const auto convex = world.convex_vertices();
     EXPECT_EQ(std::vector<VertexId>(convex.begin(), convex.end()), expected);
