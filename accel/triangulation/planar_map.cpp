@@ -9,6 +9,7 @@
 
 #include "core/geometry/box_tree.h"
 #include "core/geometry/predicates.h"
+#include "core/prefetch.h"
 
 namespace arcway {
 
@@ -78,8 +79,8 @@ void make_sites(const World& world, PlanarMap& map) {
   map.site_of.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i + kAhead < order.size()) {
-      __builtin_prefetch(&world.vertices()[order[i + kAhead]]);
-      __builtin_prefetch(&map.site_of[order[i + kAhead]], 1);
+      will_need(&world.vertices()[order[i + kAhead]]);
+      will_need(&map.site_of[order[i + kAhead]]);
     }
     const Vec2& p = world.vertex(order[i]);
     if (i == 0 || p != map.sites.back()) map.sites.push_back(p);
@@ -108,7 +109,7 @@ bool make_tables(const std::vector<Edge>& unsorted, PlanarMap& map) {
   map.edges[1] = top;
   std::vector<std::uint32_t> place(first.begin(), first.end() - 1);
   for (std::size_t i = 0; i < unsorted.size(); ++i) {
-    if (i + kAhead < unsorted.size()) __builtin_prefetch(&place[unsorted[i + kAhead].low], 1);
+    if (i + kAhead < unsorted.size()) will_need(&place[unsorted[i + kAhead].low]);
     map.edges[place[unsorted[i].low]++] = unsorted[i];
   }
 
@@ -118,7 +119,7 @@ bool make_tables(const std::vector<Edge>& unsorted, PlanarMap& map) {
   std::uint32_t kept = 2;
   for (std::uint32_t s = 2, begin = 2; s < site_count; ++s) {
     const std::uint32_t end = first[s + 1];
-    if (end + kAhead < map.edges.size()) __builtin_prefetch(&map.sites[map.edges[end + kAhead].high]);
+    if (end + kAhead < map.edges.size()) will_need(&map.sites[map.edges[end + kAhead].high]);
     if (end - begin == 2) {
       if (slope_order(map.edges[begin + 1], map.edges[begin])) std::swap(map.edges[begin], map.edges[begin + 1]);
     } else if (end - begin > 2) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/prefetch.h"
+
 namespace arcway {
 
 namespace {
@@ -80,9 +82,9 @@ class Flipper {
     const auto last = static_cast<std::uint32_t>(corners_.size() - 1);
     const auto beyond = [&](std::uint32_t h) { return std::min(twins_[h], last); };
     const std::uint32_t far = beyond(next_ + kFar);
-    __builtin_prefetch(&corners_[far]);
-    __builtin_prefetch(&twins_[far]);
-    __builtin_prefetch(&sites_[corners_[Triangulation::previous(beyond(next_ + kNear))]]);
+    will_need(&corners_[far]);
+    will_need(&twins_[far]);
+    will_need(&sites_[corners_[Triangulation::previous(beyond(next_ + kNear))]]);
   }
   [[nodiscard]] bool is_out(std::uint32_t h) const { return h - begin_ >= size_; }
   [[nodiscard]] bool is_foreign(std::uint32_t h) const { return h != kNone && is_out(h); }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/predicates.h"
+#include "core/prefetch.h"
 
 namespace arcway {
 
@@ -19,8 +20,6 @@ inline int filtered_sign(double ux, double uy, double vx, double vy) {
   const double error = kErrorBound * (std::abs(left) + std::abs(right));
   return (determinant > error) - (determinant < -error);
 }
-
-inline void prefetch(const void* address) { __builtin_prefetch(address); }
 
 bool is_tangent(const SightMap::Node& node, const Vec2& from) {
   const double x = node.at.x() - from.x(), y = node.at.y() - from.y();
@@ -287,8 +286,8 @@ void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
   while (true) {
     ++steps;
     const SightMap::Door& triangle = doors[door];
-    prefetch(doors + triangle.left);
-    prefetch(doors + triangle.right);
+    will_need(doors + triangle.left);
+    will_need(doors + triangle.right);
     const int low_side = side(low, triangle.apex, triangle.site);
     if (low_side < 0) {
       door = triangle.left;
@@ -327,8 +326,8 @@ void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
 
 inline void WedgeWalk::report(std::uint32_t place, std::uint32_t first_node) {
   const Node* const target = map_.nodes().data() + first_node;
-  prefetch(target);
-  prefetch(&target->vertex);
+  will_need(target);
+  will_need(&target->vertex);
   seen_.emplace_back(place == alias_ ? alias_of_ : place, first_node);
 }
 

@@ -7,6 +7,7 @@
 #include "core/geometry/angle.h"
 #include "core/geometry/predicates.h"
 #include "core/graph/visibility_graph.h"
+#include "core/prefetch.h"
 #include "core/search/horizon.h"
 
 namespace arcway {
@@ -91,8 +92,8 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
     const Workspace::Entry entry = w.open_.pop();
     for (const Workspace::Entry& next : w.open_.first_few(kNext)) {
       if (next.vertex == kNone) continue;
-      __builtin_prefetch(&places[next.vertex]);
-      __builtin_prefetch(&w.reached_[next.vertex]);
+      will_need(&places[next.vertex]);
+      will_need(&w.reached_[next.vertex]);
       rows_->prefetch(next.vertex);
     }
     const Vec2& here = entry.vertex == kNone ? start : places[entry.vertex];
@@ -112,7 +113,7 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
     if (turn.leads_to(goal) && !from_goal.hides(Box{here, here}) && is_tangent(world_, entry.vertex, goal))
       w.open_.push({length + to_goal(here), entry.vertex, Step::kToGoal});
     const std::span<const VertexId> row = rows_->of(entry.vertex);
-    for (const VertexId v : row) __builtin_prefetch(&places[v]);
+    for (const VertexId v : row) will_need(&places[v]);
     for (const VertexId v : row) {
       const Vec2& there = places[v];
       if (!turn.leads_to(there)) continue;

@@ -3,6 +3,8 @@
 #include <numeric>
 #include <vector>
 
+#include "core/prefetch.h"
+
 namespace arcway {
 
 namespace {
@@ -30,7 +32,7 @@ class GraphRows final : public VisibilityRows {
     return std::span(targets_).subspan(starts_[v], starts_[v + 1] - starts_[v]);
   }
 
-  void prefetch(VertexId v) const override { __builtin_prefetch(targets_.data() + starts_[v]); }
+  void prefetch(VertexId v) const override { will_need(targets_.data() + starts_[v]); }
 
   [[nodiscard]] std::vector<Pair> pairs_within(double length,
                                                const std::function<bool(VertexId, VertexId)>& wanted) const override {

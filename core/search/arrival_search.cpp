@@ -8,6 +8,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/path/speed_profile.h"
+#include "core/prefetch.h"
 #include "core/search/circle_table.h"
 #include "core/search/open_list.h"
 #include "core/search/per_circle.h"
@@ -200,13 +201,13 @@ class ArrivalSearch {
       if (next[i].kind() != Kind::kGraph) continue;
       const Step& step = w_.steps[next[i].index()];
       if (i >= kNext) {
-        __builtin_prefetch(&step);
+        will_need(&step);
         continue;
       }
       circles_.prefetch(step.to);
       w_.first_label.prefetch(step.to);
       ends_.prefetch(step.to);
-      __builtin_prefetch(&w_.labels[step.label]);
+      will_need(&w_.labels[step.label]);
       if (i == 0) circles_.prefetch_links(step.to);
     }
   }

@@ -9,6 +9,7 @@
 #include "core/graph/feasible_graph.h"
 #include "core/graph/slot_cache.h"
 #include "core/huge_pages.h"
+#include "core/prefetch.h"
 
 namespace arcway {
 
@@ -63,11 +64,11 @@ class CircleTable {
   [[nodiscard]] bool is_lazy() const { return graph_.mode() == GraphMode::kLazy; }
   /// Says that a circle will be asked about soon.
   void prefetch(std::uint32_t c) const {
-    if (const Record* r = record(c)) __builtin_prefetch(r);
+    if (const Record* r = record(c)) will_need(r);
   }
   /// Says that the links will be asked for that leave a circle; best some time after `prefetch`.
   void prefetch_links(std::uint32_t c) const {
-    if (const Record* r = record(c)) __builtin_prefetch(links_.data() + r->first_link);
+    if (const Record* r = record(c)) will_need(links_.data() + r->first_link);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/huge_pages.h"
+#include "core/prefetch.h"
 #include "core/world.h"
 
 namespace arcway {
@@ -23,7 +24,7 @@ class PerCircle {
     return values_[circle].epoch == epoch_ ? values_[circle].index : kNone;
   }
   /// Says that a circle will be asked about soon.
-  void prefetch(std::uint32_t circle) const { __builtin_prefetch(&values_[circle]); }
+  void prefetch(std::uint32_t circle) const { will_need(&values_[circle]); }
   void set(std::uint32_t circle, std::uint32_t index) { values_[circle] = {epoch_, index}; }
 
  private:
