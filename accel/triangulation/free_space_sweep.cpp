@@ -1,9 +1,11 @@
 #include "accel/triangulation/free_space_sweep.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "accel/triangulation/gap_order.h"
 #include "core/geometry/predicates.h"
+#include "core/prefetch.h"
 
 namespace arcway {
 
@@ -14,6 +16,8 @@ using Link = std::uint32_t;
 constexpr Link kWall = kNone;
 /// A diagonal with the gap on both of its sides; the other bits number it.
 constexpr Link kDangling = 0x80000000u;
+
+constexpr std::uint32_t kAhead = 12;  // sites
 
 class Sweep {
  public:
@@ -31,8 +35,10 @@ class Sweep {
     gaps_[beyond].below = all;
     order_.start(all);
     if (is_free(all)) start_front(all, 0, 1);
-    for (std::uint32_t site = 2; site + 1 < last; ++site)
+    for (std::uint32_t site = 2; site + 1 < last; ++site) {
+      fetch_ends(std::min(site + kAhead, last));
       if (!pass(site)) return std::nullopt;
+    }
     if (is_free(all)) {
       extend_low_end(all, last - 1, kWall);
       extend_high_end(all, last, kWall);
@@ -61,6 +67,13 @@ class Sweep {
   }
   [[nodiscard]] bool turns_left(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return orientation(map_.sites[a], map_.sites[b], map_.sites[c]) > 0;
+  }
+
+  // The far ends of two edges that start just before a site; without branches that nobody foresees.
+  void fetch_ends(std::uint32_t site) const {
+    const std::uint32_t end = map_.first_edge[site];
+    will_need(&map_.sites[map_.edges[end - 1].high]);
+    will_need(&map_.sites[map_.edges[end - 2].high]);
   }
 
   bool pass(std::uint32_t site) {
