@@ -4,6 +4,7 @@
 
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/tiles.h"
+#include "core/prefetch.h"
 
 namespace arcway {
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::size_t kTrianglesPerRange = 4096;
 constexpr std::size_t kRingsPerRange = 256;
+constexpr std::size_t kAhead = 24;  // triangles: what they need and where they go lies all over a strip of the map
 
 }  // namespace
 
@@ -54,15 +56,28 @@ SightMap::NodeOrder SightMap::number_nodes() {
 std::vector<SightMap::Wall> SightMap::lay_out_doors(Triangulation t, const Executor& executor) {
   const Tiles tiles(world_.box(), map_.sites.size());
   std::vector<std::uint32_t> place(t.triangle_count());
-  for (std::size_t i = 0; i < place.size(); ++i) place[i] = tiles.of(map_.sites[t.corners[3 * i]]);
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (i + kAhead < place.size()) will_need(&map_.sites[t.corners[3 * (i + kAhead)]]);
+    place[i] = tiles.of(map_.sites[t.corners[3 * i]]);
+  }
   place = places_by_tile(std::move(place), tiles.count());
 
   doors_.resize(t.corners.size());
   std::vector<Wall> walls(map_.sites.size(), kNoWall);
+  const auto fetch = [&](std::size_t i) {
+    for (std::size_t h = 3 * i; h < 3 * i + 3; ++h) {
+      will_need(&map_.sites[t.corners[h]]);
+      will_need(&node_at_[t.corners[h]]);
+      will_need(&place[std::min<std::size_t>(t.twins[h] / 3, place.size() - 1)]);
+    }
+    will_need(&doors_[3 * place[i]]);
+    will_need(&doors_[3 * place[i] + 2]);
+  };
   executor.for_ranges(place.size(), kTrianglesPerRange, [&](std::size_t begin, std::size_t end) {
     std::vector<std::pair<std::uint32_t, Wall>>
         found;  // by left end; noted in the end, as atomics would wait for doors
     for (std::size_t i = begin; i < end; ++i) {
+      if (i + kAhead < place.size()) fetch(i + kAhead);
       std::uint32_t site[3], behind[3];
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::size_t h = 3 * i + k;
@@ -107,7 +122,7 @@ bool SightMap::lay_out_ring(const Ring& ring, std::span<const Wall> walls) {
   const std::uint32_t first = ring.first_node, behind = first + ring.nodes;
   VertexId previous = world_.previous(ring.leftmost), v = ring.leftmost;
   do {
-    __builtin_prefetch(&walls[map_.site_of[v]]);
+    will_need(&walls[map_.site_of[v]]);
     v = world_.next(v);
   } while (v != ring.leftmost);
   bool are_all_plain = true;
