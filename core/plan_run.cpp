@@ -22,6 +22,8 @@ struct Retry {
   std::uint32_t poses;
 };
 constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
+// By this share at least that has to be faster: the ways on from where a manoeuvre saves next to nothing are known.
+constexpr double kLeastGain = 0.001;
 // Then with circles in narrow places.
 constexpr double kNarrowPlacesGap = 0.1;
 // No other way is looked for where it cannot be faster by more than this share.
@@ -172,7 +174,9 @@ void PlanRun::improve_forwards() {
 
 void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
   SearchOptions faster = search_options_;
-  faster.faster_than = fastest_.unrefined;
+  faster.least_gain = kLeastGain * fastest_.unrefined;
+  faster.faster_than = fastest_.unrefined - faster.least_gain;
+  faster.goes_on = true;
   FoundPath turning = search(
       [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, faster, workspace_.find); });
   if (!turning.search.path) return;

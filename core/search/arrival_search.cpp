@@ -85,7 +85,9 @@ struct SearchWorkspace::Data {
     const CircleTable* map = nullptr;
     Reachability by_starts;
   };
-  std::array<Reached, 2> reached;  // on the map of a query, and on that with circles in narrow places
+  std::array<Reached, 2> reached;    // on the map of a query, and on that with circles in narrow places
+  const CircleTable* map = nullptr;  // of the search before
+  std::uint32_t pushed_start_circles = 0;
   OpenList<Entry> open;
   HugeVector<Step> steps;
   HugeVector<Label> labels;
@@ -114,11 +116,10 @@ class ArrivalSearch {
         result_(context.result),
         w_(workspace),
         ends_(workspace.ends) {
-    w_.times.begin(context);
-    w_.open.clear();
-    w_.steps.clear();
-    w_.labels.clear();
-    w_.first_label.reset(graph_.circles().size());
+    const bool adds_ends = context.options.goes_on && w_.map == &circles_ && ends_.are_first_of(context);
+    w_.times.begin(context, adds_ends);
+    if (!adds_ends) forget();
+    known_labels_ = w_.labels.size();
   }
 
   void run() {
@@ -126,9 +127,13 @@ class ArrivalSearch {
     if (!context_.options.goes_on)
       for (auto& reached : w_.reached) reached.map = nullptr;
     reachability_known_ = context_.options.faster_than < kInfinity;  // by the path that takes so long
+    result_.start_connected = !w_.labels.empty();
+    const auto first_direct = static_cast<std::uint32_t>(ends_.direct_paths().size());
+    const auto first_goal_link = static_cast<std::uint32_t>(ends_.goal_links().size());
     ends_.begin(context_);
-    for (std::uint32_t i = 0; i < ends_.direct_paths().size(); ++i)
+    for (std::uint32_t i = first_direct; i < ends_.direct_paths().size(); ++i)
       push(Kind::kDirect, i, ends_.direct_paths()[i].time);
+    push_goals_of_known_labels(first_goal_link);
     // A goal that nothing leads to would have the whole graph searched in vain.
     for (std::uint32_t g = 0; g < ends_.goal_links().size() && !result_.goal_connected && !context_.interrupted(); ++g)
       result_.goal_connected = ends_.is_free(ends_.goal_link(g));
@@ -153,6 +158,16 @@ class ArrivalSearch {
   }
 
  private:
+  void forget() {
+    w_.map = &circles_;
+    w_.pushed_start_circles = 0;
+    w_.open.clear();
+    w_.steps.clear();
+    w_.labels.clear();
+    w_.first_label.reset(graph_.circles().size());
+    ends_.forget();
+  }
+
   // Whether any path leads from the start to the goal.
   bool goal_is_reachable() {
     reachability_known_ = true;
@@ -251,7 +266,7 @@ class ArrivalSearch {
   }
 
   void push_start_circles() {
-    for (std::uint32_t s = 0; s < ends_.start_circles().size(); ++s) {
+    for (std::uint32_t& s = w_.pushed_start_circles; s < ends_.start_circles().size(); ++s) {
       const Terminal& start = context_.starts[ends_.start_circles()[s].terminal];
       if (ends_.start_circles()[s].reach >= 0.0)
         push(Kind::kStartCircle, s,
@@ -303,17 +318,18 @@ class ArrivalSearch {
     const SpeedTree& speeds = w_.times.speeds();
     const double speed = vehicle_.turn_speed(label.radius);
     double limit = kInfinity;
+    const auto slack = [this](std::uint32_t i) { return i < known_labels_ ? context_.options.least_gain : 0.0; };
     for (std::uint32_t i = w_.first_label.get(label.circle); i != kNone; i = w_.labels[i].next) {
       const Label& other = w_.labels[i];
       const double behind = turn_between(other.heading, label.heading, side);
       if (behind <= other.reach) {
         const auto here = speeds.extend(other.joint, behind * label.radius, speed, speed);
-        if (speeds.dominates(here, speeds[label.joint])) return -1.0;
+        if (speeds.dominates(here, speeds[label.joint], slack(i))) return -1.0;
       }
       const double ahead = turn_between(label.heading, other.heading, side);
       if (ahead <= label.reach && ahead < limit) {
         const auto there = speeds.extend(label.joint, ahead * label.radius, speed, speed);
-        if (speeds.dominates(speeds[other.joint], there)) limit = ahead;
+        if (speeds.dominates(speeds[other.joint], there, slack(i))) limit = ahead;
       }
     }
     return limit;
@@ -324,16 +340,8 @@ class ArrivalSearch {
     const Label label = w_.labels[index];
     const auto goes_on = [&](double turn) { return turn <= label.reach && turn < limit; };
 
-    for (std::uint32_t g = ends_.first_goal_link(label.circle); g != kNone; g = ends_.goal_link(g).next) {
-      SearchEnds::GoalLink& goal = ends_.goal_link(g);
-      const double turn = turn_between(label.heading, goal.link.line.start.heading, circle.side);
-      if (!goes_on(turn) || (goal.checked && !goal.free)) continue;
-      const double time = w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link,
-                                                ends_.goal_circles()[goal.link.terminal_circle]);
-      if (time >= goal.best_time) continue;
-      goal.best_time = time;
-      push(Kind::kGoal, {index, g, kNone, 0.0, 0.0, 0.0}, time);
-    }
+    for (std::uint32_t g = ends_.first_goal_link(label.circle); g != kNone; g = ends_.goal_link(g).next)
+      push_goal(index, g, circle.side, goes_on);
 
     const bool one_radius = circles_.has_one_radius();
     walk_links(circles_.links_from(label.circle), circle.side, label.heading,
@@ -347,6 +355,29 @@ class ArrivalSearch {
                       estimate(label.joint, turn, label.radius, line, radius));
                  return true;
                });
+  }
+
+  template <class Test>
+  void push_goal(std::uint32_t index, std::uint32_t g, Side side, Test&& goes_on) {
+    const Label& label = w_.labels[index];
+    SearchEnds::GoalLink& goal = ends_.goal_link(g);
+    const double turn = turn_between(label.heading, goal.link.line.start.heading, side);
+    if (!goes_on(turn) || (goal.checked && !goal.free)) return;
+    const double time = w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link,
+                                              ends_.goal_circles()[goal.link.terminal_circle]);
+    if (time >= goal.best_time) return;
+    goal.best_time = time;
+    push(Kind::kGoal, {index, g, kNone, 0.0, 0.0, 0.0}, time);
+  }
+
+  // What labels of the search before lead to by new links.
+  void push_goals_of_known_labels(std::uint32_t first_goal_link) {
+    if (w_.labels.empty()) return;
+    for (std::uint32_t g = first_goal_link; g < ends_.goal_links().size(); ++g) {
+      const std::uint32_t c = ends_.goal_link(g).link.circle;
+      for (std::uint32_t i = w_.first_label.get(c); i != kNone; i = w_.labels[i].next)
+        push_goal(i, g, circles_.circle(c).side, [&](double turn) { return turn <= w_.labels[i].reach; });
+    }
   }
 
   [[nodiscard]] Path path_through(std::uint32_t last, const TerminalLink& goal) {
@@ -383,6 +414,7 @@ class ArrivalSearch {
   double top_speed_;  // in either gear, as connections may have both
   double weight_;     // of the heuristic
   bool reachability_known_ = false;
+  std::size_t known_labels_ = 0;  // of the search before
   SearchResult& result_;
   SearchWorkspace::Data& w_;
   SearchEnds& ends_;

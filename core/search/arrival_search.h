@@ -26,10 +26,14 @@ struct SearchOptions {
   Gear gear = Gear::kForward;
   TimeModel time_model = TimeModel::kProfile;
   double suboptimality = 0.0;  ///< w >= 0: the path found may take 1 + w times as long as the fastest one
-  /// The search before in the same workspace set out from the same pose, in the same gears: what it reached is known.
+  /// The search before in the same workspace was asked the same, but for other ends or on another map: what it found
+  /// out is known. On the same map, and if its terminals were the first ones of this, only paths that it has not found
+  /// are looked for.
   bool goes_on = false;
   /// Only paths that take less than one that is known are wanted [s].
   double faster_than = std::numeric_limits<double>::infinity();
+  /// Of a search that goes on from one that found a path: what saves less than this does not matter [s].
+  double least_gain = 0.0;
   /// After so many expansions the best path found by then, if any, will do.
   std::uint64_t most_expanded = std::numeric_limits<std::uint64_t>::max();
   [[nodiscard]] bool interrupted() const {

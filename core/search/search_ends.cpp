@@ -15,35 +15,57 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostDirectPairs = 64;
 
+bool is_same(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.heading == b.heading; }
+
+// Whether all poses begin with some.
+bool begin_with(std::span<const Terminal> all, const std::vector<Pose>& some) {
+  return some.size() <= all.size() &&
+         std::ranges::equal(some, all.first(some.size()), is_same, {}, [](const Terminal& t) { return t.pose; });
+}
+
 }  // namespace
 
-void SearchEnds::begin(SearchContext& context) {
-  context_ = &context;
-  longest_way_ = context.options.faster_than * context.vehicle.top_speed();
+void SearchEnds::forget() {
+  starts_.clear();
+  goals_.clear();
   start_circles_.clear();
   goal_circles_.clear();
   start_links_.clear();
   start_link_ranges_.clear();
   goal_links_.clear();
   direct_paths_.clear();
-  first_goal_link_.reset(context.graph.circles().size());
-
-  append_circles(context.map, context.starts, Direction::kFromStart, headings_, start_circles_);
-  append_circles(context.map, context.goals, Direction::kToGoal, headings_, goal_circles_);
-  context.result.turns_checked += start_circles_.size() + goal_circles_.size();
-  start_link_ranges_.resize(start_circles_.size());
-  find_direct_paths();
-  // The goals of manoeuvres may have millions of links.
-  for (std::uint32_t g = 0; g < goal_circles_.size() && !context.interrupted(); ++g) add_goal_links(g);
 }
 
-void SearchEnds::find_direct_paths() {
+bool SearchEnds::are_first_of(const SearchContext& context) const {
+  return begin_with(context.starts, starts_) && begin_with(context.goals, goals_);
+}
+
+void SearchEnds::begin(SearchContext& context) {
+  context_ = &context;
+  longest_way_ = context.options.faster_than * context.vehicle.top_speed();
+  const std::size_t known_starts = starts_.size(), known_goals = goals_.size();
+  const std::size_t known_circles = start_circles_.size() + goal_circles_.size();
+  const auto first_goal_circle = static_cast<std::uint32_t>(goal_circles_.size());
+  if (known_goals == 0) first_goal_link_.reset(context.graph.circles().size());
+  for (std::size_t s = known_starts; s < context.starts.size(); ++s) starts_.push_back(context.starts[s].pose);
+  for (std::size_t g = known_goals; g < context.goals.size(); ++g) goals_.push_back(context.goals[g].pose);
+
+  append_circles(context.map, context.starts, known_starts, Direction::kFromStart, headings_, start_circles_);
+  append_circles(context.map, context.goals, known_goals, Direction::kToGoal, headings_, goal_circles_);
+  context.result.turns_checked += start_circles_.size() + goal_circles_.size() - known_circles;
+  start_link_ranges_.resize(start_circles_.size());
+  find_direct_paths(known_starts, known_goals);
+  // The goals of manoeuvres may have millions of links.
+  for (std::uint32_t g = first_goal_circle; g < goal_circles_.size() && !context.interrupted(); ++g) add_goal_links(g);
+}
+
+void SearchEnds::find_direct_paths(std::size_t known_starts, std::size_t known_goals) {
   // Many terminals mean manoeuvres in a narrow place: only the plain pair of poses is worth all words there.
   if (context_->starts.size() * context_->goals.size() > kMostDirectPairs) return;
-  for (const Terminal& start : context_->starts)
-    for (const Terminal& goal : context_->goals)
+  for (std::size_t s = 0; s < context_->starts.size(); ++s)
+    for (std::size_t g = s < known_starts ? known_goals : 0; g < context_->goals.size(); ++g)
       for (const double radius : context_->map.radii)
-        for (const DubinsWord word : kDubinsWords) try_direct(start, goal, radius, word);
+        for (const DubinsWord word : kDubinsWords) try_direct(context_->starts[s], context_->goals[g], radius, word);
 }
 
 void SearchEnds::try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word) {

@@ -25,8 +25,12 @@ class SearchEnds {
     double time;
   };
 
-  /// Forgets the search before, finds the circles of all terminals, the free words between them, and the links to the
-  /// goals, unless interrupted.
+  /// Forgets the search before.
+  void forget();
+  /// Whether the terminals of the search before are the first ones of this.
+  [[nodiscard]] bool are_first_of(const SearchContext& context) const;
+  /// Finds the circles of all terminals, the free words between them, and the links to the goals, unless interrupted;
+  /// those that the search before had found stay, and keep their indices.
   void begin(SearchContext& context);
 
   [[nodiscard]] std::span<const TerminalCircle> start_circles() const { return start_circles_; }
@@ -51,7 +55,7 @@ class SearchEnds {
   bool is_free(GoalLink& goal);
 
  private:
-  void find_direct_paths();
+  void find_direct_paths(std::size_t known_starts, std::size_t known_goals);
   void try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word);
   bool is_free(const PathSegment& segment);
   void add_goal_links(std::uint32_t goal_circle);
@@ -59,6 +63,7 @@ class SearchEnds {
   SearchContext* context_ = nullptr;
   double longest_way_ = 0.0;  // of paths that are wanted [m]
   HeadingSet headings_;       // memory
+  std::vector<Pose> starts_, goals_;
   std::vector<TerminalCircle> start_circles_, goal_circles_;
   std::vector<TerminalLink> start_links_, found_;
   std::vector<Range> start_link_ranges_;  // by start circle; kNone: not found yet

@@ -4,10 +4,10 @@
 
 namespace arcway {
 
-void SearchTimes::begin(const SearchContext& context) {
+void SearchTimes::begin(const SearchContext& context, bool goes_on) {
   context_ = &context;
   line_speed_ = context.vehicle.max_speed();
-  speeds_.reset(context.vehicle.max_acceleration(), context.options.time_model);
+  if (!goes_on) speeds_.reset(context.vehicle.max_acceleration(), context.options.time_model);
 }
 
 std::uint32_t SearchTimes::add_connection(const TerminalCircle& from) {

@@ -10,8 +10,8 @@ namespace arcway {
 /// The times of the paths that a search tries: its tree of speeds, by arcs, lines and connections of terminals.
 class SearchTimes {
  public:
-  /// Forgets the search before.
-  void begin(const SearchContext& context);
+  /// Forgets the search before, or goes on from it.
+  void begin(const SearchContext& context, bool goes_on);
 
   [[nodiscard]] const SpeedTree& speeds() const { return speeds_; }
 

@@ -83,11 +83,11 @@ SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
   return {at->time + braking, at->speed};
 }
 
-bool SpeedTree::dominates(const Joint& a, const Joint& b) const {
-  if (time_model_ == TimeModel::kSegments) return a.time <= b.time;
+bool SpeedTree::dominates(const Joint& a, const Joint& b, double slack) const {
+  if (time_model_ == TimeModel::kSegments) return a.time - slack <= b.time;
   // A path that arrives slower by d makes up for it by accelerating, and loses d / a_max at most.
   const auto upper = [&](double speed) {
-    return speed > a.speed ? a.time + (speed - a.speed) / acceleration_ : time_at(a, speed);
+    return (speed > a.speed ? a.time + (speed - a.speed) / acceleration_ : time_at(a, speed)) - slack;
   };
   const double at_top = upper(b.speed);
   if (at_top > b.time) return false;

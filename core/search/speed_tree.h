@@ -49,8 +49,9 @@ class SpeedTree {
   [[nodiscard]] double time_at(const Joint& joint, double speed) const { return pass(joint, speed).time; }
 
   /// Whether no path that goes on from b is faster than the same continuation from a; both joints at the same place
-  /// with the same limit ahead. True is certain; false may be said where b is better by less than some milliseconds.
-  [[nodiscard]] bool dominates(const Joint& a, const Joint& b) const;
+  /// with the same limit ahead, or none by more than `slack` seconds. True is certain; false may be said where b is
+  /// better by less than some milliseconds.
+  [[nodiscard]] bool dominates(const Joint& a, const Joint& b, double slack = 0.0) const;
 
  private:
   struct Passing {

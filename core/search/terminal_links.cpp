@@ -21,9 +21,9 @@ Box grown(const Box& box, double by) { return {box.min - Vec2::Constant(by), box
 
 }  // namespace
 
-void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
+void append_circles(const SearchMap& map, std::span<const Terminal> terminals, std::size_t first, Direction direction,
                     HeadingSet& headings, std::vector<TerminalCircle>& circles) {
-  for (std::uint32_t t = 0; t < terminals.size(); ++t) {
+  for (auto t = static_cast<std::uint32_t>(first); t < terminals.size(); ++t) {
     // Manoeuvres are for narrow places, and their poses are many.
     const bool plain = terminals[t].connection.empty();
     for (const double radius : std::span(map.radii).first(plain ? map.radii.size() : 1))

@@ -38,10 +38,10 @@ struct TerminalLink {
   double turn;  ///< on the terminal's circle [rad]
 };
 
-/// Appends the left and right circles of every radius for each terminal, of the smallest for those with a connection;
-/// none that another terminal has as well.
+/// Appends the left and right circles of every radius for each terminal from the `first` on, of the smallest for those
+/// with a connection; none that another terminal has as well.
 /// O(terminals * radii) heading sets, each in `headings`, whose memory is used again.
-void append_circles(const SearchMap& map, std::span<const Terminal> terminals, Direction direction,
+void append_circles(const SearchMap& map, std::span<const Terminal> terminals, std::size_t first, Direction direction,
                     HeadingSet& headings, std::vector<TerminalCircle>& circles);
 
 /// How long a path may be between a terminal and the other end of the path.

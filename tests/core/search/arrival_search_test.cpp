@@ -8,6 +8,7 @@
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
 #include "core/path/speed_profile.h"
+#include "core/search/manoeuvres.h"
 #include "datasets/clutter.h"
 #include "tests/support/random_inputs.h"
 
@@ -224,6 +225,55 @@ TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
   }
   EXPECT_GT(without, 0u);
   EXPECT_LT(without + slower, whole.nodes_expanded + 1);
+}
+
+TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
+  test::Random random(3);
+  SearchWorkspace before, anew;
+  int improved = 0, plain = 0;
+  std::uint64_t expanded = 0, expanded_anew = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const World world =
+        random_world({.kind = ClutterKind::kStar, .obstacles = 60, .vertices = 6, .fill = 0.35, .seed = seed});
+    VehicleParameters parameters;
+    if (seed % 2 == 0) parameters.max_acceleration = 2.0;
+    const Vehicle vehicle(parameters);
+    const SearchMap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+    const double side = world.box().max.x();
+    for (int i = 0; i < 80; ++i) {
+      const auto pose = [&] {
+        return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+      };
+      const Pose start = pose(), goal = pose();
+      const auto find = [&](const Pose& at, Direction direction) {
+        return find_manoeuvres(at, direction, vehicle, map.radii[0], *map.queries.sweep, 12, Spread::kSparse);
+      };
+      const auto starts = find(start, Direction::kFromStart), goals = find(goal, Direction::kToGoal);
+      if (starts.size() * goals.size() <= 64) continue;  // else Dubins words as well, of other pairs
+      const SearchResult first =
+          search_arrivals(map, std::span(starts).first(1), std::span(goals).first(1), {}, before);
+      if (!first.path) continue;
+      ++plain;
+      SearchOptions options;
+      const double known = speed_profile(*first.path, vehicle).total_time;
+      options.faster_than = known * (1.0 - 1e-9);
+      const SearchResult whole = search_arrivals(map, starts, goals, options, anew);
+      options.goes_on = true;
+      options.least_gain = i % 2 == 0 ? 0.0 : 0.01 * known;
+      const SearchResult more = search_arrivals(map, starts, goals, options, before);
+      const double least = whole.path ? speed_profile(*whole.path, vehicle).total_time : options.faster_than;
+      const double time = more.path ? speed_profile(*more.path, vehicle).total_time : options.faster_than;
+      EXPECT_GE(time, least * (1.0 - 1e-9)) << "seed " << seed << ", query " << i;
+      EXPECT_LE(time, least * (1.0 + 1e-9) + options.least_gain) << "seed " << seed << ", query " << i;
+      improved += more.path ? 1 : 0;
+      expanded += more.nodes_expanded;
+      expanded_anew += whole.nodes_expanded;
+    }
+  }
+  EXPECT_GT(plain, 40);
+  EXPECT_GT(improved, 5);
+  EXPECT_LT(improved, plain);
+  EXPECT_LT(expanded, expanded_anew / 2);
 }
 
 }  // namespace

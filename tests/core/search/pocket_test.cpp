@@ -107,8 +107,8 @@ bool is_reachable(const SearchMap& map, const PlanRequest& request) {
   std::vector<TerminalLink> start_links, goal_links;
   const Terminal start{request.start, {}}, goal{request.goal, {}};
   const WayLimit anywhere{request.goal.position(), std::numeric_limits<double>::infinity()};
-  append_circles(map, {&start, 1}, Direction::kFromStart, headings, starts);
-  append_circles(map, {&goal, 1}, Direction::kToGoal, headings, goals);
+  append_circles(map, {&start, 1}, 0, Direction::kFromStart, headings, starts);
+  append_circles(map, {&goal, 1}, 0, Direction::kToGoal, headings, goals);
   for (std::uint32_t i = 0; i < starts.size(); ++i)
     append_links(map, starts, i, Direction::kFromStart, anywhere, start_links);
   for (std::uint32_t i = 0; i < goals.size(); ++i)

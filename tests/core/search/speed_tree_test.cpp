@@ -83,6 +83,29 @@ TEST(SpeedTree, WhatOnePathDominatesIsNeverFasterInTheEnd) {
   EXPECT_GT(faster, 20000);
 }
 
+TEST(SpeedTree, SlackMakesUpForALaterStart) {
+  test::Random random(5);
+  SpeedTree tree;
+  const Vehicle vehicle = slow_in_turns(2.0);
+  int dominated = 0;
+  for (int i = 0; i < 1000; ++i) {
+    tree.reset(vehicle.max_acceleration());
+    const double limit = vehicle.turn_speed(random.uniform(1.3, 40.0));
+    const Path path = random_path(random, 4), other = random_path(random, 4);
+    const std::uint32_t later = add_path(tree, vehicle, path, limit, tree.add_stop(0, 0.5));
+    const std::uint32_t now = add_path(tree, vehicle, path, limit);
+    EXPECT_FALSE(tree.dominates(tree[later], tree[now], 0.4));
+    EXPECT_TRUE(tree.dominates(tree[later], tree[now], 0.6));
+    const std::uint32_t b = add_path(tree, vehicle, other, limit);
+    if (tree.dominates(tree[now], tree[b])) {
+      ++dominated;
+      EXPECT_TRUE(tree.dominates(tree[now], tree[b], 0.1));
+      EXPECT_TRUE(tree.dominates(tree[later], tree[b], 0.5 + 1e-9));
+    }
+  }
+  EXPECT_GT(dominated, 200);
+}
+
 TEST(SpeedTree, OneOfTwoPathsMostlyDominates) {
   test::Random random(9);
   SpeedTree tree;
