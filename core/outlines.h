@@ -29,6 +29,11 @@ class Outlines {
   bool visit_if(Test&& passes, Visitor&& visit) const {
     return tree_.visit_if(passes, [&](std::uint32_t i) { return visit(piece(i)); });
   }
+  /// The same, those near a place early, see BoxTree::visit_near_first.
+  template <class Test, class Visitor>
+  void visit_near_first(const Vec2& place, Test&& passes, Visitor&& visit) const {
+    tree_.visit_near_first(place, passes, [&](std::uint32_t i) { visit(piece(i)); });
+  }
 
  private:
   struct Start {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -49,7 +50,33 @@ class BoxTree {
     return true;
   }
 
+  /// Calls visit(index) for the items that visit_if visits, those near a place early: of the two halves of a box the
+  /// nearer one comes first, so that what lies there may decide whether the other passes.
+  template <class Test, class Visitor>
+  void visit_near_first(const Vec2& place, Test&& passes, Visitor&& visit) const {
+    const auto distance = [&](std::uint32_t i) {
+      const Box& box = nodes_[i].box;
+      return (place.cwiseMax(box.min).cwiseMin(box.max) - place).squaredNorm();
+    };
+    std::array<std::uint32_t, kMostLevels> waiting{};
+    std::size_t count = nodes_.empty() ? 0 : 1;
+    while (count > 0) {
+      const std::uint32_t i = waiting[--count];
+      const Node& node = nodes_[i];
+      if (!passes(node.box)) continue;
+      for (std::uint32_t k = node.first; k < node.last; ++k)
+        if (passes(items_[k].box)) visit(items_[k].index);
+      if (node.first < node.last) continue;
+      const std::uint32_t low = i + 1, high = nodes_[low].skip;
+      const bool low_is_near = distance(low) <= distance(high);
+      waiting[count++] = low_is_near ? high : low;
+      waiting[count++] = low_is_near ? low : high;
+    }
+  }
+
  private:
+  static constexpr std::size_t kMostLevels = 33;  // halves of less than 2^31 items, one of which waits in each
+
   struct Node {
     Box box;
     std::uint32_t first, last;  ///< items of a leaf; none for an inner node

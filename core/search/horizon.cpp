@@ -10,9 +10,7 @@ namespace arcway {
 
 namespace {
 
-constexpr double kFirstReach = 16.0;  // [m]
-constexpr int kPasses = 16;           // each as far again as the one before
-constexpr double kSlack = 1e-6;       // of headings [rad], and of distances relative to them
+constexpr double kSlack = 1e-6;  // of headings [rad], and of distances relative to them
 // A piece within a ball this wide, seen from the circle's centre, spans less than pi of headings.
 constexpr double kWidestPiece = 0.7;
 
@@ -45,21 +43,9 @@ Horizon::Horizon(const TurnCircle& circle, double heading, double turn) : circle
 }
 
 void Horizon::shorten(const Outlines& outlines) {
-  Box seen;
-  double reach = kFirstReach;
-  for (int pass = 0; pass < kPasses; ++pass, reach *= 2.0) {
-    const Box near{circle_.center - Vec2::Constant(circle_.radius + reach),
-                   circle_.center + Vec2::Constant(circle_.radius + reach)};
-    const auto is_new = [&](const Box& box) {
-      return box.overlaps(near) && !(seen.contains(box.min) && seen.contains(box.max)) && !hides(box);
-    };
-    outlines.visit_if(is_new, [this](const Outlines::Piece& piece) {
-      shorten(piece.points);
-      return true;
-    });
-    if (*std::max_element(far_.begin(), far_.end()) <= reach) break;
-    seen = near;
-  }
+  outlines.visit_near_first(
+      circle_.center, [this](const Box& box) { return !hides(box); },
+      [this](const Outlines::Piece& piece) { shorten(piece.points); });
 }
 
 void Horizon::shorten(std::span<const Vec2> outline) {

@@ -34,6 +34,12 @@ TEST(BoxTree, FindsWhatAScanFinds) {
       }));
       std::sort(found.begin(), found.end());
       ASSERT_EQ(found, expected);
+      found.clear();
+      tree.visit_near_first(
+          random.point(0, 50), [&](const Box& box) { return box.overlaps(query); },
+          [&](std::uint32_t i) { found.push_back(i); });
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, expected);
     }
   }
 }
@@ -44,6 +50,24 @@ TEST(BoxTree, StopsWhenTold) {
   EXPECT_FALSE(BoxTree(boxes).visit_overlaps(boxes[0], [&](std::uint32_t) { return ++visits < 3; }));
   EXPECT_EQ(visits, 3);
   EXPECT_TRUE(BoxTree(boxes).visit_overlaps(Box{}, [](std::uint32_t) { return false; }));
+}
+
+TEST(BoxTree, VisitsWhatIsNearEarly) {
+  test::Random random(2);
+  std::vector<Box> boxes(1000);
+  for (Box& box : boxes) box.extend(random.point(0, 50));
+  const BoxTree tree(boxes);
+  std::ptrdiff_t before = 0;  // the nearest one
+  for (int k = 0; k < 100; ++k) {
+    const Vec2 place = random.point(0, 50);
+    const auto distance = [&](std::uint32_t i) { return (boxes[i].min - place).norm(); };
+    std::vector<double> distances;
+    tree.visit_near_first(
+        place, [](const Box&) { return true; }, [&](std::uint32_t i) { distances.push_back(distance(i)); });
+    ASSERT_EQ(distances.size(), boxes.size());
+    before += std::min_element(distances.begin(), distances.end()) - distances.begin();
+  }
+  EXPECT_LT(before, 100 * 25);
 }
 
 }  // namespace
