@@ -10,6 +10,7 @@
 #include "core/graph/slot_cache.h"
 #include "core/huge_pages.h"
 #include "core/prefetch.h"
+#include "core/search/sectors.h"
 
 namespace arcway {
 
@@ -44,6 +45,8 @@ class CircleTable {
     const double width = r->free.high - r->free.low + 2.0 * slack;
     return (ahead >= 0.0 && ahead <= width) || ahead + kTwoPi <= width || ahead >= kTwoPi;
   }
+  /// Sectors of headings that may be free, as far as is known without a search.
+  [[nodiscard]] Sectors free_sectors(std::uint32_t c) const { return sectors_.empty() ? kAllSectors : sectors_[c]; }
   /// See FeasibleGraph::links_from.
   [[nodiscard]] std::span<const FeasibleGraph::Link> links_from(std::uint32_t c) const {
     if (const Record* r = record(c)) return links_.subspan(r->first_link, r->links);
@@ -92,7 +95,8 @@ class CircleTable {
   FeasibleGraph graph_;
   bool has_one_radius_ = false;
   std::span<const FeasibleGraph::Link> links_;
-  HugeVector<Record> records_;  // none of a lazy graph
+  HugeVector<Record> records_;    // none of a lazy graph
+  std::vector<Sectors> sectors_;  // likewise
   SlotCache<Incoming> incoming_{1};
 };
 

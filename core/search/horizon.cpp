@@ -121,6 +121,20 @@ double Horizon::reach(double heading) const {
   return far_[std::min(range, kHeadings - 1)];
 }
 
+// Of the straights to a ball, which the circle's centre is outside of.
+// @param half  radius of the ball;  @param near  no point looked at is nearer to the circle's centre, nor is its
+// radius.
+Horizon::Headings Horizon::headings_towards(const Vec2& d, double half, double near) const {
+  const double distance = d.norm();
+  const double spread = above_asin(half / distance) + kDirectionError;
+  const double toward = about_atan2(d);
+  const double lead_near = above_asin(circle_.radius / near);
+  const double lead_far = circle_.radius / std::max(near, distance + half);  // below its asin
+  const bool left = circle_.side == Side::kLeft;
+  return {toward - spread + (left ? lead_far : -lead_near) - kSlack,
+          toward + spread + (left ? lead_near : -lead_far) + kSlack};
+}
+
 bool Horizon::hides(const Box& box) const {
   const Vec2 middle = 0.5 * (box.min + box.max);
   const Vec2 d = middle - circle_.center;
@@ -132,20 +146,22 @@ bool Horizon::hides(const Box& box) const {
   if (distance <= half) return false;
   const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
   const double near = std::max((nearest - circle_.center).norm(), circle_.radius);
-  // Headings of the straights to the ball around the box.
-  const double spread = above_asin(half / distance) + kDirectionError;
-  const double toward = about_atan2(d);
-  const double lead_near = above_asin(circle_.radius / near);
-  const double lead_far = circle_.radius / std::max(near, distance + half);  // below its asin
-  const bool left = circle_.side == Side::kLeft;
-  const double low = toward - spread + (left ? lead_far : -lead_near) - kSlack;
-  const double high = toward + spread + (left ? lead_near : -lead_far) + kSlack;
+  const auto [low, high] = headings_towards(d, half, near);
   const double closest = std::sqrt((near - circle_.radius) * (near + circle_.radius)) * (1.0 - kSlack);
   const auto first = static_cast<long>(std::floor(low * (kHeadings / kTwoPi))) + static_cast<long>(kHeadings);
   const auto last = static_cast<long>(std::floor(high * (kHeadings / kTwoPi))) + static_cast<long>(kHeadings);
   for (long k = first; k <= last; ++k)
     if (far_[static_cast<std::size_t>(k) % kHeadings] >= closest) return false;
   return true;
+}
+
+Sectors Horizon::sectors_towards(const Box& box) const {
+  const Vec2 d = 0.5 * (box.min + box.max) - circle_.center;
+  const double half = 0.5 * (box.max - box.min).norm();
+  if (d.norm() <= half) return kAllSectors;
+  const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
+  const auto [low, high] = headings_towards(d, half, std::max((nearest - circle_.center).norm(), circle_.radius));
+  return sectors_of(low, high);
 }
 
 }  // namespace arcway

@@ -6,6 +6,7 @@
 
 #include "core/graph/turn_circle.h"
 #include "core/outlines.h"
+#include "core/search/sectors.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -26,6 +27,8 @@ class Horizon {
   [[nodiscard]] double reach(double heading) const;
   /// Whether all points of a box lie behind the horizon.
   [[nodiscard]] bool hides(const Box& box) const;
+  /// Those in which straights leave that get to points of a box, and maybe others.
+  [[nodiscard]] Sectors sectors_towards(const Box& box) const;
   /// The straight onto another directed circle, as far as it is needed to look it up.
   struct Sight {
     double heading;  ///< [0, 2 pi] within kSightError
@@ -38,6 +41,10 @@ class Horizon {
 
  private:
   static constexpr std::size_t kHeadings = 512;
+  struct Headings {
+    double low, high;
+  };
+  [[nodiscard]] Headings headings_towards(const Vec2& middle, double half, double near) const;
   void shorten(std::span<const Vec2> outline);
   void shorten_by_edge(const std::array<Vec2, 2>& edge);
   void shorten_by(std::span<const Vec2> outline);

@@ -1,6 +1,7 @@
 #include "core/search/terminal_links.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -45,10 +46,10 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   if (own.reach < 0.0) return;
   const bool from_start = direction == Direction::kFromStart;
   // A path to the goal, seen from there, runs the other way round the circle.
-  const TurnCircle outwards =
+  const TurnCircle away =
       from_start ? own.circle
                  : TurnCircle{own.circle.center, own.circle.radius, opposite(own.circle.side), own.circle.vertex};
-  Horizon horizon(outwards, from_start ? own.heading : own.heading + kPi, own.reach);
+  Horizon horizon(away, from_start ? own.heading : own.heading + kPi, own.reach);
   const bool body_covers_reference = map.body.front >= 0.0 && map.body.rear >= 0.0;
   if (body_covers_reference) horizon.shorten(*map.outlines);
 
@@ -62,8 +63,9 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
                              longest + 2.0 * other.radius;
   };
   const std::size_t first = links.size();
+  const std::span<const TurnCircle> graph_circles = map.graph.circles();
   const auto consider = [&](std::uint32_t circle) {
-    const TurnCircle& other = map.graph.circles()[circle];
+    const TurnCircle& other = graph_circles[circle];
     if (is_far_circle(other)) return;
     const Side side = from_start ? other.side : opposite(other.side);
     const Horizon::Sight sight = horizon.sight_of(TurnCircle{other.center, other.radius, side, kNone});
@@ -81,11 +83,12 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
     if (turn <= own.reach) links.push_back({index, circle, *line, turn});
   };
   const TurnCircles& circles_of = map.graph.turn_circles();
-  const auto consider_round = [&](VertexId v, double radius) {
+  const auto consider_round = [&](VertexId v, double radius, Sectors sectors) {
     if (!circles_of.has(v)) return;
     for (const Side side : {Side::kLeft, Side::kRight})
       circles_of.visit_round(v, side, [&](std::uint32_t c) {
-        const TurnCircle& circle = map.graph.circles()[c];
+        if ((map.circles->free_sectors(c) & sectors) == 0) return;
+        const TurnCircle& circle = graph_circles[c];
         if (circle.radius == radius && circle.vertex == v && c < circles_of.usual_count()) consider(c);
       });
   };
@@ -94,14 +97,19 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
     map.outlines->visit_if(
         [&](const Box& box) { return !is_far(grown(box, reach)) && !horizon.hides(grown(box, reach)); },
         [&](const Outlines::Piece& piece) {
-          for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v) visit(v);
+          Box box;
+          for (const Vec2& p : piece.points) box.extend(p);
+          const Sectors outwards = horizon.sectors_towards(grown(box, reach));
+          const Sectors sectors = from_start ? outwards : std::rotl(outwards, 32);
+          for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v) visit(v, sectors);
           return true;
         });
   };
   // A vertex lies within its circles.
-  for (const double radius : map.radii) visit_near(2.0 * radius, [&](VertexId v) { consider_round(v, radius); });
+  for (const double radius : map.radii)
+    visit_near(2.0 * radius, [&](VertexId v, Sectors sectors) { consider_round(v, radius, sectors); });
   if (circles_of.usual_count() < map.graph.circles().size())
-    visit_near(circles_of.extra_reach(), [&](VertexId v) { circles_of.visit_extra(v, consider); });
+    visit_near(circles_of.extra_reach(), [&](VertexId v, Sectors) { circles_of.visit_extra(v, consider); });
   // In the same order whatever the boxes.
   std::sort(links.begin() + static_cast<std::ptrdiff_t>(first), links.end(),
             [](const TerminalLink& a, const TerminalLink& b) { return a.circle < b.circle; });

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "core/geometry/angle.h"
 #include "core/graph/turning_radii.h"
 #include "core/planner.h"
@@ -40,6 +42,7 @@ TEST(CircleTable, SaysWhatTheGraphSays) {
           EXPECT_EQ(reach >= 0.0, graph.free_headings(c).contains(heading));
           const double about = wrap_positive(heading + random.uniform(-1.0, 1.0) * kSlack);
           EXPECT_TRUE(reach < 0.0 || table.may_be_free(c, about, kSlack)) << "circle " << c << " at " << heading;
+          EXPECT_TRUE(reach < 0.0 || (table.free_sectors(c) & sectors_of(heading, heading)) != 0);
           ruled_out += table.may_be_free(c, about, kSlack) ? 0 : 1;
           ++(reach < 0.0 ? outside : inside);
         }
@@ -48,6 +51,19 @@ TEST(CircleTable, SaysWhatTheGraphSays) {
   EXPECT_GT(inside, 1000);
   EXPECT_GT(outside, 1000);
   EXPECT_GT(ruled_out, 300);
+}
+
+TEST(Sectors, HoldTheHeadingsOfTheirRange) {
+  test::Random random(6);
+  for (int i = 0; i < 10000; ++i) {
+    const double low = random.uniform(-3.0 * kPi, 3.0 * kPi), width = random.unit() * kTwoPi;
+    const Sectors sectors = sectors_of(low, low + width);
+    const double inside = low + random.unit() * width;
+    EXPECT_NE(sectors & sectors_of(inside, inside), 0u);
+    EXPECT_LE(std::popcount(sectors), static_cast<int>(width * (64.0 / kTwoPi)) + 2);
+  }
+  EXPECT_EQ(sectors_of(-0.01, 0.01), (Sectors{1} << 63) | 1);
+  EXPECT_EQ(sectors_of(1.0, 1.0 + kTwoPi), kAllSectors);
 }
 
 TEST(CircleTable, KnowsThatThereIsOneRadius) {

@@ -36,7 +36,9 @@ TEST(Horizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
         EXPECT_TRUE(!free || length <= horizon.reach(heading)) << seed << " " << i;
         const Vec2 end = start.position() + length * direction_of(heading);
         const Vec2 extent(random.uniform(0.0, 5.0), random.uniform(0.0, 5.0));
-        const bool hides = horizon.hides({end - extent, end + random.unit() * extent});
+        const Box box{end - extent, end + random.unit() * extent};
+        const bool hides = horizon.hides(box);
+        EXPECT_NE(horizon.sectors_towards(box) & sectors_of(heading, heading), 0u) << seed << " " << i;
         EXPECT_FALSE(free && hides) << seed << " " << i;
         hidden += hides ? 1 : 0;
         reached += free ? 1 : 0;

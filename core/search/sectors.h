@@ -1,0 +1,25 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+
+/// A set of headings by 64 equal sectors of a full turn, from heading 0 on: bit k for the k-th.
+using Sectors = std::uint64_t;
+
+constexpr Sectors kAllSectors = ~Sectors{0};
+
+/// The sectors that headings from `low` to `high` >= low lie in, and a rounding beyond.
+inline Sectors sectors_of(double low, double high) {
+  constexpr double kPerRadian = 64.0 / kTwoPi, kRounding = 1e-6;
+  const auto first = static_cast<std::int64_t>(std::floor(low * kPerRadian - kRounding));
+  const auto last = static_cast<std::int64_t>(std::floor(high * kPerRadian + kRounding));
+  if (last - first >= 63) return kAllSectors;
+  return std::rotl((Sectors{2} << (last - first)) - 1, static_cast<int>(first & 63));
+}
+
+}  // namespace arcway
