@@ -10,7 +10,7 @@ inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// The same angle in [0, 2 pi).
 inline double wrap_positive(double angle) {
-  const double wrapped = std::fmod(angle, kTwoPi);
+  const double wrapped = std::abs(angle) < kTwoPi ? angle : std::fmod(angle, kTwoPi);  // mostly spares a slow call
   const double positive = wrapped < 0.0 ? wrapped + kTwoPi : wrapped;
   return positive < kTwoPi ? positive : 0.0;  // a tiny negative angle rounds up to 2 pi
 }

@@ -282,16 +282,16 @@ class ArrivalSearch {
       const TerminalLink& link = ends_.start_link(i);
       if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
       const double radius = circles_.circle(link.circle).radius;
-      push(Kind::kStart, i, estimate(joint, link.turn, from.circle.radius, link.line, radius));
+      const Vec2 end = link.line.start.position() + link.line.length * direction_of(link.line.start.heading);
+      push(Kind::kStart, i, estimate(joint, link.turn, from.circle.radius, link.line.length, end, radius));
     }
   }
 
-  // Of the whole path that goes on from a joint by an arc and a line to a circle of some radius.
-  [[nodiscard]] double estimate(std::uint32_t joint, double turn, double radius, const Bitangent& line,
+  // Of the whole path that goes on from a joint by an arc and a line, which ends on a circle of some radius.
+  [[nodiscard]] double estimate(std::uint32_t joint, double turn, double radius, double line, const Vec2& end,
                                 double next_radius) const {
-    const SpeedTree::Joint arrival = w_.times.drive(joint, turn * radius, radius, line.length, next_radius);
-    const Vec2 position = line.start.position() + line.length * direction_of(line.start.heading);
-    return arrival.time + remaining(position, arrival.speed);
+    const SpeedTree::Joint arrival = w_.times.drive(joint, turn * radius, radius, line, next_radius);
+    return arrival.time + remaining(end, arrival.speed);
   }
 
   // Goes on from a new label, unless it is as good as an older one or cannot be reached after all.
@@ -347,12 +347,11 @@ class ArrivalSearch {
     walk_links(circles_.links_from(label.circle), circle.side, label.heading,
                [&](std::uint32_t at, const FeasibleGraph::Link& link, double turn) {
                  if (!goes_on(turn)) return false;
-                 const Vec2 left = perpendicular(direction_of(link.heading));
-                 const Vec2 from = circle.center - sign_of(circle.side) * circle.radius * left;
-                 const Bitangent line{{from.x(), from.y(), link.heading}, link.length};
+                 const Vec2 ahead = direction_of(link.heading);
+                 const Vec2 from = circle.center - sign_of(circle.side) * circle.radius * perpendicular(ahead);
                  const double radius = one_radius ? label.radius : circles_.circle(link.to).radius;
                  push(Kind::kGraph, {index, link.to, at, turn, link.heading, link.length},
-                      estimate(label.joint, turn, label.radius, line, radius));
+                      estimate(label.joint, turn, label.radius, link.length, from + link.length * ahead, radius));
                  return true;
                });
   }
