@@ -11,7 +11,6 @@ constexpr std::size_t kPieceEdges = 12;
 }  // namespace
 
 Outlines::Outlines(const World& world) {
-  std::vector<Box> boxes;
   const auto add_ring = [&](VertexId first, VertexId last) {
     const VertexId edges = last - first;
     for (VertexId begin = 0; begin < edges; begin += kPieceEdges) {
@@ -21,7 +20,7 @@ Outlines::Outlines(const World& world) {
         points_.push_back(world.vertex(first + i % edges));
         box.extend(points_.back());
       }
-      boxes.push_back(box);
+      boxes_.push_back(box);
     }
   };
   for (ObstacleId o = 0; o < world.region_count(); ++o) {
@@ -30,7 +29,7 @@ Outlines::Outlines(const World& world) {
       add_ring(rings[r], r + 1 < rings.size() ? rings[r + 1] : world.vertices_of(o).last);
   }
   starts_.push_back({kNone, static_cast<std::uint32_t>(points_.size())});
-  tree_ = BoxTree(boxes);
+  tree_ = BoxTree(boxes_);
 }
 
 }  // namespace arcway

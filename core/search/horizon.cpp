@@ -45,19 +45,20 @@ Horizon::Horizon(const TurnCircle& circle, double heading, double turn) : circle
 void Horizon::shorten(const Outlines& outlines) {
   outlines.visit_near_first(
       circle_.center, [this](const Box& box) { return !hides(box); },
-      [this](const Outlines::Piece& piece) { shorten(piece.points); });
+      [this](const Outlines::Piece& piece) { shorten(piece.points, piece.box); });
 }
 
-void Horizon::shorten(std::span<const Vec2> outline) {
-  Box box;
-  for (const Vec2& p : outline) box.extend(p);
+void Horizon::shorten(std::span<const Vec2> outline, const Box& box) {
   const double half = 0.5 * (box.max - box.min).norm();
   const double distance = (0.5 * (box.min + box.max) - circle_.center).norm();
   if (half > kWidestPiece * distance || distance - half <= circle_.radius * (1.0 + kSlack)) {
     if (outline.size() == 2) return shorten_by_edge({outline[0], outline[1]});
     const std::size_t middle = outline.size() / 2;
-    shorten(outline.subspan(0, middle + 1));
-    shorten(outline.subspan(middle));
+    for (const auto part : {outline.subspan(0, middle + 1), outline.subspan(middle)}) {
+      Box part_box;
+      for (const Vec2& p : part) part_box.extend(p);
+      shorten(part, part_box);
+    }
     return;
   }
   shorten_by(outline);
@@ -73,26 +74,30 @@ void Horizon::shorten_by_edge(const std::array<Vec2, 2>& edge) {
 }
 
 void Horizon::shorten_by(std::span<const Vec2> outline) {
-  // Directions of the straights through the points: d = length t + offset n, see directed_bitangent.
-  const double offset = -sign_of(circle_.side) * circle_.radius;
-  Vec2 low, high;
-  double far = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 d = outline[i] - circle_.center;
-    const double length = std::sqrt(d.squaredNorm() - offset * offset);
-    const Vec2 t = length * d - offset * perpendicular(d);
-    if (i == 0 || cross(t, low) > 0.0) low = t;
-    if (i == 0 || cross(high, t) > 0.0) high = t;
-    far = std::max(far, length);
+  // Between the straights through two of the points all others meet the outline: the first and the last as the centre
+  // sees them are nearly the ends of the range, and sooner found.
+  Vec2 first_seen = outline[0] - circle_.center, last_seen = first_seen;
+  double farthest = first_seen.squaredNorm();
+  for (const Vec2& p : outline.subspan(1)) {
+    const Vec2 d = p - circle_.center;
+    if (cross(d, first_seen) > 0.0) first_seen = d;
+    if (cross(last_seen, d) > 0.0) last_seen = d;
+    farthest = std::max(farthest, d.squaredNorm());
   }
-  far *= 1.0 + kSlack;
+  // Directions of the straights: d = length t + offset n, see directed_bitangent.
+  const double offset = -sign_of(circle_.side) * circle_.radius;
+  const auto direction_through = [&](const Vec2& d) -> Vec2 {
+    return std::sqrt(d.squaredNorm() - offset * offset) * d - offset * perpendicular(d);
+  };
+  const Vec2 low = direction_through(first_seen), high = direction_through(last_seen);
+  const double far = std::sqrt(farthest - offset * offset) * (1.0 + kSlack);
   const double slack = kDirectionError + kSlack;
   const double from = about_atan2(low) + slack + kTwoPi;
   const double to = from + about_atan2({low.dot(high), cross(low, high)}) - 3.0 * slack;
-  const auto first = static_cast<long>(std::ceil(from * (kHeadings / kTwoPi)));
-  const auto last = static_cast<long>(std::floor(to * (kHeadings / kTwoPi)));  // ranges [first, last)
-  for (long k = first; k < last; ++k) {
-    double& known = far_[static_cast<std::size_t>(k) % kHeadings];
+  const auto first = static_cast<std::size_t>(from * (kHeadings / kTwoPi)) + 1;
+  const auto last = static_cast<std::size_t>(to * (kHeadings / kTwoPi));  // ranges [first, last)
+  for (std::size_t k = first; k < last; ++k) {
+    double& known = far_[k % kHeadings];
     known = std::min(known, far);
   }
 }
@@ -110,10 +115,8 @@ Horizon::Sight Horizon::sight_of(const TurnCircle& to) const {
 bool Horizon::hides(const Sight& sight) const {
   if (sight.length == 0.0) return false;
   const double slack = kDirectionError + kSlack;
-  const double heading = sight.heading + kTwoPi;
-  const auto first = static_cast<std::size_t>((heading - slack) * (kHeadings / kTwoPi));
-  const auto last = static_cast<std::size_t>((heading + slack) * (kHeadings / kTwoPi));
-  return std::max(far_[first % kHeadings], far_[last % kHeadings]) < sight.length * (1.0 - kSlack);
+  const double end = std::max(far_[range_of(sight.heading - slack)], far_[range_of(sight.heading + slack)]);
+  return end < sight.length * (1.0 - kSlack);
 }
 
 double Horizon::reach(double heading) const {
@@ -121,13 +124,11 @@ double Horizon::reach(double heading) const {
   return far_[std::min(range, kHeadings - 1)];
 }
 
-// Of the straights to a ball, which the circle's centre is outside of.
-// @param half  radius of the ball;  @param near  no point looked at is nearer to the circle's centre, nor is its
-// radius.
-Horizon::Headings Horizon::headings_towards(const Vec2& d, double half, double near) const {
-  const double distance = d.norm();
+// Of the straights to points of a ball.
+// @param toward, distance  from the circle's centre to the ball's;  @param half  radius of the ball, < distance;
+// @param near  no point is nearer to the circle's centre; at least its radius.
+Horizon::Headings Horizon::headings_towards(double toward, double distance, double half, double near) const {
   const double spread = above_asin(half / distance) + kDirectionError;
-  const double toward = about_atan2(d);
   const double lead_near = above_asin(circle_.radius / near);
   const double lead_far = circle_.radius / std::max(near, distance + half);  // below its asin
   const bool left = circle_.side == Side::kLeft;
@@ -136,31 +137,35 @@ Horizon::Headings Horizon::headings_towards(const Vec2& d, double half, double n
 }
 
 bool Horizon::hides(const Box& box) const {
-  const Vec2 middle = 0.5 * (box.min + box.max);
-  const Vec2 d = middle - circle_.center;
+  const Vec2 d = 0.5 * (box.min + box.max) - circle_.center;
   const Vec2 extent = 0.5 * (box.max - box.min);
   // No tangent enters the disc.
-  if ((d.cwiseAbs() + extent).norm() < circle_.radius * (1.0 - kSlack)) return true;
+  const double disc = circle_.radius * (1.0 - kSlack);
+  if ((d.cwiseAbs() + extent).squaredNorm() < disc * disc) return true;
+  if (d.squaredNorm() <= extent.squaredNorm()) return false;
   const double half = extent.norm();
   const double distance = d.norm();
-  if (distance <= half) return false;
+  const double toward = about_atan2(d);
+  // Most boxes that are not hidden are so in the middle.
+  if (far_[range_of(toward)] >= distance) return false;
   const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
   const double near = std::max((nearest - circle_.center).norm(), circle_.radius);
-  const auto [low, high] = headings_towards(d, half, near);
+  const auto [low, high] = headings_towards(toward, distance, half, near);
   const double closest = std::sqrt((near - circle_.radius) * (near + circle_.radius)) * (1.0 - kSlack);
-  const auto first = static_cast<long>(std::floor(low * (kHeadings / kTwoPi))) + static_cast<long>(kHeadings);
-  const auto last = static_cast<long>(std::floor(high * (kHeadings / kTwoPi))) + static_cast<long>(kHeadings);
-  for (long k = first; k <= last; ++k)
-    if (far_[static_cast<std::size_t>(k) % kHeadings] >= closest) return false;
-  return true;
+  const std::size_t last = range_of(high);
+  for (std::size_t k = range_of(low); far_[k] < closest; k = (k + 1) % kHeadings)
+    if (k == last) return true;
+  return false;
 }
 
 Sectors Horizon::sectors_towards(const Box& box) const {
   const Vec2 d = 0.5 * (box.min + box.max) - circle_.center;
   const double half = 0.5 * (box.max - box.min).norm();
-  if (d.norm() <= half) return kAllSectors;
+  const double distance = d.norm();
+  if (distance <= half) return kAllSectors;
   const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
-  const auto [low, high] = headings_towards(d, half, std::max((nearest - circle_.center).norm(), circle_.radius));
+  const double near = std::max((nearest - circle_.center).norm(), circle_.radius);
+  const auto [low, high] = headings_towards(about_atan2(d), distance, half, near);
   return sectors_of(low, high);
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/geometry/angle.h"
 #include "core/graph/turn_circle.h"
 #include "core/outlines.h"
 #include "core/search/sectors.h"
@@ -44,8 +45,12 @@ class Horizon {
   struct Headings {
     double low, high;
   };
-  [[nodiscard]] Headings headings_towards(const Vec2& middle, double half, double near) const;
-  void shorten(std::span<const Vec2> outline);
+  [[nodiscard]] Headings headings_towards(double toward, double distance, double half, double near) const;
+  // The range that a heading > -4 pi lies in, several times as fast as for any heading.
+  static std::size_t range_of(double heading) {
+    return static_cast<std::size_t>((heading + 2.0 * kTwoPi) * (kHeadings / kTwoPi)) % kHeadings;
+  }
+  void shorten(std::span<const Vec2> outline, const Box& box);
   void shorten_by_edge(const std::array<Vec2, 2>& edge);
   void shorten_by(std::span<const Vec2> outline);
 

@@ -97,9 +97,7 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
     map.outlines->visit_if(
         [&](const Box& box) { return !is_far(grown(box, reach)) && !horizon.hides(grown(box, reach)); },
         [&](const Outlines::Piece& piece) {
-          Box box;
-          for (const Vec2& p : piece.points) box.extend(p);
-          const Sectors outwards = horizon.sectors_towards(grown(box, reach));
+          const Sectors outwards = horizon.sectors_towards(grown(piece.box, reach));
           const Sectors sectors = from_start ? outwards : std::rotl(outwards, 32);
           for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v) visit(v, sectors);
           return true;
