@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/geometry/angle.h"
@@ -15,6 +16,8 @@ namespace arcway {
 namespace {
 
 constexpr std::size_t kNext = 5;  // entries at the top of the open list: its first two levels
+// Vertices that may see the goal: to find what hides it takes as long as to ask for so many of them.
+constexpr std::size_t kManyAsked = 64;
 
 // A shortest path is taut: where it turns at a vertex, it turns around the obstacle there. Of the edges that leave a
 // vertex those that do not lead on like this from the shortest way to it are on no shortest path.
@@ -76,7 +79,13 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
   w.reset(world_.vertices().size());
   const auto to_goal = [&](const Vec2& p) { return (goal - p).norm(); };
   const std::span<const Vec2> places = world_.vertices();
-  const Horizon from_start = horizon_of(start), from_goal = horizon_of(goal);
+  const Horizon from_start = horizon_of(start);
+  std::optional<Horizon> from_goal;
+  std::size_t asked = 0;
+  const auto goal_may_see = [&](const Vec2& p) {
+    if (++asked == kManyAsked) from_goal = horizon_of(goal);
+    return !from_goal || !from_goal->hides(Box{p, p});
+  };
   w.open_.push({to_goal(start), kNone, Step::kToGoal});
   outlines_->visit_if([&](const Box& box) { return !from_start.hides(box); },
                       [&](const Outlines::Piece& piece) {
@@ -110,7 +119,7 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
     ++reached.mark;
     const double length = reached.length;
     const TautTurn turn(world_, entry.vertex, reached.parent == kNone ? start : places[reached.parent]);
-    if (turn.leads_to(goal) && !from_goal.hides(Box{here, here}) && is_tangent(world_, entry.vertex, goal))
+    if (turn.leads_to(goal) && is_tangent(world_, entry.vertex, goal) && goal_may_see(here))
       w.open_.push({length + to_goal(here), entry.vertex, Step::kToGoal});
     const std::span<const VertexId> row = rows_->of(entry.vertex);
     for (const VertexId v : row) will_need(&places[v]);
