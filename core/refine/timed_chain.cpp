@@ -103,7 +103,8 @@ PathSegment TimedChain::Part::segment() const {
 }
 
 void TimedChain::add_line(const Bitangent& line) {
-  if (line.length > 0.0) laid_out_.push_back({line.length, vehicle_->max_speed(), line, {}, false});
+  const TurnCircle none{{0.0, 0.0}, 0.0, Side::kLeft, kNone};
+  if (line.length > 0.0) laid_out_.push_back({line.length, vehicle_->max_speed(), line, none, false});
 }
 
 void TimedChain::add_arc(const TurnCircle& circle, double from, double to) {
