@@ -51,12 +51,16 @@ class BoxTree {
   }
 
   /// Calls visit(index) for the items that visit_if visits, those near a place early: of the two halves of a box the
-  /// nearer one comes first, so that what lies there may decide whether the other passes.
+  /// nearer one comes first, of two that hold the place the smaller one, so that what lies there may decide whether the
+  /// other passes.
   template <class Test, class Visitor>
   void visit_near_first(const Vec2& place, Test&& passes, Visitor&& visit) const {
-    const auto distance = [&](std::uint32_t i) {
-      const Box& box = nodes_[i].box;
-      return (place.cwiseMax(box.min).cwiseMin(box.max) - place).squaredNorm();
+    const auto is_nearer = [&](const Box& a, const Box& b) {
+      const auto distance = [&](const Box& box) {
+        return (place.cwiseMax(box.min).cwiseMin(box.max) - place).squaredNorm();
+      };
+      const double to_a = distance(a), to_b = distance(b);
+      return to_a != to_b ? to_a < to_b : (a.max - a.min).squaredNorm() <= (b.max - b.min).squaredNorm();
     };
     std::array<std::uint32_t, kMostLevels> waiting{};
     std::size_t count = nodes_.empty() ? 0 : 1;
@@ -68,7 +72,7 @@ class BoxTree {
         if (passes(items_[k].box)) visit(items_[k].index);
       if (node.first < node.last) continue;
       const std::uint32_t low = i + 1, high = nodes_[low].skip;
-      const bool low_is_near = distance(low) <= distance(high);
+      const bool low_is_near = is_nearer(nodes_[low].box, nodes_[high].box);
       waiting[count++] = low_is_near ? high : low;
       waiting[count++] = low_is_near ? low : high;
     }

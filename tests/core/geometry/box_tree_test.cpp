@@ -56,6 +56,7 @@ TEST(BoxTree, VisitsWhatIsNearEarly) {
   test::Random random(2);
   std::vector<Box> boxes(1000);
   for (Box& box : boxes) box.extend(random.point(0, 50));
+  boxes.push_back({{-50, -50}, {100, 100}});  // no place is near to it alone
   const BoxTree tree(boxes);
   std::ptrdiff_t before = 0;  // the nearest one
   for (int k = 0; k < 100; ++k) {
