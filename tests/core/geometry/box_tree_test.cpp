@@ -68,7 +68,7 @@ TEST(BoxTree, VisitsWhatIsNearEarly) {
     ASSERT_EQ(distances.size(), boxes.size());
     before += std::min_element(distances.begin(), distances.end()) - distances.begin();
   }
-  EXPECT_LT(before, 100 * 25);
+  EXPECT_LT(before, 100 * 50);
 }
 
 }  // namespace
