@@ -133,6 +133,7 @@ PlanRun::Times PlanRun::keep(Path&& path, double effort, bool reverse) {
     if (best_cost_ > (1.0 + kSameCost) * cost) {
       std::swap(workspace_.second, workspace_.best);
       second_cost_ = best_cost_;
+      second_unrefined_ = s.unrefined_travel_time;
     }
     std::swap(workspace_.best, workspace_.refined.path);
     best_cost_ = cost;
@@ -141,6 +142,7 @@ PlanRun::Times PlanRun::keep(Path&& path, double effort, bool reverse) {
   } else if (cost < second_cost_ && cost > (1.0 + kSameCost) * best_cost_) {
     std::swap(workspace_.second, workspace_.refined.path);
     second_cost_ = cost;
+    second_unrefined_ = unrefined;
   }
   return {unrefined, cost};
 }
@@ -202,17 +204,19 @@ void PlanRun::find_other_way(const SearchMap& map, double effort) {
 }
 
 void PlanRun::refine_best(double effort) {
-  const auto refine_further = [&](const Path& path) {
+  double& unrefined_time = result_.statistics.unrefined_travel_time;
+  const auto refine_further = [&](const Path& path, double unrefined) {
     if (result_.interrupted) return;
     refine(path, effort, false);
     const double cost = cost_of(workspace_.refined.path);
     if (cost >= best_cost_) return;
     std::swap(workspace_.best, workspace_.refined.path);
     best_cost_ = cost;
+    unrefined_time = unrefined;
   };
   const bool are_close = second_cost_ <= (1.0 + kCloseSecond) * best_cost_;
-  refine_further(workspace_.best);
-  if (are_close) refine_further(workspace_.second);
+  refine_further(workspace_.best, unrefined_time);
+  if (are_close) refine_further(workspace_.second, second_unrefined_);
 }
 
 void PlanRun::find_in_both_gears(const SearchMap& map) {

@@ -75,6 +75,7 @@ class PlanRun {
   PlanWorkspace& workspace_;
   PlanResult& result_;
   bool found_ = false;
+  double second_unrefined_ = 0.0;     // travel time [s]
   double best_cost_, second_cost_;    // infinite where there is none
   std::uint64_t first_expanded_ = 0;  // until the first path was found
   // Of the path that find_forwards found last.
