@@ -72,7 +72,8 @@ TEST_F(Tool, RefusesADamagedPreparedMap) {
 }
 
 TEST_F(Tool, ShowsABarOnATerminal) {
-  if (std::system("script --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs script of bsdutils";
+  if (std::system("script -qec true /dev/null </dev/null >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "needs script of bsdutils, and a pseudoterminal";
   const std::string prepare = " prepare clutter/star/n300/m10/s3 --backend reference --out " + file("w.arcway");
   const Run watched = run_command("script -qec '\"" ARCWAY_TOOL "\"" + prepare + "' /dev/null </dev/null");
   EXPECT_EQ(watched.code, 0) << watched.out;
