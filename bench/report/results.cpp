@@ -40,8 +40,9 @@ double unit_seconds(const std::string& unit, std::string_view file) {
   throw FormatError(std::string(file) + ": time_unit: expected ns, us, ms or s, found \"" + unit + "\"");
 }
 
-const json& field(const json& object, const char* key, const std::string& place) {
-  if (!object.is_object() || !object.contains(key)) throw FormatError(place + ": \"" + key + "\" is missing");
+const json& field(const json& object, const char* key, std::string_view place) {
+  if (!object.is_object() || !object.contains(key))
+    throw FormatError(std::string(place) + ": \"" + key + "\" is missing");
   return object[key];
 }
 
@@ -82,9 +83,9 @@ Results read_results(std::string_view text, std::string_view name) {
   }
   Results results;
   results.name = name;
-  for (const auto& [key, value] : field(document, "context", std::string(name)).items())
+  for (const auto& [key, value] : field(document, "context", name).items())
     if (!value.is_structured()) results.context.emplace_back(key, text_of(value));
-  const json& runs = field(document, "benchmarks", std::string(name));
+  const json& runs = field(document, "benchmarks", name);
   if (!runs.is_array()) throw FormatError(std::string(name) + ": benchmarks: expected an array");
   std::map<std::string, std::size_t> index;
   std::map<std::string, std::map<std::string, std::vector<double>>> counters;

@@ -77,7 +77,8 @@ struct Variant {
 
 std::vector<Variant> variants(const World& world) {
   const double smallest = turning_radii(kGentleRobots[0].vehicle(), world).front();
-  PlannerOptions one_radius{.radii = {smallest}}, unrefined, no_manoeuvres{.manoeuvre_poses = 0}, paper;
+  PlannerOptions one_radius, unrefined, no_manoeuvres{.manoeuvre_poses = 0}, paper;
+  one_radius.radii.assign(1, smallest);
   PlannerOptions no_gap_circles;
   no_gap_circles.gap_circles = false;
   PlannerOptions segment_times{.time_model = TimeModel::kSegments};

@@ -42,7 +42,8 @@ void add_full_graph(Study study) {
                   reference ? 3.0 : 2.1);
     for (const std::size_t n : sizes(study, {10, 18, 32, 56, 100}, 10, 100))
       series.add(static_cast<double>(n), [&backend, n](benchmark::State& state) {
-        const World& world = shared_world(clutter_name("convex", n, 10, 30));
+        const std::string name = clutter_name("convex", n, 10, 30);
+        const World& world = shared_world(name);
         const QuerySet queries = backend.queries(world);
         VisibilityGraph graph = build_full_visibility_graph(world, *queries.visibility);
         const auto right = [&] {
