@@ -10,8 +10,6 @@
 namespace arcway {
 namespace {
 
-double distance(const Vec2& p, const Box& box) { return (p - p.cwiseMax(box.min).cwiseMin(box.max)).norm(); }
-
 // Poses along the path, no two neighbours farther apart.
 std::vector<Vec2> samples_of(const PlanResult& result, double spacing) {
   std::vector<Vec2> samples;
@@ -70,7 +68,7 @@ class CurvedPlanner {
         if (tolerance <= limits_.last) continue;
         Box hull;
         for (const Vec2& p : world_.curves[i].pieces[k].p) hull.extend(p);
-        const auto is_near = [&](const Vec2& p) { return distance(p, hull) <= reach + tolerance; };
+        const auto is_near = [&](const Vec2& p) { return hull.distance_to(p) <= reach + tolerance; };
         if (result.solved() && std::ranges::none_of(samples, is_near)) continue;
         tolerance = std::max(limits_.last, tolerance * limits_.factor);
         refined = true;

@@ -56,10 +56,8 @@ class BoxTree {
   template <class Test, class Visitor>
   void visit_near_first(const Vec2& place, Test&& passes, Visitor&& visit) const {
     const auto is_nearer = [&](const Box& a, const Box& b) {
-      const auto distance = [&](const Box& box) {
-        return (place.cwiseMax(box.min).cwiseMin(box.max) - place).squaredNorm();
-      };
-      const double to_a = distance(a), to_b = distance(b);
+      const double to_a = (a.closest_point(place) - place).squaredNorm();
+      const double to_b = (b.closest_point(place) - place).squaredNorm();
       return to_a != to_b ? to_a < to_b : (a.max - a.min).squaredNorm() <= (b.max - b.min).squaredNorm();
     };
     std::array<std::uint32_t, kMostLevels> waiting{};

@@ -45,6 +45,10 @@ struct Box {
     return min.x() <= p.x() && p.x() <= max.x() && min.y() <= p.y() && p.y() <= max.y();
   }
   [[nodiscard]] bool empty() const { return min.x() > max.x(); }
+  /// The point of the box, which must not be empty, nearest to `p`.
+  [[nodiscard]] Vec2 closest_point(const Vec2& p) const { return p.cwiseMax(min).cwiseMin(max); }
+  /// 0 inside.
+  [[nodiscard]] double distance_to(const Vec2& p) const { return (closest_point(p) - p).norm(); }
 };
 
 }  // namespace arcway

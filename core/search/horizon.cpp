@@ -148,8 +148,7 @@ bool Horizon::hides(const Box& box) const {
   const double toward = about_atan2(d);
   // Most boxes that are not hidden are so in the middle.
   if (far_[range_of(toward)] >= distance) return false;
-  const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
-  const double near = std::max((nearest - circle_.center).norm(), circle_.radius);
+  const double near = std::max(box.distance_to(circle_.center), circle_.radius);
   const auto [low, high] = headings_towards(toward, distance, half, near);
   const double closest = std::sqrt((near - circle_.radius) * (near + circle_.radius)) * (1.0 - kSlack);
   const std::size_t last = range_of(high);
@@ -163,8 +162,7 @@ Sectors Horizon::sectors_towards(const Box& box) const {
   const double half = 0.5 * (box.max - box.min).norm();
   const double distance = d.norm();
   if (distance <= half) return kAllSectors;
-  const Vec2 nearest = circle_.center.cwiseMax(box.min).cwiseMin(box.max);
-  const double near = std::max((nearest - circle_.center).norm(), circle_.radius);
+  const double near = std::max(box.distance_to(circle_.center), circle_.radius);
   const auto [low, high] = headings_towards(about_atan2(d), distance, half, near);
   return sectors_of(low, high);
 }

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // relative, of lengths
 
-double distance_to(const Box& box, const Vec2& p) { return (p.cwiseMax(box.min).cwiseMin(box.max) - p).norm(); }
-
 Box grown(const Box& box, double by) { return {box.min - Vec2::Constant(by), box.max + Vec2::Constant(by)}; }
 
 }  // namespace
@@ -56,7 +54,7 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   const bool is_limited = limit.length < std::numeric_limits<double>::infinity();
   const double longest = limit.length * (1.0 + kRounding) + own.circle.radius;
   const auto is_far = [&](const Box& box) {
-    return is_limited && distance_to(box, limit.other_end) + distance_to(box, own.circle.center) > longest;
+    return is_limited && box.distance_to(limit.other_end) + box.distance_to(own.circle.center) > longest;
   };
   const auto is_far_circle = [&](const TurnCircle& other) {
     return is_limited && (limit.other_end - other.center).norm() + (own.circle.center - other.center).norm() >
