@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/geometry/angle.h"
 
@@ -29,6 +30,40 @@ double about_atan2(const Vec2& d) {
   const double angle = t * (0.9998660 + u * (-0.3302995 + u * (0.1801410 + u * (-0.0851330 + u * 0.0208351))));
   const double upper = y > x ? 0.5 * kPi - angle : angle;
   return std::copysign(d.x() < 0.0 ? kPi - upper : upper, d.y());
+}
+
+// The ball around a box, seen from outside of it.
+struct Ball {
+  double heading, distance;  // of its centre; the heading within kDirectionError
+  double radius;
+};
+
+// None if it holds the place.
+std::optional<Ball> ball_around(const Box& box, const Vec2& place) {
+  const Vec2 d = 0.5 * (box.min + box.max) - place;
+  const Vec2 extent = 0.5 * (box.max - box.min);
+  if (d.squaredNorm() <= extent.squaredNorm()) return std::nullopt;
+  return Ball{about_atan2(d), d.norm(), extent.norm()};
+}
+
+// No straight that leaves a circle gets to a point of a box that is nearer to the circle's centre.
+double nearest_of(const Box& box, const TurnCircle& circle) {
+  return std::max(box.distance_to(circle.center), circle.radius);
+}
+
+struct Headings {
+  double low, high;
+};
+
+// Of the straights that leave a circle and get to points of a ball, seen from its centre.
+// @param near  no point is nearer to the centre; at least the circle's radius.
+Headings headings_towards(const Ball& ball, double near, const TurnCircle& circle) {
+  const double spread = above_asin(ball.radius / ball.distance) + kDirectionError;
+  const double lead_near = above_asin(circle.radius / near);
+  const double lead_far = circle.radius / std::max(near, ball.distance + ball.radius);  // below its asin
+  const bool left = circle.side == Side::kLeft;
+  return {ball.heading - spread + (left ? lead_far : -lead_near) - kSlack,
+          ball.heading + spread + (left ? lead_near : -lead_far) + kSlack};
 }
 
 }  // namespace
@@ -124,32 +159,17 @@ double Horizon::reach(double heading) const {
   return far_[std::min(range, kHeadings - 1)];
 }
 
-// Of the straights to points of a ball.
-// @param toward, distance  from the circle's centre to the ball's;  @param half  radius of the ball, < distance;
-// @param near  no point is nearer to the circle's centre; at least its radius.
-Horizon::Headings Horizon::headings_towards(double toward, double distance, double half, double near) const {
-  const double spread = above_asin(half / distance) + kDirectionError;
-  const double lead_near = above_asin(circle_.radius / near);
-  const double lead_far = circle_.radius / std::max(near, distance + half);  // below its asin
-  const bool left = circle_.side == Side::kLeft;
-  return {toward - spread + (left ? lead_far : -lead_near) - kSlack,
-          toward + spread + (left ? lead_near : -lead_far) + kSlack};
-}
-
 bool Horizon::hides(const Box& box) const {
-  const Vec2 d = 0.5 * (box.min + box.max) - circle_.center;
-  const Vec2 extent = 0.5 * (box.max - box.min);
   // No tangent enters the disc.
   const double disc = circle_.radius * (1.0 - kSlack);
-  if ((d.cwiseAbs() + extent).squaredNorm() < disc * disc) return true;
-  if (d.squaredNorm() <= extent.squaredNorm()) return false;
-  const double half = extent.norm();
-  const double distance = d.norm();
-  const double toward = about_atan2(d);
+  const Vec2 farthest = (0.5 * (box.min + box.max) - circle_.center).cwiseAbs() + 0.5 * (box.max - box.min);
+  if (farthest.squaredNorm() < disc * disc) return true;
+  const auto ball = ball_around(box, circle_.center);
+  if (!ball) return false;
   // Most boxes that are not hidden are so in the middle.
-  if (far_[range_of(toward)] >= distance) return false;
-  const double near = std::max(box.distance_to(circle_.center), circle_.radius);
-  const auto [low, high] = headings_towards(toward, distance, half, near);
+  if (far_[range_of(ball->heading)] >= ball->distance) return false;
+  const double near = nearest_of(box, circle_);
+  const auto [low, high] = headings_towards(*ball, near, circle_);
   const double closest = std::sqrt((near - circle_.radius) * (near + circle_.radius)) * (1.0 - kSlack);
   const std::size_t last = range_of(high);
   for (std::size_t k = range_of(low); far_[k] < closest; k = (k + 1) % kHeadings)
@@ -158,12 +178,9 @@ bool Horizon::hides(const Box& box) const {
 }
 
 Sectors Horizon::sectors_towards(const Box& box) const {
-  const Vec2 d = 0.5 * (box.min + box.max) - circle_.center;
-  const double half = 0.5 * (box.max - box.min).norm();
-  const double distance = d.norm();
-  if (distance <= half) return kAllSectors;
-  const double near = std::max(box.distance_to(circle_.center), circle_.radius);
-  const auto [low, high] = headings_towards(about_atan2(d), distance, half, near);
+  const auto ball = ball_around(box, circle_.center);
+  if (!ball) return kAllSectors;
+  const auto [low, high] = headings_towards(*ball, nearest_of(box, circle_), circle_);
   return sectors_of(low, high);
 }
 

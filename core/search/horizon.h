@@ -42,10 +42,6 @@ class Horizon {
 
  private:
   static constexpr std::size_t kHeadings = 512;
-  struct Headings {
-    double low, high;
-  };
-  [[nodiscard]] Headings headings_towards(double toward, double distance, double half, double near) const;
   // The range that a heading > -4 pi lies in, several times as fast as for any heading.
   static std::size_t range_of(double heading) {
     return static_cast<std::size_t>((heading + 2.0 * kTwoPi) * (kHeadings / kTwoPi)) % kHeadings;
