@@ -56,9 +56,10 @@ PlanMaps::PlanMaps(SearchMap map, bool gap_circles)
 
 std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap& smallest,
                                           const std::shared_ptr<const VisibilityRows>& rows) {
-  std::vector<SearchMap> maps{with_faster_turns(all, all.vehicle, kUsualFactor)};
+  std::vector<SearchMap> maps;
   const auto add_with = [&](std::size_t count, double factor) {
     if (count == 1) return maps.push_back(with_faster_turns(smallest, all.vehicle, factor));
+    if (count == all.radii.size()) return maps.push_back(with_faster_turns(all, all.vehicle, factor));
     const auto same = std::ranges::find(maps, count, [](const SearchMap& map) { return map.radii.size(); });
     if (same != maps.end()) return maps.push_back(with_faster_turns(*same, all.vehicle, factor));
     const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(count));

@@ -34,9 +34,9 @@ struct PlanMaps {
   std::optional<NarrowPlaces> narrow;
 };
 
-/// More maps with several radii on which the fastest path may take a way of its own. Circles round vertices have few
-/// radii, and what refinement makes of a turn is not known before: these maps have some of the radii, as a path of
-/// tight turns is a shorter one, and vehicles with faster turns.
+/// Where there are several radii, maps beside those of PlanMaps on which the fastest path may take a way of its own.
+/// Circles round vertices have few radii, and what refinement makes of a turn is not known before: these maps have some
+/// of the radii, as a path of tight turns is a shorter one, and vehicles with faster turns.
 /// @param all       with at least two radii.
 /// @param smallest  with the smallest of them alone.
 /// @param rows      of the reduced graph of both.

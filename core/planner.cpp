@@ -138,7 +138,7 @@ struct Planner::Data {
   std::shared_ptr<const VisibilityRows> rows;
   PlanMaps maps;
   std::optional<PlanMaps> tightest;   // of several radii only the smallest
-  std::vector<SearchMap> other_ways;  // of several radii
+  std::vector<SearchMap> other_ways;  // of several radii, beside those of `maps`
   std::optional<PointDistance> point_distance;
   BottleneckFinder bottleneck;
   PrepareStatistics prepare_statistics;
@@ -357,8 +357,11 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     d.raise_bound(request, workspace->point, result);
     if (d.tightest && !result.interrupted) run.find_forwards(*d.tightest, 1.0, [] { return false; });
     run.improve_forwards();
-    for (const SearchMap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
-    if (d.tightest) run.refine_best(kLastEffort);
+    if (d.tightest) {
+      run.find_other_way(d.maps.faster_turns, kQuickEffort);
+      for (const SearchMap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
+      run.refine_best(kLastEffort);
+    }
   }
   bool hopeless = why.obstruction == Obstruction::kPassage;
   if (request.reverse && !run.found() && !result.interrupted && !hopeless) {

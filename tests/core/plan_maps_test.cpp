@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/graph/visibility_graph.h"
@@ -53,6 +56,11 @@ class SeveralRadii : public testing::TestWithParam<ClutterKind> {
     o.radii = std::move(radii);
     return {world_, vehicle_, queries_, planner_.visibility_rows(), o, SerialExecutor()};
   }
+  [[nodiscard]] SearchMap make_map(const std::vector<double>& radii) const {
+    return {world_, vehicle_, queries_, radii,
+            FeasibleGraph(world_, vehicle_, planner_.visibility_rows(), queries_, radii, SerialExecutor(),
+                          GraphMode::kLazy)};
+  }
 };
 
 TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
@@ -75,11 +83,6 @@ TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
 }
 
 TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
-  const auto make_map = [&](const std::vector<double>& radii) {
-    return SearchMap(world_, vehicle_, queries_, radii,
-                     FeasibleGraph(world_, vehicle_, planner_.visibility_rows(), queries_, radii, SerialExecutor(),
-                                   GraphMode::kLazy));
-  };
   const std::vector<double>& radii = planner_.options().radii;
   const SearchMap all = make_map(radii), smallest = make_map({radii.front()});
   const std::vector<SearchMap> maps = maps_of_other_ways(all, smallest, planner_.visibility_rows());
@@ -104,6 +107,27 @@ TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
     }
   }
   EXPECT_GT(other, 0);
+}
+
+TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
+  const std::vector<double>& radii = planner_.options().radii;
+  for (const std::size_t count : {std::size_t{2}, radii.size()}) {
+    const PlanMaps all(make_map({radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count)}), false);
+    const PlanMaps smallest(make_map({radii.front()}), false);
+    const std::vector<SearchMap> more = maps_of_other_ways(all.plain, smallest.plain, planner_.visibility_rows());
+    std::vector<std::pair<std::vector<double>, double>> ways;
+    const auto add = [&](const SearchMap& map) {
+      const double limit = std::get<LateralAccelerationLimit>(map.vehicle.parameters().turn_speed).lateral_acceleration;
+      ways.emplace_back(map.radii, limit);
+    };
+    for (const PlanMaps* maps : {&all, &smallest}) {
+      add(maps->plain);
+      add(maps->faster_turns);
+    }
+    std::ranges::for_each(more, add);
+    std::ranges::sort(ways);
+    EXPECT_EQ(std::ranges::adjacent_find(ways), ways.end()) << count << " radii";
+  }
 }
 
 TEST_P(SeveralRadii, WithoutRefinementTheGraphsFastestPathIsThePlan) {
