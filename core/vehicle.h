@@ -17,14 +17,17 @@ enum class Steering { kFront, kRear, kSymmetric };
 /// Speed on an arc: one value for all radii [m/s].
 struct ConstantTurnSpeed {
   double speed;
+  friend bool operator==(const ConstantTurnSpeed&, const ConstantTurnSpeed&) = default;
 };
 /// Speed on an arc: min(max_speed, sqrt(lateral_acceleration * radius)).
 struct LateralAccelerationLimit {
   double lateral_acceleration;  ///< [m/s^2]
+  friend bool operator==(const LateralAccelerationLimit&, const LateralAccelerationLimit&) = default;
 };
 /// Speed on an arc: linear between (radius [m], speed [m/s]) pairs of rising radius, constant beyond both ends.
 struct TurnSpeedTable {
   std::vector<std::pair<double, double>> entries;
+  friend bool operator==(const TurnSpeedTable&, const TurnSpeedTable&) = default;
 };
 using TurnSpeedLaw = std::variant<ConstantTurnSpeed, LateralAccelerationLimit, TurnSpeedTable>;
 
@@ -53,6 +56,7 @@ struct VehicleParameters {
   /// Every path keeps the body at least half of this from every obstacle; paths round vertices at this distance. [m], >
   /// 0
   double safety_margin = 1e-3;
+  friend bool operator==(const VehicleParameters&, const VehicleParameters&) = default;
 };
 
 /// A rectangular car-like robot (PLANNER's sections 2 and 3 as functions). Immutable, thread-safe.
@@ -89,6 +93,9 @@ class Vehicle {
   /// (7) solved: the smallest radius >= min_turning_radius beyond which every radius fits a passage of this width;
   /// nothing if none does, (6). Closed form, to a few units in the last place.
   [[nodiscard]] std::optional<double> smallest_fitting_radius(double passage_width) const;
+
+  /// Whether all parameters are the same.
+  friend bool operator==(const Vehicle&, const Vehicle&) = default;
 
  private:
   VehicleParameters parameters_;

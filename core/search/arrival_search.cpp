@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -76,17 +78,35 @@ void append_line(Path& path, const Pose& start, double length) {
   if (length > 0.0) path.push_back({start, length, 0.0});
 }
 
+// What the times of labels, and the order in which they come, depend on beside the map and the ends.
+struct Question {
+  Vehicle vehicle;  // with the gears as the path will be driven
+  Heuristic heuristic;
+  TimeModel time_model;
+  double cusp_cost;
+  double suboptimality;
+  friend bool operator==(const Question&, const Question&) = default;
+};
+
+Question question_of(const SearchContext& context) {
+  const SearchOptions& o = context.options;
+  return {context.vehicle, o.heuristic, o.time_model, o.cusp_cost, o.suboptimality};
+}
+
 }  // namespace
 
 struct SearchWorkspace::Data {
   SearchEnds ends;
   SearchTimes times;
   struct Reached {
-    const CircleTable* map = nullptr;
+    std::weak_ptr<const CircleTable> map;  // its memory may have become another's
     Reachability by_starts;
   };
-  std::array<Reached, 2> reached;    // on the map of a query, and on that with circles in narrow places
-  const CircleTable* map = nullptr;  // of the search before
+  std::array<Reached, 2> reached;  // on the map of a query, and on that with circles in narrow places
+  // Of the search before.
+  std::weak_ptr<const CircleTable> map;  // none if no search can go on from it
+  std::optional<Question> question;
+  double faster_than = 0.0;
   std::uint32_t pushed_start_circles = 0;
   OpenList<Entry> open;
   HugeVector<Step> steps;
@@ -116,16 +136,17 @@ class ArrivalSearch {
         result_(context.result),
         w_(workspace),
         ends_(workspace.ends) {
-    const bool adds_ends = context.options.goes_on && w_.map == &circles_ && ends_.are_first_of(context);
+    const bool adds_ends = has_begun_before();
     w_.times.begin(context, adds_ends);
     if (!adds_ends) forget();
+    w_.faster_than = context.options.faster_than;
     known_labels_ = w_.labels.size();
   }
 
   void run() {
     if (context_.interrupted()) return;
     if (!context_.options.goes_on)
-      for (auto& reached : w_.reached) reached.map = nullptr;
+      for (auto& reached : w_.reached) reached.map.reset();
     reachability_known_ = context_.options.faster_than < kInfinity;  // by the path that takes so long
     result_.start_connected = !w_.labels.empty();
     const auto first_direct = static_cast<std::uint32_t>(ends_.direct_paths().size());
@@ -158,8 +179,15 @@ class ArrivalSearch {
   }
 
  private:
+  // Whether the search before was a part of this one.
+  [[nodiscard]] bool has_begun_before() const {
+    return context_.options.goes_on && w_.map.lock() == context_.map.circles && w_.question == question_of(context_) &&
+           context_.options.faster_than <= w_.faster_than && ends_.are_first_of(context_);
+  }
+
   void forget() {
-    w_.map = &circles_;
+    w_.map = context_.map.circles;
+    w_.question = question_of(context_);
     w_.pushed_start_circles = 0;
     w_.open.clear();
     w_.steps.clear();
@@ -175,11 +203,11 @@ class ArrivalSearch {
   }
 
   Reachability& reached_before() {
-    const auto is_this_map = [this](const auto& reached) { return reached.map == &circles_; };
+    const auto is_this_map = [this](const auto& reached) { return reached.map.lock() == context_.map.circles; };
     auto found = std::ranges::find_if(w_.reached, is_this_map);
     if (found != w_.reached.end()) return found->by_starts;
-    found = w_.reached[0].map == nullptr ? w_.reached.begin() : w_.reached.begin() + 1;
-    found->map = &circles_;
+    found = w_.reached[0].map.expired() ? w_.reached.begin() : w_.reached.begin() + 1;
+    found->map = context_.map.circles;
     found->by_starts.forget();
     return found->by_starts;
   }
@@ -229,6 +257,7 @@ class ArrivalSearch {
 
   // Takes the best complete path that is free. The open list may be millions of others, which are not worth sorting.
   void finish_best() {
+    w_.map.reset();
     w_.open.keep_if(is_complete);
     while (!w_.open.empty() && !finish(w_.open.pop())) {
     }

@@ -26,9 +26,9 @@ struct SearchOptions {
   Gear gear = Gear::kForward;
   TimeModel time_model = TimeModel::kProfile;
   double suboptimality = 0.0;  ///< w >= 0: the path found may take 1 + w times as long as the fastest one
-  /// The search before in the same workspace was asked the same, but for other ends or on another map: what it found
-  /// out is known. On the same map, and if its terminals were the first ones of this, only paths that it has not found
-  /// are looked for.
+  /// The search before in the same workspace was asked for a path between the same poses: what its starts reach is
+  /// known. If it was a part of this one, on the same map, of the same vehicle, and with the first of the terminals,
+  /// only paths that it has not found are looked for.
   bool goes_on = false;
   /// Only paths that take less than one that is known are wanted [s].
   double faster_than = std::numeric_limits<double>::infinity();

@@ -59,6 +59,21 @@ TEST(Vehicle, PapersRobotWithSymmetricSteering) {
   EXPECT_DOUBLE_EQ(swept_annulus(vehicle.footprint(), 0.65).outer, std::hypot(0.75, 1.05));
 }
 
+TEST(Vehicle, IsTheSameIfAllParametersAre) {
+  VehicleParameters parameters;
+  parameters.turn_speed = TurnSpeedTable{{{1.5, 2.0}, {6.0, 5.0}}};
+  const Vehicle vehicle(parameters);
+  EXPECT_EQ(Vehicle(parameters), vehicle);
+  parameters.max_reverse_speed = 1.0;
+  EXPECT_NE(Vehicle(parameters), vehicle);
+  EXPECT_EQ(Vehicle(parameters).with_gears_swapped().with_gears_swapped(), Vehicle(parameters));
+  parameters.max_reverse_speed.reset();
+  parameters.turn_speed = TurnSpeedTable{{{1.5, 2.0}, {6.0, 5.5}}};
+  EXPECT_NE(Vehicle(parameters), vehicle);
+  parameters.turn_speed = ConstantTurnSpeed{2.0};
+  EXPECT_NE(Vehicle(parameters), vehicle);
+}
+
 TEST(Vehicle, FootprintGrowsOnEverySide) {
   const Footprint body = Vehicle().footprint(0.5);
   EXPECT_DOUBLE_EQ(body.front, 1.9);

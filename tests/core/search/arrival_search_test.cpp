@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/geometry/angle.h"
@@ -274,6 +275,72 @@ TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
   EXPECT_GT(improved, 5);
   EXPECT_LT(improved, plain);
   EXPECT_LT(expanded, expanded_anew / 2);
+}
+
+TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 6, .fill = 0.25, .seed = 3});
+  VehicleParameters parameters;
+  parameters.max_acceleration = 2.0;
+  const Vehicle vehicle(parameters);
+  parameters.turn_speed = ConstantTurnSpeed{2.0};
+  const SearchMap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+  SearchMap slower_turns = map;  // on the same circles
+  slower_turns.vehicle = Vehicle(parameters);
+  parameters.max_reverse_speed = 1.0;
+  SearchMap slower_backwards = map;
+  slower_backwards.vehicle = Vehicle(parameters);
+
+  struct Change {
+    const char* what;
+    const SearchMap& before;
+    SearchOptions options_before;
+    const SearchMap& map;
+    SearchOptions options;
+  };
+  const auto with = [](auto set) {
+    SearchOptions options;
+    set(options);
+    return options;
+  };
+  const std::array<Change, 8> changes{{
+      {"vehicle", map, {}, slower_turns, {}},
+      {"gear", slower_backwards, {}, slower_backwards, with([](auto& o) { o.gear = Gear::kReverse; })},
+      {"heuristic", map, with([](auto& o) { o.heuristic = Heuristic::kPaperDistance; }), map, {}},
+      {"time model", map, with([](auto& o) { o.time_model = TimeModel::kSegments; }), map, {}},
+      {"cusp cost", map, {}, map, with([](auto& o) { o.cusp_cost = 1.0; })},
+      {"suboptimality", map, with([](auto& o) { o.suboptimality = 2.0; }), map, {}},
+      {"wanted time", map, with([](auto& o) { o.faster_than = 1.0; }), map, {}},
+      {"expansions", map, with([](auto& o) { o.most_expanded = 3; }), map, {}},
+  }};
+  test::Random random(9);
+  const double side = world.box().max.x();
+  const auto pose = [&] {
+    return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+  };
+  SearchWorkspace workspace, anew;
+  int solved = 0;
+  for (int i = 0; i < 30; ++i) {
+    const Terminal start{pose(), {}}, goal{pose(), {}};
+    for (const Change& change : changes) {
+      const SearchResult before =
+          search_arrivals(change.before, {&start, 1}, {&goal, 1}, change.options_before, workspace);
+      const std::uint64_t most = change.options_before.most_expanded;
+      if (most < SearchOptions{}.most_expanded && before.nodes_expanded < most) continue;  // it was a part
+      SearchOptions options = change.options;
+      const SearchResult expected = search_arrivals(change.map, {&start, 1}, {&goal, 1}, options, anew);
+      options.goes_on = true;
+      const SearchResult found = search_arrivals(change.map, {&start, 1}, {&goal, 1}, options, workspace);
+      ASSERT_EQ(found.path.has_value(), expected.path.has_value()) << change.what << ", query " << i;
+      EXPECT_EQ(found.nodes_expanded, expected.nodes_expanded) << change.what << ", query " << i;
+      if (!found.path) continue;
+      ++solved;
+      const Vehicle& driven = change.map.vehicle;
+      EXPECT_EQ(speed_profile(*found.path, driven).total_time, speed_profile(*expected.path, driven).total_time)
+          << change.what << ", query " << i;
+    }
+  }
+  EXPECT_GT(solved, 40);
 }
 
 }  // namespace
