@@ -11,8 +11,6 @@ namespace {
 // Up to about this many edges a scan is as fast as a tree.
 constexpr std::size_t kScanEdges = 64;
 
-Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}; }
-
 }  // namespace
 
 RegionLocator::RegionLocator(const World& world) : world_(world), tree_of_(world.region_count(), kNone) {

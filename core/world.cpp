@@ -161,11 +161,9 @@ struct World::Data {
       BoxTree edge_tree;
       const bool is_large = last - first > kScanVertices;
       const auto build_edge_tree = [&] {
-        std::vector<Box> edge_boxes(last - first);
-        for (VertexId v = first; v < last; ++v) {
-          edge_boxes[v - first].extend(edges[v].a);
-          edge_boxes[v - first].extend(edges[v].b);
-        }
+        std::vector<Box> edge_boxes;
+        edge_boxes.reserve(last - first);
+        for (VertexId v = first; v < last; ++v) edge_boxes.push_back(arcway::box_of(edges[v]));
         edge_tree = BoxTree(edge_boxes);
       };
       const auto visit = [&](std::uint32_t i) {

@@ -183,11 +183,9 @@ class Cutter {
   void find_contacts() {
     broken_.assign(world_.region_count(), 0);
     const std::span<const LineSegment> edges = world_.edges();
-    std::vector<Box> boxes(edges.size());
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      boxes[e].extend(edges[e].a);
-      boxes[e].extend(edges[e].b);
-    }
+    std::vector<Box> boxes;
+    boxes.reserve(edges.size());
+    for (const LineSegment& edge : edges) boxes.push_back(box_of(edge));
     const BoxTree tree(boxes);
     for (VertexId e = 0; e < edges.size(); ++e) {
       tree.visit_overlaps(boxes[e], [&](VertexId f) {

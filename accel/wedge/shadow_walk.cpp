@@ -10,7 +10,7 @@ namespace {
 
 // Whether a box lies strictly to the right of the line from a to b.
 bool lies_right_of(const Vec2& a, const Vec2& b, const Box& box) {
-  for (const Vec2& corner : {box.min, Vec2(box.max.x(), box.min.y()), box.max, Vec2(box.min.x(), box.max.y())})
+  for (const Vec2& corner : box.corners())
     if (orientation(a, b, corner) >= 0) return false;
   return true;
 }

@@ -21,8 +21,6 @@ bool sort(const Executor& executor, const std::function<bool()>& make_map) {
   return is_made;
 }
 
-Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}; }
-
 }  // namespace
 
 SightMap::SightMap(const World& world, const Executor& executor, Diagonals shortened) : world_(world) {

@@ -9,26 +9,19 @@ namespace {
 // Whether the line through two points passes a box, or the points are one.
 bool passes(const Vec2& a, const Vec2& b, const Box& box) {
   int sum = 0;
-  for (const Vec2& corner : {box.min, Vec2(box.max.x(), box.min.y()), box.max, Vec2(box.min.x(), box.max.y())})
-    sum += orientation(a, b, corner);
+  for (const Vec2& corner : box.corners()) sum += orientation(a, b, corner);
   return sum > -4 && sum < 4;
 }
 
 }  // namespace
 
 NearBoxes::NearBoxes(std::span<const Box> boxes, double reach) : boxes_(boxes.begin(), boxes.end()) {
-  for (Box& box : boxes_) {
-    box.min.array() -= reach;
-    box.max.array() += reach;
-  }
+  for (Box& box : boxes_) box = box.grown(reach);
   tree_ = BoxTree(boxes_);
 }
 
 bool NearBoxes::may_meet(const Vec2& a, const Vec2& b) const {
-  Box around;
-  around.extend(a);
-  around.extend(b);
-  return !tree_.visit_overlaps(around, [&](std::uint32_t i) { return !passes(a, b, boxes_[i]); });
+  return !tree_.visit_overlaps(box_of({a, b}), [&](std::uint32_t i) { return !passes(a, b, boxes_[i]); });
 }
 
 }  // namespace arcway

@@ -151,11 +151,9 @@ std::optional<RingConflict> find_conflict(const Polygon& polygon) {
     return std::nullopt;
   }
 
-  std::vector<Box> boxes(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    boxes[i].extend(edges[i].segment.a);
-    boxes[i].extend(edges[i].segment.b);
-  }
+  std::vector<Box> boxes;
+  boxes.reserve(edges.size());
+  for (const auto& edge : edges) boxes.push_back(box_of(edge.segment));
   const BoxTree tree(boxes);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     std::size_t first = edges.size();

@@ -12,13 +12,6 @@ namespace {
 // Order along any line, exact: the order of x, that of y on vertical lines.
 bool precedes(const Vec2& p, const Vec2& q) { return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y()); }
 
-Box box_of(const LineSegment& s) {
-  Box box;
-  box.extend(s.a);
-  box.extend(s.b);
-  return box;
-}
-
 SegmentRelation relate_point(const Vec2& p, const LineSegment& s) {
   if (p == s.a || p == s.b) return SegmentRelation::kTouchingEnds;
   return on_segment(p, s) ? SegmentRelation::kTouchingInterior : SegmentRelation::kDisjoint;

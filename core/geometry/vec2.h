@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,19 @@ struct Box {
   [[nodiscard]] Vec2 closest_point(const Vec2& p) const { return p.cwiseMax(min).cwiseMin(max); }
   /// 0 inside.
   [[nodiscard]] double distance_to(const Vec2& p) const { return (closest_point(p) - p).norm(); }
+  /// 0 if they meet. Neither may be empty.
+  [[nodiscard]] double distance_to(const Box& o) const {
+    return (min - o.max).cwiseMax(o.min - max).cwiseMax(Vec2::Zero()).norm();
+  }
+  /// The box with all sides moved outwards.
+  [[nodiscard]] Box grown(double by) const { return {min - Vec2::Constant(by), max + Vec2::Constant(by)}; }
+  /// Counter-clockwise, from `min` on.
+  [[nodiscard]] std::array<Vec2, 4> corners() const {
+    return {min, Vec2(max.x(), min.y()), max, Vec2(min.x(), max.y())};
+  }
 };
+
+/// The smallest box around a segment.
+inline Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}; }
 
 }  // namespace arcway

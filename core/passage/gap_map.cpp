@@ -20,11 +20,6 @@ namespace {
 constexpr double kInside = 1.0 - 1e-6;
 constexpr double kRounding = 0x1p-48;
 
-Box around(const LineSegment& s, double margin) {
-  const Vec2 growth = Vec2::Constant(margin);
-  return {s.a.cwiseMin(s.b) - growth, s.a.cwiseMax(s.b) + growth};
-}
-
 bool follow_each_other(const World& world, VertexId a, VertexId b) { return world.next(a) == b || world.next(b) == a; }
 
 // Whether a third edge comes into the circle that has the gap for a diameter.
@@ -33,7 +28,7 @@ bool is_divided(const World& world, const BoxTree& edges, const Gap& gap) {
   const double largest = world.box().min.cwiseAbs().cwiseMax(world.box().max.cwiseAbs()).maxCoeff();
   const double radius = 0.5 * gap.width * kInside - kRounding * largest;
   if (!(radius > 0.0)) return false;
-  return !edges.visit_overlaps(around({middle, middle}, radius), [&](VertexId e) {
+  return !edges.visit_overlaps(Box{middle, middle}.grown(radius), [&](VertexId e) {
     return e == gap.edge_a || e == gap.edge_b || !(distance(middle, world.edges()[e]) < radius);
   });
 }
@@ -111,10 +106,10 @@ GapMap::GapMap(const World& world, double widest) : world_(world) {
   const std::span<const LineSegment> edges = world.edges();
   std::vector<Box> boxes;
   boxes.reserve(edges.size());
-  for (const LineSegment& edge : edges) boxes.push_back(around(edge, 0.0));
+  for (const LineSegment& edge : edges) boxes.push_back(box_of(edge));
   const BoxTree tree(boxes);
   for (VertexId a = 0; a < edges.size(); ++a)
-    tree.visit_overlaps(around(edges[a], widest), [&](VertexId b) {
+    tree.visit_overlaps(boxes[a].grown(widest), [&](VertexId b) {
       if (b <= a || follow_each_other(world, a, b)) return true;
       const ClosestPair pair = closest_pair(edges[a], edges[b]);
       const Gap gap{pair.distance, a, b, pair.a, pair.b};

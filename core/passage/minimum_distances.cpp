@@ -14,14 +14,8 @@
 namespace arcway {
 namespace {
 
-Box box_of(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}; }
-
-double distance_between(const Box& a, const Box& b) {
-  return (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(Vec2::Zero()).norm();
-}
-
 void lower(ClosestPair& best, const LineSegment& s, const LineSegment& t) {
-  if (distance_between(box_of(s), box_of(t)) >= best.distance) return;
+  if (box_of(s).distance_to(box_of(t)) >= best.distance) return;
   const ClosestPair pair = closest_pair(s, t);
   if (pair.distance < best.distance) best = pair;
 }
@@ -37,7 +31,7 @@ ClosestPair between(const World& world, ObstacleId a, ObstacleId b) {
   const auto [first, last] = world.vertices_of(a);
   for (VertexId v = first; v < last; ++v) {
     const LineSegment& edge = world.edges()[v];
-    if (distance_between(box_of(edge), world.box_of(b)) < best.distance) best = between(world, edge, b, best);
+    if (box_of(edge).distance_to(world.box_of(b)) < best.distance) best = between(world, edge, b, best);
   }
   return best;
 }

@@ -29,15 +29,8 @@ struct Near {
   }
 };
 
-struct Rectangle {
-  Vec2 min, max;
-  [[nodiscard]] std::array<Vec2, 4> corners() const {
-    return {min, Vec2(max.x(), min.y()), max, Vec2(min.x(), max.y())};
-  }
-};
-
 /// Distance of an edge to a rectangle, and the x of the rectangle where it occurs.
-Near to_rectangle(const Rectangle& r, const LineSegment& e) {
+Near to_rectangle(const Box& r, const LineSegment& e) {
   const Vec2 u = e.b - e.a;
   // The part of the edge inside, by clipping.
   double t0 = 0.0;
@@ -55,7 +48,7 @@ Near to_rectangle(const Rectangle& r, const LineSegment& e) {
   if (t0 <= t1) return {0.0, std::min(e.a.x() + t0 * u.x(), e.a.x() + t1 * u.x())};
   Near near;
   for (const Vec2& p : {e.a, e.b}) {
-    const Vec2 q = p.cwiseMax(r.min).cwiseMin(r.max);
+    const Vec2 q = r.closest_point(p);
     near.lower((p - q).norm(), q.x());
   }
   for (const Vec2& corner : r.corners()) {
@@ -98,10 +91,6 @@ Near turning_point(const Vec2& center, const Vec2& point, double spin, double tu
   return near;
 }
 
-double distance_between(const Box& a, const Box& b) {
-  return (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(Vec2::Zero()).norm();
-}
-
 /// The motion of the body, seen from its start pose.
 class Motion {
  public:
@@ -115,27 +104,25 @@ class Motion {
   [[nodiscard]] Box swept_box() const {
     Box box;
     if (segment_.is_line()) {
-      for (const Vec2& corner : Rectangle{body_.min, {body_.max.x() + segment_.length, body_.max.y()}}.corners()) {
+      for (const Vec2& corner : Box{body_.min, {body_.max.x() + segment_.length, body_.max.y()}}.corners()) {
         box.extend(Vec2(start_.origin + corner.x() * start_.axis + corner.y() * perpendicular(start_.axis)));
       }
       return box;
     }
     const double reach = std::max(body_.min.norm(), body_.max.norm()) + 0.5 * segment_.length;
     const Vec2 middle = segment_.at(0.5 * segment_.length).position();
-    box.extend(Vec2(middle - Vec2::Constant(reach)));
-    box.extend(Vec2(middle + Vec2::Constant(reach)));
-    return box;
+    return Box{middle, middle}.grown(reach);
   }
 
   /// No point of a box is nearer. For a line by the box in its frame: that of a long oblique one is mostly empty space.
   [[nodiscard]] double distance_at_least(const Box& box) const {
-    if (!segment_.is_line()) return distance_between(swept_box_, box);
+    if (!segment_.is_line()) return swept_box_.distance_to(box);
     const Vec2 middle = start_(Vec2(0.5 * (box.min + box.max)));
     const Vec2 half = 0.5 * (box.max - box.min);
     const Vec2 axis = start_.axis.cwiseAbs();
     const Vec2 extent(axis.dot(half), axis.x() * half.y() + axis.y() * half.x());
     const Vec2 front(body_.max.x() + segment_.length, body_.max.y());
-    return distance_between({body_.min, front}, {middle - extent, middle + extent});
+    return Box{body_.min, front}.distance_to(Box{middle - extent, middle + extent});
   }
 
   /// Distance to an edge, and the arc length.
@@ -163,7 +150,7 @@ class Motion {
 
  private:
   PathSegment segment_;
-  Rectangle body_;
+  Box body_;
   Frame start_;
   Frame end_;
   Box swept_box_;
@@ -184,7 +171,7 @@ Clearance clearance_along(const PathSegment& segment, const Footprint& body, con
     const auto [first, last] = world.vertices_of(region);
     for (VertexId v = first; v < last; ++v) {
       const LineSegment& edge = world.edges()[v];
-      if (distance_between(swept, {edge.a.cwiseMin(edge.b), edge.a.cwiseMax(edge.b)}) >= best.distance) continue;
+      if (swept.distance_to(box_of(edge)) >= best.distance) continue;
       const Near near = motion.nearest(edge);
       if (near.distance < best.distance) best = {near.distance, near.at, v};
     }
@@ -193,7 +180,7 @@ Clearance clearance_along(const PathSegment& segment, const Footprint& body, con
   ObstacleId likely = kNone;
   double least = std::numeric_limits<double>::infinity();
   for (ObstacleId o = 0; o < world.region_count(); ++o) {
-    const double distance = distance_between(swept, world.box_of(o));
+    const double distance = swept.distance_to(world.box_of(o));
     if (distance < least) {
       least = distance;
       likely = o;
@@ -202,7 +189,7 @@ Clearance clearance_along(const PathSegment& segment, const Footprint& body, con
   if (likely == kNone) return best;
   visit(likely);
   for (ObstacleId o = 0; o < world.region_count(); ++o) {
-    if (o != likely && distance_between(swept, world.box_of(o)) < best.distance) visit(o);
+    if (o != likely && swept.distance_to(world.box_of(o)) < best.distance) visit(o);
   }
   return best;
 }
@@ -213,8 +200,7 @@ double clearance_below(double limit, const PathSegment& segment, const Footprint
   outlines.visit_if(is_near, [&](const Outlines::Piece& piece) {
     for (std::size_t i = 0; i < piece.edge_count(); ++i) {
       const LineSegment edge{piece.points[i], piece.points[i + 1]};
-      if (is_near({edge.a.cwiseMin(edge.b), edge.a.cwiseMax(edge.b)}))
-        limit = std::min(limit, motion.nearest(edge).distance);
+      if (is_near(box_of(edge))) limit = std::min(limit, motion.nearest(edge).distance);
     }
     return true;
   });

@@ -110,12 +110,7 @@ MotionCheck::MotionCheck(const World& world, const Vehicle& vehicle)
   body_ = {ahead - 0.5 * p.length, ahead + 0.5 * p.length, -0.5 * p.width, 0.5 * p.width};
   reach_ = std::hypot(std::max(std::abs(body_.x0), std::abs(body_.x1)), body_.y1);
   boxes_.reserve(world.edges().size());
-  for (const LineSegment& e : world.edges()) {
-    Box box;
-    box.extend(e.a);
-    box.extend(e.b);
-    boxes_.push_back(box);
-  }
+  for (const LineSegment& e : world.edges()) boxes_.push_back(box_of(e));
   if (!world.box().empty()) {
     const double largest = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
     rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * (largest + reach_);

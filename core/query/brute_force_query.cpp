@@ -13,8 +13,6 @@ namespace arcway {
 
 namespace {
 
-Box box_of_segment(const LineSegment& s) { return {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)}; }
-
 ObstacleId find_containing(const World& world, const Vec2& p) {
   for (ObstacleId o = 0; o < world.region_count(); ++o) {
     const bool bounds = o == world.obstacle_count();
@@ -29,14 +27,14 @@ ObstacleId find_containing(const World& world, const Vec2& p) {
 void BruteForceQuery::do_visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const LineSegment& s = segments[i];
-    const Box box = box_of_segment(s);
+    const Box box = box_of(s);
     const auto blocked = [&] {
       if (s.a == s.b) return find_containing(world_, s.a) != kNone;
       for (ObstacleId o = 0; o < world_.region_count(); ++o) {
         if (!world_.box_of(o).overlaps(box)) continue;
         const auto [first, last] = world_.vertices_of(o);
         for (VertexId e = first; e < last; ++e)
-          if (box_of_segment(world_.edges()[e]).overlaps(box) && blocks(world_, e, s)) return true;
+          if (box_of(world_.edges()[e]).overlaps(box) && blocks(world_, e, s)) return true;
       }
       return find_containing(world_, s.a) != kNone;
     };
@@ -80,7 +78,7 @@ void BruteForceQuery::do_straight_free(std::span<const SweptRectangle> rectangle
         const auto [first, last] = world_.vertices_of(o);
         for (VertexId e = first; e < last; ++e) {
           const LineSegment& edge = world_.edges()[e];
-          if (box_of_segment(edge).overlaps(box) && intersects(edge, r)) return true;
+          if (box_of(edge).overlaps(box) && intersects(edge, r)) return true;
         }
       }
       return find_containing(world_, r[0]) != kNone;  // no edge meets it: it lies on one side of every boundary

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // relative, of lengths
 
-Box grown(const Box& box, double by) { return {box.min - Vec2::Constant(by), box.max + Vec2::Constant(by)}; }
-
 }  // namespace
 
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, std::size_t first, Direction direction,
@@ -93,9 +91,9 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   // Vertices of which circles that lie so near to them may be seen.
   const auto visit_near = [&](double reach, auto&& visit) {
     map.outlines->visit_if(
-        [&](const Box& box) { return !is_far(grown(box, reach)) && !horizon.hides(grown(box, reach)); },
+        [&](const Box& box) { return !is_far(box.grown(reach)) && !horizon.hides(box.grown(reach)); },
         [&](const Outlines::Piece& piece) {
-          const Sectors outwards = horizon.sectors_towards(grown(piece.box, reach));
+          const Sectors outwards = horizon.sectors_towards(piece.box.grown(reach));
           const Sectors sectors = from_start ? outwards : std::rotl(outwards, 32);
           for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v) visit(v, sectors);
           return true;

@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t kScanEdges = 64;  // up to here a scan beats a tree
 
-Box box_of(const LineSegment& s) {
-  Box box;
-  box.extend(s.a);
-  box.extend(s.b);
-  return box;
-}
-
 // Whether b - a and d - c, known to be parallel, point the same way.
 bool same_way(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return a.x() != b.x() ? (a.x() < b.x()) == (c.x() < d.x()) : (a.y() < b.y()) == (c.y() < d.y());
