@@ -27,8 +27,41 @@ constexpr double kRoughStep = 0.125;  // fine enough to try other turns
 constexpr double kTiedTurn = 0.5;     // for the first step of circles that are tied to others [rad]
 constexpr double kLeastTurn = 0.02;   // that is worth being driven in two parts [rad]
 constexpr double kLeastRatio = 1.5;   // ratio of radii between which there is room for another one
+// Words lead from places on one line to places on another: those that divide a line into so many equal parts, and some
+// that are so many of the smallest turning radius from an end of it.
 constexpr int kFewParts = 2;
-constexpr std::array kFinerParts{3, 4, 5};
+constexpr int kMoreParts = 3;
+constexpr std::array kNearEnds{0.5, 1.0, 2.0, 4.0};
+constexpr double kNear = 0.25;  // of the line's length, at most
+// A path that has become faster by this share may do so once more.
+constexpr double kWorthSettling = 1e-5;
+constexpr int kMostSettled = 4;
+
+// How the circle of a turn that is not the first or last one moves, in steps: the point of the turn's middle on the
+// circle that the body leaves free goes inwards; the circle goes around the point `at`, a share of the turn; and grows.
+struct Move {
+  double inwards, around, grow, at;
+};
+constexpr std::array<Move, 17> kMoves{{{1, 0, 0, 0.5},
+                                       {0, 1, 0, 0.5},
+                                       {0, -1, 0, 0.5},
+                                       {1, 1, 0, 0.5},
+                                       {1, -1, 0, 0.5},
+                                       {0, 0, 1, 0.5},
+                                       {0, 0, -0.5, 0.5},
+                                       {-1, 0, 0, 0.5},
+                                       {0, 1, 1, 0.5},
+                                       {0, -1, 1, 0.5},
+                                       {1, 0, 1, 0.5},
+                                       {-1, 0, 1, 0.5},
+                                       {-1, 0, -0.5, 0.5},
+                                       {0, 1, 0, 0.0},
+                                       {0, -1, 0, 0.0},
+                                       {0, 1, 0, 1.0},
+                                       {0, -1, 0, 1.0}}};
+// Those around the middle. What is in the way is often where the turn begins or ends; looked at too early, that leads
+// some paths to a worse optimum.
+constexpr std::span kRoughMoves = std::span(kMoves).first<13>();
 
 // A place on a straight line of the path.
 struct Station {
@@ -82,15 +115,12 @@ class Refiner {
     radii_.clear();
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
-    settle();
-    // Words between other places may lead out of a local optimum.
-    for (std::size_t i = 0; i < kFinerParts.size() && !done();) {
-      if (insert_words(kFinerParts[i])) {
-        settle();
-        i = 0;
-      } else {
-        ++i;
-      }
+    for (int i = 0; i < kMostSettled && !done(); ++i) {
+      const double before = result_.travel_time;
+      settle();
+      // Words between more places may lead out of a local optimum.
+      while (!done() && insert_words(kMoreParts, kNearEnds)) settle();
+      if (result_.travel_time > (1.0 - kWorthSettling) * before) break;
     }
   }
 
@@ -101,11 +131,11 @@ class Refiner {
     while (more && !done()) {
       while (!done() && (drop_turns() || rejoin_ends() || merge_turns())) {
       }
-      more = slide(kRoughStep);
+      more = slide(kRoughStep, kRoughMoves);
       more = widen_turns() || more;
-      more = insert_words(kFewParts) || more;
+      more = insert_words(kFewParts, {}) || more;
     }
-    slide(options_.smallest_step);
+    slide(options_.smallest_step, kMoves);
   }
 
   [[nodiscard]] bool done() {
@@ -221,8 +251,8 @@ class Refiner {
     return false;
   }
 
-  // Words between places that divide each line into equal parts.
-  bool insert_words(int parts) {
+  // Words between places that divide each line into equal parts, and others near its ends [min_turning_radius].
+  bool insert_words(int parts, std::span<const double> near_ends) {
     const double twice = 2.0 * vehicle_.max_acceleration();
     const auto station = [&](std::size_t line, double part) {
       const Bitangent& l = lines()[line];
@@ -242,10 +272,20 @@ class Refiner {
     std::vector<Station>& stations = stations_;
     stations.clear();
     for (std::size_t i = 0; i < lines().size(); ++i) {
+      const double length = lines()[i].length;
+      const auto first = stations.size();
       stations.push_back(station(i, 0.0));
-      if (lines()[i].length > smallest_)
+      if (length > smallest_)
         for (int k = 1; k < parts; ++k) stations.push_back(station(i, k / static_cast<double>(parts)));
-      if (lines()[i].length > 0.0) stations.push_back(station(i, 1.0));
+      for (const double radii : near_ends) {
+        const double part = radii * smallest_ / length;
+        if (!(part < kNear)) break;
+        stations.push_back(station(i, part));
+        stations.push_back(station(i, 1.0 - part));
+      }
+      if (length > 0.0) stations.push_back(station(i, 1.0));
+      std::sort(stations.begin() + static_cast<std::ptrdiff_t>(first), stations.end(),
+                [](const Station& a, const Station& b) { return a.part < b.part; });
     }
     for (std::size_t span = stations.size() - 1; span > 0; --span)
       for (std::size_t i = 0; i + span < stations.size(); ++i)
@@ -334,22 +374,22 @@ class Refiner {
     return false;
   }
 
-  bool slide(double last_step) {
+  bool slide(double last_step, std::span<const Move> moves) {
     bool any = false;
     for (double step = kFirstStep; step >= last_step && !done(); step *= 0.5) {
       bool moved = true;
       for (int round = 0; moved && round < 8 && !done(); ++round) {
         moved = false;
-        for (std::size_t i = 0; i < circles().size(); ++i) moved |= slide_circle(i, step);
+        for (std::size_t i = 0; i < circles().size(); ++i) moved |= slide_circle(i, step, moves);
         any |= moved;
       }
     }
     return any;
   }
 
-  bool slide_circle(std::size_t i, double step) {
+  bool slide_circle(std::size_t i, double step, std::span<const Move> moves) {
     if (i == 0 || i + 1 == circles().size()) return slide_end(i, step);
-    return is_tied(chain_.chain(), lines(), i) ? slide_tied(i, step) : slide_middle(i, step);
+    return is_tied(chain_.chain(), lines(), i) ? slide_tied(i, step) : slide_middle(i, step, moves);
   }
 
   bool slide_tied(std::size_t i, double step) {
@@ -381,28 +421,11 @@ class Refiner {
     return any;
   }
 
-  bool slide_middle(std::size_t i, double step) {
-    struct Move {
-      double inwards, around, grow;
-    };
-    static constexpr std::array<Move, 13> kMoves = {{{1, 0, 0},
-                                                     {0, 1, 0},
-                                                     {0, -1, 0},
-                                                     {1, 1, 0},
-                                                     {1, -1, 0},
-                                                     {0, 0, 1},
-                                                     {0, 0, -0.5},
-                                                     {-1, 0, 0},
-                                                     {0, 1, 1},
-                                                     {0, -1, 1},
-                                                     {1, 0, 1},
-                                                     {-1, 0, 1},
-                                                     {-1, 0, -0.5}}};
+  bool slide_middle(std::size_t i, double step, std::span<const Move> moves) {
     bool any = false;
-    for (const Move& move : kMoves) {
+    for (const Move& move : moves) {
       TurnCircle c = circles()[i];
-      const double middle = lines()[i].start.heading + sign_of(c.side) * 0.5 * chain_.turn_on(i);
-      const Vec2 ahead = direction_of(middle);
+      const Vec2 ahead = direction_of(lines()[i].start.heading + sign_of(c.side) * move.at * chain_.turn_on(i));
       const Vec2 inwards = sign_of(c.side) * perpendicular(ahead);
       const double length = step * smallest_;
       const double larger = std::max(smallest_, c.radius * (1.0 + step * move.grow));

@@ -9,6 +9,7 @@
 #include "core/path/speed_profile.h"
 #include "core/path/validation.h"
 #include "core/planner.h"
+#include "datasets/catalogue.h"
 #include "datasets/clutter.h"
 #include "tests/support/random_inputs.h"
 
@@ -164,6 +165,23 @@ TEST(RefinePath, LeavesBarePathsAlone) {
     EXPECT_EQ(result.path[0].length, 4.0);
   }
   EXPECT_TRUE(refined(World({}), vehicle, {start, start}, {}).path.empty());
+}
+
+// Each has kept refinement in a worse place: the one wants its turn to go around where it begins, the other wants a
+// turn in two parts that are close to each other. RRTConnect, shortcut for ten seconds, reaches the times.
+TEST(RefinePath, IsNoSlowerThanWhatSamplingFinds) {
+  struct Query {
+    const char* world;
+    std::size_t number;
+    double reached;  // [s]
+  };
+  for (const Query& q : {Query{"clutter/star/n100/m10/f15", 3, 6.19702}, {"clutter/star/n100/m10/f45", 11, 4.04928}}) {
+    const World world = catalogue_world(q.world);
+    const PlanRequest request = catalogue_queries(q.world, q.number + 1, 1).back();
+    const PlanResult plan = Planner(world, Vehicle()).plan(request);
+    EXPECT_LE(plan.travel_time, q.reached) << q.world;
+    expect_valid(world, Vehicle(), request, plan.path());
+  }
 }
 
 TEST(RefinePath, ThePlannerReportsBothTimes) {
