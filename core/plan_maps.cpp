@@ -20,9 +20,9 @@ struct OtherWay {
   bool operator==(const OtherWay&) const = default;
 };
 constexpr std::array<OtherWay, 7> kOtherWays{{{3, 4.0}, {2, 4.0}, {2, 16.0}, {1, 16.0}, {4, 2.0}, {3, 1.0}, {5, 4.0}}};
-constexpr double kUsualFactor = 2.0;
+constexpr double kFasterFactor = 2.0, kSlowerFactor = 0.5;
 
-struct Faster {
+struct WithFactor {
   double factor;
   TurnSpeedLaw operator()(const ConstantTurnSpeed& law) const {
     return ConstantTurnSpeed{std::sqrt(factor) * law.speed};
@@ -36,21 +36,23 @@ struct Faster {
   }
 };
 
-SearchMap with_faster_turns(SearchMap map, const Vehicle& vehicle, double factor) {
-  map.vehicle = arcway::with_faster_turns(vehicle, factor);
+SearchMap with_other_turns(SearchMap map, const Vehicle& vehicle, double factor) {
+  map.vehicle = arcway::with_other_turns(vehicle, factor);
   return map;
 }
 
 }  // namespace
 
-Vehicle with_faster_turns(const Vehicle& vehicle, double factor) {
+Vehicle with_other_turns(const Vehicle& vehicle, double factor) {
   VehicleParameters parameters = vehicle.parameters();
-  parameters.turn_speed = std::visit(Faster{factor}, parameters.turn_speed);
+  parameters.turn_speed = std::visit(WithFactor{factor}, parameters.turn_speed);
   return Vehicle(std::move(parameters));
 }
 
 PlanMaps::PlanMaps(SearchMap map, bool gap_circles)
-    : plain(std::move(map)), faster_turns(with_faster_turns(plain, plain.vehicle, kUsualFactor)) {
+    : plain(std::move(map)),
+      faster_turns(with_other_turns(plain, plain.vehicle, kFasterFactor)),
+      slower_turns(with_other_turns(plain, plain.vehicle, kSlowerFactor)) {
   if (gap_circles && plain.world.vertices().size() <= kNarrowVertices) narrow.emplace(plain);
 }
 
@@ -58,15 +60,15 @@ std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap&
                                           const std::shared_ptr<const VisibilityRows>& rows) {
   std::vector<SearchMap> maps;
   const auto add_with = [&](std::size_t count, double factor) {
-    if (count == 1) return maps.push_back(with_faster_turns(smallest, all.vehicle, factor));
-    if (count == all.radii.size()) return maps.push_back(with_faster_turns(all, all.vehicle, factor));
+    if (count == 1) return maps.push_back(with_other_turns(smallest, all.vehicle, factor));
+    if (count == all.radii.size()) return maps.push_back(with_other_turns(all, all.vehicle, factor));
     const auto same = std::ranges::find(maps, count, [](const SearchMap& map) { return map.radii.size(); });
-    if (same != maps.end()) return maps.push_back(with_faster_turns(*same, all.vehicle, factor));
+    if (same != maps.end()) return maps.push_back(with_other_turns(*same, all.vehicle, factor));
     const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(count));
     FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, SerialExecutor(), GraphMode::kLazy);
-    maps.emplace_back(all.world, with_faster_turns(all.vehicle, factor), all.queries, radii, std::move(lazy));
+    maps.emplace_back(all.world, with_other_turns(all.vehicle, factor), all.queries, radii, std::move(lazy));
   };
-  std::vector<OtherWay> known{{all.radii.size(), kUsualFactor}, {all.radii.size(), 1.0}};
+  std::vector<OtherWay> known{{all.radii.size(), kFasterFactor}, {all.radii.size(), 1.0}};
   for (OtherWay way : kOtherWays) {
     way.radii = std::min(way.radii, all.radii.size());
     if (std::ranges::find(known, way) != known.end()) continue;

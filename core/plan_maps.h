@@ -15,8 +15,8 @@ namespace arcway {
 
 /// The vehicle that may take every turn with `factor` times the lateral acceleration, at most as fast as it drives
 /// straight.
-/// @param factor  >= 1
-Vehicle with_faster_turns(const Vehicle& vehicle, double factor);
+/// @param factor  > 0
+Vehicle with_other_turns(const Vehicle& vehicle, double factor);
 
 /// What paths with turns of some radii are looked for on.
 struct PlanMaps {
@@ -28,9 +28,9 @@ struct PlanMaps {
   static constexpr std::size_t kNarrowVertices = 50'000;
 
   SearchMap plain;
-  /// The same for a vehicle with faster turns. The path that refinement makes the fastest may take its way: many turns
-  /// become wider or are left out.
-  SearchMap faster_turns;
+  /// The same for vehicles with faster and with slower turns. The path that refinement makes the fastest may take the
+  /// way of one of them: many turns become wider or are left out, others stay what they are.
+  SearchMap faster_turns, slower_turns;
   std::optional<NarrowPlaces> narrow;
 };
 

@@ -156,6 +156,7 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
     maps_ = &maps;
     by_narrow_places_ = forwards.by_narrow_places;
     fastest_ = keep(std::move(*forwards.search.path), effort, false);
+    poses_of_fastest_ = 0;
   }
   return forwards.obstruction;
 }
@@ -171,7 +172,8 @@ void PlanRun::improve_forwards() {
     try_faster(map, poses);
   }
   if (maps_->narrow && !by_narrow_places_ && is_doubtful(kNarrowPlacesGap)) try_faster(maps_->narrow->map(), 0);
-  find_other_way(maps_->faster_turns, 1.0);
+  for (const SearchMap* other : {&maps_->faster_turns, &maps_->slower_turns})
+    find_other_way(*other, 1.0, poses_of_fastest_);
 }
 
 void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
@@ -183,16 +185,18 @@ void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
       [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, faster, workspace_.find); });
   if (!turning.search.path) return;
   const Times times = keep(std::move(*turning.search.path), 1.0, false);
-  if (times.cost < fastest_.cost) fastest_ = times;
+  if (times.cost >= fastest_.cost) return;
+  fastest_ = times;
+  poses_of_fastest_ = poses;
 }
 
-void PlanRun::find_other_way(const SearchMap& map, double effort) {
+void PlanRun::find_other_way(const SearchMap& map, double effort, std::size_t poses) {
   if (result_.interrupted || options_.refinement.max_trials == 0) return;
   if (best_cost_ <= (1.0 + kOtherWaysGap) * result_.lower_bound) return;
   SearchOptions bounded = search_options_;
   bounded.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   FoundPath other = search(
-      [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, 0, bounded, workspace_.find); });
+      [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, bounded, workspace_.find); });
   if (!other.search.path) return;
   // Paths of one time to the last bit are one path.
   const auto& known = workspace_.unrefined_times;

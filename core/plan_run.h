@@ -42,11 +42,12 @@ class PlanRun {
   /// @returns what stands in the way, if anything does.
   Obstruction find_forwards(const PlanMaps& maps, double effort, const std::function<bool()>& no_passage);
   /// Where the lower bound says that the path which find_forwards has found last may be far from the best one: looks
-  /// for faster ones on the same maps with manoeuvres at both ends, with circles in narrow places, and by another way.
+  /// for faster ones on the same maps with manoeuvres at both ends, with circles in narrow places, and by other ways.
   void improve_forwards();
   /// Looks for the fastest path of another map that takes a way of its own, unless the lower bound says that it is not
   /// worth it. The vehicle of that map need not be the real one.
-  void find_other_way(const SearchMap& map, double effort);
+  /// @param poses  of manoeuvres at both ends.
+  void find_other_way(const SearchMap& map, double effort, std::size_t poses = 0);
   /// Refines the best path further, and the second best if it is nearly as good: that one may become the best.
   void refine_best(double effort);
   /// Looks for a cheaper path in both gears.
@@ -82,6 +83,7 @@ class PlanRun {
   const PlanMaps* maps_ = nullptr;
   bool by_narrow_places_ = false;
   Times fastest_{};  // on its maps
+  std::size_t poses_of_fastest_ = 0;
 };
 
 }  // namespace arcway

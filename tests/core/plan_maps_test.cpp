@@ -28,17 +28,17 @@ Vehicle driven_by(const TurnSpeedLaw& law) {
   return Vehicle(parameters);
 }
 
-TEST(WithFasterTurns, TakesTurnsWithSoMuchMoreLateralAcceleration) {
+TEST(WithOtherTurns, TakesTurnsWithSoManyTimesTheLateralAcceleration) {
   for (const TurnSpeedLaw& law : {TurnSpeedLaw(ConstantTurnSpeed{5.0}), TurnSpeedLaw(LateralAccelerationLimit{2.0}),
                                   TurnSpeedLaw(TurnSpeedTable{{{1.5, 2.0}, {6.0, 5.0}, {40.0, 11.0}}})}) {
     const Vehicle vehicle = driven_by(law);
-    for (const double factor : {1.0, 2.0, 16.0}) {
-      const Vehicle faster = with_faster_turns(vehicle, factor);
+    for (const double factor : {0.5, 1.0, 2.0, 16.0}) {
+      const Vehicle other = with_other_turns(vehicle, factor);
       for (const double radius : {1.3, 2.0, 7.0, 30.0, 300.0})
-        EXPECT_NEAR(faster.turn_speed(radius),
+        EXPECT_NEAR(other.turn_speed(radius),
                     std::min(vehicle.max_speed(), std::sqrt(factor) * vehicle.turn_speed(radius)), 1e-12);
-      EXPECT_EQ(faster.min_turning_radius(), vehicle.min_turning_radius());
-      EXPECT_EQ(faster.max_speed(), vehicle.max_speed());
+      EXPECT_EQ(other.min_turning_radius(), vehicle.min_turning_radius());
+      EXPECT_EQ(other.max_speed(), vehicle.max_speed());
     }
   }
 }
@@ -123,6 +123,7 @@ TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
     for (const PlanMaps* maps : {&all, &smallest}) {
       add(maps->plain);
       add(maps->faster_turns);
+      add(maps->slower_turns);
     }
     std::ranges::for_each(more, add);
     std::ranges::sort(ways);
@@ -142,7 +143,7 @@ TEST_P(SeveralRadii, WithoutRefinementTheGraphsFastestPathIsThePlan) {
 
 class OneRadius : public testing::TestWithParam<ClutterKind> {};
 
-TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWayRefined) {
+TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
   const World world = random_world({.kind = GetParam(), .obstacles = 40, .vertices = 8, .fill = 0.25, .seed = 11});
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
@@ -154,6 +155,7 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWayRefined) {
        FeasibleGraph(world, vehicle, planner.visibility_rows(), queries, radii, SerialExecutor(), GraphMode::kLazy)},
       false);
   EXPECT_GT(maps.faster_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
+  EXPECT_LT(maps.slower_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
   SearchWorkspace workspace;
   int other = 0;
   for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 40, .seed = 5})) {
@@ -161,11 +163,13 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWayRefined) {
     if (!plan.solved()) continue;
     test::expect_valid(planner, plan);
     const std::vector<Terminal> starts{{request.start, {}}}, goals{{request.goal, {}}};
-    const auto path = search_arrivals(maps.faster_turns, starts, goals, {}, workspace).path;
-    if (!path || plan.travel_time <= 1.01 * plan.lower_bound) continue;
-    const RefinedPath refined = refine_path(*path, request.start, request.goal, vehicle, *queries.sweep);
-    EXPECT_LE(plan.travel_time, refined.travel_time * (1.0 + 1e-12));
-    other += speed_profile(*path, vehicle).total_time > plan.statistics.first_travel_time ? 1 : 0;
+    for (const SearchMap* map : {&maps.faster_turns, &maps.slower_turns}) {
+      const auto path = search_arrivals(*map, starts, goals, {}, workspace).path;
+      if (!path || plan.travel_time <= 1.01 * plan.lower_bound) continue;
+      const RefinedPath refined = refine_path(*path, request.start, request.goal, vehicle, *queries.sweep);
+      EXPECT_LE(plan.travel_time, refined.travel_time * (1.0 + 1e-12));
+      other += speed_profile(*path, vehicle).total_time > plan.statistics.first_travel_time ? 1 : 0;
+    }
   }
   EXPECT_GT(other, 0);
 }
