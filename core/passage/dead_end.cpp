@@ -74,25 +74,23 @@ class ForwardFlood {
     seen_.assign(width * width * static_cast<std::size_t>(headings_), false);
     std::vector<Box3> open{{0, 0, 0}};
     seen_[index_of(open[0])] = true;
-    std::size_t checks = 0;
     const double near = step_ + edge_;
-    while (!open.empty()) {
-      const Box3 box = open.back();  // the last one first: where there is a way out, it is found soon
+    for (std::size_t checks = 0; !open.empty(); ++checks) {
+      // The last one first, and not asked about before: where there is a way out, it is found soon.
+      const Box3 box = open.back();
       open.pop_back();
+      if (checks > max_checks) return End::kGivenUp;
+      if (checks > 0 && !is_free(box)) continue;
       const Vec2 position = center_of(box).position();
-      if ((position - to_).norm() < near) return End::kOpen;
+      if (is_far(box) || (position - to_).norm() < near) return End::kOpen;
       reach_ = std::max(reach_, (position - from_.position()).norm() + near);
       for (const Box3& move : moves_from(box.heading)) {
         const Box3 next{box.x + move.x, box.y + move.y, (box.heading + move.heading + headings_) % headings_};
-        const bool is_far = std::max(std::abs(next.x), std::abs(next.y)) > furthest_;
-        if (!is_far) {
+        if (!is_far(next)) {
           const std::size_t index = index_of(next);
           if (seen_[index]) continue;
           seen_[index] = true;
         }
-        if (checks++ == max_checks) return End::kGivenUp;
-        if (!is_free(next)) continue;
-        if (is_far) return End::kOpen;
         open.push_back(next);
       }
     }
@@ -102,6 +100,7 @@ class ForwardFlood {
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
+  [[nodiscard]] bool is_far(const Box3& box) const { return std::max(std::abs(box.x), std::abs(box.y)) > furthest_; }
   [[nodiscard]] bool is_free(const Box3& box) const {
     return sweep_.straight_free(swept_rectangle(center_of(box), 0.0, core_));
   }

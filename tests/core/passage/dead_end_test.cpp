@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <span>
 
 #include "core/geometry/angle.h"
 #include "core/planner.h"
@@ -54,6 +57,32 @@ TEST(DeadEnd, AWallBehindTheGoal) {
 
 TEST(DeadEnd, IsNoneTowardsAGoalThatIsNear) {
   EXPECT_FALSE(dead_end(World({box(2, -40, 3, 40)}), Vehicle{}, {0, 0, 0}, {0.4, 0, 0}));
+}
+
+class CountingSweep final : public SweepQuery {
+ public:
+  explicit CountingSweep(const World& world) : exact_(make_reference_queries(world).sweep) {}
+  [[nodiscard]] std::size_t asked() const { return asked_; }
+
+ private:
+  void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override {
+    asked_ += rectangles.size();
+    exact_->straight_free(rectangles, free);
+  }
+  void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override {
+    exact_->free_headings(bodies, result);
+  }
+
+  std::shared_ptr<const SweepQuery> exact_;
+  mutable std::size_t asked_ = 0;
+};
+
+// Questions are for what is on the way out, not for all beside it.
+TEST(DeadEnd, AsksLittleWhereThereIsAWayOut) {
+  const Vehicle vehicle;
+  const CountingSweep sweep(World({box(6, -40, 7, 40)}));
+  EXPECT_FALSE(find_dead_end({0, 0, 0}, kFarGoal, vehicle.footprint(), vehicle.min_turning_radius(), sweep, kChecks));
+  EXPECT_LT(sweep.asked(), 1000u);
 }
 
 TEST(DeadEnd, IsTheReasonThatAPlanGives) {
