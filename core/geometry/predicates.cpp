@@ -30,6 +30,8 @@ SegmentRelation relate_collinear(const LineSegment& s, const LineSegment& t) {
 
 // The determinant of the given coordinates rather than of differences: six products, no case split.
 int detail::exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+  // Most often asked where two of the points are one, or all lie on a line along an axis.
+  if ((a.x() == c.x() || b.y() == c.y()) && (a.y() == c.y() || b.x() == c.x())) return 0;
   FixedExpansion<12> determinant;
   determinant.add_product(a.x(), b.y());
   determinant.add_product(-a.y(), b.x());
