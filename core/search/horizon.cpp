@@ -69,12 +69,12 @@ Headings headings_towards(const Ball& ball, double near, const TurnCircle& circl
 }  // namespace
 
 Horizon::Horizon(const TurnCircle& circle, double heading, double turn) : circle_(circle) {
-  far_.fill(-std::numeric_limits<double>::infinity());
+  far_.setConstant(-std::numeric_limits<double>::infinity());
   const double low = heading - (circle.side == Side::kLeft ? 0.0 : turn) - kSlack;
   const auto first = static_cast<long>(std::floor(wrap_positive(low) * (kHeadings / kTwoPi)));
   const auto count = static_cast<long>(std::ceil((turn + 2.0 * kSlack) * (kHeadings / kTwoPi))) + 1;
   for (long k = first; k < first + std::min(count, static_cast<long>(kHeadings)); ++k)
-    far_[static_cast<std::size_t>(k) % kHeadings] = std::numeric_limits<double>::infinity();
+    far_[k % kHeadings] = std::numeric_limits<double>::infinity();
 }
 
 void Horizon::shorten(const Outlines& outlines) {
@@ -129,12 +129,14 @@ void Horizon::shorten_by(std::span<const Vec2> outline) {
   const double slack = kDirectionError + kSlack;
   const double from = about_atan2(low) + slack + kTwoPi;
   const double to = from + about_atan2({low.dot(high), cross(low, high)}) - 3.0 * slack;
-  const auto first = static_cast<std::size_t>(from * (kHeadings / kTwoPi)) + 1;
-  const auto last = static_cast<std::size_t>(to * (kHeadings / kTwoPi));  // ranges [first, last)
-  for (std::size_t k = first; k < last; ++k) {
-    double& known = far_[k % kHeadings];
-    known = std::min(known, far);
-  }
+  const int first = static_cast<int>(from * (kHeadings / kTwoPi)) + 1;
+  const int count = static_cast<int>(to * (kHeadings / kTwoPi)) - first;
+  if (count <= 0) return;
+  const int begin = first % kHeadings;
+  const int before_end = std::min(count, kHeadings - begin);
+  const auto shorten = [far](auto ranges) { ranges = ranges.min(far); };
+  shorten(far_.segment(begin, before_end));
+  shorten(far_.head(count - before_end));
 }
 
 Horizon::Sight Horizon::sight_of(const TurnCircle& to) const {
@@ -155,8 +157,18 @@ bool Horizon::hides(const Sight& sight) const {
 }
 
 double Horizon::reach(double heading) const {
-  const auto range = static_cast<std::size_t>(wrap_positive(heading) * (kHeadings / kTwoPi));
+  const int range = static_cast<int>(wrap_positive(heading) * (kHeadings / kTwoPi));
   return far_[std::min(range, kHeadings - 1)];
+}
+
+bool Horizon::end_before(double distance, int first, int last) const {
+  constexpr int kAtOnce = 8;
+  int k = first;
+  for (; k <= last - kAtOnce; k += kAtOnce)
+    if (far_.segment<kAtOnce>(k).maxCoeff() >= distance) return false;
+  for (; k < last; ++k)
+    if (far_[k] >= distance) return false;
+  return true;
 }
 
 bool Horizon::hides(const Box& box) const {
@@ -171,10 +183,9 @@ bool Horizon::hides(const Box& box) const {
   const double near = nearest_of(box, circle_);
   const auto [low, high] = headings_towards(*ball, near, circle_);
   const double closest = std::sqrt((near - circle_.radius) * (near + circle_.radius)) * (1.0 - kSlack);
-  const std::size_t last = range_of(high);
-  for (std::size_t k = range_of(low); far_[k] < closest; k = (k + 1) % kHeadings)
-    if (k == last) return true;
-  return false;
+  const int first = range_of(low), last = range_of(high) + 1;
+  if (first < last) return end_before(closest, first, last);
+  return end_before(closest, first, kHeadings) && end_before(closest, 0, last);
 }
 
 Sectors Horizon::sectors_towards(const Box& box) const {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
-#include <cstddef>
 #include <span>
 
 #include "core/geometry/angle.h"
@@ -41,17 +41,19 @@ class Horizon {
   [[nodiscard]] bool hides(const Sight& sight) const;
 
  private:
-  static constexpr std::size_t kHeadings = 512;
+  static constexpr int kHeadings = 512;
   // The range that a heading > -4 pi lies in, several times as fast as for any heading.
-  static std::size_t range_of(double heading) {
-    return static_cast<std::size_t>((heading + 2.0 * kTwoPi) * (kHeadings / kTwoPi)) % kHeadings;
+  static int range_of(double heading) {
+    return static_cast<int>((heading + 2.0 * kTwoPi) * (kHeadings / kTwoPi)) % kHeadings;
   }
+  // Whether all straights in the ranges from one to before another end before some distance.
+  [[nodiscard]] bool end_before(double distance, int first, int last) const;
   void shorten(std::span<const Vec2> outline, const Box& box);
   void shorten_by_edge(const std::array<Vec2, 2>& edge);
   void shorten_by(std::span<const Vec2> outline);
 
   TurnCircle circle_;
-  std::array<double, kHeadings> far_;  // by heading, in equal ranges from 0
+  Eigen::Array<double, kHeadings, 1> far_;  // by heading, in equal ranges from 0
 };
 
 }  // namespace arcway
