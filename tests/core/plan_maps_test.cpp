@@ -21,8 +21,9 @@
 namespace arcway {
 namespace {
 
-Vehicle driven_by(const TurnSpeedLaw& law) {
+Vehicle driven_by(const TurnSpeedLaw& law, double max_speed = VehicleParameters().max_speed) {
   VehicleParameters parameters;
+  parameters.max_speed = max_speed;
   parameters.turn_speed = law;
   parameters.max_acceleration = 2.0;
   return Vehicle(parameters);
@@ -31,12 +32,12 @@ Vehicle driven_by(const TurnSpeedLaw& law) {
 TEST(WithOtherTurns, TakesTurnsWithSoManyTimesTheLateralAcceleration) {
   for (const TurnSpeedLaw& law : {TurnSpeedLaw(ConstantTurnSpeed{5.0}), TurnSpeedLaw(LateralAccelerationLimit{2.0}),
                                   TurnSpeedLaw(TurnSpeedTable{{{1.5, 2.0}, {6.0, 5.0}, {40.0, 11.0}}})}) {
-    const Vehicle vehicle = driven_by(law);
+    const Vehicle vehicle = driven_by(law), unlimited = driven_by(law, 1000.0);
     for (const double factor : {0.5, 1.0, 2.0, 16.0}) {
       const Vehicle other = with_other_turns(vehicle, factor);
       for (const double radius : {1.3, 2.0, 7.0, 30.0, 300.0})
         EXPECT_NEAR(other.turn_speed(radius),
-                    std::min(vehicle.max_speed(), std::sqrt(factor) * vehicle.turn_speed(radius)), 1e-12);
+                    std::min(vehicle.max_speed(), std::sqrt(factor) * unlimited.turn_speed(radius)), 1e-12);
       EXPECT_EQ(other.min_turning_radius(), vehicle.min_turning_radius());
       EXPECT_EQ(other.max_speed(), vehicle.max_speed());
     }
