@@ -52,7 +52,7 @@ struct PlannerOptions {
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
   bool point_robot_bound = true;
-  /// Of each path found; `max_trials = 0` turns it off. With several radii there are up to some fifteen times as many
+  /// Of each path found; `max_trials = 0` turns it off. With several radii there are up to some thirty times as many
   /// in all.
   RefineOptions refinement = {};
   /// Processes that build the same eager feasible graph together; used during construction only. None: this one alone.
