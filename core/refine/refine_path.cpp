@@ -37,8 +37,8 @@ constexpr double kNear = 0.25;  // of the line's length, at most
 constexpr double kWorthSettling = 1e-5;
 constexpr int kMostSettled = 4;
 
-// How the circle of a turn that is not the first or last one moves, in steps: the point of the turn's middle on the
-// circle that the body leaves free goes inwards; the circle goes around the point `at`, a share of the turn; and grows.
+// How the circle of a turn that is not the first or last one moves, in steps: its centre inwards from, and around, the
+// point of the inner swept circle where a share of the turn, `at`, is done; and its radius grows.
 struct Move {
   double inwards, around, grow, at;
 };

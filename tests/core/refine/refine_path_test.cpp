@@ -168,7 +168,7 @@ TEST(RefinePath, LeavesBarePathsAlone) {
 }
 
 // Each has kept refinement in a worse place: the one wants its turn to go around where it begins, the other wants a
-// turn in two parts that are close to each other. RRTConnect, shortcut for ten seconds, reaches the times.
+// turn in two parts that are close to each other. RRTConnect, shortcut for a second, reaches the times.
 TEST(RefinePath, IsNoSlowerThanWhatSamplingFinds) {
   struct Query {
     const char* world;
