@@ -35,6 +35,15 @@ struct Options {
   bool update = false;
 };
 
+/// As a run of all has them.
+std::vector<std::string> setting_names() {
+  std::vector<std::string> names;
+#ifdef ARCWAY_PEER_OMPL
+  for (const PlannerSetting& setting : standard_settings()) names.push_back(setting.name);
+#endif
+  return names;
+}
+
 void add_options(CLI::App& app, Options& options) {
   app.add_option("--out", options.out, "JSON for `arcway report`");
   app.add_flag("--update", options.update, "Keep what the file has of other studies and settings");
@@ -44,11 +53,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--limit", options.visibility.limit, "leave out what takes longer [s]")->capture_default_str();
 #ifdef ARCWAY_PEER_OMPL
   PlannerSetting& p = options.planners;
-  std::vector<std::string> names;
-  for (const PlannerSetting& setting : standard_settings()) names.push_back(setting.name);
   app.add_option("--settings", options.settings, "of the study of planners; default: all")
       ->delimiter(',')
-      ->check(CLI::IsMember(names));
+      ->check(CLI::IsMember(setting_names()));
   app.add_option("--worlds", p.worlds, "a setting of its own, to which the options below belong")->delimiter(',');
   app.add_option("--queries", options.queries, "a world");
   app.add_option("--times", p.times, "when to look at the peers' best path [s]")->delimiter(',')->capture_default_str();
@@ -93,12 +100,11 @@ std::vector<PlannerSetting> chosen_settings(const Options& options) {
   return chosen;
 }
 
-// One setting after the other; what was there of them goes.
+// One setting after the other.
 void study_planners(const Options& options, const std::function<void(const std::string&)>& say,
                     const std::function<void()>& save, report::PeerResults& results) {
   std::string lost;
   for (const PlannerSetting& setting : chosen_settings(options)) {
-    std::erase_if(results.queries, [&](const report::PlannerQuery& q) { return q.setting == setting.name; });
     const PlannerStudyProgress progress{.line = say,
                                         .lost = [&](const std::string& line) { lost += line + "\n"; },
                                         .world_done =
@@ -115,14 +121,13 @@ void study_planners(const Options& options, const std::function<void(const std::
 
 void run_studies(const Options& options) {
   const auto say = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  const std::vector<std::string> order = setting_names();
+  const report::PeerResults earlier =
+      options.update ? report::read_peer_results(read_file(options.out), options.out) : report::PeerResults();
   report::PeerResults results = new_results();
-  if (options.update) {
-    report::PeerResults before = report::read_peer_results(read_file(options.out), options.out);
-    results.duels = std::move(before.duels);
-    results.queries = std::move(before.queries);
-  }
   const auto save = [&] {
-    if (!options.out.empty()) write_file_atomically(options.out, report::peer_results_json(results));
+    if (!options.out.empty())
+      write_file_atomically(options.out, report::peer_results_json(report::renewed(earlier, results, order)));
   };
   if (options.only != "planners") results.duels = visibility_study(options.visibility, say);
   save();

@@ -1,7 +1,10 @@
 #include "bench/report/peer_results.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "datasets/file_io.h"
@@ -114,6 +117,17 @@ std::string lines_of(const std::vector<Item>& items) {
   return text + "\n";
 }
 
+/// Whether an opponent is called after what a key of the context stands for: "CGAL expansion" after "cgal".
+bool is_named_by(const PeerResults& results, std::string_view key) {
+  const auto is_after = [&](std::string_view name) {
+    return std::ranges::equal(name.substr(0, key.size()), key, {}, [](unsigned char c) { return std::tolower(c); });
+  };
+  return std::ranges::any_of(results.duels, [&](const Duel& d) { return is_after(d.ours) || is_after(d.peer); }) ||
+         std::ranges::any_of(results.queries, [&](const PlannerQuery& q) {
+           return std::ranges::any_of(q.answers, is_after, &PlannerAnswer::planner);
+         });
+}
+
 }  // namespace
 
 bool is_peer_results(std::string_view text) {
@@ -142,6 +156,24 @@ std::string peer_results_json(const PeerResults& results) {
   for (const auto& [key, value] : results.context) context[key] = value;
   return std::string("{\n\"format\": \"") + kFormat + "\", \"version\": 1,\n\"context\": " + context.dump(1) +
          ",\n\"duels\": [" + lines_of(results.duels) + "],\n\"queries\": [" + lines_of(results.queries) + "]\n}\n";
+}
+
+PeerResults renewed(const PeerResults& earlier, PeerResults run, std::span<const std::string> order) {
+  PeerResults kept;
+  if (run.duels.empty()) kept.duels = earlier.duels;
+  std::ranges::copy_if(earlier.queries, std::back_inserter(kept.queries), [&](const PlannerQuery& q) {
+    return std::ranges::find(run.queries, q.setting, &PlannerQuery::setting) == run.queries.end();
+  });
+  const bool keeps_any = !kept.duels.empty() || !kept.queries.empty();
+  for (const auto& entry : earlier.context) {
+    const std::string& key = entry.first;
+    if (std::ranges::find(run.context, key, &std::pair<std::string, std::string>::first) != run.context.end()) continue;
+    if (keeps_any && (is_named_by(kept, key) || !is_named_by(earlier, key))) run.context.push_back(entry);
+  }
+  if (run.duels.empty()) run.duels = std::move(kept.duels);
+  run.queries.insert(run.queries.begin(), kept.queries.begin(), kept.queries.end());
+  std::ranges::stable_sort(run.queries, {}, [&](const PlannerQuery& q) { return std::ranges::find(order, q.setting); });
+  return run;
 }
 
 }  // namespace arcway::report

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,5 +53,10 @@ bool is_peer_results(std::string_view json);
 PeerResults read_peer_results(std::string_view json, std::string_view name);
 /// One duel or query a line.
 std::string peer_results_json(const PeerResults& results);
+
+/// An earlier file with what a run found since: its duels if it has any, all queries of its settings, its context. Of
+/// the earlier context stays what the run lacks, such as the version of a peer, as long as results do that go with it.
+/// @param order  settings that come first, in this order; others follow as they were.
+PeerResults renewed(const PeerResults& earlier, PeerResults run, std::span<const std::string> order);
 
 }  // namespace arcway::report
