@@ -91,7 +91,10 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
   // Vertices of which circles that lie so near to them may be seen.
   const auto visit_near = [&](double reach, auto&& visit) {
     map.outlines->visit_if(
-        [&](const Box& box) { return !is_far(box.grown(reach)) && !horizon.hides(box.grown(reach)); },
+        [&](const Box& box) {
+          const Box grown = box.grown(reach);
+          return !is_far(grown) && !horizon.hides(grown);
+        },
         [&](const Outlines::Piece& piece) {
           const Sectors outwards = horizon.sectors_towards(piece.box.grown(reach));
           const Sectors sectors = from_start ? outwards : std::rotl(outwards, 32);

@@ -44,6 +44,12 @@ TEST(WithOtherTurns, TakesTurnsWithSoManyTimesTheLateralAcceleration) {
   }
 }
 
+SearchMap lazy_map(const Planner& planner, const std::vector<double>& radii) {
+  return {planner.world(), planner.vehicle(), planner.queries(), radii,
+          FeasibleGraph(planner.world(), planner.vehicle(), planner.visibility_rows(), planner.queries(), radii,
+                        SerialExecutor(), GraphMode::kLazy)};
+}
+
 class SeveralRadii : public testing::TestWithParam<ClutterKind> {
  protected:
   World world_ = random_world({.kind = GetParam(), .obstacles = 30, .vertices = 8, .fill = 0.2, .seed = 4});
@@ -56,11 +62,6 @@ class SeveralRadii : public testing::TestWithParam<ClutterKind> {
     PlannerOptions o = options;
     o.radii = std::move(radii);
     return {world_, vehicle_, queries_, planner_.visibility_rows(), o, SerialExecutor()};
-  }
-  [[nodiscard]] SearchMap make_map(const std::vector<double>& radii) const {
-    return {world_, vehicle_, queries_, radii,
-            FeasibleGraph(world_, vehicle_, planner_.visibility_rows(), queries_, radii, SerialExecutor(),
-                          GraphMode::kLazy)};
   }
 };
 
@@ -85,7 +86,7 @@ TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
 
 TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
   const std::vector<double>& radii = planner_.options().radii;
-  const SearchMap all = make_map(radii), smallest = make_map({radii.front()});
+  const SearchMap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
   const std::vector<SearchMap> maps = maps_of_other_ways(all, smallest, planner_.visibility_rows());
   EXPECT_GT(maps.size(), 3u);
   SearchWorkspace workspace;
@@ -113,8 +114,8 @@ TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
 TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
   const std::vector<double>& radii = planner_.options().radii;
   for (const std::size_t count : {std::size_t{2}, radii.size()}) {
-    const PlanMaps all(make_map({radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count)}), false);
-    const PlanMaps smallest(make_map({radii.front()}), false);
+    const PlanMaps all(lazy_map(planner_, {radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count)}), false);
+    const PlanMaps smallest(lazy_map(planner_, {radii.front()}), false);
     const std::vector<SearchMap> more = maps_of_other_ways(all.plain, smallest.plain, planner_.visibility_rows());
     std::vector<std::pair<std::vector<double>, double>> ways;
     const auto add = [&](const SearchMap& map) {
@@ -151,10 +152,7 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
   const Planner planner(world, vehicle, queries, {}, SerialExecutor());
   const std::vector<double> radii = planner.options().radii;
   ASSERT_EQ(radii.size(), 1u);
-  const PlanMaps maps(
-      {world, vehicle, queries, radii,
-       FeasibleGraph(world, vehicle, planner.visibility_rows(), queries, radii, SerialExecutor(), GraphMode::kLazy)},
-      false);
+  const PlanMaps maps(lazy_map(planner, radii), false);
   EXPECT_GT(maps.faster_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
   EXPECT_LT(maps.slower_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
   SearchWorkspace workspace;
