@@ -1,6 +1,7 @@
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,13 @@
 #include "bench/suites/suite.h"
 
 // The wedge builder's stages one by one, over the size of the map: each begins with what the one before it left.
+//
+// A small world again and again would be learned by the processor's branch prediction, and stay in its caches, so that
+// larger ones seemed to cost more. Hence different worlds in turn: at every size as many vertices as the largest has.
 namespace arcway::bench {
 namespace {
+
+using Worlds = std::vector<const World*>;
 
 std::vector<EdgeList> walk_all(const SightMap& map, const Executor& executor) {
   return walk_right(map, 0, map.nodes().size(), executor);
@@ -32,51 +38,95 @@ bool is_right(benchmark::State& state, const World& world, const std::string& na
   return require_once(state, "WedgeStages/" + name, right, "edges differ from the reference");
 }
 
-using Stage = std::function<void(benchmark::State&, const World&, const Executor&)>;
-
-void sort_vertices(benchmark::State& state, const World& world, const Executor& /*executor*/) {
-  PlanarMap map;
-  for (auto _ : state) benchmark::DoNotOptimize(make_plain_map(world, map));
+/// What a stage begins with.
+template <class Make>
+auto make_of_each(const Worlds& worlds, const Make& make) {
+  std::vector<decltype(make(*worlds[0]))> made;
+  made.reserve(worlds.size());
+  for (const World* world : worlds) made.push_back(make(*world));
+  return made;
 }
 
-void sweep(benchmark::State& state, const World& world, const Executor& /*executor*/) {
-  PlanarMap map;
-  make_plain_map(world, map);
-  for (auto _ : state) benchmark::DoNotOptimize(triangulate_free_space(map));
-}
-
-void flip(benchmark::State& state, const World& world, const Executor& executor) {
-  PlanarMap map;
-  make_plain_map(world, map);
-  const Triangulation before = triangulate_free_space(map)->triangulation;
+template <class Item, class Run>
+void time_in_turn(benchmark::State& state, const std::vector<Item>& items, const Run& run) {
+  std::size_t next = 0;
   for (auto _ : state) {
-    state.PauseTiming();
-    Triangulation triangulation = before;
-    state.ResumeTiming();
-    shorten_diagonals(map.sites, triangulation, Diagonals::kLong, executor);
-    benchmark::DoNotOptimize(triangulation);
+    benchmark::DoNotOptimize(run(items[next]));
+    next = (next + 1) % items.size();
   }
 }
 
-void make_sight_map(benchmark::State& state, const World& world, const Executor& executor) {
-  for (auto _ : state) benchmark::DoNotOptimize(SightMap(world, executor, Diagonals::kLong));
+using Stage = std::function<void(benchmark::State&, const Worlds&, const Executor&)>;
+
+PlanarMap plain_map(const World& world) {
+  PlanarMap map;
+  make_plain_map(world, map);
+  return map;
 }
 
-void walk(benchmark::State& state, const World& world, const Executor& executor) {
-  const SightMap map(world, executor, Diagonals::kLong);
-  for (auto _ : state) benchmark::DoNotOptimize(walk_all(map, executor));
+void sort_vertices(benchmark::State& state, const Worlds& worlds, const Executor& /*executor*/) {
+  PlanarMap map;
+  time_in_turn(state, worlds, [&](const World* world) { return make_plain_map(*world, map); });
 }
 
-void gather_rows(benchmark::State& state, const World& world, const Executor& executor) {
-  const SightMap map(world, executor, Diagonals::kLong);
-  const std::vector<EdgeList> parts = walk_all(map, executor);
-  for (auto _ : state) benchmark::DoNotOptimize(graph_of(world.vertices().size(), parts, executor));
+void sweep(benchmark::State& state, const Worlds& worlds, const Executor& /*executor*/) {
+  time_in_turn(state, make_of_each(worlds, plain_map), triangulate_free_space);
 }
 
-void run(benchmark::State& state, const std::string& name, std::size_t threads, const Stage& stage) {
-  const World& world = shared_world(name);
+void flip(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
+  struct Swept {
+    std::vector<Vec2> sites;
+    Triangulation triangulation;
+  };
+  const auto swept = [](const World& world) {
+    const PlanarMap map = plain_map(world);
+    return Swept{map.sites, triangulate_free_space(map)->triangulation};
+  };
+  time_in_turn(state, make_of_each(worlds, swept), [&](const Swept& before) {
+    state.PauseTiming();
+    Triangulation triangulation = before.triangulation;
+    state.ResumeTiming();
+    shorten_diagonals(before.sites, triangulation, Diagonals::kLong, executor);
+    return triangulation;
+  });
+}
+
+void make_sight_map(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
+  time_in_turn(state, worlds, [&](const World* world) { return SightMap(*world, executor, Diagonals::kLong); });
+}
+
+void walk(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
+  const auto map_of = [&](const World& world) { return SightMap(world, executor, Diagonals::kLong); };
+  time_in_turn(state, make_of_each(worlds, map_of), [&](const SightMap& map) { return walk_all(map, executor); });
+}
+
+void gather_rows(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
+  struct Walked {
+    std::size_t vertices;
+    std::vector<EdgeList> parts;
+  };
+  const auto walked = [&](const World& world) {
+    return Walked{world.vertices().size(), walk_all(SightMap(world, executor, Diagonals::kLong), executor)};
+  };
+  time_in_turn(state, make_of_each(worlds, walked),
+               [&](const Walked& before) { return graph_of(before.vertices, before.parts, executor); });
+}
+
+struct Clutter {
+  std::size_t obstacles, vertices;  // vertices of each
+};
+
+// So many worlds in turn, or fewer if the iterations do not come to all.
+void run(benchmark::State& state, Clutter clutter, std::size_t most_worlds, std::size_t threads, const Stage& stage) {
+  const std::size_t count = std::min(most_worlds, static_cast<std::size_t>(state.max_iterations));
   const std::unique_ptr<Executor> executor = make_executor(threads);
-  if (is_right(state, world, name, *executor)) stage(state, world, *executor);
+  Worlds worlds;
+  for (std::size_t seed = 1; seed <= count; ++seed) {
+    const std::string name = clutter_name("convex", clutter.obstacles, clutter.vertices, 30, seed);
+    worlds.push_back(&shared_world(name));
+    if (!is_right(state, *worlds.back(), name, *executor)) return;
+  }
+  stage(state, worlds, *executor);
 }
 
 void add_series(Study study, const char* stage_name, std::size_t threads, const Stage& stage) {
@@ -85,8 +135,9 @@ void add_series(Study study, const char* stage_name, std::size_t threads, const 
   const auto obstacles = study == Study::kCheck ? std::vector<std::size_t>{100}
                                                 : sizes(study, {1000, 3162, 10000, 31623, 100000}, 0, 10000);
   for (const std::size_t n : obstacles)
-    series.add(static_cast<double>(n),
-               [=](benchmark::State& state) { run(state, clutter_name("convex", n, 10, 30), threads, stage); });
+    series.add(static_cast<double>(n), [=, worlds = obstacles.back() / n](benchmark::State& state) {
+      run(state, {n, 10}, worlds, threads, stage);
+    });
 }
 
 // Walks among 1,000 obstacles that have more and more vertices each.
@@ -94,9 +145,11 @@ void add_walks_by_vertices(Study study) {
   const std::size_t obstacles = study == Study::kCheck ? 20 : 1000;
   Series series(study, "WedgeStages/walks/n:" + std::to_string(obstacles), "vertices_of_each",
                 "O(m): what is seen of other obstacles", 1.0);
-  for (const std::size_t m : sizes(study, {4, 8, 16, 32, 64, 128, 256}, 16, 256))
-    series.add(static_cast<double>(m),
-               [=](benchmark::State& state) { run(state, clutter_name("convex", obstacles, m, 30), 1, walk); });
+  const auto vertices = sizes(study, {4, 8, 16, 32, 64, 128, 256}, 16, 256);
+  for (const std::size_t m : vertices)
+    series.add(static_cast<double>(m), [=, worlds = vertices.back() / m](benchmark::State& state) {
+      run(state, {obstacles, m}, worlds, 1, walk);
+    });
 }
 
 void add(Study study) {

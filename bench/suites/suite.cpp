@@ -100,9 +100,10 @@ const World& shared_world(const std::string& name) {
   return found != worlds.end() ? found->second : worlds.emplace(name, catalogue_world(name)).first->second;
 }
 
-std::string clutter_name(std::string_view kind, std::size_t obstacles, std::size_t vertices, int fill_percent) {
+std::string clutter_name(std::string_view kind, std::size_t obstacles, std::size_t vertices, int fill_percent,
+                         std::uint64_t seed) {
   return "clutter/" + std::string(kind) + "/n" + std::to_string(obstacles) + "/m" + std::to_string(vertices) + "/f" +
-         std::to_string(fill_percent) + "/s1";
+         std::to_string(fill_percent) + "/s" + std::to_string(seed);
 }
 
 std::vector<std::size_t> sizes(Study study, std::initializer_list<std::size_t> values, std::size_t check_limit,

@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -68,7 +69,8 @@ class Series {
 /// The world of a catalogue name, built once and kept.
 const World& shared_world(const std::string& name);
 /// "clutter/convex/n1000/m10/f30/s1"
-std::string clutter_name(std::string_view kind, std::size_t obstacles, std::size_t vertices, int fill_percent);
+std::string clutter_name(std::string_view kind, std::size_t obstacles, std::size_t vertices, int fill_percent,
+                         std::uint64_t seed = 1);
 
 /// `values` up to a limit that depends on the study.
 std::vector<std::size_t> sizes(Study study, std::initializer_list<std::size_t> values, std::size_t check_limit,
