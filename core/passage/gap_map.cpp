@@ -22,14 +22,74 @@ constexpr double kRounding = 0x1p-48;
 
 bool follow_each_other(const World& world, VertexId a, VertexId b) { return world.next(a) == b || world.next(b) == a; }
 
+// Edges in pieces of some that follow each other, to be looked up by place.
+class EdgePieces {
+ public:
+  struct Piece {
+    VertexId first, last;
+    Box box;
+  };
+
+  explicit EdgePieces(const World& world) : edges_(world.edges()) {
+    for (ObstacleId region = 0; region < world.region_count(); ++region) {
+      const auto [first, last] = world.vertices_of(region);
+      for (VertexId begin = first; begin < last; begin += kMostEdges) add(begin, std::min(begin + kMostEdges, last));
+    }
+    std::vector<Box> boxes;
+    boxes.reserve(pieces_.size());
+    for (const Piece& piece : pieces_) boxes.push_back(piece.box);
+    tree_ = BoxTree(boxes);
+  }
+
+  // Calls visit(a, b) once for any two edges whose boxes are so near to each other, a < b.
+  template <class Visitor>
+  void visit_pairs(double distance, Visitor&& visit) const {
+    for (const Piece& piece : pieces_)
+      tree_.visit_overlaps(piece.box.grown(distance), [&](std::uint32_t p) {
+        const Piece& other = pieces_[p];
+        if (other.first < piece.first) return true;
+        for (VertexId a = piece.first; a < piece.last; ++a) {
+          const Box near = box_of(edges_[a]).grown(distance);
+          if (!near.overlaps(other.box)) continue;
+          for (VertexId b = std::max(a + 1, other.first); b < other.last; ++b)
+            if (near.overlaps(box_of(edges_[b]))) visit(a, b);
+        }
+        return true;
+      });
+  }
+
+  // Whether some edge that meets a box passes a test.
+  template <class Test>
+  [[nodiscard]] bool any(const Box& box, Test&& passes) const {
+    return !tree_.visit_overlaps(box, [&](std::uint32_t p) {
+      for (VertexId e = pieces_[p].first; e < pieces_[p].last; ++e)
+        if (box_of(edges_[e]).overlaps(box) && passes(e)) return false;
+      return true;
+    });
+  }
+
+ private:
+  static constexpr VertexId kMostEdges = 12;
+
+  void add(VertexId first, VertexId last) {
+    Piece piece{first, last, {}};
+    for (VertexId e = first; e < last; ++e) piece.box.extend(box_of(edges_[e]));
+    pieces_.push_back(piece);
+  }
+
+  std::span<const LineSegment> edges_;
+  std::vector<Piece> pieces_;
+  BoxTree tree_;
+};
+
 // Whether a third edge comes into the circle that has the gap for a diameter.
-bool is_divided(const World& world, const BoxTree& edges, const Gap& gap) {
+bool is_divided(const World& world, const EdgePieces& pieces, const Gap& gap) {
   const Vec2 middle = 0.5 * (gap.on_a + gap.on_b);
   const double largest = world.box().min.cwiseAbs().cwiseMax(world.box().max.cwiseAbs()).maxCoeff();
   const double radius = 0.5 * gap.width * kInside - kRounding * largest;
   if (!(radius > 0.0)) return false;
-  return !edges.visit_overlaps(Box{middle, middle}.grown(radius), [&](VertexId e) {
-    return e == gap.edge_a || e == gap.edge_b || !(distance(middle, world.edges()[e]) < radius);
+  return pieces.any(Box{middle, middle}.grown(radius), [&](VertexId e) {
+    return e != gap.edge_a && e != gap.edge_b && distance(middle, world.edges()[e]) < radius;
   });
 }
 
@@ -104,18 +164,13 @@ double room_around(const World& world, const Vec2& p) {
 
 GapMap::GapMap(const World& world, double widest) : world_(world) {
   const std::span<const LineSegment> edges = world.edges();
-  std::vector<Box> boxes;
-  boxes.reserve(edges.size());
-  for (const LineSegment& edge : edges) boxes.push_back(box_of(edge));
-  const BoxTree tree(boxes);
-  for (VertexId a = 0; a < edges.size(); ++a)
-    tree.visit_overlaps(boxes[a].grown(widest), [&](VertexId b) {
-      if (b <= a || follow_each_other(world, a, b)) return true;
-      const ClosestPair pair = closest_pair(edges[a], edges[b]);
-      const Gap gap{pair.distance, a, b, pair.a, pair.b};
-      if (gap.width <= widest && !is_divided(world, tree, gap)) gaps_.push_back(gap);
-      return true;
-    });
+  const EdgePieces pieces(world);
+  pieces.visit_pairs(widest, [&](VertexId a, VertexId b) {
+    if (follow_each_other(world, a, b)) return;
+    const ClosestPair pair = closest_pair(edges[a], edges[b]);
+    const Gap gap{pair.distance, a, b, pair.a, pair.b};
+    if (gap.width <= widest && !is_divided(world, pieces, gap)) gaps_.push_back(gap);
+  });
   std::sort(gaps_.begin(), gaps_.end(), [](const Gap& a, const Gap& b) {
     return std::tie(a.width, a.edge_a, a.edge_b) < std::tie(b.width, b.edge_a, b.edge_b);
   });
