@@ -102,7 +102,7 @@ struct Planner::Data {
         visibility_graph(std::move(graph)),
         rows(std::move(r)),
         maps({world, vehicle, queries, options.radii, make_feasible(rows, options)}, options.gap_circles),
-        bottleneck(world, vehicle) {
+        bottleneck(world, vehicle, map().gaps) {
     if (options.radii.size() > 1) {
       const std::vector<double> smallest{options.radii.front()};
       FeasibleGraph lazy(world, vehicle, rows, queries, smallest, SerialExecutor(), GraphMode::kLazy);

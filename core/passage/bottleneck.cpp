@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <mutex>
+#include <utility>
 
-#include "core/passage/gap_map.h"
 #include "core/query/sweep_query.h"
 
 namespace arcway {
 namespace {
-
-constexpr double kProved = 1.0 - 0x1p-10;  // share of the safety margin that a proof counts on
 
 std::string text_of(const Vec2& p) { return "(" + rounded_text(p.x()) + ", " + rounded_text(p.y()) + ")"; }
 
@@ -39,27 +36,16 @@ std::string Bottleneck::text(const World& world) const {
   return "the widest way narrows to " + rounded_text(width) + " m " + place;
 }
 
-struct BottleneckFinder::Gaps {
-  std::once_flag once;
-  std::optional<GapMap> map;
-};
-
-BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle)
-    : world_(world), body_(vehicle.footprint()), gaps_(std::make_unique<Gaps>()) {
-  const VehicleParameters& p = vehicle.parameters();
-  vehicle_takes_.needed = std::min(p.length, p.width) + kProved * p.safety_margin;
+BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps)
+    : world_(world), body_(vehicle.footprint()), gaps_(std::move(gaps)) {
+  vehicle_takes_.needed = widest_hopeless_gap(vehicle);
   vehicle_takes_.needed_to_turn =
-      swept_annulus(vehicle.footprint(0.5 * p.safety_margin), vehicle.min_turning_radius()).width();
+      swept_annulus(vehicle.footprint(0.5 * vehicle.safety_margin()), vehicle.min_turning_radius()).width();
 }
 
-BottleneckFinder::~BottleneckFinder() = default;
-
 std::optional<Bottleneck> BottleneckFinder::operator()(const Pose& from, const Pose& to) const {
-  std::call_once(gaps_->once, [this] {
-    gaps_->map.emplace(world_, std::max(vehicle_takes_.needed, vehicle_takes_.needed_to_turn));
-  });
-  const auto gap = gaps_->map->bottleneck(middle_of(body_, from), middle_of(body_, to));
-  if (!gap) return std::nullopt;
+  const auto gap = gaps_->map().bottleneck(middle_of(body_, from), middle_of(body_, to));
+  if (!gap || gap->width > std::max(vehicle_takes_.needed, vehicle_takes_.needed_to_turn)) return std::nullopt;
   Bottleneck bottleneck = vehicle_takes_;
   bottleneck.width = gap->width;
   bottleneck.obstacle_a = world_.obstacle_of(gap->edge_a);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/geometry/vec2.h"
+#include "core/passage/vehicle_gaps.h"
 #include "core/path/path.h"
 #include "core/vehicle.h"
 #include "core/world.h"
@@ -13,11 +14,9 @@ namespace [[gnu::visibility("default")]] arcway {
 
 /// The narrowest place of the widest way between two poses, and what the vehicle takes.
 struct Bottleneck {
-  double width = 0.0;  ///< 0: obstacles that meet, or one that lies all around a pose, leave no way at all [m]
-  /// No motion of the vehicle, forwards or backwards, leads through a passage that is not wider: the body grown by half
-  /// of the safety margin, less a thousandth for rounding, has a disc of this diameter in its middle [m].
-  double needed = 0.0;
-  double needed_to_turn = 0.0;                ///< swept width of the tightest turn, (7), with the safety margin [m]
+  double width = 0.0;           ///< 0: obstacles that meet, or one that lies all around a pose, leave no way at all [m]
+  double needed = 0.0;          ///< see widest_hopeless_gap [m]
+  double needed_to_turn = 0.0;  ///< swept width of the tightest turn, (7), with the safety margin [m]
   ObstacleId obstacle_a = 0, obstacle_b = 0;  ///< on both sides; may be the same
   Vec2 on_a{0.0, 0.0}, on_b{0.0, 0.0};        ///< where they are nearest to each other
   [[nodiscard]] bool too_narrow() const { return width < needed; }
@@ -30,23 +29,22 @@ std::string region_text(const World& world, ObstacleId region);
 /// A length as people read it: to a millimetre, without trailing zeros.
 std::string rounded_text(double metres);
 
-/// Finds bottlenecks on one map for one vehicle. The map's gaps are looked for when they are first needed. Thread-safe.
+/// Finds bottlenecks on one map for one vehicle. Thread-safe.
 class BottleneckFinder {
  public:
-  BottleneckFinder(const World& world, const Vehicle& vehicle);
-  ~BottleneckFinder();
+  /// @param gaps  of the same map and vehicle.
+  BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps);
 
   /// Nothing if the widest way is wide enough for the tightest turn, or as wide as the room around one of the poses.
   /// Precondition: the body grown by half of the safety margin is free at both poses.
-  /// Time as GapMap::bottleneck; the first time as GapMap.
+  /// Time as GapMap::bottleneck, where the gaps were asked for before.
   [[nodiscard]] std::optional<Bottleneck> operator()(const Pose& from, const Pose& to) const;
 
  private:
-  struct Gaps;
   World world_;
   Footprint body_;
   Bottleneck vehicle_takes_;  // no place yet
-  std::unique_ptr<Gaps> gaps_;
+  std::shared_ptr<const VehicleGaps> gaps_;
 };
 
 }  // namespace arcway

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/geometry/angle.h"
-#include "core/passage/gap_map.h"
 
 namespace arcway {
 
@@ -44,10 +43,9 @@ class GapCircles {
         body_(vehicle.footprint(vehicle.safety_margin())),
         swept_(swept_annulus(body_, radius)) {}
 
-  ExtraCircles find() && {
-    const GapMap map(world_, swept_.outer);
-    for (const Gap& gap : map.gaps()) {
-      if (!(gap.width > 2.0 * body_.half_width)) continue;
+  ExtraCircles find(const GapMap& gaps) && {
+    for (const Gap& gap : gaps.gaps()) {
+      if (!(gap.width > 2.0 * body_.half_width && gap.width <= swept_.outer)) continue;
       const Vec2 across = (gap.on_b - gap.on_a) / gap.width;
       const VertexId a = vertex_at(gap.edge_a, gap.on_a);
       const VertexId b = vertex_at(gap.edge_b, gap.on_b);
@@ -202,8 +200,8 @@ class GapCircles {
 
 }  // namespace
 
-ExtraCircles find_gap_circles(const World& world, const Vehicle& vehicle, double radius) {
-  return GapCircles(world, vehicle, radius).find();
+ExtraCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius) {
+  return GapCircles(world, vehicle, radius).find(gaps);
 }
 
 }  // namespace arcway

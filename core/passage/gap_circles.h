@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/graph/extra_circles.h"
+#include "core/passage/gap_map.h"
 #include "core/vehicle.h"
 #include "core/world.h"
 
@@ -18,8 +19,9 @@ namespace [[gnu::visibility("default")]] arcway {
 ///
 /// Contacts are those of the body grown by the safety margin; whether circles are free is not asked. Gaps are looked at
 /// up to the width that a turn takes at a right angle to a wall, the outer radius of the swept annulus.
+/// @param gaps    those of VehicleGaps.
 /// @param radius  the smallest turning radius.
-/// Time as GapMap, O(gaps) circles.
-ExtraCircles find_gap_circles(const World& world, const Vehicle& vehicle, double radius);
+/// O(gaps log gaps), O(gaps) circles.
+ExtraCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius);
 
 }  // namespace arcway

@@ -25,7 +25,7 @@ void add_wide_turns(const SearchMap& map, ExtraCircles& extra) {
 
 const SearchMap& NarrowPlaces::map() const {
   std::call_once(once_, [this] {
-    ExtraCircles extra = find_gap_circles(map_.world, map_.vehicle, map_.radii.front());
+    ExtraCircles extra = find_gap_circles(map_.world, map_.gaps->map(), map_.vehicle, map_.radii.front());
     if (extra.round.empty() && extra.gates.empty()) return;
     add_wide_turns(map_, extra);
     detailed_ = map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, extra));

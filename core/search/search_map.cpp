@@ -14,7 +14,8 @@ SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<d
       graph(std::move(g)),
       circles(std::make_shared<const CircleTable>(graph)),
       body(v.footprint(0.5 * v.safety_margin())),
-      outlines(std::make_shared<const Outlines>(w)) {}
+      outlines(std::make_shared<const Outlines>(w)),
+      gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())) {}
 
 SearchMap SearchMap::with_graph(FeasibleGraph other) const {
   SearchMap map = *this;

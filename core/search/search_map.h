@@ -5,6 +5,7 @@
 
 #include "core/graph/feasible_graph.h"
 #include "core/outlines.h"
+#include "core/passage/vehicle_gaps.h"
 #include "core/query/query_set.h"
 #include "core/vehicle.h"
 #include "core/world.h"
@@ -29,6 +30,7 @@ struct SearchMap {
   std::shared_ptr<const CircleTable> circles;  ///< of the graph
   Footprint body;                              ///< with half of the safety margin: what is checked
   std::shared_ptr<const Outlines> outlines;
+  std::shared_ptr<const VehicleGaps> gaps;
 };
 
 }  // namespace arcway

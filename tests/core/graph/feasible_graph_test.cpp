@@ -12,6 +12,7 @@
 #include "core/geometry/angle.h"
 #include "core/geometry/predicates.h"
 #include "core/passage/gap_circles.h"
+#include "core/passage/vehicle_gaps.h"
 #include "core/planner.h"
 #include "datasets/clutter.h"
 #include "tests/support/plans.h"
@@ -281,7 +282,8 @@ TEST(FeasibleGraph, KeepsItsStraightsAmongMoreCircles) {
   c.queries = make_reference_queries(c.world);
   c.visibility = build_reduced_visibility_graph(c.world, *c.queries.visibility);
   const FeasibleGraph usual = c.graph(GraphMode::kEager);
-  const ExtraCircles extra = find_gap_circles(c.world, c.vehicle, c.radii[0]);
+  const ExtraCircles extra =
+      find_gap_circles(c.world, VehicleGaps(c.world, c.vehicle, c.radii[0]).map(), c.vehicle, c.radii[0]);
   ASSERT_FALSE(extra.round.empty());
   ASSERT_FALSE(extra.gates.empty());
   const FeasibleGraph more(usual, c.vehicle, extra);

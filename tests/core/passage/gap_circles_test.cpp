@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/angle.h"
+#include "core/passage/vehicle_gaps.h"
 #include "core/query/query_set.h"
 #include "tests/support/boxes.h"
 
@@ -22,6 +23,10 @@ World door(double width, double thickness) {
   return World({test::box(0, -20, thickness, 0), test::box(0, width, thickness, 20 + width)});
 }
 
+ExtraCircles circles_of(const World& world) {
+  return find_gap_circles(world, VehicleGaps(world, kVehicle, kRadius).map(), kVehicle, kRadius);
+}
+
 // How far a path may turn on a circle that leaves a gate at a heading, or comes onto it.
 double turn_at(const World& world, const TurnCircle& circle, double heading, bool exit) {
   const QuerySet queries = make_reference_queries(world);
@@ -32,7 +37,7 @@ double turn_at(const World& world, const TurnCircle& circle, double heading, boo
 
 TEST(GapCircles, LeadThroughADoorThatIsTooNarrowToTurnIn) {
   const World world = door(0.85, 1.0);
-  const ExtraCircles extra = find_gap_circles(world, kVehicle, kRadius);
+  const ExtraCircles extra = circles_of(world);
   for (const double ahead : {0.0, kPi})
     for (const Side side : {Side::kLeft, Side::kRight}) {
       double most_off = -1.0, most_onto = -1.0;
@@ -59,7 +64,7 @@ TEST(GapCircles, HaveTheRadiusThatANarrowPlaceDemands) {
   const double width = 1.1;
   ASSERT_LT(width, swept_annulus(kGrown, kRadius).width());
   const World world({test::box(-40, -41, 40, -40), {{{0, -40 + width}, {10, -20}, {-10, -20}}, {}}});
-  const ExtraCircles extra = find_gap_circles(world, kVehicle, kRadius);
+  const ExtraCircles extra = circles_of(world);
   ASSERT_EQ(extra.round.size(), 1u);
   const TurnCircle& circle = extra.round.front();
   EXPECT_GT(circle.radius, kRadius);
@@ -75,7 +80,7 @@ TEST(GapCircles, TouchWhatTheirVertexFaces) {
   const SweptAnnulus swept = swept_annulus(kGrown, kRadius);
   const double width = 0.5 * (swept.width() + swept.outer - swept.inner * std::sqrt(0.5));
   const World world({test::box(-40, -41, 40, -40), test::box(0, -40 + width, 30, 0)});
-  const ExtraCircles extra = find_gap_circles(world, kVehicle, kRadius);
+  const ExtraCircles extra = circles_of(world);
   const auto touching = std::ranges::find_if(extra.round, [](const TurnCircle& c) { return c.center.x() < 15.0; });
   ASSERT_NE(touching, extra.round.end());
   EXPECT_NEAR((touching->center - Vec2(0, -40 + width)).norm(), swept.inner, 1e-9);
@@ -85,15 +90,15 @@ TEST(GapCircles, TouchWhatTheirVertexFaces) {
 
 TEST(GapCircles, AreNotMadeWhereTheBodyDoesNotFitOrHasRoom) {
   for (const double width : {0.0, 0.5, 0.8, 2.0 * kGrown.half_width, 2.3}) {
-    const ExtraCircles extra = find_gap_circles(door(width, 1.0), kVehicle, kRadius);
+    const ExtraCircles extra = circles_of(door(width, 1.0));
     EXPECT_TRUE(extra.round.empty()) << width;
     EXPECT_TRUE(extra.gates.empty()) << width;
   }
-  EXPECT_TRUE(find_gap_circles(World({}), kVehicle, kRadius).gates.empty());
+  EXPECT_TRUE(circles_of(World({})).gates.empty());
 }
 
 TEST(GapCircles, KnowVerticesNearBy) {
-  const ExtraCircles extra = find_gap_circles(door(0.9, 30.0), kVehicle, kRadius);
+  const ExtraCircles extra = circles_of(door(0.9, 30.0));
   ASSERT_FALSE(extra.gates.empty());
   const World world = door(0.9, 30.0);
   for (const Gate& gate : extra.gates)
