@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include "core/geometry/angle.h"
@@ -15,7 +17,7 @@ namespace {
 
 constexpr int kLevels = 2;
 constexpr double kCoarsest = 0.15;      // edge of the larger boxes, of the body's half width
-constexpr int kFewestHeadings = 128;    // in a full turn
+constexpr int kFewestHeadings = 128;    // in a full turn, a power of two
 constexpr std::int32_t kFurthest = 40;  // boxes away from the end, at the coarsest
 constexpr double kStep = 0.25;          // length of a step, of the smallest turning radius
 constexpr double kLeastStep = 4.0;      // of a box's edge: shorter ones would get lost in it
@@ -26,9 +28,14 @@ struct Range {
   double low, high;
 };
 
-/// A box of positions of the reference point and of headings, or how far one is from another.
+/// A box of positions of the reference point and of headings.
 struct Box3 {
   std::int32_t x, y, heading;
+};
+
+/// From a box to some in a column: how far they are from it, by y from first to last.
+struct Move {
+  std::int32_t x, first_y, last_y, heading;
 };
 
 /// Where a step of length `step` leads that turns by an angle in `turn`, seen from its begin: x ahead, y to the left.
@@ -45,6 +52,40 @@ std::array<Range, 2> places_after(double step, double radius, const Range& turn)
            {-to_the_left(-turn.low), to_the_left(turn.high)}}};
 }
 
+/// Which of many boxes have been seen, in columns of bits.
+class SeenBoxes {
+ public:
+  // Boxes from -furthest to furthest, and of so many headings.
+  SeenBoxes(std::int32_t furthest, std::int32_t headings)
+      : furthest_(furthest),
+        headings_(headings),
+        words_((2 * furthest + kBits) / kBits),
+        seen_(static_cast<std::size_t>((2 * furthest + 1) * headings * words_), 0) {}
+
+  /// Calls visit(y) for each box from first_y to last_y that was not seen, in this order. Now they are.
+  template <class Visitor>
+  void see(std::int32_t x, std::int32_t first_y, std::int32_t last_y, std::int32_t heading, Visitor&& visit) {
+    const std::int32_t first = first_y + furthest_, last = last_y + furthest_;
+    const auto column = static_cast<std::size_t>(((x + furthest_) * headings_ + heading) * words_);
+    for (std::int32_t word = first / kBits; word <= last / kBits; ++word) {
+      const std::int32_t begin = word * kBits;
+      std::uint64_t asked = ~std::uint64_t{0};
+      if (first > begin) asked <<= first - begin;
+      if (last < begin + kBits - 1) asked &= (std::uint64_t{2} << (last - begin)) - 1;
+      std::uint64_t& known = seen_[column + static_cast<std::size_t>(word)];
+      for (std::uint64_t fresh = asked & ~known; fresh != 0; fresh &= fresh - 1)
+        visit(begin + std::countr_zero(fresh) - furthest_);
+      known |= asked;
+    }
+  }
+
+ private:
+  static constexpr std::int32_t kBits = 64;
+
+  std::int32_t furthest_, headings_, words_;
+  std::vector<std::uint64_t> seen_;
+};
+
 class ForwardFlood {
  public:
   ForwardFlood(const Pose& from, const Vec2& to, const Footprint& footprint, double radius, const SweepQuery& sweep,
@@ -57,6 +98,8 @@ class ForwardFlood {
         furthest_(kFurthest << level),
         edge_(kCoarsest * footprint.half_width / (1 << level)),
         step_(std::max(kStep * radius, kLeastStep * edge_)),
+        turned_steps_(turned_steps()),
+        bodies_(static_cast<std::size_t>(headings_)),
         moves_(static_cast<std::size_t>(headings_)) {
     const double length = std::max(footprint.front, footprint.rear);
     const double largest = std::max(from.position().cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
@@ -70,10 +113,9 @@ class ForwardFlood {
   enum class End { kClosed, kOpen, kGivenUp };
   End run(std::size_t max_checks) {
     if (core_.half_width <= 0.0 || core_.front + core_.rear <= 0.0 || step_ > kMostTurn * radius_) return End::kOpen;
-    const auto width = static_cast<std::size_t>(2 * furthest_ + 1);
-    seen_.assign(width * width * static_cast<std::size_t>(headings_), false);
-    std::vector<Box3> open{{0, 0, 0}};
-    seen_[index_of(open[0])] = true;
+    SeenBoxes seen(furthest_, headings_);
+    std::vector<Box3> open;
+    seen.see(0, 0, 0, 0, [&](std::int32_t y) { open.push_back({0, y, 0}); });
     const double near = step_ + edge_;
     for (std::size_t checks = 0; !open.empty(); ++checks) {
       // The last one first, and not asked about before: where there is a way out, it is found soon.
@@ -81,17 +123,23 @@ class ForwardFlood {
       open.pop_back();
       if (checks > max_checks) return End::kGivenUp;
       if (checks > 0 && !is_free(box)) continue;
-      const Vec2 position = center_of(box).position();
+      const Vec2 position = position_of(box);
       if (is_far(box) || (position - to_).norm() < near) return End::kOpen;
       reach_ = std::max(reach_, (position - from_.position()).norm() + near);
-      for (const Box3& move : moves_from(box.heading)) {
-        const Box3 next{box.x + move.x, box.y + move.y, (box.heading + move.heading + headings_) % headings_};
-        if (!is_far(next)) {
-          const std::size_t index = index_of(next);
-          if (seen_[index]) continue;
-          seen_[index] = true;
+      for (const Move& move : moves_from(box.heading)) {
+        const std::int32_t x = box.x + move.x, heading = (box.heading + move.heading) & (headings_ - 1);
+        const std::int32_t first = box.y + move.first_y, last = box.y + move.last_y;
+        const auto add = [&](std::int32_t y) { open.push_back({x, y, heading}); };
+        if (!is_far({x, first, heading}) && !is_far({x, last, heading})) {
+          seen.see(x, first, last, heading, add);
+          continue;
         }
-        open.push_back(next);
+        for (std::int32_t y = first; y <= last; ++y)
+          if (is_far({x, y, heading})) {
+            add(y);
+          } else {
+            seen.see(x, y, y, heading, add);
+          }
       }
     }
     return End::kClosed;
@@ -101,34 +149,43 @@ class ForwardFlood {
 
  private:
   [[nodiscard]] bool is_far(const Box3& box) const { return std::max(std::abs(box.x), std::abs(box.y)) > furthest_; }
-  [[nodiscard]] bool is_free(const Box3& box) const {
-    return sweep_.straight_free(swept_rectangle(center_of(box), 0.0, core_));
+  [[nodiscard]] bool is_free(const Box3& box) {
+    auto& body = bodies_[static_cast<std::size_t>(box.heading)];
+    if (!body) body = swept_rectangle({0.0, 0.0, heading_of(box.heading)}, 0.0, core_);
+    SweptRectangle placed = *body;
+    for (Vec2& corner : placed) corner += position_of(box);
+    return sweep_.straight_free(placed);
   }
   [[nodiscard]] double heading_of(std::int32_t heading) const { return from_.heading + kTwoPi * heading / headings_; }
-  [[nodiscard]] Pose center_of(const Box3& box) const {
-    return {from_.x + edge_ * box.x, from_.y + edge_ * box.y, heading_of(box.heading)};
-  }
-  [[nodiscard]] std::size_t index_of(const Box3& box) const {
-    const std::int32_t width = 2 * furthest_ + 1;
-    return (static_cast<std::size_t>(box.x + furthest_) * static_cast<std::size_t>(width) +
-            static_cast<std::size_t>(box.y + furthest_)) *
-               static_cast<std::size_t>(headings_) +
-           static_cast<std::size_t>(box.heading);
-  }
+  [[nodiscard]] Vec2 position_of(const Box3& box) const { return from_.position() + edge_ * Vec2(box.x, box.y); }
+  // Where steps may end that turn by so many headings, and half a one more or less.
+  struct Turned {
+    std::int32_t headings;
+    Range x, y;
+  };
 
-  // To all boxes in which a step from a box with this heading may end.
-  const std::vector<Box3>& moves_from(std::int32_t heading) {
-    std::vector<Box3>& moves = moves_[static_cast<std::size_t>(heading)];
-    if (!moves.empty()) return moves;
+  std::vector<Turned> turned_steps() const {
+    std::vector<Turned> steps;
     const double part = kTwoPi / headings_;
     const double most = step_ / radius_;
-    const Vec2 ahead = direction_of(heading_of(heading));
     const auto furthest_turn = static_cast<std::int32_t>(most / part + 1.0);
     for (std::int32_t turned = -furthest_turn; turned <= furthest_turn; ++turned) {
       const Range turn{std::max(-most, (turned - 1) * part), std::min(most, (turned + 1) * part)};
       const auto [x, y] = places_after(step_, radius_, turn);
-      // Headings in the box are off by half a part.
-      const double aside = std::max(-y.low, y.high), sine = std::sin(0.5 * part), lost = 1.0 - std::cos(0.5 * part);
+      steps.push_back({turned, x, y});
+    }
+    return steps;
+  }
+
+  // To all boxes in which a step from a box with this heading may end.
+  const std::vector<Move>& moves_from(std::int32_t heading) {
+    std::vector<Move>& moves = moves_[static_cast<std::size_t>(heading)];
+    if (!moves.empty()) return moves;
+    // Headings in the box are off by half a part.
+    const double sine = std::sin(kPi / headings_), lost = 1.0 - std::cos(kPi / headings_);
+    const Vec2 ahead = direction_of(heading_of(heading));
+    for (const auto& [turned, x, y] : turned_steps_) {
+      const double aside = std::max(-y.low, y.high);
       const double more_ahead = aside * sine + x.high * lost + kRounding * step_;
       const double more_aside = x.high * sine + aside * lost + kRounding * step_;
       const Vec2 middle = 0.5 * (x.low + x.high) * ahead + 0.5 * (y.low + y.high) * perpendicular(ahead);
@@ -137,8 +194,7 @@ class ForwardFlood {
       const auto first = [&](double d) { return static_cast<std::int32_t>(std::ceil(d / edge_)); };
       const auto last = [&](double d) { return static_cast<std::int32_t>(std::floor(d / edge_)); };
       for (std::int32_t i = first(middle.x() - half.x()); i <= last(middle.x() + half.x()); ++i)
-        for (std::int32_t j = first(middle.y() - half.y()); j <= last(middle.y() + half.y()); ++j)
-          moves.push_back({i, j, turned});
+        moves.push_back({i, first(middle.y() - half.y()), last(middle.y() + half.y()), turned});
     }
     return moves;
   }
@@ -150,8 +206,10 @@ class ForwardFlood {
   std::int32_t headings_, furthest_;
   double edge_, step_;
   Footprint core_{};
-  std::vector<std::vector<Box3>> moves_;  // by heading; empty until asked for
-  std::vector<bool> seen_;
+  std::vector<Turned> turned_steps_;
+  // By heading, once they were asked for: the body with the reference point at the origin, and the moves.
+  std::vector<std::optional<SweptRectangle>> bodies_;
+  std::vector<std::vector<Move>> moves_;
   double reach_ = 0.0;
 };
 
