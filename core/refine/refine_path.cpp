@@ -38,30 +38,21 @@ constexpr double kWorthSettling = 1e-5;
 constexpr int kMostSettled = 4;
 
 // How the circle of a turn that is not the first or last one moves, in steps: its centre inwards from, and around, the
-// point of the inner swept circle where a share of the turn, `at`, is done; and its radius grows.
+// point of the inner swept circle where a share of the turn, `at`, is done, and along the heading there; and its radius
+// grows.
 struct Move {
-  double inwards, around, grow, at;
+  double inwards, around, grow, at, along = 0.0;
 };
-constexpr std::array<Move, 17> kMoves{{{1, 0, 0, 0.5},
-                                       {0, 1, 0, 0.5},
-                                       {0, -1, 0, 0.5},
-                                       {1, 1, 0, 0.5},
-                                       {1, -1, 0, 0.5},
-                                       {0, 0, 1, 0.5},
-                                       {0, 0, -0.5, 0.5},
-                                       {-1, 0, 0, 0.5},
-                                       {0, 1, 1, 0.5},
-                                       {0, -1, 1, 0.5},
-                                       {1, 0, 1, 0.5},
-                                       {-1, 0, 1, 0.5},
-                                       {-1, 0, -0.5, 0.5},
-                                       {0, 1, 0, 0.0},
-                                       {0, -1, 0, 0.0},
-                                       {0, 1, 0, 1.0},
-                                       {0, -1, 0, 1.0}}};
-// Those around the middle. What is in the way is often where the turn begins or ends; looked at too early, that leads
-// some paths to a worse optimum.
+constexpr std::array<Move, 21> kMoves{
+    {{1, 0, 0, 0.5},     {0, 1, 0, 0.5},    {0, -1, 0, 0.5},   {1, 1, 0, 0.5},  {1, -1, 0, 0.5}, {0, 0, 1, 0.5},
+     {0, 0, -0.5, 0.5},  {-1, 0, 0, 0.5},   {0, 1, 1, 0.5},    {0, -1, 1, 0.5}, {1, 0, 1, 0.5},  {-1, 0, 1, 0.5},
+     {-1, 0, -0.5, 0.5}, {0, 1, 0, 0.0},    {0, -1, 0, 0.0},   {0, 1, 0, 1.0},  {0, -1, 0, 1.0}, {0, 0, 0, 0.0, 1},
+     {0, 0, 0, 0.0, -1}, {0, 0, 0, 1.0, 1}, {0, 0, 0, 1.0, -1}}};
+// Those around the middle. What is in the way is often where the turn begins or ends, or along the line before or
+// behind it, which stays where it is when the circle moves along it; looked at too early, that leads some paths to a
+// worse optimum.
 constexpr std::span kRoughMoves = std::span(kMoves).first<13>();
+constexpr std::span kFineMoves = std::span(kMoves).first<17>();
 
 // A place on a straight line of the path.
 struct Station {
@@ -122,6 +113,7 @@ class Refiner {
       while (!done() && insert_words(kMoreParts, kNearEnds)) settle();
       if (result_.travel_time > (1.0 - kWorthSettling) * before) break;
     }
+    slide(options_.smallest_step, kMoves);
   }
 
  private:
@@ -135,7 +127,7 @@ class Refiner {
       more = widen_turns() || more;
       more = insert_words(kFewParts, {}) || more;
     }
-    slide(options_.smallest_step, kMoves);
+    slide(options_.smallest_step, kFineMoves);
   }
 
   [[nodiscard]] bool done() {
@@ -433,7 +425,8 @@ class Refiner {
       const double angle = sign_of(c.side) * move.around * length / std::max(inner, 0.5 * smallest_);
       const Vec2 pivot = c.center - inner * inwards;
       const Vec2 turned = std::cos(angle) * inwards + std::sin(angle) * perpendicular(inwards);
-      c.center = pivot + (swept_annulus(body_, larger).inner + move.inwards * length) * turned;
+      c.center =
+          pivot + (swept_annulus(body_, larger).inner + move.inwards * length) * turned + move.along * length * ahead;
       c.radius = larger;
       any |= accept(shifted(chain_.chain(), lines(), i, c));
     }

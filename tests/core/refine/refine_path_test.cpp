@@ -167,15 +167,18 @@ TEST(RefinePath, LeavesBarePathsAlone) {
   EXPECT_TRUE(refined(World({}), vehicle, {start, start}, {}).path.empty());
 }
 
-// Each has kept refinement in a worse place: the one wants its turn to go around where it begins, the other wants a
-// turn in two parts that are close to each other. RRTConnect, shortcut for a second, reaches the times.
+// Each has kept refinement in a worse place: one wants its turn to go around where it begins, one a turn in two parts
+// that are close to each other, one a turn that begins sooner on the same line. RRTConnect, shortcut for a second,
+// reaches the times.
 TEST(RefinePath, IsNoSlowerThanWhatSamplingFinds) {
   struct Query {
     const char* world;
     std::size_t number;
     double reached;  // [s]
   };
-  for (const Query& q : {Query{"clutter/star/n100/m10/f15", 3, 6.19702}, {"clutter/star/n100/m10/f45", 11, 4.04928}}) {
+  for (const Query& q : {Query{"clutter/star/n100/m10/f15", 3, 6.19702},
+                         {"clutter/star/n100/m10/f45", 11, 4.04928},
+                         {"clutter/convex/n100/m10/f15", 6, 9.08056}}) {
     const World world = catalogue_world(q.world);
     const PlanRequest request = catalogue_queries(q.world, q.number + 1, 1).back();
     const PlanResult plan = Planner(world, Vehicle()).plan(request);
