@@ -6,7 +6,7 @@
 #include <string>
 
 #include "accel/triangulation/free_space_sweep.h"
-#include "accel/wedge/tiles.h"
+#include "core/geometry/tiles.h"
 #include "core/query/blocking.h"
 
 namespace arcway {

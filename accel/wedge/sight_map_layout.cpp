@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "accel/wedge/sight_map.h"
-#include "accel/wedge/tiles.h"
+#include "core/geometry/tiles.h"
 #include "core/prefetch.h"
 
 namespace arcway {

@@ -11,6 +11,7 @@
 
 #include "core/bytes.h"
 #include "core/geometry/angle.h"
+#include "core/geometry/tiles.h"
 #include "core/graph/circle_change.h"
 #include "core/graph/destinations.h"
 #include "core/graph/feasible_tables.h"
@@ -178,15 +179,17 @@ struct FeasibleGraph::Data {
   }
 
   void find_headings(std::span<const std::uint32_t> which, const Executor& executor) {
+    const std::vector<std::uint32_t> order = places_along_curve(which);
     executor.begin_stage("turn circles");
     executor.for_ranges(which.size(), 16, [&](std::size_t begin, std::size_t end) {
       std::vector<TurningBody> bodies;
-      for (std::size_t i = begin; i < end; ++i) bodies.push_back(body_on(circles[which[i]]));
+      for (std::size_t i = begin; i < end; ++i) bodies.push_back(body_on(circles[which[order[i]]]));
       std::vector<HeadingSet> found(bodies.size());
       queries.sweep->free_headings(bodies, found);
       for (std::size_t i = begin; i < end; ++i) {
-        keep_at_vertex(which[i], found[i - begin]);
-        headings[which[i]] = std::move(found[i - begin]);
+        const std::uint32_t c = which[order[i]];
+        keep_at_vertex(c, found[i - begin]);
+        headings[c] = std::move(found[i - begin]);
       }
     });
   }
@@ -194,11 +197,21 @@ struct FeasibleGraph::Data {
   [[nodiscard]] std::vector<Departures> find_kept(std::span<const std::uint32_t> which,
                                                   const Executor& executor) const {
     std::vector<Departures> found(which.size());
+    const std::vector<std::uint32_t> order = places_along_curve(which);
     executor.begin_stage("bitangents");
     executor.for_ranges(which.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) found[i] = kept_departures(which[i]);
+      for (std::size_t i = begin; i < end; ++i) found[order[i]] = kept_departures(which[order[i]]);
     });
     return found;
+  }
+
+  // Circles by their places in `which`, near ones one after the other: they ask about the same parts of the map.
+  [[nodiscard]] std::vector<std::uint32_t> places_along_curve(std::span<const std::uint32_t> which) const {
+    const Tiles tiles(world.box(), which.size());
+    std::vector<std::uint32_t> tile;
+    tile.reserve(which.size());
+    for (const std::uint32_t c : which) tile.push_back(tiles.of(circles[c].center));
+    return sorted_by_tile(std::move(tile), tiles.count());
   }
 
   void exchange_headings(std::span<const std::uint32_t> share, const Team& team) {

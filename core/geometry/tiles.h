@@ -1,17 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "core/world.h"
+#include "core/geometry/vec2.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// Sites in tiles of a few hundred along a Hilbert curve: what is near in the plane is near in memory. Order within a
-/// tile is left to a stable sort.
+/// Points in tiles of some dozens along a Hilbert curve: what is near in the plane is near in this order, and so in
+/// memory or in time. Order within a tile is left to a stable sort.
 class Tiles {
  public:
-  Tiles(const Box& box, std::size_t site_count);
+  Tiles(const Box& box, std::size_t point_count);
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(ranks_.size()); }
   /// The tile of a point, in the order of the curve; points outside of the box count as its nearest.

@@ -1,4 +1,4 @@
-#include "accel/wedge/tiles.h"
+#include "core/geometry/tiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace arcway {
 
 namespace {
 
-constexpr std::size_t kSitesPerTile = 64;
+constexpr std::size_t kPointsPerTile = 64;
 constexpr std::uint32_t kMaxSide = 1024;
 
 // Place of a cell on the Hilbert curve through side x side cells; side is a power of two.
@@ -32,8 +32,8 @@ std::uint32_t hilbert_rank(std::uint32_t side, std::uint32_t x, std::uint32_t y)
 
 }  // namespace
 
-Tiles::Tiles(const Box& box, std::size_t site_count) : origin_(box.min), side_(1) {
-  while (side_ < kMaxSide && std::size_t{side_} * side_ * kSitesPerTile < site_count) side_ *= 2;
+Tiles::Tiles(const Box& box, std::size_t point_count) : origin_(box.min), side_(1) {
+  while (side_ < kMaxSide && std::size_t{side_} * side_ * kPointsPerTile < point_count) side_ *= 2;
   const Vec2 size = box.max - box.min;
   for (const Eigen::Index axis : {0, 1}) {
     const double scale = side_ / size[axis];
