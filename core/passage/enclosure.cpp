@@ -50,7 +50,7 @@ class Flood {
 
   enum class End { kClosed, kOpen, kTooMany };
   End run(std::size_t max_boxes) {
-    if (core_.half_width <= 0.0) return End::kOpen;
+    if (std::min(core_.front, core_.half_width) <= 0.0) return End::kOpen;
     const Box3 goal = box_of(to_);
     std::vector<Box3> boxes{{0, 0, 0}};
     using Waiting = std::pair<double, std::size_t>;

@@ -7,6 +7,7 @@
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
 #include "tests/support/boxes.h"
+#include "tests/support/plans.h"
 
 namespace arcway {
 namespace {
@@ -49,6 +50,19 @@ TEST(Enclosure, IsKnownBeforeAWayOutIsLookedFor) {
   EXPECT_EQ(plan.status, PlanStatus::kNoPassage);
   EXPECT_NE(plan.reason.find("however the body is moved"), std::string::npos) << plan.reason;
   EXPECT_LT(plan.statistics.manoeuvre_poses, 2000u);
+}
+
+// No part of a body that is far shorter than wide stays covered while it moves and turns in a large box.
+TEST(Enclosure, IsNotProvedOfAShortBodyThatTurnsInItsPlace) {
+  const World world({}, box(-0.3, -1.3, 0.3, 1.3).outer);
+  const Vehicle vehicle(
+      {.length = 0.1, .width = 2.0, .wheelbase = 0.3, .steering = Steering::kSymmetric, .max_steering_angle = 1.3});
+  const Pose start{0, 0, 0}, goal{0, 0.1, 0.1};
+  EXPECT_FALSE(enclosure(world, vehicle, start, goal));
+  const Planner planner(world, vehicle);
+  const PlanResult plan = planner.plan({.start = start, .goal = goal, .reverse = true});
+  ASSERT_TRUE(plan.solved()) << plan.reason;
+  test::expect_valid(planner, plan, true);
 }
 
 TEST(Enclosure, IsNotProvedWhereThereIsAPath) {
