@@ -97,7 +97,9 @@ class TourPlanner {
       if (least >= std::min(cutoff, stop.cost)) return;
       PlanResult leg = plan_leg(before[i].pose, stop.pose);
       if (!leg.solved()) {
-        if (!failure_ || failure_stage_ != stages_.size()) failure_ = std::move(leg);
+        // One that was interrupted might have been the way.
+        if (!failure_ || failure_stage_ != stages_.size() || (leg.interrupted && !failure_->interrupted))
+          failure_ = std::move(leg);
         failure_stage_ = stages_.size();
         continue;
       }
@@ -160,7 +162,6 @@ class TourPlanner {
     PlanResult& plan = tour.plan;
     plan.start = request_.start;
     plan.goal = stages_.back().front().pose;
-    plan.interrupted = interrupted_;
     if (last == nullptr) {
       if (failure_) {
         plan = std::move(*failure_);
@@ -173,6 +174,7 @@ class TourPlanner {
       tour.goal = last->place;
       join(legs_to(*last), tour);
     }
+    plan.interrupted = interrupted_;
     statistics_.unrefined_travel_time = plan.statistics.unrefined_travel_time;
     statistics_.total_seconds = elapsed();
     plan.statistics = statistics_;
@@ -241,7 +243,7 @@ class TourPlanner {
   std::vector<Stage> stages_;
   PlanStatistics statistics_;
   bool interrupted_ = false;
-  std::optional<PlanResult> failure_;  // the first of its stage
+  std::optional<PlanResult> failure_;  // the first of its stage, or the first one interrupted
   std::size_t failure_stage_ = 0;
 };
 

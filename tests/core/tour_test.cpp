@@ -10,6 +10,7 @@
 #include "core/path/speed_profile.h"
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
+#include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
@@ -156,6 +157,16 @@ TEST(Tour, KeepsItsLimits) {
   std::stop_source stop;
   stop.request_stop();
   const Tour tour = plan_tour(planner, {.start = {}, .goals = {{{5, 5}}}}, {.stop = stop.get_token()});
+  EXPECT_EQ(tour.plan.status, PlanStatus::kCancelled);
+  EXPECT_TRUE(tour.plan.interrupted);
+}
+
+TEST(Tour, SaysThatItWasCancelledWhateverIsWrongWithAnotherGoal) {
+  const Planner planner(World({test::box(5, 5, 8, 8)}), Vehicle{});
+  std::stop_source stop;
+  stop.request_stop();
+  const Tour tour =
+      plan_tour(planner, {.start = {}, .goals = {{{6, 6}, 0.0}, {{20, 0}, 0.0}}}, {.stop = stop.get_token()});
   EXPECT_EQ(tour.plan.status, PlanStatus::kCancelled);
   EXPECT_TRUE(tour.plan.interrupted);
 }
