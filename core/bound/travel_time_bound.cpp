@@ -15,6 +15,8 @@ namespace arcway {
 namespace {
 
 constexpr double kRounding = 1e-12;
+// Units in the last place of the largest coordinate that the segments of a path may be apart in all.
+constexpr double kPlaceUlps = 64.0 * std::numeric_limits<double>::epsilon();
 
 double shortest_word(const Pose& start, const Pose& goal, double radius) {
   double shortest = std::numeric_limits<double>::infinity();
@@ -69,7 +71,9 @@ double travel_time_bound(const Pose& start, const Pose& goal, double distance, c
   const double turn = reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal);
   const double word = reverse ? reeds_shepp_distance(start, goal, radius) : shortest_word(start, goal, radius);
   const double arcs = radius * turn;
-  const double length = std::max({distance, word, arcs});
+  const double place_error =
+      kPlaceUlps * std::max(start.position().cwiseAbs().maxCoeff(), goal.position().cwiseAbs().maxCoeff());
+  const double length = std::max({0.0, std::max(distance, word) - place_error, arcs});
   if (!(length > 0.0) || std::isinf(length)) return length;
   const double straight = segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());
   return (1.0 - kRounding) * (straight + 2.0 * time_lost_on_arcs(0.5 * arcs, highest_turn_speed(vehicle), vehicle));

@@ -113,6 +113,23 @@ TEST(TravelTimeBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
   }
 }
 
+// Segments miss each other by the rounding of their coordinates.
+TEST(TravelTimeBound, NoPlanIsFasterFarFromTheOrigin) {
+  const Planner planner(World({}), Vehicle{});
+  test::Random random(5);
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    const Vec2 from = random.point(5e6, 5e6 + 30.0);
+    const double heading = random.uniform(-kPi, kPi);
+    const Vec2 to = from + random.uniform(1.0, 20.0) * direction_of(heading);
+    const PlanResult plan =
+        planner.plan({.start = {from.x(), from.y(), heading}, .goal = {to.x(), to.y(), heading}, .reverse = true});
+    ASSERT_TRUE(plan.solved());
+    EXPECT_GE(plan.travel_time, plan.lower_bound);
+    EXPECT_LE(plan.optimality_gap(), 1e-6);
+  }
+}
+
 TEST(TravelTimeBound, HoldsInBothGearsIfBothAreAllowed) {
   const Vehicle vehicle;
   // Straight back: far less than what it takes forwards.
