@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/bound/travel_time_bound.h"
 #include "core/geometry/angle.h"
 #include "core/path/speed_profile.h"
 #include "core/query/motion_free.h"
@@ -103,6 +104,8 @@ class Refiner {
     for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_);
     chain.place_ends();
     if (!chain_.begin(chain, vehicle_)) return;
+    const double straight = (chain.goal.position() - chain.start.position()).norm();
+    least_time_ = travel_time_bound(chain.start, chain.goal, straight, vehicle_);
     radii_.clear();
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
@@ -149,6 +152,9 @@ class Refiner {
     const double wanted = result_.travel_time * (1.0 - kSmallestGain);
     if (chain_.time_after(change) > wanted * (1.0 + kRounding) || !is_free(chain_.laid_out())) return false;
     if (!chain_.make(change) || !(chain_.made_time() < wanted)) return false;
+    // Whole turns that fall short of a circle by next to nothing count as none, see turn_between: then the path does
+    // not get to a goal that is so little behind the start.
+    if (chain_.made_time() < least_time_) return false;
     result_.path = chain_.made_path();
     result_.travel_time = chain_.made_time();
     chain_.take();
@@ -440,6 +446,7 @@ class Refiner {
   RefinedPath& result_;
   Footprint body_;
   double smallest_;
+  double least_time_ = 0.0;  // of any path [s]
   TimedChain& chain_;
   std::vector<double>& radii_;
   std::vector<Station>& stations_;

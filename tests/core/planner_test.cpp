@@ -53,6 +53,20 @@ TEST(Planner, StartAtTheGoalTakesNoTime) {
   EXPECT_EQ(result.travel_time, 0.0);
 }
 
+TEST(Planner, AGoalNextToNothingBehindTheStartTakesAWholeTurn) {
+  for (const double radius : {1.0, 10.0, 1000.0}) {
+    SCOPED_TRACE(radius);
+    VehicleParameters parameters;
+    parameters.max_steering_angle = std::atan(parameters.wheelbase / radius);
+    const Planner planner(World({}), Vehicle(parameters));
+    const double back = 1e-9 * radius;
+    const PlanResult plan = planner.plan({.start = {1, 2, 0}, .goal = {1 - back, 2, 0}});
+    ASSERT_TRUE(plan.solved());
+    EXPECT_GT(plan.length, kTwoPi * radius * (1.0 - 1e-6));
+    expect_valid(planner, plan);
+  }
+}
+
 class PlannerInClutter : public testing::TestWithParam<std::tuple<ClutterKind, double>> {};
 
 TEST_P(PlannerInClutter, EveryPlanIsValidAndMostAreFound) {
