@@ -11,8 +11,9 @@
 namespace [[gnu::visibility("default")]] arcway {
 
 /// Up to `count` plans that take different ways, the cheapest first: any two
-/// pass at least one obstacle on different sides, see same_way. The first is
-/// that of Planner::plan; without a path it is the only one.
+/// pass at least one obstacle on different sides, see same_way. That of
+/// Planner::plan is one of them: the first, unless another way turns out to be
+/// cheaper; the only one without a path.
 ///
 /// Further ones come from plans that may not use some of the passages of those
 /// before: in a passage of a path, where obstacles are nearest on both of its
