@@ -117,7 +117,7 @@ class AlternativeSearch {
       : planner_(planner), request_(request), limits_(limits) {}
 
   std::vector<PlanResult> run(std::size_t count) {
-    taken_.push_back({planner_.plan(request_, rest()), {}});
+    taken_.push_back({planner_.plan(request_, limits_), {}});
     while (taken_.back().plan.solved() && taken_.size() < count && !interrupted()) {
       branch(taken_.back());
       const auto best = std::min_element(open_.begin(), open_.end(),

@@ -35,14 +35,17 @@ bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult
   return false;
 }
 
+std::string time_limit_reason(const PlanLimits& limits) {
+  return "no path was found within the time limit of " + shortest_text(limits.time) + " s";
+}
+
 void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result) {
   const std::string hemmed_in = std::string(" is hemmed in: no ") + (why.reverse ? "" : "forward ") +
                                 "motion of arcs and lines that was tried leads ";
   if (result.interrupted) {
     const bool cancelled = limits.stop.stop_requested();
     result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
-    result.reason = cancelled ? "the search was cancelled before it found a path"
-                              : "no path was found within the time limit of " + shortest_text(limits.time) + " s";
+    result.reason = cancelled ? "the search was cancelled before it found a path" : time_limit_reason(limits);
     result.bottleneck.reset();
     return;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/passage/dead_end.h"
 #include "core/passage/enclosure.h"
@@ -20,6 +21,9 @@ struct NoPath {
 
 /// Whether the body is free at the start, or at the goal; else fills status and reason.
 bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult& result);
+
+/// Why there is no path where the time was up; `limits` as the caller gave them.
+std::string time_limit_reason(const PlanLimits& limits);
 
 /// Fills status and reason of a plan without a path, from what its result has so far.
 void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result);

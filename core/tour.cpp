@@ -10,6 +10,7 @@
 
 #include "core/bound/travel_time_bound.h"
 #include "core/geometry/angle.h"
+#include "core/no_path.h"
 #include "core/path/speed_profile.h"
 
 namespace arcway {
@@ -165,6 +166,8 @@ class TourPlanner {
     if (last == nullptr) {
       if (failure_) {
         plan = std::move(*failure_);
+        // A leg had only the time that those before left.
+        if (plan.status == PlanStatus::kTimeLimit) plan.reason = time_limit_reason(limits_);
         if (!request_.via.empty())
           plan.reason = "leg " + std::to_string(stages_.size() - 1) + " of " + std::to_string(request_.via.size() + 1) +
                         ": " + plan.reason;

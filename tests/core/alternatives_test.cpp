@@ -56,6 +56,9 @@ TEST(Alternatives, AreOneWhereThereIsOneWay) {
   ASSERT_EQ(none.size(), 1u);
   EXPECT_EQ(none[0].status, PlanStatus::kGoalOutsideBounds);
   EXPECT_THROW(plan_alternatives(planner, request, 0), std::invalid_argument);
+  const std::vector<PlanResult> late = plan_alternatives(planner, request, 4, {.time = 0.0});
+  ASSERT_EQ(late.size(), 1u);
+  EXPECT_EQ(late[0].reason, "no path was found within the time limit of 0 s");
 }
 
 TEST(Alternatives, InClutterDifferPairwiseAndAreSorted) {

@@ -159,6 +159,9 @@ TEST(Tour, KeepsItsLimits) {
   const Tour tour = plan_tour(planner, {.start = {}, .goals = {{{5, 5}}}}, {.stop = stop.get_token()});
   EXPECT_EQ(tour.plan.status, PlanStatus::kCancelled);
   EXPECT_TRUE(tour.plan.interrupted);
+  const Tour late = plan_tour(planner, {.start = {}, .via = {{{1, 5}}}, .goals = {{{5, 5}}}}, {.time = 0.0});
+  EXPECT_EQ(late.plan.status, PlanStatus::kTimeLimit);
+  EXPECT_EQ(late.plan.reason, "leg 1 of 2: no path was found within the time limit of 0 s");
 }
 
 TEST(Tour, SaysThatItWasCancelledWhateverIsWrongWithAnotherGoal) {
