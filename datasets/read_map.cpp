@@ -179,11 +179,11 @@ MapFormat detect_format(std::string_view content, std::string_view name) {
   detail::TextScanner scanner(content, name);
   if (scanner.peek() == '\x1E') return MapFormat::kGeoJson;
   scanner.skip_space();
-  if (scanner.at_end()) throw FormatError(std::string(name) + ": empty file, expected a map");
   while (scanner.peek() == '#') {
     scanner.rest_of_line();
     scanner.skip_space();
   }
+  if (scanner.at_end()) throw FormatError(std::string(name) + ": empty file, expected a map");
   if (scanner.peek() == '<') return MapFormat::kSvg;
   if (scanner.peek() == '{' || scanner.peek() == '[') return MapFormat::kGeoJson;
   detail::TextScanner ahead = scanner;
@@ -194,7 +194,8 @@ MapFormat detect_format(std::string_view content, std::string_view name) {
   if (const char c = scanner.peek(); (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.')
     return is_number_list(scanner) ? MapFormat::kTpcap : MapFormat::kTextPolygons;
   if (has_image_key(content)) return MapFormat::kRosMap;
-  scanner.fail("this is no map of a known format, it begins with " + detail::quoted(scanner.rest_of_line()));
+  detail::TextScanner first = scanner;
+  scanner.fail("this is no map of a known format, it begins with " + detail::quoted(first.rest_of_line()));
 }
 
 MapFile read_map(const fs::path& path, const MapReadOptions& options) {

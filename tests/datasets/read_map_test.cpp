@@ -72,7 +72,9 @@ TEST_F(ReadMap, AScenarioBringsStartAndGoal) {
 TEST_F(ReadMap, ErrorsNameTheFile) {
   EXPECT_NE(error_of(put("x.bin", "nothing")).find("x.bin: line 1: this is no map of a known format"),
             std::string::npos);
+  EXPECT_NE(error_of(put("x.bin", "# of\nnothing\n")).find("x.bin: line 2: this is no map"), std::string::npos);
   EXPECT_NE(error_of(put("empty", "\n")).find("empty: empty file"), std::string::npos);
+  EXPECT_NE(error_of(put("empty", "# nothing\n")).find("empty: empty file"), std::string::npos);
   EXPECT_NE(error_of(folder_ / "none").find("none: No such file"), std::string::npos);
 }
 
