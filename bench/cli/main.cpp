@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 #include "bench/cli/arguments.h"
 #include "core/team.h"
@@ -22,6 +24,12 @@ constexpr const char* kDescription = "Time-optimal smooth paths for car-like rob
 constexpr const char* kFooter =
     "Units: metres, seconds, radians counter-clockwise from +x (or degrees: 90deg).\n"
     "Exit codes: 0 solved, 1 no path, 2 bad input or usage.";
+
+/// @throws std::system_error if that fails, as on a disk that is full.
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot write standard output");
+}
 
 int run(int argc, char** argv, const arcway::Team& team) {
   using namespace arcway::cli;
@@ -48,15 +56,15 @@ int run(int argc, char** argv, const arcway::Team& team) {
     std::ostringstream err;
     const int code = app.exit(error, out, err);
     if (team.rank() > 0) return code == 0 ? kExitSolved : kExitBadInput;
-    std::fputs(out.str().c_str(), code == 0 ? stdout : stderr);
     std::fputs(err.str().c_str(), stderr);
+    if (code == 0) print(out.str());
     return code == 0 ? kExitSolved : kExitBadInput;
   }
   std::string text;
   const int code = action(text);
   if (team.rank() > 0) return code;
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  return std::fflush(stdout) == 0 ? code : kExitBadInput;
+  print(text);
+  return code;
 }
 
 }  // namespace

@@ -261,6 +261,15 @@ TEST_F(Tool, AFileThatCannotBeWrittenIsBadInput) {
   expect_bad_input("plan " + map_ + kAround + " --json " + file("no/such/folder/p.json"), "p.json");
 }
 
+TEST_F(Tool, SaysSoWhereStandardOutputCannotBeWritten) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  for (const std::string& arguments : {"plan " + map_ + kAround, std::string("plan --help")}) {
+    const Run full = run_command("{ \"" ARCWAY_TOOL "\" " + arguments + " >/dev/full; }");
+    EXPECT_EQ(full.code, 2);
+    EXPECT_NE(full.err.find("cannot write standard output: No space left"), std::string::npos) << full.err;
+  }
+}
+
 TEST_F(Tool, ConvertsMapsThere) {
   const std::string data = ARCWAY_SOURCE_DIR "/tests/data/";
   ASSERT_EQ(run("convert " + data + "room.yaml " + file("room.geojson")).code, 0);
