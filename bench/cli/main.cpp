@@ -35,7 +35,7 @@ int run(int argc, char** argv, const arcway::Team& team) {
   using namespace arcway::cli;
   CLI::App app(kDescription, kName);
   app.footer(kFooter);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // an unknown one is then named in the message, none at all is checked below
   Action action;
   add_plan_command(app, action, team);
   add_prepare_command(app, action, team);
@@ -60,6 +60,7 @@ int run(int argc, char** argv, const arcway::Team& team) {
     if (code == 0) print(out.str());
     return code == 0 ? kExitSolved : kExitBadInput;
   }
+  if (!action) throw UsageError("a subcommand is required; --help names them");
   std::string text;
   const int code = action(text);
   if (team.rank() > 0) return code;

@@ -228,7 +228,8 @@ TEST_F(Tool, SaysThatItHasNoEmbree) {
 
 TEST_F(Tool, UsageErrorsGoToStandardError) {
   expect_bad_input("", "subcommand");
-  expect_bad_input("fly", "subcommand");
+  expect_bad_input("fly", "fly");
+  expect_bad_input("fly " + map_ + kAround, "fly");
   expect_bad_input("plan", "WORLD");
   expect_bad_input("plan " + map_, "--start");
   expect_bad_input("plan " + map_ + " --start 10,10 --goal 50,50,0", "expected X,Y,HEADING");
