@@ -1,6 +1,8 @@
 #include "bench/cli/plan_arguments.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 #include "datasets/svg.h"
 
@@ -107,7 +109,11 @@ PlannerOptions PlanArguments::planner_options(const Team& team) const {
   if (options.suboptimality < 0.0) throw UsageError("--suboptimality: at least 0, got \"" + suboptimality + "\"");
   options.graph_mode = graph_mode_of(graph, batch());
   options.reduced_graph = build.reduced_graph(team);
-  options.refinement.max_trials = refine_trials;
+  constexpr std::uint64_t kMostTrials = std::numeric_limits<std::uint32_t>::max();
+  const std::uint64_t trials = parse_count(refine_trials, "--refine-trials");
+  if (trials > kMostTrials)
+    throw UsageError("--refine-trials: at most " + std::to_string(kMostTrials) + ", got \"" + refine_trials + "\"");
+  options.refinement.max_trials = static_cast<std::uint32_t>(trials);
   options.team = &team;
   return options;
 }

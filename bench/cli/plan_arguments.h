@@ -26,7 +26,7 @@ struct PlanArguments {
   std::string time_limit;
   bool reverse = false;
   std::string cusp_cost;
-  std::uint32_t refine_trials = RefineOptions{}.max_trials;
+  std::string refine_trials = std::to_string(RefineOptions{}.max_trials);
   std::string svg, json, csv, ros_path;
   std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "markers"};
   std::string svg_view = "map";

@@ -68,7 +68,8 @@ TEST_F(Tool, RefinesUnlessToldOtherwise) {
   EXPECT_EQ(read("p.json").find("\"refine_trials\":0,"), std::string::npos);
   ASSERT_EQ(run(plan + " --refine-trials 0").code, 0);
   EXPECT_NE(read("p.json").find("\"refine_trials\":0,"), std::string::npos);
-  expect_bad_input("plan paper --refine-trials -1", "--refine-trials");
+  expect_bad_input("plan paper --refine-trials -1", "--refine-trials: expected a whole number >= 0, got \"-1\"");
+  expect_bad_input("plan paper --refine-trials 4294967296", "--refine-trials: at most 4294967295");
 }
 
 TEST_F(Tool, DrivesBackwardsOnlyWhereAllowed) {
