@@ -162,6 +162,11 @@ Vehicle load_vehicle(const std::string& file) {
   }
 }
 
+Vehicle load_vehicle(const std::string& file, const LoadedMap& map) {
+  if (file.empty() && map.prepared && map.prepared->robot) return Vehicle(map.prepared->robot->parameters);
+  return load_vehicle(file);
+}
+
 std::string warning_rows(const LoadedMap& map) {
   std::string text;
   for (const std::string& note : map.notes) text += row("read", note);

@@ -128,6 +128,10 @@ MapFile read_named_map(const std::string& name, const MapOptions& options, bool 
 LoadedMap load_map(const std::string& name, const MapOptions& options);
 /// From a robot file; the paper's robot if the name is empty.
 Vehicle load_vehicle(const std::string& file);
+/// The same, but if the name is empty the robot that the map was prepared for, if it was for one.
+Vehicle load_vehicle(const std::string& file, const LoadedMap& map);
+/// What `load_vehicle` does, for the help of `--robot`.
+inline constexpr const char* kRobotHelp = "Robot (JSON); default: that of a prepared map, else the paper's";
 /// One line a note, one line a warning.
 std::string warning_rows(const LoadedMap& map);
 /// "feasible graph     23 of 96 directed bitangents on 32 turn circles"

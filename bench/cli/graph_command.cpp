@@ -38,7 +38,8 @@ void append_edge(std::string& csv, VertexId u, VertexId v) {
   csv += '\n';
 }
 
-BuiltGraph build_graph(const GraphArguments& arguments, const World& world) {
+BuiltGraph build_graph(const GraphArguments& arguments, const LoadedMap& map) {
+  const World& world = map.world;
   const std::unique_ptr<const Executor> executor = arguments.build.executor();
   const bool with_csv = !arguments.edges.empty(), with_lines = !arguments.svg.empty();
   BuiltGraph built;
@@ -61,7 +62,7 @@ BuiltGraph build_graph(const GraphArguments& arguments, const World& world) {
     return built;
   }
 
-  const Vehicle vehicle = load_vehicle(arguments.robot);
+  const Vehicle vehicle = load_vehicle(arguments.robot, map);
   const std::vector<double> radii = {vehicle.min_turning_radius()};
   const Stopwatch feasible_watch;
   const QuerySet queries = arguments.build.queries(world);
@@ -122,7 +123,7 @@ int run_graph(const GraphArguments& arguments, std::string& out) {
   }
   arguments.build.check();
   const LoadedMap map = load_map(arguments.map, arguments.reading);
-  BuiltGraph built = build_graph(arguments, map.world);
+  BuiltGraph built = build_graph(arguments, map);
 
   OutputFiles files;
   if (!arguments.svg.empty()) files.add(arguments.svg, picture(map.world, built, title));
@@ -162,7 +163,9 @@ void add_graph_command(CLI::App& app, Action& action) {
   command.add_option("--kind", arguments->kind, "visibility, reduced or feasible")
       ->type_name("KIND")
       ->capture_default_str();
-  command.add_option("--robot", arguments->robot, "Robot (JSON) of the feasible graph; default: the paper's")
+  command
+      .add_option("--robot", arguments->robot,
+                  "Robot (JSON) of the feasible graph; default: that of a prepared map, else the paper's")
       ->type_name("R.json");
   arguments->build.add_to(command);
   command.add_option("--edges", arguments->edges, "Write the edges: u,v by vertices in file order")->type_name("F.csv");

@@ -28,7 +28,7 @@ GraphMode graph_mode_of(const std::string& name, bool batch) {
 void PlanArguments::add_to(CLI::App& command) {
   command.add_option("WORLD", map, kMapHelp)->required();
   reading.add_to(command);
-  command.add_option("--robot", robot, "Robot (JSON); default: the paper's")->type_name("R.json");
+  command.add_option("--robot", robot, kRobotHelp)->type_name("R.json");
   command.add_option("--start", start, "Start pose; default: the map's")->type_name("X,Y,HEADING");
   command
       .add_option("--goal", goals,

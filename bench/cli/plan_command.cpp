@@ -61,8 +61,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
 
   LoadedMap map = load_map(arguments.map, arguments.reading);
   arguments.build.prepared = map.prepared.has_value();
-  const bool robot_of_map = arguments.robot.empty() && map.prepared && map.prepared->robot;
-  const Vehicle vehicle = robot_of_map ? Vehicle(map.prepared->robot->parameters) : load_vehicle(arguments.robot);
+  const Vehicle vehicle = load_vehicle(arguments.robot, map);
   if (!batch) {
     if (!start) start = map.start;
     if (request.goals.empty() && map.goal) request.goals.push_back({map.goal->position(), map.goal->heading});

@@ -26,8 +26,8 @@ int run_prepare(const PrepareArguments& arguments, const Team& team, std::string
   if (arguments.kind == "reduced" && !arguments.robot.empty())
     throw UsageError("--robot: a reduced graph is that of any robot; leave it out, or take --kind feasible");
   arguments.build.check();
-  const Vehicle vehicle = load_vehicle(arguments.robot);
   LoadedMap map = load_map(arguments.map, arguments.reading);
+  const Vehicle vehicle = load_vehicle(arguments.robot, map);
 
   const Stopwatch watch;
   const auto threads = arguments.build.executor();
@@ -75,7 +75,7 @@ void add_prepare_command(CLI::App& app, Action& action, const Team& team) {
                   "reduced (of any robot, which plan then checks) or feasible (checked for one robot as well)")
       ->type_name("KIND")
       ->capture_default_str();
-  command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
+  command.add_option("--robot", arguments->robot, kRobotHelp)->type_name("R.json");
   arguments->build.add_to(command);
   command.add_option("--out", arguments->out, "File to write")->type_name("F.arcway")->required();
   command.callback([arguments, &action, &team] {

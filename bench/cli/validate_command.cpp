@@ -18,7 +18,7 @@ struct ValidateArguments {
 
 int run_validate(const ValidateArguments& arguments, std::string& out) {
   const LoadedMap map = load_map(arguments.map, arguments.reading);
-  const Vehicle vehicle = load_vehicle(arguments.robot);
+  const Vehicle vehicle = load_vehicle(arguments.robot, map);
   const PlanFile plan = read_plan(read_file(arguments.path), arguments.path);
   if (plan.path.segments.empty()) {
     out += arguments.path + ": no path to check" + (plan.status.empty() ? "" : " (" + plan.status + ")") + "\n";
@@ -55,7 +55,7 @@ void add_validate_command(CLI::App& app, Action& action) {
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
   arguments->reading.add_to(command);
   command.add_option("--path", arguments->path, "Plan as written by plan --json")->type_name("P.json")->required();
-  command.add_option("--robot", arguments->robot, "Robot (JSON); default: the paper's")->type_name("R.json");
+  command.add_option("--robot", arguments->robot, kRobotHelp)->type_name("R.json");
   command.callback(
       [arguments, &action] { action = [arguments](std::string& out) { return run_validate(*arguments, out); }; });
 }

@@ -48,6 +48,19 @@ TEST_F(Tool, APreparedMapIsAMapForEveryCommand) {
   EXPECT_EQ(read("again.arcway"), read("box.arcway"));
 }
 
+TEST_F(Tool, TheRobotOfAPreparedMapIsTheDefaultOfEveryCommand) {
+  const std::string robot = put("robot.json", R"({"format":"arcway-robot","version":1,"width":2,"max_speed":20})");
+  ASSERT_EQ(run("prepare " + map_ + " --robot " + robot + " --out " + file("w.arcway")).code, 0);
+  ASSERT_EQ(run("plan " + file("w.arcway") + kAround + " --json " + file("p.json")).code, 0);
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("p.json")).code, 1);  // too fast for the paper's
+  EXPECT_EQ(run("validate " + file("w.arcway") + " --path " + file("p.json")).code, 0);
+  ASSERT_EQ(run("prepare " + file("w.arcway") + " --out " + file("again.arcway")).code, 0);
+  EXPECT_EQ(read("again.arcway"), read("w.arcway"));
+  ASSERT_EQ(run("graph " + map_ + " --kind feasible --robot " + robot + " --svg " + file("a.svg")).code, 0);
+  ASSERT_EQ(run("graph " + file("w.arcway") + " --kind feasible --svg " + file("b.svg")).code, 0);
+  EXPECT_EQ(read("a.svg"), read("b.svg"));
+}
+
 TEST_F(Tool, PreparesTheSameBytesWhateverBuildsTheGraphs) {
   const std::string prepare = "prepare clutter/star/n20/m6/f20/s3 --out ";
   ASSERT_EQ(run(prepare + file("expected")).code, 0);
