@@ -20,13 +20,14 @@ struct PrepareArguments {
   BuildOptions build;
 };
 
-int run_prepare(const PrepareArguments& arguments, const Team& team, std::string& out) {
+int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) {
   if (arguments.kind != "reduced" && arguments.kind != "feasible")
     throw UsageError("--kind: expected reduced or feasible, got \"" + arguments.kind + "\"");
   if (arguments.kind == "reduced" && !arguments.robot.empty())
     throw UsageError("--robot: a reduced graph is that of any robot; leave it out, or take --kind feasible");
   arguments.build.check();
   LoadedMap map = load_map(arguments.map, arguments.reading);
+  arguments.build.prepared = map.prepared.has_value();
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
 
   const Stopwatch watch;
