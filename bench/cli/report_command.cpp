@@ -36,6 +36,8 @@ report::Inputs read_inputs(const std::vector<std::string>& files) {
 }
 
 int report(const ReportArguments& arguments, std::string& out) {
+  if (arguments.out.empty() && arguments.tables.empty())
+    throw UsageError("report: nothing to write; use --out DIR or --tables F.md");
   const report::Inputs inputs = read_inputs(arguments.files);
   OutputFiles files;
   if (!arguments.out.empty()) {

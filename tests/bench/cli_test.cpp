@@ -242,6 +242,7 @@ TEST_F(Tool, UsageErrorsGoToStandardError) {
   expect_bad_input("plan " + map_ + kAround + " --heuristic none", "--heuristic");
   expect_bad_input("plan " + map_ + " --queries " + map_, "--out");
   expect_bad_input("graph " + map_ + " --kind dense", "--kind");
+  expect_bad_input("report " ARCWAY_SOURCE_DIR "/bench/results/amd-epyc/results.json", "--out");
   expect_bad_input("generate cubes --out " + file("w.geojson"), "cubes");
   expect_bad_input("generate convex --fill 2 --out " + file("w.geojson"), "fill");
   EXPECT_FALSE(exists("w.geojson"));
