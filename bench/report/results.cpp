@@ -89,8 +89,14 @@ Results read_results(std::string_view text, std::string_view name) {
   if (!runs.is_array()) throw FormatError(std::string(name) + ": benchmarks: expected an array");
   std::map<std::string, std::size_t> index;
   std::map<std::string, std::map<std::string, std::vector<double>>> counters;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    read_run(runs[i], std::string(name) + ": benchmarks[" + std::to_string(i) + "]", results, index, counters);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::string place = std::string(name) + ": benchmarks[" + std::to_string(i) + "]";
+    try {
+      read_run(runs[i], place, results, index, counters);
+    } catch (const json::type_error& error) {
+      throw FormatError(place + ": " + error.what());
+    }
+  }
   for (Measurement& m : results.measurements)
     for (const auto& [key, values] : counters[m.name]) m.counters[key] = bench::median(values);
   return results;
