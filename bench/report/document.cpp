@@ -21,6 +21,13 @@ std::string slopes_text(const Curve& curve) {
   return text;
 }
 
+/// A field of a CSV file.
+std::string in_quotes(const std::string& text) {
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return field + "\"";
+}
+
 std::string counter_text(double value) {
   return value >= 1e5 || (value != 0.0 && value < 1e-3) ? number_text("%.3g", value) : number_text("%.5g", value);
 }
@@ -207,7 +214,7 @@ std::string to_csv(const Results& results) {
   for (const Measurement& m : results.measurements) {
     csv += m.name + "," + std::to_string(m.wall_seconds.size());
     if (m.wall_seconds.empty()) {
-      csv += ",,,,,\"" + m.error + "\"\n";
+      csv += ",,,,," + in_quotes(m.error) + "\n";
       continue;
     }
     const auto [low, high] = std::ranges::minmax(m.wall_seconds);

@@ -63,6 +63,10 @@ TEST(Results, NameFilePlaceAndValueOfAnError) {
   EXPECT_EQ(message("{}"), "r.json: \"context\" is missing");
   EXPECT_EQ(message(file_of(R"({"name":"a","real_time":"x","cpu_time":1})")),
             "r.json: benchmarks[0]: real_time: expected a number, found \"x\"");
+  EXPECT_EQ(message(file_of("3")).rfind("r.json: benchmarks[0]: ", 0), 0u);
+  EXPECT_EQ(
+      message(file_of(R"({"name":"a","real_time":1,"cpu_time":1,"batch":"x"})")).rfind("r.json: benchmarks[0]: ", 0),
+      0u);
 }
 
 TEST(Place, SplitsNamesIntoStageVariantAndSize) {
@@ -73,6 +77,13 @@ TEST(Place, SplitsNamesIntoStageVariantAndSize) {
   EXPECT_EQ(place.key, "radii");
   EXPECT_EQ(place.size, 3.0);
   EXPECT_EQ(place_of("Predicates/orientation/random").key, "");
+}
+
+TEST(Results, HaveMessagesInQuotesAsCsv) {
+  const std::string failed = R"({"name":"a","error_occurred":true,"error_message":"expected \"b\", got c"})";
+  EXPECT_EQ(to_csv(read_results(file_of(failed), "r.json")),
+            "name,repetitions,wall_median_s,wall_min_s,wall_max_s,cpu_median_s,error\n"
+            "a,0,,,,,\"expected \"\"b\"\", got c\"\n");
 }
 
 TEST(Results, LeaveHowOftenABenchmarkRanOutOfItsName) {
