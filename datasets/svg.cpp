@@ -168,18 +168,22 @@ void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& bo
   add_line(path, body, {kPathColor, kReverseColor});
   const double length = body.front + body.rear;
   if (spacing <= 0.0) spacing = std::max(2.0 * length, 40.0 / scale_);
-  const auto outline = [&](const Pose& pose) { add_outline(robot_, pose, body, 0.0); };
-  robot_ += "<path d=\"";
-  outline(path.front().start);
+  std::vector<Pose> poses{path.front().start};
   double next = spacing;  // from the segment's start to the next outline
   std::size_t left = 20000;
   for (const PathSegment& segment : path) {
-    for (; next < segment.length && left > 0; next += spacing, --left) outline(segment.at(next));
+    for (; next < segment.length && left > 0; next += spacing, --left) poses.push_back(segment.at(next));
     next -= segment.length;
   }
-  outline(path.back().end());
-  robot_ += "\"/>\n";
+  poses.push_back(path.back().end());
+  add_bodies(poses, body);
   add_poses(path.front().start, path.back().end(), body);
+}
+
+void SvgPicture::add_bodies(std::span<const Pose> poses, const Footprint& body) {
+  robot_ += "<path d=\"";
+  for (const Pose& pose : poses) add_outline(robot_, pose, body, 0.0);
+  robot_ += "\"/>\n";
 }
 
 void SvgPicture::add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const {

@@ -42,6 +42,8 @@ class SvgPicture {
   void add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text);
   /// All that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
   void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
+  /// Outlines of the body.
+  void add_bodies(std::span<const Pose> poses, const Footprint& body);
   /// Start and goal when there is no path.
   void add_poses(const Pose& start, const Pose& goal, const Footprint& body);
   /// Among the markers, a gap from one point to another, with a text beside it.

@@ -1,6 +1,7 @@
 #include "bench/cli/plan_one.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -70,6 +71,7 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
                   "The path of a car-like robot among polygonal obstacles, with its body drawn "
                   "along the way.");
   } else {
+    svg.add_bodies(std::array{result.start, result.goal}, body);
     svg.add_poses(result.start, result.goal, body);
     if (const auto& gap = result.bottleneck) svg.add_gap(gap->on_a, gap->on_b, rounded_text(gap->width) + " m");
     for (const std::string& line : lines_of(std::string(name_of(result.status)) + ": " + result.reason))

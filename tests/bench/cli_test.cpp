@@ -131,8 +131,9 @@ TEST_F(Tool, AChangedPathIsNotValid) {
 }
 
 TEST_F(Tool, NoPathIsExitCodeOneWithTheReason) {
-  const Run inside = run("plan " + map_ + " --start 30,30,0 --goal 50,50,0");
+  const Run inside = run("plan " + map_ + " --start 30,30,0 --goal 50,50,0 --svg " + file("p.svg"));
   EXPECT_EQ(inside.code, 1);
+  EXPECT_NE(read("p.svg").find("<g id=\"robot\""), std::string::npos);  // what collides
   EXPECT_NE(inside.out.find("reason"), std::string::npos);
   const Run outside = run("plan " + map_ + " --start 10,10,0 --goal 70,70,0 --json " + file("p.json"));
   EXPECT_EQ(outside.code, 1);
