@@ -268,7 +268,8 @@ void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string
   markers_ += 'L';
   append(markers_, p + u * size * 0.6 - n * 5.0);
   markers_ += "Z\"" + fill + R"( stroke="#ffffff" stroke-width="1"/>)" + "\n";
-  add_label(p + Vec2(0.0, u.y() < -0.5 ? 18.0 : -10.0), color, label);
+  // Below where the arrow points up, and would lie under the label.
+  add_label(p + Vec2(0.0, u.y() < 0.0 ? 18.0 : -10.0), color, label);
 }
 
 std::span<const std::string_view> SvgPicture::layers() {

@@ -75,6 +75,21 @@ TEST(Svg, AlternativesDifferInColorAndHaveALegend) {
   EXPECT_NE(text.find("stroke-dasharray"), std::string::npos);
 }
 
+TEST(Svg, LabelsLieBesideTheArrows) {
+  const auto label_of = [](double heading) {
+    SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+    svg.add_poses({5, 5, heading}, {1, 1, 0}, {.front = 1.0, .rear = 0.5, .half_width = 0.4});
+    const std::string text = svg.str();
+    const std::size_t at = text.find(" y=\"", text.find("<text x="));
+    return std::stod(text.substr(at + 4));
+  };
+  const double middle = 608.0;  // of the picture
+  EXPECT_LT(label_of(0.0), middle);
+  EXPECT_LT(label_of(-0.4), middle);
+  EXPECT_GT(label_of(0.4), middle);
+  EXPECT_GT(label_of(1.57), middle);
+}
+
 TEST(Svg, MarksAGap) {
   SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
   svg.add_gap({5, 4}, {5, 4.5}, "0.5 m");
