@@ -91,7 +91,7 @@ struct VisibilityMap::Data {
                               ") is further from the map than its size");
   }
 
-  // Calls `visit` for each edge of the triangles at p that is seen from there, counter-clockwise from +x.
+  // The edges of the triangles at p that are seen from there, counter-clockwise from +x.
   [[nodiscard]] std::vector<View> views_from(const Vec2& p, std::span<const std::uint32_t> triangles) const {
     std::vector<View> views;
     for (const std::uint32_t t : triangles)
