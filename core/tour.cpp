@@ -95,7 +95,8 @@ class TourPlanner {
       if (before[i].cost < kInfinity) order.emplace_back(before[i].cost + bound(before[i].pose, stop.pose), i);
     std::sort(order.begin(), order.end());
     for (const auto& [least, i] : order) {
-      if (least >= std::min(cutoff, stop.cost)) return;
+      // Infinite where the planner refuses a pose, and says why.
+      if (least >= std::min(cutoff, stop.cost) && least < kInfinity) return;
       PlanResult leg = plan_leg(before[i].pose, stop.pose);
       if (!leg.solved()) {
         // One that was interrupted might have been the way.

@@ -154,6 +154,8 @@ TEST(Tour, SaysWhichLegHasNoPath) {
 TEST(Tour, KeepsItsLimits) {
   const Planner planner(World({}), Vehicle{});
   EXPECT_THROW(plan_tour(planner, {.start = {}, .goals = {}}), std::invalid_argument);
+  EXPECT_THROW(plan_tour(planner, {.start = {1e200, 0, 0}, .goals = {{{5, 5}, 0.0}}}), std::invalid_argument);
+  EXPECT_THROW(plan_tour(planner, {.start = {}, .via = {{{1e200, 0}}}, .goals = {{{5, 5}}}}), std::invalid_argument);
   std::stop_source stop;
   stop.request_stop();
   const Tour tour = plan_tour(planner, {.start = {}, .goals = {{{5, 5}}}}, {.stop = stop.get_token()});
