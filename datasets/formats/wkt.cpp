@@ -160,6 +160,7 @@ MapFile read_wkt(std::string_view text, std::string_view name, const VectorOptio
 }
 
 std::string to_wkt(const MapFile& map) {
+  if (map.obstacles.empty()) return "GEOMETRYCOLLECTION EMPTY\n";
   std::string out;
   for (const Polygon& polygon : map.obstacles) {
     out += "POLYGON (";

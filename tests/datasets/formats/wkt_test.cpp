@@ -90,6 +90,7 @@ TEST(Wkt, RoundTripIsExact) {
     EXPECT_EQ(back.obstacles[i].holes, map.obstacles[i].holes);
   }
   EXPECT_EQ(to_wkt(back), text);
+  EXPECT_TRUE(read(to_wkt({})).obstacles.empty());
 }
 
 }  // namespace
