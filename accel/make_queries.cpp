@@ -6,6 +6,7 @@
 
 #include "accel/embree/configured_queries.h"
 #include "accel/embree/embree_queries.h"
+#include "core/shortest_text.h"
 
 namespace arcway {
 
@@ -33,7 +34,7 @@ Scenes::Scenes(const World& world, const EmbreeOptions& options, const std::shar
 
 QuerySet make_configured_queries(const World& world, const EmbreeOptions& options, const char* device_config) {
   if (!(options.body_half_width >= 0.0) || !std::isfinite(options.body_half_width))
-    throw std::invalid_argument("embree queries: body half width " + std::to_string(options.body_half_width) +
+    throw std::invalid_argument("embree queries: body half width " + shortest_text(options.body_half_width) +
                                 " must be >= 0 and finite");
   const auto scenes = std::make_shared<const Scenes>(world, options, device_config);
   return {std::make_shared<const EmbreeVisibility>(scenes), std::make_shared<const EmbreeDistance>(scenes),

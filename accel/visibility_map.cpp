@@ -12,6 +12,7 @@
 #include "core/geometry/predicates.h"
 #include "core/graph/visibility_graph.h"
 #include "core/query/blocking.h"
+#include "core/shortest_text.h"
 
 namespace arcway {
 
@@ -87,8 +88,7 @@ struct VisibilityMap::Data {
       throw std::domain_error(std::string(what) + ": edges of " + std::to_string(map.broken_count()) +
                               " regions of the world cross, or touch themselves within");
     if (!world.has_bounds() && !world.box().empty() && !Box{map.sites().front(), map.sites().back()}.contains(p))
-      throw std::domain_error(std::string(what) + ": (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) +
-                              ") is further from the map than its size");
+      throw std::domain_error(std::string(what) + ": " + shortest_text(p) + " is further from the map than its size");
   }
 
   // The edges of the triangles at p that are seen from there, counter-clockwise from +x.

@@ -7,6 +7,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/passage/bottleneck.h"
+#include "core/shortest_text.h"
 #include "datasets/random.h"
 
 namespace arcway {
@@ -22,7 +23,7 @@ std::vector<PlanRequest> random_queries(const World& world, const QuerySet& quer
   const Vec2 extent = box.empty() ? Vec2(0.0, 0.0) : Vec2(box.max - box.min);
   if (!(extent.minCoeff() > 0.0)) throw std::invalid_argument("random queries: the map has no extent");
   if (!(parameters.min_distance >= 0.0 && parameters.min_distance <= 1.0)) {
-    throw std::invalid_argument("random queries: min_distance is " + std::to_string(parameters.min_distance) +
+    throw std::invalid_argument("random queries: min_distance is " + shortest_text(parameters.min_distance) +
                                 ", must be in [0, 1]");
   }
   const double apart = parameters.min_distance * extent.maxCoeff();
@@ -48,7 +49,7 @@ std::vector<PlanRequest> random_queries(const World& world, const QuerySet& quer
   pairs.reserve(parameters.count);
   for (std::size_t draws = 0; pairs.size() < parameters.count;) {
     if (draws++ == kMaxDraws) {
-      throw std::runtime_error("random queries: no free pair " + std::to_string(apart) + " m apart in " +
+      throw std::runtime_error("random queries: no free pair " + shortest_text(apart) + " m apart in " +
                                std::to_string(kMaxDraws) + " draws");
     }
     const Pose start = draw(), goal = draw();

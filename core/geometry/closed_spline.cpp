@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/shortest_text.h"
+
 namespace arcway {
 namespace {
 
@@ -67,7 +69,7 @@ class Circumscriber {
     add_right_hull(piece, corner_first, corner_last);
     if (ring_.size() > kMostVertices)
       throw std::invalid_argument("circumscribed ring: more than " + std::to_string(kMostVertices) +
-                                  " vertices within a tolerance of " + std::to_string(tolerance));
+                                  " vertices within a tolerance of " + shortest_text(tolerance));
   }
   Ring finish() {
     if (ring_.size() > 1 && ring_.front() == ring_.back()) ring_.pop_back();
@@ -221,7 +223,9 @@ Ring circumscribed_ring(std::span<const CubicBezier> pieces, std::span<const dou
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (!(tolerances[i] >= 0x1p-40 * largest))
       throw std::invalid_argument("circumscribed ring: piece " + std::to_string(i) + ": tolerance is " +
-                                  std::to_string(tolerances[i]) + ", too small for its coordinates");
+                                  shortest_text(tolerances[i]) + ", must be at least " +
+                                  shortest_text(0x1p-40 * largest) + " for coordinates up to " +
+                                  shortest_text(largest));
     const CubicBezier &before = pieces[i == 0 ? pieces.size() - 1 : i - 1], &after = pieces[(i + 1) % pieces.size()];
     circumscriber.add(pieces[i], tolerances[i], is_corner(before, pieces[i]), is_corner(pieces[i], after));
   }

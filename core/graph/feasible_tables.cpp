@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/geometry/angle.h"
+#include "core/shortest_text.h"
 #include "core/tables.h"
 
 namespace arcway {
@@ -38,7 +39,7 @@ void require_tables(const FeasibleTables& known, std::size_t circles) {
       const double least = i == known.link_starts[c] ? 0.0 : known.links[i - 1].heading;
       if (!(link.heading >= least && link.heading < kTwoPi) || !(link.length >= 0.0 && std::isfinite(link.length)))
         throw TableError(Table::kLinks, i,
-                         "heading " + std::to_string(link.heading) + " and length " + std::to_string(link.length) +
+                         "heading " + shortest_text(link.heading) + " and length " + shortest_text(link.length) +
                              ", headings rise from 0 to 2 pi and lengths are finite");
     }
   }

@@ -91,6 +91,13 @@ TEST(ClosedSpline, RefusesWhatIsNoCurve) {
   EXPECT_THROW(ClosedSpline({{0, 0}, {1, 1}, {2, 0}, {0, 0}}), std::invalid_argument);
   const ClosedSpline spline({{0, 0}, {1, 1}, {2, 0}});
   EXPECT_THROW(circumscribed_ring(spline.pieces(), 0.0), std::invalid_argument);
+  try {
+    (void)circumscribed_ring(spline.pieces(), 1e-300);
+    ADD_FAILURE() << "no error";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("tolerance is 1e-300, must be at least "), std::string::npos)
+        << error.what();
+  }
   EXPECT_THROW(circumscribed_ring(spline.pieces(), std::vector<double>(2, 0.1)), std::invalid_argument);
   EXPECT_THROW(circumscribed_ring(spline.pieces().first(2), 0.1), std::invalid_argument);
 }
