@@ -83,6 +83,7 @@ void PlanArguments::add_to(CLI::App& command) {
 void PlanArguments::check() const {
   if (batch()) {
     if (out.empty()) throw UsageError("--queries: needs --out R.csv for the results");
+    if (out == queries) throw UsageError("--out: would replace the queries, \"" + queries + "\"");
     if (!start.empty() || !goals.empty() || !via.empty() || alternatives > 1) {
       throw UsageError(
           "--queries: start and goal come from the file; leave out --start, --goal, --via, --alternatives");

@@ -242,6 +242,7 @@ TEST_F(Tool, UsageErrorsGoToStandardError) {
   expect_bad_input("plan " + map_ + kAround + " --builder magic", "\"magic\"");
   expect_bad_input("plan " + map_ + kAround + " --heuristic none", "--heuristic");
   expect_bad_input("plan " + map_ + " --queries " + map_, "--out");
+  expect_bad_input("plan " + map_ + " --queries " + map_ + " --out " + map_, "would replace the queries");
   expect_bad_input("graph " + map_ + " --kind dense", "--kind");
   expect_bad_input("report " ARCWAY_SOURCE_DIR "/bench/results/amd-epyc/results.json", "--out");
   expect_bad_input("generate cubes --out " + file("w.geojson"), "cubes");
