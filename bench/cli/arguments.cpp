@@ -231,7 +231,11 @@ std::vector<NumberedRequest> read_queries(const std::string& file) {
 }
 
 void OutputFiles::add(const std::string& file, std::string text) {
-  if (!file.empty()) files_.emplace_back(file, std::move(text));
+  if (file.empty()) return;
+  const bool is_file = !std::filesystem::exists(file) || std::filesystem::is_regular_file(file);
+  if (is_file && std::ranges::find(files_, file, &std::pair<std::string, std::string>::first) != files_.end())
+    throw UsageError(file + ": two files of this name are to be written");
+  files_.emplace_back(file, std::move(text));
 }
 
 void OutputFiles::write() const {

@@ -151,6 +151,7 @@ std::vector<NumberedRequest> read_queries(const std::string& file);
 class OutputFiles {
  public:
   /// No file of an empty name.
+  /// @throws UsageError if a file of that name has been added; devices take several.
   void add(const std::string& file, std::string text);
   void write() const;
   /// One line a file.

@@ -266,6 +266,12 @@ TEST_F(Tool, AFileThatCannotBeWrittenIsBadInput) {
   expect_bad_input("plan " + map_ + kAround + " --json " + file("no/such/folder/p.json"), "p.json");
 }
 
+TEST_F(Tool, WritesNoFileTwice) {
+  expect_bad_input("plan " + map_ + kAround + " --json " + file("p") + " --csv " + file("p"), "two files of this name");
+  EXPECT_FALSE(exists("p"));
+  EXPECT_EQ(run("plan " + map_ + kAround + " --json /dev/null --csv /dev/null").code, 0);
+}
+
 TEST_F(Tool, SaysSoWhereStandardOutputCannotBeWritten) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   for (const std::string& arguments : {"plan " + map_ + kAround, std::string("plan --help")}) {
