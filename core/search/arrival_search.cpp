@@ -266,7 +266,8 @@ class ArrivalSearch {
   // Takes a complete path as the result if it is free.
   bool finish(const Entry& entry) {
     if (entry.kind() == Kind::kDirect) {
-      result_.path = std::move(ends_.direct_paths()[entry.index()].path);
+      result_.path = std::move(w_.path);
+      ends_.take_path(ends_.direct_paths()[entry.index()], *result_.path);
       return true;
     }
     const Step& step = w_.steps[entry.index()];

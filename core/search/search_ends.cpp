@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/path/speed_profile.h"
 #include "core/query/motion_free.h"
 
 namespace arcway {
@@ -60,25 +59,46 @@ void SearchEnds::begin(SearchContext& context) {
 }
 
 void SearchEnds::find_direct_paths(std::size_t known_starts, std::size_t known_goals) {
-  // Many terminals mean manoeuvres in a narrow place: only the plain pair of poses is worth all words there.
-  if (context_->starts.size() * context_->goals.size() > kMostDirectPairs) return;
-  for (std::size_t s = 0; s < context_->starts.size(); ++s)
-    for (std::size_t g = s < known_starts ? known_goals : 0; g < context_->goals.size(); ++g)
-      for (const double radius : context_->map.radii)
-        for (const DubinsWord word : kDubinsWords) try_direct(context_->starts[s], context_->goals[g], radius, word);
+  const auto starts = static_cast<std::uint32_t>(context_->starts.size());
+  const auto goals = static_cast<std::uint32_t>(context_->goals.size());
+  const bool are_many = context_->starts.size() * context_->goals.size() > kMostDirectPairs;
+  for (std::uint32_t s = 0; s < starts; ++s)
+    for (auto g = static_cast<std::uint32_t>(s < known_starts ? known_goals : 0); g < goals; ++g) {
+      const bool plain_start = context_->starts[s].connection.empty();
+      const bool plain_goal = context_->goals[g].connection.empty();
+      // Of many manoeuvres at both ends one is enough for a path that goes round nothing in between.
+      if (are_many && !plain_start && !plain_goal) continue;
+      const bool few_radii = are_many && !(plain_start && plain_goal);
+      const std::span<const double> radii = context_->map.radii;
+      for (const double radius : radii.first(few_radii ? 1 : radii.size()))
+        for (const DubinsWord word : kDubinsWords) try_direct(s, g, radius, word);
+    }
 }
 
-void SearchEnds::try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word) {
-  const auto word_path = dubins_word(word, start.pose, goal.pose, radius);
-  if (!word_path) return;
-  const std::span<const PathSegment> middle = word_path->segments();
-  if (!std::ranges::all_of(middle, [this](const PathSegment& s) { return is_free(s); })) return;
+void SearchEnds::try_direct(std::uint32_t start, std::uint32_t goal, double radius, DubinsWord word) {
+  const Terminal& from = context_->starts[start];
+  const Terminal& to = context_->goals[goal];
+  const auto between = dubins_word(word, from.pose, to.pose, radius);
+  if (!between) return;
+  double length = length_of(from.connection) + length_of(to.connection);
+  for (const PathSegment& segment : between->segments()) length += segment.length;
+  if (length >= longest_way_) return;
+  // Lines first: they are longer and sooner asked about.
+  for (const bool lines : {true, false})
+    for (const PathSegment& segment : between->segments())
+      if (segment.is_line() == lines && !is_free(segment)) return;
   context_->result.start_connected = context_->result.goal_connected = true;
-  Path path = start.connection;
-  path.insert(path.end(), middle.begin(), middle.end());
-  path.insert(path.end(), goal.connection.begin(), goal.connection.end());
-  const double time = travel_cost(path, context_->vehicle, context_->options.cusp_cost);
-  direct_paths_.push_back({std::move(path), time});
+  direct_paths_.push_back({start, goal, *between, 0.0});
+  take_path(direct_paths_.back(), path_);
+  direct_paths_.back().time = travel_cost(path_, context_->vehicle, context_->options.cusp_cost, profile_);
+}
+
+void SearchEnds::take_path(const DirectPath& direct, Path& path) const {
+  path = context_->starts[direct.start].connection;
+  const std::span<const PathSegment> between = direct.word.segments();
+  path.insert(path.end(), between.begin(), between.end());
+  const Path& after = context_->goals[direct.goal].connection;
+  path.insert(path.end(), after.begin(), after.end());
 }
 
 bool SearchEnds::is_free(const PathSegment& segment) {

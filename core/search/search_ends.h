@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/path/dubins.h"
+#include "core/path/speed_profile.h"
 #include "core/search/per_circle.h"
 #include "core/search/search_context.h"
 #include "core/search/terminal_links.h"
@@ -21,7 +22,8 @@ class SearchEnds {
     bool checked, free;
   };
   struct DirectPath {
-    Path path;
+    std::uint32_t start, goal;  ///< terminals
+    DubinsPath word;            ///< from the one to the other
     double time;
   };
 
@@ -35,8 +37,10 @@ class SearchEnds {
 
   [[nodiscard]] std::span<const TerminalCircle> start_circles() const { return start_circles_; }
   [[nodiscard]] std::span<const TerminalCircle> goal_circles() const { return goal_circles_; }
-  /// Words from a start to a goal.
-  [[nodiscard]] std::span<DirectPath> direct_paths() { return direct_paths_; }
+  [[nodiscard]] std::span<const DirectPath> direct_paths() const { return direct_paths_; }
+  /// With the manoeuvres at both its ends.
+  /// @param path  becomes that; its memory is used again.
+  void take_path(const DirectPath& direct, Path& path) const;
 
   /// Indices, from `first` to before `last`, of the links that leave a start circle; found when first asked for.
   struct Range {
@@ -56,7 +60,7 @@ class SearchEnds {
 
  private:
   void find_direct_paths(std::size_t known_starts, std::size_t known_goals);
-  void try_direct(const Terminal& start, const Terminal& goal, double radius, DubinsWord word);
+  void try_direct(std::uint32_t start, std::uint32_t goal, double radius, DubinsWord word);
   bool is_free(const PathSegment& segment);
   void add_goal_links(std::uint32_t goal_circle);
 
@@ -70,6 +74,8 @@ class SearchEnds {
   std::vector<GoalLink> goal_links_;
   PerCircle first_goal_link_;
   std::vector<DirectPath> direct_paths_;
+  Path path_;             // memory
+  SpeedProfile profile_;  // likewise
 };
 
 }  // namespace arcway

@@ -67,6 +67,17 @@ TEST(Planner, AGoalNextToNothingBehindTheStartTakesAWholeTurn) {
   }
 }
 
+// Three turns to one side, the middle one round nothing: a word that begins where a manoeuvre ends. The ways by the
+// obstacle's vertices take 2.09 s.
+TEST(Planner, AManoeuvreLeadsToTheGoalByAWord) {
+  const World world({{{{18.783, 7.395}, {17.357, 7.183}, {17.444, 5.632}, {18.989, 4.853}}, {}}});
+  const Planner planner(world,
+                        Vehicle({.length = 1.887, .width = 0.62, .wheelbase = 1.334, .steering = Steering::kRear}));
+  const PlanResult plan = planner.plan({.start = {16.2, 7.72, 0.0}, .goal = {13.73, 8.26, -1.25}});
+  EXPECT_LT(plan.travel_time, 1.2);
+  expect_valid(planner, plan);
+}
+
 class PlannerInClutter : public testing::TestWithParam<std::tuple<ClutterKind, double>> {};
 
 TEST_P(PlannerInClutter, EveryPlanIsValidAndMostAreFound) {
