@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "bench/report/markup.h"
 
@@ -155,7 +156,10 @@ std::string size_text(double size) {
 
 std::string ratio_text(double ratio) { return number_text(ratio >= 100.0 ? "%.0f" : "%.3g", ratio); }
 
-std::string plot_svg(const PlotAxes& axes, std::span<const Curve> curves) {
+std::string plot_svg(const PlotAxes& axes, std::span<const Curve> all_curves) {
+  std::vector<Curve> curves(all_curves.begin(), all_curves.end());
+  // A logarithmic axis has no place for the others.
+  for (Curve& curve : curves) std::erase_if(curve.points, [](const Curve::Point& p) { return !(p.low > 0.0); });
   Axis xs, ys;
   xs.low = ys.low = INFINITY;
   xs.high = ys.high = 0.0;
@@ -166,6 +170,7 @@ std::string plot_svg(const PlotAxes& axes, std::span<const Curve> curves) {
       ys.low = std::min(ys.low, p.low);
       ys.high = std::max(ys.high, p.high);
     }
+  if (!(xs.high > 0.0)) xs.low = ys.low = 1.0, xs.high = ys.high = 10.0;  // empty
   if (axes.level) ys.low = std::min(ys.low, *axes.level), ys.high = std::max(ys.high, *axes.level);
   std::string svg =
       "<svg class=\"plot\" viewBox=\"0 0 600 400\" role=\"img\" aria-label=\"" + escaped(axes.title) + "\">";

@@ -21,7 +21,8 @@ void finish(Study::Line& line, const std::string& key, const Clock& clock) {
     if (line.law.empty()) line.law = m->label;
   }
   line.curve.name = line.variant.empty() ? line.series : line.variant;
-  if (points.size() < 3 || key == "threads") return;
+  const bool timed = std::ranges::all_of(points, [](const SizePoint& p) { return p.seconds > 0.0; });
+  if (points.size() < 3 || !timed || key == "threads") return;
   line.curve.fit = fit_power(points);
   if (points.front().size > 1.0) line.with_log = fit_power_log(points);
 }
@@ -40,12 +41,17 @@ void compare_variants(const Study& study, std::vector<std::string>& sentences) {
     const Curve::Point& mine = line.curve.points.back();
     const auto same = std::ranges::find(best->curve.points, mine.x, &Curve::Point::x);
     if (same == best->curve.points.end()) continue;
-    const double ratio = mine.y / same->y;
     const std::string at = " at " + number_text("%.6g", mine.x) + " " + study.key;
-    sentences.push_back(study.stage + at + ": " + best->curve.name + " takes " + time_text(same->y) + ", " +
-                        line.curve.name + " " + time_text(mine.y) + ", " +
-                        (ratio >= 1.0 ? number_text("%.3g times as long.", ratio)
-                                      : "which wins by " + number_text("%.3g times.", 1.0 / ratio)));
+    std::string sentence = study.stage + at + ": " + best->curve.name + " takes " + time_text(same->y) + ", " +
+                           line.curve.name + " " + time_text(mine.y);
+    if (const double ratio = mine.y / same->y; !(mine.y > 0.0 && same->y > 0.0)) {
+      sentence += ".";  // too short for the clock
+    } else if (ratio >= 1.0) {
+      sentence += ", " + number_text("%.3g times as long.", ratio);
+    } else {
+      sentence += ", which wins by " + number_text("%.3g times.", 1.0 / ratio);
+    }
+    sentences.push_back(std::move(sentence));
   }
 }
 
@@ -53,9 +59,11 @@ void compare_variants(const Study& study, std::vector<std::string>& sentences) {
 
 Clock::Clock(const Results& results) {
   std::vector<double> ratios;
-  for (const Measurement& m : results.measurements)
-    if (!m.wall_seconds.empty() && threads_of(m.name) == 1)
-      ratios.push_back(bench::median(m.wall_seconds) / bench::median(m.cpu_seconds));
+  for (const Measurement& m : results.measurements) {
+    if (m.wall_seconds.empty() || threads_of(m.name) != 1) continue;
+    if (const double cpu = bench::median(m.cpu_seconds); cpu > 0.0)
+      ratios.push_back(bench::median(m.wall_seconds) / cpu);
+  }
   if (!ratios.empty()) slowdown_ = bench::median(ratios);
 }
 
@@ -112,8 +120,9 @@ std::vector<Change> changes_between(const Results& before, const Results& after)
     const bool by_wall = threads_of(b.name) > 1;
     const std::vector<double>& old_times = by_wall ? b.wall_seconds : b.cpu_seconds;
     const std::vector<double>& new_times = by_wall ? a->wall_seconds : a->cpu_seconds;
-    changes.push_back(
-        {b.name, bench::median(old_times), bench::median(new_times), mann_whitney_p(old_times, new_times)});
+    const Change change{b.name, bench::median(old_times), bench::median(new_times),
+                        mann_whitney_p(old_times, new_times)};
+    if (change.before > 0.0 && change.after > 0.0) changes.push_back(change);
   }
   const auto rank = [](const Change& c) { return !c.significant() ? 2 : c.ratio() > 1.0 ? 0 : 1; };
   std::ranges::stable_sort(changes, [&](const Change& x, const Change& y) {

@@ -18,7 +18,7 @@ class Clock {
   explicit Clock(const Results& results);
   [[nodiscard]] const std::vector<double>& times_of(const Measurement& m) const;
   [[nodiscard]] bool quiet() const { return slowdown_ <= 1.05; }
-  /// Wall over processor time, median over the benchmarks of one thread.
+  /// Wall over processor time, median over the benchmarks of one thread that show any.
   [[nodiscard]] double slowdown() const { return slowdown_; }
 
  private:
@@ -37,7 +37,8 @@ struct Study {
   std::vector<Line> lines;
 };
 
-/// Series of at least two sizes, by stage and key. Fits need three sizes, and another key than "threads".
+/// Series of at least two sizes, by stage and key. Fits need three sizes, times above 0, and another key
+/// than "threads".
 /// @param results  must outlive the studies.
 std::vector<Study> studies_of(const Results& results, const Clock& clock);
 
@@ -55,8 +56,9 @@ struct Change {
   [[nodiscard]] double ratio() const { return after / before; }
   [[nodiscard]] bool significant() const { return p < 0.05; }
 };
-/// Benchmarks that both have, significant regressions first, then significant gains, then the rest; by ratio in each.
-/// Processor times for one thread, wall times for more: the two runs need not have been equally undisturbed.
+/// Benchmarks that both have with times above 0, significant regressions first, then significant gains, then the rest;
+/// by ratio in each. Processor times for one thread, wall times for more: the two runs need not have been equally
+/// undisturbed.
 std::vector<Change> changes_between(const Results& before, const Results& after);
 
 }  // namespace arcway::report

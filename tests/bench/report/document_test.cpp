@@ -122,6 +122,23 @@ std::string two_clocks(double wall) {
   return file_of(both("Build/n:10", wall, 100.0) + "," + both("Build/threads:2/n:10", wall, 190.0));
 }
 
+TEST(Sentences, MakeNoRatiosOfTimesThatAreTooShortForTheClock) {
+  std::string runs;
+  for (const char* name :
+       {"Build/slow/n:10", "Build/slow/n:20", "Build/slow/n:30", "Build/fast/n:10", "Build/fast/n:30"})
+    runs += (runs.empty() ? "" : ",") + run(name, 0.0);
+  const Results results = read_results(file_of(runs), "r.json");
+  const Clock clock(results);
+  EXPECT_TRUE(clock.quiet());
+  const std::vector<Study> studies = studies_of(results, clock);
+  ASSERT_EQ(studies.size(), 1u);
+  EXPECT_EQ(sentences_of(studies[0]),
+            std::vector<std::string>{"Build at 30 n: slow takes " + time_text(0.0) + ", fast " + time_text(0.0) + "."});
+  EXPECT_TRUE(changes_between(results, results).empty());
+  const std::string page = to_html(make_document({.results = results, .before = results, .peers = {}}));
+  EXPECT_EQ(page.find("nan"), std::string::npos);
+}
+
 TEST(Clock, IsTheWallsOnAQuietMachine) {
   const Results results = read_results(two_clocks(103.0), "r.json");
   const Clock clock(results);
