@@ -12,6 +12,7 @@
 #include "core/geometry/angle.h"
 #include "core/no_path.h"
 #include "core/path/speed_profile.h"
+#include "core/shortest_text.h"
 
 namespace arcway {
 
@@ -101,7 +102,7 @@ class TourPlanner {
       if (!leg.solved()) {
         // One that was interrupted might have been the way.
         if (!failure_ || failure_stage_ != stages_.size() || (leg.interrupted && !failure_->interrupted))
-          failure_ = std::move(leg);
+          failure_ = as_requested(std::move(leg), before[i], stop);
         failure_stage_ = stages_.size();
         continue;
       }
@@ -111,6 +112,24 @@ class TourPlanner {
       stop.from = i;
       stop.leg = std::move(leg);
     }
+  }
+
+  // A leg without a path, whose reason names places as the request has them: the planner knows poses only.
+  [[nodiscard]] PlanResult as_requested(PlanResult leg, const Stop& from, const Stop& to) const {
+    const auto rename = [&](const std::string& name, const std::string& place) {
+      const std::size_t at = leg.reason.find(name);
+      if (at != std::string::npos) leg.reason.replace(at, name.size(), place);
+    };
+    rename("the start " + shortest_text(leg.start), name_of(from, stages_.size() - 2));
+    rename("the goal " + shortest_text(leg.goal), name_of(to, stages_.size() - 1));
+    return leg;
+  }
+  [[nodiscard]] std::string name_of(const Stop& stop, std::size_t stage) const {
+    if (stage == 0) return "the start " + shortest_text(stop.pose);
+    const bool on_the_way = stage <= request_.via.size();
+    const Place& place = on_the_way ? request_.via[stage - 1] : request_.goals[stop.place];
+    return (on_the_way ? "the place on the way " : "the goal ") +
+           (place.heading ? shortest_text(stop.pose) : shortest_text(place.position));
   }
 
   void reach_all() {

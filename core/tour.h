@@ -49,7 +49,7 @@ struct Tour {
 ///
 /// One goal with a heading and nothing on the way gives the plan that
 /// Planner::plan gives. Never throws for want of a path: see
-/// PlanResult::status; the reason names the leg.
+/// PlanResult::status; the reason names leg and places as they were asked for.
 /// @param limits  for all plans together.
 /// @throws std::invalid_argument without a goal, and as Planner::plan does.
 Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits = {});

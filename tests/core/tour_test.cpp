@@ -140,7 +140,7 @@ TEST(Tour, SaysWhichLegHasNoPath) {
   const Place free{{20, 0}, 0.0}, inside{{11, 11}, 0.0};
   const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .via = {free, inside}, .goals = {{{40, 0}, 0.0}}});
   EXPECT_EQ(tour.plan.status, PlanStatus::kGoalInCollision);
-  EXPECT_EQ(tour.plan.reason.rfind("leg 2 of 3: the goal", 0), 0u) << tour.plan.reason;
+  EXPECT_EQ(tour.plan.reason.rfind("leg 2 of 3: the place on the way (11, 11, 0): ", 0), 0u) << tour.plan.reason;
   EXPECT_TRUE(tour.plan.segments.empty());
   // One goal of several is enough.
   const Tour other = plan_tour(planner, {.start = {0, 0, 0}, .goals = {inside, free}});
@@ -148,7 +148,11 @@ TEST(Tour, SaysWhichLegHasNoPath) {
   EXPECT_EQ(other.goal, 1u);
   EXPECT_EQ(plan_tour(planner, {.start = {0, 0, 0}, .goals = {inside}}).plan.status, PlanStatus::kGoalInCollision);
   // No heading is free inside.
-  EXPECT_FALSE(plan_tour(planner, {.start = {0, 0, 0}, .goals = {{{11, 11}}}}).plan.solved());
+  const Tour none = plan_tour(planner, {.start = {0, 0, 0}, .goals = {{{11, 11}}}});
+  EXPECT_FALSE(none.plan.solved());
+  EXPECT_EQ(none.plan.reason.rfind("the goal (11, 11): ", 0), 0u) << none.plan.reason;
+  const Tour by = plan_tour(planner, {.start = {0, 0, 0}, .via = {{{11, 11}}}, .goals = {free}});
+  EXPECT_EQ(by.plan.reason.rfind("leg 1 of 2: the place on the way (11, 11): ", 0), 0u) << by.plan.reason;
 }
 
 TEST(Tour, KeepsItsLimits) {
