@@ -38,7 +38,7 @@ struct TrackedIterator {
 /// Builds the tree that json::parse would, but for the streamed elements, and no deeper than kDeepest.
 class TreeBuilder : public nlohmann::json_sax<json> {
  public:
-  explicit TreeBuilder(const JsonElements* elements) : elements_(elements) {}
+  TreeBuilder(const JsonElements* elements, RepeatedKeys repeated) : elements_(elements), repeated_(repeated) {}
 
   /// Empty if all went well.
   [[nodiscard]] const std::string& error() const { return error_; }
@@ -59,6 +59,10 @@ class TreeBuilder : public nlohmann::json_sax<json> {
     if (elements_ != nullptr && open_.size() == 1) {
       streaming_ = name == elements_->key;
       if (streaming_ && open_.back()->contains(name)) elements_->restart();
+    }
+    if (repeated_ == RepeatedKeys::kRefused && open_.back()->contains(name)) {
+      error_ = "the key " + shown(name) + " comes twice";
+      return false;
     }
     member_ = &(*open_.back())[name];
     return true;
@@ -104,6 +108,7 @@ class TreeBuilder : public nlohmann::json_sax<json> {
   }
 
   const JsonElements* elements_;
+  RepeatedKeys repeated_;
   json root_;
   std::vector<json*> open_;  // from the root to the innermost array or object
   json* member_ = nullptr;   // that the next value of the innermost object goes to
@@ -138,12 +143,13 @@ void append_string(std::string& out, std::string_view text) {
   out += json(text).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-json parse_json(std::string_view text, std::string_view name, const JsonElements* elements, std::size_t first_line) {
+json parse_json(std::string_view text, std::string_view name, const JsonElements* elements, std::size_t first_line,
+                RepeatedKeys repeated) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw FormatError(std::string(name) + ": empty file, expected JSON");
   const char* at = text.data();
-  TreeBuilder builder(elements);
+  TreeBuilder builder(elements, repeated);
   json::sax_parse(TrackedIterator{at, &at}, TrackedIterator{text.data() + text.size(), nullptr}, &builder);
   if (builder.error().empty()) return builder.take_root();
 

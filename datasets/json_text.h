@@ -28,12 +28,14 @@ struct JsonElements {
   std::function<void(const nlohmann::json&)> element;  ///< called in order
 };
 
-/// Skips a byte-order mark. Of repeated keys the last one counts.
+enum class RepeatedKeys { kLastCounts, kRefused };
+
+/// Skips a byte-order mark.
 /// @param elements    if not null, the array of this key is left empty in the result.
 /// @param first_line  number of the text's first line.
 /// @throws FormatError, "name: line 3: ...", also if arrays and objects nest more than 100 deep.
 nlohmann::json parse_json(std::string_view text, std::string_view name, const JsonElements* elements = nullptr,
-                          std::size_t first_line = 1);
+                          std::size_t first_line = 1, RepeatedKeys repeated = RepeatedKeys::kLastCounts);
 
 /// A value and where it is, for messages: "robot.json: turn_speed.table[2][0]: expected a number, found null".
 struct JsonPlace {

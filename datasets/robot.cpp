@@ -85,7 +85,7 @@ std::string turn_speed_text(const TurnSpeedLaw& law) {
 }  // namespace
 
 VehicleParameters read_robot(std::string_view text, std::string_view name) {
-  const nlohmann::json value = detail::parse_json(text, name);
+  const nlohmann::json value = detail::parse_json(text, name, nullptr, 1, detail::RepeatedKeys::kRefused);
   return robot_of({value, std::string(name)});
 }
 
@@ -117,7 +117,7 @@ std::string to_json(const VehicleParameters& robot) {
 }
 
 Scenario read_scenario(std::string_view text, std::string_view name) {
-  const nlohmann::json value = detail::parse_json(text, name);
+  const nlohmann::json value = detail::parse_json(text, name, nullptr, 1, detail::RepeatedKeys::kRefused);
   const JsonPlace place{value, std::string(name)};
   place.allow_keys({"format", "version", "world", "robot", "tasks"});
   place.require_format("arcway-scenario", 1);

@@ -14,7 +14,7 @@
 namespace [[gnu::visibility("default")]] arcway {
 
 /// Robot as JSON; all keys but "format" and "version" may be missing and take the defaults of
-/// VehicleParameters, unknown ones are errors.
+/// VehicleParameters, unknown and repeated ones are errors.
 ///
 ///     {"format": "arcway-robot", "version": 1, "length": 1.5, "width": 0.8, "wheelbase": 1.3,
 ///      "steering": "front" | "rear" | "symmetric", "max_steering_angle": 0.785, "max_speed": 12,

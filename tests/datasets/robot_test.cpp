@@ -52,6 +52,8 @@ TEST(RobotJson, ErrorsNameKeyAndValue) {
   EXPECT_EQ(robot_error(R"({"format":"other","version":1})"),
             "robot.json: format: expected \"arcway-robot\", found \"other\"");
   EXPECT_EQ(robot_error(R"({"format":"arcway-robot","version":2})"), "robot.json: version: expected 1, found 2");
+  EXPECT_EQ(robot_error("{\"length\":1,\n\"width\":2,\n\"length\":3}"),
+            "robot.json: line 3: the key \"length\" comes twice");
   EXPECT_EQ(robot_error("{}"), "robot.json: missing key \"format\"");
   EXPECT_EQ(robot_error("7"), "robot.json: expected an object, found 7");
 }
