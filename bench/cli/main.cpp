@@ -35,6 +35,7 @@ int run(int argc, char** argv, const arcway::Team& team) {
   using namespace arcway::cli;
   CLI::App app(kDescription, kName);
   app.footer(kFooter);
+  app.set_version_flag("--version", std::string(kName) + " " ARCWAY_VERSION);
   app.require_subcommand(0, 1);  // an unknown one is then named in the message, none at all is checked below
   Action action;
   add_plan_command(app, action, team);

@@ -43,6 +43,13 @@ TEST_F(Tool, HelpGoesToStandardOutput) {
   }
 }
 
+TEST_F(Tool, SaysItsVersion) {
+  const Run result = run("--version");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out, "arcway " ARCWAY_VERSION "\n");
+}
+
 TEST_F(Tool, PlansThePaperExampleAndValidatesItsOwnPlan) {
   const Run plan = run("plan paper --json " + file("p.json") + " --svg " + file("p.svg") + " --csv " + file("p.csv"));
   ASSERT_EQ(plan.code, 0) << plan.err << plan.out;
