@@ -67,14 +67,16 @@ void PlanArguments::add_to(CLI::App& command) {
       ->type_name("N")
       ->capture_default_str();
   build.add_to(command);
-  command.add_option("--svg", svg, "Write a picture")->type_name("F.svg");
+  CLI::Option* picture = command.add_option("--svg", svg, "Write a picture")->type_name("F.svg");
   command.add_option("--svg-layers", svg_layers, "What it shows: bounds,obstacles,graph,swept,path,robot,markers")
       ->type_name("LAYER,...")
       ->delimiter(',')
-      ->default_str("all but graph");
+      ->default_str("all but graph")
+      ->needs(picture);
   command.add_option("--svg-view", svg_view, "What part it shows: the whole map, or the path's surroundings")
       ->type_name("map|path")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(picture);
   command.add_option("--json", json, "Write the exact plan; with --queries one object a line")->type_name("F.json");
   command.add_option("--csv", csv, "Write the path as samples")->type_name("F.csv");
   command.add_option("--ros-path", ros_path, "Write the path as a nav_msgs/Path in JSON")->type_name("F.json");

@@ -341,6 +341,10 @@ TEST_F(Tool, DrawsTheLayersAskedFor) {
   EXPECT_EQ(graph.find("id=\"path\""), std::string::npos);
   expect_bad_input(plan + " --svg-layers walls", "--svg-layers");
   expect_bad_input(plan + " --svg-view goal", "--svg-view");
+  for (const std::string option : {"--svg-view path", "--svg-layers path"}) {
+    const std::string name = option.substr(0, option.find(' '));
+    expect_bad_input("plan " + map_ + kAround + " " + option, name + " requires --svg");
+  }
 }
 
 // tests/data/shared_poses.txt: what the tool, which checks every path that it finds, says of poses on real maps.
