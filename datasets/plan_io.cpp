@@ -234,13 +234,18 @@ std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehic
   return out;
 }
 
-PlanFile read_plan(std::string_view text, std::string_view name) {
-  const nlohmann::json value = detail::parse_json(text, name);
-  const JsonPlace plan{value, std::string(name)};
+namespace {
+
+PlanFile plan_of(const JsonPlace& plan) {
   plan.allow_keys({"format", "version", "q", "status", "reason", "bottleneck", "interrupted", "start", "goal",
                    "travel_time", "length", "lower_bound", "min_clearance", "path", "statistics"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
+  if (plan.has("q")) {
+    const JsonPlace q = plan.at("q");
+    if (!q.value.is_number_unsigned()) q.expected("a whole number >= 0");
+    file.q = q.value.get<std::uint64_t>();
+  }
   file.status = plan.has("status") ? plan.at("status").string() : "";
   file.start = plan.at("start").pose();
   file.goal = plan.at("goal").pose();
@@ -270,6 +275,40 @@ PlanFile read_plan(std::string_view text, std::string_view name) {
     file.path.segments.push_back(segment);
   }
   return file;
+}
+
+// Length of the first of several values. Within one, no line that begins with { follows one that ends with }.
+std::size_t length_of_first(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  std::size_t next = 0;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', next)) {
+    const std::size_t last = text.find_last_not_of(kBlanks, end);
+    next = text.find_first_not_of(kBlanks, end);
+    if (next == std::string_view::npos) break;
+    if (last != std::string_view::npos && text[last] == '}' && text[next] == '{') return text.rfind('\n', next) + 1;
+  }
+  return text.size();
+}
+
+}  // namespace
+
+PlanFile read_plan(std::string_view text, std::string_view name) {
+  const nlohmann::json value = detail::parse_json(text, name);
+  return plan_of({value, std::string(name)});
+}
+
+std::vector<PlanOnLine> read_plans(std::string_view text, std::string_view name) {
+  const bool several = length_of_first(text) < text.size();
+  std::vector<PlanOnLine> plans;
+  std::size_t line = 1;
+  do {
+    const std::string_view one = text.substr(0, length_of_first(text));
+    const nlohmann::json value = detail::parse_json(one, name, nullptr, line);
+    plans.push_back({line, plan_of({value, std::string(name) + (several ? ":" + std::to_string(line) : "")})});
+    line += static_cast<std::size_t>(std::count(one.begin(), one.end(), '\n'));
+    text.remove_prefix(one.size());
+  } while (!text.empty());
+  return plans;
 }
 
 }  // namespace arcway

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,6 +58,7 @@ std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehic
                              std::string_view frame = "map", const PathSampling& sampling = {});
 
 struct PlanFile {
+  std::optional<std::uint64_t> q;  ///< number of the query
   std::string status;
   Pose start, goal;
   TimedPath path;  ///< speeds and durations empty if the file has none
@@ -66,5 +68,13 @@ struct PlanFile {
 /// @param name  of the source, for messages.
 /// @throws FormatError, "plan.json: path[3].length: expected a number, found null".
 PlanFile read_plan(std::string_view json, std::string_view name);
+
+struct PlanOnLine {
+  std::size_t line;  ///< where it begins, from 1
+  PlanFile plan;
+};
+/// Reads one plan, or several, each beginning on a line of its own.
+/// @throws FormatError as read_plan; of several "plans.json:2: path[3].length: ...".
+std::vector<PlanOnLine> read_plans(std::string_view json, std::string_view name);
 
 }  // namespace arcway

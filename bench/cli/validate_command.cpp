@@ -1,5 +1,7 @@
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "bench/cli/arguments.h"
 #include "core/path/validation.h"
@@ -16,19 +18,18 @@ struct ValidateArguments {
   std::string robot;
 };
 
-int run_validate(const ValidateArguments& arguments, std::string& out) {
-  const LoadedMap map = load_map(arguments.map, arguments.reading);
-  const Vehicle vehicle = load_vehicle(arguments.robot, map);
-  const PlanFile plan = read_plan(read_file(arguments.path), arguments.path);
+/// What the validator says of one plan; none if it has no path.
+std::optional<bool> validate_plan(const LoadedMap& map, const Vehicle& vehicle, const std::string& name,
+                                  const PlanFile& plan, std::string& out) {
   if (plan.path.segments.empty()) {
-    out += arguments.path + ": no path to check" + (plan.status.empty() ? "" : " (" + plan.status + ")") + "\n";
-    return kExitNoPath;
+    out += name + ": no path to check" + (plan.status.empty() ? "" : " (" + plan.status + ")") + "\n";
+    return std::nullopt;
   }
   const Stopwatch watch;
   const ValidationReport report = validate(map.world, vehicle, plan.start, plan.goal, plan.path);
   const double seconds = watch.seconds();
 
-  out += arguments.path + ": " + (report.valid() ? "valid" : "NOT VALID") + "\n";
+  out += name + ": " + (report.valid() ? "valid" : "NOT VALID") + "\n";
   for (const ValidationIssue& issue : report.issues) {
     out += row(name_of(issue.violation), "segment " + std::to_string(issue.segment) + " at " +
                                              fixed(issue.arc_length, 6) + " m: " + issue.message);
@@ -41,8 +42,30 @@ int run_validate(const ValidateArguments& arguments, std::string& out) {
   if (!plan.path.durations.empty()) out += row("travel time", fixed(report.travel_time, 3) + " s");
   out += row("smallest clearance", "at least " + fixed(report.min_clearance, 6) + " m");
   out += row("checked in", duration_text(seconds));
-  out += warning_rows(map);
-  return report.valid() ? kExitSolved : kExitNoPath;
+  return report.valid();
+}
+
+int run_validate(const ValidateArguments& arguments, std::string& out) {
+  const LoadedMap map = load_map(arguments.map, arguments.reading);
+  const Vehicle vehicle = load_vehicle(arguments.robot, map);
+  const std::vector<PlanOnLine> plans = read_plans(read_file(arguments.path), arguments.path);
+  std::size_t paths = 0;
+  std::size_t valid = 0;
+  for (const auto& [line, plan] : plans) {
+    std::string name = arguments.path;
+    if (plans.size() > 1) name += ":" + std::to_string(line) + (plan.q ? ": query " + std::to_string(*plan.q) : "");
+    const std::optional<bool> verdict = validate_plan(map, vehicle, name, plan, out);
+    paths += verdict ? 1 : 0;
+    valid += verdict && *verdict ? 1 : 0;
+  }
+  if (const std::size_t none = plans.size() - paths; plans.size() > 1) {
+    out += "\n" + row("valid", count_text(valid) + " of " + count_text(paths) + " paths" +
+                                   (none == 0   ? ""
+                                    : none == 1 ? ", 1 plan has none"
+                                                : ", " + count_text(none) + " plans have none"));
+  }
+  if (paths > 0) out += warning_rows(map);
+  return paths > 0 && valid == paths ? kExitSolved : kExitNoPath;
 }
 
 }  // namespace
@@ -54,7 +77,9 @@ void add_validate_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<ValidateArguments>();
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
   arguments->reading.add_to(command);
-  command.add_option("--path", arguments->path, "Plan as written by plan --json")->type_name("P.json")->required();
+  command.add_option("--path", arguments->path, "Plan, or plans, as written by plan --json")
+      ->type_name("P.json")
+      ->required();
   command.add_option("--robot", arguments->robot, kRobotHelp)->type_name("R.json");
   command.callback(
       [arguments, &action] { action = [arguments](std::string& out) { return run_validate(*arguments, out); }; });

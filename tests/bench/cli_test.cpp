@@ -137,6 +137,36 @@ TEST_F(Tool, AChangedPathIsNotValid) {
   EXPECT_NE(result.out.find("NOT VALID"), std::string::npos);
 }
 
+TEST_F(Tool, ValidatesEachPlanOfAFile) {
+  const std::string header = "q,sx,sy,stheta,gx,gy,gtheta\n";
+  const auto plan = [&](const std::string& queries) {
+    const std::string file_of_queries = put("q.csv", header + queries);
+    return run("plan " + map_ + " --queries " + file_of_queries + " --out " + file("r.csv") + " --json " +
+               file("p.json"));
+  };
+  const std::string validate = "validate " + map_ + " --path " + file("p.json");
+  ASSERT_EQ(plan("7,10,10,0,50,50,1.5\n8,30,30,0,50,50,0\n9,10,50,1.5,50,10,0\n").code, 0);
+  const Run good = run(validate);
+  EXPECT_EQ(good.code, 0) << good.err << good.out;
+  for (const char* text : {"p.json:1: query 7: valid\n", "p.json:2: query 8: no path to check (start in collision)\n",
+                           "p.json:3: query 9: valid\n", "2 of 2 paths, 1 plan has none"})
+    EXPECT_NE(good.out.find(text), std::string::npos) << text << "\n" << good.out;
+
+  std::string changed = read("p.json");
+  const std::size_t at = changed.rfind("\"goal\":[");
+  ASSERT_NE(at, std::string::npos);
+  put("p.json", changed.insert(at + 8, "1"));
+  const Run bad = run(validate);
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_NE(bad.out.find("p.json:3: query 9: NOT VALID\n"), std::string::npos) << bad.out;
+  EXPECT_NE(bad.out.find("1 of 2 paths"), std::string::npos) << bad.out;
+
+  ASSERT_EQ(plan("8,30,30,0,50,50,0\n9,30,31,0,50,50,0\n").code, 0);
+  EXPECT_EQ(run(validate).code, 1);
+  put("p.json", read("p.json") + "{\"format\":1}\n");
+  expect_bad_input(validate, "p.json:3: format: expected");
+}
+
 TEST_F(Tool, NoPathIsExitCodeOneWithTheReason) {
   const Run inside = run("plan " + map_ + " --start 30,30,0 --goal 50,50,0 --svg " + file("p.svg"));
   EXPECT_EQ(inside.code, 1);

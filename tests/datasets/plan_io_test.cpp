@@ -118,6 +118,25 @@ TEST(PlanJson, ReadsPathsWithoutSpeeds) {
   EXPECT_EQ(error_of(plan(R"({"typ":"line"})")), "plan.json: path[0]: unknown key \"typ\"");
 }
 
+TEST(PlanJson, MayComeSeveralTimes) {
+  const std::string plan = plan_to_json(example(), 7);
+  const std::vector<PlanOnLine> plans =
+      read_plans(plan + "\r\n\n" + plan_to_json(example_with_a_cusp(), 8) + "\n", "p");
+  ASSERT_EQ(plans.size(), 2u);
+  EXPECT_EQ(plans[0].line, 1u);
+  EXPECT_EQ(plans[0].plan.q, 7u);
+  EXPECT_EQ(plans[1].line, 3u);
+  EXPECT_EQ(plans[1].plan.q, 8u);
+  EXPECT_EQ(plans[1].plan.path.segments.size(), 2u);
+  // One written on many lines.
+  EXPECT_EQ(read_plans(nlohmann::json::parse(plan).dump(2), "p").size(), 1u);
+  const auto error = [&](const std::string& text) { return test::format_error_of([&] { read_plans(text, "p"); }); };
+  EXPECT_EQ(error(plan + "\n{\"q\":-1}\n").rfind("p:2: missing key", 0), 0u);
+  EXPECT_EQ(error(plan + "\n{\n3}\n").rfind("p: line 3: ", 0), 0u);
+  EXPECT_EQ(error("{\"q\":-1}"), error_of("{\"q\":-1}").replace(0, 9, "p"));
+  EXPECT_NE(error("").find("empty"), std::string::npos);
+}
+
 TEST(PlanJson, KeepsTheGear) {
   const std::string text = plan_to_json(example_with_a_cusp(), 0);
   EXPECT_NE(text.find(R"("curvature":0,"direction":-1,"speed_in":0,)"), std::string::npos) << text;
