@@ -21,6 +21,7 @@ class SearchEnds {
     double best_time;    ///< of complete paths by this link, for the search to keep
     bool checked, free;
   };
+  /// A word that leads from a start to a goal, and the manoeuvres there.
   struct DirectPath {
     std::uint32_t start, goal;  ///< terminals
     DubinsPath word;            ///< from the one to the other
@@ -38,8 +39,7 @@ class SearchEnds {
   [[nodiscard]] std::span<const TerminalCircle> start_circles() const { return start_circles_; }
   [[nodiscard]] std::span<const TerminalCircle> goal_circles() const { return goal_circles_; }
   [[nodiscard]] std::span<const DirectPath> direct_paths() const { return direct_paths_; }
-  /// With the manoeuvres at both its ends.
-  /// @param path  becomes that; its memory is used again.
+  /// @param path  becomes the whole path; its memory is used again.
   void take_path(const DirectPath& direct, Path& path) const;
 
   /// Indices, from `first` to before `last`, of the links that leave a start circle; found when first asked for.
