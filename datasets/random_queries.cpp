@@ -1,6 +1,5 @@
 #include "datasets/random_queries.h"
 
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -37,9 +36,7 @@ std::vector<PlanRequest> random_queries(const World& world, const QuerySet& quer
   };
   const auto is_free = [&](const Pose& pose) { return queries.sweep->straight_free(swept_rectangle(pose, 0.0, body)); };
   std::optional<BottleneckFinder> find_bottleneck;
-  if (parameters.passable)
-    find_bottleneck.emplace(world, vehicle,
-                            std::make_shared<const VehicleGaps>(world, vehicle, vehicle.min_turning_radius()));
+  if (parameters.passable) find_bottleneck.emplace(world, vehicle);
   const auto is_parted = [&](const Pose& start, const Pose& goal) {
     const auto bottleneck = find_bottleneck ? (*find_bottleneck)(start, goal) : std::nullopt;
     return bottleneck && bottleneck->too_narrow();

@@ -36,6 +36,10 @@ std::string Bottleneck::text(const World& world) const {
   return "the widest way narrows to " + rounded_text(width) + " m " + place;
 }
 
+BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle)
+    : BottleneckFinder(world, vehicle,
+                       std::make_shared<const VehicleGaps>(world, vehicle, vehicle.min_turning_radius())) {}
+
 BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps)
     : world_(world), body_(vehicle.footprint()), gaps_(std::move(gaps)) {
   vehicle_takes_.needed = widest_hopeless_gap(vehicle);

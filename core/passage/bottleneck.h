@@ -32,7 +32,8 @@ std::string rounded_text(double metres);
 /// Finds bottlenecks on one map for one vehicle. Thread-safe.
 class BottleneckFinder {
  public:
-  /// @param gaps  of the same map and vehicle.
+  BottleneckFinder(const World& world, const Vehicle& vehicle);
+  /// @param gaps  of the same map and vehicle, known to others as well.
   BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps);
 
   /// Nothing if the widest way is wide enough for the tightest turn, or as wide as the room around one of the poses.

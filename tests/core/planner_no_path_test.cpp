@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,8 +101,7 @@ TEST(PlannerNoPath, NoPathThatExistsIsDisproved) {
     const World world = random_world({.obstacles = 40, .vertices = 6, .fill = 0.5, .seed = seed});
     const Vehicle vehicle({.length = 3.0, .width = 1.8, .wheelbase = 2.0});
     const Planner planner(world, vehicle, {.manoeuvre_poses = 100});
-    const BottleneckFinder bottleneck(
-        world, vehicle, std::make_shared<const VehicleGaps>(world, vehicle, vehicle.min_turning_radius()));
+    const BottleneckFinder bottleneck(world, vehicle);
     for (const PlanRequest& request :
          random_queries(world, make_reference_queries(world), vehicle, {.count = 8, .min_distance = 0.2})) {
       const PlanResult plan = planner.plan(request);

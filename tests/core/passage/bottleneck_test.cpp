@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
+#include <optional>
 
 #include "core/query/sweep_query.h"
 #include "tests/support/boxes.h"
@@ -14,9 +14,7 @@ const Vehicle kVehicle;
 
 std::optional<Bottleneck> bottleneck_of_door(double width) {
   const World world({test::box(0, -20, 1, 0), test::box(0, width, 1, 20 + width)}, test::box(-20, -20, 21, 20).outer);
-  const BottleneckFinder find(world, kVehicle,
-                              std::make_shared<const VehicleGaps>(world, kVehicle, kVehicle.min_turning_radius()));
-  return find({-10, 0, 0}, {11, 0, 0});
+  return BottleneckFinder(world, kVehicle)({-10, 0, 0}, {11, 0, 0});
 }
 
 TEST(BottleneckFinder, NamesDoorsThatNoTurnFitsInto) {
