@@ -1,5 +1,6 @@
 #include "accel/obstacle_distance.h"
 
+#include <algorithm>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -35,8 +36,9 @@ struct ObstacleDistances::Scene {
   template <class Belongs>
   void lower(ObstacleDistance& best, VertexId edge, const Belongs& belongs) const {
     const LineSegment& s = world().edges()[edge];
-    const double half = 0.5 * (s.b - s.a).norm();
-    edges.visit_near(0.5 * (s.a + s.b), half + best.distance, [&](VertexId other) {
+    const Vec2 middle = 0.5 * (s.a + s.b);  // rounded: perhaps nearer to one of the ends
+    const double half = std::max((s.a - middle).norm(), (s.b - middle).norm());
+    edges.visit_near(middle, half + best.distance, [&](VertexId other) {
       if (belongs(world().obstacle_of(other))) {
         const ObstacleDistance found{distance(s, world().edges()[other]), edge, other};
         if (found < best) best = found;

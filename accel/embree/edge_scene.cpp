@@ -30,9 +30,10 @@ EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, d
                      RTCOccludedFunctionN on_edge)
     : device_(std::move(device)), world_(world), inflation_(inflation) {
   if (!world_.box().empty()) {
-    const Vec2 half = 0.5 * (world_.box().max - world_.box().min);
-    center_ = world_.box().min + half;
-    scale_ = std::exp2(-std::ceil(std::log2(half.maxCoeff() + inflation)));
+    center_ = world_.box().min + 0.5 * (world_.box().max - world_.box().min);
+    // Rounded, it may be off the middle by as much as a small map far from the origin is large.
+    const double reach = std::max((world_.box().max - center_).maxCoeff(), (center_ - world_.box().min).maxCoeff());
+    scale_ = std::exp2(-std::ceil(std::log2(reach + inflation)));
   }
   margin_ = inflation * scale_ + kPad;
 
@@ -49,9 +50,9 @@ EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, d
   device_->commit(scene_.get());
 }
 
-bool EdgeScene::aim(const Vec2& a, const Vec2& b, RTCRay& ray) const {
-  Vec2 from = scaled(a);
-  Vec2 to = scaled(b);
+bool EdgeScene::aim(const Vec2& a, const Vec2& b, RTCRay& ray) {
+  Vec2 from = a;
+  Vec2 to = b;
   const bool within = (from.array().abs() <= 1.0).all() && (to.array().abs() <= 1.0).all();
   if (!within) {
     const Vec2 d = to - from;

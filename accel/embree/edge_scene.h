@@ -31,20 +31,24 @@ class EdgeScene {
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] double inflation() const { return inflation_; }
   [[nodiscard]] RTCScene get() const { return scene_.get(); }
-  [[nodiscard]] bool is_near(const Vec2& p) const { return (scaled(p).array().abs() <= kFar).all(); }
 
-  /// Prepares the ray from a to b, both near and perhaps equal. False if it stays clear of all boxes.
-  bool aim(const Vec2& a, const Vec2& b, RTCRay& ray) const;
+  /// A place of the world in Embree's coordinates. What is computed from such places is rounded by the size of the map;
+  /// in the world's coordinates it would be by its distance from the origin.
+  [[nodiscard]] Vec2 scaled(const Vec2& p) const { return (p - center_) * scale_; }
+  [[nodiscard]] static bool is_near(const Vec2& scaled) { return (scaled.array().abs() <= kFar).all(); }
+
+  /// Prepares the ray between two scaled places, both near and perhaps equal. False if it stays clear of all boxes.
+  static bool aim(const Vec2& a, const Vec2& b, RTCRay& ray);
 
   /// Proposes to `visit` every edge that comes within `radius` of p, in any order. visit(edge) returns the radius
   /// that is still of interest, not larger than before; a negative one ends the visit.
   template <class Visit>
   void visit_near(const Vec2& p, double radius, Visit&& visit) const {
-    if (!is_near(p)) {
+    const Vec2 center = scaled(p);
+    if (!is_near(center)) {
       for (VertexId e = 0; e < world_.edges().size() && radius >= 0.0; ++e) radius = visit(e);
       return;
     }
-    const Vec2 center = scaled(p);
     PointVisit<Visit> point{visit, scale_, kPad + 0x1p-20 * center.cwiseAbs().maxCoeff(), radius};
     RTCPointQuery query;
     query.x = static_cast<float>(center.x());
@@ -80,7 +84,6 @@ class EdgeScene {
     }
   };
 
-  [[nodiscard]] Vec2 scaled(const Vec2& p) const { return (p - center_) * scale_; }
   static void on_bounds(const RTCBoundsFunctionArguments* arguments);
 
   std::shared_ptr<const Device> device_;
@@ -101,16 +104,16 @@ class RayScene {
 
   [[nodiscard]] const EdgeScene& edges() const { return edges_; }
 
-  /// Whether the test holds for some edge that comes within the scene's inflation of the segment from a to b; perhaps
-  /// also for one further away.
-  [[nodiscard]] bool any(const Vec2& a, const Vec2& b, const Test& test) const {
-    if (!edges_.is_near(a) || !edges_.is_near(b)) {
+  /// Whether the test holds for some edge that comes within the scene's inflation of the segment between two scaled
+  /// places; perhaps also for one further away.
+  [[nodiscard]] bool any(const Vec2& from, const Vec2& to, const Test& test) const {
+    if (!EdgeScene::is_near(from) || !EdgeScene::is_near(to)) {
       for (VertexId e = 0; e < edges_.world().edges().size(); ++e)
         if (test(e)) return true;
       return false;
     }
     RTCRay ray;
-    if (!edges_.aim(a, b, ray)) return false;
+    if (!EdgeScene::aim(from, to, ray)) return false;
     Query query{{}, test};
     init(query);
     occluded(edges_.get(), query, ray);

@@ -23,12 +23,12 @@ bool EmbreeSweep::is_met(const SweptRectangle& r) const {
   const double ends = std::max((r[3] - r[0]).norm(), (r[2] - r[1]).norm());
   const double sides = std::max((r[1] - r[0]).norm(), (r[2] - r[3]).norm());
   const bool lengthwise = sides >= ends;
-  const Vec2& a = r[0];
-  const Vec2& b = lengthwise ? r[3] : r[1];
-  const Vec2& c = lengthwise ? r[1] : r[3];
-  const Vec2& d = r[2];
-  const double strips =
-      std::max(1.0, std::ceil((lengthwise ? ends : sides) / (2.0 * scenes_->sweep.edges().inflation())));
+  const EdgeScene& edges = scenes_->sweep.edges();
+  const Vec2 a = edges.scaled(r[0]);
+  const Vec2 b = edges.scaled(lengthwise ? r[3] : r[1]);
+  const Vec2 c = edges.scaled(lengthwise ? r[1] : r[3]);
+  const Vec2 d = edges.scaled(r[2]);
+  const double strips = std::max(1.0, std::ceil((lengthwise ? ends : sides) / (2.0 * edges.inflation())));
   if (strips <= kMostRays) {
     for (double k = 0.5; k < strips; k += 1.0) {
       const double t = k / strips;

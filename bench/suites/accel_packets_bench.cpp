@@ -67,7 +67,8 @@ class PacketScene {
       RTCRay8 rays;
       for (std::size_t i = 0; i < count; ++i) {
         RTCRay ray;
-        valid[i] = edges_.aim(segments[first + i].a, segments[first + i].b, ray) ? -1 : 0;
+        const LineSegment& segment = segments[first + i];
+        valid[i] = edges_.aim(edges_.scaled(segment.a), edges_.scaled(segment.b), ray) ? -1 : 0;
         rays.org_x[i] = ray.org_x, rays.org_y[i] = ray.org_y, rays.org_z[i] = ray.org_z;
         rays.dir_x[i] = ray.dir_x, rays.dir_y[i] = ray.dir_y, rays.dir_z[i] = ray.dir_z;
         rays.tnear[i] = ray.tnear, rays.tfar[i] = ray.tfar, rays.time[i] = ray.time;
@@ -88,8 +89,10 @@ class SingleScene {
  public:
   explicit SingleScene(const World& world) : scene_(std::make_shared<const embree::Device>(), world, 0.0) {}
   void blocked(std::span<const LineSegment> segments, std::span<std::uint8_t> result) const {
+    const embree::EdgeScene& edges = scene_.edges();
     for (std::size_t i = 0; i < segments.size(); ++i)
-      result[i] = scene_.any(segments[i].a, segments[i].b, {scene_.edges().world(), segments[i]}) ? 1 : 0;
+      result[i] =
+          scene_.any(edges.scaled(segments[i].a), edges.scaled(segments[i].b), {edges.world(), segments[i]}) ? 1 : 0;
   }
 
  private:

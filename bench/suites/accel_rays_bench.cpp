@@ -65,7 +65,8 @@ void time_embree_alone(benchmark::State& state, const std::string& world_name) {
   const std::vector<LineSegment> segments = random_segments(world);
   const embree::RayScene<RefuseAll> scene(std::make_shared<const embree::Device>(), world, 0.0);
   for (auto _ : state) {
-    for (const LineSegment& s : segments) benchmark::DoNotOptimize(scene.any(s.a, s.b, {}));
+    for (const LineSegment& s : segments)
+      benchmark::DoNotOptimize(scene.any(scene.edges().scaled(s.a), scene.edges().scaled(s.b), {}));
   }
   set_batch(state, kRays);
 }

@@ -32,10 +32,11 @@ struct MapPlace {
   double size;    // [m]
   double offset;  // [m]
 };
-// Sizes from a millimetre to 1e7 m; offsets of up to 2^30 times the size of a cell.
+// Sizes from a millimetre to 1e7 m; offsets of up to 2^30 times the size of a cell, and one as far out as doubles tell
+// the cells apart.
 constexpr MapPlace kPlaces[] = {{0x1p-10, 0.0},    {0x1p-10, 0x1p14}, {1.0, 0.0},        {1.0, -0x1p20},
                                 {0x1p7, 0x1p4},    {0x1p7, 0x1p24},   {0x1p10, -0x1p23}, {0x1p14, 0x1p30},
-                                {0x1p24, -0x1p23}, {0x1p24, 0x1p40}};
+                                {0x1p24, -0x1p23}, {0x1p24, 0x1p40},  {0x1p7, 0x1p53}};
 constexpr std::size_t kSegmentsPerWorld = 1000;
 
 // Queries on a device of one instruction set, or nothing if the machine lacks it.
@@ -96,7 +97,7 @@ TEST_P(EmbreeOnIsa, SeesWhatTheReferenceSees) {
 }
 
 TEST_P(EmbreeOnIsa, MeasuresWhatTheReferenceMeasures) {
-  for_worlds(20, [](TroublesomeQueries& questions, const QuerySet& embree, const QuerySet& reference) {
+  for_worlds(22, [](TroublesomeQueries& questions, const QuerySet& embree, const QuerySet& reference) {
     for (int i = 0; i < 300; ++i) {
       const Vec2 p = questions.point();
       const ClosestPoint expected = reference.distance->closest(p);
@@ -119,7 +120,7 @@ TEST_P(EmbreeOnIsa, MeasuresWhatTheReferenceMeasures) {
 TEST_P(EmbreeOnIsa, SweepsWhatTheReferenceSweeps) {
   std::size_t free_count = 0;
   std::size_t asked = 0;
-  for_worlds(40, [&](TroublesomeQueries& questions, const QuerySet& embree, const QuerySet& reference) {
+  for_worlds(44, [&](TroublesomeQueries& questions, const QuerySet& embree, const QuerySet& reference) {
     for (int i = 0; i < 300; ++i) {
       const SweptRectangle rectangle = questions.rectangle();
       const bool expected = reference.sweep->straight_free(rectangle);
@@ -167,6 +168,17 @@ TEST(EmbreeQueries, NeedNotKnowTheBodysWidth) {
     }
   }
   EXPECT_THROW(make_embree_queries(questions.world(), {.body_half_width = -1.0}), std::invalid_argument);
+}
+
+// Places between the vertices are no doubles: neither the middle of the map nor that of the rectangle is.
+TEST(EmbreeQueries, AnswerWhereTheLastPlaceIsAsLargeAsTheMap) {
+  const double far = 0x1p53;
+  const auto shifted = [&](double x, double y) { return Vec2(far + x, far + y); };
+  const World small({{test::square(far, far, 2.0), {}}});
+  EXPECT_FALSE(make_embree_queries(small).visibility->visible(LineSegment{shifted(4, -2), shifted(-2, 4)}));
+  const World above({{{shifted(0, 2), shifted(4, 2), shifted(4, 6), shifted(0, 6)}, {}}});
+  const QuerySet queries = make_embree_queries(above, {.body_half_width = 1.0});
+  EXPECT_FALSE(queries.sweep->straight_free({shifted(0, 0), shifted(4, 0), shifted(4, 2), shifted(0, 2)}));
 }
 
 TEST(EmbreeQueries, AnswerBatchesInParallelAlike) {
