@@ -25,6 +25,10 @@ ConvexTangents::ConvexTangents(const World& world) : world_(world), convex_(worl
     const auto [first, last] = world_.vertices_of(o);
     bool convex = world_.ring_starts(o).size() == 1;
     for (VertexId v = first; v < last; ++v) convex = convex && world_.is_convex(v);
+    // A ring that touches itself in a vertex bounds several parts, of which `next` leads around one.
+    VertexId around = 1;
+    for (VertexId v = world_.next(first); convex && v != first; v = world_.next(v)) ++around;
+    convex = convex && around == last - first;
     convex_[o] = convex;
     if (!convex) continue;
     const auto angle_of = [&](VertexId v) {

@@ -15,7 +15,7 @@ class ConvexTangents {
  public:
   explicit ConvexTangents(const World& world);
 
-  /// Whether an obstacle is one ring, strictly convex.
+  /// Whether an obstacle is one ring, strictly convex, that nowhere touches itself.
   [[nodiscard]] bool is_convex(ObstacleId obstacle) const { return convex_[obstacle]; }
 
   using VertexPair = std::pair<VertexId, VertexId>;

@@ -66,6 +66,19 @@ TEST(PairwiseGraph, IsTheReferenceGraphOfConvexObstaclesThatOverlap) {
   }
 }
 
+// All their corners are convex, they themselves are not.
+TEST(PairwiseGraph, IsTheReferenceGraphAmongPairsOfTrianglesThatTouchInACorner) {
+  std::vector<Polygon> obstacles;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      Ring ring{{4, 3}, {0, 4}, {0, 0}, {4, 0}, {4, 2}, {0, 0}};
+      for (Vec2& p : ring)
+        p = (i + k) % 2 == 0 ? Vec2(10 * i + p.x(), 9 * k + p.y()) : Vec2(10 * i - p.y(), 9 * k + p.x());
+      obstacles.push_back({ring, {}});
+    }
+  expect_reference_graph(World(std::move(obstacles)));
+}
+
 TEST(PairwiseGraph, FindsTangentsOfConvexObstaclesBySearch) {
   const World world = random_world({.obstacles = 100, .vertices = 10, .fill = 0.2, .seed = 5});
   const QuerySet queries = make_embree_queries(world);
