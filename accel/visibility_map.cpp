@@ -35,13 +35,14 @@ bool precedes(const Vec2& p, const Vec2& a, const Vec2& b) {
   return orientation(p, a, b) > 0;
 }
 
-// Where the line from p through `through` meets a wall, rounded.
+// Where the line from p through `through` meets a wall, whose ends do not lie on the same side of it, rounded.
 Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& wall) {
   if (through == wall.a || through == wall.b) return through;
   if (orientation(wall.a, wall.b, p) == 0) return p;
-  const Vec2 ahead = through - p, along = wall.b - wall.a;
-  const double t = cross(wall.a - p, ahead) / cross(ahead, along);
-  return wall.a + std::clamp(t, 0.0, 1.0) * along;
+  // Of a line that runs nearly along the wall, differences of coordinates do not tell the ends' sides.
+  const double right = doubled_area(p, through, wall.a), left = doubled_area(p, through, wall.b);
+  if (left == 0.0) return wall.b;
+  return wall.a + right / (right - left) * (wall.b - wall.a);
 }
 
 }  // namespace

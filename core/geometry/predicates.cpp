@@ -26,12 +26,8 @@ SegmentRelation relate_collinear(const LineSegment& s, const LineSegment& t) {
   return low == high ? SegmentRelation::kTouchingEnds : SegmentRelation::kOverlapping;
 }
 
-}  // namespace
-
 // The determinant of the given coordinates rather than of differences: six products, no case split.
-int detail::exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
-  // Most often asked where two of the points are one, or all lie on a line along an axis.
-  if ((a.x() == c.x() || b.y() == c.y()) && (a.y() == c.y() || b.x() == c.x())) return 0;
+FixedExpansion<12> exact_determinant(const Vec2& a, const Vec2& b, const Vec2& c) {
   FixedExpansion<12> determinant;
   determinant.add_product(a.x(), b.y());
   determinant.add_product(-a.y(), b.x());
@@ -39,8 +35,18 @@ int detail::exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   determinant.add_product(-b.y(), c.x());
   determinant.add_product(c.x(), a.y());
   determinant.add_product(-c.y(), a.x());
-  return determinant.sign();
+  return determinant;
 }
+
+}  // namespace
+
+int detail::exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+  // Most often asked where two of the points are one, or all lie on a line along an axis.
+  if ((a.x() == c.x() || b.y() == c.y()) && (a.y() == c.y() || b.x() == c.x())) return 0;
+  return exact_determinant(a, b, c).sign();
+}
+
+double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) { return exact_determinant(a, b, c).value(); }
 
 SegmentRelation relate(const LineSegment& s, const LineSegment& t) {
   if (!box_of(s).overlaps(box_of(t))) return SegmentRelation::kDisjoint;

@@ -35,6 +35,9 @@ inline int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   return detail::exact_orientation(a, b, c);
 }
 
+/// Twice the area of the triangle (a, b, c), with the sign of `orientation`: off by a unit or two in the last place.
+double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);
+
 /// How two closed segments meet. Exactly one case holds; a segment may be a single point.
 enum class SegmentRelation {
   kDisjoint,          ///< no common point

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "accel/make_queries.h"
@@ -205,6 +207,33 @@ TEST(VisibilityMap, PolygonOfARoom) {
   }
   // The square hides (1, 1), (2, 0), (4, 0), (4, 4), (3, 4), (1, 2).
   EXPECT_NEAR(area, 16.0 - 9.5, 1e-12);
+}
+
+// The last place of p decides on which side of the wall it lies, and how far along the wall the ray meets it.
+TEST(VisibilityMap, RaysAlmostAlongAWallMeetItSomewhere) {
+  const double inf = std::numeric_limits<double>::infinity();
+  test::Random random(3);
+  std::size_t met = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 a = random.grid_point(-8, 8), along = random.grid_point(-30, 30);
+    if (along.isZero(0.0)) continue;
+    const Vec2 b = a + along, inside = a + 0.5 * along + 3.0 * perpendicular(along);
+    const VisibilityMap map(World({{{a, b, inside}, {}}}));
+    const Vec2 middle = a + 0.25 * static_cast<double>(random.integer(-2, 6)) * along;
+    Vec2 p = middle, q = middle + 0.5 * static_cast<double>(random.integer(0, 1) * 2 - 1) * along;
+    p.x() = std::nextafter(p.x(), random.integer(0, 1) == 0 ? -inf : inf);
+    q.y() = std::nextafter(q.y(), random.integer(0, 1) == 0 ? -inf : inf);
+    const auto hit = map.first_hit(p, q);
+    if (!hit) continue;
+    ++met;
+    ASSERT_LE(distance(hit->point, {a, b}), 1e-13) << hit->point.transpose();
+    for (const auto& piece : map.visibility_polygon(p)) {
+      ASSERT_TRUE(piece.right.allFinite() && piece.left.allFinite());
+      if (piece.is_frame) continue;
+      ASSERT_LE(distance(piece.right, piece.wall) + distance(piece.left, piece.wall), 1e-12);
+    }
+  }
+  EXPECT_GT(met, 500u);
 }
 
 TEST(VisibilityMap, RefusesWhatItCannotSay) {

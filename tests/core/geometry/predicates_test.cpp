@@ -15,10 +15,14 @@ using test::Random;
 __extension__ using Wide = __int128;
 
 // Oracle: the determinant in whole numbers, coordinates scaled by a power of two until whole.
-int whole_orientation(const Vec2& a, const Vec2& b, const Vec2& c, double scale) {
+Wide whole_determinant(const Vec2& a, const Vec2& b, const Vec2& c, double scale) {
   const auto whole = [scale](double x) { return static_cast<Wide>(static_cast<std::int64_t>(x * scale)); };
-  const Wide determinant = (whole(b.x()) - whole(a.x())) * (whole(c.y()) - whole(a.y())) -
-                           (whole(b.y()) - whole(a.y())) * (whole(c.x()) - whole(a.x()));
+  return (whole(b.x()) - whole(a.x())) * (whole(c.y()) - whole(a.y())) -
+         (whole(b.y()) - whole(a.y())) * (whole(c.x()) - whole(a.x()));
+}
+
+int whole_orientation(const Vec2& a, const Vec2& b, const Vec2& c, double scale) {
+  const Wide determinant = whole_determinant(a, b, c, scale);
   return (determinant > 0) - (determinant < 0);
 }
 
@@ -60,6 +64,17 @@ TEST(Orientation, IsExactNearTenMillion) {
         a + static_cast<double>(random.integer(-4, 4)) * step +
         0x1p-29 * Vec2(static_cast<double>(random.integer(-1, 1)), static_cast<double>(random.integer(-1, 1)));
     expect_orientation_laws(a, b, c, whole_orientation(a, b, c, 0x1p29));
+  }
+}
+
+TEST(DoubledArea, HasAllDigitsOfThinTriangles) {
+  Random random(3);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec2 a = 0x1p-29 * random.grid_point(-9, 9) + Vec2(1e7, -1e7);
+    const Vec2 b = a + random.grid_point(-5, 5);
+    const Vec2 c = a + static_cast<double>(random.integer(-4, 4)) * (b - a) + 0x1p-29 * random.grid_point(-1, 1);
+    const double expected = static_cast<double>(whole_determinant(a, b, c, 0x1p29)) * 0x1p-58;
+    ASSERT_NEAR(doubled_area(a, b, c), expected, 0x1p-51 * std::abs(expected));
   }
 }
 
