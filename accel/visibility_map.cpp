@@ -148,10 +148,13 @@ struct VisibilityMap::Data {
           if (orientation(map.sites()[a], map.sites()[b], p) == 0) starts.insert(starts.end(), {a, b});
         }
     }
-    for (std::uint32_t site : starts) {
-      while (site != kNone && map.first_node_at(site) == kNone) site = trace.next_along_edge(p, site);
-      if (site != kNone) sites.push_back(site);
-    }
+    for (const std::uint32_t site : starts) append_straight_on(p, site, sites);
+  }
+
+  // The first site with a node from a site on, along edges that lead straight away from p.
+  void append_straight_on(const Vec2& p, std::uint32_t site, std::vector<std::uint32_t>& sites) const {
+    while (site != kNone && map.first_node_at(site) == kNone) site = trace.next_along_edge(p, site);
+    if (site != kNone) sites.push_back(site);
   }
 
   // The convex vertices that may be tangent and seen: all that are, and some others.
@@ -165,6 +168,9 @@ struct VisibilityMap::Data {
           p, view, [&](std::uint32_t site) { sites.push_back(site); }, [](const View&) {});
     }
     append_along_edges(p, triangles, sites);
+    // From within a piece that was left out, an edge goes on behind the end of it.
+    if (!map.is_whole())
+      for (std::size_t i = 0, seen = sites.size(); i < seen; ++i) append_straight_on(p, sites[i], sites);
     std::sort(sites.begin(), sites.end());
     sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
     std::vector<VertexId> found;

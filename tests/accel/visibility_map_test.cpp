@@ -236,6 +236,15 @@ TEST(VisibilityMap, RaysAlmostAlongAWallMeetItSomewhere) {
   EXPECT_GT(met, 500u);
 }
 
+// Half of the wall from the crossing on is free, and so is the one behind its end.
+TEST(VisibilityMap, FindsTangentsAlongWallsFromWhereTheyCross) {
+  const World world({{{{0, 0}, {4, 0}, {4, 4}, {4, 6}, {2, 6}, {0, 4}}, {}}, {{{3, 1}, {5, 1}, {5, 3}, {3, 3}}, {}}});
+  const VisibilityMap map(world);
+  const QuerySet reference = make_reference_queries(world);
+  for (const Vec2& p : {Vec2(4, 3), Vec2(4, 3.5), Vec2(4, 1), Vec2(4, 0.5), Vec2(3, 0), Vec2(5, 2)})
+    EXPECT_EQ(map.tangents_from(p), tangents_by_trying_all(world, p, *reference.visibility)) << p.transpose();
+}
+
 TEST(VisibilityMap, RefusesWhatItCannotSay) {
   const World crossing({{test::square(0, 0, 4), {}}, {test::square(2, 2, 4), {}}});
   const VisibilityMap map(crossing);
