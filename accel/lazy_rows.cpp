@@ -22,7 +22,8 @@ void visit_near_pairs(const World& world, double distance, const Visit& visit) {
     VertexId vertex;
   };
   const Vec2 low = world.box().min;
-  const double size = std::max(distance, (world.box().max - low).maxCoeff() / kMostCells);
+  // A little larger, so that rounding parts no such pair by a whole cell between them.
+  const double size = std::max(distance, (world.box().max - low).maxCoeff() / kMostCells) * (1.0 + 0x1p-20);
   const auto cell_of = [&](const Vec2& p) {
     const Vec2 place = (p - low) / size;
     return (static_cast<std::uint64_t>(place.x()) << 32) + static_cast<std::uint64_t>(place.y());

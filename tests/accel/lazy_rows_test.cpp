@@ -45,6 +45,15 @@ TEST(LazyRows, FindTheShortEdgesOfTheGraph) {
   EXPECT_GT(found, 5000u);
 }
 
+// The one end lies in the last place before a multiple of the length, the other on the next multiple but one.
+TEST(LazyRows, FindAnEdgeWhoseLengthIsRoundedToTheLimit) {
+  const World world({{{{0, 0}, {0.5, -1}, {1.0 - 0x1p-53, 0}}, {}}, {{{2, 0}, {2.5, -1}, {3, 0}}, {}}});
+  const auto all = rows_of(world, build_reduced_visibility_graph_by_wedges(world));
+  const auto wanted = [](VertexId u, VertexId v) { return u + v == 5 && (u == 2 || v == 2); };
+  ASSERT_EQ(all->pairs_within(1.0, wanted).size(), 1u);
+  EXPECT_EQ(make_lazy_rows(world)->pairs_within(1.0, wanted), all->pairs_within(1.0, wanted));
+}
+
 TEST(LazyRows, AnswerManyThreadsAtOnce) {
   const World world = catalogue_world("clutter/star/n200/m9/f30/s3");
   const auto all = rows_of(world, build_reduced_visibility_graph_by_wedges(world));
