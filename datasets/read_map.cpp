@@ -133,7 +133,7 @@ bool has_image_key(std::string_view content) {
   detail::TextScanner scanner(content.substr(0, std::size_t{1} << 16), "");
   while (!scanner.at_end()) {
     scanner.skip_space();
-    if (scanner.word(":") == "image") {
+    if (const std::string_view key = scanner.word(":"); key == "image" || key == "\"image\"" || key == "'image'") {
       scanner.skip_blanks();
       if (scanner.peek() == ':') return true;
     }
@@ -191,6 +191,7 @@ MapFormat detect_format(std::string_view content, std::string_view name) {
   if (word == "type") return MapFormat::kMovingAiMap;
   if (word == "version") return MapFormat::kMovingAiScenario;
   if (is_wkt_keyword(word)) return MapFormat::kWkt;
+  if (word == "---" && has_image_key(content)) return MapFormat::kRosMap;  // YAML's mark of a document's begin
   if (const char c = scanner.peek(); (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.')
     return is_number_list(scanner) ? MapFormat::kTpcap : MapFormat::kTextPolygons;
   if (has_image_key(content)) return MapFormat::kRosMap;

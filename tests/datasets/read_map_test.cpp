@@ -42,6 +42,10 @@ TEST(DetectFormat, GoesByContent) {
   expect("-1\n2\n0\n", MapFormat::kTpcap);
   expect("type octile\nheight 1\n", MapFormat::kMovingAiMap);
   expect("version 1\n", MapFormat::kMovingAiScenario);
+  expect("# saved\nmode: raw\nimage: a.pgm\n", MapFormat::kRosMap);
+  expect("%YAML 1.2\n---\nimage: a.pgm\n", MapFormat::kRosMap);
+  expect("---\r\nimage: a.pgm\r\n", MapFormat::kRosMap);
+  expect("--- # saved\n\"image\": a.pgm\n", MapFormat::kRosMap);
   EXPECT_THROW(detect_format("", "x"), FormatError);
   EXPECT_THROW(detect_format("\x7F"
                              "ELF",
