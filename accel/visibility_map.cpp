@@ -9,6 +9,7 @@
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/sight_trace.h"
 #include "accel/wedge/wedge_walk.h"
+#include "core/geometry/crossing_point.h"
 #include "core/geometry/predicates.h"
 #include "core/graph/visibility_graph.h"
 #include "core/query/blocking.h"
@@ -35,14 +36,11 @@ bool precedes(const Vec2& p, const Vec2& a, const Vec2& b) {
   return orientation(p, a, b) > 0;
 }
 
-// Where the line from p through `through` meets a wall, whose ends do not lie on the same side of it, rounded.
+// Where the line from p through `through` meets a wall, rounded.
 Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& wall) {
   if (through == wall.a || through == wall.b) return through;
   if (orientation(wall.a, wall.b, p) == 0) return p;
-  // Of a line that runs nearly along the wall, differences of coordinates do not tell the ends' sides.
-  const double right = doubled_area(p, through, wall.a), left = doubled_area(p, through, wall.b);
-  if (left == 0.0) return wall.b;
-  return wall.a + right / (right - left) * (wall.b - wall.a);
+  return crossing_point(wall, {p, through});
 }
 
 }  // namespace

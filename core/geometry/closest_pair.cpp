@@ -1,22 +1,17 @@
 #include "core/geometry/closest_pair.h"
 
-#include <algorithm>
-
+#include "core/geometry/crossing_point.h"
 #include "core/geometry/distance.h"
 
 namespace arcway {
 namespace {
 
 Vec2 meeting_point(const LineSegment& s, const LineSegment& t) {
-  for (const Vec2& p : {s.a, s.b}) {
-    if (distance(p, t) == 0.0) return p;
-  }
-  for (const Vec2& p : {t.a, t.b}) {
-    if (distance(p, s) == 0.0) return p;
-  }
-  const Vec2 u = s.b - s.a;
-  const Vec2 v = t.b - t.a;
-  return s.a + std::clamp(cross(t.a - s.a, v) / cross(u, v), 0.0, 1.0) * u;
+  for (const Vec2& p : {s.a, s.b})
+    if (on_segment(p, t)) return p;
+  for (const Vec2& p : {t.a, t.b})
+    if (on_segment(p, s)) return p;
+  return crossing_point(s, t);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "core/geometry/polygon.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include "core/geometry/box_tree.h"
+#include "core/geometry/crossing_point.h"
 #include "core/geometry/expansion.h"
 #include "core/geometry/predicates.h"
 
@@ -70,15 +70,6 @@ Vec2 touching_point(const LineSegment& s, const LineSegment& t) {
   if (on_segment(s.a, t)) return s.a;
   if (on_segment(s.b, t)) return s.b;
   return on_segment(t.a, s) ? t.a : t.b;
-}
-
-Vec2 crossing_point(const LineSegment& s, const LineSegment& t) {
-  const Vec2 u = s.b - s.a;
-  const Vec2 v = t.b - t.a;
-  const double determinant = cross(u, v);
-  // Rounded to zero only if the two are all but parallel; any of their points is as good then.
-  if (determinant == 0.0) return s.a;
-  return s.a + std::clamp(cross(t.a - s.a, v) / determinant, 0.0, 1.0) * u;
 }
 
 std::optional<RingConflict> find_conflict_of(const Edge& e, const Edge& f, bool consecutive) {

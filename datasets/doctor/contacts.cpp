@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/geometry/box_tree.h"
+#include "core/geometry/crossing_point.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/ray_parity.h"
 
@@ -147,9 +148,7 @@ class ContactFinder {
     meeting.boundaries_meet = true;
     if (relation == SegmentRelation::kCrossing) {
       meeting.first_enters = meeting.second_enters = true;
-      const Vec2 u = e.b - e.a, v = f.b - f.a;
-      const double determinant = cross(u, v);
-      if (!known) meeting.place = determinant == 0.0 ? e.a : Vec2(e.a + cross(f.a - e.a, v) / determinant * u);
+      if (!known) meeting.place = crossing_point(e, f);
       return;
     }
     if (relation == SegmentRelation::kOverlapping)

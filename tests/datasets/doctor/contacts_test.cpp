@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
 #include "tests/support/boxes.h"
 #include "tests/support/random_inputs.h"
@@ -123,6 +124,15 @@ TEST(Contacts, AgreeWithAreasOnAGrid) {
     }
   }
   for (const int count : seen) EXPECT_GT(count, 3);
+}
+
+TEST(Contacts, AreWhereSidesCrossHoweverNearlyParallel) {
+  const LineSegment s{{8, -4}, {-18, 20}},
+      t{{0.76719719030916611, 2.6764333627915393}, {-13.732809012683973, 16.061054473246742}};
+  ASSERT_EQ(relate(s, t), SegmentRelation::kCrossing);
+  const auto contacts = find_contacts(std::vector<Polygon>{{{s.a, s.b, {70, 70}}, {}}, {{t.a, t.b, {-70, -70}}, {}}});
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_LE(distance(contacts[0].place, s) + distance(contacts[0].place, t), 1e-13);
 }
 
 TEST(Contacts, OfManyPolygons) {
