@@ -14,7 +14,8 @@
 namespace arcway {
 namespace {
 
-constexpr double kSlack = 1e-9;  // [m], so that rounding does not eat into the gap
+constexpr std::size_t kMostVertices = std::size_t{1} << 28;  // of all obstacles
+constexpr double kSlack = 1e-9;                              // [m], so that rounding does not eat into the gap
 
 [[noreturn]] void refuse(const char* parameter, double value, const char* limit) {
   throw std::invalid_argument(std::string("clutter: ") + parameter + " is " + shortest_text(value) + ", must be " +
@@ -22,8 +23,12 @@ constexpr double kSlack = 1e-9;  // [m], so that rounding does not eat into the 
 }
 
 void check(const ClutterParameters& p) {
-  if (p.vertices < 3 && p.kind != ClutterKind::kRectangle)
-    refuse("vertices", static_cast<double>(p.vertices), "at least 3");
+  const bool rectangles = p.kind == ClutterKind::kRectangle;
+  if (p.vertices < 3 && !rectangles) refuse("vertices", static_cast<double>(p.vertices), "at least 3");
+  if (const std::size_t each = rectangles ? 4 : p.vertices; p.obstacles > kMostVertices / each)
+    throw std::invalid_argument("clutter: obstacles is " + std::to_string(p.obstacles) + " with " +
+                                std::to_string(each) + " vertices each, at most " + std::to_string(kMostVertices) +
+                                " vertices are made");
   if (!(p.fill > 0.0 && p.fill <= 0.6)) refuse("fill", p.fill, "in (0, 0.6]");
   if (!(p.min_gap >= 0.0 && std::isfinite(p.min_gap))) refuse("min_gap", p.min_gap, "finite and not negative");
   if (!(p.min_radius > 0.0 && std::isfinite(p.min_radius))) refuse("min_radius", p.min_radius, "finite and positive");

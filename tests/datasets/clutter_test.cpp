@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "core/geometry/predicates.h"
@@ -129,6 +130,9 @@ TEST(Clutter, RefusesWhatCannotBe) {
   };
   EXPECT_EQ(message({.fill = 0.9}), "clutter: fill is 0.9, must be in (0, 0.6]");
   EXPECT_EQ(message({.vertices = 2}), "clutter: vertices is 2, must be at least 3");
+  EXPECT_EQ(message({.obstacles = std::size_t{1} << 61, .vertices = 8}),
+            "clutter: obstacles is 2305843009213693952 with 8 vertices each, at most 268435456 vertices are made");
+  EXPECT_NE(message({.obstacles = 1, .vertices = SIZE_MAX}).find("at most 268435456 vertices"), std::string::npos);
   EXPECT_NE(message({.fill = 0.5, .min_gap = 5.0}).find("cannot reach fill 0.5 with gap 5 m"), std::string::npos);
   EXPECT_EQ(message({.min_radius = 5, .max_radius = 4}),
             "clutter: max_radius is 4, must be at least min_radius and at most 1e6");
