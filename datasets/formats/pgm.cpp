@@ -4,6 +4,7 @@
 
 #include "datasets/file_io.h"
 #include "datasets/formats/grey_image.h"
+#include "datasets/formats/text_scanner.h"
 
 namespace arcway {
 namespace {
@@ -45,6 +46,13 @@ class Reader {
     }
   }
 
+  [[nodiscard]] std::string found() const {
+    const auto end = std::find_if(bytes_.begin() + static_cast<std::ptrdiff_t>(at_), bytes_.end(), is_space);
+    return at_ == bytes_.size()
+               ? "the end of the file"
+               : detail::quoted(bytes_.substr(at_, static_cast<std::size_t>(end - bytes_.begin()) - at_));
+  }
+
   std::size_t number(const char* what, std::size_t least, std::size_t most) {
     skip_space_and_comments();
     std::size_t value = 0;
@@ -52,8 +60,7 @@ class Reader {
     const auto [end, error] = std::from_chars(begin, bytes_.data() + bytes_.size(), value);
     if (error != std::errc() || value < least || value > most)
       fail(std::string("expected ") + what + " as a whole number from " + std::to_string(least) +
-           (most < SIZE_MAX ? " to " + std::to_string(most) : "") +
-           (at_ == bytes_.size() ? ", found the end of the file" : ""));
+           (most < SIZE_MAX ? " to " + std::to_string(most) : "") + ", found " + found());
     at_ += static_cast<std::size_t>(end - begin);
     return value;
   }

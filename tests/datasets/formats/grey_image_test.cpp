@@ -37,9 +37,10 @@ TEST(Pgm, ReadsBytesOfOneAndTwo) {
 
 TEST(Pgm, ErrorsNameTheByte) {
   EXPECT_EQ(pgm_error("P3 1 1 1 0"), "a.pgm: byte 0: expected PGM, which begins with P2 or P5");
-  EXPECT_EQ(pgm_error("P2 0 1 1 0"), "a.pgm: byte 3: expected the width as a whole number from 1");
-  EXPECT_EQ(pgm_error("P2 1 1 70000 0"), "a.pgm: byte 7: expected the largest value as a whole number from 1 to 65535");
-  EXPECT_EQ(pgm_error("P2 2 1 9 10 0"), "a.pgm: byte 9: expected a pixel as a whole number from 0 to 9");
+  EXPECT_EQ(pgm_error("P2 0 1 1 0"), "a.pgm: byte 3: expected the width as a whole number from 1, found \"0\"");
+  EXPECT_EQ(pgm_error("P2 1 1 70000 0"),
+            "a.pgm: byte 7: expected the largest value as a whole number from 1 to 65535, found \"70000\"");
+  EXPECT_EQ(pgm_error("P2 2 1 9 10 0"), "a.pgm: byte 9: expected a pixel as a whole number from 0 to 9, found \"10\"");
   EXPECT_EQ(pgm_error("P2 2 1 9 1"),
             "a.pgm: byte 10: expected a pixel as a whole number from 0 to 9, found the end of the file");
   EXPECT_EQ(pgm_error("P5 2 2 255 abc"), "a.pgm: byte 11: expected 4 bytes of pixels, found 3");
