@@ -116,8 +116,10 @@ bool is_wkt_keyword(std::string_view word) {
   std::string upper(word);
   std::transform(upper.begin(), upper.end(), upper.begin(),
                  [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  if (upper.ends_with('M')) upper.pop_back();  // Z, M or ZM may stand right behind
+  if (upper.ends_with('Z')) upper.pop_back();
   for (const std::string_view keyword : {"SRID", "POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING", "POLYGON",
-                                         "POLYGONZ", "POLYGONM", "POLYGONZM", "MULTIPOLYGON", "GEOMETRYCOLLECTION"})
+                                         "MULTIPOLYGON", "GEOMETRYCOLLECTION"})
     if (upper == keyword) return true;
   return false;
 }

@@ -80,12 +80,15 @@ class Reader {
 
   void read_geometry(int depth) {
     if (depth > kMaxDepth) text_.fail("geometry collections nested more than " + std::to_string(kMaxDepth) + " deep");
-    const std::string type = keyword();
-    {  // Z, M and ZM say how many ordinates there are, which shows anyway
+    std::string type = keyword();
+    // Z, M and ZM, behind a blank or not, say how many ordinates there are, which shows anyway.
+    if (type.ends_with('M')) type.pop_back();
+    if (type.ends_with('Z')) type.pop_back();
+    {
       TextScanner before = text_;
       if (const std::string word = keyword(); word != "Z" && word != "M" && word != "ZM") text_ = before;
     }
-    if (type == "POLYGON" || type == "POLYGONZ" || type == "POLYGONM" || type == "POLYGONZM") {
+    if (type == "POLYGON") {
       read_polygon(place_);
     } else if (type == "MULTIPOLYGON") {
       std::size_t i = 0;

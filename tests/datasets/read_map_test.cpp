@@ -37,6 +37,7 @@ TEST(DetectFormat, GoesByContent) {
   expect("\x1E{}\n", MapFormat::kGeoJson);
   expect("polygon((0 0,1 0,1 1,0 0))", MapFormat::kWkt);
   expect("SRID=4326;POLYGON EMPTY", MapFormat::kWkt);
+  expect("MultiPolygonZM EMPTY", MapFormat::kWkt);
   expect("# a comment\n0 0 1 0 1 1\n", MapFormat::kTextPolygons);
   expect("1.5,2,0,2,3,0,0", MapFormat::kTpcap);
   expect("-1\n2\n0\n", MapFormat::kTpcap);

@@ -22,6 +22,8 @@ TEST(Wkt, ReadsAllShapesOfPolygons) {
            "POLYGON ZM ((0 0 7 1, 4 0 7 1, 4 4 8 1, 0 0 7 1))",
            "SRID=25832;POLYGON ((0 0, 4 0,\n 4 4, 4 4, 0 0));",
            "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 0)))",
+           "MULTIPOLYGONZ (((0 0 7, 4 0 7, 4 4 8, 0 0 7)))",
+           "GEOMETRYCOLLECTIONZM (POLYGONZM ((0 0 7 1, 4 0 7 1, 4 4 8 1, 0 0 7 1)))",
            "POLYGON EMPTY\nGEOMETRYCOLLECTION (MULTIPOLYGON EMPTY, GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 "
            "0))))",
        }) {
