@@ -15,6 +15,20 @@ namespace fs = std::filesystem;
                   (error != 0 ? std::generic_category().message(error) : "unknown reason"));
 }
 
+// What a path stands for, there or not: links stay when it is written.
+fs::path behind_links(fs::path path) {
+  constexpr int kMostLinks = 40;
+  const fs::path given = path;
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(path, error); ++links) {
+    if (links == kMostLinks) fail("write", given, ELOOP);
+    const fs::path named = fs::read_symlink(path, error);
+    if (error) fail("write", given, error.value());
+    path = path.parent_path() / named;
+  }
+  return path;
+}
+
 void write_whole(const fs::path& path, std::string_view text) {
   errno = 0;
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
@@ -52,8 +66,7 @@ void write_file_atomically(const fs::path& path, std::string_view text) {
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) fail("write", path, EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_whole(path, text);  // a device or a pipe
-  // Through links, so that they stay.
-  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
+  const fs::path target = behind_links(path);
   fs::path temporary = target;
   temporary += ".tmp" + std::to_string(std::random_device()());
   try {

@@ -25,6 +25,19 @@ TEST_F(FileIoTest, WritesReplacesAndLeavesNothingBehind) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
+TEST_F(FileIoTest, LinksStay) {
+  write_file_atomically(folder_ / "there", "old");
+  fs::create_symlink("there", folder_ / "link");
+  fs::create_symlink("not yet", folder_ / "to_nothing");
+  for (const char* name : {"link", "to_nothing"}) {
+    write_file_atomically(folder_ / name, "new");
+    EXPECT_TRUE(fs::is_symlink(folder_ / name)) << name;
+    EXPECT_EQ(read_file(folder_ / fs::read_symlink(folder_ / name)), "new");
+  }
+  fs::create_symlink("circle", folder_ / "circle");
+  EXPECT_THROW(write_file_atomically(folder_ / "circle", ""), FileError);
+}
+
 TEST_F(FileIoTest, ErrorsNameThePath) {
   const auto error = [](auto action) -> std::string {
     try {
