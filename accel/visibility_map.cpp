@@ -224,13 +224,20 @@ std::vector<VertexId> VisibilityMap::tangents_from(const Vec2& point) const {
   std::erase_if(found, [&](VertexId v) {
     return !is_tangent(d.world, v, point) || !d.is_visible({d.world.vertex(v), point});
   });
-  // Of those in one direction the nearest.
-  const std::vector<VertexId> seen = found;
-  std::erase_if(found, [&](VertexId v) {
-    return std::any_of(seen.begin(), seen.end(), [&](VertexId w) {
-      return on_open_segment(d.world.vertex(w), {point, d.world.vertex(v)});
-    });
+  // Of those in one direction the nearest, or all that are at its place.
+  const auto place = [&](VertexId v) -> const Vec2& { return d.world.vertex(v); };
+  const auto around = std::partition(found.begin(), found.end(), [&](VertexId v) { return place(v) == point; });
+  std::sort(around, found.end(), [&](VertexId v, VertexId w) {
+    if (precedes(point, place(v), place(w))) return true;
+    return !precedes(point, place(w), place(v)) && on_open_segment(place(v), {point, place(w)});
   });
+  const Vec2* nearest = &point;
+  const auto is_behind = [&](VertexId v) {
+    if (on_open_segment(*nearest, {point, place(v)})) return true;
+    nearest = &place(v);
+    return false;
+  };
+  found.erase(std::remove_if(around, found.end(), is_behind), found.end());
   std::sort(found.begin(), found.end());
   return found;
 }
