@@ -124,6 +124,8 @@ MapFile united(const MapFile& map, double grid) {
   Geos geos;
   MapFile result = map;
   result.obstacles.clear();
+  result.bounds.reset();
+  result.curves.clear();
   result.places.clear();
   result.bounds_place.clear();
   std::vector<Geos::Geometry> parts;
@@ -133,7 +135,6 @@ MapFile united(const MapFile& map, double grid) {
   for (const Polygon& polygon : map.obstacles) add(polygon);
   if (map.bounds && map.bounds->size() >= 3) {
     std::vector<Polygon> regions = geos.polygons(geos.valid_region({*map.bounds, {}}).get());
-    result.bounds.reset();
     if (!regions.empty()) {
       Polygon& largest = *std::ranges::max_element(regions, {}, area_of);
       result.bounds = std::move(largest.outer);

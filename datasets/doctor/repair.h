@@ -10,8 +10,8 @@ bool can_repair();
 /// A map that World takes, of the same free space as far as the map has one: rings made valid, obstacles that overlap
 /// or share edges joined, exactly collinear vertices dropped, outer rings counter-clockwise and holes clockwise.
 /// Self-crossing rings become the parts that they wind round an odd number of times. Of broken bounds the largest part
-/// stays. Crossings become vertices, rounded; should a rounded map still cross itself, vertices are moved to a grid of
-/// about 1e-9 of the map's size. Start, goal, warnings and notes stay; places go.
+/// stays, if any has area. Crossings become vertices, rounded; should a rounded map still cross itself, vertices are
+/// moved to a grid of about 1e-9 of the map's size. Start, goal, warnings and notes stay; places and curves go.
 /// @throws std::runtime_error without GEOS or if it fails; std::invalid_argument for coordinates that World refuses.
 MapFile repaired(const MapFile& map);
 

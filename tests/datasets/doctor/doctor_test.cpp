@@ -174,6 +174,22 @@ TEST_F(Repair, KeepsTheLargestPartOfBrokenBounds) {
   EXPECT_GT(signed_area(*clean.bounds), 90.0);
 }
 
+TEST_F(Repair, LeavesNoBoundsWithoutArea) {
+  for (const Ring& bounds : {Ring{}, Ring{{1, 1}}, Ring{{0, 0}, {4, 4}}, Ring{{0, 0}, {4, 4}, {4, 4}, {0, 0}},
+                             Ring{{0, 0}, {2, 2}, {4, 4}}}) {
+    MapFile map = of({{box(1, 1, 2, 2), {}}});
+    map.bounds = bounds;
+    EXPECT_FALSE(repair(map).bounds) << bounds.size();
+  }
+}
+
+// They name rings by their numbers, which are others now.
+TEST_F(Repair, LeavesNoCurves) {
+  MapFile map = of({{box(0, 0, 4, 4), {}}, {box(2, 2, 6, 6), {}}});
+  map.curves.push_back({1, 0, {}});
+  EXPECT_TRUE(repair(map).curves.empty());
+}
+
 TEST_F(Repair, TakesTheCatalogue) {
   for (const char* name : {"adversarial/touching/v2000", "adversarial/shared/v2000", "adversarial/overlapping/v2000",
                            "adversarial/nested/v2000", "adversarial/contacts/v2000", "adversarial/holes/v2000",
