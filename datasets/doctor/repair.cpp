@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/polygon.h"
 #include "core/geometry/predicates.h"
 #include "datasets/doctor/doctor.h"
 #endif
@@ -120,6 +121,9 @@ void drop_collinear(Ring& ring) {
 
 double area_of(const Polygon& polygon) { return std::abs(signed_area(polygon.outer)); }
 
+// Whether World takes it.
+bool is_ring(const Ring& ring) { return ring.size() >= 3 && winding(ring) != 0 && !find_conflict({ring, {}}); }
+
 MapFile united(const MapFile& map, double grid) {
   Geos geos;
   MapFile result = map;
@@ -133,7 +137,10 @@ MapFile united(const MapFile& map, double grid) {
     if (polygon.outer.size() >= 3) parts.push_back(geos.valid_region(polygon));
   };
   for (const Polygon& polygon : map.obstacles) add(polygon);
-  if (map.bounds && map.bounds->size() >= 3) {
+  if (map.bounds && is_ring(*map.bounds)) {
+    result.bounds = map.bounds;  // in one piece, even if that touches itself
+    drop_collinear(*result.bounds);
+  } else if (map.bounds && map.bounds->size() >= 3) {
     std::vector<Polygon> regions = geos.polygons(geos.valid_region({*map.bounds, {}}).get());
     if (!regions.empty()) {
       Polygon& largest = *std::ranges::max_element(regions, {}, area_of);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -181,6 +182,12 @@ TEST_F(Repair, LeavesNoBoundsWithoutArea) {
     map.bounds = bounds;
     EXPECT_FALSE(repair(map).bounds) << bounds.size();
   }
+}
+
+TEST_F(Repair, KeepsBoundsThatTouchThemselves) {
+  MapFile map;
+  map.bounds = Ring{{7, 1}, {5, 3}, {5, 8}, {1, 4}, {5, 3}, {5, 0}};
+  EXPECT_EQ(std::abs(signed_area(*repair(map).bounds)), std::abs(signed_area(*map.bounds)));
 }
 
 // They name rings by their numbers, which are others now.
