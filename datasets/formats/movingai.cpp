@@ -1,5 +1,6 @@
 #include "datasets/formats/movingai.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -14,6 +15,8 @@ namespace {
 
 using detail::quoted;
 using detail::TextScanner;
+
+constexpr std::size_t kMostCells = 1'000'000'000;  // along a side: products with those of a map do not overflow
 
 std::optional<std::size_t> whole_number(std::string_view text) {
   std::size_t value = 0;
@@ -117,6 +120,9 @@ std::vector<MovingAiTask> read_movingai_scenario(std::string_view text, std::str
     task.map = std::string(map_begin, static_cast<std::size_t>(last.data() + last.size() - map_begin));
     task.width = count(2, "the map's width");
     task.height = count(3, "the map's height");
+    if (std::max(task.width, task.height) > kMostCells)
+      throw FormatError(place + "a map of " + std::to_string(task.width) + " x " + std::to_string(task.height) +
+                        " cells, at most " + std::to_string(kMostCells) + " are read along a side");
     task.start_x = count(4, "start x");
     task.start_y = count(5, "start y");
     task.goal_x = count(6, "goal x");

@@ -64,6 +64,9 @@ TEST(MovingAi, TaskErrorsNameTheLine) {
             "a.scen: line 2: cell 9 is outside of the map of 9 x 9 cells");
   EXPECT_EQ(error("version 1\n0 a.map 9 9 1.5 1 2 2 1\n"),
             "a.scen: line 2: expected start x as a whole number, found \"1.5\"");
+  // In 64 bits as high for its width as a map of 4 x 3 cells.
+  EXPECT_EQ(error("version 1\n0 a.map 4 4611686018427387907 1 1 2 2 1\n"),
+            "a.scen: line 2: a map of 4 x 4611686018427387907 cells, at most 1000000000 are read along a side");
 }
 
 TEST(MovingAi, HeadingsFollowSeedAndTask) {
