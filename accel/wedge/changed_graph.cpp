@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <mutex>
+#include <stdexcept>
+#include <string>
 
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/shadow_walk.h"
@@ -46,6 +48,10 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
 VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, const World& after,
                                                 const WorldChange& change, const Executor& executor,
                                                 std::size_t* rows) {
+  if (graph.vertex_count() != change.moved.size() || change.end_come > after.vertices().size())
+    throw std::invalid_argument("change of a reduced visibility graph: it has " + std::to_string(graph.vertex_count()) +
+                                " vertices, the change is one from " + std::to_string(change.moved.size()) + " to " +
+                                std::to_string(after.vertices().size()));
   SightMap map(after, executor);
   map.list_left_edges();
   const std::vector<std::uint8_t> stale = find_stale(graph, after, change, map);

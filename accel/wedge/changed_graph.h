@@ -14,6 +14,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// triangulated anew.
 /// @param graph  of the world before.
 /// @param rows   how many rows were walked again, if wanted.
+/// @throws std::invalid_argument if graph and change are not of the same worlds, as far as numbers of vertices tell.
 VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, const World& after,
                                                 const WorldChange& change, const Executor& executor = SerialExecutor(),
                                                 std::size_t* rows = nullptr);

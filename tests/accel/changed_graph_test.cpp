@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 
 #include "accel/wedge/wedge_graph.h"
@@ -70,6 +71,16 @@ TEST(ChangedGraph, IsTheOneBuiltAnewInWorldsOfTheCatalogue) {
     });
     if (HasFatalFailure()) return;
   }
+}
+
+TEST(ChangedGraph, RefusesTheGraphOfAnotherWorld) {
+  const World world({{test::square(0, 0, 1), {}}, {test::square(3, 0, 1), {}}});
+  const World after = world.changed({}, {{test::square(6, 0, 1), {}}});
+  const WorldChange change(world, after, {});
+  EXPECT_THROW((void)change_reduced_visibility_graph(build_reduced_visibility_graph_by_wedges(after), after, change),
+               std::invalid_argument);
+  EXPECT_THROW((void)change_reduced_visibility_graph(build_reduced_visibility_graph_by_wedges(world), world, change),
+               std::invalid_argument);
 }
 
 TEST(ChangedGraph, WalksFewRowsForAChangeOfOneObstacle) {
