@@ -39,9 +39,9 @@ class VisibilityMap {
                        ///< crosses, obstacle on the right of a -> b; the vertex twice if the ray enters at one
   };
   /// Of the ray from `from` through `towards`, different points; nothing if it meets none. A start inside an obstacle
-  /// is the hit itself, and its wall. O(log n + triangles on the
-  /// way); O(n) from an edge with obstacles on both sides.
-  /// @throws std::domain_error if edges of the world cross, or the start is further from the map than its size.
+  /// is the hit itself, and its wall. O(log n + triangles on the way); O(n) from an edge with obstacles on both sides.
+  /// @throws std::invalid_argument if the points are equal; std::domain_error if edges of the world cross, or the start
+  ///   is further from the map than its size.
   [[nodiscard]] std::optional<RayHit> first_hit(const Vec2& from, const Vec2& towards) const;
 
   /// The convex vertices that share an edge of the reduced visibility graph with a vertex, ascending.
