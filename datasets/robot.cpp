@@ -140,7 +140,7 @@ Scenario read_scenario(std::string_view text, std::string_view name) {
     const JsonPlace task = tasks.at(i);
     task.allow_keys({"id", "start", "goal"});
     const std::string id = task.has("id") ? task.at("id").string() : "t" + std::to_string(i);
-    if (!ids.insert(id).second) task.fail("second task with the id \"" + id + "\"");
+    if (!ids.insert(id).second) task.fail("second task with the id " + detail::shown(id));
     scenario.tasks.push_back({id, task.at("start").pose(), task.at("goal").pose()});
   }
   return scenario;

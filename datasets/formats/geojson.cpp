@@ -44,7 +44,7 @@ class Reader {
     const std::string place = "feature " + std::to_string(feature_++);
     require_object(feature, place);
     if (const std::string type = type_of(feature, place); type != "Feature")
-      map_.fail(place, "expected a Feature, found type \"" + type + "\"");
+      map_.fail(place, "expected a Feature, found type " + shown(type));
     const auto geometry = feature.find("geometry");
     if (geometry == feature.end() || geometry->is_null()) return;
     const auto found = feature.find("properties");
@@ -198,7 +198,7 @@ class Reader {
     const bool polygon = type == "Polygon", multi = type == "MultiPolygon", point = type == "Point";
     const bool line = type == "LineString", lines = type == "MultiLineString";
     if (!polygon && !multi && !point && !line && !lines && type != "MultiPoint")
-      map_.fail(place, "unknown geometry type \"" + type + "\"");
+      map_.fail(place, "unknown geometry type " + shown(type));
     const auto coordinates = geometry.find("coordinates");
     if (coordinates == geometry.end()) map_.fail(place, type + " without \"coordinates\"");
     if (!coordinates->is_array()) map_.fail(place, "expected an array of coordinates, found " + shown(*coordinates));
@@ -206,7 +206,7 @@ class Reader {
 
     const auto part = [&](const char* what, std::size_t i) { return place + ", " + what + " " + std::to_string(i); };
     if (role == Role::kStart || role == Role::kGoal) {
-      if (!point) map_.fail(place, "start and goal must be Points, found " + type);
+      if (!point) map_.fail(place, "start and goal must be Points, found " + shown(type));
       read_pose(*coordinates, role, properties, place);
     } else if (polygon) {
       read_polygon(*coordinates, role, place);

@@ -92,6 +92,9 @@ TEST(GeoJson, ErrorsNamePlaceAndValue) {
   EXPECT_EQ(error_of("{}"), "world.geojson: missing key \"type\"");
   EXPECT_EQ(error_of(R"({"type":"Circle","coordinates":[1]})"),
             "world.geojson: geometry: unknown geometry type \"Circle\"");
+  EXPECT_EQ(error_of(R"({"type":"Feature\u001b","x":1})"),
+            R"(world.geojson: geometry: unknown geometry type "Feature\u001b")");
+  EXPECT_LT(error_of(R"({"type":")" + std::string(100000, 'x') + R"("})").size(), 200u);
   EXPECT_NE(error_of("{\"type\":\n\"Polygon\",\n\"coordinates\":[[[0,NaN],[1,1],[2,3]]]}").find("line 3: found NaN"),
             std::string::npos);
   EXPECT_NE(error_of("{\"type\":\n\"Polygon\",\n}").find("world.geojson: line 3: syntax error"), std::string::npos)
