@@ -348,7 +348,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     if (result.bottleneck && result.bottleneck->too_narrow()) return true;
     if (!request.reverse)
       why.dead_end = find_dead_end(request.start, request.goal, d.map().body, d.map().vehicle.min_turning_radius(),
-                                   *d.map().queries.sweep, kDeadEndChecks);
+                                   *d.map().queries.sweep, *d.map().outlines, kDeadEndChecks);
     return why.dead_end.has_value();
   };
   why.obstruction = run.find_forwards(d.maps, d.tightest ? kQuickEffort : 1.0, std::cref(no_passage));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/geometry/angle.h"
+#include "core/passage/local_sweep.h"
 
 namespace arcway {
 
@@ -89,15 +90,15 @@ class SeenBoxes {
 class ForwardFlood {
  public:
   ForwardFlood(const Pose& from, const Vec2& to, const Footprint& footprint, double radius, const SweepQuery& sweep,
-               int level)
-      : sweep_(sweep),
-        from_(from),
+               const Outlines& outlines, int level)
+      : from_(from),
         to_(to),
         radius_(radius),
         headings_(kFewestHeadings << level),
         furthest_(kFurthest << level),
         edge_(kCoarsest * footprint.half_width / (1 << level)),
         step_(std::max(kStep * radius, kLeastStep * edge_)),
+        sweep_(sweep, outlines, place_of(footprint)),
         turned_steps_(turned_steps()),
         bodies_(static_cast<std::size_t>(headings_)),
         moves_(static_cast<std::size_t>(headings_)) {
@@ -199,12 +200,19 @@ class ForwardFlood {
     return moves;
   }
 
-  const SweepQuery& sweep_;
+  // All that the body may cover.
+  [[nodiscard]] Box place_of(const Footprint& footprint) const {
+    Box place;
+    place.extend(from_.position());
+    return place.grown(furthest_ * edge_ + std::max(footprint.front, footprint.rear) + footprint.half_width);
+  }
+
   Pose from_;
   Vec2 to_;
   double radius_;
   std::int32_t headings_, furthest_;
   double edge_, step_;
+  LocalSweep sweep_;
   Footprint core_{};
   std::vector<Turned> turned_steps_;
   // By heading, once they were asked for: the body with the reference point at the origin, and the moves.
@@ -216,7 +224,7 @@ class ForwardFlood {
 }  // namespace
 
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, std::size_t max_checks) {
+                                     const SweepQuery& sweep, const Outlines& outlines, std::size_t max_checks) {
   // Whoever drives from where it came sees the body the other way round.
   const Pose turned{goal.x, goal.y, goal.heading + kPi};
   const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
@@ -225,7 +233,7 @@ std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const 
     for (const bool at_start : {true, false}) {
       if (given_up[at_start]) continue;
       ForwardFlood flood(at_start ? start : turned, at_start ? goal.position() : start.position(),
-                         at_start ? footprint : swapped, radius, sweep, level);
+                         at_start ? footprint : swapped, radius, sweep, outlines, level);
       const ForwardFlood::End end = flood.run(max_checks << level);
       if (end == ForwardFlood::End::kClosed) return DeadEnd{at_start, flood.reach()};
       given_up[at_start] = end == ForwardFlood::End::kGivenUp;

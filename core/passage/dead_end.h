@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/outlines.h"
 #include "core/path/path.h"
 #include "core/query/sweep_query.h"
 #include "core/vehicle.h"
@@ -24,9 +25,10 @@ struct DeadEnd {
 /// that also hold for reversing are found by find_enclosure.
 /// @param footprint  of the body that must not touch anything.
 /// @param radius  smallest turning radius, > 0.
+/// @param outlines  of the query's world.
 /// @param max_checks  of larger boxes from one end, and twice as many of smaller ones; below a microsecond each.
 /// @returns nothing if no proof is found: there may be a path or none.
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, std::size_t max_checks);
+                                     const SweepQuery& sweep, const Outlines& outlines, std::size_t max_checks);
 
 }  // namespace arcway

@@ -4,8 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <memory>
-#include <span>
 
 #include "core/geometry/angle.h"
 #include "core/planner.h"
@@ -14,18 +12,20 @@
 #include "datasets/random.h"
 #include "datasets/random_queries.h"
 #include "tests/support/boxes.h"
+#include "tests/support/counting_sweep.h"
 
 namespace arcway {
 namespace {
 
 using test::box;
+using test::CountingSweep;
 
 constexpr std::size_t kChecks = 10000;
 const Pose kFarGoal{-30, 5, 0};
 
 std::optional<DeadEnd> dead_end(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal) {
   return find_dead_end(start, goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                       *make_reference_queries(world).sweep, kChecks);
+                       *make_reference_queries(world).sweep, Outlines(world), kChecks);
 }
 
 // Whoever faces a wall gets away by the tightest turn if at all, in which the outer front corner gets furthest.
@@ -59,30 +59,14 @@ TEST(DeadEnd, IsNoneTowardsAGoalThatIsNear) {
   EXPECT_FALSE(dead_end(World({box(2, -40, 3, 40)}), Vehicle{}, {0, 0, 0}, {0.4, 0, 0}));
 }
 
-class CountingSweep final : public SweepQuery {
- public:
-  explicit CountingSweep(const World& world) : exact_(make_reference_queries(world).sweep) {}
-  [[nodiscard]] std::size_t asked() const { return asked_; }
-
- private:
-  void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override {
-    asked_ += rectangles.size();
-    exact_->straight_free(rectangles, free);
-  }
-  void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override {
-    exact_->free_headings(bodies, result);
-  }
-
-  std::shared_ptr<const SweepQuery> exact_;
-  mutable std::size_t asked_ = 0;
-};
-
 // Questions are for what is on the way out, not for all beside it.
 TEST(DeadEnd, AsksLittleWhereThereIsAWayOut) {
   const Vehicle vehicle;
-  const CountingSweep sweep(World({box(6, -40, 7, 40)}));
-  EXPECT_FALSE(find_dead_end({0, 0, 0}, kFarGoal, vehicle.footprint(), vehicle.min_turning_radius(), sweep, kChecks));
-  EXPECT_LT(sweep.asked(), 1000u);
+  const World world({box(6, -40, 7, 40)});
+  const CountingSweep sweep(world);
+  EXPECT_FALSE(find_dead_end({0, 0, 0}, kFarGoal, vehicle.footprint(), vehicle.min_turning_radius(), sweep,
+                             Outlines(world), kChecks));
+  EXPECT_LT(sweep.asked(), 300u);
 }
 
 TEST(DeadEnd, IsTheReasonThatAPlanGives) {
@@ -126,10 +110,11 @@ TEST(DeadEnd, NoDriveGetsFurtherThanItSays) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const World world = random_world({.obstacles = 40, .vertices = 6, .fill = 0.6, .seed = seed});
     const QuerySet queries = make_reference_queries(world);
+    const Outlines outlines(world);
     Random random(seed);
     for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 25, .min_distance = 0.3})) {
       const auto proof = find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                                       *queries.sweep, kChecks);
+                                       *queries.sweep, outlines, kChecks);
       if (!proof || !proof->at_start) {
         ++open;
         continue;
@@ -149,12 +134,13 @@ TEST(DeadEnd, IsNotProvedWhereThereIsAPath) {
     const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.45, .seed = seed});
     const Vehicle vehicle;
     const QuerySet queries = make_reference_queries(world);
+    const Outlines outlines(world);
     const Planner planner(world, vehicle);
     for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 8, .min_distance = 0.2})) {
       if (!planner.plan(request).solved()) continue;
       ++solved;
       EXPECT_FALSE(find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                                 *queries.sweep, kChecks))
+                                 *queries.sweep, outlines, kChecks))
           << seed;
     }
   }
