@@ -66,7 +66,7 @@ std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap&
     if (same != maps.end()) return maps.push_back(with_other_turns(*same, all.vehicle, factor));
     const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(count));
     FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, SerialExecutor(), GraphMode::kLazy);
-    maps.emplace_back(all.world, with_other_turns(all.vehicle, factor), all.queries, radii, std::move(lazy));
+    maps.push_back(with_other_turns(all.with_graph(std::move(lazy), radii), all.vehicle, factor));
   };
   std::vector<OtherWay> known{{all.radii.size(), kFasterFactor}, {all.radii.size(), 1.0}};
   for (OtherWay way : kOtherWays) {

@@ -106,7 +106,7 @@ struct Planner::Data {
     if (options.radii.size() > 1) {
       const std::vector<double> smallest{options.radii.front()};
       FeasibleGraph lazy(world, vehicle, rows, queries, smallest, SerialExecutor(), GraphMode::kLazy);
-      tightest.emplace(SearchMap(world, vehicle, queries, smallest, std::move(lazy)), options.gap_circles);
+      tightest.emplace(map().with_graph(std::move(lazy), smallest), options.gap_circles);
       other_ways = maps_of_other_ways(maps.plain, tightest->plain, rows);
     }
     const Footprint bare = vehicle.footprint();

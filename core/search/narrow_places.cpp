@@ -28,7 +28,7 @@ const SearchMap& NarrowPlaces::map() const {
     ExtraCircles extra = find_gap_circles(map_.world, map_.gaps->map(), map_.vehicle, map_.radii.front());
     if (extra.round.empty() && extra.gates.empty()) return;
     add_wide_turns(map_, extra);
-    detailed_ = map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, extra));
+    detailed_ = map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, extra), map_.radii);
   });
   return detailed_ ? *detailed_ : map_;
 }

@@ -17,8 +17,9 @@ SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<d
       outlines(std::make_shared<const Outlines>(w)),
       gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())) {}
 
-SearchMap SearchMap::with_graph(FeasibleGraph other) const {
+SearchMap SearchMap::with_graph(FeasibleGraph other, std::vector<double> other_radii) const {
   SearchMap map = *this;
+  map.radii = std::move(other_radii);
   map.graph = std::move(other);
   map.circles = std::make_shared<const CircleTable>(map.graph);
   return map;

@@ -20,7 +20,8 @@ struct SearchMap {
   SearchMap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii,
             FeasibleGraph graph);
   /// The same map with another graph.
-  [[nodiscard]] SearchMap with_graph(FeasibleGraph other) const;
+  /// @param other_radii  those of that graph; the smallest as here.
+  [[nodiscard]] SearchMap with_graph(FeasibleGraph other, std::vector<double> other_radii) const;
 
   World world;
   Vehicle vehicle;
