@@ -60,7 +60,7 @@ std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap&
                                           const std::shared_ptr<const VisibilityRows>& rows) {
   std::vector<SearchMap> maps;
   const auto add_with = [&](std::size_t count, double factor) {
-    if (count == 1) return maps.push_back(with_other_turns(smallest, all.vehicle, factor));
+    if (count == smallest.radii.size()) return maps.push_back(with_other_turns(smallest, all.vehicle, factor));
     if (count == all.radii.size()) return maps.push_back(with_other_turns(all, all.vehicle, factor));
     const auto same = std::ranges::find(maps, count, [](const SearchMap& map) { return map.radii.size(); });
     if (same != maps.end()) return maps.push_back(with_other_turns(*same, all.vehicle, factor));
@@ -70,7 +70,7 @@ std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap&
   };
   std::vector<OtherWay> known{{all.radii.size(), kFasterFactor}, {all.radii.size(), 1.0}};
   for (OtherWay way : kOtherWays) {
-    way.radii = std::min(way.radii, all.radii.size());
+    way.radii = std::clamp(way.radii, smallest.radii.size(), all.radii.size());
     if (std::ranges::find(known, way) != known.end()) continue;
     known.push_back(way);
     add_with(way.radii, way.factor);

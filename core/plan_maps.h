@@ -37,8 +37,8 @@ struct PlanMaps {
 /// Where there are several radii, maps beside those of PlanMaps on which the fastest path may take a way of its own.
 /// Circles round vertices have few radii, and what refinement makes of a turn is not known before: these maps have some
 /// of the radii, as a path of tight turns is a shorter one, and vehicles with faster turns.
-/// @param all       with at least two radii.
-/// @param smallest  with the smallest of them alone.
+/// @param all       with more radii than `smallest`.
+/// @param smallest  with the first of them, see tightest_radii.
 /// @param rows      of the reduced graph of both.
 std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap& smallest,
                                           const std::shared_ptr<const VisibilityRows>& rows);

@@ -103,8 +103,10 @@ struct Planner::Data {
         rows(std::move(r)),
         maps({world, vehicle, queries, options.radii, make_feasible(rows, options)}, options.gap_circles),
         bottleneck(world, vehicle, map().gaps) {
-    if (options.radii.size() > 1) {
-      const std::vector<double> smallest{options.radii.front()};
+    const std::size_t tightest_count = tightest_radii(vehicle, options.radii);
+    if (tightest_count < options.radii.size()) {
+      const std::vector<double> smallest(options.radii.begin(),
+                                         options.radii.begin() + static_cast<std::ptrdiff_t>(tightest_count));
       FeasibleGraph lazy(world, vehicle, rows, queries, smallest, SerialExecutor(), GraphMode::kLazy);
       tightest.emplace(map().with_graph(std::move(lazy), smallest), options.gap_circles);
       other_ways = maps_of_other_ways(maps.plain, tightest->plain, rows);
@@ -137,7 +139,7 @@ struct Planner::Data {
   VisibilityGraph visibility_graph;
   std::shared_ptr<const VisibilityRows> rows;
   PlanMaps maps;
-  std::optional<PlanMaps> tightest;   // of several radii only the smallest
+  std::optional<PlanMaps> tightest;   // of the tightest radii only, where there are wider ones
   std::vector<SearchMap> other_ways;  // of several radii, beside those of `maps`
   std::optional<PointDistance> point_distance;
   BottleneckFinder bottleneck;

@@ -40,7 +40,8 @@ struct PlannerOptions {
   double suboptimality = 0.0;
   GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
   /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: turning_radii(vehicle, world).
-  /// If there are several, a plan with the smallest alone is made as well, and no plan is slower; so are some others.
+  /// If there are wider ones than those of tightest_radii, a plan with these alone is made as well, and no plan is
+  /// slower; so are some others.
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
   /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres.
@@ -52,8 +53,8 @@ struct PlannerOptions {
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
   bool point_robot_bound = true;
-  /// Of each path found; `max_trials = 0` turns it off. With several radii there are up to some thirty times as many
-  /// in all.
+  /// Of each path found; `max_trials = 0` turns it off. With wider radii than the tightest there are up to some
+  /// thirty times as many in all.
   RefineOptions refinement = {};
   /// Processes that build the same eager feasible graph together; used during construction only. None: this one alone.
   const Team* team = nullptr;

@@ -11,6 +11,7 @@ constexpr double kLeastRatio = 2.0;      // of a radius to the one before
 constexpr double kMostRatios = 4.0;      // radii but the smallest
 constexpr double kLeastLastRatio = 1.4;  // the last radius is left out if it is nearer than that to the one before
 constexpr double kWidest = 1e6;          // [m]
+constexpr double kRoundVertex = 1.5;     // of the body's half width: a turn that leads round a vertex
 
 // The smallest radius with the speed of the widest turns.
 double fastest_radius(const Vehicle& vehicle, double smallest) {
@@ -25,6 +26,10 @@ double fastest_radius(const Vehicle& vehicle, double smallest) {
   return radius;
 }
 
+bool leads_round_vertices(const Footprint& grown_body, double radius) {
+  return swept_annulus(grown_body, radius).inner > 0.0;
+}
+
 }  // namespace
 
 std::vector<double> turning_radii(const Vehicle& vehicle, const World& world) {
@@ -35,7 +40,16 @@ std::vector<double> turning_radii(const Vehicle& vehicle, const World& world) {
   std::vector<double> radii{smallest};
   while (radii.back() * factor * kLeastLastRatio < largest) radii.push_back(radii.back() * factor);
   if (radii.back() * kLeastLastRatio < largest) radii.push_back(largest);
+  const Footprint grown_body = vehicle.footprint(vehicle.safety_margin());
+  if (!leads_round_vertices(grown_body, radii.back())) radii.push_back(kRoundVertex * grown_body.half_width);
   return radii;
+}
+
+std::size_t tightest_radii(const Vehicle& vehicle, std::span<const double> radii) {
+  const Footprint grown_body = vehicle.footprint(vehicle.safety_margin());
+  std::size_t count = 1;
+  while (count < radii.size() && !leads_round_vertices(grown_body, radii[count - 1])) ++count;
+  return count;
 }
 
 }  // namespace arcway

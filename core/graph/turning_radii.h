@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/vehicle.h"
@@ -9,7 +11,11 @@ namespace [[gnu::visibility("default")]] arcway {
 
 /// The radii that are worth a turn circle [m], ascending: the smallest one of the vehicle and, as long as a wider turn
 /// is a faster one, at least twice the one before, up to where v_mc ends to rise or the map's extent does; five of them
-/// at most. One radius if v_mc is constant.
+/// at most. One radius if v_mc is constant, unless it leads round no vertex: then 1.5 half widths of the body as well.
 std::vector<double> turning_radii(const Vehicle& vehicle, const World& world);
+
+/// How many of some ascending radii it takes until one of them leads round vertices, all of them if none does. On a
+/// circle of no more than half the body's width the body covers the middle all the time, where the vertex would be.
+std::size_t tightest_radii(const Vehicle& vehicle, std::span<const double> radii);
 
 }  // namespace arcway

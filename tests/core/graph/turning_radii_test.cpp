@@ -44,5 +44,30 @@ TEST(TurningRadii, EndWithTheMapAndWithTheTable) {
   EXPECT_NEAR(turning_radii(Vehicle(parameters), field(1000)).back(), 4.0, 1e-6);
 }
 
+VehicleParameters turning_within(double radius) {
+  VehicleParameters parameters;
+  parameters.max_steering_angle = std::atan(parameters.wheelbase / radius);
+  return parameters;
+}
+
+TEST(TurningRadii, HaveOneThatLeadsRoundVertices) {
+  const Vehicle vehicle(turning_within(0.3));
+  const std::vector<double> radii = turning_radii(vehicle, field(100));
+  ASSERT_EQ(radii.size(), 2u);
+  EXPECT_DOUBLE_EQ(radii[0], vehicle.min_turning_radius());
+  EXPECT_GT(radii[1], 0.5 * vehicle.parameters().width);
+  EXPECT_EQ(turning_radii(Vehicle(turning_within(0.45)), field(100)).size(), 1u);
+}
+
+TEST(TightestRadii, EndWithTheFirstThatLeadsRoundVertices) {
+  const Vehicle vehicle;  // 0.8 m wide
+  EXPECT_EQ(tightest_radii(vehicle, std::vector{1.3}), 1u);
+  EXPECT_EQ(tightest_radii(vehicle, std::vector{1.3, 2.6}), 1u);
+  EXPECT_EQ(tightest_radii(vehicle, std::vector{0.1, 0.3, 0.5, 0.7}), 3u);
+  EXPECT_EQ(tightest_radii(vehicle, std::vector{0.1, 0.3}), 2u);
+  // With the margin the body covers the middle of a circle of half its width.
+  EXPECT_EQ(tightest_radii(vehicle, std::vector{0.4, 0.5}), 2u);
+}
+
 }  // namespace
 }  // namespace arcway
