@@ -103,7 +103,7 @@ struct Planner::Data {
         rows(std::move(r)),
         maps({world, vehicle, queries, options.radii, make_feasible(rows, options)}, options.gap_circles),
         bottleneck(world, vehicle, map().gaps) {
-    const std::size_t tightest_count = tightest_radii(vehicle, options.radii);
+    const std::size_t tightest_count = tightest_radii(vehicle.footprint(vehicle.safety_margin()), options.radii);
     if (tightest_count < options.radii.size()) {
       const std::vector<double> smallest(options.radii.begin(),
                                          options.radii.begin() + static_cast<std::ptrdiff_t>(tightest_count));

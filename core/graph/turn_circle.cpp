@@ -1,5 +1,6 @@
 #include "core/graph/turn_circle.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/angle.h"
@@ -42,14 +43,16 @@ Vec2 inwards(const World& world, VertexId vertex) {
 
 }  // namespace
 
+double inner_side_radius(const Footprint& body, double radius) { return std::max(0.0, radius - body.half_width); }
+
 TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body) {
-  const double inner = swept_annulus(grown_body, radius).inner;
+  const double inner = inner_side_radius(grown_body, radius);
   return {world.vertex(vertex) + inner * inwards(world, vertex), radius, side, vertex};
 }
 
 std::optional<TurnCircle> turn_circle(const World& world, VertexId u, VertexId w, double radius, Side side,
                                       const Footprint& grown_body) {
-  const double inner = swept_annulus(grown_body, radius).inner;
+  const double inner = inner_side_radius(grown_body, radius);
   const Vec2 half = 0.5 * (world.vertex(w) - world.vertex(u));
   const double square = inner * inner - half.squaredNorm();
   if (!(square > 0.0)) return std::nullopt;

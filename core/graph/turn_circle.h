@@ -38,12 +38,17 @@ struct Bitangent {
 /// Error of both ends: a few units in the last place of the coordinates.
 std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCircle& to);
 
-/// The circle round a convex vertex: its centre lies rho_in (of the body grown by the margin) inwards along the
-/// bisector of the vertex's two edges, so that the inner swept circle passes through the vertex.
+/// Radius of the circle about the rotation centre that the body's inner side touches in a turn, as it does on the
+/// straights before and behind it; 0 if the centre lies between the sides. It is rho_in where F lies on the body;
+/// elsewhere the turn keeps further off, but the straights do not.
+double inner_side_radius(const Footprint& body, double radius);
+
+/// The circle round a convex vertex: its centre lies inner_side_radius (of the body grown by the margin) inwards along
+/// the bisector of the vertex's two edges, so that the body's side passes by the vertex.
 TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body);
 
-/// The circle round two convex vertices at once, travelling from u to w with the obstacles on the given side: the inner
-/// swept circle passes through both. nothing if they are further apart than its diameter.
+/// The circle round two convex vertices at once, travelling from u to w with the obstacles on the given side: both lie
+/// on the circle of inner_side_radius. nothing if they are further apart than its diameter.
 std::optional<TurnCircle> turn_circle(const World& world, VertexId u, VertexId w, double radius, Side side,
                                       const Footprint& grown_body);
 

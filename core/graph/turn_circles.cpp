@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/graph/turning_radii.h"
+
 namespace arcway {
 
 TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
@@ -15,15 +17,18 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
         circles_.push_back(turn_circle(world, v, radius, side, grown_body));
   }
 
+  const std::size_t tightest = tightest_radii(grown_body, radii) - 1;
+  const double radius = radii[tightest];
   const auto leads_back = [&](VertexId u, VertexId w) {
-    return (circles_[first_[w]].center - circles_[first_[u]].center).dot(world.vertex(w) - world.vertex(u)) <= 0.0;
+    const Vec2 between = circles_[first_[w] + 2 * tightest].center - circles_[first_[u] + 2 * tightest].center;
+    return between.dot(world.vertex(w) - world.vertex(u)) <= 0.0;
   };
   // No circle goes round two vertices that are further apart.
-  const double reach = 2.0 * swept_annulus(grown_body, radii[0]).inner * (1.0 + 1e-9);
+  const double reach = 2.0 * inner_side_radius(grown_body, radius) * (1.0 + 1e-9);
   for (const auto& [u, w] : rows.pairs_within(reach, leads_back)) {
     const Side side = obstacle_side(world, w, world.vertex(u));  // travelling from u to w
     if (obstacle_side(world, u, world.vertex(w)) == side) continue;
-    const auto circle = turn_circle(world, u, w, radii[0], side, grown_body);
+    const auto circle = turn_circle(world, u, w, radius, side, grown_body);
     if (!circle) continue;
     for (const Side turn : {Side::kLeft, Side::kRight}) {
       circles_.push_back(*circle);

@@ -14,8 +14,8 @@ namespace [[gnu::visibility("default")]] arcway {
 
 /// The turn circles of a world. Each convex vertex has a left and a right one of each radius. Where two neighbors of
 /// the reduced graph that are passed on one side lie so near each other that the bitangent of their circles would lead
-/// back, as at the end of a thin wall, the two have a left and a right circle of the smallest radius in common, which
-/// goes round both. Immutable.
+/// back, as at the end of a thin wall, the two have a left and a right circle of the smallest radius that leads round
+/// vertices in common, which goes round both. Immutable.
 class TurnCircles {
  public:
   /// @param radii       ascending, not empty;  @param grown_body  by the safety margin.

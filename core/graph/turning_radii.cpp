@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/graph/turn_circle.h"
+
 namespace arcway {
 
 namespace {
@@ -27,7 +29,7 @@ double fastest_radius(const Vehicle& vehicle, double smallest) {
 }
 
 bool leads_round_vertices(const Footprint& grown_body, double radius) {
-  return swept_annulus(grown_body, radius).inner > 0.0;
+  return inner_side_radius(grown_body, radius) > 0.0;
 }
 
 }  // namespace
@@ -45,8 +47,7 @@ std::vector<double> turning_radii(const Vehicle& vehicle, const World& world) {
   return radii;
 }
 
-std::size_t tightest_radii(const Vehicle& vehicle, std::span<const double> radii) {
-  const Footprint grown_body = vehicle.footprint(vehicle.safety_margin());
+std::size_t tightest_radii(const Footprint& grown_body, std::span<const double> radii) {
   std::size_t count = 1;
   while (count < radii.size() && !leads_round_vertices(grown_body, radii[count - 1])) ++count;
   return count;

@@ -14,8 +14,9 @@ namespace [[gnu::visibility("default")]] arcway {
 /// at most. One radius if v_mc is constant, unless it leads round no vertex: then 1.5 half widths of the body as well.
 std::vector<double> turning_radii(const Vehicle& vehicle, const World& world);
 
-/// How many of some ascending radii it takes until one of them leads round vertices, all of them if none does. On a
-/// circle of no more than half the body's width the body covers the middle all the time, where the vertex would be.
-std::size_t tightest_radii(const Vehicle& vehicle, std::span<const double> radii);
+/// How many of some ascending radii it takes until one of them leads round vertices, all of them if none does: on a
+/// circle of no more than half the body's width the body gets over the middle, where the vertex would be.
+/// @param grown_body  by the safety margin.
+std::size_t tightest_radii(const Footprint& grown_body, std::span<const double> radii);
 
 }  // namespace arcway

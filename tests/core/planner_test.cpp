@@ -111,32 +111,36 @@ INSTANTIATE_TEST_SUITE_P(Clutters, PlannerInClutter,
                          testing::Combine(testing::Values(ClutterKind::kConvex, ClutterKind::kStar),
                                           testing::Values(0.15, 0.3, 0.45)));
 
-Vehicle turning_within(double radius, const TurnSpeedLaw& law) {
+Vehicle turning_within(double radius, const TurnSpeedLaw& law, double wheelbase = VehicleParameters().wheelbase) {
   VehicleParameters parameters;
+  parameters.wheelbase = wheelbase;
   parameters.max_steering_angle = std::atan(parameters.wheelbase / radius);
   parameters.turn_speed = law;
   return Vehicle(parameters);
 }
 
-// The body covers the middle of turns within half its width, where it goes round no vertex.
+// The body covers the middle of turns within half its width, where it goes round no vertex; also if the reference point
+// is behind it.
 TEST(Planner, FindsAWayForVehiclesThatTurnNearlyOnTheSpot) {
   const World world = random_world({.obstacles = 20, .vertices = 6, .fill = 0.15, .seed = 5});
-  for (const TurnSpeedLaw& law : {TurnSpeedLaw{ConstantTurnSpeed{8.0}}, TurnSpeedLaw{LateralAccelerationLimit{20.0}}}) {
-    const Planner wider(world, turning_within(0.6, law));
-    for (const double radius : {0.3, 0.05, 0.001}) {
-      const Planner planner(world, turning_within(radius, law));
-      const QuerySet queries = make_reference_queries(world);
-      for (const PlanRequest& request : random_queries(world, queries, planner.vehicle(), {.count = 4})) {
-        const PlanResult result = planner.plan(request);
-        ASSERT_TRUE(result.solved()) << radius << ' ' << result.reason;
-        expect_valid(planner, result);
-        // What the wider one drives it can drive as well.
-        const PlanResult bound = wider.plan(request);
-        ASSERT_TRUE(bound.solved()) << bound.reason;
-        EXPECT_LE(result.travel_time, 1.01 * bound.travel_time) << radius;
+  const QuerySet queries = make_reference_queries(world);
+  for (const double wheelbase : {1.3, 2.0})
+    for (const TurnSpeedLaw& law :
+         {TurnSpeedLaw{ConstantTurnSpeed{8.0}}, TurnSpeedLaw{LateralAccelerationLimit{20.0}}}) {
+      const Planner wider(world, turning_within(0.6, law, wheelbase));
+      for (const double radius : {0.3, 0.001}) {
+        const Planner planner(world, turning_within(radius, law, wheelbase));
+        for (const PlanRequest& request : random_queries(world, queries, planner.vehicle(), {.count = 4})) {
+          const PlanResult result = planner.plan(request);
+          ASSERT_TRUE(result.solved()) << radius << ' ' << result.reason;
+          expect_valid(planner, result);
+          // What the wider one drives it can drive as well.
+          const PlanResult bound = wider.plan(request);
+          ASSERT_TRUE(bound.solved()) << bound.reason;
+          EXPECT_LE(result.travel_time, 1.01 * bound.travel_time) << radius;
+        }
       }
     }
-  }
 }
 
 TEST(Planner, HeuristicsAgreeWhereTheyMust) {

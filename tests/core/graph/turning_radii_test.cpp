@@ -61,12 +61,13 @@ TEST(TurningRadii, HaveOneThatLeadsRoundVertices) {
 
 TEST(TightestRadii, EndWithTheFirstThatLeadsRoundVertices) {
   const Vehicle vehicle;  // 0.8 m wide
-  EXPECT_EQ(tightest_radii(vehicle, std::vector{1.3}), 1u);
-  EXPECT_EQ(tightest_radii(vehicle, std::vector{1.3, 2.6}), 1u);
-  EXPECT_EQ(tightest_radii(vehicle, std::vector{0.1, 0.3, 0.5, 0.7}), 3u);
-  EXPECT_EQ(tightest_radii(vehicle, std::vector{0.1, 0.3}), 2u);
+  const Footprint body = vehicle.footprint(vehicle.safety_margin());
+  EXPECT_EQ(tightest_radii(body, std::vector{1.3}), 1u);
+  EXPECT_EQ(tightest_radii(body, std::vector{1.3, 2.6}), 1u);
+  EXPECT_EQ(tightest_radii(body, std::vector{0.1, 0.3, 0.5, 0.7}), 3u);
+  EXPECT_EQ(tightest_radii(body, std::vector{0.1, 0.3}), 2u);
   // With the margin the body covers the middle of a circle of half its width.
-  EXPECT_EQ(tightest_radii(vehicle, std::vector{0.4, 0.5}), 2u);
+  EXPECT_EQ(tightest_radii(body, std::vector{0.4, 0.5}), 2u);
 }
 
 }  // namespace
