@@ -191,6 +191,12 @@ const char* name_of(PlanStatus status) {
       return "start blocked";
     case PlanStatus::kGoalBlocked:
       return "goal blocked";
+    case PlanStatus::kPlaceInCollision:
+      return "place on the way in collision";
+    case PlanStatus::kPlaceOutsideBounds:
+      return "place on the way outside bounds";
+    case PlanStatus::kPlaceBlocked:
+      return "place on the way blocked";
     case PlanStatus::kNoPassage:
       return "no passage";
     case PlanStatus::kNoPath:

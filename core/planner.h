@@ -82,11 +82,14 @@ enum class PlanStatus {
   /// No motion tried, of an arc, a line or a short manoeuvre, leads from the start to the graph. It is proved that
   /// there is none where the reason calls the start a dead end: see find_dead_end.
   kStartBlocked,
-  kGoalBlocked,  ///< none leads from the graph to the goal; the same proof
-  kNoPassage,    ///< proved: no passage is wide enough for the body, whichever way it is driven
-  kNoPath,       ///< the graph has no way between start and goal
-  kTimeLimit,    ///< the time limit ended the search before it found a path
-  kCancelled     ///< the stop token did
+  kGoalBlocked,         ///< none leads from the graph to the goal; the same proof
+  kPlaceInCollision,    ///< of a tour: as at a start or goal, at a place on the way
+  kPlaceOutsideBounds,  ///< of a tour
+  kPlaceBlocked,        ///< of a tour: no motion leads on from a place on the way, or to it
+  kNoPassage,           ///< proved: no passage is wide enough for the body, whichever way it is driven
+  kNoPath,              ///< the graph has no way between start and goal
+  kTimeLimit,           ///< the time limit ended the search before it found a path
+  kCancelled            ///< the stop token did
 };
 /// "solved", "start in collision", ...
 const char* name_of(PlanStatus status);

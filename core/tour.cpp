@@ -114,7 +114,7 @@ class TourPlanner {
     }
   }
 
-  // A leg without a path, whose reason names places as the request has them: the planner knows poses only.
+  // A leg without a path, with places named as the request has them: the planner knows poses only.
   [[nodiscard]] PlanResult as_requested(PlanResult leg, const Stop& from, const Stop& to) const {
     const auto rename = [&](const std::string& name, const std::string& place) {
       const std::size_t at = leg.reason.find(name);
@@ -122,11 +122,24 @@ class TourPlanner {
     };
     rename("the start " + shortest_text(leg.start), name_of(from, stages_.size() - 2));
     rename("the goal " + shortest_text(leg.goal), name_of(to, stages_.size() - 1));
+    if (is_on_the_way(stages_.size() - 2) && leg.status == PlanStatus::kStartBlocked)
+      leg.status = PlanStatus::kPlaceBlocked;
+    if (is_on_the_way(stages_.size() - 1)) {
+      if (leg.status == PlanStatus::kGoalInCollision) leg.status = PlanStatus::kPlaceInCollision;
+      if (leg.status == PlanStatus::kGoalOutsideBounds) leg.status = PlanStatus::kPlaceOutsideBounds;
+      if (leg.status == PlanStatus::kGoalBlocked) leg.status = PlanStatus::kPlaceBlocked;
+      leg.goal = first_goal();
+    }
     return leg;
+  }
+  [[nodiscard]] bool is_on_the_way(std::size_t stage) const { return stage > 0 && stage <= request_.via.size(); }
+  [[nodiscard]] Pose first_goal() const {
+    const Place& goal = request_.goals.front();
+    return {goal.position.x(), goal.position.y(), goal.heading.value_or(0.0)};
   }
   [[nodiscard]] std::string name_of(const Stop& stop, std::size_t stage) const {
     if (stage == 0) return "the start " + shortest_text(stop.pose);
-    const bool on_the_way = stage <= request_.via.size();
+    const bool on_the_way = is_on_the_way(stage);
     const Place& place = on_the_way ? request_.via[stage - 1] : request_.goals[stop.place];
     return (on_the_way ? "the place on the way " : "the goal ") +
            (place.heading ? shortest_text(stop.pose) : shortest_text(place.position));
@@ -181,22 +194,18 @@ class TourPlanner {
   Tour finish(const Stop* last) {
     Tour tour;
     PlanResult& plan = tour.plan;
-    plan.start = request_.start;
-    plan.goal = stages_.back().front().pose;
     if (last == nullptr) {
-      if (failure_) {
-        plan = std::move(*failure_);
-        // A leg had only the time that those before left.
-        if (plan.status == PlanStatus::kTimeLimit) plan.reason = time_limit_reason(limits_);
-        if (!request_.via.empty())
-          plan.reason = "leg " + std::to_string(stages_.size() - 1) + " of " + std::to_string(request_.via.size() + 1) +
-                        ": " + plan.reason;
-        plan.start = request_.start;
-      }
+      plan = std::move(failure_.value());
+      // A leg had only the time that those before left.
+      if (plan.status == PlanStatus::kTimeLimit) plan.reason = time_limit_reason(limits_);
+      if (!request_.via.empty())
+        plan.reason = "leg " + std::to_string(stages_.size() - 1) + " of " + std::to_string(request_.via.size() + 1) +
+                      ": " + plan.reason;
     } else {
       tour.goal = last->place;
       join(legs_to(*last), tour);
     }
+    plan.start = request_.start;
     plan.interrupted = interrupted_;
     statistics_.unrefined_travel_time = plan.statistics.unrefined_travel_time;
     statistics_.total_seconds = elapsed();

@@ -29,7 +29,8 @@ struct Tour {
   /// From the start to the goal reached, by way of all places. Counters and
   /// stage times are those of all plans that were tried. With several goals,
   /// places on the way or an open heading the lower bound is that of the
-  /// straight lines.
+  /// straight lines. Without a path its goal is the one that the reason is
+  /// about, else the first, an open heading being 0.
   PlanResult plan;
   std::size_t goal = 0;             ///< index of the goal reached
   std::vector<std::size_t> passed;  ///< for each place on the way, how many segments lead to it
@@ -49,7 +50,8 @@ struct Tour {
 ///
 /// One goal with a heading and nothing on the way gives the plan that
 /// Planner::plan gives. Never throws for want of a path: see
-/// PlanResult::status; the reason names leg and places as they were asked for.
+/// PlanResult::status; status and reason name leg and places as they were asked
+/// for.
 /// @param limits  for all plans together.
 /// @throws std::invalid_argument without a goal, and as Planner::plan does.
 Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits = {});

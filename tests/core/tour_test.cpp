@@ -139,8 +139,10 @@ TEST(Tour, SaysWhichLegHasNoPath) {
   const Planner planner(world, Vehicle{});
   const Place free{{20, 0}, 0.0}, inside{{11, 11}, 0.0};
   const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .via = {free, inside}, .goals = {{{40, 0}, 0.0}}});
-  EXPECT_EQ(tour.plan.status, PlanStatus::kGoalInCollision);
+  EXPECT_EQ(tour.plan.status, PlanStatus::kPlaceInCollision);
   EXPECT_EQ(tour.plan.reason.rfind("leg 2 of 3: the place on the way (11, 11, 0): ", 0), 0u) << tour.plan.reason;
+  EXPECT_EQ(tour.plan.start.position(), Vec2(0, 0));
+  EXPECT_EQ(tour.plan.goal.position(), Vec2(40, 0));
   EXPECT_TRUE(tour.plan.segments.empty());
   // One goal of several is enough.
   const Tour other = plan_tour(planner, {.start = {0, 0, 0}, .goals = {inside, free}});
@@ -153,6 +155,24 @@ TEST(Tour, SaysWhichLegHasNoPath) {
   EXPECT_EQ(none.plan.reason.rfind("the goal (11, 11): ", 0), 0u) << none.plan.reason;
   const Tour by = plan_tour(planner, {.start = {0, 0, 0}, .via = {{{11, 11}}}, .goals = {free}});
   EXPECT_EQ(by.plan.reason.rfind("leg 1 of 2: the place on the way (11, 11): ", 0), 0u) << by.plan.reason;
+}
+
+TEST(Tour, CallsWhatIsWrongWithAPlaceOnTheWayByItsName) {
+  // A bay closed at its left end.
+  const World world({test::box(20, 20, 26, 21), test::box(20, 22, 26, 23), test::box(20, 21, 20.5, 22)},
+                    Ring{{-10, -10}, {60, -10}, {60, 60}, {-10, 60}});
+  const Planner planner(world, Vehicle{});
+  const Place outside{{99, 0}, 0.0}, free{{40, 0}, 0.0};
+  const auto by = [&](const Place& place) {
+    return plan_tour(planner, {.start = {0, 0, 0}, .via = {place}, .goals = {free}}).plan;
+  };
+  EXPECT_EQ(by(outside).status, PlanStatus::kPlaceOutsideBounds);
+  EXPECT_EQ(plan_tour(planner, {.start = {0, 0, 0}, .goals = {outside}}).plan.status, PlanStatus::kGoalOutsideBounds);
+  const PlanResult into = by({{23, 21.5}, kPi}), out_of = by({{23, 21.5}, 0.0});
+  EXPECT_EQ(into.status, PlanStatus::kPlaceBlocked) << into.reason;
+  EXPECT_EQ(into.reason.rfind("leg 2 of 2: the place on the way", 0), 0u) << into.reason;
+  EXPECT_EQ(out_of.status, PlanStatus::kPlaceBlocked) << out_of.reason;
+  EXPECT_EQ(out_of.reason.rfind("leg 1 of 2: the place on the way", 0), 0u) << out_of.reason;
 }
 
 TEST(Tour, KeepsItsLimits) {
