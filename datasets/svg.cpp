@@ -26,6 +26,7 @@ constexpr std::string_view kAlternativeColors[] = {"#0072b2", "#009e73", "#cc79a
 constexpr const char* kGapColor = "#d00000";
 constexpr const char* kStartColor = "#1b9e5a";
 constexpr const char* kGoalColor = "#7b3fc4";
+constexpr const char* kPlaceColor = "#0b7285";
 
 // Rounded to 1 / parts: "12.3", "12".
 void append(std::string& out, double value, double parts = 10.0) {
@@ -46,6 +47,9 @@ void append(std::string& out, const Vec2& p) {
 std::string open_layer(const std::string& id, const std::string& attributes) {
   return "<g id=\"" + id + "\" " + attributes + R"( inkscape:groupmode="layer" inkscape:label=")" + id + "\">\n";
 }
+
+// In a caption.
+std::string square(std::string_view color) { return "<tspan fill=\"" + std::string(color) + "\">\u25A0</tspan> "; }
 
 Box region_of(const World& world) {
   if (!world.box().empty()) return world.box();
@@ -143,6 +147,7 @@ void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies, const Co
   // Bodies that can be seen lie above a thin line; a light edge sets off the line where they cannot.
   if (!bodies) path_ += "<path d=\"" + line + "\" " + stroke("#ffffff", 5.0) + " stroke-opacity=\"0.85\"/>\n";
   const bool forward = run.front().gear == Gear::kForward;
+  backwards_ = backwards_ || !forward;
   path_ += "<path d=\"" + line + "\" " + stroke(forward ? colors.forward : colors.reverse, bodies ? 1.8 : 2.6);
   if (!forward) path_ += " stroke-dasharray=\"" + shortest_text(7.0 / scale_) + ' ' + shortest_text(4.0 / scale_) + '"';
   path_ += "/>\n";
@@ -160,14 +165,15 @@ void SvgPicture::add_line(std::span<const PathSegment> path, const Footprint& bo
 void SvgPicture::add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text) {
   const std::string_view color = kAlternativeColors[alternatives_++ % std::size(kAlternativeColors)];
   add_line(path, body, {color, color});
-  captions_.push_back("<tspan fill=\"" + std::string(color) + "\">\u25A0</tspan> " + escaped(text));
+  captions_.push_back(square(color) + escaped(text));
 }
 
-void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, double spacing) {
+void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, std::string_view text) {
   if (path.empty()) return;
-  add_line(path, body, {kPathColor, kReverseColor});
-  const double length = body.front + body.rear;
-  if (spacing <= 0.0) spacing = std::max(2.0 * length, 40.0 / scale_);
+  const bool alone = alternatives_ == 0;
+  add_line(path, body, {kPathColor, alone ? kReverseColor : kPathColor});
+  if (!text.empty()) captions_.insert(captions_.begin(), (alone ? "" : square(kPathColor)) + escaped(text));
+  const double spacing = std::max(2.0 * (body.front + body.rear), 40.0 / scale_);
   std::vector<Pose> poses{path.front().start};
   double next = spacing;  // from the segment's start to the next outline
   std::size_t left = 20000;
@@ -251,23 +257,33 @@ void SvgPicture::add_label(const Vec2& beside, std::string_view color, std::stri
   markers_ += escaped(text) + "</text>\n";
 }
 
+void SvgPicture::add_place(const Vec2& place, std::string_view text) {
+  const Vec2 p = to_picture(place);
+  add_dot(p, kPlaceColor);
+  add_label(p + Vec2(0.0, -10.0), kPlaceColor, text);
+}
+
+void SvgPicture::add_dot(const Vec2& at, std::string_view color) {
+  markers_ += "<circle cx=\"";
+  append(markers_, at.x());
+  markers_ += "\" cy=\"";
+  append(markers_, at.y());
+  markers_ += "\" r=\"6\" fill=\"" + std::string(color) + R"(" stroke="#ffffff" stroke-width="1.5"/>)" + "\n";
+}
+
 void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label) {
   const Vec2 p = to_picture(pose.position());
   // Picture coordinates: y down.
   const Vec2 u(std::cos(pose.heading), -std::sin(pose.heading)), n(-u.y(), u.x());
   const double size = std::clamp(body.front * scale_, kMinOutline, 40.0);
-  const auto fill = " fill=\"" + std::string(color) + "\"";
-  markers_ += "<circle cx=\"";
-  append(markers_, p.x());
-  markers_ += "\" cy=\"";
-  append(markers_, p.y());
-  markers_ += "\" r=\"6\"" + fill + R"( stroke="#ffffff" stroke-width="1.5"/>)" + "\n<path d=\"M";
+  add_dot(p, color);
+  markers_ += "<path d=\"M";
   append(markers_, p + u * (size + 8.0));
   markers_ += 'L';
   append(markers_, p + u * size * 0.6 + n * 5.0);
   markers_ += 'L';
   append(markers_, p + u * size * 0.6 - n * 5.0);
-  markers_ += "Z\"" + fill + R"( stroke="#ffffff" stroke-width="1"/>)" + "\n";
+  markers_ += "Z\" fill=\"" + std::string(color) + R"(" stroke="#ffffff" stroke-width="1"/>)" + "\n";
   // Below where the arrow points up, and would lie under the label.
   add_label(p + Vec2(0.0, u.y() < 0.0 ? 18.0 : -10.0), color, label);
 }
@@ -301,7 +317,11 @@ void SvgPicture::set_title(std::string_view title, std::string_view description)
 }
 
 std::string SvgPicture::str() const {
-  const double height = height_ + kLineHeight * static_cast<double>(captions_.size());
+  std::vector<std::string> captions = captions_;
+  if (backwards_ && !path_.empty())
+    captions.push_back(alternatives_ == 0 ? square(kPathColor) + "forwards, " + square(kReverseColor) + "backwards"
+                                          : "dashed: backwards");
+  const double height = height_ + kLineHeight * static_cast<double>(captions.size());
   std::string w, h;
   append(w, width_);
   append(h, height);
@@ -340,14 +360,14 @@ std::string SvgPicture::str() const {
   out += "</g>\n";
   add_layer("markers", R"(font-weight="bold")", markers_);
   out += "</g>\n";
-  if (!captions_.empty()) {
+  if (!captions.empty()) {
     out += "<g id=\"caption\" fill=\"#2b3340\">\n";
-    for (std::size_t i = 0; i < captions_.size(); ++i) {
+    for (std::size_t i = 0; i < captions.size(); ++i) {
       out += "<text x=\"";
       append(out, kBorder);
       out += "\" y=\"";
       append(out, height_ + kLineHeight * static_cast<double>(i) + 8.0);
-      out += "\">" + captions_[i] + "</text>\n";
+      out += "\">" + captions[i] + "</text>\n";
     }
     out += "</g>\n";
   }

@@ -34,11 +34,12 @@ class SvgPicture {
   /// Edges in one path element, as group `id`; of more than 50,000 an even sample, as readers choke on them.
   /// @return one in how many is drawn.
   std::size_t add_edges(std::span<const LineSegment> edges, const EdgeStyle& style = {}, std::string_view id = "graph");
-  /// The path, where it is driven backwards in blue and dashed, the body's outlines along it and the poses at its ends.
-  /// @param spacing  between outlines [m]; 0: chosen by the body's length and the picture's scale.
-  void add_path(std::span<const PathSegment> path, const Footprint& body, double spacing = 0.0);
+  /// The path, where it is driven backwards in blue and dashed, as a line below the map then says; the body's outlines
+  /// along it and the poses at its ends. After alternatives it has one color, and dashes alone tell the gears apart.
+  /// @param text  below the map, before those of alternatives.
+  void add_path(std::span<const PathSegment> path, const Footprint& body, std::string_view text = {});
   /// The path alone, in the next color of a palette that color-blind people can tell apart, where it is driven
-  /// backwards dashed, and below the map its color with a text.
+  /// backwards dashed, and below the map its color with a text. To be added before the path.
   void add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text);
   /// All that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
   void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
@@ -46,6 +47,8 @@ class SvgPicture {
   void add_bodies(std::span<const Pose> poses, const Footprint& body);
   /// Start and goal when there is no path.
   void add_poses(const Pose& start, const Pose& goal, const Footprint& body);
+  /// Among the markers, a place on the way, with a text beside it.
+  void add_place(const Vec2& place, std::string_view text);
   /// Among the markers, a gap from one point to another, with a text beside it.
   void add_gap(const Vec2& a, const Vec2& b, std::string_view text);
   /// All layers but the caption.
@@ -71,6 +74,7 @@ class SvgPicture {
   void add_run(std::span<const PathSegment> run, bool bodies, const Colors& colors);
   /// The body at a pose, lengthened to the front.
   void add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const;
+  void add_dot(const Vec2& at, std::string_view color);
   void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);
   /// A text beside a point of the picture, and within it.
   void add_label(const Vec2& beside, std::string_view color, std::string_view text);
@@ -88,6 +92,7 @@ class SvgPicture {
   std::string bounds_, obstacles_, graph_, swept_, path_, robot_, markers_;
   std::vector<std::string> captions_;
   std::size_t alternatives_ = 0;
+  bool backwards_ = false;  // some path is driven so
   std::string title_, description_;
 };
 

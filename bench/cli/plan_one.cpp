@@ -1,7 +1,6 @@
 #include "bench/cli/plan_one.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -42,12 +41,14 @@ std::vector<std::string> lines_of(const std::string& reason) {
 }
 
 // The first plan, and the lines of the others.
-std::string picture(const PlanArguments& arguments, const Planner& planner, const std::vector<CheckedPlan>& plans) {
+std::string picture(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
+                    const std::vector<CheckedPlan>& plans) {
   const PlanResult& result = plans.front().result;
   const Footprint body = planner.vehicle().footprint();
   Box view;
   view.extend(result.start.position());
   view.extend(result.goal.position());
+  for (const Place& place : request.via) view.extend(place.position);
   for (const CheckedPlan& plan : plans)
     for (const TimedSegment& s : plan.result.segments) view.extend(s.segment.start.position());
   if (arguments.svg_view == "map" && !planner.world().box().empty()) {
@@ -62,22 +63,26 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
   if (std::ranges::find(arguments.svg_layers, "graph") != arguments.svg_layers.end()) svg.add_edges(edges_of(planner));
   if (result.solved()) {
     svg.add_swept_area(result.path(), body);
-    svg.add_caption(caption_of(result));
     for (std::size_t i = 1; i < plans.size(); ++i)
       svg.add_alternative(plans[i].result.path(), body,
                           "alternative " + std::to_string(i + 1) + ": " + caption_of(plans[i].result));
-    svg.add_path(result.path(), body);
+    svg.add_path(result.path(), body, caption_of(result));
     svg.set_title("Time-optimal path",
                   "The path of a car-like robot among polygonal obstacles, with its body drawn "
                   "along the way.");
   } else {
-    svg.add_bodies(std::array{result.start, result.goal}, body);
+    std::vector<Pose> poses{result.start, result.goal};
+    for (const Place& place : request.via)
+      if (place.heading) poses.push_back({place.position.x(), place.position.y(), *place.heading});
+    svg.add_bodies(poses, body);
     svg.add_poses(result.start, result.goal, body);
     if (const auto& gap = result.bottleneck) svg.add_gap(gap->on_a, gap->on_b, rounded_text(gap->width) + " m");
     for (const std::string& line : lines_of(std::string(name_of(result.status)) + ": " + result.reason))
       svg.add_caption(line);
     svg.set_title("No path");
   }
+  for (std::size_t i = 0; i < request.via.size(); ++i)
+    svg.add_place(request.via[i].position, request.via.size() == 1 ? "via" : "via " + std::to_string(i + 1));
   svg.show(arguments.svg_layers);
   return svg.str();
 }
@@ -134,7 +139,7 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   const PlanResult& result = plan.result;
 
   OutputFiles files;
-  if (!arguments.svg.empty()) files.add(arguments.svg, picture(arguments, planner, plans));
+  if (!arguments.svg.empty()) files.add(arguments.svg, picture(arguments, planner, request, plans));
   std::string json;
   for (std::size_t i = 0; i < plans.size() && !arguments.json.empty(); ++i)
     json += plan_json(arguments, planner, build_seconds, plans[i].result, i);

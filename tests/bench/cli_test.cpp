@@ -88,6 +88,7 @@ TEST_F(Tool, DrivesBackwardsOnlyWhereAllowed) {
   EXPECT_NE(both.out.find("changes of gear     0"), std::string::npos) << both.out;
   EXPECT_NE(read("p.json").find("\"direction\":-1"), std::string::npos);
   EXPECT_NE(read("p.svg").find("stroke-dasharray"), std::string::npos);
+  EXPECT_NE(read("p.svg").find("backwards</text>"), std::string::npos);
   EXPECT_EQ(run("validate " + map_ + " --path " + file("p.json")).code, 0);
   std::string text = read("p.json");
   text.erase(text.find("\"direction\":-1,"), 15);
@@ -106,6 +107,7 @@ TEST_F(Tool, LeadsByPlacesToTheNearestOfSeveralGoals) {
                       file("p.json") + " --svg " + file("p.svg"));
   EXPECT_EQ(via.code, 0) << via.err << via.out;
   EXPECT_NE(via.out.find("by way of           (10.000, 50.000), any heading"), std::string::npos) << via.out;
+  EXPECT_NE(read("p.svg").find(">via 2</text>"), std::string::npos);
   EXPECT_NE(via.out.find("valid               yes"), std::string::npos);
   EXPECT_EQ(run("validate " + map_ + " --path " + file("p.json")).code, 0);
   const Run none = run("plan " + map_ + " --start 10,10,0 --goal 30,30 --goal 31,31,0");

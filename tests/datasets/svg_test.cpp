@@ -53,8 +53,10 @@ TEST(Svg, DrawsReverseDashed) {
   const Footprint body{.front = 2, .rear = 1, .half_width = 1};
   const PathSegment ahead{{20, 20, 0}, 10, 0};
   const Path path{ahead, {ahead.end(), 5, 0, Gear::kReverse}, {ahead.at(5), 5, 0}};
-  picture.add_path(path, body);
+  picture.add_path(path, body, "a text");
   EXPECT_EQ(count(picture.str(), "stroke-dasharray"), 1u);
+  EXPECT_NE(picture.str().find("forwards, <tspan fill=\"#1f6fd1\">\u25A0</tspan> backwards</text>"), std::string::npos);
+  EXPECT_LT(picture.str().find(">a text</text>"), picture.str().find("forwards"));
   EXPECT_NE(picture.str().find("M30 20L25 20\" stroke=\"#1f6fd1\""), std::string::npos) << picture.str();
   picture.add_swept_area(Path{path[1]}, body);  // x from 24 to 32
   EXPECT_NE(picture.str().find("M24 19L32 19L32 21L24 21Z"), std::string::npos);
@@ -65,14 +67,30 @@ TEST(Svg, AlternativesDifferInColorAndHaveALegend) {
   SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
   svg.add_alternative(path, {1.0, 0.5, 0.4}, "second & so on");
   svg.add_alternative(back, {1.0, 0.5, 0.4}, "third");
-  svg.add_path(path, {1.0, 0.5, 0.4});
+  svg.add_path(path, {1.0, 0.5, 0.4}, "first");
   const std::string text = svg.str();
-  for (const char* color : {"#0072b2", "#009e73"}) {
+  EXPECT_LT(text.find("first</text>"), text.find("second &amp;"));
+  EXPECT_NE(text.find(">dashed: backwards</text>"), std::string::npos);
+  for (const char* color : {"#e4572e", "#0072b2", "#009e73"}) {
     EXPECT_NE(text.find(std::string("stroke=\"") + color), std::string::npos) << color;
     EXPECT_NE(text.find(std::string("<tspan fill=\"") + color), std::string::npos) << color;
   }
   EXPECT_NE(text.find("second &amp; so on"), std::string::npos);
   EXPECT_NE(text.find("stroke-dasharray"), std::string::npos);
+}
+
+TEST(Svg, ExplainsGearsOnlyWhereBothAreDriven) {
+  SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  svg.add_path(Path{{{1, 1, 0}, 4.0, 0.0}}, {1.0, 0.5, 0.4}, "text");
+  EXPECT_EQ(svg.str().find("backwards"), std::string::npos);
+  EXPECT_EQ(svg.str().find("tspan"), std::string::npos);
+}
+
+TEST(Svg, MarksPlacesOnTheWay) {
+  SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 100.0);
+  svg.add_place({5, 5}, "via 1");
+  EXPECT_NE(svg.str().find("<circle cx=\"66\" cy=\"66\""), std::string::npos) << svg.str();
+  EXPECT_NE(svg.str().find(">via 1</text>"), std::string::npos);
 }
 
 TEST(Svg, LabelsLieBesideTheArrows) {
