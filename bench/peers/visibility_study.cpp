@@ -257,7 +257,7 @@ std::vector<report::Duel> visibility_study(const VisibilityStudyOptions& options
       const double expected = last_size > 0.0 ? last * std::pow(size / last_size, contest.exponent) : 0.0;
       if (expected > options.limit) {
         char text[96];
-        std::snprintf(text, sizeof text, "left out: about %.3g s a run expected, the limit is %.3g s", expected,
+        std::snprintf(text, sizeof text, "left out: about %.4g s a run expected, the limit is %.3g s", expected,
                       options.limit);
         duel.error = text;
       } else {

@@ -241,15 +241,15 @@ std::vector<std::string> peer_figures(const PeerResults& peers) {
   for (const std::string& setting : settings_of(peers)) {
     const std::vector<Curve> planners = trade_off(records_of(peers, setting));
     if (planners.empty()) continue;
-    figures.push_back(
-        figure_html({.title = "Travel time over the lower bound, over the time to the answer: " + setting,
-                     .x_label = "time to the answer, median",
-                     .y_label = "travel time / lower bound",
-                     .x_text = time_text,
-                     .y_text = ratio_text},
-                    planners,
-                    "Planners: left is sooner, down is a faster path. Bars: the middle half of the queries. "
-                    "The bound is that of a point, so that a car cannot reach 1."));
+    figures.push_back(figure_html({.title = "Travel time over the lower bound, over the time to the answer: " + setting,
+                                   .x_label = "time to the answer, median",
+                                   .y_label = "travel time / lower bound",
+                                   .x_text = time_text,
+                                   .y_text = ratio_text},
+                                  planners,
+                                  "Planners, " + setting +
+                                      ": left is sooner, down is a faster path. Bars: the middle half of the queries. "
+                                      "The bound is that of a point, so that a car cannot reach 1."));
   }
   return figures;
 }

@@ -1,3 +1,4 @@
+#include <cctype>
 #include <string>
 
 #include "bench/report/document.h"
@@ -31,6 +32,7 @@ details.section { border-top: 1px solid var(--line); padding: .35rem 0; } detail
 details.section h2 { display: inline; font-size: 1rem; font-weight: 600; }
 table { border-collapse: collapse; font-size: .85rem; } th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--line);
   text-align: left; vertical-align: top; } td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td.note { white-space: normal; }
 button { font: inherit; padding: .3rem .8rem; color: var(--ink); background: var(--panel); border: 1px solid var(--line);
   border-radius: 4px; cursor: pointer; }
 #tip { position: fixed; display: none; max-width: 20rem; padding: .3rem .6rem; font-size: .85rem; color: var(--ground);
@@ -67,11 +69,20 @@ document.addEventListener('focusout', () => tip.style.display = 'none');
 addEventListener('beforeprint', () => document.querySelectorAll('details').forEach(d => d.open = true));
 )";
 
+/// A note in a column of numbers would make the column as wide as itself.
+bool is_note(const std::string& text) {
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
+}
+
 std::string table_html(const Table& table) {
   const auto row_html = [&](const std::vector<std::string>& row, const std::string& cell) {
     std::string html = "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i)
-      html += "<" + cell + (i >= table.numbers_from ? " class=\"n\">" : ">") + escaped(row[i]) + "</" + cell + ">";
+      html += "<" + cell +
+              (i < table.numbers_from ? ">"
+               : is_note(row[i])      ? " class=\"n note\">"
+                                      : " class=\"n\">") +
+              escaped(row[i]) + "</" + cell + ">";
     return html + "</tr>\n";
   };
   std::string html = "<div class=\"scroll\"><table><thead>" + row_html(table.header, "th") + "</thead><tbody>\n";

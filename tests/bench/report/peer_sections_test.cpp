@@ -77,6 +77,15 @@ TEST(Planners, AreCountedByWhatOneOfTwoSolves) {
   EXPECT_EQ(by_world.rows[1].back(), "1 no path in 1 s");
 }
 
+TEST(Planners, HaveAPlotOfEachSettingWithItsName) {
+  PeerResults peers = example();
+  peers.queries.push_back({"n2", "w", 0, 9.0, peers.queries[0].answers});
+  const std::vector<std::string> figures = peer_figures(peers);
+  ASSERT_EQ(figures.size(), 3u);
+  EXPECT_NE(figures[1].find("<figcaption>Planners, n1: "), std::string::npos) << figures[1];
+  EXPECT_NE(figures[2].find("<figcaption>Planners, n2: "), std::string::npos) << figures[2];
+}
+
 TEST(Planners, AreComparedWithinASetting) {
   PeerResults peers = example();
   peers.queries[2].setting = "n2";
