@@ -12,6 +12,10 @@ using detail::JsonPlace;
 constexpr std::pair<std::string_view, Steering> kSteerings[] = {
     {"front", Steering::kFront}, {"rear", Steering::kRear}, {"symmetric", Steering::kSymmetric}};
 
+nlohmann::json parse(std::string_view text, std::string_view name) {
+  return detail::parse_json(text, name, nullptr, 1, detail::RepeatedKeys::kRefused);
+}
+
 TurnSpeedLaw turn_speed_of(const JsonPlace& place) {
   if (place.value.is_number()) return ConstantTurnSpeed{place.number()};
   if (!place.value.is_object())
@@ -85,7 +89,7 @@ std::string turn_speed_text(const TurnSpeedLaw& law) {
 }  // namespace
 
 VehicleParameters read_robot(std::string_view text, std::string_view name) {
-  const nlohmann::json value = detail::parse_json(text, name, nullptr, 1, detail::RepeatedKeys::kRefused);
+  const nlohmann::json value = parse(text, name);
   return robot_of({value, std::string(name)});
 }
 
@@ -117,7 +121,7 @@ std::string to_json(const VehicleParameters& robot) {
 }
 
 Scenario read_scenario(std::string_view text, std::string_view name) {
-  const nlohmann::json value = detail::parse_json(text, name, nullptr, 1, detail::RepeatedKeys::kRefused);
+  const nlohmann::json value = parse(text, name);
   const JsonPlace place{value, std::string(name)};
   place.allow_keys({"format", "version", "world", "robot", "tasks"});
   place.require_format("arcway-scenario", 1);

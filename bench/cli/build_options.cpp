@@ -35,8 +35,7 @@ void BuildOptions::add_to(CLI::App& command) {
   command.add_option("--builder", builder, "How the reduced graph is built: pairwise, wedge, or auto")
       ->type_name("NAME")
       ->capture_default_str();
-  command
-      .add_option("--threads", threads, "Threads that build the graphs; default: all with embree, one with reference")
+  command.add_option("--threads", threads, "Threads to compute with; default: all with embree, one with reference")
       ->type_name("N");
 }
 

@@ -163,9 +163,7 @@ void add_graph_command(CLI::App& app, Action& action) {
   command.add_option("--kind", arguments->kind, "visibility, reduced or feasible")
       ->type_name("KIND")
       ->capture_default_str();
-  command
-      .add_option("--robot", arguments->robot,
-                  "Robot (JSON) of the feasible graph; default: that of a prepared map, else the paper's")
+  command.add_option("--robot", arguments->robot, std::string(kRobotHelp) + "; only the feasible graph depends on it")
       ->type_name("R.json");
   arguments->build.add_to(command);
   command.add_option("--edges", arguments->edges, "Write the edges: u,v by vertices in file order")->type_name("F.csv");
