@@ -57,6 +57,32 @@ TEST(Validation, AcceptsAFastestPath) {
   EXPECT_LE(report.min_clearance, 0.1);
 }
 
+TEST(Validation, AcceptsASegmentThatIsLeftAtSpeed) {
+  // From rest beyond the speed that it is left at, and down to that again.
+  const double a = kVehicle.max_acceleration();
+  const TimedPath path{{straight(1.0)[0], {{1, 0, 0}, 0.5, 0.0}},
+                       {0.0, std::sqrt(a)},
+                       {std::sqrt(a), 0.0},
+                       {(2.0 * std::sqrt(1.5 * a) - std::sqrt(a)) / a, std::sqrt(a) / a}};
+  const ValidationReport report = check(kEmpty, path);
+  EXPECT_TRUE(report.valid()) << report.issues.front().message;
+}
+
+TEST(Validation, AcceptsRoundingOfSpeedsWithinNoLength) {
+  const double speed = 5.0;
+  Path path = straight(1.0);
+  path.push_back({path.back().end(), 0.0, 0.0});
+  path.push_back({path.back().end(), 1.0, 0.0});
+  TimedPath times = timed(path);
+  times.speed_out[0] = times.speed_in[1] = speed;
+  times.speed_out[1] = times.speed_in[2] = std::nextafter(speed, 6.0);
+  times.durations = {1.0, 0.0, 1.0};
+  const ValidationReport report = check(kEmpty, times);
+  EXPECT_TRUE(report.valid()) << report.issues.front().message;
+  times.speed_out[1] = times.speed_in[2] = 5.1;
+  EXPECT_EQ(kinds(check(kEmpty, times)), Kinds{Violation::kAcceleration});
+}
+
 TEST(Validation, EmptyWorldHasInfiniteClearance) {
   EXPECT_EQ(check(kEmpty, straight()).min_clearance, std::numeric_limits<double>::infinity());
 }
@@ -75,7 +101,7 @@ TEST(Validation, Numbers) {
   const double nan = std::nan("");
   for (const PathSegment& bad :
        {PathSegment{{}, nan, 0.0}, PathSegment{{}, 1.0, nan}, PathSegment{{0, 0, nan}, 1.0, 0.0},
-        PathSegment{{}, 1.0, std::numeric_limits<double>::infinity()}}) {
+        PathSegment{{}, 1.0, std::numeric_limits<double>::infinity()}, PathSegment{{1e308, 0, 0}, 1e308, 0.0}}) {
     path.segments[0] = bad;
     EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {}, {}, path)), Kinds{Violation::kNotFinite});
   }
@@ -143,6 +169,18 @@ TEST(Validation, Speeds) {
   EXPECT_THROW(check(kEmpty, bad), std::invalid_argument);
 }
 
+TEST(Validation, AnArcMayNotBeLeftFasterThanItIsDriven) {
+  Path path{{{}, 3.0, 1.0 / kRadius}};
+  path.push_back({path.back().end(), 3.0, 0.0});
+  TimedPath times = timed(path);
+  times.speed_out[0] = times.speed_in[1] = 0.5 * (kVehicle.turn_speed(kRadius) + kVehicle.max_speed());
+  times.durations = {1.0, 1.0};
+  const ValidationReport report = check(kEmpty, times);
+  ASSERT_EQ(kinds(report), Kinds{Violation::kSpeedLimit});
+  EXPECT_EQ(report.issues.front().segment, 0u);
+  EXPECT_EQ(report.issues.front().arc_length, 3.0);
+}
+
 TEST(Validation, Acceleration) {
   TimedPath path{{{{0, 0, 0}, 1.0, 0.0}, {{1, 0, 0}, 50.0, 0.0}}, {0.0, 10.1}, {10.1, 0.0}, {10.0, 10.0}};
   EXPECT_EQ(kinds(check(kEmpty, path)), Kinds{Violation::kAcceleration});
@@ -193,6 +231,23 @@ TEST(Validation, SpikeThinnerThanAnyStep) {
   };
   EXPECT_EQ(kinds(check(radial(1e-3), half_circle())), Kinds{Violation::kCollision});
   EXPECT_TRUE(check(radial(-1e-3), half_circle()).valid());
+}
+
+TEST(Validation, ALongBodyHitsAtTheEndWhatItWasFarFromBefore) {
+  // Its front corner moves more than three times as fast as the reference point, and something else is nearer all
+  // along.
+  VehicleParameters parameters;
+  parameters.length = parameters.wheelbase = 10.0;
+  parameters.width = 1.0;
+  parameters.max_steering_angle = 1.4;
+  const Vehicle vehicle(parameters);
+  const PathSegment arc{{0, 0, 0}, 1.8, 1.0 / 3.0};
+  const Vec2 corner = arc.end().position() + 10.0 * direction_of(0.6) + 0.5 * perpendicular(direction_of(0.6));
+  const World world(
+      {box(0.5, -1.0, 1.0, -0.51), box(corner.x() - 0.2, corner.y() - 0.02, corner.x() + 0.2, corner.y() + 1)});
+  const ValidationReport report = validate(world, vehicle, arc.start, arc.end(), {{arc}, {}, {}, {}});
+  ASSERT_EQ(kinds(report), Kinds{Violation::kCollision});
+  EXPECT_GT(report.issues.front().arc_length, 1.75);
 }
 
 TEST(Validation, NothingIsTunnelledThrough) {
