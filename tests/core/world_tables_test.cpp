@@ -60,6 +60,7 @@ TEST(WorldTables, ThoseOfNoWorldAreRefusedWithTheEntryAtFault) {
       {Table::kNext, 3, [](WorldTables& t) { t.next[3] = 99; }},
       {Table::kNext, 3, [](WorldTables& t) { t.next[3] = 8; }},  // of the next obstacle
       {Table::kNext, 3, [](WorldTables& t) { t.next[3] = t.next[2]; }},
+      {Table::kNext, 3, [](WorldTables& t) { t.next[3] = t.next[0]; }},
       {Table::kNext, 6, [](WorldTables& t) { t.vertices[6] = t.vertices[t.next[6]]; }},
       {Table::kNext, 2, [](WorldTables& t) { t.next.resize(2); }},
       {Table::kCovered, 7, [](WorldTables& t) { t.covered[7] = 2; }},
@@ -69,6 +70,12 @@ TEST(WorldTables, ThoseOfNoWorldAreRefusedWithTheEntryAtFault) {
       {Table::kRegionRings, 1, [](WorldTables& t) { t.region_rings[1] = 0; }},
       {Table::kRegionRings, 3, [](WorldTables& t) { t.region_rings.back() = 9; }},
       {Table::kRegionRings, 0, [](WorldTables& t) { t.region_rings.clear(); }},
+      {Table::kRegionRings, 0,
+       [](WorldTables& t) {
+         t = {};
+         t.region_rings = {0};
+         t.has_bounds = true;
+       }},
   };
   for (const Case& c : cases) {
     WorldTables tables = world.tables();

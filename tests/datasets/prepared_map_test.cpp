@@ -128,6 +128,34 @@ TEST(PreparedMap, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(complaint_about(other).find("4711"), std::string::npos);
 }
 
+TEST(PreparedMap, IsRefusedWhenItsLayoutIsAnother) {
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  const auto complaint_after = [&](const auto& change) {
+    std::string other = bytes;
+    change(other);
+    test::mend_checksums(other);
+    return complaint_about(other);
+  };
+  const auto put = [](std::string& text, std::size_t place, std::uint32_t value) {
+    std::memcpy(&text[place], &value, sizeof value);
+  };
+  const std::size_t first = 40, last = 40 + 32 * (test::number_at<std::uint32_t>(bytes, 20) - 1);  // entries
+  EXPECT_EQ(complaint_after([](std::string& b) { b[16] = 3; }), "m.arcway: byte 16: unknown flags 0x00000003");
+  EXPECT_EQ(complaint_after([](std::string& b) { b += std::string(64, '\0'); }),
+            "m.arcway: byte " + std::to_string(bytes.size()) + ": bytes after the last section");
+  const auto count = test::number_at<std::uint64_t>(bytes, first + 16);
+  EXPECT_EQ(complaint_after([&](std::string& b) {
+              put(b, first + 16, static_cast<std::uint32_t>(2 * count));
+              put(b, first + 24, 8);
+            }),
+            "m.arcway: byte 64: section 1 has elements of 8 bytes, expected 16");
+  EXPECT_EQ(complaint_after([&](std::string& b) { put(b, last, 1); }),
+            "m.arcway: byte " + std::to_string(last) + ": section 1 comes twice");
+  EXPECT_EQ(complaint_after([&](std::string& b) { put(b, last, 999); }), "m.arcway: byte 40: section 13 is missing");
+  EXPECT_EQ(complaint_after([&](std::string& b) { put(b, 40 + 32 * 7, 999); }),
+            "m.arcway: byte 264: unknown section 999");  // in place of the start
+}
+
 TEST(PreparedMap, IsWrittenWholeOrNotAtAll) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "arcway_prepared_map";
   std::filesystem::create_directories(folder);

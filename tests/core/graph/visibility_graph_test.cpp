@@ -243,6 +243,36 @@ TEST(ReducedVisibilityGraph, CluttersOfTenThousandVertices) {
   for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) expect_oracle_in_clutter(kind, 1250);
 }
 
+TEST(VisibilityGraph, TakesRowsInOrderOnly) {
+  struct Case {
+    std::vector<std::uint64_t> row_starts;
+    std::vector<VertexId> targets;
+    Table table;
+    std::size_t index;
+  };
+  const Case cases[] = {{{}, {}, Table::kRowStarts, 0},
+                        {{1, 1}, {0}, Table::kRowStarts, 0},
+                        {{0, 2, 1, 2}, {1, 2}, Table::kRowStarts, 2},
+                        {{0, 1}, {}, Table::kRowStarts, 1},
+                        {{0, 0, 0}, {1}, Table::kRowStarts, 2},
+                        {{0, 1, 1}, {0}, Table::kTargets, 0},
+                        {{0, 0, 1}, {0}, Table::kTargets, 0},
+                        {{0, 1, 1}, {2}, Table::kTargets, 0},
+                        {{0, 2, 2, 2}, {1, 1}, Table::kTargets, 1},
+                        {{0, 2, 2, 2}, {2, 1}, Table::kTargets, 1}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(&c - cases);
+    try {
+      const VisibilityGraph graph(c.row_starts, c.targets);
+      ADD_FAILURE() << "took it";
+    } catch (const TableError& error) {
+      EXPECT_EQ(error.table(), c.table) << error.what();
+      EXPECT_EQ(error.index(), c.index) << error.what();
+    }
+  }
+  EXPECT_EQ(VisibilityGraph({0, 2, 3, 3}, {1, 2, 2}).edge_count(), 3u);
+}
+
 TEST(FullVisibilityGraph, HoldsTheReducedOneAndMore) {
   const World world(
       {{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}}, {{{8, 1}, {10, 1}, {9, 3}}, {}}, {{{2, 8}, {6, 7}, {5, 10}}, {}}});
