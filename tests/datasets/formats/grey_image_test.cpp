@@ -32,6 +32,8 @@ TEST(Pgm, ReadsBytesOfOneAndTwo) {
   EXPECT_EQ(small.samples, (std::vector<std::uint16_t>{10, 128, 255, 32}));
   const GreyImage large = read_pgm(std::string("P5 2 1 1000 \x03\xE8\x00\x01second image", 28), "a", kMany);
   EXPECT_EQ(large.samples, (std::vector<std::uint16_t>{1000, 1}));
+  // From 256 on.
+  EXPECT_EQ(read_pgm(std::string("P5 1 1 256 \1\0", 13), "a", kMany).samples, (std::vector<std::uint16_t>{256}));
   EXPECT_EQ(large.max_value, 1000u);
 }
 

@@ -62,6 +62,8 @@ TEST(MovingAi, TaskErrorsNameTheLine) {
   EXPECT_NE(error("version 1\n0 a.map 9 9 1 1 2 2\n").find("a.scen: line 2: expected 9 fields"), std::string::npos);
   EXPECT_EQ(error("version 1.0\n0 a.map 9 9 9 1 2 2 1\n"),
             "a.scen: line 2: cell 9 is outside of the map of 9 x 9 cells");
+  EXPECT_EQ(error("version 1\n0 a.map 9 5 8 1 2 5 1\n"), "a.scen: line 2: cell 5 is outside of the map of 9 x 5 cells");
+  EXPECT_EQ(error("version 1\n0 a.map 5 9 1 8 5 2 1\n"), "a.scen: line 2: cell 5 is outside of the map of 5 x 9 cells");
   EXPECT_EQ(error("version 1\n0 a.map 9 9 1.5 1 2 2 1\n"),
             "a.scen: line 2: expected start x as a whole number, found \"1.5\"");
   // In 64 bits as high for its width as a map of 4 x 3 cells.

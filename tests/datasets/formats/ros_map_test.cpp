@@ -49,6 +49,13 @@ TEST(RosMap, ReadsTheFile) {
   EXPECT_EQ(read_ros_map(with("origin", "\n  - 1.5\n  - 2 # y\n  - 0.5"), "a").origin.heading, 0.5);
 }
 
+TEST(RosMap, ThresholdsAreReached) {
+  RosMap map = read_ros_map(kYaml, "a.yaml");
+  map.occupied_thresh = 1.0;
+  map.free_thresh = 0.0;
+  EXPECT_EQ(cells(map, image_of({0, 128, 255}, 3)), (std::vector{kOccupied, kUnknown, kFree}));
+}
+
 TEST(RosMap, ErrorsNameLineAndValue) {
   EXPECT_EQ(error_of(with("resolution", "fine")), "a.yaml: line 2: resolution: expected a number, found \"fine\"");
   EXPECT_EQ(error_of(with("resolution", "0")), "a.yaml: line 2: resolution: expected a number above 0, found \"0\"");
