@@ -87,6 +87,34 @@ TEST(Horizon, HidesNoCircleOntoWhichAStraightIsFree) {
   EXPECT_GT(free, 500);
 }
 
+// Ranges of headings begin at every 512th part of a turn: what lies just beside an obstacle that ends there is not
+// hidden.
+TEST(Horizon, HidesNothingJustBesideAnObstacle) {
+  constexpr double kRange = kTwoPi / 512, kBeside = 1e-5;
+  const auto at = [](double heading) { return Vec2(5.0 * direction_of(heading)); };
+  int limited = 0;
+  for (int k = 0; k < 512; ++k) {
+    const double first = k * kRange, last = first + 4.0 * kRange;
+    const World world({{{at(first + kBeside), at(first + 2.0 * kRange) * 1.1, at(last - kBeside)}, {}}});
+    Horizon horizon({{0.0, 0.0}, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+    horizon.shorten(Outlines(world));
+    EXPECT_TRUE(std::isinf(horizon.reach(first + 0.5 * kBeside))) << k;
+    EXPECT_TRUE(std::isinf(horizon.reach(last - 0.5 * kBeside))) << k;
+    limited += std::isfinite(horizon.reach(first + 2.0 * kRange)) ? 1 : 0;
+  }
+  EXPECT_EQ(limited, 512);
+}
+
+TEST(Horizon, HidesNothingFromWhereItBegins) {
+  for (int k = 0; k < 512; ++k) {
+    const double heading = (k * kTwoPi) / 512 + 2e-6;
+    const TurnCircle circle{{1.0, 2.0}, 1.3, k % 2 == 0 ? Side::kLeft : Side::kRight, kNone};
+    const Horizon horizon(circle, heading, 0.1);
+    const TurnCircle to{circle.center + 20.0 * direction_of(heading), circle.radius, circle.side, kNone};
+    EXPECT_FALSE(horizon.hides(horizon.sight_of(to))) << k;
+  }
+}
+
 TEST(Horizon, IsUnlimitedWithoutObstacles) {
   const Outlines outlines{World({})};
   Horizon horizon({{3, 4}, 2.0, Side::kLeft, kNone}, 0.0, kTwoPi);
