@@ -134,6 +134,25 @@ TEST_F(TourInClutter, DrivesBackwardsIfAllowed) {
   }
 }
 
+TEST(Tour, SaysWhereOnAllOfItsWayItIsNearest) {
+  const Planner planner(World({test::box(30, 0.5, 31, 1.5)}), Vehicle{});
+  const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .via = {{{20, 0}, 0.0}}, .goals = {{{40, 0}, 0.0}}});
+  ASSERT_EQ(tour.plan.segments.size(), 2u);
+  EXPECT_NEAR(tour.plan.min_clearance, 0.1, 1e-9);
+  EXPECT_EQ(tour.plan.clearance_index, 1u);
+}
+
+TEST(Tour, IsNotFasterThanItsBoundByAVehicleThatIsFasterBackwards) {
+  VehicleParameters parameters;
+  parameters.max_speed = 3.0;
+  parameters.max_reverse_speed = 9.0;
+  const Planner planner(World({}), Vehicle(parameters));
+  const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .goals = {{{-40, 0}}, {{-50, 0}}}, .reverse = true});
+  ASSERT_TRUE(tour.plan.solved());
+  EXPECT_LE(tour.plan.lower_bound, tour.plan.travel_time);
+  EXPECT_GT(tour.plan.lower_bound, 0.99 * tour.plan.travel_time);
+}
+
 TEST(Tour, SaysWhichLegHasNoPath) {
   const World world({{{Vec2(10, 10), Vec2(12, 10), Vec2(12, 12), Vec2(10, 12)}, {}}});
   const Planner planner(world, Vehicle{});

@@ -159,6 +159,18 @@ TEST(SweptAnnulus, IsThatOfTheBodysOutline) {
   }
 }
 
+TEST(Passage, OfATurnAboutAPlaceWithinTheBody) {
+  VehicleParameters parameters;
+  parameters.width = 4.0;
+  parameters.wheelbase = 0.5;
+  const Vehicle vehicle(parameters);
+  const double radius = vehicle.min_turning_radius();
+  const double needed = swept_annulus(vehicle.footprint(), radius).width();
+  ASSERT_LT(radius, 2.0);
+  EXPECT_TRUE(vehicle.fits_turn(1.0001 * needed, radius));
+  EXPECT_FALSE(vehicle.fits_turn(0.9999 * needed, radius));
+}
+
 TEST(Passage, StraightNeedsMoreThanTheWidth) {
   EXPECT_FALSE(Vehicle().fits_straight(0.8));
   EXPECT_TRUE(Vehicle().fits_straight(std::nextafter(0.8, 1.0)));

@@ -57,6 +57,12 @@ TEST(TravelTimeBound, CountsTheTimeLostOnArcs) {
   // Where arcs are as fast as lines nothing is lost.
   const Vehicle even = vehicle_with(ConstantTurnSpeed{12.0}, 50.0);
   EXPECT_NEAR(travel_time_bound(start, goal, 100.0, even), straight_time(word, even), 1e-9);
+  // Of a table the highest speed counts, wherever it is.
+  for (const TurnSpeedTable& table :
+       {TurnSpeedTable{{{1.0, 3.0}, {4.0, 8.0}, {9.0, 6.0}}}, TurnSpeedTable{{{1.0, 8.0}, {4.0, 3.0}}},
+        TurnSpeedTable{{{1.0, 3.0}, {4.0, 8.0}}}})
+    EXPECT_EQ(travel_time_bound(start, goal, 100.0, vehicle_with(table, a)),
+              travel_time_bound(start, goal, 100.0, vehicle));
 }
 
 TEST(TravelTimeBound, NoWordIsFaster) {

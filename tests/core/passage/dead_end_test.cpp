@@ -55,6 +55,37 @@ TEST(DeadEnd, AWallBehindTheGoal) {
   EXPECT_FALSE(dead_end(World({box(-1.01 * needed - 1, -40, -1.01 * needed, 40)}), vehicle, {30, 5, 0}, {0, 0, 0}));
 }
 
+// A third of a turn between walls that leave the body as much room as it sweeps, and then the open.
+TEST(DeadEnd, IsNoneInABendAsNarrowAsTheSweptArea) {
+  const Vehicle vehicle;
+  Random random(1);
+  for (int i = 0; i < 60; ++i) {
+    const Pose start{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-kPi, kPi)};
+    const double radius = vehicle.min_turning_radius() * (i % 3 == 0 ? 1.0 : random.uniform(1.0, 3.0));
+    const SweptAnnulus swept = swept_annulus(vehicle.footprint(), radius);
+    const Vec2 center = start.position() + radius * perpendicular(direction_of(start.heading));
+    const double first = start.heading - 0.5 * kPi - 0.2;  // seen from the centre
+    const auto at = [&](double distance, double turned) -> Vec2 {
+      return center + distance * direction_of(first + turned);
+    };
+    constexpr int kParts = 200;
+    constexpr double kRoom = 1e-6, kPart = kTwoPi / 3.0 / kParts;
+    Ring inner, outer;
+    for (int k = 0; k <= kParts; ++k) {
+      inner.push_back(at(swept.inner - kRoom, k * kPart));
+      outer.push_back(at((swept.outer + kRoom) / std::cos(0.5 * kPart), (kParts - k) * kPart));
+    }
+    inner.push_back(center);
+    for (int k = 0; k <= kParts; ++k) outer.push_back(at(swept.outer + 1.0, k * kPart));
+    const World world({{inner, {}}, {outer, {}}});
+    const PathSegment way{start, (kParts * kPart) * radius, 1.0 / radius};
+    ASSERT_TRUE(motion_free(*make_reference_queries(world).sweep, vehicle.footprint(), {&way, 1})) << i;
+    EXPECT_FALSE(dead_end(world, vehicle, start, {60, 60, 0})) << i;
+    const Pose back{way.end().x, way.end().y, way.end().heading};
+    EXPECT_FALSE(dead_end(world, vehicle, {60, 60, 0}, back)) << i;
+  }
+}
+
 TEST(DeadEnd, IsNoneTowardsAGoalThatIsNear) {
   EXPECT_FALSE(dead_end(World({box(2, -40, 3, 40)}), Vehicle{}, {0, 0, 0}, {0.4, 0, 0}));
 }

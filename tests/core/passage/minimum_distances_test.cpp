@@ -98,5 +98,27 @@ TEST(MinimumDistances, RefusesPathsThatAreNone) {
   EXPECT_THROW(minimum_distances(world, std::vector<Vec2>{{0.0, 0.0}, {std::nan(""), 0.0}}), std::invalid_argument);
 }
 
+TEST(MinimumDistances, TakesTheSideOfTheNearestSegmentAndOfTheLargerPart) {
+  // Left of the way there, right of the way back, which passes nearer by.
+  const std::vector<Vec2> there_and_back{{0, 0}, {10, 0}, {10, 2}, {0, 2}};
+  const MinimumDistances turned = minimum_distances(World({box(4, 3, 5, 4)}), there_and_back);
+  EXPECT_EQ(turned.by_segment[0].left, Ids{0});
+  EXPECT_EQ(turned.by_segment[2].right, Ids{0});
+  EXPECT_TRUE(turned.obstacles.left.empty());
+  EXPECT_EQ(turned.obstacles.right, Ids{0});
+  // Across the way.
+  const std::vector<Vec2> line{{0, 0}, {10, 0}};
+  EXPECT_EQ(minimum_distances(World({box(4, -3, 5, 1)}), line).obstacles.right, Ids{0});
+  EXPECT_EQ(minimum_distances(World({box(4, -1, 5, 3)}), line).obstacles.left, Ids{0});
+}
+
+TEST(MinimumDistances, ThePathMayTurnBack) {
+  const std::vector<Vec2> path{{0, 0}, {10, 0}, {5, 0}};
+  const MinimumDistances distances = minimum_distances(World({box(3, 2, 4, 3)}), path);
+  EXPECT_EQ(distances.by_segment[0].left, Ids{0});
+  EXPECT_EQ(distances.obstacles.left, Ids{0});
+  EXPECT_TRUE(distances.by_segment[1].left.empty() && distances.by_segment[1].right.empty());
+}
+
 }  // namespace
 }  // namespace arcway
