@@ -113,6 +113,10 @@ TEST(PlanJson, ReadsPathsWithoutSpeeds) {
                 bare + "," +
                 R"({"type":"arc","start":[0,0,0],"length":1,"curvature":2,"speed_in":0,"speed_out":0,"duration":1})")),
             "plan.json: path[1]: speeds must be on all segments or on none");
+  EXPECT_EQ(error_of(plan(
+                R"({"type":"line","start":[0,0,0],"length":1,"curvature":0,"speed_in":0,"speed_out":0,"duration":1},)" +
+                bare)),
+            "plan.json: path[1]: speeds must be on all segments or on none");
   EXPECT_EQ(error_of(plan(R"({"type":"line","start":[0,0,0],"length":1,"curvature":0,"direction":0})")),
             "plan.json: path[0].direction: expected 1 (forwards) or -1 (backwards), found 0");
   EXPECT_EQ(error_of(plan(R"({"typ":"line"})")), "plan.json: path[0]: unknown key \"typ\"");

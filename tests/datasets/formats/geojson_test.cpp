@@ -77,6 +77,17 @@ TEST(GeoJson, ReadsTopLevelProperties) {
   EXPECT_FALSE(read(collection("", R"("bbox":[0,0,1,1],"properties":null,)")).bounds);
 }
 
+TEST(GeoJson, CollectionsMayBeNestedThirtyTwoDeep) {
+  const auto nested = [](int depth) {
+    std::string text = R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]})";
+    for (; depth > 0; --depth) text = R"({"type":"GeometryCollection","geometries":[)" + text + "]}";
+    return text;
+  };
+  EXPECT_EQ(read_geojson(nested(32), "w").obstacles.size(), 1u);
+  EXPECT_NE(error_of(nested(33)).find("geometry collections nested more than 32 deep"), std::string::npos)
+      << error_of(nested(33));
+}
+
 TEST(GeoJson, ErrorsNamePlaceAndValue) {
   const auto third = [](const std::string& ring) {
     return collection(feature("null") + "," + feature("null") + "," + feature(polygon(ring)));
