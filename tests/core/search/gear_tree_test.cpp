@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/geometry/angle.h"
 #include "core/path/clearance.h"
 #include "core/path/speed_profile.h"
@@ -40,6 +42,21 @@ TEST(GearTree, WaysAreFreeJoinedAndAsDearAsTheyTake) {
     cusps = cusps || cusps_of(path) > 0;
   }
   EXPECT_TRUE(cusps);
+}
+
+TEST(GearTree, CountsTheCostOfCusps) {
+  const Vehicle vehicle;
+  const QuerySet queries = make_reference_queries(World({}));
+  constexpr double kCuspCost = 20.0;  // more than the drives take
+  GearTree tree({2.0, 2.0, 0.7}, vehicle, *queries.sweep, kCuspCost, {8.0, true}, nothing_ahead);
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(tree.expand());
+  int cusps = 0;
+  for (std::uint32_t node = 1; node < tree.size(); ++node) {
+    const int count = static_cast<int>(cusps_of(tree.path_from_root(node)));
+    EXPECT_EQ(std::floor(tree[node].cost / kCuspCost), count);
+    cusps += count;
+  }
+  EXPECT_GT(cusps, 10);
 }
 
 TEST(GearTree, HasNoMotionWhereThereIsNoRoom) {
