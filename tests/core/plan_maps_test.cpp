@@ -135,12 +135,15 @@ TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
 
 TEST_P(SeveralRadii, WithoutRefinementTheGraphsFastestPathIsThePlan) {
   const Planner plain = with_radii({}, {.manoeuvre_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}});
+  int solved = 0;
   for (const PlanRequest& request : requests_) {
     const PlanResult plan = plain.plan(request);
     if (!plan.solved()) continue;
+    ++solved;
     EXPECT_EQ(plan.travel_time, plan.statistics.first_travel_time);
     EXPECT_EQ(plan.statistics.refine_trials, 0u);
   }
+  EXPECT_GE(solved, 3);
 }
 
 class OneRadius : public testing::TestWithParam<ClutterKind> {};

@@ -88,6 +88,7 @@ TEST(PlannerReverse, KeepsToTheSpeedLimitForReversing) {
       for (const TimedSegment& s : plan.segments)
         if (s.segment.gear == Gear::kReverse) fastest_back = std::max({fastest_back, s.speed_in, s.speed_out});
       EXPECT_LE(fastest_back, speed);
+      EXPECT_GT(fastest_back, 0.0);
     }
   }
 }
