@@ -94,6 +94,9 @@ TEST(GapCircles, AreNotMadeWhereTheBodyDoesNotFitOrHasRoom) {
     EXPECT_TRUE(extra.round.empty()) << width;
     EXPECT_TRUE(extra.gates.empty()) << width;
   }
+  const double most = swept_annulus(kGrown, kRadius).outer;
+  EXPECT_FALSE(circles_of(door(0.99 * most, 1.0)).gates.empty());
+  EXPECT_TRUE(circles_of(door(1.01 * most, 1.0)).gates.empty());
   EXPECT_TRUE(circles_of(World({})).gates.empty());
 }
 

@@ -266,6 +266,8 @@ TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
       const double time = more.path ? speed_profile(*more.path, vehicle).total_time : options.faster_than;
       EXPECT_GE(time, least * (1.0 - 1e-9)) << "seed " << seed << ", query " << i;
       EXPECT_LE(time, least * (1.0 + 1e-9) + options.least_gain) << "seed " << seed << ", query " << i;
+      // With fewer ends it cannot go on from one with more.
+      EXPECT_FALSE(search_arrivals(map, std::span(starts).first(1), std::span(goals).first(1), options, before).path);
       improved += more.path ? 1 : 0;
       expanded += more.nodes_expanded;
       expanded_anew += whole.nodes_expanded;
