@@ -93,11 +93,12 @@ bool intersects(const LineSegment& s, std::span<const Vec2, 4> quad) {
     if (orientation(a, b, s.a) < 0 && orientation(a, b, s.b) < 0) return false;
   }
   const int side = orientation(s.a, s.b, quad[0]);
-  if (side == 0) return true;
-  for (std::size_t i = 1; i < 4; ++i) {
-    if (orientation(s.a, s.b, quad[i]) != side) return true;
-  }
-  return false;
+  const auto is_beside = [&](const Vec2& corner) { return orientation(s.a, s.b, corner) == side; };
+  if (side != 0 && std::all_of(quad.begin() + 1, quad.end(), is_beside)) return false;
+  // No line of one without area separates it from what lies further along that line.
+  Box box;
+  for (const Vec2& corner : quad) box.extend(corner);
+  return box_of(s).overlaps(box);
 }
 
 }  // namespace arcway

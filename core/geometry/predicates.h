@@ -65,9 +65,9 @@ PointLocation locate(const Vec2& p, std::span<const Vec2> ring);
 /// ring. `p != v`; prev, v, next need not be in convex position.
 bool in_open_cone(const Vec2& prev, const Vec2& v, const Vec2& next, const Vec2& p);
 
-/// Whether a closed segment and a closed convex quadrilateral (corners counter-clockwise, not all
+/// Whether a closed segment and a closed convex quadrilateral (corners counter-clockwise, or all
 /// on a line) have a common point. Exact on the given corners: one of the five edge lines
-/// separates two disjoint convex sets.
+/// separates two disjoint convex sets, or all are one line.
 bool intersects(const LineSegment& s, std::span<const Vec2, 4> quad);
 
 }  // namespace arcway

@@ -230,17 +230,17 @@ TEST(InOpenCone, AgreesWithAngles) {
 
 TEST(IntersectsQuad, AgreesWithEdgesAndContainment) {
   Random random(5);
-  int convex = 0;
-  while (convex < 5000) {
+  int convex = 0, flat = 0;
+  while (convex < 5000 || flat < 500) {
     std::array<Vec2, 4> quad;
     for (Vec2& corner : quad) corner = random.grid_point(0, 6);
     bool is_convex = true;
     for (std::size_t i = 0; i < 4; ++i) is_convex &= orientation(quad[i], quad[(i + 1) % 4], quad[(i + 2) % 4]) >= 0;
     for (std::size_t i = 0; i < 4; ++i) is_convex &= orientation(quad[i], quad[(i + 1) % 4], quad[(i + 3) % 4]) >= 0;
-    bool flat = true;
-    for (std::size_t i = 0; i < 4; ++i) flat &= orientation(quad[i], quad[(i + 1) % 4], quad[(i + 2) % 4]) == 0;
-    if (!is_convex || flat) continue;
-    ++convex;
+    bool is_flat = true;
+    for (std::size_t i = 0; i < 4; ++i) is_flat &= orientation(quad[i], quad[(i + 1) % 4], quad[(i + 2) % 4]) == 0;
+    if (!is_convex) continue;
+    ++(is_flat ? flat : convex);
     for (int k = 0; k < 20; ++k) {
       const LineSegment s{random.grid_point(-1, 7), random.grid_point(-1, 7)};
       bool expected = locate(s.a, quad) != PointLocation::kOutside;
