@@ -89,16 +89,16 @@ class SeenBoxes {
 
 class ForwardFlood {
  public:
-  ForwardFlood(const Pose& from, const Vec2& to, const Footprint& footprint, double radius, const SweepQuery& sweep,
-               const Outlines& outlines, int level)
-      : from_(from),
+  ForwardFlood(const Pose& from, const Vec2& to, const Footprint& footprint, double radius, LocalSweep& sweep,
+               int level)
+      : sweep_(sweep),
+        from_(from),
         to_(to),
         radius_(radius),
         headings_(kFewestHeadings << level),
         furthest_(kFurthest << level),
         edge_(kCoarsest * footprint.half_width / (1 << level)),
         step_(std::max(kStep * radius, kLeastStep * edge_)),
-        sweep_(sweep, outlines, place_of(footprint)),
         turned_steps_(turned_steps()),
         bodies_(static_cast<std::size_t>(headings_)),
         moves_(static_cast<std::size_t>(headings_)) {
@@ -200,19 +200,12 @@ class ForwardFlood {
     return moves;
   }
 
-  // All that the body may cover.
-  [[nodiscard]] Box place_of(const Footprint& footprint) const {
-    Box place;
-    place.extend(from_.position());
-    return place.grown(furthest_ * edge_ + std::max(footprint.front, footprint.rear) + footprint.half_width);
-  }
-
+  LocalSweep& sweep_;
   Pose from_;
   Vec2 to_;
   double radius_;
   std::int32_t headings_, furthest_;
   double edge_, step_;
-  LocalSweep sweep_;
   Footprint core_{};
   std::vector<Turned> turned_steps_;
   // By heading, once they were asked for: the body with the reference point at the origin, and the moves.
@@ -221,6 +214,13 @@ class ForwardFlood {
   double reach_ = 0.0;
 };
 
+// What the body may cover in the boxes about a position, of either size.
+Box place_around(const Vec2& position, const Footprint& footprint) {
+  const double boxes = kFurthest * kCoarsest * footprint.half_width;
+  const double reach = boxes + std::max(footprint.front, footprint.rear) + footprint.half_width;
+  return Box{position, position}.grown(reach);
+}
+
 }  // namespace
 
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
@@ -228,12 +228,14 @@ std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const 
   // Whoever drives from where it came sees the body the other way round.
   const Pose turned{goal.x, goal.y, goal.heading + kPi};
   const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
+  LocalSweep near_start(sweep, outlines, place_around(start.position(), footprint));
+  LocalSweep near_goal(sweep, outlines, place_around(goal.position(), footprint));
   std::array<bool, 2> given_up{};  // smaller boxes would be even more
   for (int level = 0; level < kLevels; ++level)
     for (const bool at_start : {true, false}) {
       if (given_up[at_start]) continue;
       ForwardFlood flood(at_start ? start : turned, at_start ? goal.position() : start.position(),
-                         at_start ? footprint : swapped, radius, sweep, outlines, level);
+                         at_start ? footprint : swapped, radius, at_start ? near_start : near_goal, level);
       const ForwardFlood::End end = flood.run(max_checks << level);
       if (end == ForwardFlood::End::kClosed) return DeadEnd{at_start, flood.reach()};
       given_up[at_start] = end == ForwardFlood::End::kGivenUp;
