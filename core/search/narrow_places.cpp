@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kWideTurn = 4.0;  // of the smallest radius: sweeps hardly more than the body's width
 
-// What sweeps less fits into more places, (7). Where a wider turn is a faster one, the map's own radii have it, or are
-// not to have it.
+// What sweeps less fits into more places, (7). A map of several radii has wider turns of its own; where a wider turn is
+// a faster one, a single radius says that none are wanted.
 void add_wide_turns(const SearchMap& map, ExtraCircles& extra) {
   const double radius = kWideTurn * map.radii.front();
   if (map.radii.size() > 1 || map.vehicle.turn_speed(radius) > map.vehicle.turn_speed(map.radii.front())) return;
