@@ -1,6 +1,5 @@
 #include "datasets/read_map.h"
 
-#include <algorithm>
 #include <string>
 
 #include "datasets/file_io.h"
@@ -113,14 +112,10 @@ MapFile read_prepared(std::string_view bytes, std::string_view name) {
 }
 
 bool is_wkt_keyword(std::string_view word) {
-  std::string upper(word);
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  if (upper.ends_with('M')) upper.pop_back();  // Z, M or ZM may stand right behind
-  if (upper.ends_with('Z')) upper.pop_back();
+  const std::string type = wkt_type(word);
   for (const std::string_view keyword : {"SRID", "POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING", "POLYGON",
                                          "MULTIPOLYGON", "GEOMETRYCOLLECTION"})
-    if (upper == keyword) return true;
+    if (type == keyword) return true;
   return false;
 }
 

@@ -12,6 +12,13 @@ namespace {
 
 constexpr int kMaxDepth = 32;  // of geometry collections
 
+std::string in_capitals(std::string_view text) {
+  std::string capitals(text);
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return capitals;
+}
+
 class Reader {
  public:
   Reader(std::string_view text, std::string_view name, const VectorOptions& options)
@@ -32,10 +39,7 @@ class Reader {
   // A keyword in capitals; "" if none is next.
   std::string keyword() {
     text_.skip_space();
-    std::string word(text_.word("(),;=0123456789"));
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return word;
+    return in_capitals(text_.word("(),;=0123456789"));
   }
 
   void read_srid() {
@@ -80,11 +84,8 @@ class Reader {
 
   void read_geometry(int depth) {
     if (depth > kMaxDepth) text_.fail("geometry collections nested more than " + std::to_string(kMaxDepth) + " deep");
-    std::string type = keyword();
-    // Z, M and ZM, behind a blank or not, say how many ordinates there are, which shows anyway.
-    if (type.ends_with('M')) type.pop_back();
-    if (type.ends_with('Z')) type.pop_back();
-    {
+    const std::string type = wkt_type(keyword());
+    {  // Z, M and ZM, behind a blank or not, say how many ordinates there are, which shows anyway
       TextScanner before = text_;
       if (const std::string word = keyword(); word != "Z" && word != "M" && word != "ZM") text_ = before;
     }
@@ -157,6 +158,13 @@ void append_ring(std::string& out, const Ring& ring) {
 }
 
 }  // namespace
+
+std::string wkt_type(std::string_view keyword) {
+  std::string type = in_capitals(keyword);
+  if (type.ends_with('M')) type.pop_back();
+  if (type.ends_with('Z')) type.pop_back();
+  return type;
+}
 
 MapFile read_wkt(std::string_view text, std::string_view name, const VectorOptions& options) {
   return Reader(text, name, options).read();

@@ -15,6 +15,9 @@ namespace [[gnu::visibility("default")]] arcway {
 /// @throws FormatError, "map.wkt: line 3: expected a number, found "x"".
 MapFile read_wkt(std::string_view text, std::string_view name, const VectorOptions& options = {});
 
+/// A keyword in capitals, without the Z, M or ZM that may stand right behind a geometry's type.
+std::string wkt_type(std::string_view keyword);
+
 /// One POLYGON a line that reads back to the same doubles. The format has no place for bounds, start and goal.
 std::string to_wkt(const MapFile& map);
 
