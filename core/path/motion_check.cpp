@@ -12,8 +12,8 @@ namespace arcway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kShortestInterval = 1e-9;  ///< one that is not proved free by then is a collision [m]
-constexpr double kClearanceTolerance = 1e-6;
+constexpr double kShortestInterval = 1e-9;  ///< of the body's reach; one that is not proved free by then is a collision
+constexpr double kClearanceTolerance = 1e-6, kClearanceShare = 1e-7;  ///< [m]; of the body's reach
 
 using Rectangle = MotionCheck::Rectangle;
 
@@ -115,6 +115,8 @@ MotionCheck::MotionCheck(const World& world, const Vehicle& vehicle)
     const double largest = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
     rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * (largest + reach_);
   }
+  shortest_interval_ = std::max(kShortestInterval * reach_, rounding_);
+  tolerance_ = std::max({kClearanceTolerance, kClearanceShare * reach_, 2.0 * rounding_});
 }
 
 std::vector<MotionCheck::Hit> MotionCheck::check(const PathSegment& segment) {
@@ -239,7 +241,7 @@ double MotionCheck::bound(const PathSegment& arc, double s0, double s1, VertexId
   return std::max(first_order, hull - height - rounding_);
 }
 
-bool MotionCheck::proved(double lower) const { return lower > 0.0 && lower >= upper_ - kClearanceTolerance; }
+bool MotionCheck::proved(double lower) const { return lower > 0.0 && lower >= upper_ - tolerance_; }
 
 void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
   // A second lap sweeps nothing new.
@@ -250,11 +252,11 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
   const auto consider = [&](double s0, double s1, VertexId e) {
     bool contact = false;
     const double lower = bound(arc, s0, s1, e, contact);
-    if (contact || (!(lower > 0.0) && s1 - s0 < kShortestInterval)) {
+    if (contact || (!(lower > 0.0) && s1 - s0 < shortest_interval_)) {
       add_hit(hits, {world_.obstacle_of(e), 0.5 * (s0 + s1), e});
       return;
     }
-    if (s1 - s0 < kShortestInterval) {
+    if (s1 - s0 < shortest_interval_) {
       lower_ = std::min(lower_, lower);
     } else {
       queue.push({lower, s0, s1, e});

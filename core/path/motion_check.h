@@ -49,8 +49,9 @@ class MotionCheck {
   double reach_ = 0.0;      ///< of the body from F
   std::vector<Box> boxes_;  ///< of the edges
   double rounding_ = 0.0;   ///< of a distance
-  double upper_;            ///< a clearance that occurs on the path
-  double lower_;            ///< a proved bound so far
+  double shortest_interval_, tolerance_;
+  double upper_;  ///< a clearance that occurs on the path
+  double lower_;  ///< a proved bound so far
 };
 
 }  // namespace arcway

@@ -48,7 +48,7 @@ struct ValidationReport {
   double length = 0.0;                  ///< [m]
   double travel_time = 0.0;             ///< sum of the durations [s]
   /// A lower bound on the distance between the bare body and the obstacles, proved along the whole path [m];
-  /// within 1e-6 of the true one; 0 in collision, infinity without obstacles.
+  /// within 1e-6 of the true one, or 1e-7 of the body's reach; 0 in collision, infinity without obstacles.
   double min_clearance = 0.0;
   [[nodiscard]] bool valid() const { return issues.empty(); }
 };
@@ -62,7 +62,8 @@ struct ValidationReport {
 /// used. On a straight line the swept rectangle is compared with the edges. On an arc collision is decided by
 /// subdivision of the motion: an interval is free of an edge if their distance at its middle exceeds what any body
 /// point can move within it, or the hull of the edge's extreme places seen from the body, grown by the height of the
-/// arcs between them, keeps away; an interval shorter than 1e-9 m that is neither is a collision. Never samples.
+/// arcs between them, keeps away; an interval shorter than 1e-9 of the body's reach that is neither is a collision.
+/// Never samples.
 /// Milliseconds for paths of a hundred segments among ten thousand edges.
 /// @throws std::invalid_argument if speeds or durations are given, but not one a segment.
 ValidationReport validate(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,

@@ -213,6 +213,29 @@ TEST(Validation, ArcContactToATenthOfAMicron) {
   EXPECT_NEAR(check(outside(outer + 4e-4), half_circle()).min_clearance, 4e-4, 1.1e-6);
 }
 
+// At 1e9 a double is no finer than 1e-7: bounds on distances leave microns open however short an interval is.
+TEST(Validation, ArcsAroundVerticesOfAnyScaleAndFarFromTheOrigin) {
+  for (const double scale : {1e-6, 1.0, 1e6})
+    for (const double far : {0.0, std::min(9e8, 9e8 * scale)}) {
+      SCOPED_TRACE(testing::Message() << scale << " " << far);
+      VehicleParameters parameters;
+      for (double* length : {&parameters.length, &parameters.width, &parameters.wheelbase, &parameters.max_speed})
+        *length *= scale;
+      const PathSegment arc{{far, 0.0, 0.0}, 2.0 * std::numbers::pi * scale, 0.5 / scale};
+      // The inner side sweeps the circle of radius 1.6 about (0, 2), round this vertex.
+      const auto clearance = [&](double tip) {
+        const Ring ring{Vec2(-0.1, 1.9), Vec2(tip, 2.0), Vec2(-0.1, 2.1)};
+        Ring there;
+        for (const Vec2& p : ring) there.push_back(scale * p + Vec2(far, 0.0));
+        return validate(World({{there, {}}}), Vehicle(parameters), arc.start, arc.end(), {{arc}, {}, {}, {}})
+            .min_clearance;
+      };
+      EXPECT_GT(clearance(1.6 - 4e-4), 0.0);
+      EXPECT_NEAR(clearance(1.6 - 4e-4), 4e-4 * scale, std::max(2e-6, 1e-5 * scale));
+      EXPECT_EQ(clearance(1.6 + 1e-5), 0.0);
+    }
+}
+
 TEST(Validation, SpikeThinnerThanAnyStep) {
   const auto spike = [](double tip) {
     return World({{{Vec2(5.0, tip), Vec2(5.0 + 5e-7, 3.0), Vec2(5.0 - 5e-7, 3.0)}, {}}});
