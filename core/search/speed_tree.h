@@ -49,8 +49,8 @@ class SpeedTree {
   [[nodiscard]] double time_at(const Joint& joint, double speed) const { return pass(joint, speed).time; }
 
   /// Whether no path that goes on from b is faster than the same continuation from a; both joints at the same place
-  /// with the same limit ahead, or none by more than `slack` seconds. True is certain; false may be said where b is
-  /// better by less than some milliseconds.
+  /// with the same limit ahead, or none by more than `slack` seconds. True is certain up to rounding; false may be said
+  /// where a is better by less than some microseconds.
   [[nodiscard]] bool dominates(const Joint& a, const Joint& b, double slack = 0.0) const;
 
  private:
@@ -62,6 +62,7 @@ class SpeedTree {
 
   double acceleration_ = 1.0;
   TimeModel time_model_ = TimeModel::kProfile;
+  double top_limit_ = 0.0;  // of all segments so far
   HugeVector<Joint> joints_;
 };
 

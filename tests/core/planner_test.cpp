@@ -111,6 +111,24 @@ INSTANTIATE_TEST_SUITE_P(Clutters, PlannerInClutter,
                          testing::Combine(testing::Values(ClutterKind::kConvex, ClutterKind::kStar),
                                           testing::Values(0.15, 0.3, 0.45)));
 
+// All the way it speeds up or brakes: one that is ahead is the slower one there.
+TEST(Planner, PillarsOfManyVerticesTakeFewExpansionsWhereTheVehicleIsNeverAtItsTopSpeed) {
+  VehicleParameters parameters;
+  parameters.max_acceleration = 2.0;
+  parameters.turn_speed = ConstantTurnSpeed{parameters.max_speed};
+  test::Random random(1);
+  std::vector<Polygon> pillars;
+  for (int i = 0; i < 4; ++i) {
+    const Vec2 middle = random.point(0.0, 16.0);
+    Polygon& pillar = pillars.emplace_back();
+    for (int k = 0; k < 16; ++k) pillar.outer.push_back(middle + 0.5 * direction_of(k * kTwoPi / 16));
+  }
+  const Planner planner{World(pillars), Vehicle(parameters)};
+  const PlanResult plan = planner.plan({{-3, 8, random.uniform(-3.0, 3.0)}, {19, 8, random.uniform(-3.0, 3.0)}});
+  EXPECT_LT(plan.statistics.nodes_expanded, 500u);
+  expect_valid(planner, plan);
+}
+
 Vehicle turning_within(double radius, const TurnSpeedLaw& law, double wheelbase = VehicleParameters().wheelbase) {
   VehicleParameters parameters;
   parameters.wheelbase = wheelbase;

@@ -121,6 +121,27 @@ TEST(SpeedTree, OneOfTwoPathsMostlyDominates) {
   EXPECT_LT(undecided, 200);
 }
 
+// So are the ways by the many circles round a pillar, which a search has to tell from each other.
+TEST(SpeedTree, ThePathThatIsShorterByAHairDominates) {
+  test::Random random(4);
+  SpeedTree tree;
+  for (const double acceleration : {0.5, 2.0, 50.0}) {
+    const Vehicle vehicle = slow_in_turns(acceleration);
+    int dominated = 0;
+    for (int i = 0; i < 1000; ++i) {
+      tree.reset(vehicle.max_acceleration());
+      const double limit = vehicle.turn_speed(random.uniform(1.3, 40.0));
+      const Path path = random_path(random, 6);
+      Path longer = path;
+      for (PathSegment& s : longer) s.length *= 1.0 + 1e-4;
+      const std::uint32_t a = add_path(tree, vehicle, path, limit);
+      const std::uint32_t b = add_path(tree, vehicle, longer, limit);
+      if (tree.dominates(tree[a], tree[b])) ++dominated;
+    }
+    EXPECT_GT(dominated, 980) << acceleration;
+  }
+}
+
 TEST(SpeedTree, StopsAddUpTheTimesBetweenThem) {
   const Vehicle vehicle = slow_in_turns(2.0);
   test::Random random(8);
