@@ -15,8 +15,8 @@ namespace arcway {
 namespace {
 
 constexpr double kRounding = 1e-12;
-// Units in the last place of the largest coordinate that the segments of a path may be apart in all.
-constexpr double kPlaceUlps = 64.0 * std::numeric_limits<double>::epsilon();
+// Units in the last place of the largest coordinate that the segments of a path may be apart in all; and of headings.
+constexpr double kUlps = 64.0 * std::numeric_limits<double>::epsilon();
 
 double shortest_word(const Pose& start, const Pose& goal, double radius) {
   double shortest = std::numeric_limits<double>::infinity();
@@ -70,9 +70,10 @@ double travel_time_bound(const Pose& start, const Pose& goal, double distance, c
   const double radius = vehicle.min_turning_radius();
   const double turn = reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal);
   const double word = reverse ? reeds_shepp_distance(start, goal, radius) : shortest_word(start, goal, radius);
-  const double arcs = radius * turn;
-  const double place_error =
-      kPlaceUlps * std::max(start.position().cwiseAbs().maxCoeff(), goal.position().cwiseAbs().maxCoeff());
+  const double heading_error = kUlps * (1.0 + std::abs(start.heading) + std::abs(goal.heading));
+  const double arcs = radius * std::max(0.0, turn - heading_error);
+  const double place_error = radius * heading_error + kUlps * std::max(start.position().cwiseAbs().maxCoeff(),
+                                                                       goal.position().cwiseAbs().maxCoeff());
   const double length = std::max({0.0, std::max(distance, word) - place_error, arcs});
   if (!(length > 0.0) || std::isinf(length)) return length;
   const double straight = segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());

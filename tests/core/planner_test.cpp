@@ -51,6 +51,10 @@ TEST(Planner, StartAtTheGoalTakesNoTime) {
   EXPECT_TRUE(result.solved());
   EXPECT_TRUE(result.segments.empty());
   EXPECT_EQ(result.travel_time, 0.0);
+  // A whole turn, which is no turn, at headings that are rounded.
+  const PlanResult turned = planner.plan({{1, 2, 473856.92551958817}, {1, 2, 473856.92551958817 + kTwoPi}});
+  EXPECT_EQ(turned.travel_time, 0.0);
+  EXPECT_EQ(turned.lower_bound, 0.0);
 }
 
 TEST(Planner, AGoalNextToNothingBehindTheStartTakesAWholeTurn) {
