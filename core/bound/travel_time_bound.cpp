@@ -26,13 +26,13 @@ double shortest_word(const Pose& start, const Pose& goal, double radius) {
   return shortest;
 }
 
-double least_turn(const Pose& start, const Pose& goal) {
+double least_turn(const Pose& start, const Pose& goal, double place_error) {
   const double direct = std::abs(wrap_signed(goal.heading - start.heading));
   const Vec2 d = goal.position() - start.position();
   if (d.isZero(0.0)) return direct;
   const double phi = std::atan2(d.y(), d.x());
-  return std::max(
-      direct, std::min(kPi, std::abs(wrap_signed(phi - start.heading)) + std::abs(wrap_signed(goal.heading - phi))));
+  const double by_phi = std::abs(wrap_signed(phi - start.heading)) + std::abs(wrap_signed(goal.heading - phi));
+  return std::max(direct, std::min(kPi, by_phi) - 2.0 * place_error / d.norm());
 }
 
 double highest_turn_speed(const Vehicle& vehicle) {
@@ -68,12 +68,13 @@ double travel_time_bound(const Pose& start, const Pose& goal, double distance, c
   if (reverse && vehicle.max_reverse_speed() > vehicle.max_speed())
     return travel_time_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse);
   const double radius = vehicle.min_turning_radius();
-  const double turn = reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal);
-  const double word = reverse ? reeds_shepp_distance(start, goal, radius) : shortest_word(start, goal, radius);
   const double heading_error = kUlps * (1.0 + std::abs(start.heading) + std::abs(goal.heading));
-  const double arcs = radius * std::max(0.0, turn - heading_error);
   const double place_error = radius * heading_error + kUlps * std::max(start.position().cwiseAbs().maxCoeff(),
                                                                        goal.position().cwiseAbs().maxCoeff());
+  const double turn =
+      reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal, place_error);
+  const double word = reverse ? reeds_shepp_distance(start, goal, radius) : shortest_word(start, goal, radius);
+  const double arcs = radius * std::max(0.0, turn - heading_error);
   const double length = std::max({0.0, std::max(distance, word) - place_error, arcs});
   if (!(length > 0.0) || std::isinf(length)) return length;
   const double straight = segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());

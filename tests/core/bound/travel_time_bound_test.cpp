@@ -160,5 +160,19 @@ TEST(TravelTimeBound, HoldsInBothGearsIfBothAreAllowed) {
   }
 }
 
+// The rounding of the places turns the line between them.
+TEST(TravelTimeBound, NoPlanBetweenPlacesNextToEachOtherIsFaster) {
+  const Vehicle vehicle({.length = 0.375, .width = 1.018, .wheelbase = 0.08956});
+  const Planner planner(World({}), vehicle, {.radii = {0.0896, 6.9}});
+  test::Random random(2);
+  for (int i = 0; i < 500; ++i) {
+    const double heading = random.uniform(-kPi, kPi), distance = std::exp(random.uniform(-30.0, -10.0));
+    const Vec2 at = random.point(0.0, 10.0), there = at + distance * direction_of(heading);
+    const PlanResult plan = planner.plan({{at.x(), at.y(), heading}, {there.x(), there.y(), heading}});
+    ASSERT_TRUE(plan.solved());
+    EXPECT_LE(plan.lower_bound, plan.travel_time * (1.0 + 1e-12)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace arcway
