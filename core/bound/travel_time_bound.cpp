@@ -74,7 +74,7 @@ double travel_time_bound(const Pose& start, const Pose& goal, double distance, c
   const double turn =
       reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal, place_error);
   const double word = reverse ? reeds_shepp_distance(start, goal, radius) : shortest_word(start, goal, radius);
-  const double arcs = radius * std::max(0.0, turn - heading_error);
+  const double arcs = std::max(0.0, radius * turn - place_error);
   const double length = std::max({0.0, std::max(distance, word) - place_error, arcs});
   if (!(length > 0.0) || std::isinf(length)) return length;
   const double straight = segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());

@@ -174,5 +174,19 @@ TEST(TravelTimeBound, NoPlanBetweenPlacesNextToEachOtherIsFaster) {
   }
 }
 
+// An arc that leads there up to the rounding of places may have another heading there.
+TEST(TravelTimeBound, NoSingleArcIsFasterFarFromTheOrigin) {
+  const Vehicle vehicle({.wheelbase = 0.2, .safety_margin = 0.1});
+  const Planner planner(World({}), vehicle);
+  test::Random random(4);
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 at = random.point(-5e8, 5e8);
+    const PathSegment arc{{at.x(), at.y(), random.uniform(-kPi, kPi)}, random.uniform(0.01, 0.5), 5.0};
+    const PlanResult plan = planner.plan({arc.start, arc.end()});
+    ASSERT_TRUE(plan.solved());
+    EXPECT_LE(plan.lower_bound, plan.travel_time * (1.0 + 1e-12)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace arcway
