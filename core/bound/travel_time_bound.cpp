@@ -73,7 +73,9 @@ double travel_time_bound(const Pose& start, const Pose& goal, double distance, c
                                                                        goal.position().cwiseAbs().maxCoeff());
   const double turn =
       reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal, place_error);
-  const double word = reverse ? reeds_shepp_distance(start, goal, radius) : shortest_word(start, goal, radius);
+  // In both gears a place beside a pose is reached by two arcs there and a line back, of four times this in all.
+  const double word = reverse ? reeds_shepp_distance(start, goal, radius) - 5.0 * std::sqrt(radius * place_error)
+                              : shortest_word(start, goal, radius);
   const double arcs = std::max(0.0, radius * turn - place_error);
   const double length = std::max({0.0, std::max(distance, word) - place_error, arcs});
   if (!(length > 0.0) || std::isinf(length)) return length;

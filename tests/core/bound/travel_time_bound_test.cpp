@@ -188,5 +188,14 @@ TEST(TravelTimeBound, NoSingleArcIsFasterFarFromTheOrigin) {
   }
 }
 
+// What is beside a pose by the rounding of its place alone is no way off in both gears.
+TEST(TravelTimeBound, IsThatOfALineToAPlaceAheadWhateverRoundingPutsItBeside) {
+  const Vehicle vehicle({.wheelbase = 0.0017108857310877202, .max_steering_angle = 0.88284777485843047});
+  const Pose start{964.42284843218351, -985.27088661988967, 1.8039582235336526};
+  const Pose goal{964.42284843314758, -985.27088662394942, 1.8039582235336526};
+  const double distance = (goal.position() - start.position()).norm();
+  EXPECT_LE(travel_time_bound(start, goal, distance, vehicle, true), straight_time(distance, vehicle));
+}
+
 }  // namespace
 }  // namespace arcway
