@@ -6,6 +6,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/path/speed_profile.h"
+#include "core/shortest_text.h"
 #include "datasets/json_text.h"
 
 namespace arcway {
@@ -104,6 +105,29 @@ double steering_angle(double curvature, const VehicleParameters& vehicle) {
   return 0.0;
 }
 
+double steps_of(const PathSegment& segment, const PathSampling& sampling) {
+  return std::ceil(std::max(segment.length / sampling.max_length,
+                            segment.length * std::abs(segment.curvature) / sampling.max_angle));
+}
+
+void check(const PathSampling& sampling, std::span<const TimedSegment> segments) {
+  const auto require_positive = [](double value, const char* name) {
+    if (!(value > 0.0)) {
+      throw std::invalid_argument("sample_path: " + std::string(name) + " is " + shortest_text(value) +
+                                  ", must be > 0");
+    }
+  };
+  require_positive(sampling.max_length, "max_length");
+  require_positive(sampling.max_angle, "max_angle");
+  double steps = 0.0;
+  for (const TimedSegment& timed : segments) steps += steps_of(timed.segment, sampling);
+  if (!(steps <= kMostSamplingSteps)) {
+    throw std::invalid_argument("sample_path: the path has " + shortest_text(steps) + " steps of at most " +
+                                shortest_text(sampling.max_length) + " m and " + shortest_text(sampling.max_angle) +
+                                " rad, must be at most " + shortest_text(kMostSamplingSteps));
+  }
+}
+
 }  // namespace
 
 std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
@@ -155,8 +179,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
 
 std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
                                     const PathSampling& sampling) {
-  if (!(sampling.max_length > 0.0 && sampling.max_angle > 0.0))
-    throw std::invalid_argument("sample_path: sampling steps must be positive");
+  check(sampling, segments);
   std::vector<PathSample> samples;
   double distance = 0.0, time = 0.0;
   for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -166,8 +189,7 @@ std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, cons
     const auto add = [&](double s, double t, double v) {
       samples.push_back({distance + s, timed.segment.at(s), timed.segment.curvature, timed.segment.gear, time + t, v});
     };
-    const double steps = std::ceil(
-        std::max(length / sampling.max_length, length * std::abs(timed.segment.curvature) / sampling.max_angle));
+    const double steps = steps_of(timed.segment, sampling);
     const bool joined = k > 0 && segments[k - 1].segment.curvature == timed.segment.curvature &&
                         segments[k - 1].segment.gear == timed.segment.gear;
     if (!joined) add(0.0, 0.0, timed.speed_in);

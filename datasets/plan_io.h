@@ -31,6 +31,8 @@ struct PathSampling {
   double max_length = 0.5;  ///< between two samples [m], > 0
   double max_angle = 0.05;  ///< between two samples [rad], > 0
 };
+/// Of a path, so that a step that is far too small cannot eat all memory.
+inline constexpr double kMostSamplingSteps = 1e7;
 /// A moment of the motion.
 struct PathSample {
   double s;          ///< from the start [m]
@@ -42,7 +44,8 @@ struct PathSample {
 };
 /// Samples by length and by angle, ends of all segments kept; where curvature or gear change, the joint comes twice,
 /// once with each. Time and speed follow the fastest motion within the segment: accelerate, hold, brake.
-/// @throws std::invalid_argument unless both steps are positive.
+/// @throws std::invalid_argument naming value and limit unless both steps are positive and the path has at most
+///   kMostSamplingSteps of them; so do both below.
 std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
                                     const PathSampling& sampling = {});
 

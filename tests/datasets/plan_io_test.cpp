@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "core/path/speed_profile.h"
 #include "tests/support/format_errors.h"
@@ -201,6 +203,27 @@ TEST(PathCsv, RunsThroughAllJointsInTimeOrder) {
   EXPECT_NEAR(rows.back()[6], result.travel_time, 1e-12);
   EXPECT_NEAR(rows.back()[0], result.length, 1e-12);
   EXPECT_NEAR(rows[20][8], std::atan(1.3 * -0.5), 1e-15);
+}
+
+TEST(PathCsv, RefusesStepsThatAreNoneOrTooMany) {
+  const PlanResult result = example();
+  const auto error_of = [&](const PathSampling& sampling) -> std::string {
+    try {
+      sample_path(result.segments, Vehicle{}, sampling);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(error_of({.max_length = 0.0}), "sample_path: max_length is 0, must be > 0");
+  EXPECT_EQ(error_of({.max_angle = -1.0}), "sample_path: max_angle is -1, must be > 0");
+  EXPECT_EQ(error_of({.max_length = std::nan("")}), "sample_path: max_length is nan, must be > 0");
+  const std::string few = error_of({.max_length = 1e-300});
+  EXPECT_NE(few.find("steps of at most 1e-300 m and 0.05 rad, must be at most 1e+07"), std::string::npos) << few;
+  EXPECT_NE(error_of({.max_angle = 5e-324}).find("the path has inf steps"), std::string::npos);
+  EXPECT_EQ(error_of({.max_length = 2.0 * result.length / kMostSamplingSteps}), "");
+  EXPECT_THROW(path_to_csv(result.segments, Vehicle{}, {.max_length = 1e-9}), std::invalid_argument);
+  EXPECT_THROW(path_to_nav_msgs(result.segments, Vehicle{}, "map", {.max_length = 1e-9}), std::invalid_argument);
 }
 
 TEST(NavMsgsPath, HasPosesInTimeOrder) {
