@@ -38,11 +38,14 @@ std::string expand_gzip(std::string_view bytes, std::string_view name, std::size
     const int result = inflate(&stream, Z_NO_FLUSH);
     text.append(chunk, sizeof chunk - stream.avail_out);
     if (text.size() > max_bytes) fail("more than " + std::to_string(max_bytes) + " bytes of text");
-    if (result == Z_STREAM_END && stream.avail_in > 0) {  // another member follows
+    if (result == Z_STREAM_END) {
+      const std::string_view rest = bytes.substr(bytes.size() - stream.avail_in);
+      if (rest.find_first_not_of('\0') == std::string_view::npos) return text;  // blocks of tapes are filled with zeros
+      if (!is_gzip(rest))
+        fail("byte " + std::to_string(bytes.size() - rest.size()) + ": neither another member nor zeros");
       if (inflateReset(&stream) != Z_OK) fail("damaged");
       continue;
     }
-    if (result == Z_STREAM_END) return text;
     if (result == Z_BUF_ERROR || (result == Z_OK && stream.avail_in == 0 && stream.avail_out > 0))
       fail("the file ends too early");
     if (result != Z_OK) fail(stream.msg != nullptr ? stream.msg : "damaged");

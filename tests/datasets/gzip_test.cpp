@@ -20,6 +20,26 @@ TEST(Gzip, Expands) {
   EXPECT_EQ(expand_gzip(kTriangle + kTriangle, "a.gz"), "0 0 1 0 1 1\n0 0 1 0 1 1\n");
 }
 
+TEST(Gzip, SkipsZerosBehindTheLastMemberAndNothingElse) {
+  const std::string zeros(1000, '\0');
+  EXPECT_EQ(expand_gzip(kTriangle + zeros, "a.gz"), "0 0 1 0 1 1\n");
+  EXPECT_EQ(expand_gzip(kTriangle + kTriangle + zeros.substr(0, 1), "a.gz"), "0 0 1 0 1 1\n0 0 1 0 1 1\n");
+  const auto error_of = [](const std::string& bytes) -> std::string {
+    try {
+      expand_gzip(bytes, "a.gz");
+    } catch (const FormatError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string other = "a.gz: gzip: byte 28: neither another member nor zeros";
+  EXPECT_EQ(error_of(kTriangle + "garbage"), other);
+  EXPECT_EQ(error_of(kTriangle + "\x1f"), other);
+  EXPECT_EQ(error_of(kTriangle + zeros + "x"), other);
+  EXPECT_EQ(error_of(kTriangle + zeros + kTriangle), other);
+  EXPECT_EQ(error_of(kTriangle + kTriangle.substr(0, 9)), "a.gz: gzip: the file ends too early");
+}
+
 TEST(Gzip, DamagedFilesAreErrors) {
   for (std::size_t size = 2; size < kTriangle.size(); ++size)
     EXPECT_THROW(expand_gzip(std::string_view(kTriangle).substr(0, size), "a.gz"), FormatError) << size;
