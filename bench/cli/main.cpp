@@ -57,9 +57,12 @@ int run(int argc, char** argv, const arcway::Team& team) {
     std::ostringstream err;
     const int code = app.exit(error, out, err);
     if (team.rank() > 0) return code == 0 ? kExitSolved : kExitBadInput;
-    std::fputs(err.str().c_str(), stderr);
-    if (code == 0) print(out.str());
-    return code == 0 ? kExitSolved : kExitBadInput;
+    if (code != 0) {
+      std::fprintf(stderr, "%s: %s", kName, err.str().c_str());
+      return kExitBadInput;
+    }
+    print(out.str());
+    return kExitSolved;
   }
   if (!action) throw UsageError("a subcommand is required; --help names them");
   std::string text;

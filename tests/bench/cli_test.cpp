@@ -271,7 +271,9 @@ TEST_F(Tool, UsageErrorsGoToStandardError) {
   expect_bad_input("", "subcommand");
   expect_bad_input("fly", "fly");
   expect_bad_input("fly " + map_ + kAround, "fly");
-  expect_bad_input("plan", "WORLD");
+  expect_bad_input("plan", "WORLD is required\nRun with --help");
+  expect_bad_input("plan " + map_ + " --fly", "--fly\nRun with --help");
+  expect_bad_input("plan " + map_ + " --svg", "--svg");
   expect_bad_input("plan " + map_, "--start");
   expect_bad_input("plan " + map_ + " --start 10,10 --goal 50,50,0", "expected X,Y,HEADING");
   expect_bad_input("plan " + map_ + " --start 10,10,0x --goal 50,50,0", "expected a finite number");

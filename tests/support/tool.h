@@ -71,6 +71,7 @@ class Tool : public testing::Test {
     const Run result = run(arguments);
     EXPECT_EQ(result.code, 2) << arguments;
     EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_TRUE(result.err.starts_with("arcway: ")) << arguments << "\n" << result.err;
     EXPECT_NE(result.err.find(message), std::string::npos) << arguments << "\n" << result.err;
   }
 
