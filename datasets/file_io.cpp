@@ -1,6 +1,7 @@
 #include "datasets/file_io.h"
 
 #include <cerrno>
+#include <deque>
 #include <fstream>
 #include <random>
 #include <system_error>
@@ -38,6 +39,48 @@ void write_whole(const fs::path& path, std::string_view text) {
   if (!file) fail("write", path, errno);
 }
 
+// A file that waits beside the one that it is to replace. Devices and pipes are written at once.
+class PendingFile {
+ public:
+  PendingFile(const fs::path& path, std::string_view text) : path_(path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) fail("write", path, EISDIR);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+      write_whole(path, text);
+      return;
+    }
+    target_ = behind_links(path);
+    temporary_ = target_;
+    temporary_ += ".tmp" + std::to_string(std::random_device()());
+    try {
+      write_whole(temporary_, text);
+    } catch (const FileError&) {
+      const int reason = errno;
+      fs::remove(temporary_, error);
+      fail("write", path, reason);
+    }
+    if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), error);
+  }
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  ~PendingFile() {
+    std::error_code ignored;
+    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  }
+
+  void commit() {
+    if (temporary_.empty()) return;
+    std::error_code error;
+    fs::rename(temporary_, target_, error);
+    if (error) fail("write", path_, error.value());
+    temporary_.clear();
+  }
+
+ private:
+  fs::path path_, target_, temporary_;
+};
+
 }  // namespace
 
 std::string read_file(const fs::path& path) {
@@ -61,28 +104,18 @@ std::string read_file(const fs::path& path) {
   return text;
 }
 
-void write_file_atomically(const fs::path& path, std::string_view text) {
+void write_file_atomically(const fs::path& path, std::string_view text) { PendingFile(path, text).commit(); }
+
+void write_files_atomically(std::span<const std::pair<fs::path, std::string>> files) {
+  std::deque<PendingFile> pending;
+  for (const auto& [path, text] : files) pending.emplace_back(path, text);
+  for (PendingFile& file : pending) file.commit();
+}
+
+void make_folders(const fs::path& path) {
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) fail("write", path, EISDIR);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_whole(path, text);  // a device or a pipe
-  const fs::path target = behind_links(path);
-  fs::path temporary = target;
-  temporary += ".tmp" + std::to_string(std::random_device()());
-  try {
-    write_whole(temporary, text);
-  } catch (const FileError&) {
-    const int reason = errno;
-    fs::remove(temporary, error);
-    fail("write", path, reason);
-  }
-  if (fs::exists(status)) fs::permissions(temporary, status.permissions(), error);
-  fs::rename(temporary, target, error);
-  if (error) {
-    const int reason = error.value();
-    fs::remove(temporary, error);
-    fail("write", path, reason);
-  }
+  fs::create_directories(path, error);
+  if (error) fail("make folder", path, error.value());
 }
 
 }  // namespace arcway

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -27,5 +29,13 @@ std::string read_file(const std::filesystem::path& path);
 /// it, and a failure leaves the old one.
 /// @throws FileError
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// The same for several: none takes its place before all are written.
+/// @throws FileError
+void write_files_atomically(std::span<const std::pair<std::filesystem::path, std::string>> files);
+
+/// With all folders that it lies in, where they are not there yet.
+/// @throws FileError
+void make_folders(const std::filesystem::path& path);
 
 }  // namespace arcway

@@ -232,19 +232,19 @@ std::vector<NumberedRequest> read_queries(const std::string& file) {
 
 void OutputFiles::add(const std::string& file, std::string text) {
   if (file.empty()) return;
-  const bool is_file = !std::filesystem::exists(file) || std::filesystem::is_regular_file(file);
-  if (is_file && std::ranges::find(files_, file, &std::pair<std::string, std::string>::first) != files_.end())
+  std::error_code ignored;  // what cannot be looked at cannot be written either, which says why
+  const bool is_file = !std::filesystem::exists(file, ignored) || std::filesystem::is_regular_file(file, ignored);
+  if (is_file &&
+      std::ranges::find(files_, std::filesystem::path(file), &decltype(files_)::value_type::first) != files_.end())
     throw UsageError(file + ": two files of this name are to be written");
   files_.emplace_back(file, std::move(text));
 }
 
-void OutputFiles::write() const {
-  for (const auto& [file, text] : files_) write_file_atomically(file, text);
-}
+void OutputFiles::write() const { write_files_atomically(files_); }
 
 std::string OutputFiles::summary() const {
   std::string text;
-  for (const auto& [file, content] : files_) text += row("wrote", file);
+  for (const auto& [file, content] : files_) text += row("wrote", file.string());
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -147,7 +148,7 @@ struct NumberedRequest {
 /// @throws UsageError naming file, line and value.
 std::vector<NumberedRequest> read_queries(const std::string& file);
 
-/// Files of a command, written when all of their texts are ready: each whole or not at all.
+/// Files of a command, written when all of their texts are ready: all of them whole, or none.
 class OutputFiles {
  public:
   /// No file of an empty name.
@@ -158,7 +159,7 @@ class OutputFiles {
   [[nodiscard]] std::string summary() const;
 
  private:
-  std::vector<std::pair<std::string, std::string>> files_;
+  std::vector<std::pair<std::filesystem::path, std::string>> files_;
 };
 
 /// With a fixed number of digits after the point.

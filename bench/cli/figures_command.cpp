@@ -4,6 +4,7 @@
 
 #include "bench/cli/arguments.h"
 #include "bench/figures/figures.h"
+#include "datasets/file_io.h"
 #include "datasets/paper_example.h"
 
 namespace arcway::cli {
@@ -17,7 +18,7 @@ int draw_figures(const std::string& folder, std::string& out) {
     out = plan.reason + "\n";
     return kExitNoPath;
   }
-  std::filesystem::create_directories(folder);
+  make_folders(folder);
   OutputFiles files;
   for (const figures::Figure& figure :
        {figures::visibility_graphs(planner), figures::vehicle_model(planner.vehicle()),

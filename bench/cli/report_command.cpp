@@ -43,7 +43,7 @@ int report(const ReportArguments& arguments, std::string& out) {
   if (!arguments.out.empty()) {
     const report::Document document = report::make_document(inputs);
     const std::filesystem::path folder = arguments.out;
-    std::filesystem::create_directories(folder);
+    make_folders(folder);
     files.add((folder / "report.html").string(), to_html(document));
     files.add((folder / "report.md").string(), to_markdown(document));
     files.add((folder / "report.csv").string(), to_csv(inputs.results));

@@ -304,7 +304,15 @@ TEST_F(Tool, BadMapsGetAMessage) {
 }
 
 TEST_F(Tool, AFileThatCannotBeWrittenIsBadInput) {
-  expect_bad_input("plan " + map_ + kAround + " --json " + file("no/such/folder/p.json"), "p.json");
+  const std::string wrong = file("no/such/folder/p.json");
+  expect_bad_input("plan " + map_ + kAround + " --json " + wrong, "cannot write " + wrong + ": No such file");
+  expect_bad_input("plan " + map_ + kAround + " --csv " + file("p.csv") + " --json " + wrong, "cannot write " + wrong);
+  EXPECT_FALSE(exists("p.csv"));
+  fs::create_symlink("loop", file("loop"));
+  expect_bad_input("plan " + map_ + kAround + " --svg " + file("loop"), "cannot write " + file("loop") + ": Too many");
+  expect_bad_input("figures --out " + map_ + "/x", "cannot make folder " + map_ + "/x: Not a directory");
+  expect_bad_input("report " ARCWAY_SOURCE_DIR "/bench/results/amd-epyc/results.json --out " + map_,
+                   "cannot make folder " + map_ + ": ");
 }
 
 TEST_F(Tool, WritesNoFileTwice) {

@@ -4,6 +4,9 @@
 
 #include <filesystem>
 #include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace arcway {
 namespace {
@@ -23,6 +26,28 @@ TEST_F(FileIoTest, WritesReplacesAndLeavesNothingBehind) {
   write_file_atomically(folder_ / "a", large);
   EXPECT_EQ(read_file(folder_ / "a"), large);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(FileIoTest, WritesSeveralFilesOrNone) {
+  using Files = std::vector<std::pair<fs::path, std::string>>;
+  write_file_atomically(folder_ / "a", "old");
+  for (const fs::path& wrong : {folder_ / "no" / "b", folder_, fs::path("/dev/full")}) {
+    if (wrong == "/dev/full" && !fs::exists(wrong)) continue;
+    EXPECT_THROW(write_files_atomically(Files{{folder_ / "a", "new"}, {folder_ / "c", "new"}, {wrong, "new"}}),
+                 FileError)
+        << wrong;
+    EXPECT_EQ(read_file(folder_ / "a"), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+  }
+  write_files_atomically(Files{{folder_ / "a", "new"}, {folder_ / "b", "more"}});
+  EXPECT_EQ(read_file(folder_ / "a") + read_file(folder_ / "b"), "newmore");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 2);
+}
+
+TEST_F(FileIoTest, MakesFoldersWithThoseAbove) {
+  make_folders(folder_ / "a" / "b");
+  make_folders(folder_ / "a" / "b");
+  EXPECT_TRUE(fs::is_directory(folder_ / "a" / "b"));
 }
 
 TEST_F(FileIoTest, LinksStay) {
@@ -52,6 +77,9 @@ TEST_F(FileIoTest, ErrorsNameThePath) {
             "cannot read " + missing + ": No such file or directory");
   EXPECT_EQ(error([&] { write_file_atomically(missing, ""); }),
             "cannot write " + missing + ": No such file or directory");
+  write_file_atomically(folder_ / "a", "");
+  EXPECT_EQ(error([&] { make_folders(folder_ / "a" / "b"); }),
+            "cannot make folder " + (folder_ / "a" / "b").string() + ": Not a directory");
   EXPECT_NE(error([&] { static_cast<void>(read_file(folder_)); }).find("cannot read"), std::string::npos);
   EXPECT_NE(error([&] { write_file_atomically(folder_, ""); }).find("cannot write"), std::string::npos);
 }
