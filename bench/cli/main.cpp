@@ -31,6 +31,15 @@ void print(const std::string& text) {
     throw std::system_error(errno, std::generic_category(), "cannot write standard output");
 }
 
+/// An empty value is most likely that of a variable which a script has not set.
+/// @throws arcway::cli::UsageError naming the option.
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands())
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& value : option->results())
+        if (value.empty()) throw arcway::cli::UsageError(option->get_name() + ": its value is empty");
+}
+
 int run(int argc, char** argv, const arcway::Team& team) {
   using namespace arcway::cli;
   CLI::App app(kDescription, kName);
@@ -64,6 +73,7 @@ int run(int argc, char** argv, const arcway::Team& team) {
     print(out.str());
     return kExitSolved;
   }
+  refuse_empty_values(app);
   if (!action) throw UsageError("a subcommand is required; --help names them");
   std::string text;
   const int code = action(text);

@@ -315,6 +315,13 @@ TEST_F(Tool, AFileThatCannotBeWrittenIsBadInput) {
                    "cannot make folder " + map_ + ": ");
 }
 
+TEST_F(Tool, RefusesEmptyValues) {
+  for (const char* option : {"--robot", "--svg", "--json", "--via", "--time-limit", "--task"})
+    expect_bad_input("plan " + map_ + kAround + " " + option + " ''", std::string(option) + ": its value is empty");
+  expect_bad_input("plan ''", "WORLD: its value is empty");
+  expect_bad_input("prepare " + map_ + " --out ''", "--out: its value is empty");
+}
+
 TEST_F(Tool, WritesNoFileTwice) {
   expect_bad_input("plan " + map_ + kAround + " --json " + file("p") + " --csv " + file("p"), "two files of this name");
   EXPECT_FALSE(exists("p"));
