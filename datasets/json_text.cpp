@@ -162,7 +162,7 @@ json parse_json(std::string_view text, std::string_view name, const JsonElements
   for (const std::string_view word : {"NaN", "nan", "Inf", "inf"})
     if (text.substr(read.size() - std::min<std::size_t>(read.size(), 3), 6).find(word) != std::string_view::npos)
       throw FormatError(place + "found " + std::string(word) +
-                        ", which is not a number in JSON; coordinates must be finite");
+                        ", which is not a number in JSON; numbers must be finite");
   throw FormatError(place + builder.error());
 }
 
