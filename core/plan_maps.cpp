@@ -24,14 +24,15 @@ constexpr double kFasterFactor = 2.0, kSlowerFactor = 0.5;
 
 struct WithFactor {
   double factor;
+  static double product(double a, double b) { return std::clamp(a * b, kSmallestVehicleNumber, kLargestVehicleNumber); }
   TurnSpeedLaw operator()(const ConstantTurnSpeed& law) const {
-    return ConstantTurnSpeed{std::sqrt(factor) * law.speed};
+    return ConstantTurnSpeed{product(std::sqrt(factor), law.speed)};
   }
   TurnSpeedLaw operator()(const LateralAccelerationLimit& law) const {
-    return LateralAccelerationLimit{factor * law.lateral_acceleration};
+    return LateralAccelerationLimit{product(factor, law.lateral_acceleration)};
   }
   TurnSpeedLaw operator()(TurnSpeedTable law) const {
-    for (auto& entry : law.entries) entry.second *= std::sqrt(factor);
+    for (auto& entry : law.entries) entry.second = product(std::sqrt(factor), entry.second);
     return law;
   }
 };

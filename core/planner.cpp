@@ -26,7 +26,10 @@ namespace arcway {
 
 namespace {
 
-constexpr double kLargestPoseCoordinate = 1e9;
+// Of what poses say, unless it is 0: far enough from what queries refuse, whatever is computed of it.
+constexpr double kSmallestPoseNumber = 1e-50, kLargestPoseNumber = 1e9;
+// Of times, so that none overflows.
+constexpr double kLargestSuboptimality = 1e6;
 // Units in the last place of the largest coordinate that the safety margin must span: corners, centres and critical
 // angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
 constexpr double kMarginUnits = 1048576.0;
@@ -41,9 +44,10 @@ constexpr std::size_t kDeadEndChecks = 10000;
 
 void require_pose(const char* name, const Pose& pose) {
   for (const double value : {pose.x, pose.y, pose.heading})
-    if (!(std::abs(value) <= kLargestPoseCoordinate))
+    if (value != 0.0 && !(std::abs(value) >= kSmallestPoseNumber && std::abs(value) <= kLargestPoseNumber))
       throw std::invalid_argument(std::string(name) + " pose " + shortest_text(pose) + ": " + shortest_text(value) +
-                                  " is not finite or beyond 1e9");
+                                  " is neither 0 nor of magnitude " + shortest_text(kSmallestPoseNumber) + " to " +
+                                  shortest_text(kLargestPoseNumber));
 }
 
 std::vector<double> checked_radii(const World& world, const Vehicle& vehicle, std::vector<double> radii) {
@@ -58,21 +62,28 @@ std::vector<double> checked_radii(const World& world, const Vehicle& vehicle, st
   return radii;
 }
 
-void require_margin(const World& world, const Vehicle& vehicle) {
-  if (world.box().empty()) return;
-  const double largest = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
+void require_margin(const Vehicle& vehicle, double largest, const std::string& what, const char* advice) {
   const double needed = kMarginUnits * (std::nextafter(largest, INFINITY) - largest);
   if (vehicle.safety_margin() < needed)
-    throw std::invalid_argument("safety margin " + shortest_text(vehicle.safety_margin()) +
-                                " m is too small for coordinates up to " + shortest_text(largest) +
-                                ": doubles need at least " + shortest_text(needed) +
-                                " m there; move the map to the origin");
+    throw std::invalid_argument("safety margin " + shortest_text(vehicle.safety_margin()) + " m is too small for " +
+                                what + " " + shortest_text(largest) + ": doubles need at least " +
+                                shortest_text(needed) + " m there" + advice);
+}
+
+void require_margin(const World& world, const Vehicle& vehicle) {
+  const VehicleParameters& body = vehicle.parameters();
+  require_margin(vehicle, std::max({body.length, body.width, body.wheelbase}), "a body of", "");
+  require_margin(vehicle, vehicle.min_turning_radius(), "a smallest turning radius of", "");
+  if (world.box().empty()) return;
+  require_margin(vehicle, std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff()),
+                 "coordinates up to", "; move the map to the origin");
 }
 
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
   options.radii = checked_radii(world, vehicle, std::move(options.radii));
-  if (!(options.suboptimality >= 0.0 && std::isfinite(options.suboptimality)))
-    throw std::invalid_argument("suboptimality: " + shortest_text(options.suboptimality) + ", must be finite and >= 0");
+  if (!(options.suboptimality >= 0.0 && options.suboptimality <= kLargestSuboptimality))
+    throw std::invalid_argument("suboptimality: " + shortest_text(options.suboptimality) + ", must be from 0 to " +
+                                shortest_text(kLargestSuboptimality));
   require_margin(world, vehicle);
   return options;
 }

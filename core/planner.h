@@ -35,8 +35,8 @@ using ReducedGraphBuilder =
 struct PlannerOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
   TimeModel time_model = TimeModel::kProfile;  ///< of searches
-  /// w >= 0: before refinement, a path by single arcs may take up to 1 + w times as long as the fastest one of the
-  /// graph, and is found with fewer expansions. For large maps; see search_arrivals.
+  /// w, from 0 to 1e6: before refinement, a path by single arcs may take up to 1 + w times as long as the fastest one
+  /// of the graph, and is found with fewer expansions. For large maps; see search_arrivals.
   double suboptimality = 0.0;
   GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
   /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: turning_radii(vehicle, world).
@@ -178,9 +178,9 @@ class Planner {
   /// @param queries   about `world`.
   /// @param executor  used during construction only. A StoppableExecutor makes that cancellable, a ReportingExecutor
   ///   tells how far it is.
-  /// @throws std::invalid_argument if a radius is below the vehicle's smallest, the suboptimality is negative or not
-  ///   finite, or the safety margin is too small for doubles at the map's coordinates (below 2^20 units in the last
-  ///   place of the largest).
+  /// @throws std::invalid_argument if a radius is below the vehicle's smallest, the suboptimality is out of its
+  ///   range, or the safety margin is too small for doubles of the size of the map's coordinates, the body or its
+  ///   smallest turning radius (below 2^20 units in the last place of the largest).
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
           const Executor& executor);
   /// The same from a reduced visibility graph built elsewhere.
@@ -219,8 +219,8 @@ class Planner {
   /// one, of paths by the graph with motions in both gears at their ends, and of short ones in both gears all the way:
   /// never dearer than without. Without it no segment is driven backwards. Never throws for want of a path: see
   /// PlanResult::status.
-  /// @throws std::invalid_argument if a pose is not finite or beyond 1e9 m, the time limit is not a number, or the cost
-  ///   of a cusp is negative or not finite.
+  /// @throws std::invalid_argument if a number of a pose is neither 0 nor of magnitude 1e-50 to 1e9, the time limit is
+  ///   not a number, or the cost of a cusp is negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
   /// The same into a result whose memory is used again. With accel's queries and an eager graph, a request without
   /// `reverse` that was answered before then asks the heap for nothing, if single arcs join its ends to a path on

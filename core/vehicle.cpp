@@ -19,7 +19,8 @@ void require(bool holds, std::string_view name, double value, std::string_view l
 }
 
 void require_positive(double value, std::string_view name) {
-  require(std::isfinite(value) && value > 0.0, name, value, "finite and > 0");
+  require(value >= kSmallestVehicleNumber && value <= kLargestVehicleNumber, name, value,
+          "from " + shortest_text(kSmallestVehicleNumber) + " to " + shortest_text(kLargestVehicleNumber));
 }
 
 void check(const ConstantTurnSpeed& law) { require_positive(law.speed, "turn_speed.speed"); }
@@ -100,8 +101,8 @@ Vehicle::Vehicle(VehicleParameters parameters) : parameters_(std::move(parameter
   require_positive(p.length, "length");
   require_positive(p.width, "width");
   require_positive(p.wheelbase, "wheelbase");
-  require(p.max_steering_angle > 0.0 && p.max_steering_angle < 0.5 * std::numbers::pi, "max_steering_angle",
-          p.max_steering_angle, "> 0 and < pi/2");
+  require(p.max_steering_angle >= kSmallestVehicleNumber && p.max_steering_angle < 0.5 * std::numbers::pi,
+          "max_steering_angle", p.max_steering_angle, ">= " + shortest_text(kSmallestVehicleNumber) + " and < pi/2");
   require_positive(p.max_speed, "max_speed");
   std::visit([](const auto& law) { check(law); }, p.turn_speed);
   if (p.max_reverse_speed) require_positive(*p.max_reverse_speed, "max_reverse_speed");

@@ -42,6 +42,9 @@ struct Footprint {
 /// @returns nothing if tan(front_angle) == tan(rear_angle): the vehicle drives straight.
 std::optional<Vec2> rotation_center(double wheelbase, double front_angle, double rear_angle);
 
+/// Of all numbers of a vehicle: far enough from the ends of the doubles for all that is computed from them.
+inline constexpr double kSmallestVehicleNumber = 1e-50, kLargestVehicleNumber = 1e50;
+
 /// The defaults are the paper's robot.
 struct VehicleParameters {
   double length = 1.5;     ///< 2a [m]

@@ -353,6 +353,36 @@ TEST(Planner, RefusesPosesAndOptionsThatCannotBe) {
   EXPECT_THROW(Planner(walled(), Vehicle{}, {.radii = {0.5}}), std::invalid_argument);
   const World far({{{{1e9, 1e9}, {1e9 + 4, 1e9}, {1e9, 1e9 + 4}}, {}}});
   EXPECT_THROW(Planner(far, Vehicle{}), std::invalid_argument);
+  EXPECT_THROW((void)planner.plan({{2, 5, 1e10}, {8, 5, 0}}), std::invalid_argument);
+  EXPECT_THROW((void)planner.plan({{2, 5, 0}, {8, 5, 1e-120}}), std::invalid_argument);
+  EXPECT_EQ(planner.plan({{2, 2, 1e-50}, {2, 2, -1e-50}}).status, planner.plan({{2, 2, 0}, {2, 2, 0}}).status);
+}
+
+TEST(Planner, PlansWithTheSlowestAndTheFastestTurns) {
+  for (const double limit : {kSmallestVehicleNumber, kLargestVehicleNumber}) {
+    for (const TurnSpeedLaw& law :
+         {TurnSpeedLaw(ConstantTurnSpeed{limit}), TurnSpeedLaw(LateralAccelerationLimit{limit}),
+          TurnSpeedLaw(TurnSpeedTable{{{1.0, limit}}})}) {
+      const Planner planner(walled(), Vehicle({.turn_speed = law}));
+      EXPECT_TRUE(planner.plan({{2, 2, 1.57}, {2, 8, 1.57}}).solved());
+    }
+  }
+}
+
+TEST(Planner, RefusesVehiclesThatDoublesAreTooCoarseFor) {
+  const auto error_of = [](const VehicleParameters& parameters) -> std::string {
+    try {
+      const Planner planner(World({}), Vehicle(parameters));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(error_of({.width = 1e20}).find("safety margin 0.001 m is too small for a body of 1e+20: "),
+            std::string::npos);
+  EXPECT_NE(error_of({.max_steering_angle = 1e-16}).find("for a smallest turning radius of 1.3e+16: "),
+            std::string::npos);
+  EXPECT_EQ(error_of({.max_steering_angle = 1e-6}), "");
 }
 
 TEST(Planner, SegmentTimesFindNothingFasterThanTrueTimes) {

@@ -256,26 +256,31 @@ TEST(Vehicle, ReverseHasASpeedLimitOfItsOwn) {
 
 TEST(Vehicle, RefusesParametersByNameValueAndLimit) {
   using P = VehicleParameters;
-  EXPECT_EQ(refusal_of([](P& p) { p.length = 0.0; }), "vehicle: length is 0, must be finite and > 0");
-  EXPECT_EQ(refusal_of([](P& p) { p.width = -1.5; }), "vehicle: width is -1.5, must be finite and > 0");
-  EXPECT_EQ(refusal_of([](P& p) { p.wheelbase = std::nan(""); }), "vehicle: wheelbase is nan, must be finite and > 0");
+  EXPECT_EQ(refusal_of([](P& p) { p.length = 0.0; }), "vehicle: length is 0, must be from 1e-50 to 1e+50");
+  EXPECT_EQ(refusal_of([](P& p) { p.width = -1.5; }), "vehicle: width is -1.5, must be from 1e-50 to 1e+50");
+  EXPECT_EQ(refusal_of([](P& p) { p.wheelbase = std::nan(""); }),
+            "vehicle: wheelbase is nan, must be from 1e-50 to 1e+50");
   EXPECT_EQ(refusal_of([](P& p) { p.max_steering_angle = 0.0; }),
-            "vehicle: max_steering_angle is 0, must be > 0 and < pi/2");
+            "vehicle: max_steering_angle is 0, must be >= 1e-50 and < pi/2");
   EXPECT_EQ(refusal_of([](P& p) { p.max_steering_angle = 1.6; }),
-            "vehicle: max_steering_angle is 1.6, must be > 0 and < pi/2");
+            "vehicle: max_steering_angle is 1.6, must be >= 1e-50 and < pi/2");
   EXPECT_EQ(refusal_of([](P& p) { p.max_steering_angle = std::nan(""); }),
-            "vehicle: max_steering_angle is nan, must be > 0 and < pi/2");
+            "vehicle: max_steering_angle is nan, must be >= 1e-50 and < pi/2");
   EXPECT_EQ(refusal_of([](P& p) { p.max_speed = std::numeric_limits<double>::infinity(); }),
-            "vehicle: max_speed is inf, must be finite and > 0");
+            "vehicle: max_speed is inf, must be from 1e-50 to 1e+50");
   EXPECT_EQ(refusal_of([](P& p) { p.max_reverse_speed = 0.0; }),
-            "vehicle: max_reverse_speed is 0, must be finite and > 0");
+            "vehicle: max_reverse_speed is 0, must be from 1e-50 to 1e+50");
   EXPECT_EQ(refusal_of([](P& p) { p.max_acceleration = 0.0; }),
-            "vehicle: max_acceleration is 0, must be finite and > 0");
-  EXPECT_EQ(refusal_of([](P& p) { p.safety_margin = 0.0; }), "vehicle: safety_margin is 0, must be finite and > 0");
+            "vehicle: max_acceleration is 0, must be from 1e-50 to 1e+50");
+  EXPECT_EQ(refusal_of([](P& p) { p.safety_margin = 0.0; }),
+            "vehicle: safety_margin is 0, must be from 1e-50 to 1e+50");
+  EXPECT_EQ(refusal_of([](P& p) { p.width = 1e51; }), "vehicle: width is 1e+51, must be from 1e-50 to 1e+50");
+  EXPECT_EQ(refusal_of([](P& p) { p.max_speed = 1e-308; }),
+            "vehicle: max_speed is 1e-308, must be from 1e-50 to 1e+50");
   EXPECT_EQ(refusal_of([](P& p) { p.turn_speed = ConstantTurnSpeed{0.0}; }),
-            "vehicle: turn_speed.speed is 0, must be finite and > 0");
+            "vehicle: turn_speed.speed is 0, must be from 1e-50 to 1e+50");
   EXPECT_EQ(refusal_of([](P& p) { p.turn_speed = LateralAccelerationLimit{-1.0}; }),
-            "vehicle: turn_speed.lateral_acceleration is -1, must be finite and > 0");
+            "vehicle: turn_speed.lateral_acceleration is -1, must be from 1e-50 to 1e+50");
   EXPECT_EQ(refusal_of([](P& p) { p.turn_speed = TurnSpeedTable{}; }),
             "vehicle: turn_speed.entries has 0 entries, must have >= 1");
   EXPECT_EQ(refusal_of([](P& p) {
@@ -289,7 +294,7 @@ TEST(Vehicle, RefusesParametersByNameValueAndLimit) {
   EXPECT_EQ(refusal_of([](P& p) {
               p.turn_speed = TurnSpeedTable{{{2.0, 0.0}}};
             }),
-            "vehicle: turn_speed.entries[0].speed is 0, must be finite and > 0");
+            "vehicle: turn_speed.entries[0].speed is 0, must be from 1e-50 to 1e+50");
 }
 
 }  // namespace
