@@ -97,11 +97,20 @@ std::string sentence_html(const std::string& sentence) {
   return "<b>" + escaped(sentence.substr(0, colon)) + ":</b> " + escaped(sentence.substr(colon + 2));
 }
 
+/// What stands between backquotes as code.
+std::string paragraph_html(const std::string& paragraph) {
+  std::string html = "<p>" + escaped(paragraph) + "</p>\n";
+  bool open = false;
+  for (std::size_t at = 0; (at = html.find('`', at)) != std::string::npos; open = !open)
+    html.replace(at, 1, open ? "</code>" : "<code>");
+  return html;
+}
+
 std::string section_html(const Section& section) {
   std::string html = section.folded
                          ? "<details class=\"section\"><summary><h2>" + escaped(section.title) + "</h2></summary>\n"
                          : "<h2>" + escaped(section.title) + "</h2>\n";
-  for (const std::string& paragraph : section.paragraphs) html += "<p>" + escaped(paragraph) + "</p>\n";
+  for (const std::string& paragraph : section.paragraphs) html += paragraph_html(paragraph);
   for (const std::string& figure : section.figures) html += figure;
   if (!section.table.rows.empty()) html += table_html(section.table);
   return html + (section.folded ? "</details>\n" : "");

@@ -243,6 +243,12 @@ TEST(Report, NeedsNothingFromOutside) {
   EXPECT_EQ(html.find("nan"), std::string::npos);
 }
 
+TEST(Report, ShowsCodeAsCode) {
+  Document document;
+  document.sections.emplace_back().paragraphs = {"`a<b` is so; `c` is not."};
+  EXPECT_NE(to_html(document).find("<p><code>a&lt;b</code> is so; <code>c</code> is not.</p>"), std::string::npos);
+}
+
 TEST(Report, OpensInABrowserWithoutErrors) {
   const char* configured = std::getenv("ARCWAY_BROWSER");
   const std::string browser = configured != nullptr ? configured : "chromium";
