@@ -102,7 +102,8 @@ std::string counts_json(const GraphArguments& arguments, const World& world, con
 
 std::string picture(const World& world, const BuiltGraph& built, const std::string& title) {
   SvgPicture svg(world);
-  const std::size_t stride = svg.add_edges(built.lines);
+  // Stronger than below a path: here nothing else is to be seen.
+  const std::size_t stride = svg.add_edges(built.lines, {.color = "#0072b2", .width = 1.0, .opacity = 0.6});
   std::string caption = title + ": " + count_text(built.edge_count) + " edges";
   if (stride > 1) caption += ", one in " + std::to_string(stride) + " drawn";
   svg.add_caption(caption);
