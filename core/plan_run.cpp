@@ -22,6 +22,8 @@ struct Retry {
   std::uint32_t poses;
 };
 constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
+// In trials of refinement, of what the options say: of a path in both gears, which has taken longer to find.
+constexpr double kReversingEffort = 10.0;
 // By this share at least that has to be faster: the ways on from where a manoeuvre saves next to nothing are known.
 constexpr double kLeastGain = 0.001;
 // Then with circles in narrow places.
@@ -228,7 +230,7 @@ void PlanRun::find_in_both_gears(const SearchMap& map) {
   FoundPath both = search([&] {
     return find_reversing_path(map, request_.start, request_.goal, unrefined, search_options_, workspace_.find.search);
   });
-  if (both.search.path) keep(std::move(*both.search.path), 1.0, true);
+  if (both.search.path) keep(std::move(*both.search.path), kReversingEffort, true);
 }
 
 }  // namespace arcway

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/geometry/angle.h"
+#include "core/path/dubins.h"
 #include "core/path/reeds_shepp.h"
 #include "core/path/speed_profile.h"
 #include "core/query/motion_free.h"
@@ -18,6 +21,9 @@ namespace {
 // Less than this part of the cost is not worth a step.
 constexpr double kSmallestGain = 1e-6;
 constexpr int kMostRounds = 4;
+constexpr double kFirstStep = 0.5;             // of a cusp that moves, in turning radii
+constexpr std::ptrdiff_t kSegmentsBeside = 4;  // of a cusp that moves, which may give way to others
+constexpr std::size_t kLinksTried = 4;         // to either side of it
 
 void append(Path& path, const PathSegment& segment) {
   if (segment.length > 0.0) path.push_back(segment);
@@ -40,9 +46,10 @@ class ReversingRefiner {
   void run() {
     for (int round = 0; round < kMostRounds && !done(); ++round) {
       const bool runs = refine_runs();
-      bool words = false;
-      while (!done() && insert_word()) words = true;
-      if (!words && (!runs || round > 0)) break;
+      bool changed = false;
+      while (!done() && insert_word()) changed = true;
+      changed = slide_cusps() || changed;
+      if (!changed && (!runs || round > 0)) break;
     }
     result_.travel_time = speed_profile(result_.path, vehicle_).total_time;
   }
@@ -116,6 +123,100 @@ class ReversingRefiner {
       Path path = spliced(from, *middle, to);
       if (cost_of(path) < cost_ * (1.0 - kSmallestGain) && is_free(*middle) && accept(std::move(path))) return true;
     }
+    return false;
+  }
+
+  // Moves the poses at which the gear changes, by steps that are halved, as long as that makes the path cheaper.
+  bool slide_cusps() {
+    const double radius = vehicle_.min_turning_radius();
+    bool slid = false;
+    for (double step = kFirstStep; step >= options_.smallest_step; step *= 0.5)
+      for (std::size_t cusp = 0; cusp < cusps().size(); ++cusp)
+        // Where the body nearly touches something, only one direction of these may be free.
+        for (const int ahead : {1, -1, 0})
+          for (const int aside : {1, -1, 0})
+            for (const int turn : {1, -1, 0}) {
+              const Pose by{step * radius * ahead, step * radius * aside, step * turn};
+              while (!done() && slide_cusp(cusp, by)) slid = true;
+            }
+    return slid;
+  }
+
+  // The first segments after all changes of gear.
+  [[nodiscard]] std::vector<std::size_t> cusps() const {
+    const Path& path = result_.path;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 1; i < path.size(); ++i)
+      if (path[i].gear != path[i - 1].gear) found.push_back(i);
+    return found;
+  }
+
+  // A way between a place of the path and a cusp that has moved.
+  struct Link {
+    Station place;
+    Path motion;
+    double longer;  // than the way so far [m]
+    std::optional<bool> free = {};
+  };
+
+  // Moves one cusp by so much ahead, aside and in heading, if that makes the path cheaper.
+  bool slide_cusp(std::size_t number, const Pose& by) {
+    const std::vector<std::size_t> all = cusps();
+    if (number >= all.size()) return false;
+    const Path& path = result_.path;
+    const Pose& old = path[all[number]].start;
+    const Vec2 ahead = direction_of(old.heading);
+    const Vec2 position = old.position() + by.x * ahead + by.y * perpendicular(ahead);
+    const Pose cusp{position.x(), position.y(), old.heading + by.heading};
+    const auto at = static_cast<std::ptrdiff_t>(all[number]), end = static_cast<std::ptrdiff_t>(path.size());
+    const auto first = std::max(at - kSegmentsBeside, number > 0 ? static_cast<std::ptrdiff_t>(all[number - 1]) : 0);
+    const auto last =
+        std::min(at + kSegmentsBeside, number + 1 < all.size() ? static_cast<std::ptrdiff_t>(all[number + 1]) : end);
+    return replace_beside(links(first, at, cusp, false), links(at, last, cusp, true));
+  }
+
+  // The shortest ways between a moved cusp and the far ends of so many segments before or after it, in their gear.
+  std::vector<Link> links(std::ptrdiff_t first, std::ptrdiff_t last, const Pose& cusp, bool after) const {
+    std::vector<Link> found;
+    double length = 0.0;
+    for (std::ptrdiff_t i = 0; i < last - first; ++i) {
+      const auto segment = static_cast<std::size_t>(after ? first + i : last - 1 - i);
+      const PathSegment& s = result_.path[segment];
+      const Pose place = after ? s.end() : s.start;
+      const bool towards_cusp = after != (s.gear == Gear::kForward);
+      length += s.length;
+      for (const DubinsWord word : kDubinsWords) {
+        const auto forwards =
+            dubins_path(word, towards_cusp ? place : cusp, towards_cusp ? cusp : place, vehicle_.min_turning_radius());
+        if (!forwards) continue;
+        found.push_back({{segment, after ? 1.0 : 0.0, place, 0.0, 0},
+                         s.gear == Gear::kForward ? *forwards : reversed(*forwards),
+                         length_of(*forwards) - length});
+      }
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Link& a, const Link& b) { return a.longer < b.longer; });
+    if (found.size() > kLinksTried) found.resize(kLinksTried);
+    return found;
+  }
+
+  // Replaces what lies before and after a cusp, if that makes the path cheaper.
+  bool replace_beside(std::vector<Link> before, std::vector<Link> after) {
+    const auto may_be_free = [](const Link& link) { return link.free.value_or(true); };
+    const auto check = [this](Link& link) {
+      if (!link.free) link.free = is_free(link.motion);
+      return *link.free;
+    };
+    for (Link& to : before)
+      for (Link& from : after) {
+        if (done()) return false;
+        if (!may_be_free(to) || !may_be_free(from)) continue;
+        ++result_.trials;
+        Path middle = to.motion;
+        append(middle, from.motion);
+        Path changed = spliced(to.place, middle, from.place);
+        if (cost_of(changed) < cost_ * (1.0 - kSmallestGain) && check(to) && check(from))
+          return accept(std::move(changed));
+      }
     return false;
   }
 
