@@ -225,10 +225,11 @@ void PlanRun::refine_best(double effort) {
   if (are_close) refine_further(workspace_.second, second_unrefined_);
 }
 
-void PlanRun::find_in_both_gears(const SearchMap& map) {
+void PlanRun::find_in_both_gears(const SearchMap& map, double distance) {
   const double unrefined = found_ ? result_.statistics.unrefined_travel_time : kInfinity;
   FoundPath both = search([&] {
-    return find_reversing_path(map, request_.start, request_.goal, unrefined, search_options_, workspace_.find.search);
+    return find_reversing_path(map, {request_.start, request_.goal, distance, unrefined}, search_options_,
+                               workspace_.find.search);
   });
   if (both.search.path) keep(std::move(*both.search.path), kReversingEffort, true);
 }

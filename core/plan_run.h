@@ -51,7 +51,8 @@ class PlanRun {
   /// Refines the best path further, and the second best if it is nearly as good: that one may become the best.
   void refine_best(double effort);
   /// Looks for a cheaper path in both gears.
-  void find_in_both_gears(const SearchMap& map);
+  /// @param distance  that no path falls below [m].
+  void find_in_both_gears(const SearchMap& map, double distance);
 
  private:
   // Of the fastest path of some maps.

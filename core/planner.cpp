@@ -131,15 +131,15 @@ struct Planner::Data {
 
   [[nodiscard]] const SearchMap& map() const { return maps.plain; }
 
-  // The lower bound with the way round the obstacles, if that is wanted.
-  void raise_bound(const PlanRequest& request, PointDistance::Workspace& workspace, PlanResult& result) const {
+  // The lower bound with the way round the obstacles, if that is wanted, and the length that no path falls below [m].
+  double raise_bound(const PlanRequest& request, PointDistance::Workspace& workspace, PlanResult& result) const {
     const Stopwatch bounding;
-    if (point_distance)
-      result.lower_bound = travel_time_bound(
-          request.start, request.goal,
-          (*point_distance)(request.start.position(), request.goal.position(), *map().queries.visibility, workspace),
-          map().vehicle, request.reverse);
+    const Vec2 start = request.start.position(), goal = request.goal.position();
+    if (!point_distance) return (goal - start).norm();
+    const double distance = (*point_distance)(start, goal, *map().queries.visibility, workspace);
+    result.lower_bound = travel_time_bound(request.start, request.goal, distance, map().vehicle, request.reverse);
     result.statistics.bound_seconds = bounding.seconds();
+    return distance;
   }
 
   // Speeds, clearance and all that follows from a path.
@@ -352,8 +352,8 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   result.start = request.start;
   result.goal = request.goal;
   result.statistics.suboptimality = d.options.suboptimality;
-  const double straight = (request.goal.position() - request.start.position()).norm();
-  result.lower_bound = travel_time_bound(request.start, request.goal, straight, d.map().vehicle, request.reverse);
+  double distance = (request.goal.position() - request.start.position()).norm();
+  result.lower_bound = travel_time_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse);
   if (!pose_is_free(d.map(), request.start, true, result) || !pose_is_free(d.map(), request.goal, false, result)) {
     result.statistics.total_seconds = total.seconds();
     return;
@@ -373,7 +373,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   why.obstruction = run.find_forwards(d.maps, d.tightest ? kQuickEffort : 1.0, std::cref(no_passage));
   const bool has_forwards = run.found();
   if (has_forwards) {
-    d.raise_bound(request, workspace->point, result);
+    distance = d.raise_bound(request, workspace->point, result);
     if (d.tightest && !result.interrupted) run.find_forwards(*d.tightest, 1.0, [] { return false; });
     run.improve_forwards();
     if (d.tightest) {
@@ -388,7 +388,7 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
     hopeless = why.enclosure.has_value();
   }
   const bool is_there = run.found() && run.best().empty();
-  if (request.reverse && !result.interrupted && !hopeless && !is_there) run.find_in_both_gears(d.map());
+  if (request.reverse && !result.interrupted && !hopeless && !is_there) run.find_in_both_gears(d.map(), distance);
   if (!run.found()) {
     explain(d.map(), why, limits, result);
   } else {

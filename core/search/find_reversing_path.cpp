@@ -1,9 +1,11 @@
 #include "core/search/find_reversing_path.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "core/bound/travel_time_bound.h"
 #include "core/path/speed_profile.h"
 #include "core/search/gear_search.h"
 #include "core/search/gear_tree.h"
@@ -12,54 +14,98 @@ namespace arcway {
 
 namespace {
 
-constexpr double kTerminalCells = 8.0;        // of the grid for poses by which an end joins the graph
-constexpr std::size_t kMostTerminals = 48;    // of one end
-constexpr std::size_t kMostExpansions = 200;  // for them
-constexpr std::size_t kPosesBeside = 1500;    // tried all the way where a path is known
-constexpr std::size_t kPosesAlone = 40000;    // and where none is
+constexpr std::size_t kPosesBeside = 1500;  // tried all the way where a path is known
+constexpr std::size_t kPosesAlone = 40000;  // and where none is
 
-// Poses from which the graph is entered forwards behind a motion backwards, or the other way round for the goal; the
-// end itself first.
-std::vector<Terminal> terminals_of(const SearchMap& map, const Pose& end, Direction direction,
-                                   const SearchOptions& options) {
-  const bool from_start = direction == Direction::kFromStart;
-  const bool swapped = from_start != (options.gear == Gear::kForward);  // a goal's tree is driven the other way
-  GearTree tree(end, swapped ? map.vehicle.with_gears_swapped() : map.vehicle, *map.queries.sweep, options.cusp_cost,
-                {kTerminalCells, true}, [](const Pose&) { return 0.0; });
-  std::vector<Terminal> terminals{{end, {}}};
-  for (std::size_t i = 0; i < kMostExpansions && terminals.size() < kMostTerminals && !options.interrupted(); ++i) {
-    const auto node = tree.expand();
-    if (!node) break;
-    if (*node == GearTree::kRoot || tree[*node].motion.gear != (from_start ? Gear::kReverse : Gear::kForward)) continue;
-    terminals.push_back({tree[*node].pose, from_start ? tree.path_from_root(*node) : tree.path_to_root(*node)});
-  }
-  return terminals;
-}
+// Poses by which one end joins the graph, beside its own.
+struct Terminals {
+  double cells;  // of their grid, in a turning radius
+  std::size_t most, most_expansions;
+};
+// The way out of a narrow place, and places to turn further away.
+constexpr Terminals kDense{8.0, 47, 200}, kSparse{2.0, 99, 1000};
+// Those are tried where a path may be dearer than the cheapest one by more than this share.
+constexpr double kSparseGap = 0.2;
 
 class Finder {
  public:
-  Finder(const SearchMap& map, const SearchOptions& options, double cutoff, FoundPath& found)
-      : map_(map), options_(options), found_(found), search_(found.search), cost_(cutoff) {}
+  Finder(const SearchMap& map, const ReversingQuery& query, const SearchOptions& options, SearchWorkspace& workspace,
+         FoundPath& found)
+      : map_(map),
+        query_(query),
+        options_(options),
+        workspace_(workspace),
+        found_(found),
+        search_(found.search),
+        cost_(query.cutoff) {}
+
+  void run() {
+    const Terminals none{};
+    join_graph(none, Gear::kReverse);
+    join_graph(kDense);
+    search_all_the_way();
+    if (cost_ > (1.0 + kSparseGap) * least_cost(query_.start, query_.goal, query_.distance)) join_graph(kSparse);
+  }
+
+ private:
+  void join_graph(const Terminals& wanted) {
+    for (const Gear gear : {Gear::kForward, Gear::kReverse}) join_graph(wanted, gear);
+  }
 
   // By the graph, driven forwards or backwards, with motions in both gears at both ends. What is driven backwards from
   // one pose to another is driven forwards the other way.
-  void join_graph(const Pose& from, const Pose& to, Gear gear, SearchWorkspace& workspace) {
+  void join_graph(const Terminals& wanted, Gear gear) {
     if (search_.interrupted) return;
     const bool forward = gear == Gear::kForward;
     SearchOptions options = options_;
     options.gear = gear;
-    const auto starts = terminals_of(map_, forward ? from : to, Direction::kFromStart, options);
-    const auto goals = terminals_of(map_, forward ? to : from, Direction::kToGoal, options);
-    SearchResult joined = search_arrivals(map_, starts, goals, options, workspace);
+    options.faster_than = cost_;
+    const auto starts = terminals(forward ? query_.start : query_.goal, Direction::kFromStart, wanted, gear);
+    const auto goals = terminals(forward ? query_.goal : query_.start, Direction::kToGoal, wanted, gear);
+    // The ends themselves have been joined before.
+    if (wanted.most > 0 && starts.size() + goals.size() == 2) return;
+    SearchResult joined = search_arrivals(map_, starts, goals, options, workspace_);
     search_.nodes_expanded += joined.nodes_expanded;
     search_.nodes_pushed += joined.nodes_pushed;
     count(joined.straights_checked, joined.turns_checked, starts.size() + goals.size(), joined.interrupted);
     if (joined.path) offer(forward ? *joined.path : reversed(*joined.path));
   }
 
-  void search_all_the_way(const Pose& start, const Pose& goal) {
+  // Poses from which the graph is entered forwards behind a motion backwards, or the other way round for the goal; the
+  // end itself first.
+  std::vector<Terminal> terminals(const Pose& end, Direction direction, const Terminals& wanted, Gear gear) const {
+    std::vector<Terminal> found{{end, {}}};
+    if (wanted.most == 0) return found;
+    const bool from_start = direction == Direction::kFromStart;
+    const bool swapped = from_start != (gear == Gear::kForward);  // a goal's tree is driven the other way
+    const Vehicle& vehicle = map_.vehicle;
+    GearTree tree(end, swapped ? vehicle.with_gears_swapped() : vehicle, *map_.queries.sweep, options_.cusp_cost,
+                  {wanted.cells, true}, [](const Pose&) { return 0.0; });
+    const Pose& other = from_start == (gear == Gear::kForward) ? query_.goal : query_.start;
+    for (std::size_t i = 0; i < wanted.most_expansions && found.size() <= wanted.most; ++i) {
+      if (options_.interrupted()) break;
+      const auto node = tree.expand();
+      if (!node) break;
+      const GearTree::Node& reached = tree[*node];
+      if (*node == GearTree::kRoot || reached.motion.gear != (from_start ? Gear::kReverse : Gear::kForward)) continue;
+      Path connection = from_start ? tree.path_from_root(*node) : tree.path_to_root(*node);
+      // The vehicle stops there, and what it has come is all that the way on is shorter by.
+      const double way = query_.distance - length_of(connection);
+      if (reached.cost + options_.cusp_cost + least_cost(reached.pose, other, way) >= cost_) continue;
+      found.push_back({reached.pose, std::move(connection)});
+    }
+    return found;
+  }
+
+  // From rest to rest by a way of at least this length.
+  [[nodiscard]] double least_cost(const Pose& from, const Pose& to, double way) const {
+    const double straight = (to.position() - from.position()).norm();
+    return travel_time_bound(from, to, std::max(way, straight), map_.vehicle, true);
+  }
+
+  void search_all_the_way() {
     if (search_.interrupted) return;
-    const GearSearchResult gears = search_gears(start, goal, map_.vehicle, *map_.queries.sweep,
+    const GearSearchResult gears = search_gears(query_.start, query_.goal, map_.vehicle, *map_.queries.sweep,
                                                 {.cusp_cost = options_.cusp_cost,
                                                  .max_poses = std::isfinite(cost_) ? kPosesBeside : kPosesAlone,
                                                  .cutoff = cost_,
@@ -68,7 +114,6 @@ class Finder {
     if (gears.path) offer(*gears.path);
   }
 
- private:
   void count(std::uint64_t straights, std::uint64_t turns, std::size_t poses, bool interrupted) {
     search_.straights_checked += straights;
     search_.turns_checked += turns;
@@ -84,21 +129,20 @@ class Finder {
   }
 
   const SearchMap& map_;
+  const ReversingQuery& query_;
   const SearchOptions& options_;
+  SearchWorkspace& workspace_;
   FoundPath& found_;
   SearchResult& search_;
-  double cost_;
+  double cost_;  // of the best path so far
 };
 
 }  // namespace
 
-FoundPath find_reversing_path(const SearchMap& map, const Pose& start, const Pose& goal, double cutoff,
-                              const SearchOptions& options, SearchWorkspace& workspace) {
+FoundPath find_reversing_path(const SearchMap& map, const ReversingQuery& query, const SearchOptions& options,
+                              SearchWorkspace& workspace) {
   FoundPath found;
-  Finder finder(map, options, cutoff, found);
-  finder.join_graph(start, goal, Gear::kForward, workspace);
-  finder.join_graph(start, goal, Gear::kReverse, workspace);
-  finder.search_all_the_way(start, goal);
+  Finder(map, query, options, workspace, found).run();
   return found;
 }
 

@@ -4,13 +4,19 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
+struct ReversingQuery {
+  Pose start, goal;  ///< that differ
+  double distance;   ///< that no path of the vehicle falls below, as travel_time_bound takes it [m]
+  double cutoff;     ///< cost of a path that is known, driven forwards; only cheaper ones are of interest [s]
+};
+
 /// The cheapest path found of a vehicle that may drive backwards, in travel time and `options.cusp_cost` for each
 /// change of gear. Tried are
-/// - the graph, driven forwards or backwards, joined by poses that motions in both gears reach from start and goal;
+/// - the graph, driven backwards, or forwards or backwards between poses that motions in both gears reach from start
+///   and goal, unless the lower bounds say that no path by way of them is cheaper;
 /// - Reeds-Shepp words and motions in both gears all the way, see search_gears.
-/// @param cutoff  cost of a path that is known; only cheaper ones are of interest [s].
-/// The number of tries is limited, so that no path proves nothing. Start and goal differ.
-FoundPath find_reversing_path(const SearchMap& map, const Pose& start, const Pose& goal, double cutoff,
-                              const SearchOptions& options, SearchWorkspace& workspace);
+/// The number of tries is limited, so that no path proves nothing.
+FoundPath find_reversing_path(const SearchMap& map, const ReversingQuery& query, const SearchOptions& options,
+                              SearchWorkspace& workspace);
 
 }  // namespace arcway

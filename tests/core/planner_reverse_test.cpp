@@ -9,8 +9,10 @@
 #include "core/geometry/angle.h"
 #include "core/path/speed_profile.h"
 #include "core/planner.h"
+#include "datasets/catalogue.h"
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
+#include "datasets/read_map.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
@@ -108,6 +110,25 @@ TEST(PlannerReverse, FasterBackwardsThanForwards) {
     expect_valid(planner, plan, true);
     EXPECT_LT(plan.travel_time, 1.3 * plan.lower_bound);
   }
+}
+
+// A car park, the goal a bay: poses close to it lead nowhere that the way round is not as fast.
+TEST(PlannerReverse, FindsPlacesToTurnAwayFromTheEnds) {
+  const Vehicle car({.length = 4.72,
+                     .width = 1.942,
+                     .wheelbase = 2.8,
+                     .max_steering_angle = 0.75,
+                     .max_speed = 2.5,
+                     .turn_speed = ConstantTurnSpeed{2.0},
+                     .max_acceleration = 1.0});
+  const MapFile map = catalogue_map("parking");
+  const Planner planner(to_world(map, "parking"), car);
+  const PlanResult forwards = planner.plan({.start = *map.start, .goal = *map.goal});
+  const PlanResult both = planner.plan({.start = *map.start, .goal = *map.goal, .reverse = true});
+  ASSERT_TRUE(forwards.solved() && both.solved());
+  expect_valid(planner, both, true);
+  EXPECT_EQ(cusps_of(both.path()), 1u);
+  EXPECT_LT(both.travel_time, 0.95 * forwards.travel_time);
 }
 
 TEST(PlannerReverse, StartAtTheGoalTakesNoTime) {
