@@ -21,14 +21,16 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kHeadings = 24;         // tried where the heading is open
 constexpr double kFinestStep = 2e-3;  // of an open heading [rad]
+constexpr double kLeastGain = 1e-6;   // that is worth another heading, of the cost
 
 // A pose in which a place may be passed, and the best way to it.
 struct Stop {
   Pose pose;
   std::size_t place;        // among those of its stage
-  double cost = kInfinity;  // of the way from the start, from rest to rest at every stop
+  double cost = kInfinity;  // of the way from the start, which ends here at rest
   std::size_t from = 0;     // stop of the stage before
   PlanResult leg = {};      // from there
+  Path way = {};            // from the start
 };
 using Stage = std::vector<Stop>;
 
@@ -84,8 +86,9 @@ class TourPlanner {
   [[nodiscard]] double bound(const Pose& from, const Pose& to) const {
     return travel_time_bound(from, to, (to.position() - from.position()).norm(), planner_.vehicle(), request_.reverse);
   }
-  [[nodiscard]] double cost_of(const PlanResult& leg) const {
-    return leg.travel_time + request_.cusp_cost * static_cast<double>(cusps_of(leg.path()));
+  // At most what a stop there takes longer than driving on [s]; the start is one.
+  [[nodiscard]] double cost_of_a_stop(std::size_t stage) const {
+    return stage == 0 ? 0.0 : planner_.vehicle().top_speed() / planner_.vehicle().max_acceleration();
   }
 
   // The best way to a stop of the last stage, if it costs less than `cutoff`.
@@ -93,7 +96,8 @@ class TourPlanner {
     const Stage& before = stages_[stages_.size() - 2];
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < before.size(); ++i)
-      if (before[i].cost < kInfinity) order.emplace_back(before[i].cost + bound(before[i].pose, stop.pose), i);
+      if (before[i].cost < kInfinity)
+        order.emplace_back(before[i].cost - cost_of_a_stop(stages_.size() - 2) + bound(before[i].pose, stop.pose), i);
     std::sort(order.begin(), order.end());
     for (const auto& [least, i] : order) {
       // Infinite where the planner refuses a pose, and says why.
@@ -106,11 +110,14 @@ class TourPlanner {
         failure_stage_ = stages_.size();
         continue;
       }
-      const double cost = before[i].cost + cost_of(leg);
+      Path way = before[i].way;
+      for (const TimedSegment& s : leg.segments) way.push_back(s.segment);
+      const double cost = travel_cost(way, planner_.vehicle(), request_.cusp_cost);
       if (cost >= stop.cost) continue;
       stop.cost = cost;
       stop.from = i;
       stop.leg = std::move(leg);
+      stop.way = std::move(way);
     }
   }
 
@@ -167,7 +174,7 @@ class TourPlanner {
     const auto improve = [&](double heading) {
       Stop other{{best.pose.x, best.pose.y, wrap_signed(heading)}, best.place};
       reach(other, best.cost);
-      if (!(other.cost < best.cost)) return false;
+      if (!(other.cost < (1.0 - kLeastGain) * best.cost)) return false;
       best = std::move(other);
       return true;
     };

@@ -21,6 +21,25 @@ using test::expect_valid;
 
 Place place_of(const Pose& pose) { return {pose.position(), pose.heading}; }
 
+// The least cost of all ways by one place with any of the headings that are tried there.
+double least_cost(const Planner& planner, const TourRequest& request) {
+  const Vec2 middle = request.via[0].position, ahead = middle - request.start.position();
+  const Pose goal{request.goals[0].position.x(), request.goals[0].position.y(), *request.goals[0].heading};
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 24; ++k) {
+    const Pose there{middle.x(), middle.y(), wrap_signed(std::atan2(ahead.y(), ahead.x()) + kTwoPi * k / 24)};
+    const auto leg = [&](const Pose& from, const Pose& to) {
+      return planner.plan({.start = from, .goal = to, .reverse = request.reverse, .cusp_cost = request.cusp_cost});
+    };
+    const PlanResult one = leg(request.start, there), two = leg(there, goal);
+    if (!one.solved() || !two.solved()) continue;
+    Path way = one.path();
+    for (const TimedSegment& s : two.segments) way.push_back(s.segment);
+    least = std::min(least, travel_cost(way, planner.vehicle(), request.cusp_cost));
+  }
+  return least;
+}
+
 class TourInClutter : public testing::Test {
  protected:
   World world_ = random_world({.obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 12});
@@ -121,6 +140,40 @@ TEST_F(TourInClutter, PassesAllPlacesWithoutAStop) {
     EXPECT_LT(open.plan.length, 1.2 * fixed.plan.length);
   }
   EXPECT_GE(passed, 2);
+}
+
+TEST_F(TourInClutter, TakesThePlaceOnTheWayWithTheBestOfAllHeadings) {
+  const Planner planner(world_, Vehicle({.max_acceleration = 1.0}));  // to stop would take it seconds
+  int passed = 0;
+  for (std::size_t i = 0; i + 2 < queries_.size(); i += 6) {
+    const TourRequest request{.start = queries_[i].start,
+                              .via = {{queries_[i + 1].start.position()}},
+                              .goals = {place_of(queries_[i + 2].goal)}};
+    const Tour tour = plan_tour(planner, request);
+    const double least = least_cost(planner, request);
+    ASSERT_EQ(tour.plan.solved(), std::isfinite(least));
+    if (!tour.plan.solved()) continue;
+    expect_valid(planner, tour.plan);
+    EXPECT_NEAR(tour.plan.travel_time, least, 1e-9);
+    ++passed;
+  }
+  EXPECT_GE(passed, 2);
+}
+
+TEST(Tour, CountsChangesOfGearAtAPlaceOnTheWay) {
+  const Planner planner(World({}), Vehicle{});
+  for (const double cusp_cost : {0.3, 3.0}) {
+    const TourRequest request{.start = {0, 0, 0},
+                              .via = {{Vec2(6, 0)}},
+                              .goals = {place_of({1, 1, 0})},
+                              .reverse = true,
+                              .cusp_cost = cusp_cost};
+    const Tour tour = plan_tour(planner, request);
+    ASSERT_TRUE(tour.plan.solved());
+    expect_valid(planner, tour.plan, true);
+    const double cost = tour.plan.travel_time + cusp_cost * static_cast<double>(cusps_of(tour.plan.path()));
+    EXPECT_NEAR(cost, least_cost(planner, request), 1e-9) << cusp_cost;
+  }
 }
 
 TEST_F(TourInClutter, DrivesBackwardsIfAllowed) {
