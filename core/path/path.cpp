@@ -1,6 +1,17 @@
 #include "core/path/path.h"
 
+#include <cmath>
+
+#include "core/geometry/angle.h"
+
 namespace arcway {
+
+namespace {
+
+// Headings that differ by less are those of one line or circle: by the rounding of sums [rad].
+constexpr double kSameHeading = 1e-14;
+
+}  // namespace
 
 Pose PathSegment::at(double s) const {
   // The chord, not a difference of two points of the circle, which cancels when the curvature is small.
@@ -22,6 +33,24 @@ Path reversed(std::span<const PathSegment> path) {
   back.reserve(path.size());
   for (auto segment = path.rbegin(); segment != path.rend(); ++segment) back.push_back(segment->reversed());
   return back;
+}
+
+Path merged(std::span<const PathSegment> path) {
+  Path whole;
+  whole.reserve(path.size());
+  for (const PathSegment& next : path) {
+    if (!whole.empty()) {
+      PathSegment& last = whole.back();
+      const double length = last.length + next.length;
+      if (next.gear == last.gear && next.curvature == last.curvature && length * std::abs(next.curvature) < kTwoPi &&
+          std::abs(wrap_signed(next.start.heading - last.end().heading)) <= kSameHeading) {
+        last.length = length;
+        continue;
+      }
+    }
+    whole.push_back(next);
+  }
+  return whole;
 }
 
 std::size_t cusps_of(std::span<const PathSegment> path) {

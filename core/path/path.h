@@ -55,6 +55,9 @@ struct TimedPath {
 /// The same motion from the end to the start, in the other gear.
 Path reversed(std::span<const PathSegment> path);
 
+/// The same motion in fewer segments: neighbours on one line or circle, less than a full turn in all, become one.
+Path merged(std::span<const PathSegment> path);
+
 /// How often the gear changes.
 std::size_t cusps_of(std::span<const PathSegment> path);
 

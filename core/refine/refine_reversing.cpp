@@ -72,11 +72,11 @@ class ReversingRefiner {
   [[nodiscard]] double cost_of(const Path& path) const { return travel_cost(path, vehicle_, cusp_cost_); }
 
   // Takes a free path if it is cheaper.
-  bool accept(Path&& path) {
+  bool accept(const Path& path) {
     const double cost = cost_of(path);
     if (!(cost < cost_ * (1.0 - kSmallestGain))) return false;
     cost_ = cost;
-    result_.path = std::move(path);
+    result_.path = merged(path);
     ++result_.improvements;
     return true;
   }
@@ -120,8 +120,8 @@ class ReversingRefiner {
       if (done()) return false;
       ++result_.trials;
       const auto middle = reeds_shepp_path(word, from.pose, to.pose, radius);
-      Path path = spliced(from, *middle, to);
-      if (cost_of(path) < cost_ * (1.0 - kSmallestGain) && is_free(*middle) && accept(std::move(path))) return true;
+      const Path path = spliced(from, *middle, to);
+      if (cost_of(path) < cost_ * (1.0 - kSmallestGain) && is_free(*middle) && accept(path)) return true;
     }
     return false;
   }
@@ -213,9 +213,8 @@ class ReversingRefiner {
         ++result_.trials;
         Path middle = to.motion;
         append(middle, from.motion);
-        Path changed = spliced(to.place, middle, from.place);
-        if (cost_of(changed) < cost_ * (1.0 - kSmallestGain) && check(to) && check(from))
-          return accept(std::move(changed));
+        const Path changed = spliced(to.place, middle, from.place);
+        if (cost_of(changed) < cost_ * (1.0 - kSmallestGain) && check(to) && check(from)) return accept(changed);
       }
     return false;
   }
@@ -254,7 +253,7 @@ class ReversingRefiner {
       append(path, forward ? driven : reversed(driven));
       first = last;
     }
-    return accept(std::move(path));
+    return accept(path);
   }
 
   Path refined(const Path& run, const Vehicle& vehicle) {

@@ -124,7 +124,7 @@ class Finder {
   void offer(const Path& path) {
     const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost);
     if (cost >= cost_) return;
-    search_.path = path;
+    search_.path = merged(path);
     cost_ = cost;
   }
 

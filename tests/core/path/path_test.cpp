@@ -66,6 +66,32 @@ TEST(Path, Length) {
   EXPECT_EQ(length_of(Path{{{}, 1.0, 0.0}, {{}, 2.5, 1.0}}), 3.5);
 }
 
+TEST(Path, MergesWhatLiesOnOneLineOrCircle) {
+  Path path{{{1, 2, 0.3}, 2.0, 0.0}};
+  const auto add = [&](double length, double curvature, Gear gear) {
+    path.push_back({path.back().end(), length, curvature, gear});
+  };
+  add(1.0, 0.0, Gear::kForward);   // the same line
+  add(1.0, 0.5, Gear::kForward);   // an arc
+  add(2.0, 0.5, Gear::kForward);   // of the same circle
+  add(10.0, 0.5, Gear::kForward);  // more than a full turn in all
+  add(1.0, -0.5, Gear::kForward);  // to the other side
+  add(1.0, -0.5, Gear::kReverse);  // and back
+  add(0.5, 0.0, Gear::kReverse);
+  path.push_back({{5, 5, 1.0}, 1.0, 0.0, Gear::kReverse});  // of another heading
+  const Path whole = merged(path);
+  ASSERT_EQ(whole.size(), 7u);
+  EXPECT_EQ(whole[0].length, 3.0);
+  EXPECT_EQ(whole[1].length, 3.0);
+  EXPECT_EQ(whole[2].length, 10.0);
+  EXPECT_EQ(whole.back().start.heading, 1.0);
+  EXPECT_NEAR(length_of(whole), length_of(path), 1e-12);
+  EXPECT_EQ(cusps_of(whole), cusps_of(path));
+  for (std::size_t i = 0; i + 2 < whole.size(); ++i)
+    EXPECT_NEAR((whole[i].end().position() - whole[i + 1].start.position()).norm(), 0.0, 1e-12) << i;
+  EXPECT_TRUE(merged({}).empty());
+}
+
 TEST(Path, Cusps) {
   const PathSegment ahead{{}, 1.0, 0.0};
   const PathSegment back{{}, 1.0, 0.0, Gear::kReverse};
