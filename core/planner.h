@@ -40,8 +40,8 @@ struct PlannerOptions {
   double suboptimality = 0.0;
   GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
   /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: turning_radii(vehicle, world).
-  /// If there are wider ones than those of tightest_radii, a path with these alone is looked for as well, and the faster
-  /// one is taken, so that wider turns hardly ever make a plan slower; so are some others.
+  /// If there are wider ones than those of tightest_radii, a path with these alone is looked for as well, and the
+  /// faster one is taken, so that wider turns hardly ever make a plan slower; so are some others.
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
   /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres.
