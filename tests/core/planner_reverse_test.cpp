@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <tuple>
 
 #include "core/geometry/angle.h"
@@ -13,6 +14,7 @@
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
 #include "datasets/read_map.h"
+#include "datasets/robot.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
@@ -114,13 +116,7 @@ TEST(PlannerReverse, FasterBackwardsThanForwards) {
 
 // A car park, the goal a bay: poses close to it lead nowhere that the way round is not as fast.
 TEST(PlannerReverse, FindsPlacesToTurnAwayFromTheEnds) {
-  const Vehicle car({.length = 4.72,
-                     .width = 1.942,
-                     .wheelbase = 2.8,
-                     .max_steering_angle = 0.75,
-                     .max_speed = 2.5,
-                     .turn_speed = ConstantTurnSpeed{2.0},
-                     .max_acceleration = 1.0});
+  const Vehicle car(read_robot_file(std::filesystem::path(ARCWAY_SOURCE_DIR) / "tests/data/robots/parking.json"));
   const MapFile map = catalogue_map("parking");
   const Planner planner(to_world(map, "parking"), car);
   const PlanResult forwards = planner.plan({.start = *map.start, .goal = *map.goal});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "datasets/file_io.h"
+#include "tests/support/format_errors.h"
 
 namespace arcway {
 namespace {
@@ -24,13 +25,8 @@ TEST(Gzip, SkipsZerosBehindTheLastMemberAndNothingElse) {
   const std::string zeros(1000, '\0');
   EXPECT_EQ(expand_gzip(kTriangle + zeros, "a.gz"), "0 0 1 0 1 1\n");
   EXPECT_EQ(expand_gzip(kTriangle + kTriangle + zeros.substr(0, 1), "a.gz"), "0 0 1 0 1 1\n0 0 1 0 1 1\n");
-  const auto error_of = [](const std::string& bytes) -> std::string {
-    try {
-      expand_gzip(bytes, "a.gz");
-    } catch (const FormatError& error) {
-      return error.what();
-    }
-    return "";
+  const auto error_of = [](const std::string& bytes) {
+    return test::format_error_of([&] { expand_gzip(bytes, "a.gz"); });
   };
   const std::string other = "a.gz: gzip: byte 28: neither another member nor zeros";
   EXPECT_EQ(error_of(kTriangle + "garbage"), other);

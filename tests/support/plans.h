@@ -17,4 +17,11 @@ inline void expect_valid(const Planner& planner, const PlanResult& result, bool 
   EXPECT_GT(result.min_clearance, 0.0);
 }
 
+/// The validator accepts a path, in both gears, whatever its speeds.
+inline void expect_valid(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
+                         const Path& path) {
+  const ValidationReport report = validate(world, vehicle, start, goal, {path, {}, {}, {}});
+  for (const ValidationIssue& issue : report.issues) ADD_FAILURE() << name_of(issue.violation) << ": " << issue.message;
+}
+
 }  // namespace arcway::test

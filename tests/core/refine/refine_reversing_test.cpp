@@ -3,20 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "core/path/speed_profile.h"
-#include "core/path/validation.h"
 #include "core/query/query_set.h"
 #include "core/search/gear_search.h"
 #include "tests/support/boxes.h"
+#include "tests/support/plans.h"
 
 namespace arcway {
 namespace {
 
 using test::box;
-
-void expect_valid(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal, const Path& path) {
-  const ValidationReport report = validate(world, vehicle, start, goal, {path, {}, {}, {}});
-  for (const ValidationIssue& issue : report.issues) ADD_FAILURE() << name_of(issue.violation) << ": " << issue.message;
-}
+using test::expect_valid;
 
 // Into gaps between two boxes, along a lane that leaves little room to swing out. The paper's robot is 1.5 x 0.8 m.
 TEST(RefineReversing, CuspsMoveToWhereParkingTakesLessTime) {

@@ -5,25 +5,21 @@
 #include "core/geometry/angle.h"
 #include "core/path/reeds_shepp.h"
 #include "core/path/speed_profile.h"
-#include "core/path/validation.h"
 #include "core/query/query_set.h"
 #include "tests/support/boxes.h"
+#include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {
 namespace {
 
 using test::box;
+using test::expect_valid;
 
 // A gap of a length between two boxes along the edge y = 0, a wall behind it. The paper's robot is 1.5 x 0.8 m.
 World parking_gap(double length) {
   return World({box(-6.0, -1.2, 0.0, 0.0), box(length, -1.2, length + 6.0, 0.0), box(-6.0, -3.0, length + 6.0, -1.3)},
                box(-8.0, -5.0, length + 8.0, 6.0).outer);
-}
-
-void expect_valid(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal, const Path& path) {
-  const ValidationReport report = validate(world, vehicle, start, goal, {path, {}, {}, {}});
-  for (const ValidationIssue& issue : report.issues) ADD_FAILURE() << name_of(issue.violation) << ": " << issue.message;
 }
 
 TEST(GearSearch, InAnEmptyWorldIsAtLeastAsGoodAsEveryWord) {
