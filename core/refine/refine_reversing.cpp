@@ -71,10 +71,12 @@ class ReversingRefiner {
 
   [[nodiscard]] double cost_of(const Path& path) const { return travel_cost(path, vehicle_, cusp_cost_); }
 
+  [[nodiscard]] bool is_cheaper(double cost) const { return cost < cost_ * (1.0 - kSmallestGain); }
+
   // Takes a free path if it is cheaper.
   bool accept(const Path& path) {
     const double cost = cost_of(path);
-    if (!(cost < cost_ * (1.0 - kSmallestGain))) return false;
+    if (!is_cheaper(cost)) return false;
     cost_ = cost;
     result_.path = merged(path);
     ++result_.improvements;
@@ -121,7 +123,7 @@ class ReversingRefiner {
       ++result_.trials;
       const auto middle = reeds_shepp_path(word, from.pose, to.pose, radius);
       const Path path = spliced(from, *middle, to);
-      if (cost_of(path) < cost_ * (1.0 - kSmallestGain) && is_free(*middle) && accept(path)) return true;
+      if (is_cheaper(cost_of(path)) && is_free(*middle) && accept(path)) return true;
     }
     return false;
   }
@@ -131,7 +133,7 @@ class ReversingRefiner {
     const double radius = vehicle_.min_turning_radius();
     bool slid = false;
     for (double step = kFirstStep; step >= options_.smallest_step; step *= 0.5)
-      for (std::size_t cusp = 0; cusp < cusps().size(); ++cusp)
+      for (std::size_t cusp = 0; cusp < cusps_of(result_.path); ++cusp)
         // Where the body nearly touches something, only one direction of these may be free.
         for (const int ahead : {1, -1, 0})
           for (const int aside : {1, -1, 0})
@@ -214,7 +216,7 @@ class ReversingRefiner {
         Path middle = to.motion;
         append(middle, from.motion);
         const Path changed = spliced(to.place, middle, from.place);
-        if (cost_of(changed) < cost_ * (1.0 - kSmallestGain) && check(to) && check(from)) return accept(changed);
+        if (is_cheaper(cost_of(changed)) && check(to) && check(from)) return accept(changed);
       }
     return false;
   }
