@@ -111,7 +111,8 @@ class TourPlanner {
         continue;
       }
       Path way = before[i].way;
-      for (const TimedSegment& s : leg.segments) way.push_back(s.segment);
+      const Path on = leg.path();
+      way.insert(way.end(), on.begin(), on.end());
       const double cost = travel_cost(way, planner_.vehicle(), request_.cusp_cost);
       if (cost >= stop.cost) continue;
       stop.cost = cost;

@@ -10,9 +10,9 @@ namespace arcway {
 
 namespace {
 
-constexpr int kSamples = 5;   // speeds at which two joints are compared
-constexpr int kHalvings = 8;  // of the ranges between them where that does not decide
-constexpr double kRounding = 1e-12;
+constexpr int kSamples = 5;          // speeds at which two joints are compared
+constexpr int kHalvings = 8;         // of the ranges between them where that does not decide
+constexpr double kRounding = 1e-12;  // of times, relative
 
 }  // namespace
 
