@@ -61,6 +61,7 @@ PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const Plan
       second_cost_(kInfinity) {
   search_options_.time_model = options.time_model;
   search_options_.suboptimality = options.suboptimality;
+  search_options_.scout = limits.scout;
   workspace_.unrefined_times.clear();
 }
 

@@ -67,10 +67,13 @@ struct PlanRequest {
   double cusp_cost = 0.0;  ///< of a change of gear, beside the time that stopping takes; no part of travel times [s]
 };
 
-/// When to end a plan before it is done; it then gives the best path found by then, if any.
+/// When to end a plan before it is done, which then gives the best path found by then, if any; and what it may take.
 struct PlanLimits {
   double time = std::numeric_limits<double>::infinity();  ///< [s]
   std::stop_token stop = {};                              ///< asked from any thread
+  /// On a lazy graph another thread runs ahead of a search that is long, and finds what it will ask for: the same plan,
+  /// bit for bit, in some two thirds of the time where a core is free. FeasibleGraph::counts may differ from run to run.
+  bool scout = false;
 };
 
 enum class PlanStatus {

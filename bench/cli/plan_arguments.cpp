@@ -122,11 +122,12 @@ PlannerOptions PlanArguments::planner_options(const Team& team) const {
 }
 
 PlanLimits PlanArguments::limits() const {
+  PlanLimits limits{.scout = build.thread_count() > 1};
   const std::string& text = time_limit;
-  if (text.empty()) return {};
-  const double seconds = parse_number(text, "--time-limit");
-  if (seconds < 0.0) throw UsageError("--time-limit: at least 0 s, got \"" + text + "\"");
-  return {.time = seconds};
+  if (text.empty()) return limits;
+  limits.time = parse_number(text, "--time-limit");
+  if (limits.time < 0.0) throw UsageError("--time-limit: at least 0 s, got \"" + text + "\"");
+  return limits;
 }
 
 double PlanArguments::cusp_cost_seconds() const {

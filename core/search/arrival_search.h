@@ -36,6 +36,9 @@ struct SearchOptions {
   double least_gain = 0.0;
   /// After so many expansions the best path found by then, if any, will do.
   std::uint64_t most_expanded = std::numeric_limits<std::uint64_t>::max();
+  /// Another thread, with a workspace of its own, runs ahead of a long search on a lazy graph. It finds rows, headings
+  /// and bitangents that this one will ask for; what it misses, this one finds itself.
+  bool scout = false;
   [[nodiscard]] bool interrupted() const {
     return stop.stop_requested() || (deadline && std::chrono::steady_clock::now() >= *deadline);
   }

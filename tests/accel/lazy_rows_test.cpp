@@ -69,21 +69,6 @@ TEST(LazyRows, AnswerManyThreadsAtOnce) {
     for (VertexId v = 0; v < world.vertices().size(); ++v) ASSERT_EQ(rows[v], copy(all->of(v))) << v;
 }
 
-void expect_same_plan(const PlanResult& a, const PlanResult& b) {
-  ASSERT_EQ(a.status, b.status);
-  EXPECT_EQ(a.travel_time, b.travel_time);
-  EXPECT_EQ(a.lower_bound, b.lower_bound);
-  EXPECT_EQ(a.min_clearance, b.min_clearance);
-  EXPECT_EQ(a.statistics.nodes_expanded, b.statistics.nodes_expanded);
-  ASSERT_EQ(a.segments.size(), b.segments.size());
-  for (std::size_t i = 0; i < a.segments.size(); ++i) {
-    EXPECT_EQ(a.segments[i].segment.start.position(), b.segments[i].segment.start.position());
-    EXPECT_EQ(a.segments[i].segment.start.heading, b.segments[i].segment.start.heading);
-    EXPECT_EQ(a.segments[i].segment.length, b.segments[i].segment.length);
-    EXPECT_EQ(a.segments[i].segment.curvature, b.segments[i].segment.curvature);
-  }
-}
-
 // The rows asked for so far.
 class CountedRows final : public VisibilityRows {
  public:
@@ -120,8 +105,8 @@ TEST(LazyRows, GiveThePlansOfTheWholeGraph) {
     std::size_t queries_done = 0;
     for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 6, .min_distance = 0.1})) {
       const PlanResult plan = lazy.plan(request);
-      expect_same_plan(plan, whole.plan(request));
-      expect_same_plan(lazy.plan(request), plan);
+      test::expect_same_plan(plan, whole.plan(request));
+      test::expect_same_plan(lazy.plan(request), plan);
       if (plan.solved()) test::expect_valid(lazy, plan);
       if (large && ++queries_done == 1) {
         EXPECT_LT(rows->asked(), world.convex_vertices().size());

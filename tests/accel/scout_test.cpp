@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "accel/lazy_rows.h"
+#include "accel/make_queries.h"
+#include "core/planner.h"
+#include "datasets/catalogue.h"
+#include "tests/support/plans.h"
+
+namespace arcway {
+namespace {
+
+// Rows, and who asks for them. After so many calls the first thread waits for another one to have asked.
+class WatchedRows final : public VisibilityRows {
+ public:
+  explicit WatchedRows(std::shared_ptr<const VisibilityRows> rows) : rows_(std::move(rows)) {}
+
+  void wait_after(std::size_t calls) { wait_after_ = calls; }
+  [[nodiscard]] std::size_t calls() const { return calls_; }
+  [[nodiscard]] bool others_asked() const { return others_asked_; }
+
+  [[nodiscard]] std::span<const VertexId> of(VertexId v) const override {
+    {
+      std::unique_lock lock(mutex_);
+      if (std::this_thread::get_id() != first_) {
+        others_asked_ = true;
+        changed_.notify_one();
+      } else if (++calls_ > wait_after_) {
+        changed_.wait_for(lock, std::chrono::seconds(20), [&] { return others_asked_; });
+      }
+    }
+    return rows_->of(v);
+  }
+  [[nodiscard]] std::vector<Pair> pairs_within(double length,
+                                               const std::function<bool(VertexId, VertexId)>& wanted) const override {
+    return rows_->pairs_within(length, wanted);
+  }
+
+ private:
+  std::shared_ptr<const VisibilityRows> rows_;
+  std::thread::id first_ = std::this_thread::get_id();
+  std::size_t wait_after_ = std::numeric_limits<std::size_t>::max();
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  mutable std::size_t calls_ = 0;
+  mutable bool others_asked_ = false;
+};
+
+TEST(Scout, FindsWhatALongSearchWillAskForAndNothingElseChanges) {
+  const World world = catalogue_world("clutter/convex/n1000/m10/f15/s1");
+  const Vehicle vehicle;
+  const QuerySet queries = make_embree_queries(world);
+  const PlanRequest request{.start = {5, 5, 0.3}, .goal = {world.box().max.x() - 5.0, world.box().max.y() - 5.0, 1.2}};
+  const PlannerOptions options{.heuristic = Heuristic::kDijkstra, .graph_mode = GraphMode::kLazy};
+  const auto alone = std::make_shared<WatchedRows>(make_lazy_rows(world));
+  const PlanResult expected = Planner(world, vehicle, queries, alone, options, SerialExecutor()).plan(request);
+  ASSERT_TRUE(expected.solved()) << expected.reason;
+  EXPECT_FALSE(alone->others_asked());
+
+  const auto rows = std::make_shared<WatchedRows>(make_lazy_rows(world));
+  rows->wait_after(alone->calls() / 2);
+  const Planner planner(world, vehicle, queries, rows, options, SerialExecutor());
+  const PlanResult found = planner.plan(request, {.scout = true});
+  EXPECT_TRUE(rows->others_asked());
+  test::expect_same_plan(found, expected);
+  test::expect_valid(planner, found);
+}
+
+TEST(Scout, StaysWhereItIsOnAnEagerGraph) {
+  const World world = catalogue_world("clutter/convex/n1000/m10/f15/s1");
+  const PlanRequest request{.start = {5, 5, 0.3}, .goal = {world.box().max.x() - 5.0, world.box().max.y() - 5.0, 1.2}};
+  const auto rows = std::make_shared<WatchedRows>(make_lazy_rows(world));
+  const Planner planner(world, Vehicle{}, make_embree_queries(world), rows, {.heuristic = Heuristic::kDijkstra},
+                        SerialExecutor());
+  const PlanResult found = planner.plan(request, {.scout = true});
+  EXPECT_GT(found.statistics.nodes_expanded, 4000u);
+  EXPECT_FALSE(rows->others_asked());
+}
+
+}  // namespace
+}  // namespace arcway
