@@ -201,6 +201,13 @@ class ArrivalSearch {
     w_.open.clear();
     w_.steps.clear();
     w_.labels.clear();
+    // As much as most searches need: untouched it costs nothing, but to grow is to copy into pages that the system has
+    // to clear first.
+    const std::size_t enough = graph_.circles().size() / 2;
+    w_.open.reserve(enough);
+    w_.steps.reserve(enough);
+    w_.labels.reserve(enough);
+    w_.times.reserve(enough);
     w_.first_label.reset(graph_.circles().size());
     ends_.forget();
   }

@@ -23,6 +23,7 @@ class OpenList {
     return empty() ? std::span<const Entry>() : std::span(heap_).subspan(kRoot, std::min(count, size()));
   }
   void clear() { heap_.clear(); }
+  void reserve(std::size_t count) { heap_.reserve(kRoot + count); }
 
   void push(const Entry& entry) {
     if (heap_.empty()) heap_.assign(kRoot, entry);

@@ -13,6 +13,7 @@ class SearchTimes {
   /// Forgets the search before, or goes on from it.
   void begin(const SearchContext& context, bool goes_on);
 
+  void reserve(std::size_t joints) { speeds_.reserve(joints); }
   [[nodiscard]] const SpeedTree& speeds() const { return speeds_; }
 
   /// The joint at the end of a start terminal's connection, which leads to its circle.

@@ -29,6 +29,7 @@ class SpeedTree {
   ///   that speed.
   void reset(double acceleration, TimeModel time_model = TimeModel::kProfile);
 
+  void reserve(std::size_t joints) { joints_.reserve(joints); }
   [[nodiscard]] std::size_t size() const { return joints_.size(); }
   /// Forgets the joints added last.
   void truncate(std::size_t size) { joints_.resize(size); }
