@@ -72,7 +72,8 @@ struct PlanLimits {
   double time = std::numeric_limits<double>::infinity();  ///< [s]
   std::stop_token stop = {};                              ///< asked from any thread
   /// On a lazy graph another thread runs ahead of a search that is long, and finds what it will ask for: the same plan,
-  /// bit for bit, in some two thirds of the time where a core is free. FeasibleGraph::counts may differ from run to run.
+  /// bit for bit, in some two thirds of the time where a core is free. FeasibleGraph::counts then differs from run to
+  /// run.
   bool scout = false;
 };
 
