@@ -36,7 +36,7 @@ constexpr double kMarginUnits = 1048576.0;
 
 // Where wider turns are faster, the paths of several maps are refined as far as tells which is the best, and that one
 // then at length: in trials, of what the options say.
-constexpr double kQuickEffort = 0.375, kLastEffort = 12.0;
+constexpr double kQuickEffort = 0.75, kLastEffort = 24.0;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
 constexpr std::size_t kEnclosureBoxes = 15000;
 // The same of the proof that one which may not gets nowhere.

@@ -54,7 +54,7 @@ struct PlannerOptions {
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
   bool point_robot_bound = true;
   /// Of each path found; `max_trials = 0` turns it off. With wider radii than the tightest there are up to some
-  /// thirty times as many in all.
+  /// fifty times as many in all.
   RefineOptions refinement = {};
   /// Processes that build the same eager feasible graph together; used during construction only. None: this one alone.
   const Team* team = nullptr;
