@@ -1,8 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <condition_variable>
+#include <functional>
+#include <limits>
+#include <memory>
 #include <mutex>
+#include <span>
 #include <thread>
+#include <utility>
 
 #include "accel/lazy_rows.h"
 #include "accel/make_queries.h"
