@@ -23,20 +23,22 @@ double inflation_of(const World& world, double body_half_width) {
 
 namespace embree {
 
-Scenes::Scenes(const World& world, const EmbreeOptions& options, const char* device_config)
-    : Scenes(world, options, std::make_shared<const Device>(device_config)) {}
+Scenes::Scenes(const World& world, const EmbreeOptions& options, const char* device_config, std::size_t many_edges)
+    : Scenes(world, options, std::make_shared<const Device>(device_config), many_edges) {}
 
-Scenes::Scenes(const World& world, const EmbreeOptions& options, const std::shared_ptr<const Device>& device)
+Scenes::Scenes(const World& world, const EmbreeOptions& options, const std::shared_ptr<const Device>& device,
+               std::size_t many_edges)
     : locator(world),
       batches(options.batches),
-      sight(device, world, 0.0),
-      sweep(device, world, inflation_of(world, options.body_half_width)) {}
+      sight(device, world, 0.0, many_edges),
+      sweep(device, world, inflation_of(world, options.body_half_width), many_edges) {}
 
-QuerySet make_configured_queries(const World& world, const EmbreeOptions& options, const char* device_config) {
+QuerySet make_configured_queries(const World& world, const EmbreeOptions& options, const char* device_config,
+                                 std::size_t many_edges) {
   if (!(options.body_half_width >= 0.0) || !std::isfinite(options.body_half_width))
     throw std::invalid_argument("embree queries: body half width " + shortest_text(options.body_half_width) +
                                 " must be >= 0 and finite");
-  const auto scenes = std::make_shared<const Scenes>(world, options, device_config);
+  const auto scenes = std::make_shared<const Scenes>(world, options, device_config, many_edges);
   return {std::make_shared<const EmbreeVisibility>(scenes), std::make_shared<const EmbreeDistance>(scenes),
           std::make_shared<const EmbreeSweep>(scenes)};
 }
@@ -44,7 +46,7 @@ QuerySet make_configured_queries(const World& world, const EmbreeOptions& option
 }  // namespace embree
 
 QuerySet make_embree_queries(const World& world, const EmbreeOptions& options) {
-  return embree::make_configured_queries(world, options, "");
+  return embree::make_configured_queries(world, options, "", embree::EdgeScene::kManyEdges);
 }
 
 }  // namespace arcway

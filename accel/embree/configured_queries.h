@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
+
 #include "accel/make_queries.h"
 
 namespace arcway::embree {
 
-/// As make_embree_queries, on a device made with this configuration, such as "isa=sse2": for tests.
-QuerySet make_configured_queries(const World& world, const EmbreeOptions& options, const char* device_config);
+/// As make_embree_queries, on a device made with this configuration, such as "isa=sse2", and with boxes that hold
+/// several edges in worlds of more than so many: for tests.
+QuerySet make_configured_queries(const World& world, const EmbreeOptions& options, const char* device_config,
+                                 std::size_t many_edges);
 
 }  // namespace arcway::embree

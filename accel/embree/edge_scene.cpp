@@ -6,6 +6,9 @@ namespace arcway::embree {
 
 namespace {
 
+constexpr VertexId kMostTogether = 5;
+constexpr double kLongestBox = 4.0;  // of several edges: its longer side, of their mean length in the world
+
 constexpr double kLimit = 1.0 + 0x1p-10;  // rays are cut to this; more than the padded boxes reach
 
 float round_down(double x) {
@@ -27,7 +30,7 @@ bool cut(double p, double d, double& t0, double& t1) {
 }  // namespace
 
 EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, double inflation,
-                     RTCOccludedFunctionN on_edge)
+                     RTCOccludedFunctionN on_edge, std::size_t many_edges)
     : device_(std::move(device)), world_(world), inflation_(inflation) {
   if (!world_.box().empty()) {
     center_ = world_.box().min + 0.5 * (world_.box().max - world_.box().min);
@@ -37,9 +40,12 @@ EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, d
   }
   margin_ = inflation * scale_ + kPad;
 
+  if (world_.edges().size() > many_edges) join_edges();
+  const std::size_t boxes = chains_.empty() ? world_.edges().size() : chains_.size() - 1;
+
   const GeometryHandle geometry(rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_USER));
   device_->check();
-  rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(world_.edges().size()));
+  rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(boxes));
   rtcSetGeometryUserData(geometry.get(), this);
   rtcSetGeometryBoundsFunction(geometry.get(), &EdgeScene::on_bounds, nullptr);
   if (on_edge != nullptr) rtcSetGeometryOccludedFunction(geometry.get(), on_edge);
@@ -48,6 +54,22 @@ EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, d
   rtcAttachGeometry(scene_.get(), geometry.get());
   device_->check();
   device_->commit(scene_.get());
+}
+
+void EdgeScene::join_edges() {
+  const std::span<const LineSegment> edges = world_.edges();
+  double sum = 0.0;
+  for (const LineSegment& edge : edges) sum += (edge.b - edge.a).norm();
+  const double longest = kLongestBox * sum / static_cast<double>(edges.size());
+  Box box;
+  for (VertexId e = 0; e < edges.size(); ++e) {
+    const bool follows = e > 0 && edges[e].a == edges[e - 1].b;
+    box.extend(edges[e].b);
+    if (follows && e - chains_.back() < kMostTogether && (box.max - box.min).maxCoeff() <= longest) continue;
+    chains_.push_back(e);
+    box = box_of(edges[e]);
+  }
+  chains_.push_back(static_cast<VertexId>(edges.size()));
 }
 
 bool EdgeScene::aim(const Vec2& a, const Vec2& b, RTCRay& ray) {
@@ -80,15 +102,19 @@ bool EdgeScene::aim(const Vec2& a, const Vec2& b, RTCRay& ray) {
 // Denormals are flushed here: no predicate may be called.
 void EdgeScene::on_bounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& self = *static_cast<const EdgeScene*>(arguments->geometryUserPtr);
-  const LineSegment& edge = self.world_.edges()[arguments->primID];
-  const Vec2 a = self.scaled(edge.a);
-  const Vec2 b = self.scaled(edge.b);
+  const World::VertexRange edges = self.edges_of(arguments->primID);
+  Vec2 low = self.scaled(self.world_.edges()[edges.first].a), high = low;
+  for (VertexId e = edges.first; e < edges.last; ++e)
+    for (const Vec2& end : {self.world_.edges()[e].a, self.world_.edges()[e].b}) {
+      low = low.cwiseMin(self.scaled(end));
+      high = high.cwiseMax(self.scaled(end));
+    }
   RTCBounds& box = *arguments->bounds_o;
-  box.lower_x = round_down(std::min(a.x(), b.x()) - self.margin_);
-  box.lower_y = round_down(std::min(a.y(), b.y()) - self.margin_);
+  box.lower_x = round_down(low.x() - self.margin_);
+  box.lower_y = round_down(low.y() - self.margin_);
   box.lower_z = -1.0f;
-  box.upper_x = round_up(std::max(a.x(), b.x()) + self.margin_);
-  box.upper_y = round_up(std::max(a.y(), b.y()) + self.margin_);
+  box.upper_x = round_up(high.x() + self.margin_);
+  box.upper_y = round_up(high.y() + self.margin_);
   box.upper_z = 1.0f;
 }
 

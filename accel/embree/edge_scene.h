@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "accel/embree/device.h"
 #include "core/world.h"
@@ -10,7 +11,8 @@
 namespace arcway::embree {
 
 /// The edges of a world as boxes in Embree: proposes edges, in single precision, for the caller to decide on exactly.
-/// It may propose an edge that is not wanted, and never fails to propose one that is.
+/// It may propose an edge that is not wanted, and never fails to propose one that is. In large worlds a box holds a few
+/// edges that follow each other, and proposes them together.
 ///
 /// Coordinates are centred and scaled by a power of two so that all boxes lie within [-1, 1]. Each box is larger by
 /// kPad = 2^-18: traversal errs by less than 2^-19.6 on rays within that square, by the rounding of origin, direction
@@ -21,10 +23,15 @@ class EdgeScene {
   /// Beyond this many half sizes of the map, cutting a ray or measuring from a point is less precise than kPad
   /// allows, and all edges are proposed.
   static constexpr double kFar = 0x1p20;
+  /// Beyond so many edges it takes longer to build a tree of each, and to fetch it from memory, than to look at some in
+  /// vain.
+  static constexpr std::size_t kManyEdges = 100'000;
 
   /// @param inflation  by how much boxes are larger than the edges, for rays that stand for something wider [m].
   /// @param on_edge    told the edges that a ray comes near; none if the scene is asked for points only.
-  EdgeScene(std::shared_ptr<const Device> device, const World& world, double inflation, RTCOccludedFunctionN on_edge);
+  /// @param many_edges boxes hold several edges if the world has more than so many.
+  EdgeScene(std::shared_ptr<const Device> device, const World& world, double inflation, RTCOccludedFunctionN on_edge,
+            std::size_t many_edges = kManyEdges);
   EdgeScene(const EdgeScene&) = delete;
   EdgeScene& operator=(const EdgeScene&) = delete;
 
@@ -40,6 +47,11 @@ class EdgeScene {
   /// Prepares the ray between two scaled places, both near and perhaps equal. False if it stays clear of all boxes.
   static bool aim(const Vec2& a, const Vec2& b, RTCRay& ray);
 
+  /// The edges of a box, by its number in Embree.
+  [[nodiscard]] World::VertexRange edges_of(unsigned box) const {
+    return chains_.empty() ? World::VertexRange{box, box + 1} : World::VertexRange{chains_[box], chains_[box + 1]};
+  }
+
   /// Proposes to `visit` every edge that comes within `radius` of p, in any order. visit(edge) returns the radius
   /// that is still of interest, not larger than before; a negative one ends the visit.
   template <class Visit>
@@ -49,7 +61,7 @@ class EdgeScene {
       for (VertexId e = 0; e < world_.edges().size() && radius >= 0.0; ++e) radius = visit(e);
       return;
     }
-    PointVisit<Visit> point{visit, scale_, kPad + 0x1p-20 * center.cwiseAbs().maxCoeff(), radius};
+    PointVisit<Visit> point{*this, visit, kPad + 0x1p-20 * center.cwiseAbs().maxCoeff(), radius};
     RTCPointQuery query;
     query.x = static_cast<float>(center.x());
     query.y = static_cast<float>(center.y());
@@ -64,19 +76,21 @@ class EdgeScene {
  private:
   template <class Visit>
   struct PointVisit {
+    const EdgeScene& scene;
     Visit& visit;
-    double scale;
     double slack;  // of the rounded centre and of the box distance
     double radius;
 
     [[nodiscard]] float float_radius() const {
-      const auto rounded = static_cast<float>(radius * scale * (1.0 + 0x1p-19) + slack);
+      const auto rounded = static_cast<float>(radius * scene.scale_ * (1.0 + 0x1p-19) + slack);
       return std::nextafter(rounded, std::numeric_limits<float>::infinity());
     }
     static bool on_box(RTCPointQueryFunctionArguments* a) {
       auto& self = *static_cast<PointVisit*>(a->userPtr);
       if (self.radius < 0.0) return false;
-      const double radius = self.visit(static_cast<VertexId>(a->primID));
+      const World::VertexRange edges = self.scene.edges_of(a->primID);
+      double radius = self.radius;
+      for (VertexId e = edges.first; e < edges.last && radius >= 0.0; ++e) radius = self.visit(e);
       if (radius == self.radius) return false;
       self.radius = radius;
       a->query->radius = radius < 0.0 ? 0.0f : self.float_radius();
@@ -84,6 +98,8 @@ class EdgeScene {
     }
   };
 
+  // Fills chains_ if boxes are to hold several edges each.
+  void join_edges();
   static void on_bounds(const RTCBoundsFunctionArguments* arguments);
 
   std::shared_ptr<const Device> device_;
@@ -91,7 +107,8 @@ class EdgeScene {
   Vec2 center_{0.0, 0.0};
   double scale_ = 1.0;
   double inflation_ = 0.0;
-  double margin_ = 0.0;  // of the boxes, scaled
+  double margin_ = 0.0;           // of the boxes, scaled
+  std::vector<VertexId> chains_;  // first edge of each box, one more than boxes; empty: one edge each
   SceneHandle scene_;
 };
 
@@ -99,8 +116,9 @@ class EdgeScene {
 template <class Test>
 class RayScene {
  public:
-  RayScene(std::shared_ptr<const Device> device, const World& world, double inflation)
-      : edges_(std::move(device), world, inflation, &on_edge) {}
+  RayScene(std::shared_ptr<const Device> device, const World& world, double inflation,
+           std::size_t many_edges = EdgeScene::kManyEdges)
+      : edges_(std::move(device), world, inflation, &on_edge, many_edges) {}
 
   [[nodiscard]] const EdgeScene& edges() const { return edges_; }
 
@@ -126,7 +144,10 @@ class RayScene {
   };
   static void on_edge(const RTCOccludedFunctionNArguments* a) {
     if (!a->valid[0]) return;
-    const bool hit = static_cast<const Query*>(a->context)->test(static_cast<VertexId>(a->primID));
+    const World::VertexRange edges = static_cast<const EdgeScene*>(a->geometryUserPtr)->edges_of(a->primID);
+    const Test& test = static_cast<const Query*>(a->context)->test;
+    bool hit = false;
+    for (VertexId e = edges.first; e < edges.last && !hit; ++e) hit = test(e);
     if (hit) RTCRayN_tfar(a->ray, a->N, 0) = -std::numeric_limits<float>::infinity();
     a->valid[0] = hit ? -1 : 0;  // Embree 4 reads it
   }

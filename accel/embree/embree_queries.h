@@ -27,7 +27,7 @@ struct MeetsRectangle {
 
 /// What the queries of one world share. Immutable once built.
 struct Scenes {
-  Scenes(const World& world, const EmbreeOptions& options, const char* device_config);
+  Scenes(const World& world, const EmbreeOptions& options, const char* device_config, std::size_t many_edges);
 
   RegionLocator locator;
   std::shared_ptr<const Executor> batches;
@@ -40,7 +40,8 @@ struct Scenes {
   void for_batch(std::size_t count, const Body& body) const;
 
  private:
-  Scenes(const World& world, const EmbreeOptions& options, const std::shared_ptr<const Device>& device);
+  Scenes(const World& world, const EmbreeOptions& options, const std::shared_ptr<const Device>& device,
+         std::size_t many_edges);
 };
 
 class EmbreeVisibility final : public VisibilityQuery {

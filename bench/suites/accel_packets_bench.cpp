@@ -57,7 +57,10 @@ void occluded8(const int* valid, RTCScene scene, PacketContext& context, RTCRay8
 
 class PacketScene {
  public:
-  explicit PacketScene(const World& world) : edges_(std::make_shared<const embree::Device>(), world, 0.0, &on_edge) {}
+  // An edge a box, as worlds of this size have anyway.
+  explicit PacketScene(const World& world)
+      : edges_(std::make_shared<const embree::Device>(), world, 0.0, &on_edge,
+               std::numeric_limits<std::size_t>::max()) {}
 
   // blocked[i] = 1 if an edge blocks segments[i]; ends differ and lie in the map.
   void blocked(std::span<const LineSegment> segments, std::span<std::uint8_t> result) const {
