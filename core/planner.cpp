@@ -40,7 +40,7 @@ constexpr double kQuickEffort = 0.75, kLastEffort = 24.0;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
 constexpr std::size_t kEnclosureBoxes = 15000;
 // The same of the proof that one which may not gets nowhere.
-constexpr std::size_t kDeadEndChecks = 10000;
+constexpr std::size_t kDeadEndChecks = 8500;
 
 void require_pose(const char* name, const Pose& pose) {
   for (const double value : {pose.x, pose.y, pose.heading})

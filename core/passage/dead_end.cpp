@@ -34,9 +34,9 @@ struct Box3 {
   std::int32_t x, y, heading;
 };
 
-/// From a box to some in a column: how far they are from it, by y from first to last.
+/// From a box to some at one position: how far that is from it, and by how many headings they turn, from first to last.
 struct Move {
-  std::int32_t x, first_y, last_y, heading;
+  std::int32_t x, y, first_turn, last_turn;
 };
 
 /// Where a step of length `step` leads that turns by an angle in `turn`, seen from its begin: x ahead, y to the left.
@@ -53,38 +53,38 @@ std::array<Range, 2> places_after(double step, double radius, const Range& turn)
            {-to_the_left(-turn.low), to_the_left(turn.high)}}};
 }
 
-/// Which of many boxes have been seen, in columns of bits.
+/// Which of many boxes have been seen: bits, those of one position together.
 class SeenBoxes {
  public:
-  // Boxes from -furthest to furthest, and of so many headings.
-  SeenBoxes(std::int32_t furthest, std::int32_t headings)
-      : furthest_(furthest),
-        headings_(headings),
-        words_((2 * furthest + kBits) / kBits),
-        seen_(static_cast<std::size_t>((2 * furthest + 1) * headings * words_), 0) {}
+  // Boxes from -furthest to furthest, and of so many headings: a power of two, at least kBits.
+  SeenBoxes(std::int32_t furthest, std::int32_t headings, std::vector<std::uint32_t>& memory)
+      : furthest_(furthest), words_(headings / kBits), seen_(memory) {
+    seen_.assign(static_cast<std::size_t>((2 * furthest + 1) * (2 * furthest + 1) * words_), 0);
+  }
 
-  /// Calls visit(y) for each box from first_y to last_y that was not seen, in this order. Now they are.
+  /// Calls visit(heading) for each of so many boxes, from a heading on, up to full turns, that was not seen. Now they
+  /// are.
   template <class Visitor>
-  void see(std::int32_t x, std::int32_t first_y, std::int32_t last_y, std::int32_t heading, Visitor&& visit) {
-    const std::int32_t first = first_y + furthest_, last = last_y + furthest_;
-    const auto column = static_cast<std::size_t>(((x + furthest_) * headings_ + heading) * words_);
-    for (std::int32_t word = first / kBits; word <= last / kBits; ++word) {
-      const std::int32_t begin = word * kBits;
-      std::uint64_t asked = ~std::uint64_t{0};
-      if (first > begin) asked <<= first - begin;
-      if (last < begin + kBits - 1) asked &= (std::uint64_t{2} << (last - begin)) - 1;
-      std::uint64_t& known = seen_[column + static_cast<std::size_t>(word)];
-      for (std::uint64_t fresh = asked & ~known; fresh != 0; fresh &= fresh - 1)
-        visit(begin + std::countr_zero(fresh) - furthest_);
-      known |= asked;
+  void see(std::int32_t x, std::int32_t y, std::int32_t first_heading, std::int32_t count, Visitor&& visit) {
+    std::uint32_t* const place = seen_.data() + ((x + furthest_) * (2 * furthest_ + 1) + y + furthest_) * words_;
+    for (std::int32_t done = 0; done < count; done += kBits) {
+      const std::int32_t first = (first_heading + done) & (words_ * kBits - 1);
+      const std::int32_t word = first / kBits, begin = word * kBits;
+      std::uint32_t &low = place[word], &high = place[(word + 1) & (words_ - 1)];
+      const std::uint64_t asked = ((std::uint64_t{1} << std::min(kBits, count - done)) - 1) << (first - begin);
+      std::uint64_t fresh = asked & ~(low | std::uint64_t{high} << kBits);
+      if (fresh == 0) continue;
+      low |= static_cast<std::uint32_t>(asked);
+      high |= static_cast<std::uint32_t>(asked >> kBits);
+      for (; fresh != 0; fresh &= fresh - 1) visit((begin + std::countr_zero(fresh)) & (words_ * kBits - 1));
     }
   }
 
  private:
-  static constexpr std::int32_t kBits = 64;
+  static constexpr std::int32_t kBits = 32;
 
-  std::int32_t furthest_, headings_, words_;
-  std::vector<std::uint64_t> seen_;
+  std::int32_t furthest_, words_;
+  std::vector<std::uint32_t>& seen_;
 };
 
 class ForwardFlood {
@@ -111,36 +111,35 @@ class ForwardFlood {
     core_ = {footprint.front - shorter, footprint.rear - shorter, footprint.half_width - turn * length - shift};
   }
 
-  enum class End { kClosed, kOpen, kGivenUp };
-  End run(std::size_t max_checks) {
+  enum class End { kClosed, kOpen, kOpenAtOnce, kGivenUp };
+  End run(std::size_t max_checks, std::vector<std::uint32_t>& memory) {
     if (core_.half_width <= 0.0 || core_.front + core_.rear <= 0.0 || step_ > kMostTurn * radius_) return End::kOpen;
-    SeenBoxes seen(furthest_, headings_);
+    SeenBoxes seen(furthest_, headings_, memory);
     std::vector<Box3> open;
-    seen.see(0, 0, 0, 0, [&](std::int32_t y) { open.push_back({0, y, 0}); });
+    seen.see(0, 0, 0, 1, [&](std::int32_t heading) { open.push_back({0, 0, heading}); });
     const double near = step_ + edge_;
+    bool has_collided = false;
     for (std::size_t checks = 0; !open.empty(); ++checks) {
       // The last one first, and not asked about before: where there is a way out, it is found soon.
       const Box3 box = open.back();
       open.pop_back();
       if (checks > max_checks) return End::kGivenUp;
-      if (checks > 0 && !is_free(box)) continue;
+      if (checks > 0 && !is_free(box)) {
+        has_collided = true;
+        continue;
+      }
       const Vec2 position = position_of(box);
-      if (is_far(box) || (position - to_).norm() < near) return End::kOpen;
+      if (is_far(box) || (position - to_).norm() < near) return has_collided ? End::kOpen : End::kOpenAtOnce;
       reach_ = std::max(reach_, (position - from_.position()).norm() + near);
       for (const Move& move : moves_from(box.heading)) {
-        const std::int32_t x = box.x + move.x, heading = (box.heading + move.heading) & (headings_ - 1);
-        const std::int32_t first = box.y + move.first_y, last = box.y + move.last_y;
-        const auto add = [&](std::int32_t y) { open.push_back({x, y, heading}); };
-        if (!is_far({x, first, heading}) && !is_far({x, last, heading})) {
-          seen.see(x, first, last, heading, add);
-          continue;
+        const std::int32_t x = box.x + move.x, y = box.y + move.y, first = box.heading + move.first_turn;
+        const std::int32_t count = move.last_turn - move.first_turn + 1;
+        const auto add = [&](std::int32_t heading) { open.push_back({x, y, heading}); };
+        if (!is_far({x, y, 0})) {
+          seen.see(x, y, first, count, add);
+        } else {
+          for (std::int32_t heading = first; heading < first + count; ++heading) add(heading & (headings_ - 1));
         }
-        for (std::int32_t y = first; y <= last; ++y)
-          if (is_far({x, y, heading})) {
-            add(y);
-          } else {
-            seen.see(x, y, y, heading, add);
-          }
       }
     }
     return End::kClosed;
@@ -178,10 +177,20 @@ class ForwardFlood {
     return steps;
   }
 
+  // Where a step may end that turns by so many headings.
+  struct Places {
+    std::int32_t first_x, last_x, first_y, last_y, turned;
+  };
+  // Those that a step to some position may turn by; none: first > last.
+  struct Turns {
+    std::int32_t first, last;
+  };
+
   // To all boxes in which a step from a box with this heading may end.
   const std::vector<Move>& moves_from(std::int32_t heading) {
     std::vector<Move>& moves = moves_[static_cast<std::size_t>(heading)];
     if (!moves.empty()) return moves;
+    places_.clear();
     // Headings in the box are off by half a part.
     const double sine = std::sin(kPi / headings_), lost = 1.0 - std::cos(kPi / headings_);
     const Vec2 ahead = direction_of(heading_of(heading));
@@ -194,9 +203,28 @@ class ForwardFlood {
       const Vec2 half = half_x * ahead.cwiseAbs() + half_y * perpendicular(ahead).cwiseAbs() + Vec2(edge_, edge_);
       const auto first = [&](double d) { return static_cast<std::int32_t>(std::ceil(d / edge_)); };
       const auto last = [&](double d) { return static_cast<std::int32_t>(std::floor(d / edge_)); };
-      for (std::int32_t i = first(middle.x() - half.x()); i <= last(middle.x() + half.x()); ++i)
-        moves.push_back({i, first(middle.y() - half.y()), last(middle.y() + half.y()), turned});
+      places_.push_back({first(middle.x() - half.x()), last(middle.x() + half.x()), first(middle.y() - half.y()),
+                         last(middle.y() + half.y()), turned});
     }
+    // Headings that lead to one position follow each other; what may lie between is taken along.
+    std::int32_t low_x = 0, high_x = 0, low_y = 0, high_y = 0;
+    for (const Places& p : places_) {
+      low_x = std::min(low_x, p.first_x), high_x = std::max(high_x, p.last_x);
+      low_y = std::min(low_y, p.first_y), high_y = std::max(high_y, p.last_y);
+    }
+    const std::int32_t columns = high_x - low_x + 1;
+    turns_.assign(static_cast<std::size_t>(columns * (high_y - low_y + 1)), {1, 0});
+    for (const Places& p : places_)
+      for (std::int32_t j = p.first_y; j <= p.last_y; ++j)
+        for (std::int32_t i = p.first_x; i <= p.last_x; ++i) {
+          Turns& t = turns_[static_cast<std::size_t>((j - low_y) * columns + i - low_x)];
+          if (t.first > t.last) t.first = p.turned;
+          t.last = p.turned;
+        }
+    for (std::int32_t j = low_y; j <= high_y; ++j)
+      for (std::int32_t i = low_x; i <= high_x; ++i)
+        if (const Turns& t = turns_[static_cast<std::size_t>((j - low_y) * columns + i - low_x)]; t.first <= t.last)
+          moves.push_back({i, j, t.first, t.last});
     return moves;
   }
 
@@ -211,6 +239,8 @@ class ForwardFlood {
   // By heading, once they were asked for: the body with the reference point at the origin, and the moves.
   std::vector<std::optional<SweptRectangle>> bodies_;
   std::vector<std::vector<Move>> moves_;
+  std::vector<Places> places_;  // memory
+  std::vector<Turns> turns_;    // likewise
   double reach_ = 0.0;
 };
 
@@ -230,15 +260,17 @@ std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const 
   const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
   LocalSweep near_start(sweep, outlines, place_around(start.position(), footprint));
   LocalSweep near_goal(sweep, outlines, place_around(goal.position(), footprint));
-  std::array<bool, 2> given_up{};  // smaller boxes would be even more
+  std::vector<std::uint32_t> memory;
+  // Smaller boxes would be even more than too many, or free as well.
+  std::array<bool, 2> is_settled{};
   for (int level = 0; level < kLevels; ++level)
     for (const bool at_start : {true, false}) {
-      if (given_up[at_start]) continue;
+      if (is_settled[at_start]) continue;
       ForwardFlood flood(at_start ? start : turned, at_start ? goal.position() : start.position(),
                          at_start ? footprint : swapped, radius, at_start ? near_start : near_goal, level);
-      const ForwardFlood::End end = flood.run(max_checks << level);
+      const ForwardFlood::End end = flood.run(max_checks << level, memory);
       if (end == ForwardFlood::End::kClosed) return DeadEnd{at_start, flood.reach()};
-      given_up[at_start] = end == ForwardFlood::End::kGivenUp;
+      is_settled[at_start] = end == ForwardFlood::End::kGivenUp || end == ForwardFlood::End::kOpenAtOnce;
     }
   return std::nullopt;
 }
