@@ -15,7 +15,8 @@ class Executor {
  public:
   virtual ~Executor() = default;
   /// Calls body(begin, end) on disjoint ranges that cover [0, count), perhaps at the same time on
-  /// several threads, and returns when all are done. An exception of the body is passed on.
+  /// several threads, and returns when all are done. An exception of the body is passed on. The body may run loops
+  /// of its own on the same executor.
   /// @param grain  smallest sensible range, >= 1.
   virtual void for_ranges(std::size_t count, std::size_t grain,
                           const std::function<void(std::size_t, std::size_t)>& body) const = 0;
@@ -31,6 +32,14 @@ class SerialExecutor final : public Executor {
     if (count > 0) body(0, count);
   }
 };
+
+/// Calls two functions that do not depend on each other, at the same time if the executor can.
+template <class First, class Second>
+void run_both(const Executor& executor, First&& first, Second&& second) {
+  executor.for_ranges(2, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task) task == 0 ? first() : second();
+  });
+}
 
 /// Thrown by work that was cancelled.
 class Cancelled : public std::runtime_error {

@@ -61,15 +61,8 @@ SightMap::SightMap(const World& world, const Executor& executor, Diagonals short
 std::optional<FreeSpace> SightMap::sweep(const Executor& executor, NodeOrder& order) {
   executor.begin_stage("triangulation");
   std::optional<FreeSpace> space;
-  executor.for_ranges(2, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t task = begin; task < end; ++task) {
-      if (task == 0) {
-        space = triangulate_free_space(map_);
-      } else {
-        order = number_nodes();
-      }
-    }
-  });
+  run_both(
+      executor, [&] { space = triangulate_free_space(map_); }, [&] { order = number_nodes(); });
   return space;
 }
 

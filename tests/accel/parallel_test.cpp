@@ -45,6 +45,28 @@ TEST(TbbExecutor, PassesExceptionsOn) {
   EXPECT_THROW(TbbExecutor(2).for_ranges(100, 1, fail), std::runtime_error);
 }
 
+TEST(RunBoth, CallsEachOnceOnAnyExecutor) {
+  const SerialExecutor serial;
+  const TbbExecutor one(1), two(2);
+  for (const Executor* executor : std::initializer_list<const Executor*>{&serial, &one, &two}) {
+    std::atomic<int> first = 0, second = 0;
+    run_both(
+        *executor, [&] { ++first; },
+        [&] {
+          run_both(
+              *executor, [&] { ++first; }, [&] { ++second; });
+        });
+    EXPECT_EQ(first, 2);
+    EXPECT_EQ(second, 1);
+    EXPECT_THROW(run_both(
+                     *executor, [] { throw std::runtime_error("from the first"); }, [] {}),
+                 std::runtime_error);
+    EXPECT_THROW(run_both(
+                     *executor, [] {}, [] { throw std::runtime_error("from the second"); }),
+                 std::runtime_error);
+  }
+}
+
 TEST(TbbExecutor, RefusesThreadCountsOutOfRange) {
   EXPECT_THROW(TbbExecutor(0), std::invalid_argument);
   EXPECT_THROW(TbbExecutor(1025), std::invalid_argument);
