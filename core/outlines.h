@@ -24,16 +24,26 @@ class Outlines {
     [[nodiscard]] std::size_t edge_count() const { return points.size() - 1; }
   };
 
+  /// How many pieces; those of a ring follow each other, as do rings and regions.
+  [[nodiscard]] std::size_t size() const { return boxes_.size(); }
+  [[nodiscard]] Piece operator[](std::uint32_t i) const {
+    return {starts_[i].vertex, std::span(points_).subspan(starts_[i].point, starts_[i + 1].point - starts_[i].point),
+            boxes_[i]};
+  }
+
+  /// Their boxes.
+  [[nodiscard]] const BoxTree& tree() const { return tree_; }
+
   /// Calls visit(piece) for each piece whose box, and all boxes around it, pass a test, until a call returns false.
   /// Returns whether none did. See BoxTree::visit_if.
   template <class Test, class Visitor>
   bool visit_if(Test&& passes, Visitor&& visit) const {
-    return tree_.visit_if(passes, [&](std::uint32_t i) { return visit(piece(i)); });
+    return tree_.visit_if(passes, [&](std::uint32_t i) { return visit((*this)[i]); });
   }
   /// The same, those near a place early, see BoxTree::visit_near_first.
   template <class Test, class Visitor>
   void visit_near_first(const Vec2& place, Test&& passes, Visitor&& visit) const {
-    tree_.visit_near_first(place, passes, [&](std::uint32_t i) { visit(piece(i)); });
+    tree_.visit_near_first(place, passes, [&](std::uint32_t i) { visit((*this)[i]); });
   }
 
  private:
@@ -41,11 +51,6 @@ class Outlines {
     VertexId vertex;
     std::uint32_t point;
   };
-  [[nodiscard]] Piece piece(std::uint32_t i) const {
-    return {starts_[i].vertex, std::span(points_).subspan(starts_[i].point, starts_[i + 1].point - starts_[i].point),
-            boxes_[i]};
-  }
-
   std::vector<Vec2> points_;
   std::vector<Start> starts_;  // one more than pieces
   std::vector<Box> boxes_;

@@ -38,4 +38,19 @@ void BoxTree::build(std::uint32_t first, std::uint32_t last) {
   nodes_[node].skip = static_cast<std::uint32_t>(nodes_.size());
 }
 
+BoxTree BoxTree::with_boxes(std::span<const Box> boxes) const {
+  BoxTree tree = *this;
+  for (Item& item : tree.items_) item.box = boxes[item.index];
+  for (std::size_t i = tree.nodes_.size(); i-- > 0;) {  // the halves of a node follow it
+    Node& node = tree.nodes_[i];
+    node.box = Box();
+    for (std::uint32_t k = node.first; k < node.last; ++k) node.box.extend(tree.items_[k].box);
+    if (node.first < node.last) continue;
+    const Node& low = tree.nodes_[i + 1];
+    node.box.extend(low.box);
+    node.box.extend(tree.nodes_[low.skip].box);
+  }
+  return tree;
+}
+
 }  // namespace arcway

@@ -23,6 +23,9 @@ class BoxTree {
   /// Item i is boxes[i]; the boxes must not be empty. They are copied. Fewer than 2^31 of them.
   explicit BoxTree(std::span<const Box> boxes);
 
+  /// The tree of as many other boxes, divided like this one, which is good for boxes that lie much as those here: O(n).
+  [[nodiscard]] BoxTree with_boxes(std::span<const Box> boxes) const;
+
   [[nodiscard]] std::size_t size() const { return items_.size(); }
 
   /// Calls `visit(index)` for each item whose closed box meets `query`, in no useful but always the

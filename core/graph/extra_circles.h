@@ -18,7 +18,6 @@ struct Gate {
 struct ExtraCircles {
   std::vector<TurnCircle> round;  ///< a vertex each, but not on its bisector, or wider; directed to the left
   std::vector<Gate> gates;
-  double reach = 0.0;  ///< all circles lie wholly that near to the vertices that they know [m]
 };
 
 }  // namespace arcway

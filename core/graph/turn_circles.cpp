@@ -56,7 +56,6 @@ TurnCircles::TurnCircles(const TurnCircles& usual, const ExtraCircles& extra) : 
   }
   more_ = by_vertex(2 * radius_count_ * own, first_of_gates_, 2);
   beside_ = by_vertex(first_of_gates_, circles_.size(), 1);
-  extra_reach_ = extra.reach;
 }
 
 TurnCircles::ByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last, std::uint32_t step) const {

@@ -45,13 +45,13 @@ class TurnCircles {
 
   /// How many circles are usual ones; all that follow are extra.
   [[nodiscard]] std::size_t usual_count() const { return usual_count_; }
-  /// An extra circle lies wholly that near to the vertices that it knows [m]; 0 if there is none.
-  [[nodiscard]] double extra_reach() const { return extra_reach_; }
-  /// Calls visit(circle) for each extra circle that has this one for its first vertex.
+  /// Calls visit(circle) for each circle that has this vertex for its first one.
   template <class Visitor>
-  void visit_extra(VertexId v, Visitor&& visit) const {
+  void visit_by_first(VertexId v, Visitor&& visit) const {
+    if (!has(v)) return;
+    for (std::uint32_t c = first_[v]; c < first_[v] + 2 * radius_count_; ++c) visit(c);
     for (const std::uint32_t left : more_.of(v))
-      if (left >= usual_count_)
+      if (circles_[left].vertex == v)
         for (const std::uint32_t c : {left, left + 1}) visit(c);
     for (const std::uint32_t c : beside_.of(v))
       if (circles_[c].vertex == v) visit(c);
@@ -95,7 +95,6 @@ class TurnCircles {
   ByVertex more_;                     // the left ones of those that are no vertex's own, gates left out
   ByVertex beside_;                   // those of gates
   std::size_t usual_count_ = 0, first_of_gates_ = 0;
-  double extra_reach_ = 0.0;
   std::vector<std::uint32_t> gate_;  // by circle from first_of_gates_ on
   std::vector<GateRange> gates_;
 };

@@ -92,7 +92,6 @@ class GapCircles {
     if (shift > 0.5 * exterior + kBeyond) return;
     const TurnCircle circle{corner + to_center, radius, Side::kLeft, v};
     if (!known_.add({circle})) return;
-    keep_reach(circle);
     found_.round.push_back(circle);
   }
 
@@ -130,7 +129,6 @@ class GapCircles {
     std::vector<TurnCircle> all = gate.entries;
     all.insert(all.end(), gate.exits.begin(), gate.exits.end());
     if (!known_.add(all)) return;
-    for (const TurnCircle& circle : all) keep_reach(circle);
     found_.gates.push_back(std::move(gate));
   }
 
@@ -182,11 +180,6 @@ class GapCircles {
           (!nearest || std::abs(b.x - contact.x) < std::abs(nearest->x - contact.x)))
         nearest = &b;
     return nearest ? nearest->vertex : kNone;
-  }
-
-  void keep_reach(const TurnCircle& circle) {
-    const double far = (circle.center - world_.vertex(circle.vertex)).norm() + circle.radius;
-    found_.reach = std::max(found_.reach, far);
   }
 
   const World& world_;

@@ -23,6 +23,8 @@ class Horizon {
   Horizon(const TurnCircle& circle, double heading, double turn);
   /// Takes the outlines into account, those near by first.
   void shorten(const Outlines& outlines);
+  /// The same of a single piece.
+  void shorten(std::span<const Vec2> outline, const Box& box);
 
   /// No free straight of this heading is longer [m]; negative if there is none.
   [[nodiscard]] double reach(double heading) const;
@@ -48,7 +50,6 @@ class Horizon {
   }
   // Whether all straights in the ranges from one to before another end before some distance.
   [[nodiscard]] bool end_before(double distance, int first, int last) const;
-  void shorten(std::span<const Vec2> outline, const Box& box);
   void shorten_by_edge(const std::array<Vec2, 2>& edge);
   void shorten_by(std::span<const Vec2> outline);
 

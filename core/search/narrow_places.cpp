@@ -18,7 +18,6 @@ void add_wide_turns(const SearchMap& map, ExtraCircles& extra) {
   const Footprint grown_body = map.vehicle.footprint(map.vehicle.safety_margin());
   for (const VertexId v : map.world.convex_vertices())
     extra.round.push_back(turn_circle(map.world, v, radius, Side::kLeft, grown_body));
-  extra.reach = std::max(extra.reach, 2.0 * radius);
 }
 
 }  // namespace

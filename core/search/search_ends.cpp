@@ -113,7 +113,7 @@ SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
     range.first = static_cast<std::uint32_t>(start_links_.size());
     const Terminal& start = context_->starts[start_circles_[start_circle].terminal];
     append_links(context_->map, start_circles_, start_circle, Direction::kFromStart,
-                 {context_->goal, longest_way_ - length_of(start.connection)}, start_links_);
+                 {context_->goal, longest_way_ - length_of(start.connection)}, pieces_, start_links_);
     range.last = static_cast<std::uint32_t>(start_links_.size());
   }
   return range;
@@ -124,7 +124,7 @@ void SearchEnds::add_goal_links(std::uint32_t goal_circle) {
   const WayLimit limit{context_->starts[0].pose.position(), longest_way_ - length_of(goal.connection)};
   if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
   found_.clear();
-  append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, limit, found_);
+  append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, limit, pieces_, found_);
   for (const TerminalLink& link : found_) {
     goal_links_.push_back({link, first_goal_link_.get(link.circle), kInfinity, false, false});
     first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));

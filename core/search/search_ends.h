@@ -65,8 +65,9 @@ class SearchEnds {
   void add_goal_links(std::uint32_t goal_circle);
 
   SearchContext* context_ = nullptr;
-  double longest_way_ = 0.0;  // of paths that are wanted [m]
-  HeadingSet headings_;       // memory
+  double longest_way_ = 0.0;           // of paths that are wanted [m]
+  HeadingSet headings_;                // memory
+  std::vector<std::uint32_t> pieces_;  // likewise
   std::vector<Pose> starts_, goals_;
   std::vector<TerminalCircle> start_circles_, goal_circles_;
   std::vector<TerminalLink> start_links_, found_;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/search/circle_places.h"
 #include "core/search/circle_table.h"
 
 namespace arcway {
@@ -15,6 +16,7 @@ SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<d
       circles(std::make_shared<const CircleTable>(graph)),
       body(v.footprint(0.5 * v.safety_margin())),
       outlines(std::make_shared<const Outlines>(w)),
+      places(std::make_shared<const CirclePlaces>(graph.turn_circles(), outlines)),
       gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())) {}
 
 SearchMap SearchMap::with_graph(FeasibleGraph other, std::vector<double> other_radii) const {
@@ -22,6 +24,7 @@ SearchMap SearchMap::with_graph(FeasibleGraph other, std::vector<double> other_r
   map.radii = std::move(other_radii);
   map.graph = std::move(other);
   map.circles = std::make_shared<const CircleTable>(map.graph);
+  map.places = std::make_shared<const CirclePlaces>(map.graph.turn_circles(), outlines);
   return map;
 }
 

@@ -13,6 +13,7 @@
 namespace [[gnu::visibility("default")]] arcway {
 
 class CircleTable;
+class CirclePlaces;
 
 /// What all searches on one map share. Immutable.
 struct SearchMap {
@@ -31,6 +32,7 @@ struct SearchMap {
   std::shared_ptr<const CircleTable> circles;  ///< of the graph
   Footprint body;                              ///< with half of the safety margin: what is checked
   std::shared_ptr<const Outlines> outlines;
+  std::shared_ptr<const CirclePlaces> places;  ///< of the graph
   std::shared_ptr<const VehicleGaps> gaps;
 };
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/geometry/angle.h"
+#include "core/search/circle_places.h"
 #include "core/search/circle_table.h"
 #include "core/search/horizon.h"
 
@@ -37,7 +38,8 @@ void append_circles(const SearchMap& map, std::span<const Terminal> terminals, s
 }
 
 void append_links(const SearchMap& map, std::span<const TerminalCircle> circles, std::uint32_t index,
-                  Direction direction, const WayLimit& limit, std::vector<TerminalLink>& links) {
+                  Direction direction, const WayLimit& limit, std::vector<std::uint32_t>& pieces,
+                  std::vector<TerminalLink>& links) {
   const TerminalCircle& own = circles[index];
   if (own.reach < 0.0) return;
   const bool from_start = direction == Direction::kFromStart;
@@ -47,7 +49,13 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
                  : TurnCircle{own.circle.center, own.circle.radius, opposite(own.circle.side), own.circle.vertex};
   Horizon horizon(away, from_start ? own.heading : own.heading + kPi, own.reach);
   const bool body_covers_reference = map.body.front >= 0.0 && map.body.rear >= 0.0;
-  if (body_covers_reference) horizon.shorten(*map.outlines);
+  pieces.clear();
+  map.places->visit_near_first(
+      own.circle.center, [&](const Box& box) { return !horizon.hides(box); },
+      [&](const Outlines::Piece& piece, std::uint32_t index_of_piece) {
+        if (body_covers_reference) horizon.shorten(piece.points, piece.box);
+        pieces.push_back(index_of_piece);
+      });
 
   const bool is_limited = limit.length < std::numeric_limits<double>::infinity();
   const double longest = limit.length * (1.0 + kRounding) + own.circle.radius;
@@ -78,36 +86,15 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
                                    : turn_between(heading, own.heading, own.circle.side);
     if (turn <= own.reach) links.push_back({index, circle, *line, turn});
   };
-  const TurnCircles& circles_of = map.graph.turn_circles();
-  const auto consider_round = [&](VertexId v, double radius, Sectors sectors) {
-    if (!circles_of.has(v)) return;
-    for (const Side side : {Side::kLeft, Side::kRight})
-      circles_of.visit_round(v, side, [&](std::uint32_t c) {
-        if ((map.circles->free_sectors(c) & sectors) == 0) return;
-        const TurnCircle& circle = graph_circles[c];
-        if (circle.radius == radius && circle.vertex == v && c < circles_of.usual_count()) consider(c);
-      });
-  };
-  // Vertices of which circles that lie so near to them may be seen.
-  const auto visit_near = [&](double reach, auto&& visit) {
-    map.outlines->visit_if(
-        [&](const Box& box) {
-          const Box grown = box.grown(reach);
-          return !is_far(grown) && !horizon.hides(grown);
-        },
-        [&](const Outlines::Piece& piece) {
-          const Sectors outwards = horizon.sectors_towards(piece.box.grown(reach));
-          const Sectors sectors = from_start ? outwards : std::rotl(outwards, 32);
-          for (VertexId v = piece.first; v < piece.first + piece.edge_count(); ++v) visit(v, sectors);
-          return true;
-        });
-  };
-  // A vertex lies within its circles.
-  for (const double radius : map.radii)
-    visit_near(2.0 * radius, [&](VertexId v, Sectors sectors) { consider_round(v, radius, sectors); });
-  if (circles_of.usual_count() < map.graph.circles().size())
-    visit_near(circles_of.extra_reach(), [&](VertexId v, Sectors) { circles_of.visit_extra(v, consider); });
-  // In the same order whatever the boxes.
+  for (const std::uint32_t piece : pieces)
+    for (const CirclePlaces::Group& group : map.places->groups(piece)) {
+      if (is_far(group.box) || horizon.hides(group.box)) continue;
+      const Sectors outwards = horizon.sectors_towards(group.box);
+      const Sectors sectors = from_start ? outwards : std::rotl(outwards, 32);
+      for (const std::uint32_t c : map.places->circles(group))
+        if ((map.circles->free_sectors(c) & sectors) != 0) consider(c);
+    }
+  // In the same order whatever that of the pieces.
   std::sort(links.begin() + static_cast<std::ptrdiff_t>(first), links.end(),
             [](const TerminalLink& a, const TerminalLink& b) { return a.circle < b.circle; });
 }

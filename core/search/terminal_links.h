@@ -51,8 +51,10 @@ struct WayLimit {
 };
 
 /// Appends the straights between circles[index] and the graph, but for some that are certainly blocked, or on no path
-/// within the limit. Looks only at the vertices that the obstacles near by do not hide.
+/// within the limit. Looks only at circles of pieces of outline that those nearer by do not hide.
+/// @param pieces  memory.
 void append_links(const SearchMap& map, std::span<const TerminalCircle> circles, std::uint32_t index,
-                  Direction direction, const WayLimit& limit, std::vector<TerminalLink>& links);
+                  Direction direction, const WayLimit& limit, std::vector<std::uint32_t>& pieces,
+                  std::vector<TerminalLink>& links);
 
 }  // namespace arcway

@@ -44,6 +44,40 @@ TEST(BoxTree, FindsWhatAScanFinds) {
   }
 }
 
+TEST(BoxTree, FindsOtherBoxesAsWell) {
+  test::Random random(3);
+  for (const std::size_t n : {0u, 1u, 4u, 5u, 33u, 1000u}) {
+    std::vector<Box> boxes(n), others(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      boxes[i].extend(random.grid_point(0, 50));
+      others[i] = boxes[i].grown(random.uniform(0.0, 3.0));
+      if (i % 7 == 0) others[i] = Box{{-9, -9}, {-8, -8}};  // may lie elsewhere
+    }
+    const BoxTree tree = BoxTree(boxes).with_boxes(others);
+    EXPECT_EQ(tree.size(), n);
+    for (int k = 0; k < 200; ++k) {
+      Box query;
+      query.extend(random.grid_point(-10, 50));
+      query.extend(Vec2(query.min + random.point(0, 10)));
+      std::vector<std::uint32_t> expected, found;
+      for (std::uint32_t i = 0; i < n; ++i)
+        if (others[i].overlaps(query)) expected.push_back(i);
+      tree.visit_near_first(
+          random.point(0, 50), [&](const Box& box) { return box.overlaps(query); },
+          [&](std::uint32_t i) { found.push_back(i); });
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, expected);
+      found.clear();
+      tree.visit_overlaps(query, [&](std::uint32_t i) {
+        found.push_back(i);
+        return true;
+      });
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, expected);
+    }
+  }
+}
+
 TEST(BoxTree, StopsWhenTold) {
   const std::vector<Box> boxes(20, Box{{0, 0}, {1, 1}});
   int visits = 0;

@@ -105,14 +105,15 @@ bool is_reachable(const SearchMap& map, const PlanRequest& request) {
   HeadingSet headings;
   std::vector<TerminalCircle> starts, goals;
   std::vector<TerminalLink> start_links, goal_links;
+  std::vector<std::uint32_t> pieces;
   const Terminal start{request.start, {}}, goal{request.goal, {}};
   const WayLimit anywhere{request.goal.position(), std::numeric_limits<double>::infinity()};
   append_circles(map, {&start, 1}, 0, Direction::kFromStart, headings, starts);
   append_circles(map, {&goal, 1}, 0, Direction::kToGoal, headings, goals);
   for (std::uint32_t i = 0; i < starts.size(); ++i)
-    append_links(map, starts, i, Direction::kFromStart, anywhere, start_links);
+    append_links(map, starts, i, Direction::kFromStart, anywhere, pieces, start_links);
   for (std::uint32_t i = 0; i < goals.size(); ++i)
-    append_links(map, goals, i, Direction::kToGoal, anywhere, goal_links);
+    append_links(map, goals, i, Direction::kToGoal, anywhere, pieces, goal_links);
   const auto is_free = [&](const TerminalLink& link) {
     return map.queries.sweep->straight_free(swept_rectangle(link.line.start, link.line.length, map.body));
   };
