@@ -97,6 +97,20 @@ auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& 
   };
 }
 
+// The graph and the outlines do not depend on each other. But a team talks on the thread that it was made on.
+template <class MakeGraph>
+SearchMap make_map(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
+                   const MakeGraph& make_graph, const Executor& many) {
+  const SerialExecutor one;
+  const Executor& executor = options.team && options.team->size() > 1 ? static_cast<const Executor&>(one) : many;
+  std::optional<FeasibleGraph> graph;
+  std::shared_ptr<const Outlines> outlines;
+  executor.begin_stage("feasible graph");
+  run_both(
+      executor, [&] { graph = make_graph(); }, [&] { outlines = std::make_shared<const Outlines>(world); });
+  return {world, vehicle, queries, options.radii, std::move(*graph), std::move(outlines)};
+}
+
 }  // namespace
 
 struct Planner::Data {
@@ -108,11 +122,13 @@ struct Planner::Data {
   /// @param make_feasible  gives the feasible graph for the rows of the reduced graph and the radii.
   template <class MakeFeasible>
   Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, VisibilityGraph graph,
-       std::shared_ptr<const VisibilityRows> r, MakeFeasible&& make_feasible)
+       std::shared_ptr<const VisibilityRows> r, MakeFeasible&& make_feasible, const Executor& executor)
       : options(std::move(o)),
         visibility_graph(std::move(graph)),
         rows(std::move(r)),
-        maps({world, vehicle, queries, options.radii, make_feasible(rows, options)}, options.gap_circles),
+        maps(make_map(
+                 world, vehicle, queries, options, [&] { return make_feasible(rows, options); }, executor),
+             options.gap_circles),
         bottleneck(world, vehicle, map().gaps) {
     const std::size_t tightest_count = tightest_radii(vehicle.footprint(vehicle.safety_margin()), options.radii);
     if (tightest_count < options.radii.size()) {
@@ -265,7 +281,7 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
   const double seconds = watch.seconds();
   auto rows = rows_of(world, graph);
   auto data = std::make_shared<Data>(world, vehicle, queries, checked, std::move(graph), std::move(rows),
-                                     feasible_maker(world, vehicle, queries, executor));
+                                     feasible_maker(world, vehicle, queries, executor), executor);
   data->prepare_statistics.visibility_seconds = seconds;
   data_ = std::move(data);
 }
@@ -275,13 +291,13 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
   auto rows = rows_of(world, visibility_graph);
   data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
                                  std::move(visibility_graph), std::move(rows),
-                                 feasible_maker(world, vehicle, queries, executor));
+                                 feasible_maker(world, vehicle, queries, executor), executor);
 }
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries,
                  std::shared_ptr<const VisibilityRows> rows, const PlannerOptions& options, const Executor& executor)
     : data_(std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options), VisibilityGraph(),
-                                   std::move(rows), feasible_maker(world, vehicle, queries, executor))) {}
+                                   std::move(rows), feasible_maker(world, vehicle, queries, executor), executor)) {}
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, PreparedGraph graphs,
                  const PlannerOptions& options) {
@@ -299,11 +315,12 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
             Table::kTargets, graphs.reduced_graph.row_starts()[u],
             "row " + std::to_string(u) + " joins it to " + std::to_string(v) + ", which are not both convex and free");
   auto rows = rows_of(world, graphs.reduced_graph);
-  data_ = std::make_shared<Data>(world, vehicle, queries, std::move(taken), std::move(graphs.reduced_graph),
-                                 std::move(rows), [&](const auto& all_rows, const PlannerOptions& o) {
-                                   return FeasibleGraph(world, vehicle, all_rows, queries, o.radii,
-                                                        std::move(graphs.feasible));
-                                 });
+  data_ = std::make_shared<Data>(
+      world, vehicle, queries, std::move(taken), std::move(graphs.reduced_graph), std::move(rows),
+      [&](const auto& all_rows, const PlannerOptions& o) {
+        return FeasibleGraph(world, vehicle, all_rows, queries, o.radii, std::move(graphs.feasible));
+      },
+      SerialExecutor());
 }
 
 Planner::Planner(const Planner& before, const World& world, const WorldChange& change, const QuerySet& queries,
@@ -325,7 +342,7 @@ Planner::Planner(const Planner& before, const World& world, const WorldChange& c
   };
   auto rows = rows_of(world, visibility_graph);
   data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
-                                 std::move(visibility_graph), std::move(rows), make_feasible);
+                                 std::move(visibility_graph), std::move(rows), make_feasible, executor);
 }
 
 PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) const {

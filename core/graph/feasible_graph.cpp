@@ -46,9 +46,9 @@ struct LazyRow {
 
 struct FeasibleGraph::Data {
   Data(const World& w, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> r, QuerySet q,
-       std::span<const double> radii, GraphMode m)
+       std::span<const double> radii, GraphMode m, const Executor& executor)
       : Data(w, vehicle, r, std::move(q), radii.front(),
-             TurnCircles(w, *r, radii, vehicle.footprint(vehicle.safety_margin())), m) {}
+             TurnCircles(w, *r, radii, vehicle.footprint(vehicle.safety_margin()), executor), m) {}
 
   Data(const World& w, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> r, QuerySet q, double smallest,
        TurnCircles c, GraphMode m)
@@ -180,7 +180,7 @@ struct FeasibleGraph::Data {
 
   void find_headings(std::span<const std::uint32_t> which, const Executor& executor) {
     const std::vector<std::uint32_t> order = places_along_curve(which);
-    executor.begin_stage("turn circles");
+    executor.begin_stage("free headings");
     executor.for_ranges(which.size(), 16, [&](std::size_t begin, std::size_t end) {
       std::vector<TurningBody> bodies;
       for (std::size_t i = begin; i < end; ++i) bodies.push_back(body_on(circles[which[order[i]]]));
@@ -455,14 +455,15 @@ FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, const V
 FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
                              const QuerySet& queries, std::span<const double> radii, const Executor& executor,
                              GraphMode mode, const Team& team) {
-  auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, mode);
+  auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, mode, executor);
   if (mode == GraphMode::kEager) data->check_all(executor, team);
   data_ = std::move(data);
 }
 
 FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
                              const QuerySet& queries, std::span<const double> radii, FeasibleTables known) {
-  auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, GraphMode::kEager);
+  auto data =
+      std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, GraphMode::kEager, SerialExecutor());
   data->take(std::move(known));
   data_ = std::move(data);
 }
@@ -471,7 +472,7 @@ FeasibleGraph::FeasibleGraph(const FeasibleGraph& before, const World& world, co
                              const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
                              const QuerySet& queries, std::span<const double> radii, const Executor& executor,
                              GraphMode mode) {
-  auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, mode);
+  auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, mode, executor);
   data->take_over(*before.data_, change, vehicle.footprint(vehicle.safety_margin()), executor);
   data_ = std::move(data);
 }

@@ -8,14 +8,23 @@
 namespace arcway {
 
 TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
-                         const Footprint& grown_body)
+                         const Footprint& grown_body, const Executor& executor)
     : radius_count_(radii.size()), first_(world.vertices().size(), kNone) {
-  for (const VertexId v : world.convex_vertices()) {
-    first_[v] = static_cast<std::uint32_t>(circles_.size());
-    for (const double radius : radii)
-      for (const Side side : {Side::kLeft, Side::kRight})
-        circles_.push_back(turn_circle(world, v, radius, side, grown_body));
-  }
+  constexpr std::size_t kGrain = 256;
+  const std::span<const VertexId> convex = world.convex_vertices();
+  const std::size_t own = 2 * radius_count_ * convex.size();
+  circles_.reserve(own + own / 8);  // for those of two vertices
+  circles_.resize(own);
+  executor.begin_stage("turn circles");
+  executor.for_ranges(convex.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      auto c = static_cast<std::uint32_t>(2 * radius_count_ * i);
+      first_[convex[i]] = c;
+      for (const double radius : radii)
+        for (const Side side : {Side::kLeft, Side::kRight})
+          circles_[c++] = turn_circle(world, convex[i], radius, side, grown_body);
+    }
+  });
 
   const std::size_t tightest = tightest_radii(grown_body, radii) - 1;
   const double radius = radii[tightest];
@@ -25,7 +34,7 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
   };
   // No circle goes round two vertices that are further apart.
   const double reach = 2.0 * inner_side_radius(grown_body, radius) * (1.0 + 1e-9);
-  for (const auto& [u, w] : rows.pairs_within(reach, leads_back)) {
+  for (const auto& [u, w] : rows.pairs_within(reach, leads_back, executor)) {
     const Side side = obstacle_side(world, w, world.vertex(u));  // travelling from u to w
     if (obstacle_side(world, u, world.vertex(w)) == side) continue;
     const auto circle = turn_circle(world, u, w, radius, side, grown_body);
@@ -36,11 +45,16 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
     }
   }
   usual_count_ = first_of_gates_ = circles_.size();
-  more_ = by_vertex(2 * radius_count_ * world.convex_vertices().size(), circles_.size(), 2);
+  more_ = by_vertex(own, circles_.size(), 2);
 }
 
-TurnCircles::TurnCircles(const TurnCircles& usual, const ExtraCircles& extra) : TurnCircles(usual) {
+TurnCircles::TurnCircles(const TurnCircles& usual, const ExtraCircles& extra)
+    : radius_count_(usual.radius_count_), first_(usual.first_), usual_count_(usual.usual_count_) {
   const auto own = static_cast<std::size_t>(std::ranges::count_if(first_, [](auto f) { return f != kNone; }));
+  std::size_t count = usual_count_ + 2 * extra.round.size();
+  for (const Gate& gate : extra.gates) count += gate.entries.size() + gate.exits.size();
+  circles_.reserve(count);
+  circles_ = usual.circles_;
   for (TurnCircle circle : extra.round)
     for (const Side side : {Side::kLeft, Side::kRight}) {
       circle.side = side;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/executor.h"
 #include "core/graph/extra_circles.h"
 #include "core/graph/turn_circle.h"
 #include "core/graph/visibility_rows.h"
@@ -18,9 +19,9 @@ namespace [[gnu::visibility("default")]] arcway {
 /// vertices in common, which goes round both. Immutable.
 class TurnCircles {
  public:
-  /// @param radii       ascending, not empty;  @param grown_body  by the safety margin.
+  /// @param radii  ascending, not empty;  @param grown_body  by the safety margin.
   TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
-              const Footprint& grown_body);
+              const Footprint& grown_body, const Executor& executor);
 
   /// The usual circles and behind them extra ones: those round a vertex, left before right, then those of the gates,
   /// the entries of each before its exits.

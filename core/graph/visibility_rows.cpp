@@ -34,8 +34,8 @@ class GraphRows final : public VisibilityRows {
 
   void prefetch(VertexId v) const override { will_need(targets_.data() + starts_[v]); }
 
-  [[nodiscard]] std::vector<Pair> pairs_within(double length,
-                                               const std::function<bool(VertexId, VertexId)>& wanted) const override {
+  [[nodiscard]] std::vector<Pair> pairs_within(double length, const std::function<bool(VertexId, VertexId)>& wanted,
+                                               const Executor& /*executor*/) const override {
     std::vector<Pair> pairs;
     for (VertexId u = 0; u + 1 < starts_.size(); ++u)
       for (const VertexId v : of(u))

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/executor.h"
 #include "core/graph/visibility_graph.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -25,9 +26,10 @@ class VisibilityRows {
 
   using Pair = std::pair<VertexId, VertexId>;
   /// All edges u < v up to a length [m] for which wanted(u, v), ascending: without making rows that have none. `wanted`
-  /// may be asked of other pairs of convex vertices as well, and is the same for (u, v) and (v, u).
+  /// may be asked of other pairs of convex vertices as well, by several threads, and is the same for (u, v) and (v, u).
   [[nodiscard]] virtual std::vector<Pair> pairs_within(double length,
-                                                       const std::function<bool(VertexId, VertexId)>& wanted) const = 0;
+                                                       const std::function<bool(VertexId, VertexId)>& wanted,
+                                                       const Executor& executor) const = 0;
 };
 
 /// The rows of a graph of `world` that is all there: 8 bytes an edge and 8 a vertex, copied.

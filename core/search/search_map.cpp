@@ -7,7 +7,8 @@
 
 namespace arcway {
 
-SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<double> r, FeasibleGraph g)
+SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<double> r, FeasibleGraph g,
+                     std::shared_ptr<const Outlines> o)
     : world(w),
       vehicle(v),
       queries(std::move(q)),
@@ -15,7 +16,7 @@ SearchMap::SearchMap(const World& w, const Vehicle& v, QuerySet q, std::vector<d
       graph(std::move(g)),
       circles(std::make_shared<const CircleTable>(graph)),
       body(v.footprint(0.5 * v.safety_margin())),
-      outlines(std::make_shared<const Outlines>(w)),
+      outlines(std::move(o)),
       places(std::make_shared<const CirclePlaces>(graph.turn_circles(), outlines)),
       gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())) {}
 

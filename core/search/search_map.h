@@ -17,9 +17,9 @@ class CirclePlaces;
 
 /// What all searches on one map share. Immutable.
 struct SearchMap {
-  /// @param radii  those of the graph.
+  /// @param radii  those of the graph;  @param outlines  of the world.
   SearchMap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii,
-            FeasibleGraph graph);
+            FeasibleGraph graph, std::shared_ptr<const Outlines> outlines);
   /// The same map with another graph.
   /// @param other_radii  those of that graph; the smallest as here.
   [[nodiscard]] SearchMap with_graph(FeasibleGraph other, std::vector<double> other_radii) const;

@@ -37,8 +37,8 @@ TEST(LazyRows, FindTheShortEdgesOfTheGraph) {
     const auto lazy = make_lazy_rows(world);
     for (const double length : {0.0, 1.0, 2.5, 1e3}) {
       const auto wanted = [](VertexId u, VertexId v) { return (u + v) % 3 != 0; };
-      const auto pairs = lazy->pairs_within(length, wanted);
-      ASSERT_EQ(pairs, all->pairs_within(length, wanted)) << seed << " " << length;
+      const auto pairs = lazy->pairs_within(length, wanted, TbbExecutor(2));
+      ASSERT_EQ(pairs, all->pairs_within(length, wanted, SerialExecutor())) << seed << " " << length;
       found += pairs.size();
     }
   }
@@ -50,8 +50,9 @@ TEST(LazyRows, FindAnEdgeWhoseLengthIsRoundedToTheLimit) {
   const World world({{{{0, 0}, {0.5, -1}, {1.0 - 0x1p-53, 0}}, {}}, {{{2, 0}, {2.5, -1}, {3, 0}}, {}}});
   const auto all = rows_of(world, build_reduced_visibility_graph_by_wedges(world));
   const auto wanted = [](VertexId u, VertexId v) { return u + v == 5 && (u == 2 || v == 2); };
-  ASSERT_EQ(all->pairs_within(1.0, wanted).size(), 1u);
-  EXPECT_EQ(make_lazy_rows(world)->pairs_within(1.0, wanted), all->pairs_within(1.0, wanted));
+  ASSERT_EQ(all->pairs_within(1.0, wanted, SerialExecutor()).size(), 1u);
+  EXPECT_EQ(make_lazy_rows(world)->pairs_within(1.0, wanted, SerialExecutor()),
+            all->pairs_within(1.0, wanted, SerialExecutor()));
 }
 
 TEST(LazyRows, AnswerManyThreadsAtOnce) {
@@ -78,9 +79,9 @@ class CountedRows final : public VisibilityRows {
     asked_[v] = true;
     return rows_->of(v);
   }
-  [[nodiscard]] std::vector<Pair> pairs_within(double length,
-                                               const std::function<bool(VertexId, VertexId)>& wanted) const override {
-    return rows_->pairs_within(length, wanted);
+  [[nodiscard]] std::vector<Pair> pairs_within(double length, const std::function<bool(VertexId, VertexId)>& wanted,
+                                               const Executor& executor) const override {
+    return rows_->pairs_within(length, wanted, executor);
   }
   [[nodiscard]] std::size_t asked() const { return static_cast<std::size_t>(std::ranges::count(asked_, true)); }
 

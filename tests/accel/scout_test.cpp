@@ -40,9 +40,9 @@ class WatchedRows final : public VisibilityRows {
     }
     return rows_->of(v);
   }
-  [[nodiscard]] std::vector<Pair> pairs_within(double length,
-                                               const std::function<bool(VertexId, VertexId)>& wanted) const override {
-    return rows_->pairs_within(length, wanted);
+  [[nodiscard]] std::vector<Pair> pairs_within(double length, const std::function<bool(VertexId, VertexId)>& wanted,
+                                               const Executor& executor) const override {
+    return rows_->pairs_within(length, wanted, executor);
   }
 
  private:

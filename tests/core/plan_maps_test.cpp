@@ -45,9 +45,13 @@ TEST(WithOtherTurns, TakesTurnsWithSoManyTimesTheLateralAcceleration) {
 }
 
 SearchMap lazy_map(const Planner& planner, const std::vector<double>& radii) {
-  return {planner.world(), planner.vehicle(), planner.queries(), radii,
+  return {planner.world(),
+          planner.vehicle(),
+          planner.queries(),
+          radii,
           FeasibleGraph(planner.world(), planner.vehicle(), planner.visibility_rows(), planner.queries(), radii,
-                        SerialExecutor(), GraphMode::kLazy)};
+                        SerialExecutor(), GraphMode::kLazy),
+          std::make_shared<const Outlines>(planner.world())};
 }
 
 class SeveralRadii : public testing::TestWithParam<ClutterKind> {

@@ -59,7 +59,8 @@ TEST(Progress, BuildersNameTheirStages) {
     if (stages.empty() || stages.back() != progress.stage) stages.emplace_back(progress.stage);
   });
   const Planner planner(world, Vehicle{}, make_reference_queries(world), {}, executor);
-  EXPECT_EQ(stages, (std::vector<std::string>{"lines of sight", "turn circles", "bitangents"}));
+  EXPECT_EQ(stages, (std::vector<std::string>{"lines of sight", "turn circles", "free headings", "bitangents",
+                                              "feasible graph"}));
 }
 
 TEST(Progress, AReporterCanStopTheBuildThatItWatches) {

@@ -18,7 +18,7 @@ World wall(double thickness) { return World({{{{0, -20}, {thickness, -20}, {thic
 TurnCircles circles_of(const World& world, std::vector<double> radii) {
   const QuerySet queries = make_reference_queries(world);
   const auto rows = rows_of(world, build_reduced_visibility_graph(world, *queries.visibility));
-  return {world, *rows, radii, Vehicle().footprint(1e-3)};
+  return {world, *rows, radii, Vehicle().footprint(1e-3), SerialExecutor()};
 }
 
 TEST(TurnCircles, GoRoundBothCornersAtTheEndOfAThinWall) {

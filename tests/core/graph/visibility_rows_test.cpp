@@ -19,9 +19,15 @@ TEST(VisibilityRows, HaveTheShortEdgesOnce) {
   const World world({{{{0, 0}, {4, 0}, {1, 1}}, {}}});
   const auto rows = rows_of(world, VisibilityGraph({0, 2, 3, 3}, {1, 2, 2}));
   using Pairs = std::vector<VisibilityRows::Pair>;
-  EXPECT_EQ(rows->pairs_within(4.0, [](VertexId, VertexId) { return true; }), (Pairs{{0, 1}, {0, 2}, {1, 2}}));
-  EXPECT_EQ(rows->pairs_within(2.0, [](VertexId, VertexId) { return true; }), (Pairs{{0, 2}}));
-  EXPECT_EQ(rows->pairs_within(4.0, [](VertexId u, VertexId) { return u == 1; }), (Pairs{{1, 2}}));
+  EXPECT_EQ(rows->pairs_within(
+                4.0, [](VertexId, VertexId) { return true; }, SerialExecutor()),
+            (Pairs{{0, 1}, {0, 2}, {1, 2}}));
+  EXPECT_EQ(rows->pairs_within(
+                2.0, [](VertexId, VertexId) { return true; }, SerialExecutor()),
+            (Pairs{{0, 2}}));
+  EXPECT_EQ(rows->pairs_within(
+                4.0, [](VertexId u, VertexId) { return u == 1; }, SerialExecutor()),
+            (Pairs{{1, 2}}));
 }
 
 TEST(VisibilityRows, OfNothing) { EXPECT_NE(rows_of(World({}), VisibilityGraph()), nullptr); }

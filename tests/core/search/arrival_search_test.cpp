@@ -20,7 +20,8 @@ SearchMap make_map(const World& world, const Vehicle& vehicle, const std::vector
   const QuerySet queries = make_reference_queries(world);
   const VisibilityGraph visibility = build_reduced_visibility_graph(world, *queries.visibility);
   return SearchMap(world, vehicle, queries, radii,
-                   FeasibleGraph(world, vehicle, visibility, queries, radii, SerialExecutor(), mode));
+                   FeasibleGraph(world, vehicle, visibility, queries, radii, SerialExecutor(), mode),
+                   std::make_shared<const Outlines>(world));
 }
 
 // Every path of the graph whose time could be below a bound, one by one, without comparing any two of them.

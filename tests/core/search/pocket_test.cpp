@@ -143,7 +143,8 @@ TEST(Pocket, ChangesNoAnswer) {
     PlannerOptions lazily = options;
     lazily.graph_mode = GraphMode::kLazy;
     const Planner lazy(world, Vehicle{}, lazily);
-    const SearchMap map(world, eager.vehicle(), eager.queries(), eager.options().radii, eager.feasible_graph());
+    const SearchMap map(world, eager.vehicle(), eager.queries(), eager.options().radii, eager.feasible_graph(),
+                        std::make_shared<const Outlines>(world));
     for (const PlanRequest& request :
          random_queries(world, make_reference_queries(world), Vehicle(), {.count = 40, .seed = seed})) {
       const PlanResult a = eager.plan(request);
