@@ -27,8 +27,7 @@ namespace arcway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kFirstDoubt = 256;  // labels, more than most searches take
-constexpr std::size_t kScouted = 2000;    // labels of a search that is long
+constexpr std::size_t kLong = 256;  // labels, more than most searches take
 // What a scout adds to the weight of the heuristic: with less it finds what the search finds at the same moment, with
 // more it leaves out more that will be asked for.
 constexpr double kScoutsHaste = 0.003;
@@ -180,9 +179,9 @@ class ArrivalSearch {
       } else {
         expand(entry);
       }
-      if (w_.labels.size() >= kFirstDoubt && !reachability_known_ && !goal_is_reachable()) return;
+      if (w_.labels.size() >= known_labels_ + kLong && std::exchange(scout_wanted, false)) scout = send_scout();
+      if (w_.labels.size() >= kLong && !reachability_known_ && !goal_is_reachable()) return;
       if (w_.labels.size() >= context_.options.most_expanded) return finish_best();
-      if (w_.labels.size() >= known_labels_ + kScouted && std::exchange(scout_wanted, false)) scout = send_scout();
     }
     if (result_.interrupted) finish_best();
   }
@@ -217,6 +216,7 @@ class ArrivalSearch {
     SearchOptions ahead = context_.options;
     ahead.scout = ahead.goes_on = false;
     ahead.suboptimality += kScoutsHaste;
+    ahead.faster_than = std::min(ahead.faster_than, std::numeric_limits<double>::max());  // doubts are for who sent it
     try {
       return std::jthread([this, ahead](const std::stop_token& done) mutable {
         ahead.stop = done;
