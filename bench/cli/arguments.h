@@ -72,7 +72,8 @@ struct BuildOptions {
   ///   sensible.
   void check() const;
 
-  [[nodiscard]] QuerySet queries(const World& world) const;
+  /// Made on the executor's threads.
+  [[nodiscard]] QuerySet queries(const World& world, const Executor& executor) const;
   [[nodiscard]] std::unique_ptr<const Executor> executor() const;
   /// Builds the reduced graph, for PlannerOptions::reduced_graph.
   /// @param team  must outlive the builder.

@@ -73,8 +73,13 @@ std::string BuildOptions::summary(const World& world) const {
 
 std::size_t BuildOptions::thread_count() const { return TbbExecutor(threads_asked_for()).threads(); }
 
-QuerySet BuildOptions::queries(const World& world) const {
-  return backend == "embree" ? make_embree_queries(world) : make_reference_queries(world);
+QuerySet BuildOptions::queries(const World& world, const Executor& executor) const {
+  QuerySet queries;
+  // Embree takes the threads of the arena that it is called in.
+  executor.for_ranges(1, 1, [&](std::size_t, std::size_t) {
+    queries = backend == "embree" ? make_embree_queries(world) : make_reference_queries(world);
+  });
+  return queries;
 }
 
 std::unique_ptr<const Executor> BuildOptions::executor() const {
@@ -106,7 +111,7 @@ ReducedGraphBuilder BuildOptions::reduced_graph(const Team& team) const {
 
 VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor) const {
   if (builder_name(world) == "wedge") return build_reduced_visibility_graph_by_wedges(world, executor);
-  return reduced_graph(SoloTeam())(world, *queries(world).visibility, executor);
+  return reduced_graph(SoloTeam())(world, *queries(world, executor).visibility, executor);
 }
 
 std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World& world, const Executor& executor) const {
@@ -122,11 +127,11 @@ VisibilityGraph BuildOptions::changed_graph(const VisibilityGraph&, const World&
 }
 std::string BuildOptions::builder_name(const World&) const { return prepared ? "prepared" : "pairwise"; }
 
-QuerySet BuildOptions::queries(const World& world) const { return make_reference_queries(world); }
+QuerySet BuildOptions::queries(const World& world, const Executor&) const { return make_reference_queries(world); }
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }
 ReducedGraphBuilder BuildOptions::reduced_graph(const Team&) const { return build_reduced_visibility_graph; }
 VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor) const {
-  return build_reduced_visibility_graph(world, *queries(world).visibility, executor);
+  return build_reduced_visibility_graph(world, *queries(world, executor).visibility, executor);
 }
 std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World&, const Executor&) const { return nullptr; }
 

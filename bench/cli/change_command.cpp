@@ -65,7 +65,7 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
   if (prepared.robot) {
     PreparedGraph graphs{prepared.reduced_graph, prepared.robot->radii, std::move(prepared.robot->feasible)};
     try {
-      before.emplace(map.world, Vehicle(prepared.robot->parameters), arguments.build.queries(map.world),
+      before.emplace(map.world, Vehicle(prepared.robot->parameters), arguments.build.queries(map.world, *threads),
                      std::move(graphs));
     } catch (const TableError& error) {
       throw FormatError(prepared.source.complaint(error));
@@ -75,7 +75,7 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
   const Stopwatch watch;
   const World after = map.world.changed(removed, added);
   const WorldChange change(map.world, after, removed);
-  const QuerySet queries = arguments.build.queries(after);
+  const QuerySet queries = arguments.build.queries(after, *threads);
   VisibilityGraph reduced = arguments.build.changed_graph(prepared.reduced_graph, after, change, queries, executor);
   std::string rows = row("reduced graph", count_text(reduced.edge_count()) + " edges");
   PreparedMap result{after, {}, map.start, map.goal, std::nullopt, {}};

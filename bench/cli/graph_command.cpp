@@ -48,7 +48,7 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedMap& map) {
   const Stopwatch visibility_watch;
   const VisibilityGraph graph =
       arguments.kind == "visibility"
-          ? build_full_visibility_graph(world, *arguments.build.queries(world).visibility, *executor)
+          ? build_full_visibility_graph(world, *arguments.build.queries(world, *executor).visibility, *executor)
           : arguments.build.reduced_graph_of(world, *executor);
   built.visibility_seconds = visibility_watch.seconds();
   if (arguments.kind != "feasible") {
@@ -65,7 +65,7 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedMap& map) {
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
   const std::vector<double> radii = {vehicle.min_turning_radius()};
   const Stopwatch feasible_watch;
-  const QuerySet queries = arguments.build.queries(world);
+  const QuerySet queries = arguments.build.queries(world, *executor);
   const FeasibleGraph feasible(world, vehicle, graph, queries, radii, *executor);
   built.feasible_seconds = feasible_watch.seconds();
   built.counts = feasible.counts();

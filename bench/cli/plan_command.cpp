@@ -18,16 +18,19 @@ namespace {
 /// From the map's file what it has of this vehicle; the rest is built, or found as a search asks for it.
 Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
                      const PlannerOptions& options) {
-  const QuerySet queries = arguments.build.queries(map.world);
   const auto threads = arguments.build.executor();
   ProgressBar bar;
   const ReportingExecutor executor(*threads, bar.callback());
-  if (!map.prepared) {
-    const bool lazy = options.graph_mode == GraphMode::kLazy;
-    if (const auto rows = lazy ? arguments.build.lazy_rows(map.world, executor) : nullptr)
-      return {map.world, vehicle, queries, rows, options, executor};
-    return {map.world, vehicle, queries, options, executor};
-  }
+  QuerySet queries;
+  std::shared_ptr<const VisibilityRows> rows;
+  const bool lazy = !map.prepared && options.graph_mode == GraphMode::kLazy;
+  run_both(
+      *threads, [&] { queries = arguments.build.queries(map.world, *threads); },
+      [&] {
+        if (lazy) rows = arguments.build.lazy_rows(map.world, executor);
+      });
+  if (rows) return {map.world, vehicle, queries, rows, options, executor};
+  if (!map.prepared) return {map.world, vehicle, queries, options, executor};
   VisibilityGraph& reduced = map.prepared->reduced_graph;
   auto& robot = map.prepared->robot;
   if (!robot || to_json(robot->parameters) != to_json(vehicle.parameters()))
@@ -71,7 +74,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
 
   const auto executor = arguments.build.executor();
   const auto plan_on = [&](const World& world) {
-    return Planner(world, vehicle, arguments.build.queries(world), options, *executor);
+    return Planner(world, vehicle, arguments.build.queries(world, *executor), options, *executor);
   };
   if (!batch) request.start = *start;
   // Tours and alternatives keep to the rings of the map.

@@ -34,7 +34,7 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   const auto threads = arguments.build.executor();
   ProgressBar bar;
   const ReportingExecutor executor(*threads, bar.callback());
-  const QuerySet queries = arguments.build.queries(map.world);
+  const QuerySet queries = arguments.build.queries(map.world, *threads);
   VisibilityGraph reduced = map.prepared
                                 ? std::move(map.prepared->reduced_graph)
                                 : arguments.build.reduced_graph(team)(map.world, *queries.visibility, executor);
