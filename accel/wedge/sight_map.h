@@ -66,6 +66,8 @@ class SightMap {
   [[nodiscard]] std::span<const Fan> fans(std::uint32_t node) const {
     return std::span(fans_).subspan(first_fan_[node], first_fan_[node + 1] - first_fan_[node]);
   }
+  /// Whether all nodes are plain.
+  [[nodiscard]] bool is_plain() const { return first_fan_.empty(); }
   [[nodiscard]] std::span<const Vec2> sites() const { return map_.sites; }
   [[nodiscard]] std::uint32_t first_node_at(std::uint32_t site) const { return node_at_[site]; }
 

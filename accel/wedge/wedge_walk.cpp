@@ -243,8 +243,8 @@ void WedgeWalk::look_from_run(std::uint32_t first) {
     }
     const int near_side = (kLeft ? 1 : -1) * side(near, triangle.apex, triangle.site);
     if (near_side >= 0) {
-      const std::uint32_t from =
-          kLeft ? touch(near.from, place, triangle.apex) : touch(place, near.from, triangle.apex);
+      const std::uint32_t from = kLeft ? touch(near.from, place, End::kLow, triangle.apex)
+                                       : touch(place, near.from, End::kHigh, triangle.apex);
       if (from == place && triangle.site < source->site) {
         look_out(outward(door), near, straight(kEnd, place));
         return;
@@ -258,23 +258,17 @@ void WedgeWalk::look_from_run(std::uint32_t first) {
   }
 }
 
-// The place in [low, high] from which the run's tangent ray passes p, which none of the others hides.
-std::uint32_t WedgeWalk::touch(std::uint32_t low, std::uint32_t high, const Vec2& p) const {
-  while (low < high) {
-    if (hand_ == Hand::kLeft) {
-      const std::uint32_t middle = high - (high - low) / 2;
-      if (orientation(node(middle).previous, node(middle).at, p) >= 0) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
+// The place in [low, high] from which the run's tangent ray passes p, which none of the others hides. Looked for from
+// one end in longer and longer steps: what follows each other along a wall is mostly seen from places near by.
+std::uint32_t WedgeWalk::touch(std::uint32_t low, std::uint32_t high, End from, const Vec2& p) const {
+  for (std::uint32_t step = 1; low < high; step *= 2) {
+    const std::uint32_t half = (high - low + 1) / 2;
+    const std::uint32_t middle = from == End::kLow ? low + std::min(step, half) : high + 1 - std::min(step, half);
+    const Node& place = node(middle);
+    if ((orientation(place.previous, place.at, p) >= 0) == (hand_ == Hand::kLeft)) {
+      low = middle;
     } else {
-      const std::uint32_t middle = low + (high - low) / 2;
-      if (orientation(node(middle).next, node(middle).at, p) <= 0) {
-        high = middle;
-      } else {
-        low = middle + 1;
-      }
+      high = middle - 1;
     }
   }
   return low;
@@ -283,6 +277,9 @@ std::uint32_t WedgeWalk::touch(std::uint32_t low, std::uint32_t high, const Vec2
 void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
   const SightMap::Door* const doors = map_.doors().data();
   std::uint64_t steps = 0;
+  // What has been reported of the door's ends, if it is the far end of a wall in sight: not tangent once the next wall
+  // is in sight, too.
+  std::uint32_t left_end = kNone, right_end = kNone;
   while (true) {
     ++steps;
     const SightMap::Door& triangle = doors[door];
@@ -291,23 +288,32 @@ void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
     const int low_side = side(low, triangle.apex, triangle.site);
     if (low_side < 0) {
       door = triangle.left;
+      right_end = kNone;
     } else {
       const int high_side = side(high, triangle.apex, triangle.site);
       if (high_side > 0) {
         door = triangle.right;
+        left_end = kNone;
       } else {
-        const std::uint32_t from = touch(low.from, high.from, triangle.apex);
+        const End near = triangle.right == kNone ? End::kLow : End::kHigh;
+        const std::uint32_t from = touch(low.from, high.from, near, triangle.apex);
         const bool in_range = (low_side > 0 || is_closed(low)) && (high_side < 0 || is_closed(high));
-        if (in_range && triangle.node != kNone) report(from, triangle.node);
+        const bool ends_right_wall = triangle.right == kNone && low_side > 0;
+        const bool ends_left_wall = triangle.left == kNone && high_side < 0;
+        std::uint32_t seen = kNone;
+        if (in_range && triangle.node != kNone)
+          seen = report(from, triangle.node, ends_right_wall ? right_end : ends_left_wall ? left_end : kNone);
         // A range from a limit to itself is empty.
         const Limit middle = limit(Kind::kMet, from, triangle.site, triangle.apex);
         const bool look_left = high_side < 0 && triangle.left != kNone;
         const bool look_right = low_side > 0 && triangle.right != kNone;
         if (look_left && look_right) stack_.push_back({triangle.right, low, middle});
         if (look_left) {
+          right_end = ends_right_wall ? seen : kNone;
           door = triangle.left;
           low = middle;
         } else {
+          left_end = ends_left_wall ? seen : kNone;
           door = look_right ? triangle.right : kNone;
           high = middle;
         }
@@ -319,16 +325,23 @@ void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
     door = next.door;
     low = next.low;
     high = next.high;
+    left_end = right_end = kNone;
     stack_.pop_back();
   }
   steps_ += steps;
 }
 
-inline void WedgeWalk::report(std::uint32_t place, std::uint32_t first_node) {
+inline std::uint32_t WedgeWalk::report(std::uint32_t place, std::uint32_t first_node, std::uint32_t instead_of) {
   const Node* const target = map_.nodes().data() + first_node;
   will_need(target);
   will_need(&target->vertex);
-  seen_.emplace_back(place == alias_ ? alias_of_ : place, first_node);
+  const std::pair<std::uint32_t, std::uint32_t> seen{place == alias_ ? alias_of_ : place, first_node};
+  if (instead_of != kNone) {
+    seen_[instead_of] = seen;
+    return instead_of;
+  }
+  seen_.push_back(seen);
+  return map_.is_plain() ? static_cast<std::uint32_t>(seen_.size() - 1) : kNone;
 }
 
 void WedgeWalk::take_tangent() {

@@ -65,12 +65,15 @@ class WedgeWalk {
   enum class Hand : std::uint8_t { kLeft, kRight };
   template <Hand kHand>
   void look_from_run(std::uint32_t first);
-  [[nodiscard]] std::uint32_t touch(std::uint32_t low, std::uint32_t high, const Vec2& p) const;
+  enum class End : std::uint8_t { kLow, kHigh };
+  [[nodiscard]] std::uint32_t touch(std::uint32_t low, std::uint32_t high, End from, const Vec2& p) const;
 
   void look_right_from(std::uint32_t node);
   void look_through_wedge(std::uint32_t node, const Limit& low, const Limit& high);
   void walk(std::uint32_t door, Limit low, Limit high);
-  void report(std::uint32_t place, std::uint32_t first_node);
+  /// @param instead_of  what has been reported and is not tangent; kNone if nothing is.
+  /// @return to be replaced later on; kNone if sites may have several nodes.
+  std::uint32_t report(std::uint32_t place, std::uint32_t first_node, std::uint32_t instead_of = kNone);
   void take_tangent();
   void add(const Node& source, const Node& target);
 
