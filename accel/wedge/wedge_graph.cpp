@@ -9,6 +9,7 @@
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/edge_walks.h"
 #include "accel/wedge/sight_map.h"
+#include "accel/wedge/strips.h"
 #include "accel/wedge/wedge_walk.h"
 #include "core/bytes.h"
 
@@ -62,8 +63,9 @@ VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, con
     const SightMap map = map_for_all(world, executor);  // gone when rows are made
     if (statistics) *statistics = {map.doors().size() / 3, 0, 0, map.broken_count()};
     executor.begin_stage("lines of sight");
+    const Strips strips = worthwhile_strips(world, map, executor);
     const auto [first, last] = team.share_of(map.nodes().size());
-    parts = walk_right(map, first, last, executor, &sum);
+    parts = walk_right(map, strips, first, last, executor, &sum);
   }
   if (team.size() > 1) exchange(parts, sum, team);
   if (statistics) {

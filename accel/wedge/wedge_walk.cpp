@@ -32,7 +32,8 @@ bool is_tangent(const SightMap::Node& node, const Vec2& from) {
 
 }  // namespace
 
-WedgeWalk::WedgeWalk(const SightMap& map) : map_(map), sure_(0.0) {
+WedgeWalk::WedgeWalk(const SightMap& map, const Strips* strips)
+    : map_(map), strips_(strips && !strips->empty() ? strips : nullptr), sure_(0.0) {
   if (map.sites().empty()) return;
   const Vec2 size = map.sites().back() - map.sites().front();  // of the frame
   sure_ = 0x1p-50 * size.x() * size.y();                       // above the filter's bound for any of them
@@ -274,7 +275,16 @@ std::uint32_t WedgeWalk::touch(std::uint32_t low, std::uint32_t high, End from, 
   return low;
 }
 
-void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
+void WedgeWalk::walk(std::uint32_t door, const Limit& low, const Limit& high) {
+  if (strips_) {
+    walk_on<true>(door, low, high);
+  } else {
+    walk_on<false>(door, low, high);
+  }
+}
+
+template <bool kHasStrips>
+void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
   const SightMap::Door* const doors = map_.doors().data();
   std::uint64_t steps = 0;
   // What has been reported of the door's ends, if it is the far end of a wall in sight: not tangent once the next wall
@@ -282,40 +292,45 @@ void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
   std::uint32_t left_end = kNone, right_end = kNone;
   while (true) {
     ++steps;
-    const SightMap::Door& triangle = doors[door];
-    will_need(doors + triangle.left);
-    will_need(doors + triangle.right);
-    const int low_side = side(low, triangle.apex, triangle.site);
-    if (low_side < 0) {
-      door = triangle.left;
-      right_end = kNone;
+    if (const Strips::Strip* strip = kHasStrips ? strips_->behind(door) : nullptr) {
+      door = pass(*strip, low, high) ? strip->exit : kNone;
+      left_end = right_end = kNone;
     } else {
-      const int high_side = side(high, triangle.apex, triangle.site);
-      if (high_side > 0) {
-        door = triangle.right;
-        left_end = kNone;
+      const SightMap::Door& triangle = doors[door];
+      will_need(doors + triangle.left);
+      will_need(doors + triangle.right);
+      const int low_side = side(low, triangle.apex, triangle.site);
+      if (low_side < 0) {
+        door = triangle.left;
+        right_end = kNone;
       } else {
-        const End near = triangle.right == kNone ? End::kLow : End::kHigh;
-        const std::uint32_t from = touch(low.from, high.from, near, triangle.apex);
-        const bool in_range = (low_side > 0 || is_closed(low)) && (high_side < 0 || is_closed(high));
-        const bool ends_right_wall = triangle.right == kNone && low_side > 0;
-        const bool ends_left_wall = triangle.left == kNone && high_side < 0;
-        std::uint32_t seen = kNone;
-        if (in_range && triangle.node != kNone)
-          seen = report(from, triangle.node, ends_right_wall ? right_end : ends_left_wall ? left_end : kNone);
-        // A range from a limit to itself is empty.
-        const Limit middle = limit(Kind::kMet, from, triangle.site, triangle.apex);
-        const bool look_left = high_side < 0 && triangle.left != kNone;
-        const bool look_right = low_side > 0 && triangle.right != kNone;
-        if (look_left && look_right) stack_.push_back({triangle.right, low, middle});
-        if (look_left) {
-          right_end = ends_right_wall ? seen : kNone;
-          door = triangle.left;
-          low = middle;
+        const int high_side = side(high, triangle.apex, triangle.site);
+        if (high_side > 0) {
+          door = triangle.right;
+          left_end = kNone;
         } else {
-          left_end = ends_left_wall ? seen : kNone;
-          door = look_right ? triangle.right : kNone;
-          high = middle;
+          const End near = triangle.right == kNone ? End::kLow : End::kHigh;
+          const std::uint32_t from = touch(low.from, high.from, near, triangle.apex);
+          const bool in_range = (low_side > 0 || is_closed(low)) && (high_side < 0 || is_closed(high));
+          const bool ends_right_wall = triangle.right == kNone && low_side > 0;
+          const bool ends_left_wall = triangle.left == kNone && high_side < 0;
+          std::uint32_t seen = kNone;
+          if (in_range && triangle.node != kNone)
+            seen = report(from, triangle.node, ends_right_wall ? right_end : ends_left_wall ? left_end : kNone);
+          // A range from a limit to itself is empty.
+          const Limit middle = limit(Kind::kMet, from, triangle.site, triangle.apex);
+          const bool look_left = high_side < 0 && triangle.left != kNone;
+          const bool look_right = low_side > 0 && triangle.right != kNone;
+          if (look_left && look_right) stack_.push_back({triangle.right, low, middle});
+          if (look_left) {
+            right_end = ends_right_wall ? seen : kNone;
+            door = triangle.left;
+            low = middle;
+          } else {
+            left_end = ends_left_wall ? seen : kNone;
+            door = look_right ? triangle.right : kNone;
+            high = middle;
+          }
         }
       }
     }
@@ -329,6 +344,88 @@ void WedgeWalk::walk(std::uint32_t door, Limit low, Limit high) {
     stack_.pop_back();
   }
   steps_ += steps;
+}
+
+int WedgeWalk::Wall::turn(const Vec2& s, const Vec2& p, const Vec2& q) const { return step * orientation(s, p, q); }
+
+// Seen from a point before the strip, nodes of a convex wall come nearer to the other wall one after the other, up to
+// the one that limits what is seen, and then lie behind it; or all of them lie behind the end of the door.
+std::uint32_t WedgeWalk::Wall::limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t guess) const {
+  if (nodes == 0 || turn(s, step > 0 ? first->previous : first->next, first->at) >= 0) return kNone;
+  std::uint32_t low = 0, high = nodes - 1;
+  std::uint32_t far = guess == kNone ? nodes : 1;  // how far from the last one the next one is looked for
+  std::uint32_t middle = guess == kNone ? high / 2 : std::min(guess, std::max(high, 1u) - 1);
+  for (; low < high; far *= 2) {
+    const Node& n = node(middle);
+    if (turn(s, n.at, step > 0 ? n.next : n.previous) < 0) {
+      low = middle + 1;
+      middle = low + std::min(far - 1, (high - low) / 2);
+    } else {
+      high = middle;
+      middle = high - std::min(far, (high - low + 1) / 2);
+    }
+  }
+  return low;
+}
+
+// The wall is looked at from the place that the range's limit starts from, then from where the ray to the node found
+// starts, and so on: each ray leaves more of the wall behind, until one leaves all of it there.
+WedgeWalk::Contact WedgeWalk::contact(const Wall& wall, const Limit& low, const Limit& high) const {
+  const bool is_left = wall.step > 0;
+  const Limit& own = is_left ? high : low;
+  const Limit& other = is_left ? low : high;
+  Contact found;
+  std::uint32_t index = wall.limit_from(node(own.from).at, wall.count, kNone);
+  while (index != kNone) {
+    const Node& at = wall.node(index);
+    const int own_side = wall.step * side(own, at.at, at.site);
+    if (own_side > 0) break;
+    found.index = index;
+    found.own_side = own_side;
+    found.other_side = wall.step * side(other, at.at, at.site);
+    if (found.other_side < 0) break;
+    const std::uint32_t from = touch(low.from, high.from, is_left ? End::kHigh : End::kLow, at.at);
+    found.ray = limit(Kind::kMet, from, at.site, at.at);
+    const std::uint32_t next = wall.limit_from(node(from).at, wall.count, index);
+    if (next == index) break;
+    index = next;
+  }
+  return found;
+}
+
+bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
+  const Node* const nodes = map_.nodes().data();
+  const Wall left{nodes + strip.first_left, 1, strip.left_count};
+  const Wall right{nodes + strip.first_right, -1, strip.right_count};
+  const Contact on_left = contact(left, low, high), on_right = contact(right, low, high);
+  const auto is_met = [](const Contact& c) { return c.index != kNone; };
+  const auto leaves_way = [&](const Contact& c) { return !is_met(c) || c.other_side > 0; };
+  bool passes = leaves_way(on_left) && leaves_way(on_right);
+  if (passes && is_met(on_left) && is_met(on_right)) {
+    const Node& n = right.node(on_right.index);
+    passes = side(on_left.ray, n.at, n.site) < 0;
+  }
+  // What is in the range is seen unless the other wall, as far as it was passed before, hides it.
+  const auto report_if_seen = [&](const Contact& c, const Wall& wall, const Limit& own, const Limit& other,
+                                  const Wall& across, std::uint32_t passed) {
+    const bool in_range =
+        (c.own_side < 0 || is_closed(own)) && (c.other_side > 0 || (c.other_side == 0 && is_closed(other)));
+    if (!in_range) return;
+    const Node& n = wall.node(c.index);
+    if (!passes) {
+      const Vec2& s = node(c.ray.from).at;
+      const std::uint32_t hides = across.limit_from(s, passed, kNone);
+      if (hides != kNone && across.turn(s, n.at, across.node(hides).at) <= 0) return;
+    }
+    report(c.ray.from, static_cast<std::uint32_t>(&n - nodes));
+  };
+  if (is_met(on_left))
+    report_if_seen(on_left, left, high, low, right, passes ? 0 : strips_->right_before(strip, on_left.index));
+  if (is_met(on_right))
+    report_if_seen(on_right, right, low, high, left, passes ? 0 : strips_->left_before(strip, on_right.index));
+  if (passes && is_met(on_left)) high = on_left.ray;
+  if (passes && is_met(on_right)) low = on_right.ray;
+  return passes;
 }
 
 inline std::uint32_t WedgeWalk::report(std::uint32_t place, std::uint32_t first_node, std::uint32_t instead_of) {

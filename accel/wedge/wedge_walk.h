@@ -6,6 +6,7 @@
 
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/sight_map.h"
+#include "accel/wedge/strips.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -23,7 +24,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// one that leaves from a single node; the vertex that splits it is seen from the node whose tangent wedge it lies in.
 class WedgeWalk {
  public:
-  explicit WedgeWalk(const SightMap& map);
+  /// @param strips  of the map, to be passed at once; none if nullptr.
+  explicit WedgeWalk(const SightMap& map, const Strips* strips = nullptr);
 
   /// Edges to the right of the nodes of the runs that start at a node: after all nodes, each edge is found once.
   void look_right(std::uint32_t node);
@@ -70,10 +72,34 @@ class WedgeWalk {
 
   void look_right_from(std::uint32_t node);
   void look_through_wedge(std::uint32_t node, const Limit& low, const Limit& high);
-  void walk(std::uint32_t door, Limit low, Limit high);
+  void walk(std::uint32_t door, const Limit& low, const Limit& high);
+  template <bool kHasStrips>
+  void walk_on(std::uint32_t door, Limit low, Limit high);
   /// @param instead_of  what has been reported and is not tangent; kNone if nothing is.
   /// @return to be replaced later on; kNone if sites may have several nodes.
   std::uint32_t report(std::uint32_t place, std::uint32_t first_node, std::uint32_t instead_of = kNone);
+  /// One wall of a strip, as the nodes that are passed.
+  struct Wall {
+    const Node* first;
+    int step;  ///< 1 on the left, -1 on the right
+    std::uint32_t count;
+    [[nodiscard]] const Node& node(std::uint32_t i) const { return first[step * static_cast<std::ptrdiff_t>(i)]; }
+    /// Which way a point q lies from the ray from s through p: +1 behind the wall's side of it, -1 on the other side.
+    [[nodiscard]] int turn(const Vec2& s, const Vec2& p, const Vec2& q) const;
+    /// The node that limits what is seen from s past the first nodes; kNone if that is the end of the door before them.
+    /// @param guess  a node that may be near it, or kNone.
+    [[nodiscard]] std::uint32_t limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t guess) const;
+  };
+  /// What limits a range along a wall: the node that a ray of the range touches.
+  struct Contact {
+    std::uint32_t index = kNone;  ///< of the wall; kNone if the range passes by
+    int own_side = 0;             ///< -1 if within the range's limit on the side of the wall, 0 if on it
+    int other_side = 0;           ///< -1 if beyond the other limit, so that nothing passes; 0 if on it
+    Limit ray{};
+  };
+  [[nodiscard]] Contact contact(const Wall& wall, const Limit& low, const Limit& high) const;
+  /// Passes a strip. Returns whether anything comes through; then the limits are what does.
+  bool pass(const Strips::Strip& strip, Limit& low, Limit& high);
   void take_tangent();
   void add(const Node& source, const Node& target);
 
@@ -84,6 +110,7 @@ class WedgeWalk {
   [[nodiscard]] int exact_side(const Limit& limit, std::uint32_t site) const;
 
   const SightMap& map_;
+  const Strips* strips_;
   double sure_;  ///< cross products of differences of coordinates beyond this have the right sign
   Hand hand_ = Hand::kLeft;
   /// Places on a run are its nodes, counter-clockwise around the obstacle; a ring's first node may also be one past the

@@ -11,6 +11,7 @@
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/edge_walks.h"
 #include "accel/wedge/sight_map.h"
+#include "accel/wedge/strips.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/graph_check.h"
@@ -25,14 +26,15 @@ namespace {
 
 using Worlds = std::vector<const World*>;
 
-std::vector<EdgeList> walk_all(const SightMap& map, const Executor& executor) {
-  return walk_right(map, 0, map.nodes().size(), executor);
+// Strips are found anew, as they are needed for walks only.
+std::vector<EdgeList> walk_all(const World& world, const SightMap& map, const Executor& executor) {
+  return walk_right(map, worthwhile_strips(world, map, executor), 0, map.nodes().size(), executor);
 }
 
 bool is_right(benchmark::State& state, const World& world, const std::string& name, const Executor& executor) {
   const auto right = [&] {
     const SightMap map(world, executor, Diagonals::kLong);
-    const VisibilityGraph graph = graph_of(world.vertices().size(), walk_all(map, executor), executor);
+    const VisibilityGraph graph = graph_of(world.vertices().size(), walk_all(world, map, executor), executor);
     return is_reduced_graph(world, corrupting() ? corrupted(graph) : graph);
   };
   return require_once(state, "WedgeStages/" + name, right, "edges differ from the reference");
@@ -96,8 +98,13 @@ void make_sight_map(benchmark::State& state, const Worlds& worlds, const Executo
 }
 
 void walk(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
-  const auto map_of = [&](const World& world) { return SightMap(world, executor, Diagonals::kLong); };
-  time_in_turn(state, make_of_each(worlds, map_of), [&](const SightMap& map) { return walk_all(map, executor); });
+  struct Mapped {
+    const World* world;
+    SightMap map;
+  };
+  const auto mapped = [&](const World& world) { return Mapped{&world, SightMap(world, executor, Diagonals::kLong)}; };
+  time_in_turn(state, make_of_each(worlds, mapped),
+               [&](const Mapped& before) { return walk_all(*before.world, before.map, executor); });
 }
 
 void gather_rows(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
@@ -106,7 +113,7 @@ void gather_rows(benchmark::State& state, const Worlds& worlds, const Executor& 
     std::vector<EdgeList> parts;
   };
   const auto walked = [&](const World& world) {
-    return Walked{world.vertices().size(), walk_all(SightMap(world, executor, Diagonals::kLong), executor)};
+    return Walked{world.vertices().size(), walk_all(world, SightMap(world, executor, Diagonals::kLong), executor)};
   };
   time_in_turn(state, make_of_each(worlds, walked),
                [&](const Walked& before) { return graph_of(before.vertices, before.parts, executor); });

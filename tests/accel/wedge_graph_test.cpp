@@ -12,6 +12,10 @@
 #include "accel/make_queries.h"
 #include "accel/pairwise_graph.h"
 #include "accel/parallel.h"
+#include "accel/wedge/edge_list.h"
+#include "accel/wedge/edge_walks.h"
+#include "accel/wedge/sight_map.h"
+#include "accel/wedge/strips.h"
 #include "core/progress.h"
 #include "core/query/query_set.h"
 #include "datasets/catalogue.h"
@@ -37,12 +41,25 @@ std::string edges_missing_from(const VisibilityGraph& from, const VisibilityGrap
   return text;
 }
 
-::testing::AssertionResult agrees(const World& world) {
-  const VisibilityGraph expected = reference(world);
-  const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+::testing::AssertionResult agrees(const VisibilityGraph& graph, const VisibilityGraph& expected) {
   if (graph == expected) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure() << "missing:" << edges_missing_from(graph, expected)
                                        << "\nextra:" << edges_missing_from(expected, graph);
+}
+
+// All strips are passed at once, however short.
+VisibilityGraph graph_by_strips(const World& world, Diagonals shortened) {
+  const SightMap map(world, SerialExecutor(), shortened);
+  return graph_of(world.vertices().size(), walk_right(map, Strips(map, 1), 0, map.nodes().size(), SerialExecutor()),
+                  SerialExecutor());
+}
+
+::testing::AssertionResult agrees(const World& world) {
+  const VisibilityGraph expected = reference(world);
+  if (const auto result = agrees(build_reduced_visibility_graph_by_wedges(world), expected); !result) return result;
+  for (const Diagonals shortened : {Diagonals::kLong, Diagonals::kAll})
+    if (auto result = agrees(graph_by_strips(world, shortened), expected); !result) return result << "\nby strips";
+  return ::testing::AssertionSuccess();
 }
 
 TEST(WedgeGraph, Clutters) {
@@ -138,6 +155,15 @@ TEST(WedgeGraph, SmoothObstacles) {
             {round({3.0 * i + random.uniform(-0.4, 0.4), 3.0 * k}, random.uniform(0.3, 1.4), 10 * i + 20 * k + 7), {}});
     EXPECT_TRUE(agrees(World(obstacles))) << seed;
     EXPECT_TRUE(agrees(World(obstacles, round({4.5, 3.0}, 12.0, 50)))) << seed;
+  }
+}
+
+// Where the builder passes strips at once of its own accord.
+TEST(WedgeGraph, LongConvexWalls) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const World world = random_world({.obstacles = 15, .vertices = 90, .fill = 0.35, .seed = seed});
+    EXPECT_FALSE(worthwhile_strips(world, SightMap(world)).empty());
+    EXPECT_TRUE(agrees(world)) << seed;
   }
 }
 

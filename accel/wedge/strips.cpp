@@ -1,0 +1,145 @@
+#include "accel/wedge/strips.h"
+
+#include <utility>
+
+namespace arcway {
+
+namespace {
+
+using Strip = Strips::Strip;
+
+class Tracer {
+ public:
+  explicit Tracer(const SightMap& map) : doors_(map.doors()), nodes_(map.nodes()), is_plain_(map.is_plain()) {}
+
+  /// The only door that leads on behind a door, past a wall whose end has a plain node; kNone otherwise.
+  [[nodiscard]] std::uint32_t onward(std::uint32_t door) const {
+    const SightMap::Door& triangle = doors_[door];
+    if ((triangle.left == kNone) == (triangle.right == kNone)) return kNone;
+    if (triangle.node == kNone || !(is_plain_ || nodes_[triangle.node].is_plain())) return kNone;
+    return triangle.left == kNone ? triangle.right : triangle.left;
+  }
+
+  /// Whether strips begin at a door: it is no wall, and not where another one leads on to.
+  [[nodiscard]] bool is_entrance(std::uint32_t door) const {
+    if (onward(door) == kNone) return false;
+    const std::uint32_t back = doors_[Triangulation::next(door)].left;
+    if (back == kNone) return false;
+    const bool by_left = doors_[back].left != kNone;
+    if (by_left == (doors_[back].right != kNone)) return true;
+    return onward(by_left ? Triangulation::previous(back) : Triangulation::next(back)) != door;
+  }
+
+  /// The longest strip behind a door; its exit is the door itself if there is none.
+  Strip trace(std::uint32_t door, std::vector<std::uint32_t>& turns) const {
+    Strip strip{door, 0, 0, 0, 0, static_cast<std::uint32_t>(turns.size())};
+    bool left_leads_right = false, right_leads_right = false;
+    for (std::uint32_t next = onward(door); next != kNone; next = onward(next)) {
+      const std::uint32_t n = doors_[strip.exit].node;
+      const SightMap::Node& node = nodes_[n];
+      if (doors_[strip.exit].left == kNone) {
+        const bool leads_right = node.previous_site < node.site;
+        if (strip.left_count == 0) {
+          strip.first_left = n;
+          left_leads_right = leads_right;
+        } else if (const std::uint32_t last = strip.first_left + strip.left_count - 1;
+                   n != last + 1 || node.before != last || leads_right != left_leads_right) {
+          break;
+        }
+        turns.push_back(strip.right_count);
+        ++strip.left_count;
+      } else {
+        const bool leads_right = node.next_site < node.site;
+        if (strip.right_count == 0) {
+          strip.first_right = n;
+          right_leads_right = leads_right;
+        } else if (const std::uint32_t last = strip.first_right - strip.right_count + 1;
+                   n + 1 != last || node.after != last || leads_right != right_leads_right) {
+          break;
+        }
+        ++strip.right_count;
+      }
+      strip.exit = next;
+    }
+    return strip;
+  }
+
+ private:
+  std::span<const SightMap::Door> doors_;
+  std::span<const SightMap::Node> nodes_;
+  bool is_plain_;
+};
+
+bool has_long_walls(const World& world) {
+  constexpr std::ptrdiff_t kLong = 64;
+  const std::span<const VertexId> convex = world.convex_vertices();
+  std::ptrdiff_t count = 0;
+  for (ObstacleId o = 0; o < world.region_count(); ++o) {
+    const auto [first, last] = world.vertices_of(o);
+    const std::ptrdiff_t size = last - first;
+    if (size < kLong) continue;
+    const auto turns =
+        std::lower_bound(convex.begin(), convex.end(), last) - std::lower_bound(convex.begin(), convex.end(), first);
+    if (10 * turns >= 9 * size) count += size;
+  }
+  return 2 * count > std::ssize(world.vertices());
+}
+
+}  // namespace
+
+Strips::Strips(const SightMap& map, std::uint32_t least, const Executor& executor) {
+  constexpr std::size_t kGrain = 1 << 16;
+  struct Part {
+    std::vector<std::pair<std::uint32_t, Strip>> strips;  // by door
+    std::vector<std::uint32_t> turns;
+  };
+  const Tracer tracer(map);
+  std::vector<Part> parts(map.doors().size() / kGrain + 1);
+  executor.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      Part& part = parts[p];
+      const std::size_t behind = std::min((p + 1) * kGrain, map.doors().size());
+      for (auto first = static_cast<std::uint32_t>(p * kGrain); first < behind; ++first) {
+        if (!tracer.is_entrance(first)) continue;
+        for (std::uint32_t door = first; tracer.onward(door) != kNone;) {
+          const Strip strip = tracer.trace(door, part.turns);
+          if (strip.left_count + strip.right_count >= least) {
+            part.strips.emplace_back(door, strip);
+          } else {
+            part.turns.resize(strip.first_turn);
+          }
+          door = strip.exit;
+        }
+      }
+    }
+  });
+
+  std::vector<std::pair<std::uint32_t, Strip>> all;
+  for (Part& part : parts) {
+    for (auto& [door, strip] : part.strips) {
+      strip.first_turn += static_cast<std::uint32_t>(turns_.size());
+      all.emplace_back(door, strip);
+    }
+    turns_.insert(turns_.end(), part.turns.begin(), part.turns.end());
+  }
+  if (all.empty()) return;
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  marks_.resize(map.doors().size() / kDoorsPerMark + 1);
+  strips_.reserve(all.size());
+  for (const auto& [door, strip] : all) {
+    marks_[door / kDoorsPerMark].doors |= std::uint64_t{1} << door % kDoorsPerMark;
+    strips_.push_back(strip);
+  }
+  std::uint32_t before = 0;
+  for (Mark& mark : marks_) {
+    mark.before = before;
+    before += static_cast<std::uint32_t>(std::popcount(mark.doors));
+  }
+}
+
+Strips worthwhile_strips(const World& world, const SightMap& map, const Executor& executor) {
+  constexpr std::uint32_t kLeast = 16;
+  return has_long_walls(world) ? Strips(map, kLeast, executor) : Strips();
+}
+
+}  // namespace arcway
