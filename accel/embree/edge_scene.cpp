@@ -103,19 +103,18 @@ bool EdgeScene::aim(const Vec2& a, const Vec2& b, RTCRay& ray) {
 void EdgeScene::on_bounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& self = *static_cast<const EdgeScene*>(arguments->geometryUserPtr);
   const World::VertexRange edges = self.edges_of(arguments->primID);
-  Vec2 low = self.scaled(self.world_.edges()[edges.first].a), high = low;
-  for (VertexId e = edges.first; e < edges.last; ++e)
-    for (const Vec2& end : {self.world_.edges()[e].a, self.world_.edges()[e].b}) {
-      low = low.cwiseMin(self.scaled(end));
-      high = high.cwiseMax(self.scaled(end));
-    }
-  RTCBounds& box = *arguments->bounds_o;
-  box.lower_x = round_down(low.x() - self.margin_);
-  box.lower_y = round_down(low.y() - self.margin_);
-  box.lower_z = -1.0f;
-  box.upper_x = round_up(high.x() + self.margin_);
-  box.upper_y = round_up(high.y() + self.margin_);
-  box.upper_z = 1.0f;
+  Box box;
+  for (VertexId e = edges.first; e < edges.last; ++e) {
+    box.extend(self.scaled(self.world_.edges()[e].a));
+    box.extend(self.scaled(self.world_.edges()[e].b));
+  }
+  RTCBounds& bounds = *arguments->bounds_o;
+  bounds.lower_x = round_down(box.min.x() - self.margin_);
+  bounds.lower_y = round_down(box.min.y() - self.margin_);
+  bounds.lower_z = -1.0f;
+  bounds.upper_x = round_up(box.max.x() + self.margin_);
+  bounds.upper_y = round_up(box.max.y() + self.margin_);
+  bounds.upper_z = 1.0f;
 }
 
 }  // namespace arcway::embree

@@ -33,32 +33,25 @@ class Tracer {
   /// The longest strip behind a door; its exit is the door itself if there is none.
   Strip trace(std::uint32_t door, std::vector<std::uint32_t>& turns) const {
     Strip strip{door, 0, 0, 0, 0, static_cast<std::uint32_t>(turns.size())};
-    bool left_leads_right = false, right_leads_right = false;
+    bool leads_right[2] = {};  // by side of the wall, in which direction it is followed
     for (std::uint32_t next = onward(door); next != kNone; next = onward(next)) {
-      const std::uint32_t n = doors_[strip.exit].node;
+      const SightMap::Door& triangle = doors_[strip.exit];
+      const bool is_left = triangle.left == kNone;
+      const std::uint32_t n = triangle.node;
       const SightMap::Node& node = nodes_[n];
-      if (doors_[strip.exit].left == kNone) {
-        const bool leads_right = node.previous_site < node.site;
-        if (strip.left_count == 0) {
-          strip.first_left = n;
-          left_leads_right = leads_right;
-        } else if (const std::uint32_t last = strip.first_left + strip.left_count - 1;
-                   n != last + 1 || node.before != last || leads_right != left_leads_right) {
-          break;
-        }
-        turns.push_back(strip.right_count);
-        ++strip.left_count;
+      const bool goes_right = (is_left ? node.previous_site : node.next_site) < node.site;
+      std::uint32_t& first = is_left ? strip.first_left : strip.first_right;
+      std::uint32_t& count = is_left ? strip.left_count : strip.right_count;
+      if (count == 0) {
+        first = n;
+        leads_right[is_left] = goes_right;
       } else {
-        const bool leads_right = node.next_site < node.site;
-        if (strip.right_count == 0) {
-          strip.first_right = n;
-          right_leads_right = leads_right;
-        } else if (const std::uint32_t last = strip.first_right - strip.right_count + 1;
-                   n + 1 != last || node.after != last || leads_right != right_leads_right) {
-          break;
-        }
-        ++strip.right_count;
+        const std::uint32_t last = is_left ? first + (count - 1) : first - (count - 1);
+        const bool follows = is_left ? n == last + 1 && node.before == last : n == last - 1 && node.after == last;
+        if (!follows || goes_right != leads_right[is_left]) break;
       }
+      if (is_left) turns.push_back(strip.right_count);
+      ++count;
       strip.exit = next;
     }
     return strip;

@@ -152,7 +152,7 @@ class ArrivalSearch {
     if (context_.interrupted()) return;
     if (!context_.options.goes_on)
       for (auto& reached : w_.reached) reached.map.reset();
-    reachability_known_ = context_.options.faster_than < kInfinity;  // by the path that takes so long
+    reachability_known_ = !context_.options.doubts_reachability || context_.options.faster_than < kInfinity;
     result_.start_connected = !w_.labels.empty();
     const auto first_direct = static_cast<std::uint32_t>(ends_.direct_paths().size());
     const auto first_goal_link = static_cast<std::uint32_t>(ends_.goal_links().size());
@@ -216,7 +216,7 @@ class ArrivalSearch {
     SearchOptions ahead = context_.options;
     ahead.scout = ahead.goes_on = false;
     ahead.suboptimality += kScoutsHaste;
-    ahead.faster_than = std::min(ahead.faster_than, std::numeric_limits<double>::max());  // doubts are for who sent it
+    ahead.doubts_reachability = false;
     try {
       return std::jthread([this, ahead](const std::stop_token& done) mutable {
         ahead.stop = done;

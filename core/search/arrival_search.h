@@ -30,6 +30,8 @@ struct SearchOptions {
   /// known. If it was a part of this one, on the same map, of the same vehicle, and with the first of the terminals,
   /// only paths that it has not found are looked for.
   bool goes_on = false;
+  /// Where many terminals or a long search say that there may be no path, ask whether there is one at all.
+  bool doubts_reachability = true;
   /// Only paths that take less than one that is known are wanted [s].
   double faster_than = std::numeric_limits<double>::infinity();
   /// Of a search that goes on from one that found a path: what saves less than this does not matter [s].

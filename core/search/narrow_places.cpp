@@ -1,7 +1,5 @@
 #include "core/search/narrow_places.h"
 
-#include <algorithm>
-
 #include "core/passage/gap_circles.h"
 
 namespace arcway {
