@@ -398,10 +398,8 @@ bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
   const Wall left{nodes + strip.first_left, 1, strip.left_count};
   const Wall right{nodes + strip.first_right, -1, strip.right_count};
   const Contact on_left = contact(left, low, high), on_right = contact(right, low, high);
-  const auto is_met = [](const Contact& c) { return c.index != kNone; };
-  const auto leaves_way = [&](const Contact& c) { return !is_met(c) || c.other_side > 0; };
-  bool passes = leaves_way(on_left) && leaves_way(on_right);
-  if (passes && is_met(on_left) && is_met(on_right)) {
+  bool passes = on_left.leaves_way() && on_right.leaves_way();
+  if (passes && on_left.exists() && on_right.exists()) {
     const Node& n = right.node(on_right.index);
     passes = side(on_left.ray, n.at, n.site) < 0;
   }
@@ -419,12 +417,12 @@ bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
     }
     report(c.ray.from, static_cast<std::uint32_t>(&n - nodes));
   };
-  if (is_met(on_left))
+  if (on_left.exists())
     report_if_seen(on_left, left, high, low, right, passes ? 0 : strips_->right_before(strip, on_left.index));
-  if (is_met(on_right))
+  if (on_right.exists())
     report_if_seen(on_right, right, low, high, left, passes ? 0 : strips_->left_before(strip, on_right.index));
-  if (passes && is_met(on_left)) high = on_left.ray;
-  if (passes && is_met(on_right)) low = on_right.ray;
+  if (passes && on_left.exists()) high = on_left.ray;
+  if (passes && on_right.exists()) low = on_right.ray;
   return passes;
 }
 

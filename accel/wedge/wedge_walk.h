@@ -24,7 +24,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// one that leaves from a single node; the vertex that splits it is seen from the node whose tangent wedge it lies in.
 class WedgeWalk {
  public:
-  /// @param strips  of the map, to be passed at once; none if nullptr.
+  /// @param strips  of the map, to be passed at once; nullptr is as good as none of them.
   explicit WedgeWalk(const SightMap& map, const Strips* strips = nullptr);
 
   /// Edges to the right of the nodes of the runs that start at a node: after all nodes, each edge is found once.
@@ -96,6 +96,8 @@ class WedgeWalk {
     int own_side = 0;             ///< -1 if within the range's limit on the side of the wall, 0 if on it
     int other_side = 0;           ///< -1 if beyond the other limit, so that nothing passes; 0 if on it
     Limit ray{};
+    [[nodiscard]] bool exists() const { return index != kNone; }
+    [[nodiscard]] bool leaves_way() const { return !exists() || other_side > 0; }
   };
   [[nodiscard]] Contact contact(const Wall& wall, const Limit& low, const Limit& high) const;
   /// Passes a strip. Returns whether anything comes through; then the limits are what does.
