@@ -26,8 +26,6 @@ namespace arcway {
 
 namespace {
 
-// Of what poses say, unless it is 0: far enough from what queries refuse, whatever is computed of it.
-constexpr double kSmallestPoseNumber = 1e-50, kLargestPoseNumber = 1e9;
 // Of times, so that none overflows.
 constexpr double kLargestSuboptimality = 1e6;
 // Units in the last place of the largest coordinate that the safety margin must span: corners, centres and critical
@@ -41,14 +39,6 @@ constexpr double kQuickEffort = 0.75, kLastEffort = 24.0;
 constexpr std::size_t kEnclosureBoxes = 15000;
 // The same of the proof that one which may not gets nowhere.
 constexpr std::size_t kDeadEndChecks = 8500;
-
-void require_pose(const char* name, const Pose& pose) {
-  for (const double value : {pose.x, pose.y, pose.heading})
-    if (value != 0.0 && !(std::abs(value) >= kSmallestPoseNumber && std::abs(value) <= kLargestPoseNumber))
-      throw std::invalid_argument(std::string(name) + " pose " + shortest_text(pose) + ": " + shortest_text(value) +
-                                  " is neither 0 nor of magnitude " + shortest_text(kSmallestPoseNumber) + " to " +
-                                  shortest_text(kLargestPoseNumber));
-}
 
 std::vector<double> checked_radii(const World& world, const Vehicle& vehicle, std::vector<double> radii) {
   if (radii.empty()) return turning_radii(vehicle, world);
@@ -352,8 +342,8 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
 }
 
 void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const {
-  require_pose("start", request.start);
-  require_pose("goal", request.goal);
+  require_pose("start pose", request.start);
+  require_pose("goal pose", request.goal);
   if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
   if (!(request.cusp_cost >= 0.0 && std::isfinite(request.cusp_cost)))
     throw std::invalid_argument("cusp cost: " + shortest_text(request.cusp_cost) + " s, must be finite and >= 0");

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "core/geometry/angle.h"
 #include "core/no_path.h"
 #include "core/path/speed_profile.h"
+#include "core/plan_run.h"
 #include "core/shortest_text.h"
 
 namespace arcway {
@@ -287,10 +289,18 @@ class TourPlanner {
   std::size_t failure_stage_ = 0;
 };
 
+void require_places(const std::string& name, std::span<const Place> places) {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    require_pose(places.size() == 1 ? name : name + " " + std::to_string(i + 1),
+                 {places[i].position.x(), places[i].position.y(), places[i].heading.value_or(0.0)});
+}
+
 }  // namespace
 
 Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits) {
   if (request.goals.empty()) throw std::invalid_argument("tour: no goal");
+  require_places("place on the way", request.via);
+  require_places("goal", request.goals);
   return TourPlanner(planner, request, limits).run();
 }
 

@@ -69,6 +69,7 @@ class Parts {
     while (!rest.empty()) add(next());
   }
 
+  [[nodiscard]] std::string_view name() const { return name_; }
   [[nodiscard]] const Entry& entry() const { return *entry_; }
   [[nodiscard]] std::size_t kind() const { return kind_; }
   [[nodiscard]] std::uint64_t number(char letter, std::uint64_t missing) const {
@@ -130,11 +131,13 @@ MapFile adversarial_map(const Parts& parts) {
 
 MapFile ponds_map(const Parts& parts) {
   const CurvedWorldParameters defaults;
+  const std::uint64_t tolerance = parts.number('t', 10);
+  if (tolerance == 0) refuse(parts.name(), "a tolerance of 0 mm, must be at least 1");
   const CurvedWorld world =
       generate_curved_world({.curves = parts.number('n', defaults.curves), .seed = parts.number('s', defaults.seed)});
   MapFile map;
   for (const CurvedRing& curve : world.curves)
-    map.obstacles.push_back({circumscribed_ring(curve.pieces, 1e-3 * static_cast<double>(parts.number('t', 10))), {}});
+    map.obstacles.push_back({circumscribed_ring(curve.pieces, 1e-3 * static_cast<double>(tolerance)), {}});
   map.bounds = world.bounds;
   const Vec2& corner = (*world.bounds)[2];
   map.start = Pose{7.0, 7.0, 0.0};

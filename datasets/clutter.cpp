@@ -15,9 +15,10 @@ namespace arcway {
 namespace {
 
 constexpr std::size_t kMostVertices = std::size_t{1} << 28;  // of all obstacles
+constexpr double kLargestSide = 1e9;                         // [m], as far out as the planner takes poses
 constexpr double kSlack = 1e-9;                              // [m], so that rounding does not eat into the gap
 
-[[noreturn]] void refuse(const char* parameter, double value, const char* limit) {
+[[noreturn]] void refuse(const char* parameter, double value, const std::string& limit) {
   throw std::invalid_argument(std::string("clutter: ") + parameter + " is " + shortest_text(value) + ", must be " +
                               limit);
 }
@@ -198,6 +199,8 @@ Clutter generate_clutter(const ClutterParameters& parameters) {
     area += area_of(rings.back());
   }
   const double side = rings.empty() ? 10.0 * parameters.max_radius : std::sqrt(area / parameters.fill);
+  if (!(side <= kLargestSide))
+    refuse("fill", parameters.fill, "large enough for a square of at most " + shortest_text(kLargestSide) + " m");
   if (!rings.empty()) {
     const double gap = parameters.min_gap + kSlack;
     if (const auto centers = detail::scatter_discs(random, radii, side, gap)) {

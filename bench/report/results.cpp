@@ -79,7 +79,8 @@ Results read_results(std::string_view text, std::string_view name) {
   try {
     document = json::parse(text);
   } catch (const json::parse_error& error) {
-    throw FormatError(std::string(name) + ": " + error.what());
+    const std::string message = error.what();  // begins with the name of the exception, in brackets
+    throw FormatError(std::string(name) + ": " + message.substr(message.find("] ") + 2));
   }
   Results results;
   results.name = name;

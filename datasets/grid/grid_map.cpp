@@ -46,9 +46,10 @@ MapFile to_map_file(const OccupancyGrid& grid, const GridOptions& options) {
                       " occupied, " + count(Cell::kUnknown) + " unknown" +
                       (options.unknown_is_free ? " (taken as free)" : " (taken as occupied)"));
   map.notes.push_back(std::to_string(traced) + " corners traced" +
-                      (options.tolerance > 0.0 ? ", " + std::to_string(corner_count(polygons)) + " left within " +
-                                                     shortest_text(options.tolerance) + " cells"
-                                               : ""));
+                      (options.tolerance > 0.0
+                           ? ", " + std::to_string(corner_count(polygons)) + " left within " +
+                                 shortest_text(options.tolerance) + (options.tolerance == 1.0 ? " cell" : " cells")
+                           : ""));
   return map;
 }
 

@@ -248,6 +248,19 @@ TEST(Tour, CallsWhatIsWrongWithAPlaceOnTheWayByItsName) {
   EXPECT_EQ(into.reason.rfind("leg 2 of 2: the place on the way", 0), 0u) << into.reason;
   EXPECT_EQ(out_of.status, PlanStatus::kPlaceBlocked) << out_of.reason;
   EXPECT_EQ(out_of.reason.rfind("leg 1 of 2: the place on the way", 0), 0u) << out_of.reason;
+
+  const auto refusal = [&](const TourRequest& request) -> std::string {
+    try {
+      plan_tour(planner, request);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const Place far{{1e10, 0}};
+  EXPECT_EQ(refusal({.start = {0, 0, 0}, .via = {far}, .goals = {free}}).rfind("place on the way (1e+10, 0, 0): ", 0),
+            0u);
+  EXPECT_EQ(refusal({.start = {0, 0, 0}, .goals = {free, far}}).rfind("goal 2 (1e+10, 0, 0): ", 0), 0u);
 }
 
 TEST(Tour, KeepsItsLimits) {

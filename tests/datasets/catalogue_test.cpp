@@ -68,6 +68,7 @@ TEST(Catalogue, SaysWhatIsWrongWithAName) {
         << message_for(std::string("clutter/convex/") + part);
   }
   EXPECT_NE(message_for("clutter/convex/n5/n6").find("second part \"n6\""), std::string::npos);
+  EXPECT_EQ(message_for("ponds/n3/t0"), "catalogue world \"ponds/n3/t0\": a tolerance of 0 mm, must be at least 1");
   EXPECT_NE(message_for("clutter/convex/f95").find("fill is 0.95"), std::string::npos);
 }
 

@@ -129,6 +129,7 @@ TEST(Clutter, RefusesWhatCannotBe) {
     return "no error";
   };
   EXPECT_EQ(message({.fill = 0.9}), "clutter: fill is 0.9, must be in (0, 0.6]");
+  EXPECT_EQ(message({.fill = 1e-320}), "clutter: fill is 1e-320, must be large enough for a square of at most 1e+09 m");
   EXPECT_EQ(message({.vertices = 2}), "clutter: vertices is 2, must be at least 3");
   EXPECT_EQ(message({.obstacles = std::size_t{1} << 61, .vertices = 8}),
             "clutter: obstacles is 2305843009213693952 with 8 vertices each, at most 268435456 vertices are made");
