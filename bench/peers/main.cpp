@@ -24,6 +24,8 @@
 namespace arcway::peers {
 namespace {
 
+constexpr int kExitBadInput = 2;  // as of the tool
+
 struct Options {
   VisibilityStudyOptions visibility;
 #ifdef ARCWAY_PEER_OMPL
@@ -140,7 +142,11 @@ int run(int argc, char** argv) {
   Options options;
   CLI::App app("Compares arcway with its peers: the same questions, the same exact checks, in turn.", "arcway_peers");
   add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kExitBadInput;
+  }
   run_studies(options);
   return 0;
 }
@@ -154,5 +160,5 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     std::fprintf(stderr, "arcway_peers: %s\n", error.what());
   }
-  return 2;
+  return arcway::peers::kExitBadInput;
 }
