@@ -71,7 +71,7 @@ TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RefinedOrNot, RepeatedQuery,
-                         testing::Values(Case{0}, Case{4000}, Case{0, 4.0, 60, 20}, Case{1000, 4.0, 60, 20}));
+                         testing::Values(Case{0}, Case{4000}, Case{0, 4.0, 60, 20}, Case{200, 4.0, 60, 20}));
 
 }  // namespace
 }  // namespace arcway

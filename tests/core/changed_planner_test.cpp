@@ -54,7 +54,9 @@ Pose draw_pose(const World& world, test::Random& random) {
 // something out between the steps.
 void expect_changes(World world, const Vehicle& vehicle, test::Random& random, int steps, std::int64_t one_in,
                     const std::vector<double>& radii, const auto& draw_added) {
-  PlannerOptions eager_options{.radii = radii}, lazy_options{.graph_mode = GraphMode::kLazy, .radii = radii};
+  const RefineOptions short_refinement{.max_trials = 300};  // what changes is what comes before it
+  PlannerOptions eager_options{.radii = radii, .refinement = short_refinement};
+  PlannerOptions lazy_options{.graph_mode = GraphMode::kLazy, .radii = radii, .refinement = short_refinement};
   Planner eager(world, vehicle, eager_options), lazy(world, vehicle, lazy_options);
   for (int step = 0; step < steps; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));

@@ -189,8 +189,8 @@ TEST(RefinePath, IsNoSlowerThanWhatSamplingFinds) {
 
 TEST(RefinePath, ThePlannerReportsBothTimes) {
   const World world = random_world({.obstacles = 30, .vertices = 8, .fill = 0.3, .seed = 5});
-  const Planner planner(world, real_vehicle());
-  const Planner plain(world, real_vehicle(), {.radii = {}, .refinement = {.max_trials = 0}});
+  const Planner planner(world, real_vehicle(), {.refinement = {.max_trials = 1000}});
+  const Planner plain(world, real_vehicle(), {.refinement = {.max_trials = 0}});
   const Vec2 span = world.box().max;
   int solved = 0;
   for (int i = 1; i < 20; ++i) {
