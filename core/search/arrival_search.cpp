@@ -152,6 +152,7 @@ class ArrivalSearch {
     if (context_.interrupted()) return;
     if (!context_.options.goes_on)
       for (auto& reached : w_.reached) reached.map.reset();
+    // By the path that takes so long, if there is one.
     reachability_known_ = !context_.options.doubts_reachability || context_.options.faster_than < kInfinity;
     result_.start_connected = !w_.labels.empty();
     const auto first_direct = static_cast<std::uint32_t>(ends_.direct_paths().size());
