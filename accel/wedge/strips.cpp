@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/geometry/predicates.h"
+
 namespace arcway {
 
 namespace {
@@ -37,17 +39,15 @@ class Tracer {
     for (std::uint32_t next = onward(door); next != kNone; next = onward(next)) {
       const SightMap::Door& triangle = doors_[strip.exit];
       const bool is_left = triangle.left == kNone;
-      const std::uint32_t n = triangle.node;
-      const SightMap::Node& node = nodes_[n];
-      const bool goes_right = (is_left ? node.previous_site : node.next_site) < node.site;
+      const std::uint32_t end = is_left ? Triangulation::next(strip.exit) : Triangulation::previous(strip.exit);
+      const bool goes_right = doors_[end].site < triangle.site;
       std::uint32_t& first = is_left ? strip.first_left : strip.first_right;
       std::uint32_t& count = is_left ? strip.left_count : strip.right_count;
       if (count == 0) {
-        first = n;
+        first = triangle.node;
         leads_right[is_left] = goes_right;
       } else {
-        const std::uint32_t last = is_left ? first + (count - 1) : first - (count - 1);
-        const bool follows = is_left ? n == last + 1 && node.before == last : n == last - 1 && node.after == last;
+        const bool follows = triangle.node == (is_left ? first + count : first - count);  // not where the ring begins
         if (!follows || goes_right != leads_right[is_left]) break;
       }
       if (is_left) turns.push_back(strip.right_count);
@@ -79,6 +79,31 @@ bool has_long_walls(const World& world) {
 }
 
 }  // namespace
+
+int Strips::Wall::turn(const Vec2& s, const Vec2& p, const Vec2& q) const { return step * orientation(s, p, q); }
+
+// Seen from a point before the strip, nodes of a convex wall come nearer to the other wall one after the other, up to
+// the one that limits what is seen, and then lie behind it; or all of them lie behind the end of the door. From the
+// other wall the last node that was passed is in sight.
+std::uint32_t Strips::Wall::limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
+                                       std::uint32_t guess) const {
+  if (nodes == 0) return kNone;
+  if (passed == 0 && turn(s, step > 0 ? first->previous : first->next, first->at) >= 0) return kNone;
+  std::uint32_t low = std::max(passed, 1u) - 1, high = nodes - 1;
+  std::uint32_t far = guess == kNone ? nodes : 1;  // how far from the last one the next one is looked for
+  std::uint32_t middle = guess == kNone ? low + (high - low) / 2 : std::clamp(guess, low, std::max(high, low + 1) - 1);
+  for (; low < high; far *= 2) {
+    const SightMap::Node& n = node(middle);
+    if (turn(s, n.at, step > 0 ? n.next : n.previous) < 0) {
+      low = middle + 1;
+      middle = low + std::min(far - 1, (high - low) / 2);
+    } else {
+      high = middle;
+      middle = high - std::min(far, (high - low + 1) / 2);
+    }
+  }
+  return low;
+}
 
 Strips::Strips(const SightMap& map, std::uint32_t least, const Executor& executor) {
   constexpr std::size_t kGrain = 1 << 16;

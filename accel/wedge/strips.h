@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,6 +28,23 @@ class Strips {
     std::uint32_t first_turn;  ///< see left_before
   };
 
+  /// One of a strip's walls, as the nodes that are passed.
+  struct Wall {
+    const SightMap::Node* first;
+    int step;  ///< 1 on the left, -1 on the right
+    std::uint32_t count;
+    [[nodiscard]] const SightMap::Node& node(std::uint32_t i) const {
+      return first[step * static_cast<std::ptrdiff_t>(i)];
+    }
+    /// Which way a point q lies from the ray from s through p: +1 behind the wall's side of it, -1 on the other side.
+    [[nodiscard]] int turn(const Vec2& s, const Vec2& p, const Vec2& q) const;
+    /// The node that limits what is seen from s past the first nodes; kNone if that is the end of the door before them.
+    /// @param passed  nodes of the wall that were passed before s, if s is on the other wall: 0 if it is not.
+    /// @param guess   a node that may be near it, or kNone.
+    [[nodiscard]] std::uint32_t limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
+                                           std::uint32_t guess = kNone) const;
+  };
+
   /// None.
   Strips() = default;
   /// Those of at least so many triangles. O(triangles), the same for any executor.
@@ -42,6 +60,12 @@ class Strips {
     return &strips_[mark.before + static_cast<std::uint32_t>(std::popcount(mark.doors & (bit - 1)))];
   }
 
+  [[nodiscard]] static Wall left_wall(const SightMap& map, const Strip& strip) {
+    return {map.nodes().data() + strip.first_left, 1, strip.left_count};
+  }
+  [[nodiscard]] static Wall right_wall(const SightMap& map, const Strip& strip) {
+    return {map.nodes().data() + strip.first_right, -1, strip.right_count};
+  }
   /// How many nodes of the right wall are passed before the one of the left wall with this index.
   [[nodiscard]] std::uint32_t right_before(const Strip& strip, std::uint32_t left) const {
     return turns_[strip.first_turn + left];

@@ -229,10 +229,19 @@ void WedgeWalk::look_from_run(std::uint32_t first) {
   }
   while (true) {
     ++steps_;
+    const std::uint32_t ahead = kLeft ? source->next_site : source->previous_site;
+    const bool runs_on = ahead > source->site && (kLeft ? source->after : source->before) != kNone;
+    if (const Strips::Strip* strip = strips_ && runs_on ? strips_->behind(door) : nullptr;
+        strip && (kLeft ? strip->left_count : strip->right_count) > 0) {
+      if (!pass_along<kHand>(*strip, place, near)) return;
+      place = kLeft ? place + strip->left_count : place - strip->right_count;
+      source = &node(place);
+      door = strip->exit;
+      continue;
+    }
     const SightMap::Door& triangle = doors[door];
     if (onward(door) == kNone) {
-      const std::uint32_t ahead = kLeft ? source->next_site : source->previous_site;
-      if (ahead > source->site && (kLeft ? source->after : source->before) != kNone) {
+      if (runs_on) {
         place = kLeft ? place + 1 : place - 1;
         source = &node(place);
         door = outward(door);
@@ -346,36 +355,14 @@ void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
   steps_ += steps;
 }
 
-int WedgeWalk::Wall::turn(const Vec2& s, const Vec2& p, const Vec2& q) const { return step * orientation(s, p, q); }
-
-// Seen from a point before the strip, nodes of a convex wall come nearer to the other wall one after the other, up to
-// the one that limits what is seen, and then lie behind it; or all of them lie behind the end of the door.
-std::uint32_t WedgeWalk::Wall::limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t guess) const {
-  if (nodes == 0 || turn(s, step > 0 ? first->previous : first->next, first->at) >= 0) return kNone;
-  std::uint32_t low = 0, high = nodes - 1;
-  std::uint32_t far = guess == kNone ? nodes : 1;  // how far from the last one the next one is looked for
-  std::uint32_t middle = guess == kNone ? high / 2 : std::min(guess, std::max(high, 1u) - 1);
-  for (; low < high; far *= 2) {
-    const Node& n = node(middle);
-    if (turn(s, n.at, step > 0 ? n.next : n.previous) < 0) {
-      low = middle + 1;
-      middle = low + std::min(far - 1, (high - low) / 2);
-    } else {
-      high = middle;
-      middle = high - std::min(far, (high - low + 1) / 2);
-    }
-  }
-  return low;
-}
-
 // The wall is looked at from the place that the range's limit starts from, then from where the ray to the node found
 // starts, and so on: each ray leaves more of the wall behind, until one leaves all of it there.
-WedgeWalk::Contact WedgeWalk::contact(const Wall& wall, const Limit& low, const Limit& high) const {
+WedgeWalk::Contact WedgeWalk::contact(const Strips::Wall& wall, const Limit& low, const Limit& high) const {
   const bool is_left = wall.step > 0;
   const Limit& own = is_left ? high : low;
   const Limit& other = is_left ? low : high;
   Contact found;
-  std::uint32_t index = wall.limit_from(node(own.from).at, wall.count, kNone);
+  std::uint32_t index = wall.limit_from(node(own.from).at, wall.count, 0);
   while (index != kNone) {
     const Node& at = wall.node(index);
     const int own_side = wall.step * side(own, at.at, at.site);
@@ -386,7 +373,7 @@ WedgeWalk::Contact WedgeWalk::contact(const Wall& wall, const Limit& low, const 
     if (found.other_side < 0) break;
     const std::uint32_t from = touch(low.from, high.from, is_left ? End::kHigh : End::kLow, at.at);
     found.ray = limit(Kind::kMet, from, at.site, at.at);
-    const std::uint32_t next = wall.limit_from(node(from).at, wall.count, index);
+    const std::uint32_t next = wall.limit_from(node(from).at, wall.count, 0, index);
     if (next == index) break;
     index = next;
   }
@@ -394,9 +381,7 @@ WedgeWalk::Contact WedgeWalk::contact(const Wall& wall, const Limit& low, const 
 }
 
 bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
-  const Node* const nodes = map_.nodes().data();
-  const Wall left{nodes + strip.first_left, 1, strip.left_count};
-  const Wall right{nodes + strip.first_right, -1, strip.right_count};
+  const Strips::Wall left = Strips::left_wall(map_, strip), right = Strips::right_wall(map_, strip);
   const Contact on_left = contact(left, low, high), on_right = contact(right, low, high);
   bool passes = on_left.leaves_way() && on_right.leaves_way();
   if (passes && on_left.exists() && on_right.exists()) {
@@ -404,18 +389,18 @@ bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
     passes = side(on_left.ray, n.at, n.site) < 0;
   }
   // What is in the range is seen unless the other wall, as far as it was passed before, hides it.
-  const auto report_if_seen = [&](const Contact& c, const Wall& wall, const Limit& own, const Limit& other,
-                                  const Wall& across, std::uint32_t passed) {
+  const auto report_if_seen = [&](const Contact& c, const Strips::Wall& wall, const Limit& own, const Limit& other,
+                                  const Strips::Wall& across, std::uint32_t passed) {
     const bool in_range =
         (c.own_side < 0 || is_closed(own)) && (c.other_side > 0 || (c.other_side == 0 && is_closed(other)));
     if (!in_range) return;
     const Node& n = wall.node(c.index);
     if (!passes) {
       const Vec2& s = node(c.ray.from).at;
-      const std::uint32_t hides = across.limit_from(s, passed, kNone);
+      const std::uint32_t hides = across.limit_from(s, passed, 0);
       if (hides != kNone && across.turn(s, n.at, across.node(hides).at) <= 0) return;
     }
-    report(c.ray.from, static_cast<std::uint32_t>(&n - nodes));
+    report(c.ray.from, index_of(n));
   };
   if (on_left.exists())
     report_if_seen(on_left, left, high, low, right, passes ? 0 : strips_->right_before(strip, on_left.index));
@@ -424,6 +409,43 @@ bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
   if (passes && on_left.exists()) high = on_left.ray;
   if (passes && on_right.exists()) low = on_right.ray;
   return passes;
+}
+
+// The other wall is seen from the run up to the node that a ray of the run touches. It is looked for as in `contact`;
+// but a node is touched from what was passed of the run before it, and places within the strip do not see what was
+// passed of the other wall before them.
+template <WedgeWalk::Hand kHand>
+bool WedgeWalk::pass_along(const Strips::Strip& strip, std::uint32_t place, Limit& near) {
+  constexpr bool kLeft = kHand == Hand::kLeft;
+  const Strips::Wall across = kLeft ? Strips::right_wall(map_, strip) : Strips::left_wall(map_, strip);
+  const auto ahead = [&](std::uint32_t count) { return kLeft ? place + count : place - count; };
+  const auto passed_before = [&](std::uint32_t from) {  // of the other wall
+    if (kLeft ? from <= place : from >= place) return 0u;
+    return kLeft ? strips_->right_before(strip, from - place - 1) : strips_->left_before(strip, place - from - 1);
+  };
+  Contact found;
+  found.ray = near;
+  while (true) {
+    const std::uint32_t from = found.ray.from;
+    const std::uint32_t index = across.limit_from(node(from).at, across.count, passed_before(from), found.index);
+    if (index == kNone || index == found.index) break;
+    const Node& at = across.node(index);
+    const int own_side = across.step * side(near, at.at, at.site);
+    if (own_side > 0) break;
+    found.index = index;
+    found.own_side = own_side;
+    const std::uint32_t last = ahead(kLeft ? strips_->left_before(strip, index) : strips_->right_before(strip, index));
+    found.ray =
+        limit(Kind::kMet, kLeft ? touch(near.from, last, End::kLow, at.at) : touch(last, near.from, End::kHigh, at.at),
+              at.site, at.at);
+  }
+  if (!found.exists()) return true;
+  const Node& n = across.node(found.index);
+  const std::uint32_t end = ahead(kLeft ? strip.left_count : strip.right_count);
+  if (found.ray.from == end && n.site < node(end).site) return false;  // rays from there on lead left
+  if (found.own_side < 0 || is_closed(near)) report(found.ray.from, index_of(n));
+  near = found.ray;
+  return true;
 }
 
 inline std::uint32_t WedgeWalk::report(std::uint32_t place, std::uint32_t first_node, std::uint32_t instead_of) {

@@ -78,18 +78,6 @@ class WedgeWalk {
   /// @param instead_of  what has been reported and is not tangent; kNone if nothing is.
   /// @return to be replaced later on; kNone if sites may have several nodes.
   std::uint32_t report(std::uint32_t place, std::uint32_t first_node, std::uint32_t instead_of = kNone);
-  /// One wall of a strip, as the nodes that are passed.
-  struct Wall {
-    const Node* first;
-    int step;  ///< 1 on the left, -1 on the right
-    std::uint32_t count;
-    [[nodiscard]] const Node& node(std::uint32_t i) const { return first[step * static_cast<std::ptrdiff_t>(i)]; }
-    /// Which way a point q lies from the ray from s through p: +1 behind the wall's side of it, -1 on the other side.
-    [[nodiscard]] int turn(const Vec2& s, const Vec2& p, const Vec2& q) const;
-    /// The node that limits what is seen from s past the first nodes; kNone if that is the end of the door before them.
-    /// @param guess  a node that may be near it, or kNone.
-    [[nodiscard]] std::uint32_t limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t guess) const;
-  };
   /// What limits a range along a wall: the node that a ray of the range touches.
   struct Contact {
     std::uint32_t index = kNone;  ///< of the wall; kNone if the range passes by
@@ -99,14 +87,20 @@ class WedgeWalk {
     [[nodiscard]] bool exists() const { return index != kNone; }
     [[nodiscard]] bool leaves_way() const { return !exists() || other_side > 0; }
   };
-  [[nodiscard]] Contact contact(const Wall& wall, const Limit& low, const Limit& high) const;
+  [[nodiscard]] Contact contact(const Strips::Wall& wall, const Limit& low, const Limit& high) const;
   /// Passes a strip. Returns whether anything comes through; then the limits are what does.
   bool pass(const Strips::Strip& strip, Limit& low, Limit& high);
+  /// Passes a strip one of whose walls is the run, from a place at its entrance. Returns whether the run goes on.
+  template <Hand kHand>
+  bool pass_along(const Strips::Strip& strip, std::uint32_t place, Limit& near);
   void take_tangent();
   void add(const Node& source, const Node& target);
 
   [[nodiscard]] const Node& node(std::uint32_t place) const {
     return map_.nodes()[place == alias_ ? alias_of_ : place];
+  }
+  [[nodiscard]] std::uint32_t index_of(const Node& node) const {
+    return static_cast<std::uint32_t>(&node - map_.nodes().data());
   }
   [[nodiscard]] int side(const Limit& limit, const Vec2& p, std::uint32_t site) const;
   [[nodiscard]] int exact_side(const Limit& limit, std::uint32_t site) const;

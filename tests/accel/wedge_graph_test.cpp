@@ -71,6 +71,12 @@ TEST(WedgeGraph, Clutters) {
     }
 }
 
+// A run's rays may begin to lead left, so that it ends, in the middle of a strip along it.
+TEST(WedgeGraph, RunsThatEndWithinStrips) {
+  for (std::uint64_t seed = 40; seed < 130; ++seed)
+    ASSERT_TRUE(agrees(random_world({.obstacles = 3, .vertices = 16, .fill = 0.3, .seed = seed}))) << "seed " << seed;
+}
+
 TEST(WedgeGraph, NastyWorlds) {
   for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed)
     ASSERT_TRUE(agrees(test::nasty_world(seed, 14))) << "seed " << seed;
