@@ -79,8 +79,8 @@ class Flipper {
   void fetch_ahead() const {
     constexpr std::uint32_t kFar = 48, kNear = 24;
     if (next_ + kFar >= begin_ + size_) return;
-    const auto last = static_cast<std::uint32_t>(corners_.size() - 1);
-    const auto beyond = [&](std::uint32_t h) { return std::min(twins_[h], last); };
+    // What lies beyond the own half-edges others may be flipping.
+    const auto beyond = [&](std::uint32_t h) { return is_out(twins_[h]) ? h : twins_[h]; };
     const std::uint32_t far = beyond(next_ + kFar);
     will_need(&corners_[far]);
     will_need(&twins_[far]);
