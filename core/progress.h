@@ -45,8 +45,7 @@ class ReportingExecutor final : public Executor {
     const std::size_t step = std::max<std::size_t>(count / kReports, 1);
     const std::size_t piece = std::max(step, grain);
     std::atomic<std::size_t> done = 0;
-    std::mutex mutex;
-    std::size_t reported = 0;
+    std::size_t reported = 0;  // guarded by mutex_
     executor_.for_ranges(count, grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t first = begin; first < end;) {
         const std::size_t last = first + std::min(piece, end - first);
@@ -54,7 +53,7 @@ class ReportingExecutor final : public Executor {
         done += last - first;
         first = last;
         // Who finds another thread here leaves the report to it, or to the next one.
-        const std::unique_lock lock(mutex, std::try_to_lock);
+        const std::unique_lock lock(mutex_, std::try_to_lock);
         if (!lock) continue;
         const std::size_t now = done;
         if (now < reported + step || now == count) continue;
@@ -62,6 +61,7 @@ class ReportingExecutor final : public Executor {
         report_({stage, now, count});
       }
     });
+    const std::lock_guard lock(mutex_);
     report_({stage, count, count});
   }
 
@@ -70,6 +70,7 @@ class ReportingExecutor final : public Executor {
   const Executor& executor_;
   ProgressCallback report_;
   mutable std::atomic<const char*> stage_ = "";
+  mutable std::mutex mutex_;  // of all loops: they may run at the same time, within each other
 };
 
 }  // namespace arcway

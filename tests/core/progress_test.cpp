@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/planner.h"
@@ -40,6 +41,19 @@ TEST(Progress, RisesToTheTotalAndIsReportedByOneThreadAtATime) {
     EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
     EXPECT_LE(reports.size(), 253u);
   }
+}
+
+TEST(Progress, LoopsWithinLoopsAreReportedByOneThreadAtATime) {
+  const test::ThreadExecutor threads(4);
+  std::atomic<int> inside = 0;
+  const ReportingExecutor executor(threads, [&](const Progress&) {
+    EXPECT_EQ(++inside, 1);
+    std::this_thread::yield();
+    --inside;
+  });
+  executor.for_ranges(8, 1, [&](std::size_t, std::size_t) {
+    for (int i = 0; i < 20; ++i) executor.for_ranges(40, 1, [](std::size_t, std::size_t) {});
+  });
 }
 
 TEST(Progress, ALoopOnOneThreadIsReportedInPieces) {
