@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "core/bound/travel_time_bound.h"
@@ -14,6 +16,7 @@
 #include "core/refine/circle_chain.h"
 #include "core/refine/tied_turns.h"
 #include "core/refine/timed_chain.h"
+#include "core/shortest_text.h"
 
 namespace arcway {
 
@@ -455,9 +458,16 @@ class Refiner {
 
 }  // namespace
 
+void require_refinement(const RefineOptions& options) {
+  if (!(options.smallest_step > 0.0 && std::isfinite(options.smallest_step)))
+    throw std::invalid_argument("refinement: smallest step is " + shortest_text(options.smallest_step) +
+                                " of the turning radius, must be positive and finite");
+}
+
 void refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
                  const RefineOptions& options, const std::function<bool()>& stop, RefineWorkspace& workspace,
                  RefinedPath& result) {
+  require_refinement(options);
   RefineWorkspace::Data& w = *workspace;
   result.path = path;
   result.trials = result.improvements = result.straights_checked = result.turns_checked = 0;

@@ -13,9 +13,11 @@ namespace [[gnu::visibility("default")]] arcway {
 struct RefineOptions {
   /// Paths whose travel time is tried, at most; some microseconds each. 0: no refinement.
   std::uint32_t max_trials = 4000;
-  /// Centres and radii slide in steps down to this part of the smallest turning radius.
+  /// Centres and radii slide in steps down to this part of the smallest turning radius, > 0.
   double smallest_step = 1.0 / 128.0;
 };
+/// @throws std::invalid_argument if the smallest step is not positive and finite, naming it.
+void require_refinement(const RefineOptions& options);
 
 struct RefinedPath {
   Path path;
@@ -54,6 +56,7 @@ class RefineWorkspace {
 /// turns on fewer than two circles is returned as it is. A local optimum of these changes, not the fastest path.
 /// Deterministic unless stopped: `stop` is asked before each trial and ends refinement with the best path so far.
 /// Thread-safe.
+/// @throws std::invalid_argument as require_refinement does.
 RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
                         const SweepQuery& sweep, const RefineOptions& options = {},
                         const std::function<bool()>& stop = {});

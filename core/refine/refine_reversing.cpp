@@ -132,7 +132,7 @@ class ReversingRefiner {
   bool slide_cusps() {
     const double radius = vehicle_.min_turning_radius();
     bool slid = false;
-    for (double step = kFirstStep; step >= options_.smallest_step; step *= 0.5)
+    for (double step = kFirstStep; step >= options_.smallest_step && !done(); step *= 0.5)
       for (std::size_t cusp = 0; cusp < cusps_of(result_.path); ++cusp)
         // Where the body nearly touches something, only one direction of these may be free.
         for (const int ahead : {1, -1, 0})
@@ -282,6 +282,7 @@ class ReversingRefiner {
 
 RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep, double cusp_cost,
                                   const RefineOptions& options, const std::function<bool()>& stop) {
+  require_refinement(options);
   RefinedPath result;
   result.path = path;
   ReversingRefiner(vehicle, sweep, cusp_cost, options, stop, result).run();

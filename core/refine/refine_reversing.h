@@ -18,6 +18,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// A change is accepted only if the cost falls and the swept area of the body grown by half of the safety margin is
 /// free by `sweep`. A local optimum of these changes, not the cheapest path. Deterministic.
 /// @param stop  asked before each trial; true ends the refinement with the best path so far.
+/// @throws std::invalid_argument as require_refinement does.
 RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep, double cusp_cost,
                                   const RefineOptions& options, const std::function<bool()>& stop);
 

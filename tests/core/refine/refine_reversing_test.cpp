@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/path/speed_profile.h"
+#include "core/planner.h"
 #include "core/query/query_set.h"
 #include "core/search/gear_search.h"
 #include "tests/support/boxes.h"
@@ -39,6 +42,19 @@ TEST(RefineReversing, CuspsMoveToWhereParkingTakesLessTime) {
     gain += 1.0 - fine.travel_time / words.travel_time;
   }
   EXPECT_GT(gain, 0.015);
+}
+
+TEST(RefineReversing, RefusesStepsThatNeverEnd) {
+  const QuerySet queries = make_reference_queries(World({}));
+  const Path path{{{0, 0, 0}, 2.0, 0.0}};
+  for (const double step : {0.0, -0.01, std::nan(""), HUGE_VAL}) {
+    RefineOptions options;
+    options.smallest_step = step;
+    EXPECT_THROW((void)refine_reversing_path(path, Vehicle{}, *queries.sweep, 0.0, options, {}), std::invalid_argument);
+    EXPECT_THROW((void)refine_path(path, {0, 0, 0}, {2, 0, 0}, Vehicle{}, *queries.sweep, options),
+                 std::invalid_argument);
+    EXPECT_THROW(Planner(World({}), Vehicle{}, {.refinement = options}), std::invalid_argument);
+  }
 }
 
 TEST(RefineReversing, StopsWhenItIsAsked) {
