@@ -23,6 +23,7 @@ constexpr std::int32_t kFurthest = 40;  // boxes away from the end, at the coars
 constexpr double kStep = 0.25;          // length of a step, of the smallest turning radius
 constexpr double kLeastStep = 4.0;      // of a box's edge: shorter ones would get lost in it
 constexpr double kMostTurn = 1.5;       // in a step, below a right angle [rad]
+constexpr double kLongestStep = 2.0;    // beside `kFurthest` boxes: longer ones leave what is near at once
 constexpr double kRounding = 1e-9;      // relative, that shrunk bodies are smaller by and that steps lead further
 
 struct Range {
@@ -30,7 +31,7 @@ struct Range {
 };
 
 /// A box of positions of the reference point and of headings.
-struct Box3 {
+struct PoseBox {
   std::int32_t x, y, heading;
 };
 
@@ -113,15 +114,17 @@ class ForwardFlood {
 
   enum class End { kClosed, kOpen, kOpenAtOnce, kGivenUp };
   End run(std::size_t max_checks, std::vector<std::uint32_t>& memory) {
-    if (core_.half_width <= 0.0 || core_.front + core_.rear <= 0.0 || step_ > kMostTurn * radius_) return End::kOpen;
+    if (core_.half_width <= 0.0 || core_.front + core_.rear <= 0.0 || step_ > kMostTurn * radius_ ||
+        step_ > kLongestStep * furthest_ * edge_)
+      return End::kOpen;
     SeenBoxes seen(furthest_, headings_, memory);
-    std::vector<Box3> open;
+    std::vector<PoseBox> open;
     seen.see(0, 0, 0, 1, [&](std::int32_t heading) { open.push_back({0, 0, heading}); });
     const double near = step_ + edge_;
     bool has_collided = false;
     for (std::size_t checks = 0; !open.empty(); ++checks) {
       // The last one first, and not asked about before: where there is a way out, it is found soon.
-      const Box3 box = open.back();
+      const PoseBox box = open.back();
       open.pop_back();
       if (checks > max_checks) return End::kGivenUp;
       if (checks > 0 && !is_free(box)) {
@@ -148,8 +151,8 @@ class ForwardFlood {
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
-  [[nodiscard]] bool is_far(const Box3& box) const { return std::max(std::abs(box.x), std::abs(box.y)) > furthest_; }
-  [[nodiscard]] bool is_free(const Box3& box) {
+  [[nodiscard]] bool is_far(const PoseBox& box) const { return std::max(std::abs(box.x), std::abs(box.y)) > furthest_; }
+  [[nodiscard]] bool is_free(const PoseBox& box) {
     auto& body = bodies_[static_cast<std::size_t>(box.heading)];
     if (!body) body = swept_rectangle({0.0, 0.0, heading_of(box.heading)}, 0.0, core_);
     SweptRectangle placed = *body;
@@ -157,7 +160,7 @@ class ForwardFlood {
     return sweep_.straight_free(placed);
   }
   [[nodiscard]] double heading_of(std::int32_t heading) const { return from_.heading + kTwoPi * heading / headings_; }
-  [[nodiscard]] Vec2 position_of(const Box3& box) const { return from_.position() + edge_ * Vec2(box.x, box.y); }
+  [[nodiscard]] Vec2 position_of(const PoseBox& box) const { return from_.position() + edge_ * Vec2(box.x, box.y); }
   // Where steps may end that turn by so many headings, and half a one more or less.
   struct Turned {
     std::int32_t headings;

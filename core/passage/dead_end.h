@@ -22,7 +22,8 @@ struct DeadEnd {
 /// 1 / radius it is driven with, unless the body collides everywhere in the box. Backwards from the goal likewise. If
 /// there are no more of them before they are some body widths away or near the other end, that is a proof; else boxes
 /// are halved, once, unless they were too many before or all free. What is near is decided, not what is far: enclosures
-/// of any size that also hold for reversing are found by find_enclosure.
+/// of any size that also hold for reversing are found by find_enclosure. No proof is found for vehicles that turn
+/// within no less than some 24 times the body's width.
 /// @param footprint  of the body that must not touch anything.
 /// @param radius  smallest turning radius, > 0.
 /// @param outlines  of the query's world.

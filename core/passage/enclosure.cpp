@@ -21,7 +21,7 @@ constexpr int kFewestHeadings = 32;
 constexpr double kRounding = 1e-9;  // of the body's size and of coordinates, that shrunk bodies are smaller by
 
 /// A box of positions of the body's middle and of headings.
-struct Box3 {
+struct PoseBox {
   std::int32_t x, y, heading;
 };
 
@@ -51,18 +51,18 @@ class Flood {
   enum class End { kClosed, kOpen, kTooMany };
   End run(std::size_t max_boxes) {
     if (std::min(core_.front, core_.half_width) <= 0.0) return End::kOpen;
-    const Box3 goal = box_of(to_);
-    std::vector<Box3> boxes{{0, 0, 0}};
+    const PoseBox goal = box_of(to_);
+    std::vector<PoseBox> boxes{{0, 0, 0}};
     using Waiting = std::pair<double, std::size_t>;
     std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> open;
     open.push({0.0, 0});
     std::unordered_set<std::uint64_t> seen{key_of(boxes[0])};
     while (!open.empty()) {
-      const Box3 box = boxes[open.top().second];
+      const PoseBox box = boxes[open.top().second];
       open.pop();
       reach_ = std::max(reach_, (center_of(box).position() - from_.position()).norm());
       if (box.x == goal.x && box.y == goal.y && box.heading == goal.heading) return End::kOpen;
-      for (const Box3& next : neighbours(box)) {
+      for (const PoseBox& next : neighbours(box)) {
         if (!seen.insert(key_of(next)).second) continue;
         if (seen.size() > max_boxes) return End::kTooMany;
         const Pose center = center_of(next);
@@ -78,16 +78,16 @@ class Flood {
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
-  [[nodiscard]] Pose center_of(const Box3& box) const {
+  [[nodiscard]] Pose center_of(const PoseBox& box) const {
     return {from_.x + edge_ * box.x, from_.y + edge_ * box.y, from_.heading + kTwoPi * box.heading / headings_};
   }
-  [[nodiscard]] Box3 box_of(const Pose& pose) const {
+  [[nodiscard]] PoseBox box_of(const Pose& pose) const {
     const auto index = [this](double d) { return static_cast<std::int32_t>(std::lround(d / edge_)); };
     const double turns = wrap_positive(pose.heading - from_.heading) / kTwoPi;
     return {index(pose.x - from_.x), index(pose.y - from_.y),
             static_cast<std::int32_t>(std::lround(turns * headings_)) % headings_};
   }
-  [[nodiscard]] std::array<Box3, 6> neighbours(const Box3& b) const {
+  [[nodiscard]] std::array<PoseBox, 6> neighbours(const PoseBox& b) const {
     return {{{b.x + 1, b.y, b.heading},
              {b.x - 1, b.y, b.heading},
              {b.x, b.y + 1, b.heading},
@@ -95,7 +95,7 @@ class Flood {
              {b.x, b.y, (b.heading + 1) % headings_},
              {b.x, b.y, (b.heading + headings_ - 1) % headings_}}};
   }
-  static std::uint64_t key_of(const Box3& b) {
+  static std::uint64_t key_of(const PoseBox& b) {
     return (static_cast<std::uint64_t>(b.x & 0xFFFFFF) << 40) | (static_cast<std::uint64_t>(b.y & 0xFFFFFF) << 16) |
            static_cast<std::uint64_t>(b.heading);
   }

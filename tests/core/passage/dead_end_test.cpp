@@ -42,6 +42,16 @@ TEST(DeadEnd, AWallAhead) {
     EXPECT_FALSE(dead_end(World({box(ahead, -40, ahead + 1, 40)}), vehicle, {0, 0, 0}, kFarGoal)) << ahead;
 }
 
+// A step of the proof would leave all that is near: no proof, at once.
+TEST(DeadEnd, IsNotLookedForByVehiclesThatTurnVeryWide) {
+  const World pocket({box(-5, 1, 5, 2), box(-5, -2, 5, -1), box(2, -2, 3, 2)});
+  for (const double radius : {30.0, 650.0, 2e4, 1e6}) {
+    VehicleParameters parameters;
+    parameters.max_steering_angle = std::atan(parameters.wheelbase / radius);
+    EXPECT_FALSE(dead_end(pocket, Vehicle(parameters), {0, 0, 0.25 * kPi}, kFarGoal)) << radius;
+  }
+}
+
 // The other way round for the goal: its tail sweeps less.
 TEST(DeadEnd, AWallBehindTheGoal) {
   const Vehicle vehicle;
