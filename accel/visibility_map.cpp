@@ -82,6 +82,13 @@ struct VisibilityMap::Data {
     return (kind == Kind::kReached || kind == Kind::kFrame) && (map.is_whole() || !map.is_blocked_by_broken({p, q}));
   }
 
+  static void require_range(const char* what, const Vec2& p) {
+    if (!is_in_range(p))
+      throw std::invalid_argument(std::string(what) + ": " + shortest_text(p) + ", coordinates must be 0 or from " +
+                                  shortest_text(kMinMagnitude) + " to " + shortest_text(kMaxMagnitude) +
+                                  " in magnitude");
+  }
+
   void require_near(const char* what, const Vec2& p) const {
     if (!map.is_whole())
       throw std::domain_error(std::string(what) + ": edges of " + std::to_string(map.broken_count()) +
@@ -192,10 +199,16 @@ VisibilityMap::~VisibilityMap() = default;
 VisibilityMap::VisibilityMap(VisibilityMap&&) noexcept = default;
 VisibilityMap& VisibilityMap::operator=(VisibilityMap&&) noexcept = default;
 
-bool VisibilityMap::visible(const LineSegment& segment) const { return data_->is_visible(segment); }
+bool VisibilityMap::visible(const LineSegment& segment) const {
+  Data::require_range("line of sight", segment.a);
+  Data::require_range("line of sight", segment.b);
+  return data_->is_visible(segment);
+}
 
 std::optional<VisibilityMap::RayHit> VisibilityMap::first_hit(const Vec2& from, const Vec2& towards) const {
   const Data& d = *data_;
+  Data::require_range("first hit", from);
+  Data::require_range("first hit", towards);
   if (from == towards) throw std::invalid_argument("first hit: a ray needs two different points");
   d.require_near("first hit", from);
   if (d.world.vertices().empty()) return std::nullopt;
@@ -218,6 +231,7 @@ std::vector<VertexId> VisibilityMap::tangents_from(VertexId vertex) const {
 }
 
 std::vector<VertexId> VisibilityMap::tangents_from(const Vec2& point) const {
+  Data::require_range("tangents", point);
   const Data& d = *data_;
   if (d.locator.containing(point) != kNone) return {};
   std::vector<VertexId> found = d.candidates_from(point);
@@ -244,6 +258,7 @@ std::vector<VertexId> VisibilityMap::tangents_from(const Vec2& point) const {
 
 std::vector<VisibilityMap::SeenWall> VisibilityMap::visibility_polygon(const Vec2& point) const {
   const Data& d = *data_;
+  Data::require_range("visibility polygon", point);
   d.require_near("visibility polygon", point);
   std::vector<SeenWall> walls;
   for (const View& view : d.views_from(point, d.triangles_at(point)))

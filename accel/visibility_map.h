@@ -17,7 +17,8 @@ namespace [[gnu::visibility("default")]] arcway {
 ///     if (map.visible({a, b})) ...
 ///     for (const SeenWall& piece : map.visibility_polygon(p)) draw_triangle(p, piece.right, piece.left);
 ///
-/// Points must be finite and in the range of predicates.h. Immutable and thread-safe; the world need not outlive it.
+/// Points must be finite and in the range of predicates.h: std::invalid_argument otherwise. Immutable and thread-safe;
+/// the world need not outlive it.
 class VisibilityMap {
  public:
   /// Triangulates free space, see wedge_graph.h, and sorts the triangles into a tree: O(n log n), about 600 bytes a

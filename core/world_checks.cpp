@@ -18,8 +18,7 @@ constexpr std::size_t kMaxVertices = 0x7FFFFFFF;
 std::string complaint_about(const Vec2& p) {
   for (const Eigen::Index axis : {0, 1}) {
     const double value = p[axis];
-    const double magnitude = std::abs(value);
-    if (value == 0.0 || (magnitude >= kMinMagnitude && magnitude <= kMaxMagnitude)) continue;
+    if (is_in_range(value)) continue;
     std::string what = (axis == 0 ? "x is " : "y is ") + (std::isnan(value) ? "nan" : shortest_text(value));
     if (std::isfinite(value)) {
       what.append(", its magnitude must be 0 or from ").append(shortest_text(kMinMagnitude));

@@ -1,10 +1,12 @@
 #include "core/geometry/closed_spline.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "core/geometry/predicates.h"
 #include "core/shortest_text.h"
 
 namespace arcway {
@@ -50,6 +52,7 @@ struct Place {
   double u;
 };
 Place place_of(double t, std::size_t pieces) {
+  assert(t >= 0.0 && t <= static_cast<double>(pieces));
   const double whole = std::clamp(std::floor(t), 0.0, static_cast<double>(pieces - 1));
   return {static_cast<std::size_t>(whole), t - whole};
 }
@@ -174,8 +177,10 @@ ClosedSpline::ClosedSpline(std::span<const Vec2> points) {
   std::vector<double> h(n);  // of the chord from point i
   for (std::size_t i = 0; i < n; ++i) {
     h[i] = (points[(i + 1) % n] - points[i]).norm();
-    if (!points[i].allFinite() || !(h[i] > 0.0))
-      throw std::invalid_argument("spline: point " + std::to_string(i) + " is not finite or equals the next one");
+    if (!is_in_range(points[i]) || !(h[i] > 0.0))
+      throw std::invalid_argument("spline: point " + std::to_string(i) + " equals the next one, or has a coordinate " +
+                                  "that is neither 0 nor of magnitude " + shortest_text(kMinMagnitude) + " to " +
+                                  shortest_text(kMaxMagnitude));
   }
   // Velocities at the points, so that second derivatives agree there.
   std::vector<double> lower(n), diagonal(n), upper(n);
@@ -207,6 +212,7 @@ Vec2 ClosedSpline::derivative(double t) const {
 }
 
 Ring circumscribed_ring(std::span<const CubicBezier> pieces, std::span<const double> tolerances) {
+  if (pieces.empty()) throw std::invalid_argument("circumscribed ring: no pieces");
   if (pieces.size() != tolerances.size()) throw std::invalid_argument("circumscribed ring: one tolerance a piece");
   double largest = 0.0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

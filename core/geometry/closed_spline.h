@@ -33,7 +33,8 @@ struct CubicBezier {
 /// thread-safe.
 class ClosedSpline {
  public:
-  /// @param points  at least 3, finite, no two neighbours equal (the last one is a neighbour of the first).
+  /// @param points  at least 3, in the range of predicates.h, no two neighbours equal (the last one is a neighbour of
+  ///   the first).
   /// @throws std::invalid_argument naming the point. O(n).
   explicit ClosedSpline(std::span<const Vec2> points);
   ClosedSpline(std::initializer_list<Vec2> points) : ClosedSpline(std::span(points.begin(), points.size())) {}
@@ -41,7 +42,7 @@ class ClosedSpline {
   /// Number of points and of pieces; piece i runs from point i to the next.
   [[nodiscard]] std::size_t size() const { return pieces_.size(); }
   [[nodiscard]] std::span<const CubicBezier> pieces() const { return pieces_; }
-  /// t in [0, size()].
+  /// Precondition: t in [0, size()].
   [[nodiscard]] Vec2 at(double t) const;
   /// d/dt; its direction is continuous at the points, its length is not.
   [[nodiscard]] Vec2 derivative(double t) const;
@@ -61,7 +62,8 @@ class ClosedSpline {
 /// Corners between two pieces stay where they are. A line from a to b is the cubic a, a, b, b.
 /// The number of vertices grows as 1/sqrt(tolerance). The ring is simple if the curve is and the tolerance is small
 /// beside its narrowest place; World refuses it otherwise.
-/// @param pieces      each begins where the last one ends, bit for bit; the last one ends where the first begins.
+/// @param pieces      at least one; each begins where the last one ends, bit for bit; the last one ends where the first
+/// begins.
 /// @param tolerances  one a piece [m], each at least 2^-40 of the largest coordinate: for refinement where it matters.
 /// @throws std::invalid_argument naming the piece, or if there are more than a million vertices.
 Ring circumscribed_ring(std::span<const CubicBezier> pieces, std::span<const double> tolerances);

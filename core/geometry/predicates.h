@@ -16,6 +16,12 @@ namespace [[gnu::visibility("default")]] arcway {
 
 inline constexpr double kMinMagnitude = 1e-100;
 inline constexpr double kMaxMagnitude = 1e100;
+/// Whether a coordinate is one of these.
+inline bool is_in_range(double coordinate) {
+  const double magnitude = std::abs(coordinate);
+  return coordinate == 0.0 || (magnitude >= kMinMagnitude && magnitude <= kMaxMagnitude);  // not if NaN
+}
+inline bool is_in_range(const Vec2& p) { return is_in_range(p.x()) && is_in_range(p.y()); }
 
 namespace detail {
 int exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c);

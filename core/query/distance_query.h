@@ -19,16 +19,18 @@ struct ClosestPoint {
 
 /// How far are points from the obstacles, and inside which one do they lie?
 /// Every implementation gives the same bits. Thread-safe; a call does not allocate.
+/// Coordinates must be finite and in the range of predicates.h. All functions throw std::invalid_argument if sizes
+/// differ or a coordinate is out of range, naming its index.
 class DistanceQuery {
  public:
   virtual ~DistanceQuery() = default;
 
   /// Nearest boundary point of each query point, its inside or outside not regarded.
-  /// @throws std::invalid_argument if the sizes differ or a coordinate is not finite, naming its index.
   void closest(std::span<const Vec2> points, std::span<ClosestPoint> result) const;
   [[nodiscard]] ClosestPoint closest(const Vec2& point) const;
 
   /// closer[i] = 1 if some boundary point lies nearer than distances[i] to points[i]. Cheaper than `closest`.
+  /// @throws std::invalid_argument if a distance is not a number, too.
   void closer_than(std::span<const Vec2> points, std::span<const double> distances,
                    std::span<std::uint8_t> closer) const;
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/geometry/angle.h"
+#include "core/shortest_text.h"
 
 namespace arcway {
 
@@ -61,9 +62,10 @@ HeadingSet HeadingSet::of_intervals(std::vector<HeadingInterval> intervals) {
     const auto [low, high] = intervals[i];
     const double limit = i + 1 < intervals.size() ? intervals[i + 1].low : intervals[0].low + kFullCircle;
     const bool is_full_circle = intervals.size() == 1 && low == 0.0 && high == kFullCircle;
-    if (!(low >= 0.0 && low < kFullCircle && high >= low && high <= limit) && !is_full_circle)
-      throw std::invalid_argument("heading interval " + std::to_string(i) + " is from " + std::to_string(low) + " to " +
-                                  std::to_string(high));
+    if (!(low >= 0.0 && low < kFullCircle && high >= low && high < limit) && !is_full_circle)
+      throw std::invalid_argument("heading interval " + std::to_string(i) + " is from " + shortest_text(low) + " to " +
+                                  shortest_text(high) + ", must begin in [0, 2 pi) and end below " +
+                                  shortest_text(limit) + ", where the next one begins");
   }
   return HeadingSet(std::move(intervals));
 }

@@ -20,8 +20,7 @@ void require_equal_sizes(std::size_t questions, std::size_t answers) {
 }
 
 void require_coordinate(double value, std::size_t index) {
-  const double magnitude = std::abs(value);
-  if (magnitude <= kMaxMagnitude && (value == 0.0 || magnitude >= kMinMagnitude)) return;
+  if (is_in_range(value)) return;
   throw std::invalid_argument("query " + std::to_string(index) + ": coordinate " + shortest_text(value) +
                               " is not zero and not of magnitude 1e-100 to 1e100");
 }
@@ -29,6 +28,19 @@ void require_coordinate(double value, std::size_t index) {
 void require_point(const Vec2& p, std::size_t index) {
   require_coordinate(p.x(), index);
   require_coordinate(p.y(), index);
+}
+
+void require_body(const Footprint& body, std::size_t index) {
+  const auto require = [&](bool is_right, const char* what, double value, const char* limit) {
+    if (!is_right)
+      throw std::invalid_argument("query " + std::to_string(index) + ": the body's " + what + " is " +
+                                  shortest_text(value) + ", must be " + limit);
+  };
+  require(std::isfinite(body.front), "front", body.front, "finite");
+  require(std::isfinite(body.rear), "rear", body.rear, "finite");
+  require(body.half_width > 0.0 && std::isfinite(body.half_width), "half width", body.half_width,
+          "positive and finite");
+  require(body.front + body.rear > 0.0, "length, front + rear,", body.front + body.rear, "positive");
 }
 
 void require_points(std::span<const Vec2> points) {
@@ -104,7 +116,9 @@ void SweepQuery::free_headings(std::span<const TurningBody> bodies, std::span<He
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     require_point(bodies[i].center, i);
     if (!(bodies[i].radius > 0.0) || !std::isfinite(bodies[i].radius))
-      throw std::invalid_argument("query " + std::to_string(i) + ": turning radius must be positive and finite");
+      throw std::invalid_argument("query " + std::to_string(i) + ": turning radius is " +
+                                  shortest_text(bodies[i].radius) + ", must be positive and finite");
+    require_body(bodies[i].body, i);
   }
   do_free_headings(bodies, result);
 }

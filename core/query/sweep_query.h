@@ -40,11 +40,14 @@ class SweepQuery {
   virtual ~SweepQuery() = default;
 
   /// free[i] = 1 if no point of rectangles[i] belongs to an obstacle. Does not allocate.
-  /// @throws std::invalid_argument if the sizes differ or a corner is not finite, naming its index.
+  /// @throws std::invalid_argument if the sizes differ or a coordinate is not in the range of predicates.h, naming its
+  ///   index.
   void straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const;
   [[nodiscard]] bool straight_free(const SweptRectangle& rectangle) const;
 
   /// All headings at which the body, at that point of its circle, touches no obstacle.
+  /// @throws std::invalid_argument likewise, of centers; or if a radius, the half width or the length front + rear is
+  ///   not positive and finite. One of front and rear may be negative.
   void free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const;
   [[nodiscard]] HeadingSet free_headings(const TurningBody& body) const;
 

@@ -223,6 +223,7 @@ TEST(VisibilityMap, RaysAlmostAlongAWallMeetItSomewhere) {
     Vec2 p = middle, q = middle + 0.5 * static_cast<double>(random.integer(0, 1) * 2 - 1) * along;
     p.x() = std::nextafter(p.x(), random.integer(0, 1) == 0 ? -inf : inf);
     q.y() = std::nextafter(q.y(), random.integer(0, 1) == 0 ? -inf : inf);
+    if (!is_in_range(p) || !is_in_range(q)) continue;
     const auto hit = map.first_hit(p, q);
     if (!hit) continue;
     ++met;
@@ -255,6 +256,15 @@ TEST(VisibilityMap, RefusesWhatItCannotSay) {
   EXPECT_THROW((void)square.first_hit({1e6, 0}, {0, 0}), std::domain_error);
   EXPECT_THROW((void)square.first_hit({1, 0}, {1, 0}), std::invalid_argument);
   EXPECT_TRUE(square.visibility_polygon({1, 1}).empty());
+  const double nan = std::nan("");
+  for (const Vec2& bad : {Vec2(nan, 0.0), Vec2(0.0, 1e101), Vec2(1e-101, 0.0)}) {
+    EXPECT_THROW((void)square.visible({{0, 0}, bad}), std::invalid_argument);
+    EXPECT_THROW((void)square.visible({bad, {0, 0}}), std::invalid_argument);
+    EXPECT_THROW((void)square.first_hit(bad, {1, 1}), std::invalid_argument);
+    EXPECT_THROW((void)square.first_hit({-1, -1}, bad), std::invalid_argument);
+    EXPECT_THROW((void)square.tangents_from(bad), std::invalid_argument);
+    EXPECT_THROW((void)square.visibility_polygon(bad), std::invalid_argument);
+  }
   EXPECT_TRUE(VisibilityMap(World({})).visible({{0, 0}, {1, 1}}));
   EXPECT_FALSE(VisibilityMap(World({})).first_hit({0, 0}, {1, 1}).has_value());
 }

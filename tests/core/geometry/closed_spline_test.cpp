@@ -100,6 +100,8 @@ TEST(ClosedSpline, RefusesWhatIsNoCurve) {
   }
   EXPECT_THROW(circumscribed_ring(spline.pieces(), std::vector<double>(2, 0.1)), std::invalid_argument);
   EXPECT_THROW(circumscribed_ring(spline.pieces().first(2), 0.1), std::invalid_argument);
+  EXPECT_THROW(circumscribed_ring(spline.pieces().first(0), 0.1), std::invalid_argument);
+  EXPECT_THROW(ClosedSpline({{0, 0}, {1e200, 0}, {0, 1e200}}), std::invalid_argument);
 }
 
 // Points of the curve at a dense spacing h lie inside the ring, exactly; and no point between two samples is farther

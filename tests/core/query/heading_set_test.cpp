@@ -70,6 +70,17 @@ TEST(HeadingSet, AroundAHeadingIsWhatCanBeReachedFromIt) {
   EXPECT_NEAR(HeadingSet::full().around(3.0, 0.25).intervals()[0].low, 2.75, 1e-12);
 }
 
+TEST(HeadingSet, IsMadeOfDisjointIntervals) {
+  EXPECT_EQ(HeadingSet::of_intervals({{0.5, 1.0}, {2.0, 6.5}}).intervals().size(), 2u);
+  EXPECT_TRUE(HeadingSet::of_intervals({{0.0, kTwoPi}}).is_full());
+  for (const std::vector<HeadingInterval>& bad : {std::vector<HeadingInterval>{{1.0, 0.5}},
+                                                  {{-0.1, 0.5}},
+                                                  {{kTwoPi, 7.0}},
+                                                  {{0.5, 2.0}, {2.0, 3.0}},
+                                                  {{0.5, 1.0}, {2.0, 0.5 + kTwoPi}}})
+    EXPECT_THROW((void)HeadingSet::of_intervals(bad), std::invalid_argument) << bad.front().low;
+}
+
 TEST(HeadingSet, ComplementsIntoASetThatWasInUse) {
   HeadingSet set = HeadingSet::complement({{1.0, 2.0}, {3.0, 4.0}});
   for (const std::vector<HeadingInterval>& blocked :

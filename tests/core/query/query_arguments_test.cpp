@@ -46,6 +46,24 @@ TEST_F(QueryArguments, RadiiAndDistancesAreNumbers) {
   EXPECT_THROW(queries_.distance->closer_than({&good_, 1}, {&nan, 1}, {&closer, 1}), std::invalid_argument);
 }
 
+TEST_F(QueryArguments, BodiesCoverSomething) {
+  const auto ask = [&](const Footprint& body) {
+    return queries_.sweep->free_headings({good_, 1.0, Side::kLeft, body});
+  };
+  EXPECT_NO_THROW((void)ask({2.0, -0.5, 0.4}));
+  EXPECT_NO_THROW((void)ask({-0.5, 2.0, 0.4}));
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  for (const Footprint& body :
+       {Footprint{nan, 1.0, 0.4}, Footprint{1.0, nan, 0.4}, Footprint{1.0, 0.3, nan}, Footprint{infinity, 0.3, 0.4},
+        Footprint{1.0, 0.3, infinity}, Footprint{1.0, 0.3, 0.0}, Footprint{1.0, 0.3, -0.4}, Footprint{1.0, -1.0, 0.4}})
+    EXPECT_THROW((void)ask(body), std::invalid_argument) << body.front << " " << body.rear << " " << body.half_width;
+  try {
+    (void)ask({1.0, 0.3, -0.4});
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "query 0: the body's half width is -0.4, must be positive and finite");
+  }
+}
+
 TEST_F(QueryArguments, AnswersHaveRoom) {
   const std::array<Vec2, 2> points{good_, good_};
   const std::array<double, 1> distance{1.0};
