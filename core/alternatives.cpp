@@ -21,7 +21,7 @@ namespace arcway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kChordTurn = 0.05;        // of the chords that stand for arcs [rad]
+constexpr double kPieceTurn = 1.5;         // of the pieces that arcs are taken in, less than half a circle [rad]
 constexpr std::size_t kMostPassages = 10;  // of a path, the narrowest ones
 constexpr double kSamplesPerSegment = 8.0;
 
@@ -96,15 +96,26 @@ std::vector<Passage> passages_of(const PlanResult& plan, const Planner& planner)
   return passages;
 }
 
-// How far a path turns about a point, seen from there [rad].
+// Whether a point lies between an arc of less than half a circle and its chord.
+bool is_cut_off(const PathSegment& arc, const Vec2& from, const Vec2& to, const Vec2& point) {
+  const double side = sign_of(arc.gear) * arc.curvature;  // > 0: the arc lies to the right of its chord
+  if (orientation(from, to, point) * side >= 0.0) return false;
+  const Vec2 center = arc.start.position() + perpendicular(direction_of(arc.start.heading)) / arc.curvature;
+  return (point - center).norm() * std::abs(arc.curvature) < 1.0;
+}
+
+// How far a path turns about a point, seen from there [rad]: an arc as its chord does, but the other way round what
+// lies between the two.
 double turn_about(std::span<const PathSegment> path, const Vec2& point) {
   double turn = 0.0;
   for (const PathSegment& s : path) {
-    const double steps = std::max(1.0, std::ceil(s.length * std::abs(s.curvature) / kChordTurn));
-    Vec2 from = s.start.position() - point;
-    for (double i = 1.0; i <= steps; ++i) {
-      const Vec2 to = s.at(s.length * (i / steps)).position() - point;
-      turn += std::atan2(cross(from, to), from.dot(to));
+    const double pieces = std::max(1.0, std::ceil(s.length * std::abs(s.curvature) / kPieceTurn));
+    Vec2 from = s.start.position();
+    for (double i = 1.0; i <= pieces; ++i) {
+      const Vec2 to = s.at(s.length * (i / pieces)).position();
+      const Vec2 a = from - point, b = to - point;
+      turn += std::atan2(cross(a, b), a.dot(b));
+      if (!s.is_line() && is_cut_off(s, from, to, point)) turn += std::copysign(kTwoPi, sign_of(s.gear) * s.curvature);
       from = to;
     }
   }

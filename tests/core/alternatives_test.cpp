@@ -110,5 +110,30 @@ TEST(SameWay, CountsTheWindingRoundEveryObstacle) {
   EXPECT_FALSE(same_way(over(2.0), loop, world));
 }
 
+TEST(SameWay, SeesWhatLiesBetweenAWideArcAndItsChord) {
+  const double radius = 1e4, turn = 0.04;  // 2 m between the arc and its chord, 400 m long
+  for (const Gear gear : {Gear::kForward, Gear::kReverse})
+    for (const double side : {1.0, -1.0}) {
+      const PathSegment arc{{0, 0, 0}, radius * turn, side / radius, gear};
+      const Vec2 to = arc.end().position();
+      const double along = std::atan2(to.y(), to.x());
+      const Path straight{{{0, 0, along}, to.norm(), 0.0}};
+      const Vec2 middle = 0.5 * to, away = (arc.at(0.5 * arc.length).position() - middle).normalized();
+      const auto obstacle_at = [&](double distance) {
+        const Vec2 p = middle + distance * away;
+        return World({box(p.x() - 0.01, p.y() - 0.01, p.x() + 0.01, p.y() + 0.01)});
+      };
+      EXPECT_FALSE(same_way({&arc, 1}, straight, obstacle_at(1.0)));
+      EXPECT_TRUE(same_way({&arc, 1}, straight, obstacle_at(-1.0)));
+      EXPECT_TRUE(same_way({&arc, 1}, straight, obstacle_at(3.0)));
+    }
+  // Most of a circle, which starts and ends near the obstacle.
+  const Path loop{{{0, 0, 0}, 6.0, 1.0}};
+  const Vec2 to = loop[0].end().position();
+  const Path back{{{0, 0, std::atan2(to.y(), to.x())}, to.norm(), 0.0}};
+  EXPECT_FALSE(same_way(loop, back, World({box(-0.1, 0.9, 0.1, 1.1)})));
+  EXPECT_TRUE(same_way(loop, back, World({box(-0.1, 2.1, 0.1, 2.2)})));
+}
+
 }  // namespace
 }  // namespace arcway
