@@ -17,6 +17,7 @@
 #include "core/path/speed_profile.h"
 #include "core/plan_maps.h"
 #include "core/plan_run.h"
+#include "core/planner_inputs.h"
 #include "core/search/search_map.h"
 #include "core/search/workspace_pool.h"
 #include "core/shortest_text.h"
@@ -26,12 +27,6 @@ namespace arcway {
 
 namespace {
 
-// Of times, so that none overflows.
-constexpr double kLargestSuboptimality = 1e6;
-// Units in the last place of the largest coordinate that the safety margin must span: corners, centres and critical
-// angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
-constexpr double kMarginUnits = 1048576.0;
-
 // Where wider turns are faster, the paths of several maps are refined as far as tells which is the best, and that one
 // then at length: in trials, of what the options say.
 constexpr double kQuickEffort = 0.75, kLastEffort = 24.0;
@@ -39,44 +34,6 @@ constexpr double kQuickEffort = 0.75, kLastEffort = 24.0;
 constexpr std::size_t kEnclosureBoxes = 15000;
 // The same of the proof that one which may not gets nowhere.
 constexpr std::size_t kDeadEndChecks = 8500;
-
-std::vector<double> checked_radii(const World& world, const Vehicle& vehicle, std::vector<double> radii) {
-  if (radii.empty()) return turning_radii(vehicle, world);
-  std::sort(radii.begin(), radii.end());
-  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
-  for (const double radius : radii)
-    if (!std::isfinite(radius) || radius < vehicle.min_turning_radius())
-      throw std::invalid_argument("radius " + shortest_text(radius) +
-                                  " is below the vehicle's smallest turning radius, " +
-                                  shortest_text(vehicle.min_turning_radius()));
-  return radii;
-}
-
-void require_margin(const Vehicle& vehicle, double largest, const std::string& what, const char* advice) {
-  const double needed = kMarginUnits * (std::nextafter(largest, INFINITY) - largest);
-  if (vehicle.safety_margin() < needed)
-    throw std::invalid_argument("safety margin " + shortest_text(vehicle.safety_margin()) + " m is too small for " +
-                                what + " " + shortest_text(largest) + ": doubles need at least " +
-                                shortest_text(needed) + " m there" + advice);
-}
-
-void require_margin(const World& world, const Vehicle& vehicle) {
-  const VehicleParameters& body = vehicle.parameters();
-  require_margin(vehicle, std::max({body.length, body.width, body.wheelbase}), "a body of", "");
-  require_margin(vehicle, vehicle.min_turning_radius(), "a smallest turning radius of", "");
-  if (world.box().empty()) return;
-  require_margin(vehicle, std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff()),
-                 "coordinates up to", "; move the map to the origin");
-}
-
-PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
-  options.radii = checked_radii(world, vehicle, std::move(options.radii));
-  if (!(options.suboptimality >= 0.0 && options.suboptimality <= kLargestSuboptimality))
-    throw std::invalid_argument("suboptimality: " + shortest_text(options.suboptimality) + ", must be from 0 to " +
-                                shortest_text(kLargestSuboptimality));
-  require_margin(world, vehicle);
-  return options;
-}
 
 // Checks the feasible graph anew.
 auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
@@ -133,6 +90,7 @@ struct Planner::Data {
       point_distance.emplace(world, rows, map().outlines);
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = map().graph.counts();
+    options.team = nullptr;  // need not outlive the construction
   }
 
   [[nodiscard]] const SearchMap& map() const { return maps.plain; }
@@ -266,6 +224,7 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const PlannerOption
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
                  const Executor& executor) {
   const PlannerOptions checked = checked_options(world, vehicle, options);
+  require_queries(queries);
   const Stopwatch watch;
   VisibilityGraph graph = checked.reduced_graph(world, *queries.visibility, executor);
   const double seconds = watch.seconds();
@@ -278,6 +237,7 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
                  const PlannerOptions& options, const Executor& executor) {
+  require_queries(queries);
   auto rows = rows_of(world, visibility_graph);
   data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
                                  std::move(visibility_graph), std::move(rows),
@@ -285,9 +245,12 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
 }
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries,
-                 std::shared_ptr<const VisibilityRows> rows, const PlannerOptions& options, const Executor& executor)
-    : data_(std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options), VisibilityGraph(),
-                                   std::move(rows), feasible_maker(world, vehicle, queries, executor), executor)) {}
+                 std::shared_ptr<const VisibilityRows> rows, const PlannerOptions& options, const Executor& executor) {
+  require_queries(queries);
+  if (!rows) throw std::invalid_argument("rows: none are given");
+  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options), VisibilityGraph(),
+                                 std::move(rows), feasible_maker(world, vehicle, queries, executor), executor);
+}
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, PreparedGraph graphs,
                  const PlannerOptions& options) {
@@ -295,15 +258,14 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
   taken.radii = graphs.radii;
   taken.graph_mode = GraphMode::kEager;
   taken = checked_options(world, vehicle, std::move(taken));
+  require_queries(queries);
   if (graphs.reduced_graph.vertex_count() != world.vertices().size())
     throw TableError(Table::kRowStarts, graphs.reduced_graph.vertex_count(),
                      "at the end, the world has " + std::to_string(world.vertices().size()) + " vertices");
-  for (VertexId u = 0; u < world.vertices().size(); ++u)
-    for (const VertexId v : graphs.reduced_graph.row(u))
-      if (!world.is_graph_vertex(u) || !world.is_graph_vertex(v))
-        throw TableError(
-            Table::kTargets, graphs.reduced_graph.row_starts()[u],
-            "row " + std::to_string(u) + " joins it to " + std::to_string(v) + ", which are not both convex and free");
+  if (const auto edge = foreign_edge(world, graphs.reduced_graph))
+    throw TableError(Table::kTargets, graphs.reduced_graph.row_starts()[edge->first],
+                     "row " + std::to_string(edge->first) + " joins it to " + std::to_string(edge->second) +
+                         ", which are not both convex and free");
   auto rows = rows_of(world, graphs.reduced_graph);
   data_ = std::make_shared<Data>(
       world, vehicle, queries, std::move(taken), std::move(graphs.reduced_graph), std::move(rows),
@@ -323,6 +285,9 @@ Planner::Planner(const Planner& before, const World& world, const WorldChange& c
                                 std::to_string(static_cast<std::size_t>(stayed) + change.end_come - change.first_come) +
                                 ", the worlds have " + std::to_string(old_vertices) + " and " +
                                 std::to_string(vertices));
+  require_queries(queries);
+  PlannerOptions alone = options;
+  alone.team = nullptr;
   const Vehicle& vehicle = before.vehicle();
   const auto make_feasible = [&](const auto& rows, const PlannerOptions& o) {
     if (o.radii != before.options().radii)
@@ -331,7 +296,7 @@ Planner::Planner(const Planner& before, const World& world, const WorldChange& c
                          o.graph_mode);
   };
   auto rows = rows_of(world, visibility_graph);
-  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
+  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, std::move(alone)),
                                  std::move(visibility_graph), std::move(rows), make_feasible, executor);
 }
 
@@ -413,6 +378,10 @@ const VisibilityGraph& Planner::visibility_graph() const { return data_->visibil
 std::shared_ptr<const VisibilityRows> Planner::visibility_rows() const { return data_->rows; }
 const FeasibleGraph& Planner::feasible_graph() const { return data_->map().graph; }
 PreparedGraph Planner::prepared_graph() const {
+  if (feasible_graph().mode() == GraphMode::kLazy || visibility_graph().vertex_count() != world().vertices().size())
+    throw std::logic_error(
+        "prepared graph: only of a planner with an eager graph, made with a reduced graph or a "
+        "builder of one, not from rows");
   return {data_->visibility_graph, data_->options.radii, data_->map().graph.tables()};
 }
 const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }

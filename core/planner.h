@@ -39,13 +39,16 @@ struct PlannerOptions {
   /// of the graph, and is found with fewer expansions. For large maps; see search_arrivals.
   double suboptimality = 0.0;
   GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
-  /// Turning radii of the turn circles [m], each at least the vehicle's smallest; empty: turning_radii(vehicle, world).
+  /// Turning radii of the turn circles [m], each from the vehicle's smallest to kLargestVehicleNumber; empty:
+  /// turning_radii(vehicle, world).
   /// If there are wider ones than those of tightest_radii, a path with these alone is looked for as well, and the
   /// faster one is taken, so that wider turns hardly ever make a plan slower; so are some others.
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
-  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres.
+  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres. At
+  /// most kMostManoeuvrePoses; some 300 bytes each.
   std::uint32_t manoeuvre_poses = 400;
+  static constexpr std::uint32_t kMostManoeuvrePoses = 1'000'000;
   /// Where single arcs find no path, or the plan may be 10 % slower than the best one, the graph with more circles in
   /// narrow places is searched as well: see find_gap_circles. It is made when the first query needs it. On maps of at
   /// most 50,000 vertices: beyond that a query without a path would take seconds.
@@ -56,7 +59,8 @@ struct PlannerOptions {
   /// Of each path found; `max_trials = 0` turns it off. With wider radii than the tightest there are up to some
   /// fifty times as many in all.
   RefineOptions refinement = {};
-  /// Processes that build the same eager feasible graph together; used during construction only. None: this one alone.
+  /// Processes that build the same eager feasible graph together; used during construction only, and not part of
+  /// Planner::options. None: this one alone.
   const Team* team = nullptr;
 };
 
@@ -182,9 +186,9 @@ class Planner {
   /// @param queries   about `world`.
   /// @param executor  used during construction only. A StoppableExecutor makes that cancellable, a ReportingExecutor
   ///   tells how far it is.
-  /// @throws std::invalid_argument if a radius is below the vehicle's smallest, the suboptimality is out of its
-  ///   range, or the safety margin is too small for doubles of the size of the map's coordinates, the body or its
-  ///   smallest turning radius (below 2^20 units in the last place of the largest).
+  /// @throws std::invalid_argument if an option is out of its range, a query is missing, a graph is not one of the
+  ///   world's, as far as vertices tell, or the safety margin is too small for doubles of the size of the map's
+  ///   coordinates, the body or its smallest turning radius (below 2^20 units in the last place of the largest).
   Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
           const Executor& executor);
   /// The same from a reduced visibility graph built elsewhere.
@@ -234,13 +238,14 @@ class Planner {
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Vehicle& vehicle() const;
   [[nodiscard]] const QuerySet& queries() const;
-  [[nodiscard]] const PlannerOptions& options() const;  ///< with the radii that are used
+  [[nodiscard]] const PlannerOptions& options() const;  ///< with the radii that are used, without a team
   /// Without vertices if the planner was made from rows.
   [[nodiscard]] const VisibilityGraph& visibility_graph() const;
   /// The rows of the same graph, however the planner was made: for another planner on the map, say.
   [[nodiscard]] std::shared_ptr<const VisibilityRows> visibility_rows() const;
   [[nodiscard]] const FeasibleGraph& feasible_graph() const;
-  /// All graphs, for another planner. Eager graphs only.
+  /// All graphs, for another planner.
+  /// @throws std::logic_error if the feasible graph is lazy, or the planner was made from rows.
   [[nodiscard]] PreparedGraph prepared_graph() const;
   [[nodiscard]] const PrepareStatistics& prepare_statistics() const;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -27,6 +29,13 @@ using Link = FeasibleGraph::Link;
 // A turn round the thinnest vertex begins and ends at a right angle to the heading at the vertex; and a little more.
 constexpr double kWidestTurn = 0.55 * kPi;
 
+std::span<const double> checked_radii(std::span<const double> radii) {
+  if (radii.empty() || !(radii.front() > 0.0) || !std::isfinite(radii.back()) ||
+      !std::ranges::is_sorted(radii, std::less_equal<>()))
+    throw std::invalid_argument("feasible graph: radii must be positive, finite and ascending, at least one");
+  return radii;
+}
+
 // Links that leave one circle, and why others do not.
 struct Departures {
   std::vector<Link> links;
@@ -47,8 +56,8 @@ struct LazyRow {
 struct FeasibleGraph::Data {
   Data(const World& w, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> r, QuerySet q,
        std::span<const double> radii, GraphMode m, const Executor& executor)
-      : Data(w, vehicle, r, std::move(q), radii.front(),
-             TurnCircles(w, *r, radii, vehicle.footprint(vehicle.safety_margin()), executor), m) {}
+      : Data(w, vehicle, r, std::move(q), checked_radii(radii).front(),
+             TurnCircles(w, *r, checked_radii(radii), vehicle.footprint(vehicle.safety_margin()), executor), m) {}
 
   Data(const World& w, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> r, QuerySet q, double smallest,
        TurnCircles c, GraphMode m)

@@ -54,7 +54,7 @@ class FeasibleGraph {
     double length;       ///< [m]
   };
 
-  /// @param radii     of the turn circles [m], ascending.
+  /// @param radii     of the turn circles [m], positive and ascending, at least one: std::invalid_argument otherwise.
   /// @param executor  used during construction only.
   /// @param team      of processes that build the same eager graph: each checks a share of the circles, all get the
   ///   whole graph.

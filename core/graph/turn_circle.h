@@ -8,7 +8,7 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// A directed circle that the reference point follows round a convex vertex, PLANNER 7.
+/// A directed circle that the reference point follows round a convex vertex; see TurnCircles.
 struct TurnCircle {
   Vec2 center;
   double radius;

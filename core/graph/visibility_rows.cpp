@@ -1,6 +1,8 @@
 #include "core/graph/visibility_rows.h"
 
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "core/prefetch.h"
@@ -52,6 +54,12 @@ class GraphRows final : public VisibilityRows {
 }  // namespace
 
 std::shared_ptr<const VisibilityRows> rows_of(const World& world, const VisibilityGraph& graph) {
+  if (graph.vertex_count() != world.vertices().size())
+    throw std::invalid_argument("visibility graph: has " + std::to_string(graph.vertex_count()) +
+                                " vertices, the world " + std::to_string(world.vertices().size()));
+  if (const auto edge = foreign_edge(world, graph))
+    throw std::invalid_argument("visibility graph: joins vertices " + std::to_string(edge->first) + " and " +
+                                std::to_string(edge->second) + ", which are not both convex and free in the world");
   return std::make_shared<const GraphRows>(world, graph);
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <thread>
+#include <vector>
 
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
@@ -347,10 +349,46 @@ TEST(Planner, SaysWhyThereIsNoPath) {
   EXPECT_FALSE(result.reason.empty());
 }
 
+TEST(Planner, RefusesQueriesAndGraphsThatAreNotTheWorlds) {
+  const World world = walled();
+  const QuerySet queries = make_reference_queries(world);
+  const VisibilityGraph graph = build_reduced_visibility_graph(world, *queries.visibility);
+  const auto make = [&](const QuerySet& q, const VisibilityGraph& g) {
+    return Planner(world, Vehicle{}, q, g, {}, SerialExecutor());
+  };
+  EXPECT_NO_THROW(make(queries, graph));
+  EXPECT_THROW(make({}, graph), std::invalid_argument);
+  EXPECT_THROW(make(queries, {}), std::invalid_argument);
+  // As many vertices, but one of them is reflex.
+  const World square({{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}}}), dart({{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}, {}}});
+  const VisibilityGraph around =
+      build_reduced_visibility_graph(square, *make_reference_queries(square).visibility, SerialExecutor());
+  EXPECT_THROW(Planner(dart, Vehicle{}, make_reference_queries(dart), around, {}, SerialExecutor()),
+               std::invalid_argument);
+  EXPECT_THROW(Planner(world, Vehicle{}, queries, std::shared_ptr<const VisibilityRows>(), {}, SerialExecutor()),
+               std::invalid_argument);
+  EXPECT_THROW(Planner(world, Vehicle{}, {.reduced_graph = {}}), std::invalid_argument);
+  for (const std::vector<double>& radii : {std::vector<double>{}, {2.0, 1.0}, {1.0, 1.0}, {-1.0}, {1.0, HUGE_VAL}})
+    EXPECT_THROW(FeasibleGraph(world, Vehicle{}, graph, queries, radii, SerialExecutor()), std::invalid_argument);
+}
+
+TEST(Planner, DoesNotKeepItsTeam) {
+  const World world = walled();
+  const QuerySet queries = make_reference_queries(world);
+  std::optional<Planner> planner;
+  {
+    const SoloTeam team;
+    planner.emplace(world, Vehicle{}, queries, PlannerOptions{.team = &team}, SerialExecutor());
+  }
+  EXPECT_EQ(planner->options().team, nullptr);
+}
+
 TEST(Planner, RefusesPosesAndOptionsThatCannotBe) {
   const Planner planner(walled(), Vehicle{});
   EXPECT_THROW((void)planner.plan({{NAN, 5, 0}, {8, 5, 0}}), std::invalid_argument);
-  EXPECT_THROW(Planner(walled(), Vehicle{}, {.radii = {0.5}}), std::invalid_argument);
+  for (const double radius : {0.5, 1e9, 1e200, static_cast<double>(INFINITY), static_cast<double>(NAN)})
+    EXPECT_THROW(Planner(walled(), Vehicle{}, {.radii = {2.0, radius}}), std::invalid_argument) << radius;
+  EXPECT_THROW(Planner(walled(), Vehicle{}, {.manoeuvre_poses = 4'000'000'000}), std::invalid_argument);
   const World far({{{{1e9, 1e9}, {1e9 + 4, 1e9}, {1e9, 1e9 + 4}}, {}}});
   EXPECT_THROW(Planner(far, Vehicle{}), std::invalid_argument);
   EXPECT_THROW((void)planner.plan({{2, 5, 1e10}, {8, 5, 0}}), std::invalid_argument);

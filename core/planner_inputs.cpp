@@ -1,0 +1,73 @@
+#include "core/planner_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/graph/turning_radii.h"
+#include "core/shortest_text.h"
+
+namespace arcway {
+
+namespace {
+
+// Of times, so that none overflows.
+constexpr double kLargestSuboptimality = 1e6;
+// Units in the last place of the largest coordinate that the safety margin must span: corners, centres and critical
+// angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
+constexpr double kMarginUnits = 1048576.0;
+
+void require_margin(const Vehicle& vehicle, double largest, const std::string& what, const char* advice) {
+  const double needed = kMarginUnits * (std::nextafter(largest, INFINITY) - largest);
+  if (vehicle.safety_margin() < needed)
+    throw std::invalid_argument("safety margin " + shortest_text(vehicle.safety_margin()) + " m is too small for " +
+                                what + " " + shortest_text(largest) + ": doubles need at least " +
+                                shortest_text(needed) + " m there" + advice);
+}
+
+std::vector<double> checked_radii(const World& world, const Vehicle& vehicle, std::vector<double> radii) {
+  if (radii.empty()) return turning_radii(vehicle, world);
+  for (const double radius : radii)
+    if (!(radius >= vehicle.min_turning_radius() && radius <= kLargestVehicleNumber))
+      throw std::invalid_argument(
+          "radius " + shortest_text(radius) + " m: must be from the vehicle's smallest turning radius, " +
+          shortest_text(vehicle.min_turning_radius()) + ", to " + shortest_text(kLargestVehicleNumber));
+  require_margin(vehicle, *std::max_element(radii.begin(), radii.end()), "a turning radius of", "");
+  std::sort(radii.begin(), radii.end());
+  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
+  return radii;
+}
+
+void require_margin(const World& world, const Vehicle& vehicle) {
+  const VehicleParameters& body = vehicle.parameters();
+  require_margin(vehicle, std::max({body.length, body.width, body.wheelbase}), "a body of", "");
+  require_margin(vehicle, vehicle.min_turning_radius(), "a smallest turning radius of", "");
+  if (world.box().empty()) return;
+  require_margin(vehicle, std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff()),
+                 "coordinates up to", "; move the map to the origin");
+}
+
+}  // namespace
+
+PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
+  options.radii = checked_radii(world, vehicle, std::move(options.radii));
+  if (!(options.suboptimality >= 0.0 && options.suboptimality <= kLargestSuboptimality))
+    throw std::invalid_argument("suboptimality: " + shortest_text(options.suboptimality) + ", must be from 0 to " +
+                                shortest_text(kLargestSuboptimality));
+  if (options.manoeuvre_poses > PlannerOptions::kMostManoeuvrePoses)
+    throw std::invalid_argument("manoeuvre poses: " + std::to_string(options.manoeuvre_poses) + ", at most " +
+                                std::to_string(PlannerOptions::kMostManoeuvrePoses));
+  if (!options.reduced_graph) throw std::invalid_argument("reduced graph: no builder");
+  require_refinement(options.refinement);
+  require_margin(world, vehicle);
+  return options;
+}
+
+void require_queries(const QuerySet& queries) {
+  if (!queries.visibility || !queries.distance || !queries.sweep)
+    throw std::invalid_argument("queries: one of visibility, distance and sweep is missing");
+}
+
+}  // namespace arcway
