@@ -262,7 +262,7 @@ class TourPlanner {
     }
   }
 
-  // Along straight lines by all places to the nearest goal, from rest to rest.
+  // Along straight lines by all places to the nearest goal that is not inside an obstacle, from rest to rest.
   [[nodiscard]] double line_bound() const {
     Vec2 at = request_.start.position();
     double length = 0.0;
@@ -271,7 +271,9 @@ class TourPlanner {
       at = place.position;
     }
     double nearest = kInfinity;
-    for (const Place& goal : request_.goals) nearest = std::min(nearest, (goal.position - at).norm());
+    for (const Place& goal : request_.goals)
+      if (planner_.queries().distance->containing(goal.position) == kNone)
+        nearest = std::min(nearest, (goal.position - at).norm());
     const Vehicle& vehicle = planner_.vehicle();
     if (!(length + nearest > 0.0)) return 0.0;
     const double top_speed = request_.reverse ? vehicle.top_speed() : vehicle.max_speed();

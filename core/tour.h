@@ -10,8 +10,7 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// Where to: a pose or, without a heading, a position at which any heading will
-/// do.
+/// Where to: a pose or, without a heading, a position at which any heading will do.
 struct Place {
   Vec2 position;
   std::optional<double> heading = std::nullopt;  ///< [rad]
@@ -26,11 +25,10 @@ struct TourRequest {
 };
 
 struct Tour {
-  /// From the start to the goal reached, by way of all places. Counters and
-  /// stage times are those of all plans that were tried. With several goals,
-  /// places on the way or an open heading the lower bound is that of the
-  /// straight lines. Without a path its goal is the one that the reason is
-  /// about, else the first, an open heading being 0.
+  /// From the start to the goal reached, by way of all places. Counters and stage times are those of all plans that
+  /// were tried. With several goals, places on the way or an open heading the lower bound is that of the straight
+  /// lines to the nearest goal outside of all obstacles. Without a path its goal is the one that the reason is about,
+  /// else the first, an open heading being 0.
   PlanResult plan;
   std::size_t goal = 0;             ///< index of the goal reached
   std::vector<std::size_t> passed;  ///< for each place on the way, how many segments lead to it
@@ -45,12 +43,10 @@ struct Tour {
 /// slower than with any heading tried. Of each pose at a place on the way the way there is kept that costs least if it
 /// ends there. A place on the way with an open heading takes up to 25 plans for each heading of the next place.
 ///
-/// One goal with a heading and nothing on the way gives the plan that
-/// Planner::plan gives. Never throws for want of a path: see
-/// PlanResult::status; status and reason name leg and places as they were asked
-/// for.
+/// One goal with a heading and nothing on the way gives the plan that Planner::plan gives. Never throws for want of a
+/// path: see PlanResult::status; status and reason name leg and places as they were asked for.
 /// @param limits  for all plans together.
 /// @throws std::invalid_argument without a goal, and as Planner::plan does.
 Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits = {});
 
-}  // namespace gnu::visibility("default")]]arcway
+}  // namespace arcway

@@ -223,6 +223,7 @@ TEST(Tour, SaysWhichLegHasNoPath) {
   const Tour other = plan_tour(planner, {.start = {0, 0, 0}, .goals = {inside, free}});
   EXPECT_TRUE(other.plan.solved());
   EXPECT_EQ(other.goal, 1u);
+  EXPECT_EQ(other.plan.lower_bound, plan_tour(planner, {.start = {0, 0, 0}, .goals = {free, free}}).plan.lower_bound);
   EXPECT_EQ(plan_tour(planner, {.start = {0, 0, 0}, .goals = {inside}}).plan.status, PlanStatus::kGoalInCollision);
   // No heading is free inside.
   const Tour none = plan_tour(planner, {.start = {0, 0, 0}, .goals = {{{11, 11}}}});
