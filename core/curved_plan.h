@@ -32,8 +32,8 @@ struct CurvedWorld {
 
 struct CurveTolerances {
   double first = 0.5;    ///< of all pieces at the beginning [m]
-  double last = 0.001;   ///< of the pieces near the path in the end [m]
-  double factor = 0.25;  ///< between two rounds, in (0, 1)
+  double last = 0.001;   ///< of the pieces near the path in the end [m]; or a sixteenth of the safety margin, if more
+  double factor = 0.25;  ///< from one to the next, in (0, 1)
   std::size_t max_rounds = 30;
 };
 
@@ -46,15 +46,23 @@ struct CurvedPlanRound {
 
 struct CurvedPlan {
   Planner planner;    ///< of the last round
-  PlanResult result;  ///< valid among the curves too, as the rings contain them
+  PlanResult result;  ///< free among its rings, and so among the curves; statistics of the round that found it
   std::vector<CurvedPlanRound> rounds;
 };
 
 /// Plans among curves, refined where it matters: begins with coarse rings, then plans again with a finer tolerance for
 /// the pieces that lie within two body lengths of the path, until all of those have the last tolerance. Without a path
-/// every piece is refined.
-/// @param make_planner  called once a round.
-/// @param limits        of each round; an interrupted one is the last.
+/// every piece is refined. Rings that stay as they were are not planned on again.
+///
+/// The cheapest plan of all rounds is kept, if it is free among the rings of the last one. It is, but for rounding:
+/// finer rings lie inside of coarser ones. So what a round finds on finer rings never makes the plan slower, and no
+/// smaller `last` does if the larger one is one of the tolerances on the way to it, `first` times a power of `factor`.
+///
+/// Finer rings than within a sixteenth of the safety margin cannot matter: where the body grown by 9/16 of it is free
+/// among the curves, the body grown by half of it, which is what a planner checks, is free among such rings.
+/// @param make_planner  called once a round, each time for a vehicle of the same body and margin.
+/// @param limits        of all rounds together, their planners' making included, which is not interrupted itself. The
+///   best plan found by then is given.
 /// @throws what World, Planner and circumscribed_ring throw; std::invalid_argument for tolerances out of range, or
 ///   naming a curve whose ring is not there.
 CurvedPlan plan_among_curves(const CurvedWorld& world, const PlanRequest& request, const CurveTolerances& tolerances,

@@ -39,16 +39,17 @@ std::string time_limit_reason(const PlanLimits& limits) {
   return "no path was found within the time limit of " + shortest_text(limits.time) + " s";
 }
 
+void explain_interruption(const PlanLimits& limits, PlanResult& result) {
+  const bool cancelled = limits.stop.stop_requested();
+  result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
+  result.reason = cancelled ? "the search was cancelled before it found a path" : time_limit_reason(limits);
+  result.bottleneck.reset();
+}
+
 void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result) {
   const std::string hemmed_in = std::string(" is hemmed in: no ") + (why.reverse ? "" : "forward ") +
                                 "motion of arcs and lines that was tried leads ";
-  if (result.interrupted) {
-    const bool cancelled = limits.stop.stop_requested();
-    result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
-    result.reason = cancelled ? "the search was cancelled before it found a path" : time_limit_reason(limits);
-    result.bottleneck.reset();
-    return;
-  }
+  if (result.interrupted) return explain_interruption(limits, result);
   if (const auto& dead_end = why.dead_end) {
     const Pose& end = dead_end->at_start ? result.start : result.goal;
     result.status = dead_end->at_start ? PlanStatus::kStartBlocked : PlanStatus::kGoalBlocked;

@@ -25,6 +25,9 @@ bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult
 /// Why there is no path where the time was up; `limits` as the caller gave them.
 std::string time_limit_reason(const PlanLimits& limits);
 
+/// Fills status and reason of a plan that was ended before it found a path; `limits` as the caller gave them.
+void explain_interruption(const PlanLimits& limits, PlanResult& result);
+
 /// Fills status and reason of a plan without a path, from what its result has so far.
 void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result);
 
