@@ -21,7 +21,7 @@ struct ObstaclePair {
   ObstacleId a, b;
 };
 
-/// D_min, PLANNER 6: minimum distances between obstacles (the bounds count as one), by point queries with a
+/// D_min of the paper: minimum distances between obstacles (the bounds count as one), by point queries with a
 /// shrinking radius; each distance is that of geometry/distance.h, so that the result is that of trying all pairs of
 /// edges, bit for bit. Thread-safe.
 ///

@@ -102,7 +102,8 @@ Vehicle::Vehicle(VehicleParameters parameters) : parameters_(std::move(parameter
   require_positive(p.width, "width");
   require_positive(p.wheelbase, "wheelbase");
   require(p.max_steering_angle >= kSmallestVehicleNumber && p.max_steering_angle < 0.5 * std::numbers::pi,
-          "max_steering_angle", p.max_steering_angle, ">= " + shortest_text(kSmallestVehicleNumber) + " and < pi/2");
+          "max_steering_angle", p.max_steering_angle,
+          ">= " + shortest_text(kSmallestVehicleNumber) + " and < pi/2 rad");
   require_positive(p.max_speed, "max_speed");
   std::visit([](const auto& law) { check(law); }, p.turn_speed);
   if (p.max_reverse_speed) require_positive(*p.max_reverse_speed, "max_reverse_speed");

@@ -62,7 +62,7 @@ struct VehicleParameters {
   friend bool operator==(const VehicleParameters&, const VehicleParameters&) = default;
 };
 
-/// A rectangular car-like robot (PLANNER's sections 2 and 3 as functions). Immutable, thread-safe.
+/// A rectangular car-like robot: the paper's equations (1) and (5) to (7) as functions. Immutable, thread-safe.
 class Vehicle {
  public:
   /// @throws std::invalid_argument naming the parameter, its value and its limit.

@@ -7,10 +7,8 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// A sweep query's world with walls without thickness in it: line segments that
-/// the body may not touch. For walls that come and go while the world stays;
-/// each costs a test on every question. Exact as the query that it is made
-/// from.
+/// A sweep query's world with walls without thickness in it: line segments that the body may not touch. For walls that
+/// come and go while the world stays; each costs a test on every question. Exact as the query that it is made from.
 class WalledSweep final : public SweepQuery {
  public:
   /// @param walls  their ends are finite and differ.
@@ -25,4 +23,4 @@ class WalledSweep final : public SweepQuery {
   std::vector<LineSegment> walls_;
 };
 
-}  // namespace gnu::visibility("default")]]arcway
+}  // namespace arcway

@@ -30,10 +30,11 @@ class ManoeuvreWorkspace {
 };
 
 /// Poses that free forward motions of short steps (left arc, right arc, straight) reach from a start, or from which
-/// they reach a goal, nearest first, the pose itself among them; at most one pose for each cell of a grid over position
-/// and heading. Straight steps are of three lengths; arcs turn by one angle, or where an obstacle is nearer by the rest
+/// they reach a goal, the pose itself first; at most one pose for each cell of a grid over position and heading. Steps
+/// are taken from the nearest pose first, until there are `max_poses` poses, or up to ten more with those of the last
+/// one. Straight steps are of three lengths; arcs turn by one angle, or where an obstacle is nearer by the rest
 /// of the way and shares of it. Steps are checked exactly; only their number is limited, so a missing pose proves
-/// nothing. At most `max_poses` poses, O(max_poses) queries.
+/// nothing. O(max_poses) queries and memory.
 std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                       const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense);
 /// The same in memory that is used again: theirs is the workspace's.

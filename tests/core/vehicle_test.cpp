@@ -261,11 +261,11 @@ TEST(Vehicle, RefusesParametersByNameValueAndLimit) {
   EXPECT_EQ(refusal_of([](P& p) { p.wheelbase = std::nan(""); }),
             "vehicle: wheelbase is nan, must be from 1e-50 to 1e+50");
   EXPECT_EQ(refusal_of([](P& p) { p.max_steering_angle = 0.0; }),
-            "vehicle: max_steering_angle is 0, must be >= 1e-50 and < pi/2");
+            "vehicle: max_steering_angle is 0, must be >= 1e-50 and < pi/2 rad");
   EXPECT_EQ(refusal_of([](P& p) { p.max_steering_angle = 1.6; }),
-            "vehicle: max_steering_angle is 1.6, must be >= 1e-50 and < pi/2");
+            "vehicle: max_steering_angle is 1.6, must be >= 1e-50 and < pi/2 rad");
   EXPECT_EQ(refusal_of([](P& p) { p.max_steering_angle = std::nan(""); }),
-            "vehicle: max_steering_angle is nan, must be >= 1e-50 and < pi/2");
+            "vehicle: max_steering_angle is nan, must be >= 1e-50 and < pi/2 rad");
   EXPECT_EQ(refusal_of([](P& p) { p.max_speed = std::numeric_limits<double>::infinity(); }),
             "vehicle: max_speed is inf, must be from 1e-50 to 1e+50");
   EXPECT_EQ(refusal_of([](P& p) { p.max_reverse_speed = 0.0; }),
