@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "bench/report/json_message.h"
 #include "datasets/file_io.h"
 
 namespace arcway::report {
@@ -102,7 +103,7 @@ std::vector<Item> items_of(const ordered_json& document, const char* key, Item (
     try {
       items.push_back(read(json));
     } catch (const nlohmann::json::exception& error) {
-      throw FormatError(place + error.what());
+      throw FormatError(place + message_of(error));
     } catch (const FormatError& error) {
       throw FormatError(place + error.what());
     }
@@ -144,7 +145,7 @@ PeerResults read_peer_results(std::string_view text, std::string_view name) {
     for (const auto& [key, value] : document.at("context").items())
       results.context.emplace_back(key, value.get<std::string>());
   } catch (const nlohmann::json::exception& error) {
-    throw FormatError(results.name + ": " + error.what());
+    throw FormatError(results.name + ": " + message_of(error));
   }
   results.duels = items_of(document, "duels", duel_of, results.name);
   results.queries = items_of(document, "queries", query_of, results.name);

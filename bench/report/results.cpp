@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bench/quantiles.h"
+#include "bench/report/json_message.h"
 #include "datasets/file_io.h"
 
 namespace arcway::report {
@@ -79,8 +80,7 @@ Results read_results(std::string_view text, std::string_view name) {
   try {
     document = json::parse(text);
   } catch (const json::parse_error& error) {
-    const std::string message = error.what();  // begins with the name of the exception, in brackets
-    throw FormatError(std::string(name) + ": " + message.substr(message.find("] ") + 2));
+    throw FormatError(std::string(name) + ": " + message_of(error));
   }
   Results results;
   results.name = name;
@@ -95,7 +95,7 @@ Results read_results(std::string_view text, std::string_view name) {
     try {
       read_run(runs[i], place, results, index, counters);
     } catch (const json::type_error& error) {
-      throw FormatError(place + ": " + error.what());
+      throw FormatError(place + ": " + message_of(error));
     }
   }
   for (Measurement& m : results.measurements)
