@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/shortest_text.h"
 #include "datasets/file_io.h"
 #include "datasets/formats/geojson.h"
 #include "datasets/formats/grey_image.h"
@@ -70,7 +71,11 @@ MapFile read_bare_image(std::string_view bytes, const fs::path& path, const Grid
   RosMap map;
   map.occupied_thresh = map.free_thresh = 0.5;
   map.resolution = options.cell_size.value_or(map.resolution);
-  return read_grid_map(map, read_image(bytes, path, options), path, options);
+  MapFile result = read_grid_map(map, read_image(bytes, path, options), path, options);
+  if (!options.cell_size)
+    result.warnings.push_back(path.string() + ": an image without a YAML file does not say how large its pixels are; " +
+                              shortest_text(map.resolution) + " m is assumed (--cell)");
+  return result;
 }
 
 MapFile read_movingai_task(std::string_view text, const fs::path& path, const MapReadOptions& options) {

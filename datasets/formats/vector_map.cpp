@@ -103,7 +103,10 @@ void VectorMapBuilder::set_bounds(Polygon free_space, const std::string& place, 
 }
 
 void VectorMapBuilder::add_line(std::vector<Vec2> positions, const std::string& place) {
-  if (!(options_.wall_width > 0.0)) return pass_over(place, "LineString");
+  if (!(options_.wall_width > 0.0)) {
+    passes_lines_ = true;
+    return pass_over(place, "LineString");
+  }
   lines_.emplace_back(std::move(positions), place);
 }
 
@@ -120,9 +123,15 @@ MapFile VectorMapBuilder::finish() {
     warn("", "coordinates look like degrees of longitude and latitude; they are taken as metres");
   }
   add_walls();
-  if (passed_over_ > 0)
-    warn("", std::to_string(passed_over_) + " geometries that are not polygons were passed over, the first one in " +
-                 passed_place_);
+  if (passed_over_ > 0) {
+    const std::string which =
+        std::to_string(passed_over_) +
+        (passed_over_ == 1 ? " geometry that is not a polygon" : " geometries that are not polygons, the first one") +
+        " in " + passed_place_;
+    const std::string advice = passes_lines_ ? "; with a wall width line strings are walls (--wall-width)" : "";
+    if (map_.obstacles.empty() && !map_.bounds) fail("", "no polygons, but " + which + advice);
+    warn("", "passed over " + which + advice);
+  }
   return std::move(map_);
 }
 

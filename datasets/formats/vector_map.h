@@ -75,6 +75,7 @@ class VectorMapBuilder {
   std::vector<std::pair<std::vector<Vec2>, std::string>> lines_;
   std::size_t curve_vertices_ = 0;
   std::size_t passed_over_ = 0;
+  bool passes_lines_ = false;  // lines among them
   std::string passed_place_;
 };
 

@@ -125,9 +125,13 @@ TEST(GeoJson, ErrorsNamePlaceAndValue) {
 TEST(GeoJson, WarnsOfDegreesAndOtherGeometries) {
   EXPECT_EQ(read(polygon("[[8.1,48.2],[8.2,48.2],[8.2,48.3],[8.1,48.2]]")).warnings.size(), 1u);
   EXPECT_EQ(read(polygon("[[0,0],[4,0],[4,4],[0,4]]")).warnings.size(), 1u);
-  const MapFile map = read(collection(feature(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})")));
+  const std::string line = feature(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})");
+  const MapFile map = read(collection(line + "," + feature(polygon("[[0,0],[4,0],[4,4],[0,4],[0,0]]"))));
   ASSERT_EQ(map.warnings.size(), 1u);
-  EXPECT_NE(map.warnings[0].find("feature 0 (LineString)"), std::string::npos);
+  EXPECT_NE(map.warnings[0].find("feature 0 (LineString); with a wall width"), std::string::npos) << map.warnings[0];
+  // Nothing would be left.
+  EXPECT_NE(test::format_error_of([&] { (void)read(collection(line)); }).find("no polygons, but 1 geometry"),
+            std::string::npos);
 }
 
 TEST(GeoJson, OfRepeatedKeysTheLastOneCounts) {

@@ -46,8 +46,8 @@ TEST(Wkt, KeepsHolesAndPlaces) {
 
 TEST(Wkt, LineStringsAreWallsWhenAsked) {
   const std::string text = "LINESTRING (0 0, 10 0, 10 5)\nPOINT (3 4)\nMULTIPOINT ((1 2), (3 4))\n";
-  const MapFile without = read(text);
-  EXPECT_TRUE(without.obstacles.empty());
+  const MapFile without = read(text + "POLYGON ((0 0, 9 0, 9 9, 0 0))\n");
+  EXPECT_EQ(without.obstacles.size(), 1u);
   ASSERT_EQ(without.warnings.size(), 1u);
   EXPECT_NE(without.warnings[0].find("3 geometries"), std::string::npos);
   const MapFile walls = read(text, {.wall_width = 2.0});
