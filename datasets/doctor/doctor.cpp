@@ -18,10 +18,6 @@ namespace {
 // asks for.
 constexpr double kFar = 0x1p23;
 
-bool in_range(double x) {
-  return x == 0.0 || (std::abs(x) >= kMinMagnitude && std::abs(x) <= kMaxMagnitude);  // not if NaN
-}
-
 Ring cleaned(const Ring& ring) {
   Ring result = ring;
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -69,7 +65,7 @@ class Examiner {
     report_.vertices += ring.size();
     const auto vertex = [&](std::size_t i) { return place + ", vertex " + std::to_string(i); };
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      if (in_range(ring[i].x()) && in_range(ring[i].y())) continue;
+      if (is_in_range(ring[i])) continue;
       find(FindingKind::kOutOfRange, vertex(i), std::nullopt, "at " + shortest_text(ring[i]));
       return false;
     }
@@ -271,7 +267,7 @@ const char* consequence_of(FindingKind kind) {
     case FindingKind::kDegrees:
       return "taken as metres; if they are longitude and latitude, read the map with --lonlat";
     case FindingKind::kFarFromOrigin:
-      return "decisions stay exact; the safety margin must be 2^20 of these steps or more";
+      return "refused unless the robot's safety margin is 2^20 of these steps or more; move the map to the origin";
   }
   return "";
 }
@@ -284,6 +280,7 @@ bool is_refused(FindingKind kind) {
     case FindingKind::kSelfCrossing:
     case FindingKind::kEdgesOverlap:
     case FindingKind::kMisplacedHole:
+    case FindingKind::kFarFromOrigin:
       return true;
     default:
       return false;

@@ -34,7 +34,7 @@ enum class FindingKind {
 const char* name_of(FindingKind kind);
 /// What planning does with it, a sentence.
 const char* consequence_of(FindingKind kind);
-/// Whether planning refuses the map for it.
+/// Whether planning refuses the map for it, of robots with the default safety margin.
 bool is_refused(FindingKind kind);
 
 struct Finding {
