@@ -177,7 +177,14 @@ void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& bo
   std::vector<Pose> poses{path.front().start};
   double next = spacing;  // from the segment's start to the next outline
   std::size_t left = 20000;
+  Gear gear = path.front().gear;
   for (const PathSegment& segment : path) {
+    if (segment.gear != gear && left > 0) {
+      --left;
+      poses.push_back(segment.start);
+      add_dot(to_picture(segment.start.position()), kReverseColor, 3.0);
+    }
+    gear = segment.gear;
     for (; next < segment.length && left > 0; next += spacing, --left) poses.push_back(segment.at(next));
     next -= segment.length;
   }
@@ -259,16 +266,17 @@ void SvgPicture::add_label(const Vec2& beside, std::string_view color, std::stri
 
 void SvgPicture::add_place(const Vec2& place, std::string_view text) {
   const Vec2 p = to_picture(place);
-  add_dot(p, kPlaceColor);
+  add_dot(p, kPlaceColor, 6.0);
   add_label(p + Vec2(0.0, -10.0), kPlaceColor, text);
 }
 
-void SvgPicture::add_dot(const Vec2& at, std::string_view color) {
+void SvgPicture::add_dot(const Vec2& at, std::string_view color, double radius) {
   markers_ += "<circle cx=\"";
   append(markers_, at.x());
   markers_ += "\" cy=\"";
   append(markers_, at.y());
-  markers_ += "\" r=\"6\" fill=\"" + std::string(color) + R"(" stroke="#ffffff" stroke-width="1.5"/>)" + "\n";
+  markers_ += "\" r=\"" + shortest_text(radius) + "\" fill=\"" + std::string(color) +
+              R"(" stroke="#ffffff" stroke-width="1.5"/>)" + "\n";
 }
 
 void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label) {
@@ -276,7 +284,7 @@ void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string
   // Picture coordinates: y down.
   const Vec2 u(std::cos(pose.heading), -std::sin(pose.heading)), n(-u.y(), u.x());
   const double size = std::clamp(body.front * scale_, kMinOutline, 40.0);
-  add_dot(p, color);
+  add_dot(p, color, 6.0);
   markers_ += "<path d=\"M";
   append(markers_, p + u * (size + 8.0));
   markers_ += 'L';
@@ -289,7 +297,7 @@ void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string
 }
 
 std::span<const std::string_view> SvgPicture::layers() {
-  static constexpr std::string_view kLayers[] = {"bounds", "obstacles", "graph", "swept", "path", "robot", "markers"};
+  static constexpr std::string_view kLayers[] = {"bounds", "obstacles", "graph", "swept", "robot", "path", "markers"};
   return kLayers;
 }
 
@@ -355,8 +363,8 @@ std::string SvgPicture::str() const {
   add_layer("obstacles", "fill-rule=\"evenodd\" fill=\"#3d4757\" " + stroke(kOutlineColor, 0.8) + joined, obstacles_);
   out += graph_;
   add_layer("swept", R"(fill="#f6d9a8" fill-opacity="0.6" stroke="none")", swept_);
-  add_layer("path", R"(fill="none" stroke-linejoin="round" stroke-linecap="round")", path_);
   add_layer("robot", "fill=\"#f6b26b\" fill-opacity=\"0.45\" " + stroke("#a8441c", 0.8), robot_);
+  add_layer("path", R"(fill="none" stroke-linejoin="round" stroke-linecap="round")", path_);
   out += "</g>\n";
   add_layer("markers", R"(font-weight="bold")", markers_);
   out += "</g>\n";

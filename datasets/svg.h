@@ -35,7 +35,8 @@ class SvgPicture {
   /// @return one in how many is drawn.
   std::size_t add_edges(std::span<const LineSegment> edges, const EdgeStyle& style = {}, std::string_view id = "graph");
   /// The path, where it is driven backwards in blue and dashed, as a line below the map then says; the body's outlines
-  /// along it and the poses at its ends. After alternatives it has one color, and dashes alone tell the gears apart.
+  /// along it, at dots where the gear changes, and the poses at its ends. After alternatives it has one color, and
+  /// dashes alone tell the gears apart.
   /// @param text  below the map, before those of alternatives.
   void add_path(std::span<const PathSegment> path, const Footprint& body, std::string_view text = {});
   /// The path alone, in the next color of a palette that color-blind people can tell apart, where it is driven
@@ -74,7 +75,7 @@ class SvgPicture {
   void add_run(std::span<const PathSegment> run, bool bodies, const Colors& colors);
   /// The body at a pose, lengthened to the front.
   void add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const;
-  void add_dot(const Vec2& at, std::string_view color);
+  void add_dot(const Vec2& at, std::string_view color, double radius);
   void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);
   /// A text beside a point of the picture, and within it.
   void add_label(const Vec2& beside, std::string_view color, std::string_view text);
