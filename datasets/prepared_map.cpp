@@ -295,6 +295,16 @@ PreparedMap read_prepared_map_file(const std::filesystem::path& path) {
   return read_prepared_map(read_file(path), path.string());
 }
 
+PreparedMap prepared_map_of(const Planner& planner, const std::optional<Pose>& start, const std::optional<Pose>& goal) {
+  PreparedGraph graphs = planner.prepared_graph();
+  return {planner.world(),
+          std::move(graphs.reduced_graph),
+          start,
+          goal,
+          PreparedMap::ForRobot{planner.vehicle().parameters(), std::move(graphs.radii), std::move(graphs.feasible)},
+          {}};
+}
+
 std::string to_bytes(const PreparedMap& map) {
   Writer writer;
   const WorldTables world = map.world.tables();

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/path/path.h"
+#include "core/planner.h"
 #include "core/prepared_graph.h"
 #include "core/tables.h"
 #include "core/vehicle.h"
@@ -19,7 +20,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// A map with the graphs that planning on it needs, built once and kept in one file: datasets/README.md describes its
 /// bytes.
 ///
-///     write_prepared_map("yard.arcway", prepare(planner));
+///     write_prepared_map("yard.arcway", prepared_map_of(planner));
 ///     ...
 ///     PreparedMap map = read_prepared_map_file("yard.arcway");
 ///     const Planner planner(map.world, Vehicle(map.robot->parameters), make_embree_queries(map.world),
@@ -52,6 +53,11 @@ struct PreparedMap {
   };
   Source source;
 };
+
+/// The map, graphs and robot of a planner whose graph is eager.
+/// @throws std::logic_error as Planner::prepared_graph does.
+PreparedMap prepared_map_of(const Planner& planner, const std::optional<Pose>& start = {},
+                            const std::optional<Pose>& goal = {});
 
 /// Whether a file begins like a prepared map.
 bool is_prepared_map(std::string_view bytes);

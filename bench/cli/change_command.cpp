@@ -50,6 +50,8 @@ std::vector<Polygon> added_obstacles(const ChangeArguments& arguments) {
 int run_change(const ChangeArguments& arguments, std::string& out) {
   if (arguments.removed.empty() && arguments.added.empty())
     throw UsageError("nothing to change: give --add MAP or --remove ID");
+  if (arguments.reading.lonlat && !arguments.added.empty())
+    throw UsageError("--add: --lonlat projects each map around its own middle; put them into one file");
   arguments.build.check();
   LoadedMap map = load_map(arguments.map, arguments.reading);
   if (!map.prepared) throw UsageError(arguments.map + ": no prepared map; arcway prepare makes one");
@@ -82,16 +84,15 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
   if (before) {
     const Planner planner(*before, after, change, queries, std::move(reduced), {}, executor);
     rows += feasible_row(planner);
-    PreparedGraph graphs = planner.prepared_graph();
-    result.reduced_graph = std::move(graphs.reduced_graph);
-    result.robot = {before->vehicle().parameters(), std::move(graphs.radii), std::move(graphs.feasible)};
+    result = prepared_map_of(planner, map.start, map.goal);
   } else {
     result.reduced_graph = std::move(reduced);
   }
   const double seconds = watch.seconds();
   std::string bytes = to_bytes(result);
 
-  out += arguments.map + ": " + count_text(removed.size()) + " obstacles removed, " + count_text(added.size()) +
+  out += arguments.map + ": " + count_text(removed.size()) +
+         (removed.size() == 1 ? " obstacle removed, " : " obstacles removed, ") + count_text(added.size()) +
          " added\n" + world_rows(after) + rows + row("change", duration_text(seconds)) +
          row("size", count_text(bytes.size()) + " bytes") + warning_rows(map);
   OutputFiles files;

@@ -44,9 +44,7 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   if (arguments.kind == "feasible") {
     const Planner planner(map.world, vehicle, queries, std::move(reduced), {.team = &team}, executor);
     rows += feasible_row(planner);
-    PreparedGraph graphs = planner.prepared_graph();
-    prepared.reduced_graph = std::move(graphs.reduced_graph);
-    prepared.robot = {vehicle.parameters(), std::move(graphs.radii), std::move(graphs.feasible)};
+    prepared = prepared_map_of(planner, map.start, map.goal);
   } else {
     prepared.reduced_graph = std::move(reduced);
   }
@@ -57,7 +55,7 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   out += row("build", duration_text(build_seconds) + " (reduced graph " + duration_text(reduced_seconds) + ")");
   out += row("built by", arguments.build.summary(map.world)) + row("size", count_text(bytes.size()) + " bytes") +
          warning_rows(map);
-  OutputFiles files;
+  OutputFiles files({arguments.map, arguments.robot});
   files.add(arguments.out, std::move(bytes));
   if (team.rank() == 0) files.write();
   out += files.summary();

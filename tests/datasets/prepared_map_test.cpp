@@ -18,14 +18,19 @@ namespace arcway {
 namespace {
 
 PreparedMap prepare(const World& world, const Executor& executor) {
-  const Planner planner(world, Vehicle{}, make_reference_queries(world), {}, executor);
-  PreparedGraph graphs = planner.prepared_graph();
-  return {world,
-          std::move(graphs.reduced_graph),
-          Pose{1, 2, 3},
-          std::nullopt,
-          PreparedMap::ForRobot{planner.vehicle().parameters(), std::move(graphs.radii), std::move(graphs.feasible)},
-          {}};
+  return prepared_map_of(Planner(world, Vehicle{}, make_reference_queries(world), {}, executor), Pose{1, 2, 3});
+}
+
+World small_world();
+
+TEST(PreparedMap, IsNoneOfWhatIsNotAllThere) {
+  const World world = small_world();
+  const QuerySet queries = make_reference_queries(world);
+  const Planner lazy(world, Vehicle{}, queries, {.graph_mode = GraphMode::kLazy}, SerialExecutor());
+  EXPECT_THROW((void)prepared_map_of(lazy), std::logic_error);
+  const Planner eager(world, Vehicle{}, queries, {}, SerialExecutor());
+  const Planner from_rows(world, Vehicle{}, queries, eager.visibility_rows(), {}, SerialExecutor());
+  EXPECT_THROW((void)prepared_map_of(from_rows), std::logic_error);
 }
 
 World small_world() {
