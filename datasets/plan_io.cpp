@@ -8,6 +8,7 @@
 #include "core/path/speed_profile.h"
 #include "core/shortest_text.h"
 #include "datasets/json_text.h"
+#include "datasets/robot.h"
 
 namespace arcway {
 namespace {
@@ -62,36 +63,36 @@ void append_bottleneck(std::string& out, const Bottleneck& bottleneck) {
   out += "]}";
 }
 
-// Time and speed along one segment: accelerate at a, hold the top speed, brake at a.
-class Motion {
- public:
-  Motion(const TimedSegment& timed, const Vehicle& vehicle)
-      : v1_(timed.speed_in), v3_(timed.speed_out), length_(timed.segment.length), a_(vehicle.max_acceleration()) {
-    const double limit = speed_limit(timed.segment, vehicle);
-    const double peak = std::sqrt(std::max(0.0, a_ * length_ + 0.5 * (v1_ * v1_ + v3_ * v3_)));
-    top_ = std::max({std::min(limit, peak), v1_, v3_});
-    speed_up_ = std::min(length_, (top_ * top_ - v1_ * v1_) / (2.0 * a_));
-    slow_down_ = std::min(length_ - speed_up_, (top_ * top_ - v3_ * v3_) / (2.0 * a_));
-  }
+// A part of a segment that is driven at constant acceleration.
+struct Phase {
+  double length;    // > 0
+  double speed_in;  // not both 0
+  double speed_out;
+  // Within the phase, s from its start.
   [[nodiscard]] double speed(double s) const {
-    if (s <= 0.0) return v1_;
-    if (s >= length_) return v3_;
-    if (s < speed_up_) return std::sqrt(v1_ * v1_ + 2.0 * a_ * s);
-    if (s > length_ - slow_down_) return std::sqrt(v3_ * v3_ + 2.0 * a_ * (length_ - s));
-    return top_;
+    return std::sqrt(std::lerp(speed_in * speed_in, speed_out * speed_out, s / length));
   }
-  [[nodiscard]] double time(double s) const {
-    if (s <= speed_up_) return (speed(s) - v1_) / a_;
-    const double at_top = (top_ - v1_) / a_;
-    const double held = length_ - speed_up_ - slow_down_;
-    if (s <= speed_up_ + held) return at_top + (s - speed_up_) / top_;
-    return at_top + (held > 0.0 ? held / top_ : 0.0) + (top_ - speed(s)) / a_;
-  }
-
- private:
-  double v1_, v3_, length_, a_;
-  double top_ = 0.0, speed_up_ = 0.0, slow_down_ = 0.0;
+  [[nodiscard]] double time(double s) const { return 2.0 * s / (speed_in + speed(s)); }
 };
+
+// None of a segment without length.
+std::vector<Phase> phases_of(const TimedSegment& timed, const Vehicle& vehicle) {
+  const double length = timed.segment.length, v1 = timed.speed_in, v3 = timed.speed_out;
+  if (!(length > 0.0)) return {};
+  const double a = vehicle.max_acceleration();
+  const auto [peak, accelerating, holding, braking] =
+      segment_phases(length, v1, speed_limit(timed.segment, vehicle), v3, a);
+  // What is shorter comes of rounding: of speeds near the peak, of which a unit in the last place makes up to 2e-16 of
+  // the way from rest to the peak and back.
+  const double rounding = 1e-14 * peak * peak / a;
+  std::vector<Phase> phases;
+  for (const Phase& phase : {Phase{accelerating, v1, peak}, Phase{holding, peak, peak}, Phase{braking, peak, v3}})
+    if (phase.length > rounding) phases.push_back(phase);
+  if (phases.empty()) return {{length, v1, v3}};
+  phases.front().speed_in = v1;
+  phases.back().speed_out = v3;
+  return phases;
+}
 
 double steering_angle(double curvature, const VehicleParameters& vehicle) {
   switch (vehicle.steering) {
@@ -105,12 +106,12 @@ double steering_angle(double curvature, const VehicleParameters& vehicle) {
   return 0.0;
 }
 
-double steps_of(const PathSegment& segment, const PathSampling& sampling) {
-  return std::ceil(std::max(segment.length / sampling.max_length,
-                            segment.length * std::abs(segment.curvature) / sampling.max_angle));
+double steps_of(const Phase& phase, double curvature, const PathSampling& sampling) {
+  return std::ceil(
+      std::max(phase.length / sampling.max_length, phase.length * std::abs(curvature) / sampling.max_angle));
 }
 
-void check(const PathSampling& sampling, std::span<const TimedSegment> segments) {
+void check(const PathSampling& sampling, std::span<const TimedSegment> segments, const Vehicle& vehicle) {
   const auto require_positive = [](double value, const char* name) {
     if (!(value > 0.0)) {
       throw std::invalid_argument("sample_path: " + std::string(name) + " is " + shortest_text(value) +
@@ -120,7 +121,8 @@ void check(const PathSampling& sampling, std::span<const TimedSegment> segments)
   require_positive(sampling.max_length, "max_length");
   require_positive(sampling.max_angle, "max_angle");
   double steps = 0.0;
-  for (const TimedSegment& timed : segments) steps += steps_of(timed.segment, sampling);
+  for (const TimedSegment& timed : segments)
+    for (const Phase& phase : phases_of(timed, vehicle)) steps += steps_of(phase, timed.segment.curvature, sampling);
   if (!(steps <= kMostSamplingSteps)) {
     throw std::invalid_argument("sample_path: the path has " + shortest_text(steps) + " steps of at most " +
                                 shortest_text(sampling.max_length) + " m and " + shortest_text(sampling.max_angle) +
@@ -130,7 +132,7 @@ void check(const PathSampling& sampling, std::span<const TimedSegment> segments)
 
 }  // namespace
 
-std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
+std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::optional<VehicleParameters>& robot) {
   std::string out = R"({"format":"arcway-plan","version":1)";
   append_member(out, "q", q);
   append_key(out, "status");
@@ -141,6 +143,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
   }
   if (result.bottleneck) append_bottleneck(out, *result.bottleneck);
   if (result.interrupted) out += R"(,"interrupted":true)";
+  if (robot) out += R"(,"robot":)" + to_json(*robot);
   append_key(out, "start");
   append_pose(out, result.start);
   append_key(out, "goal");
@@ -179,23 +182,29 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q) {
 
 std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
                                     const PathSampling& sampling) {
-  check(sampling, segments);
+  check(sampling, segments, vehicle);
   std::vector<PathSample> samples;
   double distance = 0.0, time = 0.0;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     const TimedSegment& timed = segments[k];
     const double length = timed.segment.length;
-    const Motion motion(timed, vehicle);
     const auto add = [&](double s, double t, double v) {
       samples.push_back({distance + s, timed.segment.at(s), timed.segment.curvature, timed.segment.gear, time + t, v});
     };
-    const double steps = steps_of(timed.segment, sampling);
     const bool joined = k > 0 && segments[k - 1].segment.curvature == timed.segment.curvature &&
                         segments[k - 1].segment.gear == timed.segment.gear;
     if (!joined) add(0.0, 0.0, timed.speed_in);
-    for (double i = 1.0; i < steps; ++i) {
-      const double s = length * (i / steps);
-      add(s, motion.time(s), motion.speed(s));
+    double from = 0.0, begun = 0.0;  // of the phase, within the segment
+    for (const Phase& phase : phases_of(timed, vehicle)) {
+      if (from > 0.0) add(from, begun, phase.speed_in);
+      const double steps = steps_of(phase, timed.segment.curvature, sampling);
+      for (double i = 1.0; i < steps; ++i) {
+        const double s = phase.length * (i / steps);
+        add(from + s, begun + phase.time(s), phase.speed(s));
+      }
+      // Rounding may not lead past the segment's end.
+      from = std::min(from + phase.length, length);
+      begun = std::min(begun + phase.time(phase.length), timed.duration);
     }
     // The segment's end; its duration is the plan's, not ours, so that errors do not add up.
     if (length > 0.0) add(length, timed.duration, timed.speed_out);
@@ -259,7 +268,7 @@ std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehic
 namespace {
 
 PlanFile plan_of(const JsonPlace& plan) {
-  plan.allow_keys({"format", "version", "q", "status", "reason", "bottleneck", "interrupted", "start", "goal",
+  plan.allow_keys({"format", "version", "q", "status", "reason", "bottleneck", "interrupted", "robot", "start", "goal",
                    "travel_time", "length", "lower_bound", "min_clearance", "path", "statistics"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
@@ -269,6 +278,12 @@ PlanFile plan_of(const JsonPlace& plan) {
     file.q = q.value.get<std::uint64_t>();
   }
   file.status = plan.has("status") ? plan.at("status").string() : "";
+  if (plan.has("robot")) {
+    const JsonPlace robot = plan.at("robot");
+    file.robot = read_robot(robot.value.dump(), robot.path);
+  }
+  if (plan.has("travel_time")) file.travel_time = plan.at("travel_time").number();
+  if (plan.has("length")) file.length = plan.at("length").number();
   file.start = plan.at("start").pose();
   file.goal = plan.at("goal").pose();
   const JsonPlace path = plan.at("path");

@@ -17,15 +17,16 @@ namespace [[gnu::visibility("default")]] arcway {
 /// One JSON object on one line, without a newline at its end. Numbers read back to the same doubles; what is not
 /// finite is null.
 ///
-///     {"format":"arcway-plan","version":1,"q":0,"status":"solved","start":[x,y,heading],"goal":[x,y,heading],
-///      "travel_time":..,"length":..,"lower_bound":..,"min_clearance":..,
+///     {"format":"arcway-plan","version":1,"q":0,"status":"solved","robot":{..},"start":[x,y,heading],
+///      "goal":[x,y,heading],"travel_time":..,"length":..,"lower_bound":..,"min_clearance":..,
 ///      "path":[{"type":"line"|"arc","start":[x,y,heading],"length":..,"curvature":..,"direction":1|-1,
 ///               "speed_in":..,"speed_out":..,"duration":..}],"statistics":{..}}
 ///
 /// "direction" is -1 where the segment is driven backwards. With "reason" and an empty path unless solved; with
 /// "interrupted": true if the time limit or a stop ended the search.
-/// @param q  number of the query.
-std::string plan_to_json(const PlanResult& result, std::uint64_t q);
+/// @param q      number of the query.
+/// @param robot  that the plan is for, as robot.h writes it; left out if there is none.
+std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::optional<VehicleParameters>& robot = {});
 
 struct PathSampling {
   double max_length = 0.5;  ///< between two samples [m], > 0
@@ -43,7 +44,10 @@ struct PathSample {
   double v;  ///< [m/s]
 };
 /// Samples by length and by angle, ends of all segments kept; where curvature or gear change, the joint comes twice,
-/// once with each. Time and speed follow the fastest motion within the segment: accelerate, hold, brake.
+/// once with each. Time and speed follow the fastest motion within the segment: accelerate, hold, brake. Where it goes
+/// from one to the next there is a sample, too: between neighbours the acceleration is constant, and the mean of their
+/// speeds times the time between them is the way from one to the other, up to rounding. Times never descend.
+/// @param segments  with the speeds and durations of speed_profile.
 /// @throws std::invalid_argument naming value and limit unless both steps are positive and the path has at most
 ///   kMostSamplingSteps of them; so do both below.
 std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
@@ -63,6 +67,8 @@ std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehic
 struct PlanFile {
   std::optional<std::uint64_t> q;  ///< number of the query
   std::string status;
+  std::optional<VehicleParameters> robot;     ///< that it says it is for
+  std::optional<double> travel_time, length;  ///< that it says it has [s], [m]
   Pose start, goal;
   TimedPath path;  ///< speeds and durations empty if the file has none
 };

@@ -78,14 +78,18 @@ void PlanArguments::add_to(CLI::App& command) {
       ->capture_default_str()
       ->needs(picture);
   command.add_option("--json", json, "Write the exact plan; with --queries one object a line")->type_name("F.json");
-  command.add_option("--csv", csv, "Write the path as samples")->type_name("F.csv");
-  command.add_option("--ros-path", ros_path, "Write the path as a nav_msgs/Path in JSON")->type_name("F.json");
+  command.add_option("--csv", csv, "Write the path as samples; of --alternatives the first")->type_name("F.csv");
+  command.add_option("--ros-path", ros_path, "Write the path as a nav_msgs/Path in JSON; likewise")
+      ->type_name("F.json");
+  command
+      .add_option("--sample-step", sample_step,
+                  "Largest distance between samples of --csv and --ros-path [m]; default: 0.5")
+      ->type_name("M");
 }
 
 void PlanArguments::check() const {
   if (batch()) {
     if (out.empty()) throw UsageError("--queries: needs --out R.csv for the results");
-    if (out == queries) throw UsageError("--out: would replace the queries, \"" + queries + "\"");
     if (!start.empty() || !goals.empty() || !via.empty() || alternatives > 1) {
       throw UsageError(
           "--queries: start and goal come from the file; leave out --start, --goal, --via, --alternatives");
@@ -96,6 +100,11 @@ void PlanArguments::check() const {
   } else if (!out.empty()) {
     throw UsageError("--out: only with --queries; see --json and --csv for one plan");
   }
+  if (!sample_step.empty() && csv.empty() && ros_path.empty())
+    throw UsageError("--sample-step: only with --csv or --ros-path");
+  if (!(sampling().max_length > 0.0)) throw UsageError("--sample-step: above 0 m, got \"" + sample_step + "\"");
+  OutputFiles files(inputs());  // before anything takes long
+  for (const std::string& file : {out, svg, json, csv, ros_path}) files.add(file, "");
   build.check();
   if (svg_view != "map" && svg_view != "path")
     throw UsageError("--svg-view: expected map or path, got \"" + svg_view + "\"");
@@ -137,6 +146,12 @@ double PlanArguments::cusp_cost_seconds() const {
   const double seconds = parse_number(text, "--cusp-cost");
   if (seconds < 0.0) throw UsageError("--cusp-cost: at least 0 s, got \"" + text + "\"");
   return seconds;
+}
+
+PathSampling PlanArguments::sampling() const {
+  PathSampling sampling;
+  if (!sample_step.empty()) sampling.max_length = parse_number(sample_step, "--sample-step");
+  return sampling;
 }
 
 }  // namespace arcway::cli

@@ -8,6 +8,7 @@
 #include "bench/cli/arguments.h"
 #include "core/planner.h"
 #include "core/team.h"
+#include "datasets/plan_io.h"
 
 namespace arcway::cli {
 
@@ -28,6 +29,7 @@ struct PlanArguments {
   std::string cusp_cost;
   std::string refine_trials = std::to_string(RefineOptions{}.max_trials);
   std::string svg, json, csv, ros_path;
+  std::string sample_step;
   std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "markers"};
   std::string svg_view = "map";
   BuildOptions build;
@@ -37,10 +39,12 @@ struct PlanArguments {
   void check() const;
 
   [[nodiscard]] bool batch() const { return !queries.empty(); }
-  /// @throws UsageError, as the next two.
+  [[nodiscard]] std::vector<std::string> inputs() const { return {map, robot, queries}; }
+  /// @throws UsageError, as the next three.
   [[nodiscard]] PlannerOptions planner_options(const Team& team) const;
   [[nodiscard]] PlanLimits limits() const;
   [[nodiscard]] double cusp_cost_seconds() const;  ///< 0 if not given
+  [[nodiscard]] PathSampling sampling() const;
 };
 
 }  // namespace arcway::cli

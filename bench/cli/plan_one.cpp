@@ -91,7 +91,7 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
 std::string plan_json(const PlanArguments& arguments, const Planner& planner, double build_seconds,
                       const PlanResult& result, std::uint64_t q) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
-  auto json = nlohmann::ordered_json::parse(plan_to_json(result, q));
+  auto json = nlohmann::ordered_json::parse(plan_to_json(result, q, planner.vehicle().parameters()));
   auto& statistics = json["statistics"];
   statistics["backend"] = arguments.build.backend;
   statistics["graph"] = planner.feasible_graph().mode() == GraphMode::kLazy ? "lazy" : "eager";
@@ -138,17 +138,18 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   const CheckedPlan& plan = plans.front();
   const PlanResult& result = plan.result;
 
-  OutputFiles files;
+  OutputFiles files(arguments.inputs());
   if (!arguments.svg.empty()) files.add(arguments.svg, picture(arguments, planner, request, plans));
   std::string json;
   for (std::size_t i = 0; i < plans.size() && !arguments.json.empty(); ++i)
     json += plan_json(arguments, planner, build_seconds, plans[i].result, i);
   if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
   if (!arguments.csv.empty() && result.solved()) {
-    files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle()));
+    files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle(), arguments.sampling()));
   }
   if (!arguments.ros_path.empty() && result.solved()) {
-    files.add(arguments.ros_path, path_to_nav_msgs(result.segments, planner.vehicle()) + "\n");
+    files.add(arguments.ros_path,
+              path_to_nav_msgs(result.segments, planner.vehicle(), "map", arguments.sampling()) + "\n");
   }
 
   out += arguments.map + ": " + name_of(result.status) + "\n";
@@ -188,7 +189,8 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
     return planner;
   };
   CurvedPlan plan = plan_among_curves(map.curved, plain(request), tolerances, timed, limits);
-  map.notes.push_back(count_text(map.curved.curves.size()) + " curves, as rings within " +
+  const std::size_t curves = map.curved.curves.size();
+  map.notes.push_back(count_text(curves) + (curves == 1 ? " curve" : " curves") + ", as rings within " +
                       shortest_text(tolerances.first) + " m, near the path within " +
                       shortest_text(plan.rounds.back().tolerance) + " m; planned " + count_text(plan.rounds.size()) +
                       (plan.rounds.size() == 1 ? " time" : " times"));

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "bench/figures/canvas.h"
 #include "bench/figures/figures.h"
 #include "core/path/speed_profile.h"
@@ -10,7 +8,7 @@ namespace {
 /// Speed over time on one straight: up from v1, along v2 if it is reached, down to v3.
 void draw_profile(Canvas& canvas, double length, double v1, double v2, double v3, double a, double seconds,
                   const char* color, const char* dash) {
-  const double peak = std::min(v2, std::sqrt(a * length + 0.5 * (v1 * v1 + v3 * v3)));
+  const double peak = segment_phases(length, v1, v2, v3, a).peak;
   canvas.curve(canvas.at({0.0, v1}) + canvas.at({(peak - v1) / a, peak}) +
                    canvas.at({seconds - (peak - v3) / a, peak}) + canvas.at({seconds, v3}),
                color, 3.0, dash);

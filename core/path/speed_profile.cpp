@@ -29,16 +29,33 @@ void check_reached(const char* name, double speed, double bound) {
                               " m/s, but the path is long enough for " + shortest_text(bound) + " only");
 }
 
+/// Inlined into segment_time, as an exported function could not be: search and refinement call that one all the time.
+inline SegmentPhases phases_of(double length, double v1, double v2, double v3, double a) {
+  const double to_top = (2.0 * v2 * v2 - v1 * v1 - v3 * v3) / (2.0 * a);
+  if (to_top <= length) {
+    return {.peak = v2,
+            .accelerating = 0.5 * (v2 - v1) * (v2 + v1) / a,
+            .holding = length - to_top,
+            .braking = 0.5 * (v2 - v3) * (v2 + v3) / a};
+  }
+  const double half_change = 0.5 * (v3 - v1) * (v3 + v1) / a;
+  return {.peak = std::sqrt(0.5 * (2.0 * a * length + v1 * v1 + v3 * v3)),
+          .accelerating = 0.5 * std::max(0.0, length + half_change),
+          .holding = 0.0,
+          .braking = 0.5 * std::max(0.0, length - half_change)};
+}
+
 }  // namespace
 
+SegmentPhases segment_phases(double length, double v1, double v2, double v3, double acceleration) {
+  return phases_of(length, v1, v2, v3, acceleration);
+}
+
 double segment_time(double length, double v1, double v2, double v3, double acceleration) {
-  const double a = acceleration;
-  const double to_top = (2.0 * v2 * v2 - v1 * v1 - v3 * v3) / (2.0 * a);
-  if (to_top <= length) return (2.0 * v2 - v1 - v3) / a + (length - to_top) / v2;  // (9)
+  const auto [peak, accelerating, holding, braking] = phases_of(length, v1, v2, v3, acceleration);
+  if (holding > 0.0) return (2.0 * peak - v1 - v3) / acceleration + holding / peak;  // (9)
   // (10), with peak - v1 and peak - v3 rationalised: they cancel on short segments.
-  const double peak = std::sqrt(0.5 * (2.0 * a * length + v1 * v1 + v3 * v3));
-  const double half_change = 0.5 * (v3 - v1) * (v3 + v1) / a;
-  return std::max(0.0, length + half_change) / (peak + v1) + std::max(0.0, length - half_change) / (peak + v3);
+  return 2.0 * accelerating / (peak + v1) + 2.0 * braking / (peak + v3);
 }
 
 double relaxed_segment_time(double length, double v1, double v2, double v3, double acceleration) {

@@ -8,10 +8,21 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// Travel time of a segment of length L with entry speed v1, top speed v2 and exit speed v3 at
-/// acceleration a, by the closed forms (9) (top speed reached) and (10) (not reached).
-/// Preconditions: L > 0, a > 0, 0 <= v1, v3 <= v2, v2 > 0 and |v1^2 - v3^2| <= 2 a L (else neither form holds:
-/// use speed_profile). Constant time.
+/// The parts of the fastest motion along a segment: it accelerates to its highest speed, holds it, and brakes.
+struct SegmentPhases {
+  double peak;          ///< the highest speed [m/s]
+  double accelerating;  ///< length [m]
+  double holding;       ///< length [m], 0 where the top speed is not reached
+  double braking;       ///< length [m]
+};
+
+/// Of a segment of length L with entry speed v1, top speed v2 and exit speed v3 at acceleration a.
+/// Preconditions: L > 0, a > 0, 0 <= v1, v3 <= v2, v2 > 0 and |v1^2 - v3^2| <= 2 a L (else there is no such
+/// motion: use speed_profile). Constant time.
+SegmentPhases segment_phases(double length, double v1, double v2, double v3, double acceleration);
+
+/// How long they take, by the closed forms (9) (top speed reached) and (10) (not reached). Preconditions as above.
+/// Constant time.
 double segment_time(double length, double v1, double v2, double v3, double acceleration);
 
 /// Time through a segment of a path whose speeds need not be reachable: a lower bound that equals (9) or (10) where

@@ -66,6 +66,37 @@ TEST(SegmentTime, TinySegmentTakesItsLengthOverItsSpeed) {
   EXPECT_NEAR(segment_time(1e-12, 5.0, 12.0, 5.0, 2.0) / (1e-12 / 5.0), 1.0, 1e-12);
 }
 
+TEST(SegmentPhases, TopSpeedReached) {
+  const SegmentPhases phases = segment_phases(20.0, 2.0, 4.0, 0.0, 2.0);
+  EXPECT_EQ(phases.peak, 4.0);
+  EXPECT_DOUBLE_EQ(phases.accelerating, 3.0);
+  EXPECT_DOUBLE_EQ(phases.holding, 13.0);
+  EXPECT_DOUBLE_EQ(phases.braking, 4.0);
+}
+
+TEST(SegmentPhases, TopSpeedNotReached) {
+  const SegmentPhases phases = segment_phases(6.5, 1.0, 12.0, 2.0, 1.0);
+  EXPECT_DOUBLE_EQ(phases.peak, 3.0);
+  EXPECT_DOUBLE_EQ(phases.accelerating, 4.0);
+  EXPECT_EQ(phases.holding, 0.0);
+  EXPECT_DOUBLE_EQ(phases.braking, 2.5);
+}
+
+TEST(SegmentPhases, AddUpToLengthAndTime) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const double top = 0.1 + 10.0 * any(random), a = 0.5 + 5.0 * any(random);
+    const double v1 = top * any(random), v3 = top * any(random);
+    const double length = std::abs(v1 * v1 - v3 * v3) / (2.0 * a) * (1.0 + 1e-12) + 10.0 * std::pow(any(random), 8.0);
+    const auto [peak, accelerating, holding, braking] = segment_phases(length, v1, top, v3, a);
+    EXPECT_LE(peak, top);
+    EXPECT_NEAR(accelerating + holding + braking, length, 1e-14 * (length + top * top / a));
+    const double time = 2.0 * accelerating / (v1 + peak) + holding / peak + 2.0 * braking / (peak + v3);
+    EXPECT_NEAR(segment_time(length, v1, top, v3, a), time, 1e-14 * (time + top / a));
+  }
+}
+
 TEST(SpeedProfile, OneLineFromRestToRest) {
   const SpeedProfile profile = speed_profile(Path{{{}, 144.0, 0.0}}, Vehicle());
   EXPECT_EQ(profile.speeds, (std::vector<double>{0.0, 0.0}));
