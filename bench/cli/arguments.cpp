@@ -36,6 +36,12 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+// Of a line that may be of any length.
+std::string beginning_of(std::string_view line) {
+  constexpr std::size_t kMost = 80;
+  return line.size() <= kMost ? std::string(line) : std::string(line.substr(0, kMost)) + "...";
+}
+
 std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
 }  // namespace
@@ -82,6 +88,9 @@ Place parse_place(std::string_view text, std::string_view what) {
     const std::string name(what);
     return {{parse_number(parts[0], name + " x"), parse_number(parts[1], name + " y")}};
   }
+  if (parts.size() != 3)
+    throw UsageError(std::string(what) + ": expected X,Y or X,Y,HEADING (radians, or degrees as in 90deg), got " +
+                     in_quotes(text));
   const Pose pose = parse_pose(text, what);
   return {pose.position(), pose.heading};
 }
@@ -91,10 +100,15 @@ void MapOptions::add_to(CLI::App& command) {
   const auto option = [&](const char* name, std::string& value, const char* what, const char* type) {
     return command.add_option(name, value, what)->type_name(type)->group(group);
   };
-  command.add_flag("--lonlat", lonlat, "Coordinates are degrees of longitude and latitude: project them")->group(group);
+  command
+      .add_flag(
+          "--lonlat", lonlat,
+          "Coordinates of WORLD are degrees of longitude and latitude: project them to metres around their middle")
+      ->group(group);
   option("--wall-width", wall_width, "Line strings are walls of this width [m]", "W");
   option("--curve-tolerance", curve_tolerance, "Smooth outlines become rings this near [m]; default 0.01", "E");
-  option("--cell", cell, "Size of a cell [m], if the file does not say", "S");
+  option("--cell", cell, "Size of a cell [m], if the file does not say; default: 1 of MovingAI maps, 0.05 of an image",
+         "S");
   option("--tolerance", tolerance, "Obstacles of a grid may grow by this many cells to save corners", "CELLS");
   option("--unknown", unknown, "What unknown cells are: blocked or free", "NAME")->capture_default_str();
   command.add_flag("--swamp-free", swamp, "Swamp of MovingAI maps is free")->group(group);
@@ -189,7 +203,9 @@ std::string world_rows(const World& world) {
   const Box& box = world.box();
   if (!box.empty()) {
     text += row("extent", fixed(box.max.x() - box.min.x(), 3) + " x " + fixed(box.max.y() - box.min.y(), 3) + " m" +
-                              (world.has_bounds() ? ", bounded" : ", unbounded"));
+                              (world.has_bounds() ? ", bounded" : ", unbounded") + ": (" + fixed(box.min.x(), 3) +
+                              ", " + fixed(box.min.y(), 3) + ") to (" + fixed(box.max.x(), 3) + ", " +
+                              fixed(box.max.y(), 3) + ")");
   }
   return text;
 }
@@ -211,14 +227,15 @@ std::vector<NumberedRequest> read_queries(const std::string& file) {
     const std::vector<std::string_view> fields = split(line, ',');
     if (!header_seen) {
       if (!std::equal(fields.begin(), fields.end(), kColumns.begin(), kColumns.end())) {
-        throw UsageError(where + ": expected the header " + std::string(kHeader) + ", got " + in_quotes(line));
+        throw UsageError(where + ": expected the header " + std::string(kHeader) + ", got " +
+                         in_quotes(beginning_of(line)));
       }
       header_seen = true;
       continue;
     }
     if (fields.size() != kColumns.size()) {
       throw UsageError(where + ": expected 7 fields (" + std::string(kHeader) + "), got " +
-                       std::to_string(fields.size()) + ": " + in_quotes(line));
+                       std::to_string(fields.size()) + ": " + in_quotes(beginning_of(line)));
     }
     const auto what = [&](std::size_t column) { return where + ": " + std::string(kColumns[column]); };
     const auto number = [&](std::size_t column) { return parse_number(fields[column], what(column)); };
@@ -237,6 +254,9 @@ void OutputFiles::add(const std::string& file, std::string text) {
   if (is_file &&
       std::ranges::find(files_, std::filesystem::path(file), &decltype(files_)::value_type::first) != files_.end())
     throw UsageError(file + ": two files of this name are to be written");
+  for (const std::string& input : inputs_)
+    if (is_file && std::filesystem::equivalent(file, input, ignored))
+      throw UsageError(file + ": was read, and would be replaced by what is written");
   files_.emplace_back(file, std::move(text));
 }
 

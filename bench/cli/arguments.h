@@ -152,14 +152,19 @@ std::vector<NumberedRequest> read_queries(const std::string& file);
 /// Files of a command, written when all of their texts are ready: all of them whole, or none.
 class OutputFiles {
  public:
+  /// @param inputs  files that have been read and are not to be replaced; empty names and names of no file do not
+  /// count.
+  explicit OutputFiles(std::vector<std::string> inputs = {}) : inputs_(std::move(inputs)) {}
+
   /// No file of an empty name.
-  /// @throws UsageError if a file of that name has been added; devices take several.
+  /// @throws UsageError if it is an input, or a file of that name has been added; devices take several.
   void add(const std::string& file, std::string text);
   void write() const;
   /// One line a file.
   [[nodiscard]] std::string summary() const;
 
  private:
+  std::vector<std::string> inputs_;
   std::vector<std::pair<std::filesystem::path, std::string>> files_;
 };
 

@@ -70,7 +70,7 @@ int run_doctor(const DoctorArguments& arguments, std::string& out) {
   const MapFile map = read_named_map(arguments.map, arguments.reading, /*as_written=*/true);
   const DoctorReport report = examine(map);
 
-  OutputFiles files;
+  OutputFiles files({arguments.map});
   if (!arguments.json.empty()) files.add(arguments.json, report_json(arguments, report, map));
   std::string repair_rows;
   if (!arguments.repair.empty()) {

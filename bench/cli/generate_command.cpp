@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,10 +81,13 @@ std::string queries_csv(const GenerateArguments& arguments, const World& world) 
 int run_generate(const GenerateArguments& arguments, std::string& out) {
   if (arguments.out.empty() && arguments.queries.empty())
     throw UsageError("generate: nothing to write; use --out W.geojson or --queries Q.csv");
+  for (const char* ending : {".wkt", ".svg", ".arcway"})
+    if (std::filesystem::path(arguments.out).extension() == ending)
+      throw UsageError("--out: writes GeoJSON, got \"" + arguments.out + "\"; convert and prepare write other formats");
   std::string details;
   const MapFile map = make_map(arguments, details);
   const World world = to_world(map, arguments.world);
-  OutputFiles files;
+  OutputFiles files({arguments.robot});
   if (!arguments.out.empty()) files.add(arguments.out, to_geojson(map));
   if (!arguments.queries.empty()) files.add(arguments.queries, queries_csv(arguments, world));
   out += arguments.world + "\n" + world_rows(world) + details;

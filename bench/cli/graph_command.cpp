@@ -126,7 +126,7 @@ int run_graph(const GraphArguments& arguments, std::string& out) {
   const LoadedMap map = load_map(arguments.map, arguments.reading);
   BuiltGraph built = build_graph(arguments, map);
 
-  OutputFiles files;
+  OutputFiles files({arguments.map, arguments.robot});
   if (!arguments.svg.empty()) files.add(arguments.svg, picture(map.world, built, title));
   if (!arguments.json.empty()) files.add(arguments.json, counts_json(arguments, map.world, built));
   if (!arguments.edges.empty()) files.add(arguments.edges, std::move(built.edges_csv));

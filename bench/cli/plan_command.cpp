@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,7 +10,9 @@
 #include "bench/cli/plan_one.h"
 #include "bench/cli/plan_queries.h"
 #include "bench/cli/progress_bar.h"
+#include "core/geometry/angle.h"
 #include "core/planner.h"
+#include "core/shortest_text.h"
 #include "datasets/robot.h"
 
 namespace arcway::cli {
@@ -43,6 +46,22 @@ Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehic
   }
 }
 
+// Of poses that may not mean what their author meant.
+void warn_of_poses(const PlanArguments& arguments, const Pose& start, const TourRequest& request, LoadedMap& map) {
+  const auto look = [&](const char* what, double heading) {
+    if (std::abs(heading) > kTwoPi)
+      map.warnings.push_back(std::string(what) + " heading is " + shortest_text(heading) +
+                             " rad, more than a full turn; degrees are written as 90deg");
+  };
+  look("start", start.heading);
+  for (const Place& place : request.via)
+    if (place.heading) look("via", *place.heading);
+  for (const Place& place : request.goals)
+    if (place.heading) look("goal", *place.heading);
+  if (arguments.reading.lonlat && (!arguments.start.empty() || !arguments.goals.empty() || !arguments.via.empty()))
+    map.notes.push_back("--start, --goal and --via are metres from there, not degrees");
+}
+
 int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   const bool batch = arguments.batch();
   arguments.check();
@@ -70,6 +89,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
     if (request.goals.empty() && map.goal) request.goals.push_back({map.goal->position(), map.goal->heading});
     if (!start) throw UsageError("--start X,Y,HEADING is missing, and " + arguments.map + " has no start");
     if (request.goals.empty()) throw UsageError("--goal X,Y,HEADING is missing, and " + arguments.map + " has no goal");
+    warn_of_poses(arguments, *start, request, map);
   }
 
   const auto executor = arguments.build.executor();

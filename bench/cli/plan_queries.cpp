@@ -80,7 +80,7 @@ std::vector<Answer> answer_share(const Planner& planner, std::span<const Numbere
       const CheckedPlan plan = checked(planner, std::move(results[i]), requests[i].reverse);
       Answer& answer = answers[i];
       answer.line = batch_line(queries[i].q, plan);
-      if (with_json) answer.json = plan_to_json(plan.result, queries[i].q) + "\n";
+      if (with_json) answer.json = plan_to_json(plan.result, queries[i].q, planner.vehicle().parameters()) + "\n";
       answer.seconds = plan.result.statistics.total_seconds;
       answer.solved = plan.result.solved();
       if (answer.solved && !plan.good())
@@ -121,7 +121,7 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   }
   const double total = watch.seconds();
 
-  OutputFiles files;
+  OutputFiles files(arguments.inputs());
   files.add(arguments.out, std::move(csv));
   if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
 

@@ -41,8 +41,9 @@ std::string result_rows(const PlanResult& result) {
   const Path path = result.path();
   const bool reverse = std::any_of(path.begin(), path.end(), [](const auto& s) { return s.gear == Gear::kReverse; });
   if (reverse) text += row("changes of gear", count_text(cusps_of(path)));
-  text +=
-      row("lower bound", fixed(result.lower_bound, 3) + " s, gap " + fixed(100.0 * result.optimality_gap(), 2) + " %");
+  text += row("lower bound",
+              fixed(result.lower_bound, 3) + " s" +
+                  (result.lower_bound > 0.0 ? ", gap " + fixed(100.0 * result.optimality_gap(), 2) + " %" : ""));
   text += row("smallest clearance", fixed(result.min_clearance, 6) + " m");
   return text;
 }

@@ -1,10 +1,14 @@
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/cli/arguments.h"
 #include "core/path/validation.h"
+#include "core/shortest_text.h"
 #include "datasets/file_io.h"
 #include "datasets/plan_io.h"
 
@@ -18,22 +22,54 @@ struct ValidateArguments {
   std::string robot;
 };
 
+/// Where a plan's robot is from, in words, and the robot.
+std::pair<std::string, Vehicle> robot_of(const ValidateArguments& arguments, const LoadedMap& map,
+                                         const std::string& name, const PlanFile& plan) {
+  if (!arguments.robot.empty()) return {arguments.robot, load_vehicle(arguments.robot)};
+  try {
+    if (plan.robot) return {"that of the plan", Vehicle(*plan.robot)};
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(name + ": robot: " + error.what());
+  }
+  return {map.prepared && map.prepared->robot ? "that of the map" : "the paper's, as the plan names none",
+          load_vehicle("", map)};
+}
+
+/// What a file says of its path, and what was found.
+void compare(const char* what, const char* unit, std::optional<double> said, double found,
+             std::vector<std::string>& complaints) {
+  constexpr double kTolerance = 1e-6;  // of rounding, relative
+  if (said && !(std::abs(*said - found) <= kTolerance * std::max(1.0, found)))
+    complaints.push_back(std::string(what) + ": the file says " + shortest_text(*said) + unit + ", the path's is " +
+                         shortest_text(found) + unit);
+}
+
 /// What the validator says of one plan; none if it has no path.
-std::optional<bool> validate_plan(const LoadedMap& map, const Vehicle& vehicle, const std::string& name,
+std::optional<bool> validate_plan(const ValidateArguments& arguments, const LoadedMap& map, const std::string& name,
                                   const PlanFile& plan, std::string& out) {
-  if (plan.path.segments.empty()) {
+  if (plan.path.segments.empty() && plan.status != name_of(PlanStatus::kSolved)) {
     out += name + ": no path to check" + (plan.status.empty() ? "" : " (" + plan.status + ")") + "\n";
     return std::nullopt;
   }
+  const auto [origin, vehicle] = robot_of(arguments, map, name, plan);
   const Stopwatch watch;
   const ValidationReport report = validate(map.world, vehicle, plan.start, plan.goal, plan.path);
   const double seconds = watch.seconds();
 
-  out += name + ": " + (report.valid() ? "valid" : "NOT VALID") + "\n";
+  std::vector<std::string> complaints;
+  compare("length", " m", plan.length, report.length, complaints);
+  if (!plan.path.durations.empty()) compare("travel time", " s", plan.travel_time, report.travel_time, complaints);
+  const bool valid = report.valid() && complaints.empty();
+
+  out += name + ": " + (valid ? "valid" : "NOT VALID") + "\n";
   for (const ValidationIssue& issue : report.issues) {
     out += row(name_of(issue.violation), "segment " + std::to_string(issue.segment) + " at " +
                                              fixed(issue.arc_length, 6) + " m: " + issue.message);
   }
+  for (const std::string& complaint : complaints) out += row("totals", complaint);
+  out += row("robot", origin + ": " + fixed(vehicle.parameters().length, 3) + " x " +
+                          fixed(vehicle.parameters().width, 3) + " m, turning radius from " +
+                          fixed(vehicle.min_turning_radius(), 3) + " m");
   out += row("start", pose_text(plan.start));
   out += row("goal", pose_text(plan.goal));
   out += row("segments", count_text(plan.path.segments.size()) +
@@ -42,19 +78,18 @@ std::optional<bool> validate_plan(const LoadedMap& map, const Vehicle& vehicle, 
   if (!plan.path.durations.empty()) out += row("travel time", fixed(report.travel_time, 3) + " s");
   out += row("smallest clearance", "at least " + fixed(report.min_clearance, 6) + " m");
   out += row("checked in", duration_text(seconds));
-  return report.valid();
+  return valid;
 }
 
 int run_validate(const ValidateArguments& arguments, std::string& out) {
   const LoadedMap map = load_map(arguments.map, arguments.reading);
-  const Vehicle vehicle = load_vehicle(arguments.robot, map);
   const std::vector<PlanOnLine> plans = read_plans(read_file(arguments.path), arguments.path);
   std::size_t paths = 0;
   std::size_t valid = 0;
   for (const auto& [line, plan] : plans) {
     std::string name = arguments.path;
     if (plans.size() > 1) name += ":" + std::to_string(line) + (plan.q ? ": query " + std::to_string(*plan.q) : "");
-    const std::optional<bool> verdict = validate_plan(map, vehicle, name, plan, out);
+    const std::optional<bool> verdict = validate_plan(arguments, map, name, plan, out);
     paths += verdict ? 1 : 0;
     valid += verdict && *verdict ? 1 : 0;
   }
@@ -80,7 +115,9 @@ void add_validate_command(CLI::App& app, Action& action) {
   command.add_option("--path", arguments->path, "Plan, or plans, as written by plan --json")
       ->type_name("P.json")
       ->required();
-  command.add_option("--robot", arguments->robot, kRobotHelp)->type_name("R.json");
+  command
+      .add_option("--robot", arguments->robot, "Robot (JSON); default: the plan's, else the map's, else the paper's")
+      ->type_name("R.json");
   command.callback(
       [arguments, &action] { action = [arguments](std::string& out) { return run_validate(*arguments, out); }; });
 }

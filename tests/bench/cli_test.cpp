@@ -98,6 +98,29 @@ TEST_F(Tool, DrivesBackwardsOnlyWhereAllowed) {
   expect_bad_input(plan + " --reverse --cusp-cost -1", "--cusp-cost");
 }
 
+TEST_F(Tool, SamplesAsDenselyAsToldTo) {
+  const std::string plan = "plan " + map_ + kAround;
+  const std::string files = " --csv " + file("p.csv") + " --ros-path " + file("p.json");
+  ASSERT_EQ(run(plan + files).code, 0);
+  const std::string csv = read("p.csv"), poses = read("p.json");
+  ASSERT_EQ(run(plan + files + " --sample-step 0.5").code, 0);
+  EXPECT_EQ(read("p.csv"), csv);
+  EXPECT_EQ(read("p.json"), poses);
+  ASSERT_EQ(run(plan + files + " --sample-step 0.01").code, 0);
+  const std::vector<std::string> rows = lines_of(read("p.csv"));
+  for (std::size_t i = 2; i < rows.size(); ++i) ASSERT_LE(std::stod(rows[i]) - std::stod(rows[i - 1]), 0.01 + 1e-12);
+  EXPECT_GT(read("p.json").size(), 10 * poses.size());
+  for (const std::string option : {" --csv ", " --ros-path "})
+    EXPECT_EQ(run(plan + option + file("q") + " --sample-step 2").code, 0);
+  expect_bad_input(plan + " --sample-step 0.1 --json " + file("p.json"),
+                   "--sample-step: only with --csv or --ros-path");
+  expect_bad_input(plan + files + " --sample-step 0", "--sample-step: above 0 m, got \"0\"");
+  expect_bad_input(plan + files + " --sample-step=-0.1", "--sample-step: above 0 m, got \"-0.1\"");
+  expect_bad_input(plan + files + " --sample-step inf", "--sample-step: expected a finite number, got \"inf\"");
+  expect_bad_input(plan + files + " --sample-step 1e-9",
+                   "steps of at most 1e-09 m and 0.05 rad, must be at most 1e+07");
+}
+
 TEST_F(Tool, LeadsByPlacesToTheNearestOfSeveralGoals) {
   const Run near = run("plan " + map_ + " --start 10,10,0 --goal 50,50,90deg --goal 50,10 --json " + file("p.json"));
   EXPECT_EQ(near.code, 0) << near.err << near.out;
@@ -137,6 +160,44 @@ TEST_F(Tool, AChangedPathIsNotValid) {
   const Run result = run("validate " + map_ + " --path " + file("p.json"));
   EXPECT_EQ(result.code, 1);
   EXPECT_NE(result.out.find("NOT VALID"), std::string::npos);
+}
+
+TEST_F(Tool, ValidatesAPlanForItsOwnRobot) {
+  const std::string robot =
+      put("long.json", R"({"format":"arcway-robot","version":1,"length":3,"width":1,"wheelbase":2})");
+  ASSERT_EQ(run("plan " + map_ + kAround + " --robot " + robot + " --json " + file("p.json")).code, 0);
+  const std::string validate = "validate " + map_ + " --path " + file("p.json");
+  const Run own = run(validate);
+  EXPECT_EQ(own.code, 0) << own.out << own.err;
+  EXPECT_NE(own.out.find("that of the plan: 3.000 x 1.000 m"), std::string::npos) << own.out;
+  const std::string wide =
+      put("wide.json", R"({"format":"arcway-robot","version":1,"length":3,"width":9,"wheelbase":2})");
+  const Run other = run(validate + " --robot " + wide);
+  EXPECT_EQ(other.code, 1) << other.out;
+  EXPECT_NE(other.out.find("wide.json: 3.000 x 9.000 m"), std::string::npos) << other.out;
+
+  const std::string plan = read("p.json"), width = R"("width":1,)";
+  ASSERT_NE(plan.find(width), std::string::npos) << plan;
+  put("p.json", std::string(plan).replace(plan.find(width), width.size(), R"("width":-1,)"));
+  expect_bad_input(validate, "p.json: robot: vehicle: width is -1");
+}
+
+TEST_F(Tool, ValidatesWhatAPlanSaysOfItself) {
+  ASSERT_EQ(run("plan " + map_ + kAround + " --json " + file("p.json")).code, 0);
+  const std::string plan = read("p.json");
+  for (const char* total : {"travel_time", "length"}) {
+    const std::string key = "\"" + std::string(total) + "\":";
+    std::string changed = plan;
+    put("p.json", changed.insert(changed.rfind(key, changed.find("\"path\":")) + key.size(), "1"));
+    const Run result = run("validate " + map_ + " --path " + file("p.json"));
+    EXPECT_EQ(result.code, 1) << total;
+    EXPECT_NE(result.out.find("the file says 1"), std::string::npos) << result.out;
+  }
+  const std::size_t path = plan.find("\"path\":[") + 8;
+  put("p.json", plan.substr(0, path) + plan.substr(plan.find("],\"statistics\"")));
+  const Run nowhere = run("validate " + map_ + " --path " + file("p.json"));
+  EXPECT_EQ(nowhere.code, 1);
+  EXPECT_NE(nowhere.out.find("NOT VALID"), std::string::npos) << nowhere.out;
 }
 
 TEST_F(Tool, ValidatesEachPlanOfAFile) {
@@ -283,7 +344,8 @@ TEST_F(Tool, UsageErrorsGoToStandardError) {
   expect_bad_input("plan " + map_ + kAround + " --builder magic", "\"magic\"");
   expect_bad_input("plan " + map_ + kAround + " --heuristic none", "--heuristic");
   expect_bad_input("plan " + map_ + " --queries " + map_, "--out");
-  expect_bad_input("plan " + map_ + " --queries " + map_ + " --out " + map_, "would replace the queries");
+  expect_bad_input("plan " + map_ + " --queries " + map_ + " --out " + map_,
+                   "was read, and would be replaced by what is written");
   expect_bad_input("graph " + map_ + " --kind dense", "--kind");
   expect_bad_input("report " ARCWAY_SOURCE_DIR "/bench/results/amd-epyc/results.json", "--out");
   expect_bad_input("generate cubes --out " + file("w.geojson"), "cubes");
@@ -326,6 +388,48 @@ TEST_F(Tool, WritesNoFileTwice) {
   expect_bad_input("plan " + map_ + kAround + " --json " + file("p") + " --csv " + file("p"), "two files of this name");
   EXPECT_FALSE(exists("p"));
   EXPECT_EQ(run("plan " + map_ + kAround + " --json /dev/null --csv /dev/null").code, 0);
+}
+
+TEST_F(Tool, ReplacesNothingThatItHasRead) {
+  const std::string message = "was read, and would be replaced by what is written";
+  const std::string robot = put("r.json", R"({"format":"arcway-robot","version":1})");
+  const std::string queries = put("q.csv", "q,sx,sy,stheta,gx,gy,gtheta\n0,10,10,0,50,50,0\n");
+  const std::string before = read("r.json") + read("q.csv") + text_of(map_);
+  for (const char* option : {"--json", "--csv", "--svg", "--ros-path"})
+    expect_bad_input("plan " + map_ + kAround + " " + option + " " + map_, message);
+  expect_bad_input("plan " + map_ + kAround + " --robot " + robot + " --json " + robot, message);
+  expect_bad_input("plan " + map_ + " --queries " + queries + " --out " + file("o.csv") + " --json " + queries,
+                   message);
+  expect_bad_input("plan " + map_ + " --queries " + queries + " --out " + map_, message);
+  expect_bad_input("graph " + map_ + " --json " + map_, message);
+  expect_bad_input("prepare " + map_ + " --out " + map_, message);
+  expect_bad_input("doctor " + map_ + " --json " + map_, message);
+  fs::create_symlink(map_, file("link"));
+  expect_bad_input("prepare " + map_ + " --out " + file("link"), message);
+  EXPECT_EQ(read("r.json") + read("q.csv") + text_of(map_), before);
+  expect_bad_input("generate star --out " + file("w.wkt"), "writes GeoJSON");
+}
+
+TEST_F(Tool, WarnsOfDegrees) {
+  const Run plan = run("plan " + map_ + " --start 10,10,0 --goal 50,50,90");
+  EXPECT_NE(plan.out.find("goal heading is 90 rad, more than a full turn; degrees are written as 90deg"),
+            std::string::npos)
+      << plan.out;
+  EXPECT_EQ(run("plan " + map_ + " --start 10,10,0 --goal 50,50,90deg").out.find("full turn"), std::string::npos);
+  const std::string map =
+      put("ll.geojson", R"({"type":"Polygon","coordinates":[[[6,50],[6.001,50],[6.001,50.001],[6,50]]]})");
+  EXPECT_NE(run("plan " + map + " --lonlat --start=-90,0,0 --goal=-90,40,0").out.find("metres from there"),
+            std::string::npos);
+  ASSERT_EQ(run("prepare " + map + " --lonlat --out " + file("ll.arcway")).code, 0);
+  expect_bad_input("change " + file("ll.arcway") + " --add " + map + " --lonlat --out " + file("m.arcway"),
+                   "projects each map around its own middle");
+}
+
+TEST_F(Tool, MapsOfWallsAloneAreNotEmpty) {
+  const std::string walls = put("walls.geojson", R"({"type":"LineString","coordinates":[[30,0],[30,60]]})");
+  expect_bad_input("plan " + walls + kAround, "line strings are walls (--wall-width)");
+  expect_bad_input("doctor " + walls, "line strings are walls (--wall-width)");
+  EXPECT_EQ(run("plan " + walls + kAround + " --wall-width 0.5").code, 0);
 }
 
 TEST_F(Tool, SaysSoWhereStandardOutputCannotBeWritten) {
@@ -474,6 +578,10 @@ TEST_F(Tool, TheDoctorExaminesMapsThatPlanningRefuses) {
     EXPECT_EQ(run("doctor " + file("clean.geojson")).code, 0);
     EXPECT_EQ(run("graph " + file("clean.geojson")).code, 0);
   }
+  const Run far = run("doctor " + put("far.geojson", R"({"type":"Polygon","coordinates":)"
+                                                     R"([[[1e15,0],[1.000001e15,0],[1e15,1e9],[1e15,0]]]})"));
+  EXPECT_EQ(far.code, 1);
+  EXPECT_NE(far.out.find("move the map to the origin"), std::string::npos) << far.out;
   EXPECT_EQ(run("doctor " + map_).code, 0);
   EXPECT_NE(run("doctor " + map_).out.find("nothing found"), std::string::npos);
 }
