@@ -10,6 +10,7 @@
 #include "accel/wedge/sight_trace.h"
 #include "accel/wedge/wedge_walk.h"
 #include "core/geometry/crossing_point.h"
+#include "core/geometry/direction_order.h"
 #include "core/geometry/predicates.h"
 #include "core/graph/visibility_graph.h"
 #include "core/query/blocking.h"
@@ -28,13 +29,6 @@ struct View {
   std::uint32_t door;         // kNone: a wall
   std::uint32_t low, high;    // sites that limit the directions
 };
-
-// Whether a comes before b, counter-clockwise from +x about p.
-bool precedes(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const auto in_lower_half = [&](const Vec2& q) { return q.y() < p.y() || (q.y() == p.y() && q.x() < p.x()); };
-  if (in_lower_half(a) != in_lower_half(b)) return in_lower_half(b);
-  return orientation(p, a, b) > 0;
-}
 
 // Where the line from p through `through` meets a wall, rounded.
 Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& wall) {
@@ -106,8 +100,9 @@ struct VisibilityMap::Data {
         if (orientation(map.sites()[right], map.sites()[left], p) > 0)
           views.push_back({right, left, trace.door_out(t, k), right, left});
       }
-    std::sort(views.begin(), views.end(),
-              [&](const View& a, const View& b) { return precedes(p, map.sites()[a.right], map.sites()[b.right]); });
+    std::sort(views.begin(), views.end(), [&](const View& a, const View& b) {
+      return precedes_about(p, map.sites()[a.right], map.sites()[b.right]);
+    });
     return views;
   }
 
@@ -242,8 +237,8 @@ std::vector<VertexId> VisibilityMap::tangents_from(const Vec2& point) const {
   const auto place = [&](VertexId v) -> const Vec2& { return d.world.vertex(v); };
   const auto around = std::partition(found.begin(), found.end(), [&](VertexId v) { return place(v) == point; });
   std::sort(around, found.end(), [&](VertexId v, VertexId w) {
-    if (precedes(point, place(v), place(w))) return true;
-    return !precedes(point, place(w), place(v)) && on_open_segment(place(v), {point, place(w)});
+    if (precedes_about(point, place(v), place(w))) return true;
+    return !precedes_about(point, place(w), place(v)) && on_open_segment(place(v), {point, place(w)});
   });
   const Vec2* nearest = &point;
   const auto is_behind = [&](VertexId v) {

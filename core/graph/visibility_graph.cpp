@@ -1,11 +1,12 @@
 #include "core/graph/visibility_graph.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
+#include "core/geometry/direction_order.h"
 #include "core/geometry/predicates.h"
+#include "core/graph/visibility_rows.h"
 
 namespace arcway {
 
@@ -49,26 +50,6 @@ Rows visible_pairs(const World& world, std::span<const VertexId> vertices, const
   });
   return rows;
 }
-
-// Strict weak order by direction about u, counter-clockwise from +x, exact.
-class DirectionOrder {
- public:
-  DirectionOrder(const World& world, VertexId u) : world_(world), origin_(world.vertex(u)) {}
-
-  bool operator()(VertexId v, VertexId w) const {
-    const bool v_low = in_lower_half(world_.vertex(v));
-    const bool w_low = in_lower_half(world_.vertex(w));
-    if (v_low != w_low) return w_low;
-    return orientation(origin_, world_.vertex(v), world_.vertex(w)) > 0;
-  }
-
- private:
-  [[nodiscard]] bool in_lower_half(const Vec2& p) const {
-    return p.y() < origin_.y() || (p.y() == origin_.y() && p.x() < origin_.x());
-  }
-  const World& world_;
-  Vec2 origin_;
-};
 
 }  // namespace
 
@@ -134,52 +115,30 @@ VisibilityGraph build_full_visibility_graph(const World& world, const Visibility
 }
 
 VisibilityGraph without_carried_edges(const World& world, const VisibilityGraph& graph, const Executor& executor) {
-  std::vector<std::uint64_t> starts(graph.vertex_count() + 1, 0);
-  for (VertexId u = 0; u < graph.vertex_count(); ++u) {
-    starts[u + 1] += graph.row(u).size();
-    for (const VertexId v : graph.row(u)) ++starts[v + 1];
-  }
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<VertexId> neighbours(starts.back());
-  std::vector<std::uint64_t> filled(starts.begin(), starts.end() - 1);
-  for (VertexId u = 0; u < graph.vertex_count(); ++u)
-    for (const VertexId v : graph.row(u)) {
-      neighbours[filled[u]++] = v;
-      neighbours[filled[v]++] = u;
-    }
-
-  std::vector<std::uint64_t> kept_starts(graph.vertex_count() + 1, 0);
-  executor.for_ranges(graph.vertex_count(), 64, [&](std::size_t begin, std::size_t end) {
-    std::vector<VertexId> kept;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto u = static_cast<VertexId>(i);
-      const std::span<VertexId> around(neighbours.data() + starts[u], starts[u + 1] - starts[u]);
-      const DirectionOrder before(world, u);
+  const auto rows = rows_of(world, graph);
+  Rows kept(graph.vertex_count());
+  executor.for_ranges(kept.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<VertexId> around;
+    for (auto u = static_cast<VertexId>(begin); u < end; ++u) {
+      const auto before = [&](VertexId v, VertexId w) {
+        return precedes_about(world.vertex(u), world.vertex(v), world.vertex(w));
+      };
+      around.assign(rows->of(u).begin(), rows->of(u).end());
       std::sort(around.begin(), around.end(), before);
-      kept.clear();
       for (std::size_t first = 0, last = 0; first < around.size(); first = last) {
         while (last < around.size() && !before(around[first], around[last])) ++last;
-        const std::span<const VertexId> same_direction = around.subspan(first, last - first);
+        const auto same_direction = std::span(around).subspan(first, last - first);
         for (const VertexId v : same_direction) {
           const LineSegment edge{world.vertex(u), world.vertex(v)};
           const bool carried = std::any_of(same_direction.begin(), same_direction.end(),
                                            [&](VertexId w) { return on_open_segment(world.vertex(w), edge); });
-          if (v > u && !carried) kept.push_back(v);
+          if (v > u && !carried) kept[u].push_back(v);
         }
       }
-      std::sort(kept.begin(), kept.end());
-      std::copy(kept.begin(), kept.end(), around.begin());
-      kept_starts[u + 1] = kept.size();
+      std::sort(kept[u].begin(), kept[u].end());
     }
   });
-  std::partial_sum(kept_starts.begin(), kept_starts.end(), kept_starts.begin());
-  std::vector<VertexId> targets;
-  targets.reserve(kept_starts.back());
-  for (VertexId u = 0; u < graph.vertex_count(); ++u) {
-    const auto row = neighbours.begin() + static_cast<std::ptrdiff_t>(starts[u]);
-    targets.insert(targets.end(), row, row + static_cast<std::ptrdiff_t>(kept_starts[u + 1] - kept_starts[u]));
-  }
-  return {std::move(kept_starts), std::move(targets)};
+  return compress(kept);
 }
 
 VisibilityGraph build_reduced_visibility_graph(const World& world, const VisibilityQuery& visibility,
