@@ -269,7 +269,8 @@ namespace {
 
 PlanFile plan_of(const JsonPlace& plan) {
   plan.allow_keys({"format", "version", "q", "status", "reason", "bottleneck", "interrupted", "robot", "start", "goal",
-                   "travel_time", "length", "lower_bound", "min_clearance", "path", "statistics"});
+                   "travel_time", "length", "lower_bound", "min_clearance", "path", "statistics", "goal_index",
+                   "passed"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
   if (plan.has("q")) {

@@ -87,11 +87,13 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
   return svg.str();
 }
 
-/// The plan, and in its statistics what it took to prepare the map.
+/// The plan, where a tour leads, and in its statistics what it took to prepare the map.
 std::string plan_json(const PlanArguments& arguments, const Planner& planner, double build_seconds,
-                      const PlanResult& result, std::uint64_t q) {
+                      const TourRequest& request, const CheckedPlan& plan, std::uint64_t q) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
-  auto json = nlohmann::ordered_json::parse(plan_to_json(result, q, planner.vehicle().parameters()));
+  auto json = nlohmann::ordered_json::parse(plan_to_json(plan.result, q, planner.vehicle().parameters()));
+  if (plan.result.solved() && request.goals.size() > 1) json["goal_index"] = plan.goal;
+  if (plan.result.solved() && !request.via.empty()) json["passed"] = plan.passed;
   auto& statistics = json["statistics"];
   statistics["backend"] = arguments.build.backend;
   statistics["graph"] = planner.feasible_graph().mode() == GraphMode::kLazy ? "lazy" : "eager";
@@ -122,7 +124,10 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
                                   const PlanLimits& limits) {
   std::vector<CheckedPlan> plans;
   if (arguments.alternatives == 1) {
-    plans.push_back(checked(planner, plan_tour(planner, request, limits).plan, request.reverse));
+    Tour tour = plan_tour(planner, request, limits);
+    plans.push_back(checked(planner, std::move(tour.plan), request.reverse));
+    plans.back().goal = tour.goal;
+    plans.back().passed = std::move(tour.passed);
     return plans;
   }
   const Place& goal = request.goals.front();
@@ -142,7 +147,7 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   if (!arguments.svg.empty()) files.add(arguments.svg, picture(arguments, planner, request, plans));
   std::string json;
   for (std::size_t i = 0; i < plans.size() && !arguments.json.empty(); ++i)
-    json += plan_json(arguments, planner, build_seconds, plans[i].result, i);
+    json += plan_json(arguments, planner, build_seconds, request, plans[i], i);
   if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
   if (!arguments.csv.empty() && result.solved()) {
     files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle(), arguments.sampling()));

@@ -9,7 +9,7 @@
 namespace arcway::cli {
 
 CheckedPlan checked(const Planner& planner, PlanResult result, bool reverse) {
-  CheckedPlan plan{std::move(result), std::nullopt};
+  CheckedPlan plan{.result = std::move(result), .report = std::nullopt};
   if (plan.result.solved()) {
     plan.report = validate(planner.world(), planner.vehicle(), plan.result.start, plan.result.goal,
                            plan.result.timed_path(), {.reverse = reverse});

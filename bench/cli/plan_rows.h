@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/path/validation.h"
 #include "core/planner.h"
@@ -12,6 +14,8 @@ namespace arcway::cli {
 struct CheckedPlan {
   PlanResult result;
   std::optional<ValidationReport> report;
+  std::size_t goal = 0;                  ///< of a tour, see Tour
+  std::vector<std::size_t> passed = {};  ///< likewise
   [[nodiscard]] bool good() const { return report && report->valid(); }
 };
 CheckedPlan checked(const Planner& planner, PlanResult result, bool reverse);

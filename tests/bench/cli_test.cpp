@@ -126,11 +126,13 @@ TEST_F(Tool, LeadsByPlacesToTheNearestOfSeveralGoals) {
   EXPECT_EQ(near.code, 0) << near.err << near.out;
   EXPECT_NE(near.out.find("goal                (50.000, 10.000), heading 0.0000 rad"), std::string::npos) << near.out;
   const std::string direct = read("p.json");
+  EXPECT_NE(direct.find("\"goal_index\":1"), std::string::npos) << direct;
   const Run via = run("plan " + map_ + " --start 10,10,0 --via 10,50 --via 50,50,0 --goal 50,10,-90deg --json " +
                       file("p.json") + " --svg " + file("p.svg"));
   EXPECT_EQ(via.code, 0) << via.err << via.out;
   EXPECT_NE(via.out.find("by way of           (10.000, 50.000), any heading"), std::string::npos) << via.out;
   EXPECT_NE(read("p.svg").find(">via 2</text>"), std::string::npos);
+  EXPECT_NE(read("p.json").find("\"passed\":["), std::string::npos);
   EXPECT_NE(via.out.find("valid               yes"), std::string::npos);
   EXPECT_EQ(run("validate " + map_ + " --path " + file("p.json")).code, 0);
   const Run none = run("plan " + map_ + " --start 10,10,0 --goal 30,30 --goal 31,31,0");
