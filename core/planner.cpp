@@ -259,13 +259,6 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& que
   taken.graph_mode = GraphMode::kEager;
   taken = checked_options(world, vehicle, std::move(taken));
   require_queries(queries);
-  if (graphs.reduced_graph.vertex_count() != world.vertices().size())
-    throw TableError(Table::kRowStarts, graphs.reduced_graph.vertex_count(),
-                     "at the end, the world has " + std::to_string(world.vertices().size()) + " vertices");
-  if (const auto edge = foreign_edge(world, graphs.reduced_graph))
-    throw TableError(Table::kTargets, graphs.reduced_graph.row_starts()[edge->first],
-                     "row " + std::to_string(edge->first) + " joins it to " + std::to_string(edge->second) +
-                         ", which are not both convex and free");
   auto rows = rows_of(world, graphs.reduced_graph);
   data_ = std::make_shared<Data>(
       world, vehicle, queries, std::move(taken), std::move(graphs.reduced_graph), std::move(rows),

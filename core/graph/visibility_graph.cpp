@@ -90,14 +90,6 @@ bool is_tangent(const World& world, VertexId v, const Vec2& p) {
   return orientation(p, at, world.vertex(world.previous(v))) * orientation(p, at, world.vertex(world.next(v))) >= 0;
 }
 
-std::optional<std::pair<VertexId, VertexId>> foreign_edge(const World& world, const VisibilityGraph& graph) {
-  const auto has = [&](VertexId v) { return v < world.vertices().size() && world.is_graph_vertex(v); };
-  for (VertexId u = 0; u < graph.vertex_count(); ++u)
-    for (const VertexId v : graph.row(u))
-      if (!has(u) || !has(v)) return std::pair(u, v);
-  return std::nullopt;
-}
-
 Side obstacle_side(const World& world, VertexId v, const Vec2& from) {
   const Vec2& at = world.vertex(v);
   const int side =

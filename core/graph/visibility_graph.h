@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/executor.h"
@@ -34,10 +32,6 @@ class VisibilityGraph {
   std::vector<std::uint64_t> row_starts_;
   std::vector<VertexId> targets_;
 };
-
-/// An edge that no reduced visibility graph of the world has: one to a vertex that it does not have, or that is not
-/// convex and free (World::is_graph_vertex); nothing if there is none. O(edges).
-std::optional<std::pair<VertexId, VertexId>> foreign_edge(const World& world, const VisibilityGraph& graph);
 
 /// Whether the line through the convex vertex v with the direction towards p is tangent at v: both
 /// neighbours of v on one closed side of it. Exact. p != v; false if p == v.

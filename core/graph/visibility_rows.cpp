@@ -1,11 +1,11 @@
 #include "core/graph/visibility_rows.h"
 
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/prefetch.h"
+#include "core/tables.h"
 
 namespace arcway {
 
@@ -55,11 +55,14 @@ class GraphRows final : public VisibilityRows {
 
 std::shared_ptr<const VisibilityRows> rows_of(const World& world, const VisibilityGraph& graph) {
   if (graph.vertex_count() != world.vertices().size())
-    throw std::invalid_argument("visibility graph: has " + std::to_string(graph.vertex_count()) +
-                                " vertices, the world " + std::to_string(world.vertices().size()));
-  if (const auto edge = foreign_edge(world, graph))
-    throw std::invalid_argument("visibility graph: joins vertices " + std::to_string(edge->first) + " and " +
-                                std::to_string(edge->second) + ", which are not both convex and free in the world");
+    throw TableError(Table::kRowStarts, graph.vertex_count(),
+                     "at the end, the world has " + std::to_string(world.vertices().size()) + " vertices");
+  for (VertexId u = 0; u < graph.vertex_count(); ++u)
+    for (const VertexId v : graph.row(u))
+      if (!world.is_graph_vertex(u) || !world.is_graph_vertex(v))
+        throw TableError(
+            Table::kTargets, graph.row_starts()[u],
+            "row " + std::to_string(u) + " joins it to " + std::to_string(v) + ", which are not both convex and free");
   return std::make_shared<const GraphRows>(world, graph);
 }
 
