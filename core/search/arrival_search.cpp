@@ -47,8 +47,8 @@ struct Entry {
   std::uint64_t what;
 };
 
-bool before(const Entry& a, const Entry& b) {
-  return a.estimate != b.estimate ? a.estimate < b.estimate : a.what < b.what;
+bool before(const Entry& a, const Entry& b) {  // without branches
+  return (a.estimate < b.estimate) | ((a.estimate == b.estimate) & (a.what < b.what));
 }
 
 bool is_complete(const Entry& entry) { return entry.kind() == Kind::kDirect || entry.kind() == Kind::kGoal; }

@@ -72,8 +72,14 @@ class OpenList {
       const std::size_t first = first_child_of(i);
       if (first >= heap_.size()) break;
       std::size_t least = first;
-      for (std::size_t k = first + 1; k < std::min(first + kChildren, heap_.size()); ++k)
-        if (before(heap_[k], heap_[least])) least = k;
+      if (first + kChildren <= heap_.size()) {  // in pairs, as which is the least cannot be foreseen
+        const Entry* const child = heap_.data() + first;
+        const std::size_t low = before(child[1], child[0]), high = 2 + before(child[3], child[2]);
+        least += before(child[high], child[low]) ? high : low;
+      } else {
+        for (std::size_t k = first + 1; k < heap_.size(); ++k)
+          if (before(heap_[k], heap_[least])) least = k;
+      }
       if (!before(heap_[least], entry)) break;
       heap_[i] = heap_[least];
       i = least;
