@@ -97,6 +97,7 @@ class Circumscriber {
     if (piece.p[1] == piece.p[0] && piece.p[2] == piece.p[3]) return true;  // a line
     const Vec2 chord = piece.p[3] - piece.p[0];
     const double length = chord.norm();
+    if (!(length > 0.0)) return false;  // it comes back to where it began
     const double b = chord.dot(piece.p[1] - piece.p[0]), c = chord.dot(piece.p[2] - piece.p[0]);
     if (!(b >= 0.0 && b <= c && c <= length * length)) return false;
     const double away =

@@ -132,6 +132,22 @@ TEST(CircumscribedRing, ContainsTheCurveWithinItsTolerance) {
   }
 }
 
+TEST(CircumscribedRing, OfOneCubicThatComesBack) {
+  const CubicBezier loop{{Vec2(0, 0), Vec2(3, 0), Vec2(0, 3), Vec2(0, 0)}};
+  const CubicBezier back{{loop.p[3], loop.p[2], loop.p[1], loop.p[0]}};
+  for (const bool backwards : {false, true}) {
+    const CubicBezier& piece = backwards ? back : loop;
+    const Ring ring = circumscribed_ring(std::span(&piece, 1), 0.01);
+    ASSERT_GE(ring.size(), 8u);
+    EXPECT_EQ(winding(ring), backwards ? -1 : 1);
+    for (const Vec2& p : ring) {
+      double least = std::numeric_limits<double>::infinity();
+      for (int i = 0; i <= 4000; ++i) least = std::min(least, (p - piece.at(i / 4000.0)).norm());
+      EXPECT_LE(least, 0.011);
+    }
+  }
+}
+
 // By derivative bounds rather than samples: over a parameter interval the curve lies in the hull of its control points;
 // every such hull, of pieces far smaller than the ring's edges, has its corners inside the ring or within rounding of
 // it.
