@@ -100,7 +100,6 @@ class ForwardFlood {
         furthest_(kFurthest << level),
         edge_(kCoarsest * footprint.half_width / (1 << level)),
         step_(std::max(kStep * radius, kLeastStep * edge_)),
-        turned_steps_(turned_steps()),
         bodies_(static_cast<std::size_t>(headings_)),
         moves_(static_cast<std::size_t>(headings_)) {
     const double length = std::max(footprint.front, footprint.rear);
@@ -117,6 +116,7 @@ class ForwardFlood {
     if (core_.half_width <= 0.0 || core_.front + core_.rear <= 0.0 || step_ > kMostTurn * radius_ ||
         step_ > kLongestStep * furthest_ * edge_)
       return End::kOpen;
+    turned_steps_ = turned_steps();  // their number is bounded by what was just asked
     SeenBoxes seen(furthest_, headings_, memory);
     std::vector<PoseBox> open;
     seen.see(0, 0, 0, 1, [&](std::int32_t heading) { open.push_back({0, 0, heading}); });

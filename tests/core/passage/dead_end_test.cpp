@@ -52,6 +52,16 @@ TEST(DeadEnd, IsNotLookedForByVehiclesThatTurnVeryWide) {
   }
 }
 
+// Nor by those that turn on the spot: a step of the proof is as long as a box at least, and would be many turns.
+TEST(DeadEnd, IsNotLookedForByVehiclesThatTurnOnTheSpot) {
+  const World pocket({box(-5, 1, 5, 2), box(-5, -2, 5, -1), box(2, -2, 3, 2)});
+  for (const double radius : {1e-3, 1e-6, 1e-9}) {
+    VehicleParameters parameters;
+    parameters.max_steering_angle = std::atan(parameters.wheelbase / radius);
+    EXPECT_FALSE(dead_end(pocket, Vehicle(parameters), {0, 0, 0.25 * kPi}, kFarGoal)) << radius;
+  }
+}
+
 // The other way round for the goal: its tail sweeps less.
 TEST(DeadEnd, AWallBehindTheGoal) {
   const Vehicle vehicle;
