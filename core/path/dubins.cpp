@@ -39,15 +39,17 @@ Circles circles_of(const Pose& start, const Pose& goal, double radius, double s0
   const Vec2 between =
       goal.position() - start.position() +
       radius * (s1 * perpendicular(direction_of(goal.heading)) - s0 * perpendicular(direction_of(start.heading)));
-  const double scale =
-      std::max({start.position().cwiseAbs().maxCoeff(), goal.position().cwiseAbs().maxCoeff(), radius});
+  // Of a heading of many turns little is known of the direction, and of where the centre is.
+  const double turned = std::abs(start.heading) + std::abs(goal.heading);
+  const double scale = std::max({start.position().cwiseAbs().maxCoeff(), goal.position().cwiseAbs().maxCoeff(), radius,
+                                 radius * turned / kTwoPi});
   return {.s0 = s0,
           .s1 = s1,
           .between = between,
           .distance = between.norm(),
           .direction = std::atan2(between.y(), between.x()),
           .place_error = kUlps * scale,
-          .heading_error = kUlps * (1.0 + std::abs(start.heading) + std::abs(goal.heading)),
+          .heading_error = kUlps * (1.0 + turned),
           .h0 = start.heading,
           .h1 = goal.heading};
 }

@@ -163,6 +163,17 @@ TEST(Dubins, VanishingArcsMakeNoFullTurn) {
   }
 }
 
+// Headings as an odometer counts them: of many turns fewer digits are left.
+TEST(Dubins, PureArcsAreThatWhateverTurnsHeadingsHave) {
+  for (const double turns : {0.0, 5.0, 20.0, 100.0, 1e4, 1e5})
+    for (int i = 1; i < 300; ++i) {
+      const PathSegment arc{{0, 0, 0.01 * i + turns * kTwoPi}, 0.005 * i * 1.3, 1.0 / 1.3};
+      const auto path = dubins_path(DubinsWord::kLSL, arc.start, arc.end(), 1.3);
+      ASSERT_TRUE(path);
+      ASSERT_NEAR(length_of(*path), arc.length, 1e-13 * (1.0 + turns)) << turns << ' ' << i;
+    }
+}
+
 TEST(Dubins, StartIsGoal) {
   for (const Pose& pose : {Pose{0, 0, 0}, Pose{1699.3, -12.7, 2.9}}) {
     EXPECT_TRUE(dubins_path(DubinsWord::kLSL, pose, pose, 1.5).value().empty());
