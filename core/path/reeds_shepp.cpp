@@ -13,6 +13,8 @@ namespace arcway {
 namespace {
 
 constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kMostRounding =
+    1e-9;  // of the direction of a line between circles to either side: the end moves by that
 constexpr double kQuarter = 0.5 * kPi;
 
 /// The goal seen from the start, lengths in radii.
@@ -24,13 +26,16 @@ struct Target {
 using Parts = std::optional<std::array<double, 5>>;
 
 /// An angle as a turn within [0, pi]; nothing if it is none. Rounding may have put it on the other side of either end.
-std::optional<double> ahead(double angle) {
+/// @param rounding  at 0.
+std::optional<double> ahead(double angle, double rounding = kRounding) {
   const double turn = wrap_signed(angle);
   if (turn >= 0.0) return turn;
-  if (turn >= -kRounding) return 0.0;
+  if (turn >= -rounding) return 0.0;
   if (turn <= -kPi + kRounding) return kPi;
   return std::nullopt;
 }
+/// The rounding of a line's direction, which the shorter it is the less is known of: up to `most`.
+double rounding_of_line(double length, double most) { return kRounding / std::clamp(length, kRounding / most, 1.0); }
 /// The same within [-pi, 0].
 std::optional<double> back(double angle) {
   const auto turn = ahead(-angle);
@@ -47,12 +52,16 @@ Vec2 to_left(const Target& g) { return {g.x - std::sin(g.heading), g.y - 1.0 + s
 Vec2 to_right(const Target& g) { return {g.x + std::sin(g.heading), g.y - 1.0 - std::cos(g.heading)}; }
 double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
-/// (8.1)
+/// (8.1). Where an arc vanishes up to rounding, the other one makes the whole turn; so in (8.2).
 Parts left_straight_left(const Target& g) {
   const Vec2 c = to_left(g);
-  const double t = c.isZero(kRounding) ? 0.0 : angle_of(c);
-  const auto first = ahead(t);
-  return first ? parts_of(first, c.norm(), 0.0, 0.0, ahead(g.heading - *first)) : std::nullopt;
+  const double u = c.norm();
+  if (c.isZero(kRounding)) return parts_of(0.0, u, 0.0, 0.0, ahead(g.heading));
+  const double rounding = rounding_of_line(u, 1.0);
+  const auto first = ahead(angle_of(c), rounding);
+  if (!first || *first == 0.0) return parts_of(first, u, 0.0, 0.0, ahead(g.heading));
+  const auto last = ahead(g.heading - *first, rounding);
+  return last == 0.0 ? parts_of(ahead(g.heading), u, 0.0, 0.0, 0.0) : parts_of(first, u, 0.0, 0.0, last);
 }
 
 /// (8.2)
@@ -61,8 +70,11 @@ Parts left_straight_right(const Target& g) {
   const double square = c.squaredNorm() - 4.0;
   if (square < -kRounding) return std::nullopt;
   const double u = std::sqrt(std::max(0.0, square));
-  const auto first = ahead(angle_of(c) + std::atan2(2.0, u));
-  return first ? parts_of(first, u, 0.0, 0.0, ahead(*first - g.heading)) : std::nullopt;
+  const double rounding = rounding_of_line(u, kMostRounding);
+  const auto first = ahead(angle_of(c) + std::atan2(2.0, u), rounding);
+  if (!first || *first == 0.0) return parts_of(first, u, 0.0, 0.0, ahead(-g.heading));
+  const auto last = ahead(*first - g.heading, rounding);
+  return last == 0.0 ? parts_of(ahead(g.heading), u, 0.0, 0.0, 0.0) : parts_of(first, u, 0.0, 0.0, last);
 }
 
 /// (8.3), (8.4): the last arc forwards or backwards.

@@ -155,6 +155,25 @@ TEST(ReedsShepp, NoDriveOfArcsAndLinesIsShorter) {
   }
 }
 
+// Of a line of which little is left the direction is little known: an arc may then seem to vanish.
+TEST(ReedsShepp, NoArcAndShortLineIsShorter) {
+  for (const double line : {1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 1e-2, 0.1})
+    for (const double angle : {1e-12, 1e-8, 1e-4, 0.5})
+      for (int i = 0; i < 200; ++i)
+        for (const double side : {1.0, -1.0}) {
+          const PathSegment arc{{0, 0, 0.03 * i}, angle, side}, ahead{arc.end(), line, 0.0};
+          const Path drive{arc, ahead};
+          const Pose goal = drive.back().end();
+          const double length = length_of(drive);
+          ASSERT_LE(reeds_shepp_distance(arc.start, goal, 1.0), length + 1e-7 * std::sqrt(length))
+              << line << ' ' << angle << ' ' << i;
+          for (std::size_t word = 0; word < kReedsSheppWords; ++word)
+            if (const auto path = reeds_shepp_path(word, arc.start, goal, 1.0)) {
+              ASSERT_LT(miss(*path, arc.start, goal), 1e-7) << line << ' ' << angle << ' ' << letters_of(*path);
+            }
+        }
+}
+
 TEST(ReedsShepp, SimpleCases) {
   EXPECT_EQ(reeds_shepp_distance({1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, 1.0), 0.0);
   EXPECT_NEAR(reeds_shepp_distance({0, 0, 0}, {5, 0, 0}, 1.0), 5.0, 1e-12);
