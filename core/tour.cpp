@@ -262,7 +262,8 @@ class TourPlanner {
     }
   }
 
-  // Along straight lines by all places to the nearest goal that is not inside an obstacle, from rest to rest.
+  // Along straight lines by all places to the nearest goal, from rest to rest. Inside of an obstacle is none that can
+  // be reached, unless the body lies beside the reference point.
   [[nodiscard]] double line_bound() const {
     Vec2 at = request_.start.position();
     double length = 0.0;
@@ -270,9 +271,12 @@ class TourPlanner {
       length += (place.position - at).norm();
       at = place.position;
     }
+    const Vehicle& vehicle = planner_.vehicle();
+    const Footprint body = vehicle.footprint();
+    const bool covers_reference = std::min(body.front, body.rear) >= 0.0;
     double nearest = kInfinity;
     for (const Place& goal : request_.goals)
-      if (planner_.queries().distance->containing(goal.position) == kNone)
+      if (!covers_reference || planner_.queries().distance->containing(goal.position) == kNone)
         nearest = std::min(nearest, (goal.position - at).norm());
     const Vehicle& vehicle = planner_.vehicle();
     if (!(length + nearest > 0.0)) return 0.0;

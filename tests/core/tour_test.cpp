@@ -209,6 +209,16 @@ TEST(Tour, IsNotFasterThanItsBoundByAVehicleThatIsFasterBackwards) {
   EXPECT_GT(tour.plan.lower_bound, 0.99 * tour.plan.travel_time);
 }
 
+// The reference point of a body that lies beside it may end in an obstacle.
+TEST(Tour, IsNotFasterThanItsBoundToAGoalInAnObstacle) {
+  const World world({test::box(10, -1, 11, 1)});
+  const Planner planner(world, Vehicle({.length = 1.0, .width = 0.6, .wheelbase = 2.0, .steering = Steering::kRear}));
+  const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .goals = {{{10.2, 0}}}});
+  ASSERT_TRUE(tour.plan.solved()) << tour.plan.reason;
+  expect_valid(planner, tour.plan);
+  EXPECT_GT(tour.plan.lower_bound, 0.5);
+}
+
 TEST(Tour, SaysWhichLegHasNoPath) {
   const World world({{{Vec2(10, 10), Vec2(12, 10), Vec2(12, 12), Vec2(10, 12)}, {}}});
   const Planner planner(world, Vehicle{});
