@@ -19,8 +19,6 @@ namespace arcway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Of what poses say, unless it is 0: far enough from what queries refuse, whatever is computed of it.
-constexpr double kSmallestPoseNumber = 1e-50, kLargestPoseNumber = 1e9;
 // A plan that may be slower than the best one by more than `gap`, a share, is tried again with manoeuvres at both ends.
 struct Retry {
   double gap;
@@ -53,14 +51,6 @@ std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimit
 }
 
 }  // namespace
-
-void require_pose(const std::string& name, const Pose& pose) {
-  for (const double value : {pose.x, pose.y, pose.heading})
-    if (value != 0.0 && !(std::abs(value) >= kSmallestPoseNumber && std::abs(value) <= kLargestPoseNumber))
-      throw std::invalid_argument(name + " " + shortest_text(pose) + ": " + shortest_text(value) +
-                                  " is neither 0 nor of magnitude " + shortest_text(kSmallestPoseNumber) + " to " +
-                                  shortest_text(kLargestPoseNumber));
-}
 
 PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const PlanRequest& request,
                  const PlanLimits& limits, PlanWorkspace& workspace, PlanResult& result)

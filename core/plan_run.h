@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "core/path/path.h"
@@ -14,10 +13,6 @@
 #include "core/stopwatch.h"
 
 namespace arcway {
-
-/// @param name  of the pose, for the error.
-/// @throws std::invalid_argument naming the pose, the value and the limits of what can be planned with.
-void require_pose(const std::string& name, const Pose& pose);
 
 /// Memory of a query, kept for the next one.
 struct PlanWorkspace {

@@ -299,12 +299,12 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   return result;
 }
 
-void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const {
-  require_pose("start pose", request.start);
-  require_pose("goal pose", request.goal);
+void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResult& result) const {
+  require_pose("start pose", asked.start, vehicle());
+  require_pose("goal pose", asked.goal, vehicle());
   if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
-  if (!(request.cusp_cost >= 0.0 && std::isfinite(request.cusp_cost)))
-    throw std::invalid_argument("cusp cost: " + shortest_text(request.cusp_cost) + " s, must be finite and >= 0");
+  if (!(asked.cusp_cost >= 0.0 && std::isfinite(asked.cusp_cost)))
+    throw std::invalid_argument("cusp cost: " + shortest_text(asked.cusp_cost) + " s, must be finite and >= 0");
   const Stopwatch total;
   const Data& d = *data_;
   std::vector<TimedSegment> segments = std::move(result.segments);
@@ -314,10 +314,13 @@ void Planner::plan(const PlanRequest& request, const PlanLimits& limits, PlanRes
   result = {};
   result.segments = std::move(segments);
   result.first_path = std::move(first_path);
-  result.start = request.start;
-  result.goal = request.goal;
+  result.start = asked.start;
+  result.goal = asked.goal;
+  double distance = (asked.goal.position() - asked.start.position()).norm();
+  PlanRequest request = asked;
+  request.start = without_many_turns(asked.start, distance);
+  request.goal = without_many_turns(asked.goal, distance);
   result.statistics.suboptimality = d.options.suboptimality;
-  double distance = (request.goal.position() - request.start.position()).norm();
   result.lower_bound = travel_time_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse);
   if (!pose_is_free(d.map(), request.start, true, result) || !pose_is_free(d.map(), request.goal, false, result)) {
     result.statistics.total_seconds = total.seconds();

@@ -227,8 +227,11 @@ class Planner {
   /// one, of paths by the graph with motions in both gears at their ends, and of short ones in both gears all the way:
   /// never dearer than without. Without it no segment is driven backwards. Never throws for want of a path: see
   /// PlanResult::status.
-  /// @throws std::invalid_argument if a number of a pose is neither 0 nor of magnitude 1e-50 to 1e9, the time limit is
-  ///   not a number, or the cost of a cusp is negative or not finite.
+  /// Headings of so many turns that their rounding would show at the goal are taken for those within one: segments say
+  /// these, the result's start and goal those asked for.
+  /// @throws std::invalid_argument if a number of a pose is neither 0 nor of magnitude 1e-50 to 1e9, the safety margin
+  ///   is too small for its coordinates as for the map's, the time limit is not a number, or the cost of a cusp is
+  ///   negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
   /// The same into a result whose memory is used again. With accel's queries and an eager graph, a request without
   /// `reverse` that was answered before then asks the heap for nothing, if single arcs join its ends to a path on

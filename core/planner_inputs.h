@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+
+#include "core/path/path.h"
 #include "core/planner.h"
 #include "core/query/query_set.h"
 #include "core/vehicle.h"
@@ -13,5 +16,14 @@ PlannerOptions checked_options(const World& world, const Vehicle& vehicle, Plann
 
 /// @throws std::invalid_argument if one is missing.
 void require_queries(const QuerySet& queries);
+
+/// @param name  of the pose, for the error.
+/// @throws std::invalid_argument naming the pose, the value and the limits of what this vehicle can be planned for.
+void require_pose(const std::string& name, const Pose& pose, const Vehicle& vehicle);
+
+/// The same pose with its heading within a turn of 0 if it has so many that its rounding would show at the end of a
+/// path. With fewer it stays as it is, since its size tells how far it is rounded.
+/// @param distance  from start to goal [m].
+Pose without_many_turns(const Pose& pose, double distance);
 
 }  // namespace arcway

@@ -13,7 +13,7 @@
 #include "core/geometry/angle.h"
 #include "core/no_path.h"
 #include "core/path/speed_profile.h"
-#include "core/plan_run.h"
+#include "core/planner_inputs.h"
 #include "core/shortest_text.h"
 
 namespace arcway {
@@ -278,7 +278,6 @@ class TourPlanner {
     for (const Place& goal : request_.goals)
       if (!covers_reference || planner_.queries().distance->containing(goal.position) == kNone)
         nearest = std::min(nearest, (goal.position - at).norm());
-    const Vehicle& vehicle = planner_.vehicle();
     if (!(length + nearest > 0.0)) return 0.0;
     const double top_speed = request_.reverse ? vehicle.top_speed() : vehicle.max_speed();
     return (1.0 - 1e-12) * segment_time(length + nearest, 0.0, top_speed, 0.0, vehicle.max_acceleration());
@@ -295,18 +294,18 @@ class TourPlanner {
   std::size_t failure_stage_ = 0;
 };
 
-void require_places(const std::string& name, std::span<const Place> places) {
+void require_places(const std::string& name, std::span<const Place> places, const Vehicle& vehicle) {
   for (std::size_t i = 0; i < places.size(); ++i)
     require_pose(places.size() == 1 ? name : name + " " + std::to_string(i + 1),
-                 {places[i].position.x(), places[i].position.y(), places[i].heading.value_or(0.0)});
+                 {places[i].position.x(), places[i].position.y(), places[i].heading.value_or(0.0)}, vehicle);
 }
 
 }  // namespace
 
 Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits) {
   if (request.goals.empty()) throw std::invalid_argument("tour: no goal");
-  require_places("place on the way", request.via);
-  require_places("goal", request.goals);
+  require_places("place on the way", request.via, planner.vehicle());
+  require_places("goal", request.goals, planner.vehicle());
   return TourPlanner(planner, request, limits).run();
 }
 

@@ -445,4 +445,33 @@ TEST(Planner, SegmentTimesFindNothingFasterThanTrueTimes) {
 }
 
 }  // namespace
+// Of 1e9 rad a double knows seven digits behind the point, of a heading within a turn fifteen.
+TEST(Planner, GetsToTheGoalWhateverTurnsHeadingsHave) {
+  for (const World& world : {World({}), World({{{{400, 140}, {420, 140}, {420, 160}, {400, 160}}, {}}})}) {
+    const Planner planner(world, Vehicle{});
+    for (const PlanRequest& request :
+         {PlanRequest{{0, 0, 1e9}, {800, 300, 1}}, PlanRequest{{0, 0, 0}, {800, 300, -1e8}}}) {
+      const PlanResult result = planner.plan(request);
+      ASSERT_TRUE(result.solved()) << result.reason;
+      EXPECT_EQ(result.start.heading, request.start.heading);
+      EXPECT_EQ(result.goal.heading, request.goal.heading);
+      expect_valid(planner, result);
+    }
+  }
+}
+
+TEST(Planner, RefusesPosesThatDoublesAreTooCoarseFor) {
+  const Planner planner(walled(), Vehicle({.safety_margin = 1e-7}));
+  EXPECT_TRUE(planner.plan({{2, 2, 1.57}, {2, 8, 1.57}}).solved());
+  try {
+    (void)planner.plan({{2, 2, 1.57}, {1e5, 0, 0}});
+    ADD_FAILURE() << "no error";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(
+        std::string(error.what()).find("safety margin 1e-07 m is too small for the coordinate of the goal pose 1e+05"),
+        std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace arcway
