@@ -47,10 +47,11 @@ void HeadingSet::complement(std::vector<HeadingInterval>& blocked, HeadingSet& r
     reached = std::max({reached, b.high, std::numeric_limits<double>::min()});
   }
   if (reached < kFullCircle) {
-    if (open_at_seam) {  // one interval across the seam
+    const double low = std::nextafter(reached, kFullCircle * 2);
+    if (open_at_seam && low < kFullCircle) {  // one interval across the seam
       const double high = free.front().high + kFullCircle;
       free.erase(free.begin());
-      free.push_back({std::nextafter(reached, kFullCircle * 2), std::nextafter(high, -1.0)});
+      free.push_back({low, std::nextafter(high, -1.0)});
     } else {
       add(reached, kFullCircle);
     }
@@ -98,10 +99,13 @@ double HeadingSet::reach(double heading, Side side) const {
 }
 
 HeadingSet HeadingSet::around(double heading, double most) const {
-  if (find(heading) < 0) return {};
-  const double low = wrap_positive(heading - std::min(most, reach(heading, Side::kRight)));
-  return HeadingSet(
-      {{low, low + std::min(most, reach(heading, Side::kRight)) + std::min(most, reach(heading, Side::kLeft))}});
+  const int index = find(heading);
+  if (index < 0) return {};
+  const HeadingInterval& interval = intervals_[static_cast<std::size_t>(index)];
+  const double right = std::min(most, reach_within(interval, heading, Side::kRight));
+  const double left = std::min(most, reach_within(interval, heading, Side::kLeft));
+  const double low = wrap_positive(heading - right);
+  return HeadingSet({{low, low + right + left}});
 }
 
 }  // namespace arcway

@@ -81,6 +81,17 @@ TEST(HeadingSet, IsMadeOfDisjointIntervals) {
     EXPECT_THROW((void)HeadingSet::of_intervals(bad), std::invalid_argument) << bad.front().low;
 }
 
+// Nothing is left before the seam but what rounding leaves.
+TEST(HeadingSet, IsMadeAgainOfWhatAComplementHas) {
+  for (const double high : {kTwoPi, std::nextafter(kTwoPi, 0.0), std::nextafter(std::nextafter(kTwoPi, 0.0), 0.0), 6.0})
+    for (const double low : {1.0, 1e-300, 0.0}) {
+      const HeadingSet set = HeadingSet::complement({{low, high}});
+      EXPECT_EQ(HeadingSet::of_intervals({set.intervals().begin(), set.intervals().end()}).intervals().size(),
+                set.intervals().size());
+      EXPECT_EQ(set.find(0.5) >= 0, low == 1.0);
+    }
+}
+
 TEST(HeadingSet, ComplementsIntoASetThatWasInUse) {
   HeadingSet set = HeadingSet::complement({{1.0, 2.0}, {3.0, 4.0}});
   for (const std::vector<HeadingInterval>& blocked :
