@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -61,7 +62,7 @@ class EdgeScene {
       for (VertexId e = 0; e < world_.edges().size() && radius >= 0.0; ++e) radius = visit(e);
       return;
     }
-    PointVisit<Visit> point{*this, visit, kPad + 0x1p-20 * center.cwiseAbs().maxCoeff(), radius};
+    PointVisit<Visit> point{*this, visit, kPad + 0x1p-20 * center.cwiseAbs().maxCoeff(), radius, {}};
     RTCPointQuery query;
     query.x = static_cast<float>(center.x());
     query.y = static_cast<float>(center.y());
@@ -71,6 +72,7 @@ class EdgeScene {
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
     rtcPointQuery(scene_.get(), &query, &context, &PointVisit<Visit>::on_box, &point);
+    if (point.thrown) std::rethrow_exception(point.thrown);
   }
 
  private:
@@ -80,6 +82,7 @@ class EdgeScene {
     Visit& visit;
     double slack;  // of the rounded centre and of the box distance
     double radius;
+    std::exception_ptr thrown;  // by a visit: Embree would take it for an error of its own, and keep it to itself
 
     [[nodiscard]] float float_radius() const {
       const auto rounded = static_cast<float>(radius * scene.scale_ * (1.0 + 0x1p-19) + slack);
@@ -90,7 +93,12 @@ class EdgeScene {
       if (self.radius < 0.0) return false;
       const World::VertexRange edges = self.scene.edges_of(a->primID);
       double radius = self.radius;
-      for (VertexId e = edges.first; e < edges.last && radius >= 0.0; ++e) radius = self.visit(e);
+      try {
+        for (VertexId e = edges.first; e < edges.last && radius >= 0.0; ++e) radius = self.visit(e);
+      } catch (...) {
+        self.thrown = std::current_exception();
+        radius = -1.0;
+      }
       if (radius == self.radius) return false;
       self.radius = radius;
       a->query->radius = radius < 0.0 ? 0.0f : self.float_radius();
