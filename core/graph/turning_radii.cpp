@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "core/graph/turn_circle.h"
 
@@ -10,17 +11,27 @@ namespace arcway {
 namespace {
 
 constexpr double kLeastRatio = 2.0;      // of a radius to the one before
-constexpr double kMostRatios = 4.0;      // radii but the smallest
+constexpr double kMostRatios = 4.0;      // radii but the smallest, and one that leads round vertices
 constexpr double kLeastLastRatio = 1.4;  // the last radius is left out if it is nearer than that to the one before
 constexpr double kWidest = 1e6;          // [m]
 constexpr double kRoundVertex = 1.5;     // of the body's half width: a turn that leads round a vertex
 
-// The smallest radius with the speed of the widest turns.
+// The smallest radius with the speed of the fastest turns. Between its table's radii, or all along, v_mc rises or
+// falls.
 double fastest_radius(const Vehicle& vehicle, double smallest) {
-  const double top = vehicle.turn_speed(kWidest);
-  if (vehicle.turn_speed(smallest) >= top) return smallest;
-  double slower = smallest;
-  double radius = kWidest;
+  std::vector<double> radii{smallest};
+  if (const auto* table = std::get_if<TurnSpeedTable>(&vehicle.parameters().turn_speed)) {
+    for (const auto& [radius, speed] : table->entries)
+      if (radius > smallest) radii.push_back(radius);
+  } else {
+    radii.push_back(kWidest);
+  }
+  const auto fastest =
+      std::ranges::max_element(radii, {}, [&](double radius) { return vehicle.turn_speed(radius); });  // the first one
+  if (fastest == radii.begin()) return smallest;
+  const double top = vehicle.turn_speed(*fastest);
+  double slower = *(fastest - 1);
+  double radius = *fastest;
   while (radius > slower * (1.0 + 1e-9)) {
     const double middle = 0.5 * (slower + radius);
     (vehicle.turn_speed(middle) >= top ? radius : slower) = middle;

@@ -10,8 +10,9 @@
 namespace [[gnu::visibility("default")]] arcway {
 
 /// The radii that are worth a turn circle [m], ascending: the smallest one of the vehicle and, as long as a wider turn
-/// is a faster one, at least twice the one before, up to where v_mc ends to rise or the map's extent does; five of them
-/// at most. One radius if v_mc is constant, unless it leads round no vertex: then 1.5 half widths of the body as well.
+/// is a faster one, each at least twice the one before, up to the smallest one with the highest v_mc, or the map's
+/// extent; the last one at least 1.4 times the one before. Five of them at most; one if v_mc is constant. And if the
+/// widest leads round no vertex, 1.5 half widths of the body as well.
 std::vector<double> turning_radii(const Vehicle& vehicle, const World& world);
 
 /// How many of some ascending radii it takes until one of them leads round vertices, all of them if none does: on a

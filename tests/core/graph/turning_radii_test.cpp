@@ -42,6 +42,10 @@ TEST(TurningRadii, EndWithTheMapAndWithTheTable) {
   EXPECT_EQ(turning_radii(Vehicle(parameters), World({})).size(), 1u);
   parameters.turn_speed = TurnSpeedTable{{{1.3, 2.0}, {4.0, 5.0}}};
   EXPECT_NEAR(turning_radii(Vehicle(parameters), field(1000)).back(), 4.0, 1e-6);
+  parameters.turn_speed = TurnSpeedTable{{{1.0, 2.0}, {10.0, 5.0}, {20.0, 3.0}}};  // beyond 10 m slower again
+  EXPECT_NEAR(turning_radii(Vehicle(parameters), field(1000)).back(), 10.0, 1e-6);
+  parameters.turn_speed = TurnSpeedTable{{{1.0, 2.0}, {10.0, 5.0}, {20.0, 1.0}}};
+  EXPECT_NEAR(turning_radii(Vehicle(parameters), field(1000)).back(), 10.0, 1e-6);
 }
 
 VehicleParameters turning_within(double radius) {
