@@ -119,13 +119,13 @@ VisibilityGraph without_carried_edges(const World& world, const VisibilityGraph&
       std::sort(around.begin(), around.end(), before);
       for (std::size_t first = 0, last = 0; first < around.size(); first = last) {
         while (last < around.size() && !before(around[first], around[last])) ++last;
+        // The edges to all but the nearest place are carried.
         const auto same_direction = std::span(around).subspan(first, last - first);
-        for (const VertexId v : same_direction) {
-          const LineSegment edge{world.vertex(u), world.vertex(v)};
-          const bool carried = std::any_of(same_direction.begin(), same_direction.end(),
-                                           [&](VertexId w) { return on_open_segment(world.vertex(w), edge); });
-          if (v > u && !carried) kept[u].push_back(v);
-        }
+        const VertexId nearest = *std::ranges::min_element(same_direction, [&](VertexId v, VertexId w) {
+          return on_open_segment(world.vertex(v), {world.vertex(u), world.vertex(w)});
+        });
+        for (const VertexId v : same_direction)
+          if (v > u && world.vertex(v) == world.vertex(nearest)) kept[u].push_back(v);
       }
       std::sort(kept[u].begin(), kept[u].end());
     }
