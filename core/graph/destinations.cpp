@@ -31,18 +31,20 @@ bool bends_round(const TurnCircle& from, const TurnCircle& middle, const TurnCir
 }  // namespace
 
 std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle) const {
+  const std::span<const Vec2> vertices = world_.vertices();
   std::vector<Arrival> arrivals;
-  const auto add = [&](VertexId from, Side departure, VertexId to, std::uint32_t passed) {
+  const auto add = [&](VertexId from, Side departure, VertexId to, std::uint32_t passed, bool may_be_known) {
     // Seen from `to` the obstacle at `from` lies on the other side than for who leaves towards `to`.
-    if (obstacle_side(world_, from, world_.vertex(to)) == departure) return;
-    const Side side = obstacle_side(world_, to, world_.vertex(from));
-    for (const Arrival& known : arrivals)
-      if (known.vertex == to && known.side == side) return;
+    if (obstacle_side(world_, from, vertices[to]) == departure) return;
+    const Side side = obstacle_side(world_, to, vertices[from]);
+    if (may_be_known)
+      for (const Arrival& known : arrivals)
+        if (known.vertex == to && known.side == side) return;
     arrivals.push_back({to, side, from, passed});
   };
   for (const VertexId u : {circle.vertex, circle.second})
     if (u != kNone)
-      for (const VertexId v : rows_.of(u)) add(u, circle.side, v, 0);
+      for (const VertexId v : rows_.of(u)) add(u, circle.side, v, 0, u == circle.second);
   append_beside(circle, arrivals);
   for (std::size_t i = 0; i < arrivals.size(); ++i) {
     const Arrival at = arrivals[i];
@@ -50,12 +52,18 @@ std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle) 
     const TurnCircle& middle = own_circle(at.vertex, at.side);
     const auto line = line_between(circle, middle);
     if (!line) continue;
+    const Vec2 here = vertices[at.vertex], across = sign_of(at.side) * perpendicular(*line);
+    // A bitangent begins and ends within two radii of its vertices: from one that is so far to the side the path turns
+    // as well. In open country that is nearly every one.
+    const double far = 4.0 * middle.radius * across.norm();
     for (const VertexId next : rows_.of(at.vertex)) {
-      const int turn = orientation(world_.vertex(at.before), world_.vertex(at.vertex), world_.vertex(next));
+      if (across.dot(vertices[next] - here) > far) continue;
+      const int turn = orientation(vertices[at.before], here, vertices[next]);
       if (turn == (at.side == Side::kLeft ? -1 : 1)) continue;
-      const TurnCircle& behind = own_circle(next, obstacle_side(world_, next, world_.vertex(at.vertex)));
+      const TurnCircle& behind = own_circle(next, obstacle_side(world_, next, here));
       const auto onwards = line_between(middle, behind);
-      if (onwards && sign_of(at.side) * cross(*line, *onwards) < 0.0) add(at.vertex, at.side, next, at.passed + 1);
+      if (onwards && sign_of(at.side) * cross(*line, *onwards) < 0.0)
+        add(at.vertex, at.side, next, at.passed + 1, true);
     }
   }
   return arrivals;
