@@ -36,7 +36,7 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
   }
   if (!change.gone.empty()) {
     ShadowWalk shadows(map);
-    for (const Box& place : change.gone) shadows.look_from(place);
+    shadows.look_from(change.gone);
     for (std::size_t n = 0; n < map.nodes().size(); ++n)
       if (shadows.seen()[n]) stale[map.nodes()[n].vertex] = 1;
   }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "accel/wedge/sight_map.h"
@@ -19,7 +21,8 @@ class ShadowWalk {
   /// @param map  with its left edges listed.
   explicit ShadowWalk(const SightMap& map) : map_(map), seen_(map.nodes().size(), 0) {}
 
-  void look_from(const Box& place);
+  /// O(triangles log places), and what is seen; no more than looking from everywhere is worth.
+  void look_from(std::span<const Box> places);
   /// By node, 1 if it may see one of the places.
   [[nodiscard]] const std::vector<std::uint8_t>& seen() const { return seen_; }
 
@@ -28,17 +31,20 @@ class ShadowWalk {
     std::uint32_t door;
     std::uint32_t low, high;  ///< sites that all rays pass on the left, on the right; kNone: none
   };
-  void walk(const std::uint32_t (&corners)[3], Range range);
-  void follow_walls(const Box& place);
+  using Corners = std::array<std::uint32_t, 3>;  // sites of a triangle
+  [[nodiscard]] Corners corners_of(std::size_t triangle) const;
+  void look_through(std::size_t triangle, const Corners& corners, const Box& place);
+  void walk(const Corners& corners, Range range);
+  void follow_wall(const PlanarMap::Edge& wall);
   void mark(std::uint32_t first_node);
-  [[nodiscard]] bool meets(const std::uint32_t (&corners)[3], const Box& place) const;
-  [[nodiscard]] bool all_pass(const std::uint32_t (&corners)[3], std::uint32_t limit, std::uint32_t site,
-                              int side) const;
+  [[nodiscard]] bool meets(const Corners& corners, const Box& place) const;
+  [[nodiscard]] bool all_pass(const Corners& corners, std::uint32_t limit, std::uint32_t site, int side) const;
 
   const SightMap& map_;
   std::vector<std::uint8_t> seen_;
   std::vector<Range> stack_;
   std::size_t steps_ = 0;
+  bool gives_up_ = false;  // all nodes are marked
 };
 
 }  // namespace arcway
