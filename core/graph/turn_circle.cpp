@@ -61,8 +61,11 @@ std::optional<TurnCircle> turn_circle(const World& world, VertexId u, VertexId w
 }
 
 double heading_at_vertex(const World& world, const TurnCircle& circle) {
+  const Vec2 to_center = circle.second == kNone
+                             ? inwards(world, circle.vertex)
+                             : Vec2(circle.center - 0.5 * (world.vertex(circle.vertex) + world.vertex(circle.second)));
   // pose_on puts the reference point on the side of the centre away from the left normal if turning left.
-  const Vec2 normal = sign_of(circle.side) * inwards(world, circle.vertex);
+  const Vec2 normal = sign_of(circle.side) * to_center;
   return std::atan2(-normal.x(), normal.y());
 }
 

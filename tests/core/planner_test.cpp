@@ -167,6 +167,52 @@ TEST(Planner, FindsAWayForVehiclesThatTurnNearlyOnTheSpot) {
     }
 }
 
+// By circles round both of a thin wall's corners, whichever has the smaller number.
+TEST(Planner, TurnsRoundTheEndOfAWallWhereverItsRingBegins) {
+  const Vehicle vehicle(
+      {.length = 0.6, .width = 1.2, .wheelbase = 0.5, .max_steering_angle = 0.9, .max_acceleration = 2.0});
+  Ring wall{{0, 0}, {10, 0}, {10, 0.2}, {0, 0.2}};
+  for (int i = 0; i < 8; ++i) {
+    std::ranges::rotate(wall, wall.begin() + 1);
+    if (i == 4) std::ranges::reverse(wall);
+    const Planner planner(World({{wall, {}}}, Ring{{-2, -2}, {13, -2}, {13, 2.2}, {-2, 2.2}}), vehicle,
+                          {.refinement = {.max_trials = 0}});
+    const PlanResult plan = planner.plan({{8, -0.7, 0}, {8, 0.9, kPi}});
+    ASSERT_TRUE(plan.solved());
+    expect_valid(planner, plan);
+    EXPECT_NEAR(plan.travel_time, 3.541606, 1e-5) << i;
+    EXPECT_EQ(planner.feasible_graph().counts().kept, 16u) << i;
+  }
+}
+
+// A door too narrow to turn in, whose walls have vertices on their edges.
+TEST(Planner, DrivesThroughADoorWhoseWallsAreDivided) {
+  const auto divided = [](const Ring& ring) {
+    Ring twice;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      twice.push_back(ring[i]);
+      twice.push_back(0.5 * (ring[i] + ring[(i + 1) % ring.size()]));
+    }
+    return twice;
+  };
+  const Ring low{{4, 0}, {4.25, 0}, {4.25, 3.75}, {4, 3.75}}, high{{4, 4.75}, {4.25, 4.75}, {4.25, 8}, {4, 8}};
+  const Ring bounds{{0, 0}, {8.25, 0}, {8.25, 8}, {0, 8}};
+  const PlanRequest request{{1.503328, 6.581904, -1.387555}, {6.476310, 2.784536, -2.777039}};
+  double time = 0.0;
+  for (const bool is_divided : {false, true}) {
+    const World world = is_divided ? World({{divided(low), {}}, {divided(high), {}}}, divided(bounds))
+                                   : World({{low, {}}, {high, {}}}, bounds);
+    const Planner planner(world, Vehicle{}, {.manoeuvre_poses = 0});
+    const PlanResult plan = planner.plan(request);
+    ASSERT_TRUE(plan.solved()) << plan.reason;
+    expect_valid(planner, plan);
+    if (is_divided) {
+      EXPECT_NEAR(plan.travel_time, time, 1e-9);
+    }
+    time = plan.travel_time;
+  }
+}
+
 TEST(Planner, HeuristicsAgreeWhereTheyMust) {
   const Clutter clutter =
       generate_clutter({.kind = ClutterKind::kConvex, .obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 2});
