@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/angle.h"
+#include "core/geometry/predicates.h"
 
 namespace arcway {
 
@@ -47,8 +48,8 @@ class GapCircles {
     for (const Gap& gap : gaps.gaps()) {
       if (!(gap.width > 2.0 * body_.half_width && gap.width <= swept_.outer)) continue;
       const Vec2 across = (gap.on_b - gap.on_a) / gap.width;
-      const VertexId a = vertex_at(gap.edge_a, gap.on_a);
-      const VertexId b = vertex_at(gap.edge_b, gap.on_b);
+      const VertexId a = corner_at(gap.edge_a, gap.on_a);
+      const VertexId b = corner_at(gap.edge_b, gap.on_b);
       add_round(a, gap.width, across, b != kNone);
       add_round(b, gap.width, -across, a != kNone);
       for (const double sign : {1.0, -1.0}) add_gate(gap, sign * perpendicular(across));
@@ -57,11 +58,23 @@ class GapCircles {
   }
 
  private:
-  // The end of an edge that a point is; kNone if it lies between them.
-  [[nodiscard]] VertexId vertex_at(VertexId edge, const Vec2& p) const {
+  // The corner that a point of an edge is; kNone if it lies between two, where edges may go straight on.
+  [[nodiscard]] VertexId corner_at(VertexId edge, const Vec2& p) const {
     for (const VertexId v : {edge, world_.next(edge)})
-      if (world_.vertex(v) == p) return v;
+      if (world_.vertex(v) == p && !is_straight(v)) return v;
     return kNone;
+  }
+  [[nodiscard]] bool is_straight(VertexId v) const {
+    return orientation(world_.vertex(world_.previous(v)), world_.vertex(v), world_.vertex(world_.next(v))) == 0;
+  }
+  // The first corner from a vertex on along its ring, either way.
+  [[nodiscard]] VertexId corner_behind(VertexId v) const {
+    while (is_straight(v)) v = world_.previous(v);
+    return v;
+  }
+  [[nodiscard]] VertexId corner_ahead(VertexId v) const {
+    while (is_straight(v)) v = world_.next(v);
+    return v;
   }
 
   // @param across  from the vertex to what it faces, a vertex or an edge at a right angle to that.
@@ -110,14 +123,14 @@ class GapCircles {
       beside.push_back({v, d.dot(along), cross(along, d), at_gap});
     };
     for (const auto& [edge, end] : {std::pair(gap.edge_a, gap.on_a), std::pair(gap.edge_b, gap.on_b)}) {
-      const VertexId v = vertex_at(edge, end);
+      const VertexId v = corner_at(edge, end);
       if (v == kNone) {
-        add(edge, true);
-        add(world_.next(edge), true);
+        add(corner_behind(edge), true);
+        add(corner_ahead(world_.next(edge)), true);
       } else {
         add(v, true);
-        add(world_.previous(v), false);
-        add(world_.next(v), false);
+        add(corner_behind(world_.previous(v)), false);
+        add(corner_ahead(world_.next(v)), false);
       }
     }
     Gate gate;
