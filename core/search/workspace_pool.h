@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -28,18 +29,22 @@ class WorkspacePool {
  private:
   Workspace take() {
     const std::lock_guard lock(mutex_);
-    if (idle_.empty()) return {};
+    if (idle_.empty()) {
+      idle_.reserve(++count_);  // so that none needs memory to come back
+      return {};
+    }
     Workspace workspace = std::move(idle_.back());
     idle_.pop_back();
     return workspace;
   }
-  void put_back(Workspace workspace) {
+  void put_back(Workspace&& workspace) noexcept {
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(workspace));
   }
 
   std::mutex mutex_;
   std::vector<Workspace> idle_;
+  std::size_t count_ = 0;  // of all workspaces
 };
 
 }  // namespace arcway
