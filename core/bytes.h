@@ -21,12 +21,17 @@ template <class T>
 requires std::is_trivially_copyable_v<T>
 void append_bytes(std::string& bytes, const T& value) { append_bytes(bytes, std::span<const T>(&value, 1)); }
 
-/// The first `count` values, which are then taken off.
+/// Throws unless there are so many values.
 template <class T>
-std::vector<T> take_bytes(std::string_view& bytes, std::size_t count) {
+void require_bytes(std::string_view bytes, std::size_t count) {
   if (bytes.size() / sizeof(T) < count)
     throw std::length_error(std::to_string(bytes.size()) + " bytes left for " + std::to_string(count) + " values of " +
                             std::to_string(sizeof(T)) + " bytes");
+}
+/// The first values, which are then taken off: so many, or one.
+template <class T>
+std::vector<T> take_bytes(std::string_view& bytes, std::size_t count) {
+  require_bytes<T>(bytes, count);
   std::vector<T> values(count);
   if (count > 0) std::memcpy(values.data(), bytes.data(), count * sizeof(T));
   bytes.remove_prefix(count * sizeof(T));
@@ -34,7 +39,11 @@ std::vector<T> take_bytes(std::string_view& bytes, std::size_t count) {
 }
 template <class T>
 T take_bytes(std::string_view& bytes) {
-  return take_bytes<T>(bytes, 1).front();
+  require_bytes<T>(bytes, 1);
+  T value{};
+  std::memcpy(&value, bytes.data(), sizeof(T));
+  bytes.remove_prefix(sizeof(T));
+  return value;
 }
 
 }  // namespace arcway

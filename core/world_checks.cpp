@@ -161,7 +161,9 @@ void require_region(const Polygon& polygon, ObstacleId id, bool is_bounds) {
 
 void require_world(const WorldTables& tables) {
   const std::size_t n = tables.vertices.size();
-  require_vertex_count(n, static_cast<ObstacleId>(tables.region_rings.size()));
+  if (n > kMaxVertices)
+    throw TableError(Table::kVertices, kMaxVertices,
+                     "there are " + std::to_string(n) + ", at most " + std::to_string(kMaxVertices) + " fit");
   const auto require_size = [&](Table table, std::size_t size) {
     if (size != n) throw TableError(table, size, "there are " + std::to_string(n) + " vertices");
   };

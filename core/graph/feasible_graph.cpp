@@ -30,8 +30,8 @@ using Link = FeasibleGraph::Link;
 constexpr double kWidestTurn = 0.55 * kPi;
 
 std::span<const double> checked_radii(std::span<const double> radii) {
-  if (radii.empty() || !(radii.front() > 0.0) || !std::isfinite(radii.back()) ||
-      !std::ranges::is_sorted(radii, std::less_equal<>()))
+  const auto is_radius = [](double radius) { return radius > 0.0 && std::isfinite(radius); };
+  if (radii.empty() || !std::ranges::all_of(radii, is_radius) || !std::ranges::is_sorted(radii, std::less_equal<>()))
     throw std::invalid_argument("feasible graph: radii must be positive, finite and ascending, at least one");
   return radii;
 }

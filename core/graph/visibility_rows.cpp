@@ -58,10 +58,10 @@ std::shared_ptr<const VisibilityRows> rows_of(const World& world, const Visibili
     throw TableError(Table::kRowStarts, graph.vertex_count(),
                      "at the end, the world has " + std::to_string(world.vertices().size()) + " vertices");
   for (VertexId u = 0; u < graph.vertex_count(); ++u)
-    for (const VertexId v : graph.row(u))
-      if (!world.is_graph_vertex(u) || !world.is_graph_vertex(v))
+    for (std::uint64_t i = graph.row_starts()[u]; i < graph.row_starts()[u + 1]; ++i)
+      if (const VertexId v = graph.targets()[i]; !world.is_graph_vertex(u) || !world.is_graph_vertex(v))
         throw TableError(
-            Table::kTargets, graph.row_starts()[u],
+            Table::kTargets, i,
             "row " + std::to_string(u) + " joins it to " + std::to_string(v) + ", which are not both convex and free");
   return std::make_shared<const GraphRows>(world, graph);
 }
