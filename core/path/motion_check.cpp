@@ -111,15 +111,21 @@ MotionCheck::MotionCheck(const World& world, const Vehicle& vehicle)
   reach_ = std::hypot(std::max(std::abs(body_.x0), std::abs(body_.x1)), body_.y1);
   boxes_.reserve(world.edges().size());
   for (const LineSegment& e : world.edges()) boxes_.push_back(box_of(e));
-  if (!world.box().empty()) {
-    const double largest = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
-    rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * (largest + reach_);
-  }
+  if (!world.box().empty())
+    largest_ = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
+  set_precision();
+}
+
+void MotionCheck::set_precision() {
+  rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * (largest_ + reach_);
   shortest_interval_ = std::max(kShortestInterval * reach_, rounding_);
   tolerance_ = std::max({kClearanceTolerance, kClearanceShare * reach_, 2.0 * rounding_});
 }
 
 std::vector<MotionCheck::Hit> MotionCheck::check(const PathSegment& segment) {
+  for (const Vec2& p : {segment.start.position(), segment.end().position()})
+    largest_ = std::max(largest_, p.cwiseAbs().maxCoeff());
+  set_precision();
   std::vector<Hit> hits;
   if (const auto region = swallowing(segment.start)) hits.push_back({*region, 0.0, kNone});
   if (upper_ == kInfinity) upper_ = body_distance(segment.start);

@@ -34,6 +34,7 @@ class MotionCheck {
   };
 
  private:
+  void set_precision();
   [[nodiscard]] double body_distance(const Pose& pose) const;
   [[nodiscard]] std::optional<ObstacleId> swallowing(const Pose& pose) const;
   template <typename Visit>
@@ -48,8 +49,9 @@ class MotionCheck {
   Rectangle body_{};
   double reach_ = 0.0;      ///< of the body from F
   std::vector<Box> boxes_;  ///< of the edges
+  double largest_ = 0.0;    ///< coordinate of the map, and of the path so far
   double rounding_ = 0.0;   ///< of a distance
-  double shortest_interval_, tolerance_;
+  double shortest_interval_ = 0.0, tolerance_ = 0.0;
   double upper_;  ///< a clearance that occurs on the path
   double lower_;  ///< a proved bound so far
 };

@@ -23,6 +23,7 @@ class Validator {
 
   ValidationReport run(const Pose& start, const Pose& goal) {
     const std::size_t n = path_.segments.size();
+    if (has_times()) require_times_of_all();
     if (!is_finite(start)) add(Violation::kNotFinite, 0, 0.0, "the start pose has a value that is not finite");
     if (!is_finite(goal)) add(Violation::kNotFinite, 0, 0.0, "the goal pose has a value that is not finite");
     for (std::size_t i = 0; i < n; ++i) check_numbers(i);
@@ -30,7 +31,7 @@ class Validator {
       check_ends(start, goal);
       for (std::size_t i = 0; i < n; ++i) check_shape(i);
       check_motion(start);
-      if (!path_.durations.empty() || !path_.speed_in.empty() || !path_.speed_out.empty()) check_times();
+      for (std::size_t i = 0; has_times() && i < n; ++i) check_time(i);
     }
     return std::move(report_);
   }
@@ -117,7 +118,11 @@ class Validator {
     report_.min_clearance = motion.clearance();
   }
 
-  void check_times() {
+  [[nodiscard]] bool has_times() const {
+    return !path_.durations.empty() || !path_.speed_in.empty() || !path_.speed_out.empty();
+  }
+
+  void require_times_of_all() const {
     const std::size_t n = path_.segments.size();
     if (path_.speed_in.size() != n || path_.speed_out.size() != n || path_.durations.size() != n) {
       throw std::invalid_argument("validate: " + std::to_string(n) + " segments, but " +
@@ -125,7 +130,6 @@ class Validator {
                                   std::to_string(path_.speed_out.size()) + " speeds out, " +
                                   std::to_string(path_.durations.size()) + " durations");
     }
-    for (std::size_t i = 0; i < n; ++i) check_time(i);
   }
 
   void check_time(std::size_t i) {

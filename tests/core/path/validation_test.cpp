@@ -112,6 +112,24 @@ TEST(Validation, Numbers) {
   EXPECT_EQ(kinds(check(kEmpty, speeds)), Kinds{Violation::kNotFinite});
 }
 
+TEST(Validation, RefusesOtherNumbersOfTimesWhateverElseIsWrong) {
+  TimedPath path = timed(straight());
+  path.durations.push_back(1.0);
+  EXPECT_THROW((void)check(kEmpty, path), std::invalid_argument);
+  path.segments[0].length = std::nan("");
+  EXPECT_THROW((void)check(kEmpty, path), std::invalid_argument);
+}
+
+// Far from the map doubles are coarse: 1.2e-7 m at 1e9 m.
+TEST(Validation, ClearanceIsABoundWhereThePathIsFarFromTheMapsOrigin) {
+  const World wall({box(2, -1, 3, 1)});
+  const TimedPath path{{{{-1e9, 0, 0}, 1e9, 0.0}}, {}, {}, {}};
+  const ValidationReport report = validate(wall, kVehicle, {-1e9, 0, 0}, {0, 0, 0}, path);
+  const double clearance = 2.0 - kVehicle.footprint().front;
+  EXPECT_GT(report.min_clearance, clearance - 1e-4);
+  EXPECT_LT(report.min_clearance, clearance - 1e-7);
+}
+
 TEST(Validation, EndPoses) {
   const TimedPath path{straight(), {}, {}, {}};
   const double turn = 2.0 * std::numbers::pi;
