@@ -288,7 +288,7 @@ class Refiner {
       std::sort(stations.begin() + static_cast<std::ptrdiff_t>(first), stations.end(),
                 [](const Station& a, const Station& b) { return a.part < b.part; });
     }
-    for (std::size_t span = stations.size() - 1; span > 0; --span)
+    for (std::size_t span = stations.size() - 1; span > 0 && !done(); --span)
       for (std::size_t i = 0; i + span < stations.size(); ++i)
         if (stations[i].line < stations[i + span].line && insert_word(stations[i], stations[i + span])) return true;
     return false;

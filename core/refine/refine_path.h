@@ -11,7 +11,8 @@
 namespace [[gnu::visibility("default")]] arcway {
 
 struct RefineOptions {
-  /// Paths whose travel time is tried, at most; some microseconds each. 0: no refinement.
+  /// Paths whose travel time is tried, at most; some microseconds each. Beside that, pairs of places on the lines of a
+  /// path of n turns are told from their distances, O(n^2) after each change. 0: no refinement.
   std::uint32_t max_trials = 4000;
   /// Centres and radii slide in steps down to this part of the smallest turning radius, > 0.
   double smallest_step = 1.0 / 128.0;
@@ -54,8 +55,8 @@ class RefineWorkspace {
 /// A change is accepted only if the travel time under the speed profile falls and the swept area of the body grown by
 /// half of the safety margin is free by `sweep`. So the result is as free as the input and never slower; a path that
 /// turns on fewer than two circles is returned as it is. A local optimum of these changes, not the fastest path.
-/// Deterministic unless stopped: `stop` is asked before each trial and ends refinement with the best path so far.
-/// Thread-safe.
+/// Deterministic unless stopped: `stop` is asked before each trial, and while pairs are told apart, and ends refinement
+/// with the best path so far. Thread-safe.
 /// @throws std::invalid_argument as require_refinement does.
 RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
                         const SweepQuery& sweep, const RefineOptions& options = {},
