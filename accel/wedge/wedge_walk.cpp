@@ -357,32 +357,34 @@ void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
 
 // The wall is looked at from the place that the range's limit starts from, then from where the ray to the node found
 // starts, and so on: each ray leaves more of the wall behind, until one leaves all of it there.
-WedgeWalk::Contact WedgeWalk::contact(const Strips::Wall& wall, const Limit& low, const Limit& high) const {
-  const bool is_left = wall.step > 0;
-  const Limit& own = is_left ? high : low;
-  const Limit& other = is_left ? low : high;
+template <class Passed, class From>
+WedgeWalk::Contact WedgeWalk::contact(const Strips::Wall& wall, const Limit& own, const Limit* other,
+                                      const Passed& passed_before, const From& touched_from) const {
   Contact found;
-  std::uint32_t index = wall.limit_from(node(own.from).at, wall.count, 0);
-  while (index != kNone) {
+  found.ray = own;
+  while (true) {
+    const std::uint32_t from = found.ray.from;
+    const std::uint32_t index = wall.limit_from(node(from).at, wall.count, passed_before(from), found.index);
+    if (index == kNone || index == found.index) return found;
     const Node& at = wall.node(index);
     const int own_side = wall.step * side(own, at.at, at.site);
-    if (own_side > 0) break;
+    if (own_side > 0) return found;
     found.index = index;
     found.own_side = own_side;
-    found.other_side = wall.step * side(other, at.at, at.site);
-    if (found.other_side < 0) break;
-    const std::uint32_t from = touch(low.from, high.from, is_left ? End::kHigh : End::kLow, at.at);
-    found.ray = limit(Kind::kMet, from, at.site, at.at);
-    const std::uint32_t next = wall.limit_from(node(from).at, wall.count, 0, index);
-    if (next == index) break;
-    index = next;
+    if (other) found.other_side = wall.step * side(*other, at.at, at.site);
+    if (found.other_side < 0) return found;
+    found.ray = limit(Kind::kMet, touched_from(index, at.at), at.site, at.at);
   }
-  return found;
 }
 
 bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
   const Strips::Wall left = Strips::left_wall(map_, strip), right = Strips::right_wall(map_, strip);
-  const Contact on_left = contact(left, low, high), on_right = contact(right, low, high);
+  const auto none = [](std::uint32_t) { return 0u; };
+  const auto touched = [&](End end) {
+    return [&, end](std::uint32_t, const Vec2& at) { return touch(low.from, high.from, end, at); };
+  };
+  const Contact on_left = contact(left, high, &low, none, touched(End::kHigh));
+  const Contact on_right = contact(right, low, &high, none, touched(End::kLow));
   bool passes = on_left.leaves_way() && on_right.leaves_way();
   if (passes && on_left.exists() && on_right.exists()) {
     const Node& n = right.node(on_right.index);
@@ -411,9 +413,8 @@ bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
   return passes;
 }
 
-// The other wall is seen from the run up to the node that a ray of the run touches. It is looked for as in `contact`;
-// but a node is touched from what was passed of the run before it, and places within the strip do not see what was
-// passed of the other wall before them.
+// The other wall is seen from the run up to the node that a ray of the run touches. A node is touched from what was
+// passed of the run before it, and places within the strip do not see what was passed of the other wall before them.
 template <WedgeWalk::Hand kHand>
 bool WedgeWalk::pass_along(const Strips::Strip& strip, std::uint32_t place, Limit& near) {
   constexpr bool kLeft = kHand == Hand::kLeft;
@@ -423,22 +424,11 @@ bool WedgeWalk::pass_along(const Strips::Strip& strip, std::uint32_t place, Limi
     if (kLeft ? from <= place : from >= place) return 0u;
     return kLeft ? strips_->right_before(strip, from - place - 1) : strips_->left_before(strip, place - from - 1);
   };
-  Contact found;
-  found.ray = near;
-  while (true) {
-    const std::uint32_t from = found.ray.from;
-    const std::uint32_t index = across.limit_from(node(from).at, across.count, passed_before(from), found.index);
-    if (index == kNone || index == found.index) break;
-    const Node& at = across.node(index);
-    const int own_side = across.step * side(near, at.at, at.site);
-    if (own_side > 0) break;
-    found.index = index;
-    found.own_side = own_side;
+  const auto touched_from = [&](std::uint32_t index, const Vec2& at) {
     const std::uint32_t last = ahead(kLeft ? strips_->left_before(strip, index) : strips_->right_before(strip, index));
-    found.ray =
-        limit(Kind::kMet, kLeft ? touch(near.from, last, End::kLow, at.at) : touch(last, near.from, End::kHigh, at.at),
-              at.site, at.at);
-  }
+    return kLeft ? touch(near.from, last, End::kLow, at) : touch(last, near.from, End::kHigh, at);
+  };
+  const Contact found = contact(across, near, nullptr, passed_before, touched_from);
   if (!found.exists()) return true;
   const Node& n = across.node(found.index);
   const std::uint32_t end = ahead(kLeft ? strip.left_count : strip.right_count);

@@ -87,7 +87,12 @@ class WedgeWalk {
     [[nodiscard]] bool exists() const { return index != kNone; }
     [[nodiscard]] bool leaves_way() const { return !exists() || other_side > 0; }
   };
-  [[nodiscard]] Contact contact(const Strips::Wall& wall, const Limit& low, const Limit& high) const;
+  /// @param own, other      limits of the range; `other` may be none.
+  /// @param passed_before   how many nodes of the wall are behind a place of the run.
+  /// @param touched_from    the place from which a ray to the wall's node `index`, at some place, starts.
+  template <class Passed, class From>
+  [[nodiscard]] Contact contact(const Strips::Wall& wall, const Limit& own, const Limit* other,
+                                const Passed& passed_before, const From& touched_from) const;
   /// Passes a strip. Returns whether anything comes through; then the limits are what does.
   bool pass(const Strips::Strip& strip, Limit& low, Limit& high);
   /// Passes a strip one of whose walls is the run, from a place at its entrance. Returns whether the run goes on.
