@@ -31,13 +31,15 @@ std::vector<EdgeList> walk_all(const World& world, const SightMap& map, const Ex
   return walk_right(map, worthwhile_strips(world, map, executor), 0, map.nodes().size(), executor);
 }
 
-bool is_right(benchmark::State& state, const World& world, const std::string& name, const Executor& executor) {
+bool is_right(benchmark::State& state, const World& world, const std::string& name, std::size_t threads,
+              const Executor& executor) {
   const auto right = [&] {
     const SightMap map(world, executor, Diagonals::kLong);
     const VisibilityGraph graph = graph_of(world.vertices().size(), walk_all(world, map, executor), executor);
     return is_reduced_graph(world, corrupting() ? corrupted(graph) : graph);
   };
-  return require_once(state, "WedgeStages/" + name, right, "edges differ from the reference");
+  return require_once(state, "WedgeStages/" + name + "/" + std::to_string(threads), right,
+                      "edges differ from the reference");
 }
 
 /// What a stage begins with.
@@ -131,7 +133,7 @@ void run(benchmark::State& state, Clutter clutter, std::size_t most_worlds, std:
   for (std::size_t seed = 1; seed <= count; ++seed) {
     const std::string name = clutter_name("convex", clutter.obstacles, clutter.vertices, 30, seed);
     worlds.push_back(&shared_world(name));
-    if (!is_right(state, *worlds.back(), name, *executor)) return;
+    if (!is_right(state, *worlds.back(), name, threads, *executor)) return;
   }
   stage(state, worlds, *executor);
 }

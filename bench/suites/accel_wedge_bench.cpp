@@ -11,9 +11,10 @@
 namespace arcway::bench {
 namespace {
 
-bool is_right(benchmark::State& state, const std::string& name, const VisibilityGraph& graph) {
+bool is_right(benchmark::State& state, const std::string& name, std::size_t threads, const VisibilityGraph& graph) {
   const auto right = [&] { return is_reduced_graph(shared_world(name), corrupting() ? corrupted(graph) : graph); };
-  return require_once(state, "WedgeGraph/" + name, right, "edges differ from the reference");
+  return require_once(state, "WedgeGraph/" + name + "/" + std::to_string(threads), right,
+                      "edges differ from the reference");
 }
 
 void build(benchmark::State& state, const std::string& name, std::size_t threads) {
@@ -21,7 +22,7 @@ void build(benchmark::State& state, const std::string& name, std::size_t threads
   const std::unique_ptr<Executor> executor = make_executor(threads);
   WedgeStatistics statistics;
   VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world, *executor, &statistics);
-  if (!is_right(state, name, graph)) return;
+  if (!is_right(state, name, threads, graph)) return;
   for (auto _ : state) graph = build_reduced_visibility_graph_by_wedges(world, *executor);
   const auto steps = static_cast<double>(statistics.steps);
   state.counters["vertices"] = static_cast<double>(world.vertices().size());

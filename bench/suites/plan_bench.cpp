@@ -12,6 +12,7 @@
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
 #include "core/graph/turning_radii.h"
+#include "core/plan_batch.h"
 #include "datasets/catalogue.h"
 #include "datasets/random_queries.h"
 
@@ -44,6 +45,8 @@ void time_queries(benchmark::State& state, const Planner& planner, const std::ve
   for (const PlanResult& r : results) expanded += static_cast<double>(r.statistics.nodes_expanded);
   set_batch(state, requests.size());
   state.counters["vertices"] = static_cast<double>(planner.world().vertices().size());
+  state.counters["queries"] = queries;
+  state.counters["solved"] = static_cast<double>(std::ranges::count_if(results, &PlanResult::solved));
   state.counters["allocations_per_query"] = allocated / queries;
   state.counters["expansions_per_query"] = expanded / queries;
 }
@@ -98,15 +101,15 @@ void time_batch(benchmark::State& state, const std::string& world_name, std::siz
   const Planner& planner = shared_planner(world_name);
   const std::vector<PlanRequest> requests = catalogue_queries(world_name, kBatch, 1);
   const std::unique_ptr<Executor> executor = make_executor(threads);
-  std::vector<PlanResult> results(kBatch);
-  const auto plan_batch = [&] {
-    executor->for_ranges(kBatch, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) results[i] = planner.plan(requests[i]);
-    });
-  };
-  plan_batch();
+  const std::vector<PlanResult> results = plan_batch(planner, requests, *executor);
   if (!require(state, are_right(planner, results), kWrong)) return;
-  for (auto _ : state) plan_batch();
+  const std::vector<PlanResult> one_by_one = plan_all(planner, requests);
+  const auto same = [](const PlanResult& a, const PlanResult& b) {
+    return a.status == b.status && a.travel_time == b.travel_time && a.length == b.length;
+  };
+  if (!require(state, std::ranges::equal(results, one_by_one, same), "a batch differs from its queries one by one"))
+    return;
+  for (auto _ : state) benchmark::DoNotOptimize(plan_batch(planner, requests, *executor));
   set_batch(state, kBatch);
 }
 

@@ -25,8 +25,8 @@ void build(benchmark::State& state, const GraphBuilder& builder, const std::stri
   VisibilityGraph graph = builder.graph(world, *executor);
   const HeapUse after = heap_use();
   const auto right = [&] { return is_reduced_graph(world, graph); };
-  if (!require_once(state, "ReducedGraph/" + builder.name + "/" + world_name, right, "edges differ from the reference"))
-    return;
+  const std::string key = "ReducedGraph/" + builder.name + "/" + world_name + "/" + std::to_string(threads);
+  if (!require_once(state, key, right, "edges differ from the reference")) return;
   for (auto _ : state) graph = builder.graph(world, *executor);
   count_graph(state, world, graph);
   const auto vertices = static_cast<double>(world.vertices().size());
