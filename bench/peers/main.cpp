@@ -65,7 +65,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--long-queries", p.long_queries, "how many those are")->capture_default_str();
   app.add_flag("--first-only", p.first_only, "RRTConnect's first path and nothing else");
   app.add_option("--first-within", p.first_within, "the time for that [s]")->capture_default_str();
-  app.add_option("--seed", p.seed, "of queries and peers")->capture_default_str();
+  app.add_option("--seed", p.seed, "of queries, peers and shortcuts")->capture_default_str();
   app.add_option("--robot", options.robot, "JSON; default: the paper's");
   app.add_option("--lost", options.lost,
                  "queries that a peer alone solves, or with a faster path, and its path as a plan");
@@ -134,6 +134,7 @@ void run_studies(const Options& options) {
   if (options.only != "planners") results.duels = visibility_study(options.visibility, say);
   save();
 #ifdef ARCWAY_PEER_OMPL
+  seed_ompl(options.planners.seed);
   if (options.only != "visibility") study_planners(options, say, save, results);
 #endif
 }

@@ -10,6 +10,7 @@
 #include <ompl/geometric/planners/rrt/InformedRRTstar.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
 #include <array>
@@ -227,6 +228,8 @@ PeerRun run_ompl(OmplPlanner kind, const Problem& problem, double first_within, 
   }
   return run;
 }
+
+void seed_ompl(std::uint64_t seed) { ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed)); }
 
 std::string ompl_version() {
   return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +

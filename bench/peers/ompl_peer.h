@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,6 +36,9 @@ struct PeerRun {
 /// @param times         ascending [s]; empty: returns at the first solution.
 PeerRun run_ompl(OmplPlanner planner, const Problem& problem, double first_within, std::span<const double> times,
                  Random& random);
+
+/// What OMPL draws comes from this seed, for all threads. To be called once, before any run.
+void seed_ompl(std::uint64_t seed);
 
 /// "1.5.2"
 std::string ompl_version();

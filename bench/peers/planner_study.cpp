@@ -15,6 +15,7 @@
 #include "datasets/plan_io.h"
 #ifdef ARCWAY_WITH_ACCEL
 #include "accel/make_queries.h"
+#include "accel/wedge/wedge_graph.h"
 #endif
 
 namespace arcway::peers {
@@ -29,6 +30,20 @@ QuerySet fastest_queries(const World& world) {
 #else
   return make_reference_queries(world);
 #endif
+}
+
+VisibilityGraph fastest_graph(const World& world, const QuerySet& queries) {
+#ifdef ARCWAY_WITH_ACCEL
+  (void)queries;
+  return build_reduced_visibility_graph_by_wedges(world);
+#else
+  return build_reduced_visibility_graph(world, *queries.visibility);
+#endif
+}
+
+Planner make_planner(const World& world, const Vehicle& vehicle, GraphMode mode) {
+  const QuerySet queries = fastest_queries(world);
+  return {world, vehicle, queries, fastest_graph(world, queries), {.graph_mode = mode}, SerialExecutor()};
 }
 
 std::string text_of(const char* format, double value) {
@@ -73,19 +88,19 @@ class Study {
   std::vector<PlannerQuery> run_world(const std::string& name) {
     const World world = catalogue_world(name);
     const Vehicle& vehicle = setting_.vehicle;
-    const QuerySet queries = fastest_queries(world);
     const bench::CpuClock preparing(bench::CpuClock::Of::kProcess);
-    const Planner planner(world, vehicle, queries, {}, SerialExecutor());
+    const Planner planner = make_planner(world, vehicle, GraphMode::kEager);
     progress_.line(setting_.name + ", " + name + ": arcway prepared in " + text_of("%.3g s", preparing.seconds()));
     std::optional<Planner> tightest;
     if (has_faster_turns(vehicle, world))
-      tightest.emplace(world, bench::without_faster_turns(vehicle), queries, PlannerOptions(), SerialExecutor());
+      tightest = make_planner(world, bench::without_faster_turns(vehicle), GraphMode::kEager);
     const std::vector<PlanRequest> requests = catalogue_queries(name, setting_.queries, setting_.seed);
     std::vector<PlannerQuery> results;
     for (std::size_t q = 0; q < requests.size(); ++q) {
-      const Problem problem{world, vehicle, *queries.sweep, requests[q]};
+      const Problem problem{world, vehicle, *planner.queries().sweep, requests[q]};
       PlannerQuery result{setting_.name, name, q, 0.0, {}};
       const double time = plan_ours(planner, problem, result);
+      plan_from_the_map(problem, result);
       if (tightest) plan_tightest(*tightest, problem, result);
       Random random(setting_.seed + q);
       run_peer(OmplPlanner::kRrtConnect, problem, random, result, time);
@@ -113,6 +128,15 @@ class Study {
     const double share = plan.solved() ? s.first_path_seconds / s.total_seconds : 1.0;
     add("arcway first", share * seconds, s.first_travel_time, plan.first_path);
     return plan.solved() ? plan.travel_time : std::numeric_limits<double>::infinity();
+  }
+
+  // The same with nothing prepared: for who asks one query only.
+  static void plan_from_the_map(const Problem& problem, PlannerQuery& result) {
+    const bench::CpuClock clock(bench::CpuClock::Of::kThread);
+    const PlanResult plan = make_planner(problem.world, problem.vehicle, GraphMode::kLazy).plan(problem.request);
+    const double seconds = clock.seconds();
+    result.answers.push_back({"arcway, map and all", name_of(plan.status), seconds, plan.travel_time,
+                              plan.solved() && is_valid(problem, plan.path())});
   }
 
   // By the speeds that the vehicle really has on the path.

@@ -259,7 +259,8 @@ Section planners_section(const PeerResults& peers) {
       .title = "Planners: time against quality",
       .paragraphs =
           {"Forward-only car, the same queries, maps and exact collision checks for all, one thread, "
-           "processor time; arcway's map is prepared before, in some hundredths of a second. What is only "
+           "processor time. `arcway` answers on a map that was prepared before; `arcway, map and all`, where the "
+           "study has it, begins with the bare map, as the peers do, for one query. What is only "
            "in the peers' favour: after the first path they go on to improve it until the time is up. Settings: "
            "the paper's robot in clutters of 100 and of 1,000 obstacles; robots whose speed on an arc is "
            "limited by their lateral acceleration, in clutters of 100, fill 0.15 and 0.3. `arcway first` is "
