@@ -95,15 +95,15 @@ Place parse_place(std::string_view text, std::string_view what) {
   return {pose.position(), pose.heading};
 }
 
-void MapOptions::add_to(CLI::App& command) {
-  const char* group = "Reading WORLD";
+void MapOptions::add_to(CLI::App& command, const std::string& map) {
+  const std::string group = "Reading " + map;
   const auto option = [&](const char* name, std::string& value, const char* what, const char* type) {
     return command.add_option(name, value, what)->type_name(type)->group(group);
   };
   command
-      .add_flag(
-          "--lonlat", lonlat,
-          "Coordinates of WORLD are degrees of longitude and latitude: project them to metres around their middle")
+      .add_flag("--lonlat", lonlat,
+                "Coordinates of " + map +
+                    " are degrees of longitude and latitude: project them to metres around their middle")
       ->group(group);
   option("--wall-width", wall_width, "Line strings are walls of this width [m]", "W");
   option("--curve-tolerance", curve_tolerance, "Smooth outlines become rings this near [m]; default 0.01", "E");

@@ -119,7 +119,8 @@ struct MapOptions {
   std::string cell, tolerance, unknown = "blocked";
   bool swamp = false, open_frame = false;
   std::string task = "0", heading_seed = "1";
-  void add_to(CLI::App& command);
+  /// @param map  what the help calls the file.
+  void add_to(CLI::App& command, const std::string& map = "WORLD");
   /// @throws UsageError
   [[nodiscard]] MapReadOptions read_options() const;
 };

@@ -95,7 +95,7 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
          (removed.size() == 1 ? " obstacle removed, " : " obstacles removed, ") + count_text(added.size()) +
          " added\n" + world_rows(after) + rows + row("change", duration_text(seconds)) +
          row("size", count_text(bytes.size()) + " bytes") + warning_rows(map);
-  OutputFiles files;
+  OutputFiles files(arguments.added);
   files.add(arguments.out, std::move(bytes));
   files.write();
   out += files.summary();
@@ -109,7 +109,7 @@ void add_change_command(CLI::App& app, Action& action) {
       *app.add_subcommand("change", "Remove obstacles from a prepared map and add others, without building it anew");
   const auto arguments = std::make_shared<ChangeArguments>();
   command.add_option("PREPARED", arguments->map, "Prepared map: a file that prepare or change wrote")->required();
-  arguments->reading.add_to(command);
+  arguments->reading.add_to(command, "MAP");
   command
       .add_option("--remove", arguments->removed,
                   "Obstacle to remove, by its number in the prepared map, from 0; repeated, or several with commas")

@@ -28,7 +28,7 @@ int run_convert(const ConvertArguments& arguments, std::string& out) {
     throw UsageError("OUT: expected a name that ends in .geojson, .json, .wkt or .svg, got \"" + arguments.out + "\"");
   const MapFile map = read_named_map(arguments.map, arguments.reading);
 
-  OutputFiles files;
+  OutputFiles files({arguments.map});
   if (ending == ".wkt") {
     files.add(arguments.out, to_wkt(map));
   } else if (ending == ".svg") {

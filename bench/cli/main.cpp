@@ -23,7 +23,7 @@ constexpr const char* kName = "arcway";
 constexpr const char* kDescription = "Time-optimal smooth paths for car-like robots on polygon maps.";
 constexpr const char* kFooter =
     "Units: metres, seconds, radians counter-clockwise from +x (or degrees: 90deg).\n"
-    "Exit codes: 0 solved, 1 no path, 2 bad input or usage.";
+    "Exit codes: 0 solved, valid or done; 1 no path, not valid or refused; 2 bad input or usage.";
 
 /// @throws std::system_error if that fails, as on a disk that is full.
 void print(const std::string& text) {

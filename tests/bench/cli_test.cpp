@@ -79,6 +79,40 @@ TEST_F(Tool, RefinesUnlessToldOtherwise) {
   expect_bad_input("plan paper --refine-trials 4294967296", "--refine-trials: at most 4294967295");
 }
 
+TEST_F(Tool, PlansTheSameLazilyAndEagerly) {
+  const std::string plan =
+      "plan clutter/convex/n30/m6/f15/s7 --start 2,2,0 --goal 60,50,90deg --json " + file("p.json");
+  const auto path_of = [&](const std::string& options) {
+    EXPECT_EQ(run(plan + options).code, 0);
+    const std::string text = read("p.json");
+    return text.substr(0, text.find("\"statistics\""));
+  };
+  const std::string lazy = path_of(" --graph lazy");
+  EXPECT_NE(read("p.json").find("\"graph\":\"lazy\""), std::string::npos);
+  EXPECT_EQ(path_of(" --graph eager"), lazy);
+  EXPECT_NE(read("p.json").find("\"graph\":\"eager\""), std::string::npos);
+  EXPECT_EQ(path_of(" --suboptimality 0 --refine-trials 4000"), lazy);
+  EXPECT_NE(path_of(" --suboptimality 0.1"), "");
+  EXPECT_NE(read("p.json").find("\"suboptimality\":0.1"), std::string::npos);
+  expect_bad_input(plan + " --graph quick", "quick");
+  expect_bad_input(plan + " --suboptimality -1", "suboptimality");
+}
+
+TEST_F(Tool, ReadsGridsAsToldTo) {
+  const std::string grid = put("g.map", "type octile\nheight 3\nwidth 4\nmap\n....\n.SS.\n....\n");
+  const auto obstacles = [&](const std::string& options) {
+    const Run result = run("convert " + grid + " " + file("g.wkt") + options);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return result.out.substr(result.out.find("obstacles"), 24);
+  };
+  EXPECT_NE(obstacles("").find(" 1"), std::string::npos);
+  EXPECT_NE(obstacles(" --swamp-free").find(" 0"), std::string::npos);
+  ASSERT_EQ(run("convert " + grid + " " + file("g.geojson")).code, 0);
+  EXPECT_NE(read("g.geojson").find("boundary"), std::string::npos);
+  ASSERT_EQ(run("convert " + grid + " " + file("h.geojson") + " --open-frame").code, 0);
+  EXPECT_EQ(read("h.geojson").find("boundary"), std::string::npos);
+}
+
 TEST_F(Tool, DrivesBackwardsOnlyWhereAllowed) {
   const std::string plan = "plan " + map_ + " --start 10,10,0 --goal 5,10,0 --json " + file("p.json");
   ASSERT_EQ(run(plan).code, 0);
@@ -406,6 +440,11 @@ TEST_F(Tool, ReplacesNothingThatItHasRead) {
   expect_bad_input("graph " + map_ + " --json " + map_, message);
   expect_bad_input("prepare " + map_ + " --out " + map_, message);
   expect_bad_input("doctor " + map_ + " --json " + map_, message);
+  expect_bad_input("convert " + map_ + " " + map_, message);
+  const std::string wkt = put("x.wkt", "POLYGON((1 1, 2 1, 2 2, 1 1))");
+  ASSERT_EQ(run("prepare " + map_ + " --out " + file("m.arcway")).code, 0);
+  expect_bad_input("change " + file("m.arcway") + " --add " + wkt + " --out " + wkt, message);
+  EXPECT_EQ(read("x.wkt"), "POLYGON((1 1, 2 1, 2 2, 1 1))");
   fs::create_symlink(map_, file("link"));
   expect_bad_input("prepare " + map_ + " --out " + file("link"), message);
   EXPECT_EQ(read("r.json") + read("q.csv") + text_of(map_), before);
