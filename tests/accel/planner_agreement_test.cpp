@@ -32,8 +32,10 @@ std::string digest(const Planner& planner, const std::vector<PlanRequest>& reque
   }
   for (std::uint32_t c = 0; c < feasible.circles().size(); ++c)
     for (const HeadingInterval& interval : feasible.free_headings(c).intervals()) add(interval);
+  std::size_t solved = 0;
   for (const PlanRequest& request : requests) {
     const PlanResult result = planner.plan(request);
+    solved += result.solved();
     add(result.status);
     add(result.travel_time);
     for (const TimedSegment& s : result.segments) {
@@ -45,6 +47,7 @@ std::string digest(const Planner& planner, const std::vector<PlanRequest>& reque
       add(s.duration);
     }
   }
+  EXPECT_TRUE(requests.empty() || solved > 0);
   return bits;
 }
 

@@ -7,8 +7,16 @@
 namespace {
 
 using arcway::test::kAround;
+using arcway::test::text_of;
 using arcway::test::Tool;
 using arcway::test::without_times;
+
+// A file of before has the links of before. Headings may differ in the last place where sines do.
+TEST_F(Tool, PreparesTheSmallMapThatIsKept) {
+  const std::string yard = ARCWAY_SOURCE_DIR "/tests/data/yard";
+  ASSERT_EQ(run("prepare " + yard + ".geojson --out " + file("y.arcway")).code, 0);
+  EXPECT_EQ(read("y.arcway").size(), text_of(yard + ".arcway").size()) << "make it anew, as tests/data/README.md says";
+}
 
 TEST_F(Tool, PlansOnAPreparedMapAsOnTheMap) {
   ASSERT_EQ(run("generate clutter/star/n30/m6/f20/s3 --out " + file("w.geojson") + " --queries " + file("q.csv")).code,
