@@ -28,8 +28,8 @@ struct PairwiseCounts {
 /// directly, in O(log n1 + log n2) as a rule.
 ///
 /// O(n^2) or, among convex obstacles, O(k^2 log n) for k obstacles, plus a line of sight for each tangent pair.
-/// Memory: the visible edges three times, and the tangent pairs of one obstacle a thread. The result does not
-/// depend on the executor; one that throws, such as StoppableExecutor, cancels the build.
+/// Memory: the visible edges three times, and the tangent pairs of 8 vertices, 64 of a convex obstacle, a thread. The
+/// result does not depend on the executor; one that throws, such as StoppableExecutor, cancels the build.
 VisibilityGraph build_pairwise_visibility_graph(const World& world, const VisibilityQuery& visibility,
                                                 const Executor& executor, TangentSearch search = TangentSearch::kBinary,
                                                 PairwiseCounts* counts = nullptr);
