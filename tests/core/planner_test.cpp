@@ -173,7 +173,7 @@ TEST(Planner, TurnsRoundTheEndOfAWallWhereverItsRingBegins) {
       {.length = 0.6, .width = 1.2, .wheelbase = 0.5, .max_steering_angle = 0.9, .max_acceleration = 2.0});
   Ring wall{{0, 0}, {10, 0}, {10, 0.2}, {0, 0.2}};
   for (int i = 0; i < 8; ++i) {
-    std::ranges::rotate(wall, wall.begin() + 1);
+    std::rotate(wall.begin(), wall.begin() + 1, wall.end());
     if (i == 4) std::ranges::reverse(wall);
     const Planner planner(World({{wall, {}}}, Ring{{-2, -2}, {13, -2}, {13, 2.2}, {-2, 2.2}}), vehicle,
                           {.refinement = {.max_trials = 0}});

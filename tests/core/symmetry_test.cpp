@@ -62,7 +62,7 @@ MapFile moved(MapFile map, const Motion& motion) {
 // Obstacles in another order, rings from another vertex on and some of them the other way round.
 MapFile shuffled(MapFile map, test::Random& random) {
   const auto shuffle = [&](Ring& ring) {
-    std::ranges::rotate(ring, ring.begin() + random.integer(0, static_cast<std::int64_t>(ring.size()) - 1));
+    std::rotate(ring.begin(), ring.begin() + random.integer(0, static_cast<std::int64_t>(ring.size()) - 1), ring.end());
     if (random.integer(0, 1) == 0) std::ranges::reverse(ring);
   };
   for (Polygon& polygon : map.obstacles) {

@@ -141,7 +141,7 @@ TEST(Doctor, AgreesWithWorldOnRings) {
       Ring points;
       for (std::int64_t k = random.integer(3, 6); k > 0; --k)
         points.emplace_back(static_cast<double>(random.integer(0, size)), static_cast<double>(random.integer(0, size)));
-      points.erase(std::ranges::unique(points).begin(), points.end());  // readers drop them
+      points.erase(std::unique(points.begin(), points.end()), points.end());  // readers drop them
       while (points.size() > 1 && points.back() == points.front()) points.pop_back();
       return points;
     };
