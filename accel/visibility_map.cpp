@@ -1,18 +1,20 @@
 #include "accel/visibility_map.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
 
 #include "accel/region_locator.h"
+#include "accel/wedge/edge_list.h"
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/sight_trace.h"
 #include "accel/wedge/wedge_walk.h"
 #include "core/geometry/crossing_point.h"
 #include "core/geometry/direction_order.h"
 #include "core/geometry/predicates.h"
-#include "core/graph/visibility_graph.h"
+#include "core/prefetch.h"
 #include "core/query/blocking.h"
 #include "core/shortest_text.h"
 
@@ -28,6 +30,14 @@ struct View {
   std::uint32_t right, left;  // ends of the edge
   std::uint32_t door;         // kNone: a wall
   std::uint32_t low, high;    // sites that limit the directions
+  Vec2 to_low, to_high;       // rounded
+};
+
+// Memory of a question, kept for the next one.
+struct Scratch {
+  std::vector<std::uint32_t> triangles, sites;
+  std::vector<View> views, stack, walls;
+  std::vector<VertexId> vertices;
 };
 
 // Where the line from p through `through` meets a wall, rounded.
@@ -41,8 +51,26 @@ Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& wall) {
 
 struct VisibilityMap::Data {
   Data(const World& of, const Executor& executor)
-      : world(of), map(listed(world, executor)), trace(map), locator(world), node_of(world.vertices().size(), kNone) {
+      : world(of),
+        map(listed(world, executor)),
+        trace(map),
+        locator(world),
+        sure(map.sure_cross_product()),
+        node_of(world.vertices().size(), kNone) {
     for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
+    std::vector<std::uint32_t> sites;
+    first_at.assign(map.sites().size() + 1, 0);
+    for (VertexId v = 0; v < world.vertices().size(); ++v) {
+      if (world.is_covered(v)) continue;
+      vertices_at.push_back(v);
+      sites.push_back(site_of(world.vertex(v)));
+      ++first_at[sites.back() + 1];
+    }
+    std::partial_sum(first_at.begin(), first_at.end(), first_at.begin());
+    std::vector<std::uint32_t> next = first_at;
+    std::vector<VertexId> sorted(vertices_at.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) sorted[next[sites[i]]++] = vertices_at[i];
+    vertices_at = std::move(sorted);
   }
 
   static SightMap listed(const World& world, const Executor& executor) {
@@ -83,6 +111,12 @@ struct VisibilityMap::Data {
                                   " in magnitude");
   }
 
+  void require_vertex(const char* what, VertexId vertex) const {
+    if (vertex >= node_of.size())
+      throw std::out_of_range(std::string(what) + ": vertex " + std::to_string(vertex) + ", the world has " +
+                              std::to_string(node_of.size()));
+  }
+
   void require_near(const char* what, const Vec2& p) const {
     if (!map.is_whole())
       throw std::domain_error(std::string(what) + ": edges of " + std::to_string(map.broken_count()) +
@@ -92,39 +126,57 @@ struct VisibilityMap::Data {
   }
 
   // The edges of the triangles at p that are seen from there, counter-clockwise from +x.
-  [[nodiscard]] std::vector<View> views_from(const Vec2& p, std::span<const std::uint32_t> triangles) const {
-    std::vector<View> views;
+  void find_views(const Vec2& p, std::span<const std::uint32_t> triangles, std::vector<View>& views) const {
+    views.clear();
+    const std::span<const Vec2> at = map.sites();
     for (const std::uint32_t t : triangles)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t right = trace.corner(t, k), left = trace.corner(t, (k + 1) % 3);
-        if (orientation(map.sites()[right], map.sites()[left], p) > 0)
-          views.push_back({right, left, trace.door_out(t, k), right, left});
+        if (orientation(at[right], at[left], p) > 0)
+          views.push_back({right, left, trace.door_out(t, k), right, left, at[right] - p, at[left] - p});
       }
-    std::sort(views.begin(), views.end(), [&](const View& a, const View& b) {
-      return precedes_about(p, map.sites()[a.right], map.sites()[b.right]);
-    });
-    return views;
+    std::sort(views.begin(), views.end(),
+              [&](const View& a, const View& b) { return precedes_about(p, at[a.right], at[b.right]); });
   }
 
-  // Follows a view to the walls: on_site for each site inside of it, on_wall for each view of a wall, from right to
-  // left.
+  // +1 if the apex of a triangle lies to the left of the line from p to a site.
+  [[nodiscard]] int side(const Vec2& p, std::uint32_t site, const Vec2& to_site, const SightMap::Door& triangle) const {
+    const double product = cross(to_site, triangle.apex - p);
+    if (product > sure) return 1;
+    if (product < -sure) return -1;
+    return orientation(p, map.sites()[site], triangle.apex);
+  }
+
+  // Follows a view to the walls: on_site for each site inside of it or on its limits, on_wall for each view of a wall,
+  // from right to left.
   template <class OnSite, class OnWall>
-  void look(const Vec2& p, const View& view, const OnSite& on_site, const OnWall& on_wall) const {
-    std::vector<View> stack{view};
-    while (!stack.empty()) {
-      const View v = stack.back();
-      stack.pop_back();
-      if (v.door == kNone) {
-        on_wall(v);
+  void look(const Vec2& p, const View& view, std::vector<View>& stack, const OnSite& on_site,
+            const OnWall& on_wall) const {
+    const SightMap::Door* const doors = map.doors().data();
+    stack.clear();
+    View v = view;
+    while (true) {
+      if (v.door != kNone) {
+        const SightMap::Door& triangle = doors[v.door];
+        will_need(doors + triangle.left);
+        will_need(doors + triangle.right);
+        const int low = side(p, v.low, v.to_low, triangle), high = side(p, v.high, v.to_high, triangle);
+        if (low >= 0 && high <= 0) on_site(triangle.site);
+        const bool inside = low > 0 && high < 0;
+        if (inside) {
+          const Vec2 middle = triangle.apex - p;
+          stack.push_back({triangle.site, v.left, triangle.left, triangle.site, v.high, middle, v.to_high});
+          v.high = triangle.site;
+          v.to_high = middle;
+        }
+        (low > 0 ? v.left : v.right) = triangle.site;
+        v.door = low > 0 ? triangle.right : triangle.left;
         continue;
       }
-      const SightMap::Door& triangle = map.doors()[v.door];
-      const int low = orientation(p, map.sites()[v.low], triangle.apex);
-      const int high = orientation(p, map.sites()[v.high], triangle.apex);
-      const bool inside = low > 0 && high < 0;
-      if (inside) on_site(triangle.site);
-      if (high < 0) stack.push_back({triangle.site, v.left, triangle.left, inside ? triangle.site : v.low, v.high});
-      if (low > 0) stack.push_back({v.right, triangle.site, triangle.right, v.low, inside ? triangle.site : v.high});
+      on_wall(v);
+      if (stack.empty()) return;
+      v = stack.back();
+      stack.pop_back();
     }
   }
 
@@ -132,60 +184,122 @@ struct VisibilityMap::Data {
     return {map.sites()[right], map.sites()[left]};
   }
 
-  // Along edges that run straight away from p, to the first site with a node.
-  void append_along_edges(const Vec2& p, std::span<const std::uint32_t> triangles,
-                          std::vector<std::uint32_t>& sites) const {
-    std::vector<std::uint32_t> starts;
-    if (const std::uint32_t site = trace.site_at(p, triangles); site != kNone) {
-      for (const PlanarMap::Edge& edge : map.edges_from(site))
-        if (!map.is_covered(edge)) starts.push_back(edge.high);
-      for (const std::uint32_t e : map.edges_to(site))
-        if (!map.is_covered(map.edge(e))) starts.push_back(map.edge(e).low);
-    } else {
-      for (const std::uint32_t t : triangles)
-        for (std::uint32_t k = 0; k < 3; ++k) {
-          const std::uint32_t a = trace.corner(t, k), b = trace.corner(t, (k + 1) % 3);
-          if (orientation(map.sites()[a], map.sites()[b], p) == 0) starts.insert(starts.end(), {a, b});
-        }
-    }
-    for (const std::uint32_t site : starts) append_straight_on(p, site, sites);
-  }
-
-  // The first site with a node from a site on, along edges that lead straight away from p.
-  void append_straight_on(const Vec2& p, std::uint32_t site, std::vector<std::uint32_t>& sites) const {
-    while (site != kNone && map.first_node_at(site) == kNone) site = trace.next_along_edge(p, site);
-    if (site != kNone) sites.push_back(site);
-  }
-
-  // The convex vertices that may be tangent and seen: all that are, and some others.
-  [[nodiscard]] std::vector<VertexId> candidates_from(const Vec2& p) const {
-    const std::vector<std::uint32_t> triangles = triangles_at(p);
-    if (triangles.empty()) return {world.convex_vertices().begin(), world.convex_vertices().end()};
-    std::vector<std::uint32_t> sites;
-    for (const View& view : views_from(p, triangles)) {
-      sites.insert(sites.end(), {view.right, view.left});
+  // The sites that p sees, in scratch.sites, some of them several times. Lines of sight past sites follow each other
+  // without gaps as long as there is an open range beside them; where walls leave none, lines are followed by
+  // themselves.
+  void find_sites_seen(const Vec2& p, std::uint32_t own, Scratch& scratch) const {
+    auto& [triangles, seen, views, stack, walls, vertices] = scratch;
+    seen.clear();
+    walls.clear();
+    find_views(p, triangles, views);
+    for (const View& view : views) {
+      seen.push_back(view.right);
+      seen.push_back(view.left);
       look(
-          p, view, [&](std::uint32_t site) { sites.push_back(site); }, [](const View&) {});
+          p, view, stack, [&](std::uint32_t site) { seen.push_back(site); },
+          [&](const View& wall) { walls.push_back(wall); });
     }
-    append_along_edges(p, triangles, sites);
-    // From within a piece that was left out, an edge goes on behind the end of it.
-    if (!map.is_whole())
-      for (std::size_t i = 0, seen = sites.size(); i < seen; ++i) append_straight_on(p, sites[i], sites);
-    std::sort(sites.begin(), sites.end());
-    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
-    std::vector<VertexId> found;
-    const std::span<const SightMap::Node> nodes = map.nodes();
-    for (const std::uint32_t site : sites)
-      for (std::uint32_t n = map.first_node_at(site); n != kNone; n = nodes[n].sibling)
-        found.push_back(nodes[n].vertex);
+    const auto is_on = [&](std::uint32_t site, std::uint32_t limit) {
+      return site == limit || orientation(p, map.sites()[limit], map.sites()[site]) == 0;
+    };
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      const View &wall = walls[i], &next = walls[(i + 1) % walls.size()];
+      const bool ends = is_on(wall.left, wall.high), begins = is_on(next.right, next.low);
+      const bool adjoin = wall.high == next.low;
+      if (adjoin ? ends && begins && !(wall.left == next.right && is_of_one_wall(wall.left)) : ends)
+        trace.append_sites_on(p, wall.left, seen);
+      if (begins && !adjoin) trace.append_sites_on(p, next.right, seen);
+    }
+    if (own == kNone || (!triangles.empty() && is_of_one_wall(own))) return;
+    for (const std::uint32_t site : ends_of_edges_at(own))
+      if (std::ranges::none_of(views, [&](const View& v) { return v.right == site || v.left == site; }))
+        trace.append_sites_on(p, site, seen);
+  }
+
+  // Whether two edges are all that meets a site: if one of them is a wall with free space beside it, so is the other
+  // one, and the inside of an obstacle is on their other side.
+  [[nodiscard]] bool is_of_one_wall(std::uint32_t site) const {
+    return map.is_whole() && map.edges_from(site).size() + map.edges_to(site).size() == 2;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> ends_of_edges_at(std::uint32_t site) const {
+    std::vector<std::uint32_t> ends;
+    for (const PlanarMap::Edge& edge : map.edges_from(site))
+      if (!map.is_covered(edge)) ends.push_back(edge.high);
+    for (const std::uint32_t e : map.edges_to(site))
+      if (!map.is_covered(map.edge(e))) ends.push_back(map.edge(e).low);
+    return ends;
+  }
+
+  // In scratch.vertices, ascending; from a point at some triangles.
+  void find_vertices_seen(const Vec2& p, std::uint32_t own, Scratch& scratch) const {
+    find_sites_seen(p, own, scratch);
+    std::vector<VertexId>& found = scratch.vertices;
+    found.clear();
+    for (const std::uint32_t site : scratch.sites)
+      if (map.is_whole() || !map.is_blocked_by_broken({p, map.sites()[site]}))
+        for (const VertexId v : vertices_of(site)) found.push_back(v);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+
+  void find_vertices_seen_from_site(std::uint32_t site, Scratch& scratch) const {
+    scratch.triangles.clear();
+    for (const std::uint32_t corner : trace.corners_at(site)) scratch.triangles.push_back(corner - corner % 3);
+    find_vertices_seen(map.sites()[site], site, scratch);
+  }
+
+  [[nodiscard]] std::vector<VertexId> vertices_seen(VertexId vertex) const {
+    if (world.is_covered(vertex)) return {};
+    Scratch scratch;
+    find_vertices_seen_from_site(site_of(world.vertex(vertex)), scratch);
+    return std::move(scratch.vertices);
+  }
+
+  [[nodiscard]] std::vector<VertexId> vertices_seen(const Vec2& p) const {
+    if (locator.containing(p) != kNone) return {};
+    Scratch scratch;
+    trace.triangles_at(p, scratch.triangles);
+    if (!scratch.triangles.empty()) {
+      find_vertices_seen(p, trace.site_at(p, scratch.triangles), scratch);
+      return std::move(scratch.vertices);
+    }
+    std::vector<VertexId> found = vertices_at;
+    std::erase_if(found, [&](VertexId v) { return world.vertex(v) == p || !is_visible({world.vertex(v), p}); });
+    std::sort(found.begin(), found.end());
     return found;
+  }
+
+  [[nodiscard]] std::span<const VertexId> vertices_of(std::uint32_t site) const {
+    return std::span(vertices_at).subspan(first_at[site], first_at[site + 1] - first_at[site]);
+  }
+
+  // Those with vertices; what is near in the plane follows each other.
+  [[nodiscard]] std::vector<std::uint32_t> sites_by_tile() const {
+    std::vector<std::uint32_t> sites;
+    std::vector<std::uint8_t> listed(map.sites().size(), 0);
+    const auto list = [&](std::uint32_t site) {
+      if (listed[site] == 0 && !vertices_of(site).empty()) sites.push_back(site);
+      listed[site] = 1;
+    };
+    for (const SightMap::Door& door : map.doors()) list(door.site);
+    for (std::uint32_t site = 0; site < listed.size(); ++site) list(site);  // that no triangle meets
+    return sites;
+  }
+
+  [[nodiscard]] std::uint32_t site_of(const Vec2& p) const {
+    const auto before = [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); };
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(map.sites(), p, before) - map.sites().begin());
   }
 
   World world;
   SightMap map;
   SightTrace trace;
   RegionLocator locator;
-  std::vector<std::uint32_t> node_of;  // by vertex
+  double sure;                          // SightMap::sure_cross_product
+  std::vector<std::uint32_t> node_of;   // by vertex
+  std::vector<VertexId> vertices_at;    // that are not covered
+  std::vector<std::uint32_t> first_at;  // by site
 };
 
 VisibilityMap::VisibilityMap(const World& world, const Executor& executor)
@@ -218,21 +332,26 @@ std::optional<VisibilityMap::RayHit> VisibilityMap::first_hit(const Vec2& from, 
   return RayHit{meet(from, towards, wall), wall};
 }
 
+std::vector<VertexId> VisibilityMap::visible_from(VertexId vertex) const {
+  data_->require_vertex("visible vertices", vertex);
+  return data_->vertices_seen(vertex);
+}
+
+std::vector<VertexId> VisibilityMap::visible_from(const Vec2& point) const {
+  Data::require_range("visible vertices", point);
+  return data_->vertices_seen(point);
+}
+
 std::vector<VertexId> VisibilityMap::tangents_from(VertexId vertex) const {
-  if (vertex >= data_->node_of.size())
-    throw std::out_of_range("tangents: vertex " + std::to_string(vertex) + ", the world has " +
-                            std::to_string(data_->node_of.size()));
+  data_->require_vertex("tangents", vertex);
   return tangent_neighbours(data_->map, data_->node_of[vertex]);
 }
 
 std::vector<VertexId> VisibilityMap::tangents_from(const Vec2& point) const {
   Data::require_range("tangents", point);
   const Data& d = *data_;
-  if (d.locator.containing(point) != kNone) return {};
-  std::vector<VertexId> found = d.candidates_from(point);
-  std::erase_if(found, [&](VertexId v) {
-    return !is_tangent(d.world, v, point) || !d.is_visible({d.world.vertex(v), point});
-  });
+  std::vector<VertexId> found = d.vertices_seen(point);
+  std::erase_if(found, [&](VertexId v) { return !d.world.is_graph_vertex(v) || !is_tangent(d.world, v, point); });
   // Of those in one direction the nearest, or all that are at its place.
   const auto place = [&](VertexId v) -> const Vec2& { return d.world.vertex(v); };
   const auto around = std::partition(found.begin(), found.end(), [&](VertexId v) { return place(v) == point; });
@@ -256,9 +375,11 @@ std::vector<VisibilityMap::SeenWall> VisibilityMap::visibility_polygon(const Vec
   Data::require_range("visibility polygon", point);
   d.require_near("visibility polygon", point);
   std::vector<SeenWall> walls;
-  for (const View& view : d.views_from(point, d.triangles_at(point)))
+  Scratch scratch;
+  d.find_views(point, d.triangles_at(point), scratch.views);
+  for (const View& view : scratch.views)
     d.look(
-        point, view, [](std::uint32_t) {},
+        point, view, scratch.stack, [](std::uint32_t) {},
         [&](const View& seen) {
           const LineSegment wall = d.wall_of(seen.right, seen.left);
           const Vec2 &low = d.map.sites()[seen.low], &high = d.map.sites()[seen.high];
@@ -266,6 +387,25 @@ std::vector<VisibilityMap::SeenWall> VisibilityMap::visibility_polygon(const Vec
                            d.trace.is_frame(seen.right) && d.trace.is_frame(seen.left)});
         });
   return walls;
+}
+
+VisibilityGraph build_full_visibility_graph_by_expansion(const World& world, const Executor& executor) {
+  constexpr std::size_t kSitesPerRange = 64;
+  const VisibilityMap::Data map(world, executor);
+  const std::vector<std::uint32_t> sites = map.sites_by_tile();
+  std::vector<EdgeList> parts((sites.size() + kSitesPerRange - 1) / kSitesPerRange);
+  executor.begin_stage("lines of sight");
+  executor.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    Scratch scratch;
+    for (std::size_t part = begin; part < end; ++part)
+      for (std::size_t i = part * kSitesPerRange; i < std::min(sites.size(), (part + 1) * kSitesPerRange); ++i) {
+        map.find_vertices_seen_from_site(sites[i], scratch);
+        for (const VertexId u : map.vertices_of(sites[i]))
+          for (const VertexId v : scratch.vertices)
+            if (v > u) parts[part].emplace_back(u, v);
+      }
+  });
+  return graph_of(world.vertices().size(), parts, executor);
 }
 
 }  // namespace arcway

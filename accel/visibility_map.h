@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/executor.h"
+#include "core/graph/visibility_graph.h"
 #include "core/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -45,13 +46,21 @@ class VisibilityMap {
   ///   is further from the map than its size.
   [[nodiscard]] std::optional<RayHit> first_hit(const Vec2& from, const Vec2& towards) const;
 
+  /// The vertices that are not covered (World::is_covered) and that a vertex sees: its neighbours in the full
+  /// visibility graph, ascending; none if it is covered itself. Lines of sight may pass through other vertices. Those
+  /// at the same place are no neighbours. O(triangles seen).
+  /// @throws std::out_of_range if the world has no such vertex.
+  [[nodiscard]] std::vector<VertexId> visible_from(VertexId vertex) const;
+  /// The same for a point; O(log n + triangles seen), or O(n) lines of sight for a point further from the map than its
+  /// size or on an edge with obstacles on both sides.
+  [[nodiscard]] std::vector<VertexId> visible_from(const Vec2& point) const;
+
   /// The convex vertices that share an edge of the reduced visibility graph with a vertex, ascending.
   /// O(triangles seen in its tangent wedges).
   /// @throws std::out_of_range if the world has no such vertex.
   [[nodiscard]] std::vector<VertexId> tangents_from(VertexId vertex) const;
   /// The convex vertices (World::convex_vertices) that a point sees, at which its line is tangent, and with no other
-  /// convex vertex in between; ascending. O(log n + triangles seen); O(n) lines of sight for a point further from the
-  /// map than its size or on an edge with obstacles on both sides.
+  /// convex vertex in between; ascending. As dear as visible_from.
   [[nodiscard]] std::vector<VertexId> tangents_from(const Vec2& point) const;
 
   /// A piece of a wall that is seen.
@@ -68,8 +77,16 @@ class VisibilityMap {
   [[nodiscard]] std::vector<SeenWall> visibility_polygon(const Vec2& point) const;
 
  private:
+  friend VisibilityGraph build_full_visibility_graph_by_expansion(const World& world, const Executor& executor);
   struct Data;
   std::unique_ptr<const Data> data_;
 };
+
+/// The same graph as core's build_full_visibility_graph, for any executor, without testing pairs: by triangular
+/// expansion [Bungiu et al. 2014], VisibilityMap::visible_from each vertex. O(n log n + triangles seen from all
+/// vertices). Exact for every world.
+/// @throws std::length_error beyond 2^28 vertices.
+VisibilityGraph build_full_visibility_graph_by_expansion(const World& world,
+                                                         const Executor& executor = SerialExecutor());
 
 }  // namespace arcway

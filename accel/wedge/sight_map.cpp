@@ -66,6 +66,12 @@ std::optional<FreeSpace> SightMap::sweep(const Executor& executor, NodeOrder& or
   return space;
 }
 
+double SightMap::sure_cross_product() const {
+  if (sites().empty()) return 0.0;
+  const Vec2 size = sites().back() - sites().front();
+  return 0x1p-50 * size.x() * size.y();  // above the bound of the predicates' filter
+}
+
 bool SightMap::is_blocked_by_broken(const LineSegment& segment) const {
   return !broken_tree_.visit_overlaps(box_of(segment),
                                       [&](std::uint32_t i) { return !blocks(world_, broken_edges_[i], segment); });

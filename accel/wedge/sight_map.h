@@ -69,6 +69,9 @@ class SightMap {
   /// Whether all nodes are plain.
   [[nodiscard]] bool is_plain() const { return first_fan_.empty(); }
   [[nodiscard]] std::span<const Vec2> sites() const { return map_.sites; }
+  /// Cross products of differences of points within the frame have the right sign beyond this, however they are
+  /// rounded.
+  [[nodiscard]] double sure_cross_product() const;
   [[nodiscard]] std::uint32_t first_node_at(std::uint32_t site) const { return node_at_[site]; }
 
   /// The edges of the map that leave a site to the right.

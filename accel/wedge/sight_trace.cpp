@@ -11,8 +11,16 @@ namespace arcway {
 // From p towards q.
 class SightTrace::Line {
  public:
-  Line(std::span<const Vec2> sites, const Vec2& p, const Vec2& q, bool endless)
-      : p_(p), q_(q), axis_(p.x() != q.x() ? 0 : 1), rises_(q[axis_] > p[axis_]), endless_(endless), sites_(sites) {}
+  /// @param passed  gets the sites on the line, if it is not nullptr.
+  Line(std::span<const Vec2> sites, const Vec2& p, const Vec2& q, bool endless,
+       std::vector<std::uint32_t>* passed = nullptr)
+      : p_(p),
+        q_(q),
+        axis_(p.x() != q.x() ? 0 : 1),
+        rises_(q[axis_] > p[axis_]),
+        endless_(endless),
+        sites_(sites),
+        passed_(passed) {}
 
   [[nodiscard]] const Vec2& start() const { return p_; }
   // +1 if a site lies to the left.
@@ -35,6 +43,9 @@ class SightTrace::Line {
   [[nodiscard]] bool ends_before(std::uint32_t right, std::uint32_t left) const {
     return !endless_ && orientation(sites_[right], sites_[left], q_) >= 0;
   }
+  void pass(std::uint32_t site) const {
+    if (passed_) passed_->push_back(site);
+  }
 
  private:
   Vec2 p_, q_;
@@ -42,6 +53,7 @@ class SightTrace::Line {
   bool rises_;
   bool endless_;
   std::span<const Vec2> sites_;
+  std::vector<std::uint32_t>* passed_;
 };
 
 SightTrace::SightTrace(const SightMap& map) : map_(map), first_at_(map.sites().size() + 1, 0) {
@@ -88,8 +100,11 @@ SightTrace::End SightTrace::trace(const Vec2& p, const Vec2& q, std::span<const 
       const std::uint32_t right = corner(t, k), left = corner(t, (k + 1) % 3);
       if (line.has_beyond(p, right))
         return line.ends_before(right) ? End{End::Kind::kReached, kNone, kNone} : trace_from_site(line, right);
-      if (orientation(map_.sites()[right], map_.sites()[left], p) > 0 && line.passes_between(right, left))
-        return trace_through(line, door_out(t, k), right, left);
+      if (orientation(map_.sites()[right], map_.sites()[left], p) > 0 && line.passes_between(right, left)) {
+        std::uint32_t next = kNone;
+        const std::optional<End> end = trace_through(line, door_out(t, k), right, left, next);
+        return end ? *end : trace_from_site(line, next);
+      }
     }
   // From a wall into the obstacle behind it.
   const std::uint32_t t = triangles.front();
@@ -116,13 +131,17 @@ std::optional<SightTrace::End> SightTrace::trace_along_edges(const Vec2& p, cons
 
 SightTrace::End SightTrace::trace_from_site(const Line& line, std::uint32_t site) const {
   while (true) {
+    line.pass(site);
     std::uint32_t next = kNone;
-    for (std::uint32_t i = first_at_[site]; i < first_at_[site + 1] && next == kNone; ++i) {
-      const std::uint32_t k = at_[i] % 3, t = at_[i] - k;
+    for (std::size_t i = 0; i < corners_at(site).size() && next == kNone; ++i) {
+      const std::uint32_t k = corners_at(site)[i] % 3, t = corners_at(site)[i] - k;
       const std::uint32_t right = corner(t, (k + 1) % 3), left = corner(t, (k + 2) % 3);
-      if (line.passes_between(right, left)) return trace_through(line, door_out(t, (k + 1) % 3), right, left);
-      for (const std::uint32_t spoke : {right, left})
-        if (line.has_beyond(map_.sites()[site], spoke)) next = spoke;
+      if (line.passes_between(right, left)) {
+        if (const auto end = trace_through(line, door_out(t, (k + 1) % 3), right, left, next)) return *end;
+      } else {
+        for (const std::uint32_t spoke : {right, left})
+          if (line.has_beyond(map_.sites()[site], spoke)) next = spoke;
+      }
     }
     if (next == kNone) next = next_along_edge(line, site);
     if (next == kNone) return {is_frame(site) ? End::Kind::kFrame : End::Kind::kCorner, site, site};
@@ -131,16 +150,18 @@ SightTrace::End SightTrace::trace_from_site(const Line& line, std::uint32_t site
   }
 }
 
-SightTrace::End SightTrace::trace_through(const Line& line, std::uint32_t door, std::uint32_t right,
-                                          std::uint32_t left) const {
+std::optional<SightTrace::End> SightTrace::trace_through(const Line& line, std::uint32_t door, std::uint32_t right,
+                                                         std::uint32_t left, std::uint32_t& next_site) const {
   while (true) {
-    if (line.ends_before(right, left)) return {End::Kind::kReached, kNone, kNone};
+    if (line.ends_before(right, left)) return End{End::Kind::kReached, kNone, kNone};
     if (door == kNone) return wall_between(right, left);
     const SightMap::Door& triangle = map_.doors()[door];
     const int side = line.side(triangle.site);
-    if (side == 0)
-      return line.ends_before(triangle.site) ? End{End::Kind::kReached, kNone, kNone}
-                                             : trace_from_site(line, triangle.site);
+    if (side == 0) {
+      if (line.ends_before(triangle.site)) return End{End::Kind::kReached, kNone, kNone};
+      next_site = triangle.site;
+      return std::nullopt;
+    }
     (side > 0 ? left : right) = triangle.site;
     door = side > 0 ? triangle.right : triangle.left;
   }
@@ -150,8 +171,8 @@ SightTrace::End SightTrace::wall_between(std::uint32_t right, std::uint32_t left
   return {is_frame(right) && is_frame(left) ? End::Kind::kFrame : End::Kind::kWall, right, left};
 }
 
-std::uint32_t SightTrace::next_along_edge(const Vec2& p, std::uint32_t site) const {
-  return next_along_edge(Line(map_.sites(), p, map_.sites()[site], true), site);
+void SightTrace::append_sites_on(const Vec2& p, std::uint32_t site, std::vector<std::uint32_t>& sites) const {
+  (void)trace_from_site(Line(map_.sites(), p, map_.sites()[site], true, &sites), site);
 }
 
 // Between two obstacles that have an edge in common there is no triangle.

@@ -37,6 +37,10 @@ class SightTrace {
   /// The triangles, by first door, that have p inside or on their boundary: none in the inside of obstacles, on a
   /// common edge of two, and beyond the frame.
   void triangles_at(const Vec2& p, std::vector<std::uint32_t>& triangles) const;
+  /// Those at a site, each by the first door of the triangle + which of its corners it is.
+  [[nodiscard]] std::span<const std::uint32_t> corners_at(std::uint32_t site) const {
+    return std::span(at_).subspan(first_at_[site], first_at_[site + 1] - first_at_[site]);
+  }
   /// The site at p, or kNone.
   [[nodiscard]] std::uint32_t site_at(const Vec2& p, std::span<const std::uint32_t> triangles) const;
 
@@ -51,14 +55,17 @@ class SightTrace {
   /// Whether a site is a corner of the frame.
   [[nodiscard]] bool is_frame(std::uint32_t site) const { return site < 2 || site + 2 >= map_.sites().size(); }
 
-  /// The site at the far end of an edge that leaves a site straight away from p and lies inside no obstacle; or kNone.
-  [[nodiscard]] std::uint32_t next_along_edge(const Vec2& p, std::uint32_t site) const;
+  /// Appends a site, and those behind it that the line from p through it passes before it ends.
+  void append_sites_on(const Vec2& p, std::uint32_t site, std::vector<std::uint32_t>& sites) const;
 
  private:
   class Line;
+  /// From where the line passes a site.
   [[nodiscard]] End trace_from_site(const Line& line, std::uint32_t site) const;
+  /// To the end, or the next site on the line.
   /// @param right  left end of the edge that the door is in, which the line crosses.
-  [[nodiscard]] End trace_through(const Line& line, std::uint32_t door, std::uint32_t right, std::uint32_t left) const;
+  [[nodiscard]] std::optional<End> trace_through(const Line& line, std::uint32_t door, std::uint32_t right,
+                                                 std::uint32_t left, std::uint32_t& next_site) const;
   [[nodiscard]] End wall_between(std::uint32_t right, std::uint32_t left) const;
   [[nodiscard]] std::uint32_t next_along_edge(const Line& line, std::uint32_t site) const;
 

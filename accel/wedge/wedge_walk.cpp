@@ -33,11 +33,7 @@ bool is_tangent(const SightMap::Node& node, const Vec2& from) {
 }  // namespace
 
 WedgeWalk::WedgeWalk(const SightMap& map, const Strips* strips)
-    : map_(map), strips_(strips && !strips->empty() ? strips : nullptr), sure_(0.0) {
-  if (map.sites().empty()) return;
-  const Vec2 size = map.sites().back() - map.sites().front();  // of the frame
-  sure_ = 0x1p-50 * size.x() * size.y();                       // above the filter's bound for any of them
-}
+    : map_(map), strips_(strips && !strips->empty() ? strips : nullptr), sure_(map.sure_cross_product()) {}
 
 inline WedgeWalk::Limit WedgeWalk::limit(Kind kind, std::uint32_t from, std::uint32_t site, const Vec2& at) const {
   const Vec2& origin = node(from).at;

@@ -112,7 +112,7 @@ class WedgeWalk {
 
   const SightMap& map_;
   const Strips* strips_;
-  double sure_;  ///< cross products of differences of coordinates beyond this have the right sign
+  double sure_;  ///< SightMap::sure_cross_product
   Hand hand_ = Hand::kLeft;
   /// Places on a run are its nodes, counter-clockwise around the obstacle; a ring's first node may also be one past the
   /// last.

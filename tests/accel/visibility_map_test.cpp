@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "accel/make_queries.h"
+#include "accel/parallel.h"
 #include "accel/wedge/wedge_graph.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
@@ -61,6 +62,54 @@ TEST(VisibilityMap, SeesWhatTheReferenceSees) {
     SCOPED_TRACE(family);
     expect_same_sights(catalogue_world(std::string(family) + "/v250/s3"), 5, 1500);
   }
+}
+
+std::vector<VertexId> seen_by_trying_all(const World& world, const Vec2& p, const VisibilityQuery& visibility) {
+  std::vector<VertexId> found;
+  for (VertexId v = 0; v < world.vertices().size(); ++v)
+    if (!world.is_covered(v) && world.vertex(v) != p && visibility.visible({p, world.vertex(v)})) found.push_back(v);
+  return found;
+}
+
+TEST(VisibilityMap, FindsTheVerticesThatAPointSees) {
+  std::size_t found = 0;
+  for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed) {
+    const World world = test::nasty_world(seed + 70000, 14);
+    const VisibilityMap map(world);
+    const QuerySet reference = make_reference_queries(world);
+    test::Random random(seed);
+    for (int i = 0; i < 30; ++i) {
+      const Vec2 p = troublesome_point(world, random);
+      const std::vector<VertexId> seen = map.visible_from(p);
+      ASSERT_EQ(seen, seen_by_trying_all(world, p, *reference.visibility)) << p.transpose() << ", " << seed;
+      found += seen.size();
+    }
+  }
+  EXPECT_GT(found, 50000u);
+}
+
+TEST(VisibilityMap, GraphsByExpansionAreTheReferences) {
+  const auto expect_same_graph = [](const World& world) {
+    const VisibilityGraph graph = build_full_visibility_graph(world, *make_reference_queries(world).visibility);
+    EXPECT_EQ(build_full_visibility_graph_by_expansion(world), graph);
+    EXPECT_EQ(build_full_visibility_graph_by_expansion(world, TbbExecutor(3)), graph);
+    return graph.edge_count();
+  };
+  std::size_t edges = 0;
+  for (std::uint64_t seed = 0; seed < kNastyWorlds && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    edges += expect_same_graph(test::nasty_world(seed + 80000, 16));
+  }
+  EXPECT_GT(edges, 30000u);
+  for (const char* name :
+       {"clutter/convex/n30/m8/f30/s1", "clutter/star/n30/m8/f15/s1", "adversarial/touching/v250/s3",
+        "adversarial/shared/v250/s3", "adversarial/collinear/v250/s3", "adversarial/needles/v250/s3",
+        "adversarial/far/v250/s3", "adversarial/nested/v250/s3", "adversarial/overlapping/v250/s3",
+        "adversarial/contacts/v250/s3", "adversarial/holes/v250/s3", "maze/v250/s3", "coastline/v250/s3"}) {
+    SCOPED_TRACE(name);
+    EXPECT_GT(expect_same_graph(catalogue_world(name)), 0u);
+  }
+  EXPECT_EQ(build_full_visibility_graph_by_expansion(World({})).vertex_count(), 0u);
 }
 
 std::vector<VertexId> tangents_by_trying_all(const World& world, const Vec2& p, const VisibilityQuery& visibility) {
@@ -256,6 +305,8 @@ TEST(VisibilityMap, RefusesWhatItCannotSay) {
   EXPECT_THROW((void)square.first_hit({1e6, 0}, {0, 0}), std::domain_error);
   EXPECT_THROW((void)square.first_hit({1, 0}, {1, 0}), std::invalid_argument);
   EXPECT_TRUE(square.visibility_polygon({1, 1}).empty());
+  EXPECT_TRUE(square.visible_from({1, 1}).empty());
+  EXPECT_THROW((void)square.visible_from(4), std::out_of_range);
   const double nan = std::nan("");
   for (const Vec2& bad : {Vec2(nan, 0.0), Vec2(0.0, 1e101), Vec2(1e-101, 0.0)}) {
     EXPECT_THROW((void)square.visible({{0, 0}, bad}), std::invalid_argument);
@@ -263,6 +314,7 @@ TEST(VisibilityMap, RefusesWhatItCannotSay) {
     EXPECT_THROW((void)square.first_hit(bad, {1, 1}), std::invalid_argument);
     EXPECT_THROW((void)square.first_hit({-1, -1}, bad), std::invalid_argument);
     EXPECT_THROW((void)square.tangents_from(bad), std::invalid_argument);
+    EXPECT_THROW((void)square.visible_from(bad), std::invalid_argument);
     EXPECT_THROW((void)square.visibility_polygon(bad), std::invalid_argument);
   }
   EXPECT_TRUE(VisibilityMap(World({})).visible({{0, 0}, {1, 1}}));
