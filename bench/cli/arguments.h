@@ -80,6 +80,7 @@ struct BuildOptions {
   [[nodiscard]] ReducedGraphBuilder reduced_graph(const Team& team) const;
   /// Builds it at once, with queries only where the builder asks any.
   [[nodiscard]] VisibilityGraph reduced_graph_of(const World& world, const Executor& executor) const;
+  [[nodiscard]] VisibilityGraph full_graph_of(const World& world, const Executor& executor) const;
   /// Its rows, found as a search asks for them; none where the builder gives whole graphs only.
   [[nodiscard]] std::shared_ptr<const VisibilityRows> lazy_rows(const World& world, const Executor& executor) const;
   /// The reduced graph of a world after a change, from the one before where this backend and builder can do that.

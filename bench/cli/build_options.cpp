@@ -9,6 +9,7 @@
 #include "accel/make_queries.h"
 #include "accel/pairwise_graph.h"
 #include "accel/parallel.h"
+#include "accel/visibility_map.h"
 #include "accel/wedge/changed_graph.h"
 #include "accel/wedge/wedge_graph.h"
 #endif
@@ -32,7 +33,7 @@ void BuildOptions::add_to(CLI::App& command) {
   command.add_option("--backend", backend, "What answers the geometric queries: embree, or reference (brute force)")
       ->type_name("NAME")
       ->capture_default_str();
-  command.add_option("--builder", builder, "How the reduced graph is built: pairwise, wedge, or auto")
+  command.add_option("--builder", builder, "How the visibility graph is built: pairwise, wedge, or auto")
       ->type_name("NAME")
       ->capture_default_str();
   command.add_option("--threads", threads, "Threads to compute with; default: all with embree, one with reference")
@@ -114,6 +115,11 @@ VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executo
   return reduced_graph(SoloTeam())(world, *queries(world, executor).visibility, executor);
 }
 
+VisibilityGraph BuildOptions::full_graph_of(const World& world, const Executor& executor) const {
+  if (builder_name(world) == "wedge") return build_full_visibility_graph_by_expansion(world, executor);
+  return build_full_visibility_graph(world, *queries(world, executor).visibility, executor);
+}
+
 std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World& world, const Executor& executor) const {
   return builder_name(world) == "wedge" ? make_lazy_rows(world, executor) : nullptr;
 }
@@ -132,6 +138,9 @@ std::unique_ptr<const Executor> BuildOptions::executor() const { return std::mak
 ReducedGraphBuilder BuildOptions::reduced_graph(const Team&) const { return build_reduced_visibility_graph; }
 VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor) const {
   return build_reduced_visibility_graph(world, *queries(world, executor).visibility, executor);
+}
+VisibilityGraph BuildOptions::full_graph_of(const World& world, const Executor& executor) const {
+  return build_full_visibility_graph(world, *queries(world, executor).visibility, executor);
 }
 std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World&, const Executor&) const { return nullptr; }
 

@@ -46,10 +46,8 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedMap& map) {
   if (with_csv) built.edges_csv = "u,v\n";
 
   const Stopwatch visibility_watch;
-  const VisibilityGraph graph =
-      arguments.kind == "visibility"
-          ? build_full_visibility_graph(world, *arguments.build.queries(world, *executor).visibility, *executor)
-          : arguments.build.reduced_graph_of(world, *executor);
+  const VisibilityGraph graph = arguments.kind == "visibility" ? arguments.build.full_graph_of(world, *executor)
+                                                               : arguments.build.reduced_graph_of(world, *executor);
   built.visibility_seconds = visibility_watch.seconds();
   if (arguments.kind != "feasible") {
     built.edge_count = graph.edge_count();
@@ -81,7 +79,6 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedMap& map) {
 }
 
 std::string counts_json(const GraphArguments& arguments, const World& world, const BuiltGraph& built) {
-  const bool full = arguments.kind == "visibility";
   nlohmann::ordered_json json = {{"format", "arcway-graph"},
                                  {"version", 1},
                                  {"kind", arguments.kind},
@@ -90,7 +87,7 @@ std::string counts_json(const GraphArguments& arguments, const World& world, con
                                  {"convex_vertices", world.convex_vertices().size()},
                                  {"edges", built.edge_count},
                                  {"backend", arguments.build.backend},
-                                 {"builder", full ? "pairwise" : arguments.build.builder_name(world)},
+                                 {"builder", arguments.build.builder_name(world)},
                                  {"threads", arguments.build.thread_count()},
                                  {"visibility_seconds", built.visibility_seconds}};
   if (arguments.kind == "feasible") {

@@ -18,6 +18,7 @@
 #ifdef ARCWAY_WITH_ACCEL
 #include "accel/make_queries.h"
 #include "accel/parallel.h"
+#include "accel/visibility_map.h"
 #include "accel/wedge/tangent_neighbours.h"
 #include "accel/wedge/wedge_graph.h"
 #endif
@@ -64,14 +65,22 @@ Rows rows_of(const VisibilityGraph& graph) {
 #ifdef ARCWAY_WITH_ACCEL
 constexpr const char* kQueries = "embree";
 constexpr const char* kBuilder = "wedge";
+[[maybe_unused]] constexpr const char* kFullBuilder = "expansion";
 QuerySet our_queries(const World& world) { return make_embree_queries(world); }
 VisibilityGraph our_reduced_graph(const World& world) { return build_reduced_visibility_graph_by_wedges(world); }
+[[maybe_unused]] VisibilityGraph our_full_graph(const World& world) {
+  return build_full_visibility_graph_by_expansion(world);
+}
 #else
 constexpr const char* kQueries = "reference";
 constexpr const char* kBuilder = "reference";
+[[maybe_unused]] constexpr const char* kFullBuilder = "reference";
 QuerySet our_queries(const World& world) { return make_reference_queries(world); }
 VisibilityGraph our_reduced_graph(const World& world) {
   return build_reduced_visibility_graph(world, *make_reference_queries(world).visibility);
+}
+[[maybe_unused]] VisibilityGraph our_full_graph(const World& world) {
+  return build_full_visibility_graph(world, *make_reference_queries(world).visibility);
 }
 #endif
 
@@ -138,9 +147,8 @@ std::vector<Contest> contests() {
 #ifdef ARCWAY_PEER_CGAL
   all.push_back({"reduced graph", kBuilder, "CGAL expansion",
                  [](const World& w) { return rows_of(our_reduced_graph(w)); }, reduced_by_cgal, 1.3});
-  all.push_back({"full graph", kQueries, "CGAL expansion",
-                 [](const World& w) { return rows_of(build_full_visibility_graph(w, *our_queries(w).visibility)); },
-                 full_by_cgal, 2.1});
+  all.push_back({"full graph", kFullBuilder, "CGAL expansion",
+                 [](const World& w) { return rows_of(our_full_graph(w)); }, full_by_cgal, 1.3});
 #ifdef ARCWAY_WITH_ACCEL
   all.push_back({"tangent neighbours of 100 vertices", kBuilder, "CGAL expansion",
                  [](const World& w) {
@@ -156,21 +164,11 @@ std::vector<Contest> contests() {
                    return rows;
                  },
                  1.2});
-#endif
-  all.push_back({"vertices seen from 100 vertices", kQueries, "CGAL expansion",
+  all.push_back({"vertices seen from 100 vertices", kFullBuilder, "CGAL expansion",
                  [](const World& w) {
-                   const QuerySet queries = our_queries(w);
+                   const VisibilityMap map(w);
                    Rows rows;
-                   for (const VertexId u : some_vertices(w)) {
-                     std::vector<LineSegment> lines;
-                     for (const Vec2& p : w.vertices()) lines.push_back({w.vertex(u), p});
-                     std::vector<std::uint8_t> visible(lines.size());
-                     queries.visibility->visible(lines, visible);
-                     std::vector<VertexId> row;
-                     for (VertexId v = 0; v < visible.size(); ++v)
-                       if (visible[v] != 0 && v != u) row.push_back(v);
-                     rows.add(row);
-                   }
+                   for (const VertexId u : some_vertices(w)) rows.add(map.visible_from(u));
                    return rows;
                  },
                  [](const World& w) {
@@ -180,6 +178,7 @@ std::vector<Contest> contests() {
                    return rows;
                  },
                  1.2});
+#endif
   const auto triangulation = [](const World& w) { return Rows{{triangulate_by_cgal(w)}, {}}; };
   all.push_back({"reduced graph, against a triangulation alone", kBuilder, "CGAL triangulation",
                  [](const World& w) { return rows_of(our_reduced_graph(w)); }, triangulation, 1.1, false});

@@ -6,6 +6,7 @@
 #include "accel/make_queries.h"
 #include "accel/pairwise_graph.h"
 #include "accel/parallel.h"
+#include "accel/visibility_map.h"
 #include "accel/wedge/wedge_graph.h"
 #endif
 
@@ -45,6 +46,29 @@ const std::vector<GraphBuilder>& graph_builders() {
          return build_reduced_visibility_graph_by_wedges(world, executor);
        },
        "O(n log n + triangles crossed); Rohnert: O(nk + n log n)", 1.2},
+#endif
+  };
+  return builders;
+}
+
+const std::vector<GraphBuilder>& full_graph_builders() {
+  static const std::vector<GraphBuilder> builders = {
+      {"reference",
+       [](const World& world, const Executor& executor) {
+         return build_full_visibility_graph(world, *make_reference_queries(world).visibility, executor);
+       },
+       "n^2 pairs against n edges: O(n^3)", 3.0},
+#ifdef ARCWAY_BENCH_ACCEL
+      {"embree",
+       [](const World& world, const Executor& executor) {
+         return build_full_visibility_graph(world, *make_embree_queries(world).visibility, executor);
+       },
+       "a ray for each of n^2 pairs", 2.1},
+      {"expansion",
+       [](const World& world, const Executor& executor) {
+         return build_full_visibility_graph_by_expansion(world, executor);
+       },
+       "O(n log n + triangles seen)", 1.2},
 #endif
   };
   return builders;

@@ -21,7 +21,7 @@ struct QueryBackend {
 /// The reference first.
 const std::vector<QueryBackend>& query_backends();
 
-/// A way to build the reduced visibility graph, queries and all.
+/// A way to build a visibility graph, queries and all.
 struct GraphBuilder {
   std::string name;
   std::function<VisibilityGraph(const World&, const Executor&)> build;
@@ -30,8 +30,10 @@ struct GraphBuilder {
   /// What benchmarks use: `build`, or with an edge missing if that is asked for.
   [[nodiscard]] VisibilityGraph graph(const World& world, const Executor& executor) const;
 };
-/// The reference first.
+/// Of the reduced visibility graph; the reference first.
 const std::vector<GraphBuilder>& graph_builders();
+/// Of the full one; the reference first.
+const std::vector<GraphBuilder>& full_graph_builders();
 
 /// An executor for this many threads; the serial one for 1.
 std::unique_ptr<Executor> make_executor(std::size_t threads);

@@ -1,6 +1,8 @@
 #include "bench/suites/graph_check.h"
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include "core/query/query_set.h"
@@ -13,7 +15,7 @@
 namespace arcway::bench {
 namespace {
 
-constexpr std::size_t kWholeUpTo = 4'000;
+constexpr std::size_t kWholeUpTo = 4'000, kFullWholeUpTo = 1'100;
 
 QuerySet check_queries(const World& world) {
 #ifdef ARCWAY_BENCH_ACCEL
@@ -23,7 +25,7 @@ QuerySet check_queries(const World& world) {
   return make_reference_queries(world);
 }
 
-std::vector<VertexId> row_by_definition(const World& world, const VisibilityQuery& visibility, VertexId u) {
+std::vector<VertexId> reduced_row(const World& world, const VisibilityQuery& visibility, VertexId u) {
   const Vec2& p = world.vertex(u);
   std::vector<VertexId> row;
   for (const VertexId v : world.convex_vertices()) {
@@ -37,18 +39,44 @@ std::vector<VertexId> row_by_definition(const World& world, const VisibilityQuer
   return row;
 }
 
+std::vector<VertexId> full_row(const World& world, const VisibilityQuery& visibility, VertexId u) {
+  std::vector<VertexId> row;
+  for (VertexId v = u + 1; v < world.vertices().size(); ++v) {
+    const LineSegment line{world.vertex(u), world.vertex(v)};
+    if (!world.is_covered(u) && !world.is_covered(v) && line.a != line.b && visibility.visible(line)) row.push_back(v);
+  }
+  return row;
+}
+
+// Some rows, of vertices that are drawn from these.
+template <class Row>
+bool has_rows(const World& world, const VisibilityGraph& graph, std::span<const VertexId> vertices, std::size_t rows,
+              const VisibilityQuery& visibility, const Row& row_by_definition) {
+  Random random(1);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const VertexId u = vertices[random.below(vertices.size())];
+    if (!std::ranges::equal(graph.row(u), row_by_definition(world, visibility, u))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool is_reduced_graph(const World& world, const VisibilityGraph& graph, std::size_t rows) {
   if (graph.vertex_count() != world.vertices().size()) return false;
   const QuerySet queries = check_queries(world);
   if (world.vertices().size() <= kWholeUpTo) return graph == build_reduced_visibility_graph(world, *queries.visibility);
-  Random random(1);
-  for (std::size_t i = 0; i < rows; ++i) {
-    const VertexId u = world.convex_vertices()[random.below(world.convex_vertices().size())];
-    if (!std::ranges::equal(graph.row(u), row_by_definition(world, *queries.visibility, u))) return false;
-  }
-  return true;
+  return has_rows(world, graph, world.convex_vertices(), rows, *queries.visibility, reduced_row);
+}
+
+bool is_full_graph(const World& world, const VisibilityGraph& graph, std::size_t rows) {
+  if (graph.vertex_count() != world.vertices().size()) return false;
+  const QuerySet queries = check_queries(world);
+  if (world.vertices().size() <= kFullWholeUpTo)
+    return graph == build_full_visibility_graph(world, *queries.visibility);
+  std::vector<VertexId> all(world.vertices().size());
+  std::iota(all.begin(), all.end(), 0u);
+  return has_rows(world, graph, all, rows, *queries.visibility, full_row);
 }
 
 }  // namespace arcway::bench

@@ -11,5 +11,7 @@ namespace arcway::bench {
 /// Above: `rows` of its rows, chosen at random, against the definition; lines of sight by brute force up to 100,000
 /// vertices, by Embree beyond if this build has it.
 bool is_reduced_graph(const World& world, const VisibilityGraph& graph, std::size_t rows = 8);
+/// The same for the full visibility graph; whole up to 1,100 vertices.
+bool is_full_graph(const World& world, const VisibilityGraph& graph, std::size_t rows = 8);
 
 }  // namespace arcway::bench

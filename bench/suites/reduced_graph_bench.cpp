@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -35,25 +36,22 @@ void build(benchmark::State& state, const GraphBuilder& builder, const std::stri
 }
 
 void add_full_graph(Study study) {
-  for (const QueryBackend& backend : query_backends()) {
-    const bool reference = backend.name == "reference";
-    Series series(study, "FullGraph/" + backend.name, "obstacles",
-                  reference ? "n^2 pairs against n edges: O(n^3)" : "a ray for each of n^2 pairs",
-                  reference ? 3.0 : 2.1);
-    for (const std::size_t n : sizes(study, {10, 18, 32, 56, 100}, 10, 100))
-      series.add(static_cast<double>(n), [&backend, n](benchmark::State& state) {
-        const std::string name = clutter_name("convex", n, 10, 30);
-        const World& world = shared_world(name);
-        const QuerySet queries = backend.queries(world);
-        VisibilityGraph graph = build_full_visibility_graph(world, *queries.visibility);
-        const auto right = [&] {
-          return graph == build_full_visibility_graph(world, *query_backends().front().make(world).visibility);
-        };
-        const std::string key = "FullGraph/" + backend.name + std::to_string(n);
-        if (!require_once(state, key, right, "edges differ from the reference")) return;
-        for (auto _ : state) graph = build_full_visibility_graph(world, *queries.visibility);
-        count_graph(state, world, graph);
-      });
+  for (const GraphBuilder& builder : full_graph_builders()) {
+    Series series(study, "FullGraph/" + builder.name, "obstacles", builder.law, builder.exponent);
+    const std::size_t largest = builder.exponent > 2.0 ? 100 : 10000;
+    for (const std::size_t n :
+         sizes(study, {10, 18, 32, 56, 100, 1000, 10000}, 10, std::min<std::size_t>(largest, 1000)))
+      if (n <= largest)
+        series.add(static_cast<double>(n), [&builder, n](benchmark::State& state) {
+          const World& world = shared_world(clutter_name("convex", n, 10, 30));
+          const SerialExecutor executor;
+          VisibilityGraph graph = builder.graph(world, executor);
+          const auto right = [&] { return is_full_graph(world, graph); };
+          const std::string key = "FullGraph/" + builder.name + std::to_string(n);
+          if (!require_once(state, key, right, "edges differ from the reference")) return;
+          for (auto _ : state) graph = builder.graph(world, executor);
+          count_graph(state, world, graph);
+        });
   }
 }
 
