@@ -8,13 +8,13 @@
 
 #include "accel/region_locator.h"
 #include "accel/wedge/edge_list.h"
+#include "accel/wedge/expansion.h"
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/sight_trace.h"
 #include "accel/wedge/wedge_walk.h"
 #include "core/geometry/crossing_point.h"
 #include "core/geometry/direction_order.h"
 #include "core/geometry/predicates.h"
-#include "core/prefetch.h"
 #include "core/query/blocking.h"
 #include "core/shortest_text.h"
 
@@ -24,21 +24,6 @@ namespace {
 
 using End = SightTrace::End;
 using Kind = SightTrace::End::Kind;
-
-// What is seen through an edge between two directions, both towards sites.
-struct View {
-  std::uint32_t right, left;  // ends of the edge
-  std::uint32_t door;         // kNone: a wall
-  std::uint32_t low, high;    // sites that limit the directions
-  Vec2 to_low, to_high;       // rounded
-};
-
-// Memory of a question, kept for the next one.
-struct Scratch {
-  std::vector<std::uint32_t> triangles, sites;
-  std::vector<View> views, stack, walls;
-  std::vector<VertexId> vertices;
-};
 
 // Where the line from p through `through` meets a wall, rounded.
 Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& wall) {
@@ -55,7 +40,7 @@ struct VisibilityMap::Data {
         map(listed(world, executor)),
         trace(map),
         locator(world),
-        sure(map.sure_cross_product()),
+        expansion(map, trace),
         node_of(world.vertices().size(), kNone) {
     for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
     std::vector<std::uint32_t> sites;
@@ -125,116 +110,14 @@ struct VisibilityMap::Data {
       throw std::domain_error(std::string(what) + ": " + shortest_text(p) + " is further from the map than its size");
   }
 
-  // The edges of the triangles at p that are seen from there, counter-clockwise from +x.
-  void find_views(const Vec2& p, std::span<const std::uint32_t> triangles, std::vector<View>& views) const {
-    views.clear();
-    const std::span<const Vec2> at = map.sites();
-    for (const std::uint32_t t : triangles)
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t right = trace.corner(t, k), left = trace.corner(t, (k + 1) % 3);
-        if (orientation(at[right], at[left], p) > 0)
-          views.push_back({right, left, trace.door_out(t, k), right, left, at[right] - p, at[left] - p});
-      }
-    std::sort(views.begin(), views.end(),
-              [&](const View& a, const View& b) { return precedes_about(p, at[a.right], at[b.right]); });
-  }
-
-  // +1 if the apex of a triangle lies to the left of the line from p to a site.
-  [[nodiscard]] int side(const Vec2& p, std::uint32_t site, const Vec2& to_site, const SightMap::Door& triangle) const {
-    const double product = cross(to_site, triangle.apex - p);
-    if (product > sure) return 1;
-    if (product < -sure) return -1;
-    return orientation(p, map.sites()[site], triangle.apex);
-  }
-
-  // Follows a view to the walls: on_site for each site inside of it or on its limits, on_wall for each view of a wall,
-  // from right to left.
-  template <class OnSite, class OnWall>
-  void look(const Vec2& p, const View& view, std::vector<View>& stack, const OnSite& on_site,
-            const OnWall& on_wall) const {
-    const SightMap::Door* const doors = map.doors().data();
-    stack.clear();
-    View v = view;
-    while (true) {
-      if (v.door != kNone) {
-        const SightMap::Door& triangle = doors[v.door];
-        will_need(doors + triangle.left);
-        will_need(doors + triangle.right);
-        const int low = side(p, v.low, v.to_low, triangle), high = side(p, v.high, v.to_high, triangle);
-        if (low >= 0 && high <= 0) on_site(triangle.site);
-        const bool inside = low > 0 && high < 0;
-        if (inside) {
-          const Vec2 middle = triangle.apex - p;
-          stack.push_back({triangle.site, v.left, triangle.left, triangle.site, v.high, middle, v.to_high});
-          v.high = triangle.site;
-          v.to_high = middle;
-        }
-        (low > 0 ? v.left : v.right) = triangle.site;
-        v.door = low > 0 ? triangle.right : triangle.left;
-        continue;
-      }
-      on_wall(v);
-      if (stack.empty()) return;
-      v = stack.back();
-      stack.pop_back();
-    }
-  }
-
   [[nodiscard]] LineSegment wall_of(std::uint32_t right, std::uint32_t left) const {
     return {map.sites()[right], map.sites()[left]};
   }
 
-  // The sites that p sees, in scratch.sites, some of them several times. Lines of sight past sites follow each other
-  // without gaps as long as there is an open range beside them; where walls leave none, lines are followed by
-  // themselves.
-  void find_sites_seen(const Vec2& p, std::uint32_t own, Scratch& scratch) const {
-    auto& [triangles, seen, views, stack, walls, vertices] = scratch;
-    seen.clear();
-    walls.clear();
-    find_views(p, triangles, views);
-    for (const View& view : views) {
-      seen.push_back(view.right);
-      seen.push_back(view.left);
-      look(
-          p, view, stack, [&](std::uint32_t site) { seen.push_back(site); },
-          [&](const View& wall) { walls.push_back(wall); });
-    }
-    const auto is_on = [&](std::uint32_t site, std::uint32_t limit) {
-      return site == limit || orientation(p, map.sites()[limit], map.sites()[site]) == 0;
-    };
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-      const View &wall = walls[i], &next = walls[(i + 1) % walls.size()];
-      const bool ends = is_on(wall.left, wall.high), begins = is_on(next.right, next.low);
-      const bool adjoin = wall.high == next.low;
-      if (adjoin ? ends && begins && !(wall.left == next.right && is_of_one_wall(wall.left)) : ends)
-        trace.append_sites_on(p, wall.left, seen);
-      if (begins && !adjoin) trace.append_sites_on(p, next.right, seen);
-    }
-    if (own == kNone || (!triangles.empty() && is_of_one_wall(own))) return;
-    for (const std::uint32_t site : ends_of_edges_at(own))
-      if (std::ranges::none_of(views, [&](const View& v) { return v.right == site || v.left == site; }))
-        trace.append_sites_on(p, site, seen);
-  }
-
-  // Whether two edges are all that meets a site: if one of them is a wall with free space beside it, so is the other
-  // one, and the inside of an obstacle is on their other side.
-  [[nodiscard]] bool is_of_one_wall(std::uint32_t site) const {
-    return map.is_whole() && map.edges_from(site).size() + map.edges_to(site).size() == 2;
-  }
-
-  [[nodiscard]] std::vector<std::uint32_t> ends_of_edges_at(std::uint32_t site) const {
-    std::vector<std::uint32_t> ends;
-    for (const PlanarMap::Edge& edge : map.edges_from(site))
-      if (!map.is_covered(edge)) ends.push_back(edge.high);
-    for (const std::uint32_t e : map.edges_to(site))
-      if (!map.is_covered(map.edge(e))) ends.push_back(map.edge(e).low);
-    return ends;
-  }
-
-  // In scratch.vertices, ascending; from a point at some triangles.
-  void find_vertices_seen(const Vec2& p, std::uint32_t own, Scratch& scratch) const {
-    find_sites_seen(p, own, scratch);
-    std::vector<VertexId>& found = scratch.vertices;
+  // Ascending; from a point at some triangles.
+  void find_vertices_seen(const Vec2& p, std::uint32_t own, Expansion::Scratch& scratch,
+                          std::vector<VertexId>& found) const {
+    expansion.find_sites(p, own, scratch);
     found.clear();
     for (const std::uint32_t site : scratch.sites)
       if (map.is_whole() || !map.is_blocked_by_broken({p, map.sites()[site]}))
@@ -243,30 +126,30 @@ struct VisibilityMap::Data {
     found.erase(std::unique(found.begin(), found.end()), found.end());
   }
 
-  void find_vertices_seen_from_site(std::uint32_t site, Scratch& scratch) const {
+  void find_vertices_seen(std::uint32_t site, Expansion::Scratch& scratch, std::vector<VertexId>& found) const {
     scratch.triangles.clear();
     for (const std::uint32_t corner : trace.corners_at(site)) scratch.triangles.push_back(corner - corner % 3);
-    find_vertices_seen(map.sites()[site], site, scratch);
+    find_vertices_seen(map.sites()[site], site, scratch, found);
   }
 
   [[nodiscard]] std::vector<VertexId> vertices_seen(VertexId vertex) const {
-    if (world.is_covered(vertex)) return {};
-    Scratch scratch;
-    find_vertices_seen_from_site(site_of(world.vertex(vertex)), scratch);
-    return std::move(scratch.vertices);
+    std::vector<VertexId> found;
+    Expansion::Scratch scratch;
+    if (!world.is_covered(vertex)) find_vertices_seen(site_of(world.vertex(vertex)), scratch, found);
+    return found;
   }
 
   [[nodiscard]] std::vector<VertexId> vertices_seen(const Vec2& p) const {
-    if (locator.containing(p) != kNone) return {};
-    Scratch scratch;
+    std::vector<VertexId> found;
+    if (locator.containing(p) != kNone) return found;
+    Expansion::Scratch scratch;
     trace.triangles_at(p, scratch.triangles);
     if (!scratch.triangles.empty()) {
-      find_vertices_seen(p, trace.site_at(p, scratch.triangles), scratch);
-      return std::move(scratch.vertices);
+      find_vertices_seen(p, trace.site_at(p, scratch.triangles), scratch, found);
+    } else {
+      for (VertexId v = 0; v < world.vertices().size(); ++v)
+        if (!world.is_covered(v) && world.vertex(v) != p && is_visible({world.vertex(v), p})) found.push_back(v);
     }
-    std::vector<VertexId> found = vertices_at;
-    std::erase_if(found, [&](VertexId v) { return world.vertex(v) == p || !is_visible({world.vertex(v), p}); });
-    std::sort(found.begin(), found.end());
     return found;
   }
 
@@ -296,7 +179,7 @@ struct VisibilityMap::Data {
   SightMap map;
   SightTrace trace;
   RegionLocator locator;
-  double sure;                          // SightMap::sure_cross_product
+  Expansion expansion;
   std::vector<std::uint32_t> node_of;   // by vertex
   std::vector<VertexId> vertices_at;    // that are not covered
   std::vector<std::uint32_t> first_at;  // by site
@@ -375,17 +258,15 @@ std::vector<VisibilityMap::SeenWall> VisibilityMap::visibility_polygon(const Vec
   Data::require_range("visibility polygon", point);
   d.require_near("visibility polygon", point);
   std::vector<SeenWall> walls;
-  Scratch scratch;
-  d.find_views(point, d.triangles_at(point), scratch.views);
-  for (const View& view : scratch.views)
-    d.look(
-        point, view, scratch.stack, [](std::uint32_t) {},
-        [&](const View& seen) {
-          const LineSegment wall = d.wall_of(seen.right, seen.left);
-          const Vec2 &low = d.map.sites()[seen.low], &high = d.map.sites()[seen.high];
-          walls.push_back({wall, meet(point, low, wall), meet(point, high, wall), low, high,
-                           d.trace.is_frame(seen.right) && d.trace.is_frame(seen.left)});
-        });
+  Expansion::Scratch scratch;
+  d.trace.triangles_at(point, scratch.triangles);
+  d.expansion.find_walls(point, scratch);
+  for (const Expansion::View& seen : scratch.walls) {
+    const LineSegment wall = d.wall_of(seen.right, seen.left);
+    const Vec2 &low = d.map.sites()[seen.low], &high = d.map.sites()[seen.high];
+    walls.push_back({wall, meet(point, low, wall), meet(point, high, wall), low, high,
+                     d.trace.is_frame(seen.right) && d.trace.is_frame(seen.left)});
+  }
   return walls;
 }
 
@@ -396,12 +277,13 @@ VisibilityGraph build_full_visibility_graph_by_expansion(const World& world, con
   std::vector<EdgeList> parts((sites.size() + kSitesPerRange - 1) / kSitesPerRange);
   executor.begin_stage("lines of sight");
   executor.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-    Scratch scratch;
+    Expansion::Scratch scratch;
+    std::vector<VertexId> seen;
     for (std::size_t part = begin; part < end; ++part)
       for (std::size_t i = part * kSitesPerRange; i < std::min(sites.size(), (part + 1) * kSitesPerRange); ++i) {
-        map.find_vertices_seen_from_site(sites[i], scratch);
+        map.find_vertices_seen(sites[i], scratch, seen);
         for (const VertexId u : map.vertices_of(sites[i]))
-          for (const VertexId v : scratch.vertices)
+          for (const VertexId v : seen)
             if (v > u) parts[part].emplace_back(u, v);
       }
   });
