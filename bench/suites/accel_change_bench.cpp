@@ -10,16 +10,21 @@
 #include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
 #include "bench/suites/corruption.h"
+#include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
 #include "core/graph/feasible_tables.h"
 #include "core/planner.h"
 #include "core/world_change.h"
+#include "datasets/catalogue.h"
 #include "datasets/map_file.h"
 
 // A prepared map after some obstacles have left their places and come back a little aside, against preparing it anew:
-// queries and all graphs, one thread; or lazily, where it keeps the bitangents that were checked before.
+// queries and all graphs, one thread. Lazily, where all that was checked before and is not near the change is kept,
+// also with some plans, against a lazy planner made anew that plans the same.
 namespace arcway::bench {
 namespace {
+
+constexpr std::size_t kPlans = 20;
 
 Planner build(const World& world, const PlannerOptions& options) {
   return {world,   Vehicle(),       make_embree_queries(world), build_reduced_visibility_graph_by_wedges(world),
@@ -45,6 +50,12 @@ bool same(const Planner& a, const Planner& b) {
          same_bytes(x.links, y.links) && same_bytes(x.link_counts, y.link_counts);
 }
 
+std::vector<double> times(const std::vector<PlanResult>& results) {
+  std::vector<double> seconds;
+  for (const PlanResult& r : results) seconds.push_back(r.travel_time);
+  return seconds;
+}
+
 void time_change(benchmark::State& state, const std::string& name, std::size_t count, GraphMode mode) {
   const World& world = shared_world(name);
   const Planner before = build(world, {});
@@ -58,29 +69,40 @@ void time_change(benchmark::State& state, const std::string& name, std::size_t c
     added.push_back(obstacles[o]);
     for (Vec2& p : added.back().outer) p += Vec2(0.25, 0.125);
   }
-  const auto change_once = [&](const PlannerOptions& options) {
-    return change(before, world.changed(moved, added), moved, options);
-  };
-  const MapFile after = to_map_file(world.changed(moved, added));
-  const auto build_once = [&](const PlannerOptions& options) {
-    return build(World(after.obstacles, after.bounds), options);
-  };
-  if (!require(state, same(change_once({}), build_once({})), "graphs differ from those built anew")) return;
   const PlannerOptions options{.graph_mode = mode};
+  const MapFile after = to_map_file(world.changed(moved, added));
+  const auto change_once = [&](const PlannerOptions& o) {
+    return change(before, world.changed(moved, added), moved, o);
+  };
+  const auto build_once = [&](const PlannerOptions& o) { return build(World(after.obstacles, after.bounds), o); };
+  const std::vector<PlanRequest> requests = catalogue_queries(name, kPlans, 1);
+  const auto right = [&] {
+    const Planner anew = build_once({});
+    return same(change_once({}), anew) &&
+           times(plan_all(change_once(options), requests)) == times(plan_all(anew, requests));
+  };
+  const std::string key =
+      "Change/" + name + "/" + std::to_string(count) + (mode == GraphMode::kLazy ? "/lazy" : "/eager");
+  if (!require_once(state, key, right, "graphs or plans differ from those built anew")) return;
   const auto seconds_of = [](const auto& make) {
     const CpuClock making(CpuClock::Of::kProcess);
     benchmark::DoNotOptimize(make());
     return making.seconds();
   };
-  std::vector<double> changes, rebuilds;
+  std::vector<double> changes, rebuilds, lazy_changes, lazy_rebuilds;
   for (auto _ : state) {
     changes.push_back(seconds_of([&] { return change_once(options); }));
     state.PauseTiming();
-    rebuilds.push_back(seconds_of([&] { return build_once(options); }));
+    rebuilds.push_back(seconds_of([&] { return build_once({}); }));
+    if (mode == GraphMode::kLazy) {
+      lazy_changes.push_back(seconds_of([&] { return plan_all(change_once(options), requests); }));
+      lazy_rebuilds.push_back(seconds_of([&] { return plan_all(build_once(options), requests); }));
+    }
     state.ResumeTiming();
   }
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
   state.counters["of_rebuild"] = median(changes) / median(rebuilds);
+  if (mode == GraphMode::kLazy) state.counters["of_lazy_with_plans"] = median(lazy_changes) / median(lazy_rebuilds);
 }
 
 void add(Study study) {
@@ -89,8 +111,8 @@ void add(Study study) {
     const std::string name = clutter_name("convex", n, 10, 30);
     for (const auto& [mode, label] : {std::pair(GraphMode::kEager, "eager"), std::pair(GraphMode::kLazy, "lazy")}) {
       Series by_count(study, std::string("Change/") + label + "/n:" + std::to_string(n), "moved",
-                      "O(n) and what is near the change", 1.0);
-      by_count.allow(30.0);
+                      "O(n) and what is near the change", 0.3);
+      by_count.allow(60.0);
       for (const std::size_t count : sizes(study, {1, 10, 100}, 1, 100))
         by_count.add(static_cast<double>(count),
                      [name, count, mode = mode](benchmark::State& state) { time_change(state, name, count, mode); });
