@@ -48,10 +48,10 @@ class VisibilityMap {
 
   /// The vertices that are not covered (World::is_covered) and that a vertex sees: its neighbours in the full
   /// visibility graph, ascending; none if it is covered itself. Lines of sight may pass through other vertices. Those
-  /// at the same place are no neighbours. O(triangles seen).
+  /// at the same place are no neighbours. O(log n + triangles seen).
   /// @throws std::out_of_range if the world has no such vertex.
   [[nodiscard]] std::vector<VertexId> visible_from(VertexId vertex) const;
-  /// The same for a point; O(log n + triangles seen), or O(n) lines of sight for a point further from the map than its
+  /// The same for a point, but O(n) lines of sight for a point further from the map than its
   /// size or on an edge with obstacles on both sides.
   [[nodiscard]] std::vector<VertexId> visible_from(const Vec2& point) const;
 
