@@ -1,12 +1,12 @@
 #include "accel/visibility_map.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
 
 #include "accel/region_locator.h"
+#include "accel/wedge/by_site.h"
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/expansion.h"
 #include "accel/wedge/sight_map.h"
@@ -43,19 +43,11 @@ struct VisibilityMap::Data {
         expansion(map, trace),
         node_of(world.vertices().size(), kNone) {
     for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
+    const auto site_count = static_cast<std::uint32_t>(map.sites().size());
     std::vector<std::uint32_t> sites;
-    first_at.assign(map.sites().size() + 1, 0);
-    for (VertexId v = 0; v < world.vertices().size(); ++v) {
-      if (world.is_covered(v)) continue;
-      vertices_at.push_back(v);
-      sites.push_back(site_of(world.vertex(v)));
-      ++first_at[sites.back() + 1];
-    }
-    std::partial_sum(first_at.begin(), first_at.end(), first_at.begin());
-    std::vector<std::uint32_t> next = first_at;
-    std::vector<VertexId> sorted(vertices_at.size());
-    for (std::size_t i = 0; i < sites.size(); ++i) sorted[next[sites[i]]++] = vertices_at[i];
-    vertices_at = std::move(sorted);
+    for (VertexId v = 0; v < world.vertices().size(); ++v)
+      sites.push_back(world.is_covered(v) ? site_count : site_of(world.vertex(v)));
+    vertices = BySite(std::move(sites), site_count);
   }
 
   static SightMap listed(const World& world, const Executor& executor) {
@@ -121,7 +113,7 @@ struct VisibilityMap::Data {
     found.clear();
     for (const std::uint32_t site : scratch.sites)
       if (map.is_whole() || !map.is_blocked_by_broken({p, map.sites()[site]}))
-        for (const VertexId v : vertices_of(site)) found.push_back(v);
+        for (const VertexId v : vertices.of(site)) found.push_back(v);
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
   }
@@ -153,16 +145,12 @@ struct VisibilityMap::Data {
     return found;
   }
 
-  [[nodiscard]] std::span<const VertexId> vertices_of(std::uint32_t site) const {
-    return std::span(vertices_at).subspan(first_at[site], first_at[site + 1] - first_at[site]);
-  }
-
   // Those with vertices; what is near in the plane follows each other.
   [[nodiscard]] std::vector<std::uint32_t> sites_by_tile() const {
     std::vector<std::uint32_t> sites;
     std::vector<std::uint8_t> listed(map.sites().size(), 0);
     const auto list = [&](std::uint32_t site) {
-      if (listed[site] == 0 && !vertices_of(site).empty()) sites.push_back(site);
+      if (listed[site] == 0 && !vertices.of(site).empty()) sites.push_back(site);
       listed[site] = 1;
     };
     for (const SightMap::Door& door : map.doors()) list(door.site);
@@ -180,9 +168,8 @@ struct VisibilityMap::Data {
   SightTrace trace;
   RegionLocator locator;
   Expansion expansion;
-  std::vector<std::uint32_t> node_of;   // by vertex
-  std::vector<VertexId> vertices_at;    // that are not covered
-  std::vector<std::uint32_t> first_at;  // by site
+  std::vector<std::uint32_t> node_of;  // by vertex
+  BySite vertices;                     // that are not covered
 };
 
 VisibilityMap::VisibilityMap(const World& world, const Executor& executor)
@@ -282,7 +269,7 @@ VisibilityGraph build_full_visibility_graph_by_expansion(const World& world, con
     for (std::size_t part = begin; part < end; ++part)
       for (std::size_t i = part * kSitesPerRange; i < std::min(sites.size(), (part + 1) * kSitesPerRange); ++i) {
         map.find_vertices_seen(sites[i], scratch, seen);
-        for (const VertexId u : map.vertices_of(sites[i]))
+        for (const VertexId u : map.vertices.of(sites[i]))
           for (const VertexId v : seen)
             if (v > u) parts[part].emplace_back(u, v);
       }

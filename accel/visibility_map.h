@@ -51,8 +51,8 @@ class VisibilityMap {
   /// at the same place are no neighbours. O(log n + triangles seen).
   /// @throws std::out_of_range if the world has no such vertex.
   [[nodiscard]] std::vector<VertexId> visible_from(VertexId vertex) const;
-  /// The same for a point, but O(n) lines of sight for a point further from the map than its
-  /// size or on an edge with obstacles on both sides.
+  /// The same for a point, but O(n) lines of sight for one further from the map than its size or on an edge with
+  /// obstacles on both sides.
   [[nodiscard]] std::vector<VertexId> visible_from(const Vec2& point) const;
 
   /// The convex vertices that share an edge of the reduced visibility graph with a vertex, ascending.

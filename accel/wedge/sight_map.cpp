@@ -1,12 +1,10 @@
 #include "accel/wedge/sight_map.h"
 
 #include <functional>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
 #include "accel/triangulation/free_space_sweep.h"
-#include "core/geometry/tiles.h"
 #include "core/query/blocking.h"
 
 namespace arcway {
@@ -78,14 +76,10 @@ bool SightMap::is_blocked_by_broken(const LineSegment& segment) const {
 }
 
 void SightMap::list_left_edges() {
-  std::vector<std::uint32_t> ends(map_.edges.size());
-  first_left_edge_.assign(map_.sites.size() + 1, 0);
-  for (std::size_t e = 0; e < ends.size(); ++e) {
-    ends[e] = map_.edges[e].high;
-    ++first_left_edge_[ends[e] + 1];
-  }
-  std::partial_sum(first_left_edge_.begin(), first_left_edge_.end(), first_left_edge_.begin());
-  left_edges_ = sorted_by_tile(std::move(ends), static_cast<std::uint32_t>(map_.sites.size()));
+  std::vector<std::uint32_t> ends;
+  ends.reserve(map_.edges.size());
+  for (const PlanarMap::Edge& edge : map_.edges) ends.push_back(edge.high);
+  left_edges_ = BySite(std::move(ends), static_cast<std::uint32_t>(map_.sites.size()));
 }
 
 }  // namespace arcway

@@ -10,6 +10,7 @@
 #include "accel/triangulation/short_diagonals.h"
 #include "accel/triangulation/triangulation.h"
 #include "accel/wedge/big_vector.h"
+#include "accel/wedge/by_site.h"
 #include "core/executor.h"
 #include "core/geometry/box_tree.h"
 #include "core/world.h"
@@ -79,9 +80,7 @@ class SightMap {
     return std::span(map_.edges).subspan(map_.first_edge[site], map_.first_edge[site + 1] - map_.first_edge[site]);
   }
   /// Those that reach it from the left, by index; needs list_left_edges.
-  [[nodiscard]] std::span<const std::uint32_t> edges_to(std::uint32_t site) const {
-    return std::span(left_edges_).subspan(first_left_edge_[site], first_left_edge_[site + 1] - first_left_edge_[site]);
-  }
+  [[nodiscard]] std::span<const std::uint32_t> edges_to(std::uint32_t site) const { return left_edges_.of(site); }
   [[nodiscard]] const PlanarMap::Edge& edge(std::uint32_t index) const { return map_.edges[index]; }
   /// Makes `edges_to` possible.
   void list_left_edges();
@@ -134,8 +133,8 @@ class SightMap {
   BigVector<Node> nodes_;
   std::vector<std::uint32_t> node_at_;  // by site
   std::vector<Fan> fans_;
-  std::vector<std::uint32_t> first_fan_;                     // by node, none of plain ones; empty if all are
-  std::vector<std::uint32_t> left_edges_, first_left_edge_;  // by site
+  std::vector<std::uint32_t> first_fan_;  // by node, none of plain ones; empty if all are
+  BySite left_edges_;
   std::vector<VertexId> broken_edges_;
   BoxTree broken_tree_;
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <utility>
 
 #include "core/geometry/predicates.h"
 
@@ -56,19 +56,16 @@ class SightTrace::Line {
   std::vector<std::uint32_t>* passed_;
 };
 
-SightTrace::SightTrace(const SightMap& map) : map_(map), first_at_(map.sites().size() + 1, 0) {
+SightTrace::SightTrace(const SightMap& map) : map_(map) {
   const auto doors = static_cast<std::uint32_t>(map.doors().size());
   std::vector<Box> boxes(doors / 3);
+  std::vector<std::uint32_t> sites(doors);
   for (std::uint32_t d = 0; d < doors; ++d) {
     boxes[d / 3].extend(map.doors()[d].apex);
-    ++first_at_[map.doors()[d].site + 1];
+    sites[d] = corner(d - d % 3, d % 3);
   }
   triangles_ = BoxTree(boxes);
-  std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
-  at_.resize(doors);
-  std::vector<std::uint32_t> place(first_at_.begin(), first_at_.end() - 1);
-  for (std::uint32_t t = 0; t < doors; t += 3)
-    for (std::uint32_t k = 0; k < 3; ++k) at_[place[corner(t, k)]++] = t + k;
+  corners_ = BySite(std::move(sites), static_cast<std::uint32_t>(map.sites().size()));
 }
 
 void SightTrace::triangles_at(const Vec2& p, std::vector<std::uint32_t>& triangles) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "accel/wedge/by_site.h"
 #include "accel/wedge/sight_map.h"
 #include "core/geometry/box_tree.h"
 
@@ -38,9 +39,7 @@ class SightTrace {
   /// common edge of two, and beyond the frame.
   void triangles_at(const Vec2& p, std::vector<std::uint32_t>& triangles) const;
   /// Those at a site, each by the first door of the triangle + which of its corners it is.
-  [[nodiscard]] std::span<const std::uint32_t> corners_at(std::uint32_t site) const {
-    return std::span(at_).subspan(first_at_[site], first_at_[site + 1] - first_at_[site]);
-  }
+  [[nodiscard]] std::span<const std::uint32_t> corners_at(std::uint32_t site) const { return corners_.of(site); }
   /// The site at p, or kNone.
   [[nodiscard]] std::uint32_t site_at(const Vec2& p, std::span<const std::uint32_t> triangles) const;
 
@@ -71,8 +70,7 @@ class SightTrace {
 
   const SightMap& map_;
   BoxTree triangles_;
-  std::vector<std::uint32_t> first_at_;  // by site
-  std::vector<std::uint32_t> at_;        // first door of a triangle + which corner
+  BySite corners_;  // first door of a triangle + which corner
 };
 
 }  // namespace arcway
