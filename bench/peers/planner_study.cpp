@@ -8,15 +8,12 @@
 
 #include "bench/cpu_clock.h"
 #include "bench/peers/ompl_peer.h"
+#include "bench/peers/ours.h"
 #include "bench/robots.h"
 #include "core/graph/turning_radii.h"
 #include "core/planner.h"
 #include "datasets/catalogue.h"
 #include "datasets/plan_io.h"
-#ifdef ARCWAY_WITH_ACCEL
-#include "accel/make_queries.h"
-#include "accel/wedge/wedge_graph.h"
-#endif
 
 namespace arcway::peers {
 namespace {
@@ -24,26 +21,8 @@ namespace {
 using report::PlannerAnswer;
 using report::PlannerQuery;
 
-QuerySet fastest_queries(const World& world) {
-#ifdef ARCWAY_WITH_ACCEL
-  return make_embree_queries(world);
-#else
-  return make_reference_queries(world);
-#endif
-}
-
-VisibilityGraph fastest_graph(const World& world, const QuerySet& queries) {
-#ifdef ARCWAY_WITH_ACCEL
-  (void)queries;
-  return build_reduced_visibility_graph_by_wedges(world);
-#else
-  return build_reduced_visibility_graph(world, *queries.visibility);
-#endif
-}
-
 Planner make_planner(const World& world, const Vehicle& vehicle, GraphMode mode) {
-  const QuerySet queries = fastest_queries(world);
-  return {world, vehicle, queries, fastest_graph(world, queries), {.graph_mode = mode}, SerialExecutor()};
+  return {world, vehicle, our_queries(world), our_reduced_graph(world), {.graph_mode = mode}, SerialExecutor()};
 }
 
 std::string text_of(const char* format, double value) {

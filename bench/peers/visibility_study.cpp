@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bench/cpu_clock.h"
+#include "bench/peers/ours.h"
 #include "core/graph/visibility_graph.h"
 #include "core/query/query_set.h"
 #include "datasets/catalogue.h"
@@ -16,7 +17,6 @@
 #include "bench/peers/cgal_peer.h"
 #endif
 #ifdef ARCWAY_WITH_ACCEL
-#include "accel/make_queries.h"
 #include "accel/parallel.h"
 #include "accel/visibility_map.h"
 #include "accel/wedge/tangent_neighbours.h"
@@ -61,28 +61,6 @@ std::vector<VertexId> some_vertices(const World& world) {
 Rows rows_of(const VisibilityGraph& graph) {
   return {{graph.row_starts().begin(), graph.row_starts().end()}, {graph.targets().begin(), graph.targets().end()}};
 }
-
-#ifdef ARCWAY_WITH_ACCEL
-constexpr const char* kQueries = "embree";
-constexpr const char* kBuilder = "wedge";
-[[maybe_unused]] constexpr const char* kFullBuilder = "expansion";
-QuerySet our_queries(const World& world) { return make_embree_queries(world); }
-VisibilityGraph our_reduced_graph(const World& world) { return build_reduced_visibility_graph_by_wedges(world); }
-[[maybe_unused]] VisibilityGraph our_full_graph(const World& world) {
-  return build_full_visibility_graph_by_expansion(world);
-}
-#else
-constexpr const char* kQueries = "reference";
-constexpr const char* kBuilder = "reference";
-[[maybe_unused]] constexpr const char* kFullBuilder = "reference";
-QuerySet our_queries(const World& world) { return make_reference_queries(world); }
-VisibilityGraph our_reduced_graph(const World& world) {
-  return build_reduced_visibility_graph(world, *make_reference_queries(world).visibility);
-}
-[[maybe_unused]] VisibilityGraph our_full_graph(const World& world) {
-  return build_full_visibility_graph(world, *make_reference_queries(world).visibility);
-}
-#endif
 
 Rows reduced_by_brute_force(const World& world) {
   return rows_of(build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
@@ -139,18 +117,18 @@ Rows reduced_by_cgal(const World& world) {
 
 std::vector<Contest> contests() {
   std::vector<Contest> all;
-  all.push_back({"reduced graph", kBuilder, "brute force", [](const World& w) { return rows_of(our_reduced_graph(w)); },
-                 reduced_by_brute_force, 2.5});
-  all.push_back({"20,000 lines of sight", kQueries, "brute force",
+  all.push_back({"reduced graph", kOurReducedBuilder, "brute force",
+                 [](const World& w) { return rows_of(our_reduced_graph(w)); }, reduced_by_brute_force, 2.5});
+  all.push_back({"20,000 lines of sight", kOurQueries, "brute force",
                  [](const World& w) { return lines_of_sight(w, our_queries(w)); },
                  [](const World& w) { return lines_of_sight(w, make_reference_queries(w)); }, 1.0});
 #ifdef ARCWAY_PEER_CGAL
-  all.push_back({"reduced graph", kBuilder, "CGAL expansion",
+  all.push_back({"reduced graph", kOurReducedBuilder, "CGAL expansion",
                  [](const World& w) { return rows_of(our_reduced_graph(w)); }, reduced_by_cgal, 1.3});
-  all.push_back({"full graph", kFullBuilder, "CGAL expansion",
+  all.push_back({"full graph", kOurFullBuilder, "CGAL expansion",
                  [](const World& w) { return rows_of(our_full_graph(w)); }, full_by_cgal, 1.3});
 #ifdef ARCWAY_WITH_ACCEL
-  all.push_back({"tangent neighbours of 100 vertices", kBuilder, "CGAL expansion",
+  all.push_back({"tangent neighbours of 100 vertices", kOurReducedBuilder, "CGAL expansion",
                  [](const World& w) {
                    const TangentNeighbours neighbours(w);
                    Rows rows;
@@ -164,7 +142,7 @@ std::vector<Contest> contests() {
                    return rows;
                  },
                  1.2});
-  all.push_back({"vertices seen from 100 vertices", kFullBuilder, "CGAL expansion",
+  all.push_back({"vertices seen from 100 vertices", kOurFullBuilder, "CGAL expansion",
                  [](const World& w) {
                    const VisibilityMap map(w);
                    Rows rows;
@@ -180,10 +158,11 @@ std::vector<Contest> contests() {
                  1.2});
 #endif
   const auto triangulation = [](const World& w) { return Rows{{triangulate_by_cgal(w)}, {}}; };
-  all.push_back({"reduced graph, against a triangulation alone", kBuilder, "CGAL triangulation",
+  all.push_back({"reduced graph, against a triangulation alone", kOurReducedBuilder, "CGAL triangulation",
                  [](const World& w) { return rows_of(our_reduced_graph(w)); }, triangulation, 1.1, false});
 #ifdef ARCWAY_WITH_ACCEL
-  all.push_back({"reduced graph by two threads, against a triangulation alone by one", kBuilder, "CGAL triangulation",
+  all.push_back({"reduced graph by two threads, against a triangulation alone by one", kOurReducedBuilder,
+                 "CGAL triangulation",
                  [](const World& w) {
                    const TbbExecutor two(2);
                    return rows_of(build_reduced_visibility_graph_by_wedges(w, two));

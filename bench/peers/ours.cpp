@@ -1,0 +1,31 @@
+#include "bench/peers/ours.h"
+
+#ifdef ARCWAY_WITH_ACCEL
+#include "accel/make_queries.h"
+#include "accel/visibility_map.h"
+#include "accel/wedge/wedge_graph.h"
+#endif
+
+namespace arcway::peers {
+
+#ifdef ARCWAY_WITH_ACCEL
+const char* const kOurQueries = "embree";
+const char* const kOurReducedBuilder = "wedge";
+const char* const kOurFullBuilder = "expansion";
+QuerySet our_queries(const World& world) { return make_embree_queries(world); }
+VisibilityGraph our_reduced_graph(const World& world) { return build_reduced_visibility_graph_by_wedges(world); }
+VisibilityGraph our_full_graph(const World& world) { return build_full_visibility_graph_by_expansion(world); }
+#else
+const char* const kOurQueries = "reference";
+const char* const kOurReducedBuilder = "reference";
+const char* const kOurFullBuilder = "reference";
+QuerySet our_queries(const World& world) { return make_reference_queries(world); }
+VisibilityGraph our_reduced_graph(const World& world) {
+  return build_reduced_visibility_graph(world, *our_queries(world).visibility);
+}
+VisibilityGraph our_full_graph(const World& world) {
+  return build_full_visibility_graph(world, *our_queries(world).visibility);
+}
+#endif
+
+}  // namespace arcway::peers
