@@ -8,6 +8,7 @@
 
 #include "accel/wedge/tangent_neighbours.h"
 #include "core/graph/slot_cache.h"
+#include "core/huge_pages.h"
 
 namespace arcway {
 
@@ -31,7 +32,8 @@ std::vector<VisibilityRows::Pair> collect_near_pairs(const World& world, double 
     const Vec2 place = (p - low) / size;
     return (static_cast<std::uint64_t>(place.x()) << 32) + static_cast<std::uint64_t>(place.y());
   };
-  std::vector<Item> items;
+  HugeVector<Item> items;
+  items.reserve(world.convex_vertices().size());
   for (const VertexId v : world.convex_vertices()) items.push_back({cell_of(world.vertex(v)), v});
   std::sort(items.begin(), items.end(),
             [](const Item& a, const Item& b) { return a.cell != b.cell ? a.cell < b.cell : a.vertex < b.vertex; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <vector>
 
@@ -10,8 +11,10 @@
 
 namespace arcway {
 
-/// Memory in pages of 2 MB, where the system has them, for arrays that are read here and there: an address of a small
-/// page is then often not known to the processor, which costs as much as the memory itself.
+/// Memory in pages of 2 MB, where the system has them, for large arrays. An address of a small page is often not known
+/// to the processor, which costs as much as the memory itself where an array is read here and there; and to get a page
+/// from the system costs as much as to fill it. Large arrays are mapped each by itself, as the heap would keep what
+/// lies between two of them.
 template <class T>
 class HugePageAllocator {
  public:
@@ -22,23 +25,47 @@ class HugePageAllocator {
   explicit HugePageAllocator(const HugePageAllocator<U>&) {}
 
   T* allocate(std::size_t count) {
+    if (count > SIZE_MAX / sizeof(T)) throw std::bad_array_new_length();
     const std::size_t bytes = count * sizeof(T);
-    void* memory = ::operator new(bytes, alignment_of(bytes));
-#ifdef __linux__
-    if (bytes >= kPage) madvise(memory, bytes, MADV_HUGEPAGE);
-#endif
-    return static_cast<T*>(memory);
+    return static_cast<T*>(is_mapped(bytes) ? map(bytes) : ::operator new(bytes, kCacheLine));
   }
-  void deallocate(T* memory, std::size_t count) noexcept { ::operator delete(memory, alignment_of(count * sizeof(T))); }
+  void deallocate(T* memory, std::size_t count) noexcept {
+    const std::size_t bytes = count * sizeof(T);
+    if (is_mapped(bytes)) {
+      unmap(memory, bytes);
+    } else {
+      ::operator delete(memory, kCacheLine);
+    }
+  }
 
   friend bool operator==(const HugePageAllocator&, const HugePageAllocator&) { return true; }
 
  private:
-  static constexpr std::size_t kPage = std::size_t{1} << 21;
-  static constexpr std::size_t kCacheLine = 64;
-  static std::align_val_t alignment_of(std::size_t bytes) {
-    return std::align_val_t{bytes >= kPage ? kPage : kCacheLine};
+  static constexpr std::align_val_t kCacheLine{64};
+#ifdef __linux__
+  static constexpr std::size_t kHugePage = std::size_t{1} << 21;
+
+  static bool is_mapped(std::size_t bytes) { return bytes >= kHugePage; }
+  // In whole huge pages, as the small ones of a rest would take longer than all others: the ends are given back.
+  static void* map(std::size_t bytes) {
+    if (bytes > SIZE_MAX - 2 * kHugePage) throw std::bad_alloc();
+    const std::size_t length = whole_pages(bytes);
+    void* const mapped = mmap(nullptr, length + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (mapped == MAP_FAILED) throw std::bad_alloc();
+    char* const begin = static_cast<char*>(mapped);
+    const std::size_t before = (kHugePage - reinterpret_cast<std::uintptr_t>(mapped) % kHugePage) % kHugePage;
+    if (before > 0) munmap(begin, before);
+    munmap(begin + before + length, kHugePage - before);
+    madvise(begin + before, length, MADV_HUGEPAGE);
+    return begin + before;
   }
+  static void unmap(void* memory, std::size_t bytes) noexcept { munmap(memory, whole_pages(bytes)); }
+  static std::size_t whole_pages(std::size_t bytes) { return (bytes + kHugePage - 1) / kHugePage * kHugePage; }
+#else
+  static bool is_mapped(std::size_t) { return false; }
+  static void* map(std::size_t) { return nullptr; }
+  static void unmap(void*, std::size_t) noexcept {}
+#endif
 };
 
 template <class T>

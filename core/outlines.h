@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "core/geometry/box_tree.h"
+#include "core/huge_pages.h"
 #include "core/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -51,9 +51,9 @@ class Outlines {
     VertexId vertex;
     std::uint32_t point;
   };
-  std::vector<Vec2> points_;
-  std::vector<Start> starts_;  // one more than pieces
-  std::vector<Box> boxes_;
+  HugeVector<Vec2> points_;
+  HugeVector<Start> starts_;  // one more than pieces
+  HugeVector<Box> boxes_;
   BoxTree tree_;
 };
 

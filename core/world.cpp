@@ -8,6 +8,7 @@
 
 #include "core/geometry/box_tree.h"
 #include "core/geometry/ray_parity.h"
+#include "core/huge_pages.h"
 #include "core/world_checks.h"
 
 namespace arcway {
@@ -19,14 +20,14 @@ constexpr std::size_t kScanVertices = 64;
 }  // namespace
 
 struct World::Data {
-  std::vector<Vec2> vertices;
-  std::vector<LineSegment> edges;
-  std::vector<VertexId> next;
-  std::vector<VertexId> previous;
-  std::vector<ObstacleId> obstacle_of;
+  HugeVector<Vec2> vertices;
+  HugeVector<LineSegment> edges;
+  HugeVector<VertexId> next;
+  HugeVector<VertexId> previous;
+  HugeVector<ObstacleId> obstacle_of;
   std::vector<bool> convex;
   std::vector<bool> covered;
-  std::vector<VertexId> convex_vertices;
+  HugeVector<VertexId> convex_vertices;
   std::vector<VertexId> region_starts{0};  // one more than regions
   std::vector<VertexId> ring_starts;
   std::vector<std::size_t> region_rings{0};  // into ring_starts, one more than regions
@@ -120,7 +121,7 @@ struct World::Data {
   // interior, the first one clockwise from it: so each of the coincident vertices has a wedge of its own, and all of
   // them are disjoint.
   void relink_pinches(VertexId first_vertex) {
-    std::vector<VertexId> order(vertices.size() - first_vertex);
+    HugeVector<VertexId> order(vertices.size() - first_vertex);
     std::iota(order.begin(), order.end(), first_vertex);
     const auto key = [this](VertexId v) { return std::tuple(obstacle_of[v], vertices[v].x(), vertices[v].y()); };
     std::sort(order.begin(), order.end(), [&](VertexId v, VertexId w) { return key(v) < key(w); });
@@ -149,7 +150,7 @@ struct World::Data {
     covered.resize(vertices.size());
     const ObstacleId obstacles = static_cast<ObstacleId>(boxes.size()) - (has_bounds ? 1 : 0);
     // Region by region, so that the tree over the edges of a large one lives only for its turn.
-    std::vector<Box> points(which.size());
+    HugeVector<Box> points(which.size());
     for (std::size_t i = 0; i < which.size(); ++i) {
       points[i].extend(vertices[which[i]]);
       covered[which[i]] = false;
@@ -219,7 +220,7 @@ World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
   }
   data->relink_pinches(0);
   data->derive_edges();
-  std::vector<VertexId> all(data->vertices.size());
+  HugeVector<VertexId> all(data->vertices.size());
   std::iota(all.begin(), all.end(), VertexId{0});
   data->mark_covered(all);
   data->list_convex_vertices();
@@ -247,8 +248,8 @@ World World::from_tables(WorldTables tables) {
     data->boxes.push_back(region_box);
     data->box.extend(region_box);
   }
-  data->vertices = std::move(tables.vertices);
-  data->next = std::move(tables.next);
+  data->vertices.assign(tables.vertices.begin(), tables.vertices.end());
+  data->next.assign(tables.next.begin(), tables.next.end());
   data->ring_starts = std::move(tables.ring_starts);
   data->covered.assign(tables.covered.begin(), tables.covered.end());
   data->derive_edges();
@@ -260,8 +261,8 @@ World World::from_tables(WorldTables tables) {
 
 WorldTables World::tables() const {
   WorldTables tables;
-  tables.vertices = data_->vertices;
-  tables.next = data_->next;
+  tables.vertices.assign(data_->vertices.begin(), data_->vertices.end());
+  tables.next.assign(data_->next.begin(), data_->next.end());
   tables.covered.assign(data_->covered.begin(), data_->covered.end());
   tables.ring_starts = data_->ring_starts;
   tables.region_rings.assign(data_->region_rings.begin(), data_->region_rings.end());

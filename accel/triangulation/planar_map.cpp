@@ -25,24 +25,24 @@ struct Keyed {
 };
 
 // Vertices by (x, y): radix sort on x in 2^32 steps, then exactly within equal steps.
-std::vector<VertexId> sorted_vertices(const World& world) {
+BigVector<Keyed> sorted_vertices(const World& world) {
   const std::span<const Vec2> vertices = world.vertices();
   const double low = world.box().min.x();
   const double extent = world.box().max.x() - low;
   const double scale = extent > 0.0 ? 4294967040.0 / extent : 0.0;
-  std::vector<Keyed> keyed(vertices.size()), other(vertices.size());
+  BigVector<Keyed> keyed(vertices.size()), other(vertices.size());
+  constexpr int kBits = 11, kDigits = 3;
+  const auto digit = [](std::uint32_t key, int i) { return (key >> (i * kBits)) & ((1u << kBits) - 1); };
+  std::array<std::array<std::uint32_t, (1u << kBits) + 1>, kDigits> starts{};
   for (VertexId v = 0; v < vertices.size(); ++v) {
     // Monotone in x whatever the rounding; an extent too small for a finite scale leaves one step.
     const double step = std::isfinite(scale) ? (vertices[v].x() - low) * scale : 0.0;
     keyed[v] = {static_cast<std::uint32_t>(step), v};
+    for (int i = 0; i < kDigits; ++i) ++starts[i][digit(keyed[v].key, i) + 1];
   }
-  constexpr int kBits = 11;
-  for (int shift = 0; shift < 32; shift += kBits) {
-    std::array<std::size_t, (1u << kBits) + 1> starts{};
-    const auto digit = [shift](const Keyed& k) { return (k.key >> shift) & ((1u << kBits) - 1); };
-    for (const Keyed& k : keyed) ++starts[digit(k) + 1];
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    for (const Keyed& k : keyed) other[starts[digit(k)]++] = k;
+  for (int i = 0; i < kDigits; ++i) {
+    std::partial_sum(starts[i].begin(), starts[i].end(), starts[i].begin());
+    for (const Keyed& k : keyed) other[starts[i][digit(k.key, i)]++] = k;
     keyed.swap(other);
   }
   const auto before = [&](const Keyed& a, const Keyed& b) {
@@ -54,9 +54,7 @@ std::vector<VertexId> sorted_vertices(const World& world) {
     while (last < keyed.size() && keyed[last].key == keyed[first].key) ++last;
     if (last - first > 1) std::sort(keyed.begin() + first, keyed.begin() + last, before);
   }
-  std::vector<VertexId> order(keyed.size());
-  for (std::size_t i = 0; i < keyed.size(); ++i) order[i] = keyed[i].vertex;
-  return order;
+  return keyed;
 }
 
 // The frame stands off by the size of the map, and far enough to be seen apart in the last place.
@@ -71,20 +69,20 @@ Box frame_of(const Box& box) {
 }
 
 void make_sites(const World& world, PlanarMap& map) {
-  const std::vector<VertexId> order = sorted_vertices(world);
+  const BigVector<Keyed> sorted = sorted_vertices(world);
   const Box frame = frame_of(world.box());
-  map.sites.reserve(order.size() + 4);
+  map.sites.reserve(sorted.size() + 4);
   map.sites.push_back(frame.min);
   map.sites.emplace_back(frame.min.x(), frame.max.y());
-  map.site_of.resize(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i + kAhead < order.size()) {
-      will_need(&world.vertices()[order[i + kAhead]]);
-      will_need(&map.site_of[order[i + kAhead]]);
+  map.site_of.resize(sorted.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i + kAhead < sorted.size()) {
+      will_need(&world.vertices()[sorted[i + kAhead].vertex]);
+      will_need(&map.site_of[sorted[i + kAhead].vertex]);
     }
-    const Vec2& p = world.vertex(order[i]);
+    const Vec2& p = world.vertex(sorted[i].vertex);
     if (i == 0 || p != map.sites.back()) map.sites.push_back(p);
-    map.site_of[order[i]] = static_cast<std::uint32_t>(map.sites.size() - 1);
+    map.site_of[sorted[i].vertex] = static_cast<std::uint32_t>(map.sites.size() - 1);
   }
   map.sites.emplace_back(frame.max.x(), frame.min.y());
   map.sites.push_back(frame.max);
@@ -96,21 +94,24 @@ Edge edge_between(std::uint32_t from, std::uint32_t to, std::int32_t count) {
 }
 
 // Sorts edges by site and slope and makes the tables over them; equal ones become one. Returns false if others overlap.
-bool make_tables(const std::vector<Edge>& unsorted, PlanarMap& map) {
+// The edges are asked for twice, which takes less time than to store them.
+template <class EdgeAt>
+bool make_tables(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
   const auto site_count = static_cast<std::uint32_t>(map.sites.size());
-  std::vector<std::uint32_t>& first = map.first_edge;
+  BigVector<std::uint32_t>& first = map.first_edge;
   first.assign(site_count + 1, 0);
   const Edge bottom{0, site_count - 2, 0, 0}, top{1, site_count - 1, 0, 0};
   first[1] = first[2] = 1;
-  for (const Edge& e : unsorted) ++first[e.low + 1];
+  for (std::size_t i = 0; i < count; ++i) ++first[edge_at(i).low + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
-  map.edges.resize(unsorted.size() + 2);
+  map.edges.resize(count + 2);
   map.edges[0] = bottom;
   map.edges[1] = top;
-  std::vector<std::uint32_t> place(first.begin(), first.end() - 1);
-  for (std::size_t i = 0; i < unsorted.size(); ++i) {
-    if (i + kAhead < unsorted.size()) will_need(&place[unsorted[i + kAhead].low]);
-    map.edges[place[unsorted[i].low]++] = unsorted[i];
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + 2 * kAhead < count) will_need(&first[edge_at(i + 2 * kAhead).low]);
+    if (i + kAhead < count) will_need(map.edges.data() + first[edge_at(i + kAhead).low]);
+    const Edge edge = edge_at(i);
+    map.edges[first[edge.low]++] = edge;
   }
 
   const auto slope_order = [&](const Edge& e, const Edge& f) {
@@ -118,7 +119,7 @@ bool make_tables(const std::vector<Edge>& unsorted, PlanarMap& map) {
   };
   std::uint32_t kept = 2;
   for (std::uint32_t s = 2, begin = 2; s < site_count; ++s) {
-    const std::uint32_t end = first[s + 1];
+    const std::uint32_t end = first[s];  // for now
     if (end + kAhead < map.edges.size()) will_need(&map.sites[map.edges[end + kAhead].high]);
     if (end - begin == 2) {
       if (slope_order(map.edges[begin + 1], map.edges[begin])) std::swap(map.edges[begin], map.edges[begin + 1]);
@@ -287,16 +288,20 @@ class Cutter {
 bool make_plain_map(const World& world, PlanarMap& map) {
   map = {};
   make_sites(world, map);
-  std::vector<Edge> edges(world.edges().size());
-  for (VertexId v = 0; v < edges.size(); ++v) edges[v] = edge_between(map.site_of[v], map.site_of[world.next(v)], 1);
   map.outside_is_solid = world.has_bounds();
-  return make_tables(edges, map);
+  const auto edge_at = [&](std::size_t i) {
+    const auto v = static_cast<VertexId>(i);
+    return edge_between(map.site_of[v], map.site_of[world.next(v)], 1);
+  };
+  return make_tables(world.edges().size(), edge_at, map);
 }
 
 PlanarMap make_cut_map(const World& world) {
   PlanarMap map;
   make_sites(world, map);
-  make_tables(Cutter(world, map).cut(), map);
+  const std::vector<Edge> pieces = Cutter(world, map).cut();
+  make_tables(
+      pieces.size(), [&](std::size_t i) { return pieces[i]; }, map);
   const auto bounds = static_cast<ObstacleId>(world.obstacle_count());
   map.outside_is_solid = world.has_bounds() && !std::binary_search(map.broken.begin(), map.broken.end(), bounds);
   return map;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "accel/big_vector.h"
 #include "core/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -22,11 +23,11 @@ struct PlanarMap {
     std::int32_t above, below;  ///< whole regions that it bounds and that lie on its upper, lower side
   };
 
-  std::vector<Vec2> sites;
-  std::vector<std::uint32_t> site_of;     ///< by VertexId
-  std::vector<Edge> edges;                ///< ascending by low, at a site by slope; the first two are the frame's
-  std::vector<std::uint32_t> first_edge;  ///< by site: its edges to the right are [first_edge[s], first_edge[s + 1])
-  std::vector<std::uint32_t> incoming;    ///< by site: an edge that ends there, or kNone
+  BigVector<Vec2> sites;
+  BigVector<std::uint32_t> site_of;     ///< by VertexId
+  BigVector<Edge> edges;                ///< ascending by low, at a site by slope; the first two are the frame's
+  BigVector<std::uint32_t> first_edge;  ///< by site: its edges to the right are [first_edge[s], first_edge[s + 1])
+  BigVector<std::uint32_t> incoming;    ///< by site: an edge that ends there, or kNone
   std::vector<ObstacleId> broken;         ///< ascending
   bool outside_is_solid = false;          ///< the world has bounds, and they are whole
 };

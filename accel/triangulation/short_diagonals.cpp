@@ -132,8 +132,8 @@ class Flipper {
   }
 
   std::span<const Vec2> sites_;
-  std::vector<std::uint32_t>& corners_;
-  std::vector<std::uint32_t>& twins_;
+  BigVector<std::uint32_t>& corners_;
+  BigVector<std::uint32_t>& twins_;
   Demand demand_;
   std::uint32_t begin_, size_;
   std::uint32_t next_ = kNone;  // half-edge that flip_all is at

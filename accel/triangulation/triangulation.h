@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "accel/big_vector.h"
 #include "core/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -10,8 +11,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// Triangles over the sites of a PlanarMap. Half-edge h = 3 t + i runs from corner i of triangle t to its next corner,
 /// counter-clockwise; `corners[h]` is the site it starts at.
 struct Triangulation {
-  std::vector<std::uint32_t> corners;  ///< by half-edge
-  std::vector<std::uint32_t> twins;    ///< by half-edge: the same edge in the triangle beyond; kNone along walls
+  BigVector<std::uint32_t> corners;  ///< by half-edge
+  BigVector<std::uint32_t> twins;    ///< by half-edge: the same edge in the triangle beyond; kNone along walls
 
   static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }

@@ -40,7 +40,7 @@ SightMap::SightMap(const World& world, const Executor& executor, Diagonals short
   edge_is_covered_ = std::move(space->edge_is_covered);
   map_.incoming = {};
   shorten_diagonals(map_.sites, space->triangulation, shortened, executor);
-  std::vector<Wall> walls = lay_out_doors(std::move(space->triangulation), executor);
+  BigVector<Wall> walls = lay_out_doors(std::move(space->triangulation), executor);
   lay_out_nodes(order, std::move(walls), executor);
   map_.site_of = {};
 

@@ -9,7 +9,7 @@
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/short_diagonals.h"
 #include "accel/triangulation/triangulation.h"
-#include "accel/wedge/big_vector.h"
+#include "accel/big_vector.h"
 #include "accel/wedge/by_site.h"
 #include "core/executor.h"
 #include "core/geometry/box_tree.h"
@@ -118,8 +118,8 @@ class SightMap {
   };
   static constexpr Wall kNoWall{kNone, kNone}, kSeveralWalls{0, kNone};
   /// Doors in the order of the tiles of their triangles.
-  std::vector<Wall> lay_out_doors(Triangulation triangulation, const Executor& executor);
-  void lay_out_nodes(const NodeOrder& order, std::vector<Wall> walls, const Executor& executor);
+  BigVector<Wall> lay_out_doors(Triangulation triangulation, const Executor& executor);
+  void lay_out_nodes(const NodeOrder& order, BigVector<Wall> walls, const Executor& executor);
   /// Returns whether all nodes are plain.
   bool lay_out_ring(const Ring& ring, std::span<const Wall> walls);
   [[nodiscard]] std::uint32_t last_door_of_fan(std::uint32_t door, std::uint32_t next_site) const;
@@ -131,7 +131,7 @@ class SightMap {
   std::vector<std::uint8_t> edge_is_covered_;
   BigVector<Door> doors_;
   BigVector<Node> nodes_;
-  std::vector<std::uint32_t> node_at_;  // by site
+  BigVector<std::uint32_t> node_at_;  // by site
   std::vector<Fan> fans_;
   std::vector<std::uint32_t> first_fan_;  // by node, none of plain ones; empty if all are
   BySite left_edges_;

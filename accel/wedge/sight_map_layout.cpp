@@ -53,7 +53,7 @@ SightMap::NodeOrder SightMap::number_nodes() {
 
 // Triangles are read in the order of the sweep and written to their tiles: what a strip of the sweep reads and writes
 // stays in the cache while the sweep passes it.
-std::vector<SightMap::Wall> SightMap::lay_out_doors(Triangulation t, const Executor& executor) {
+BigVector<SightMap::Wall> SightMap::lay_out_doors(Triangulation t, const Executor& executor) {
   const Tiles tiles(world_.box(), map_.sites.size());
   std::vector<std::uint32_t> place(t.triangle_count());
   for (std::size_t i = 0; i < place.size(); ++i) {
@@ -63,7 +63,7 @@ std::vector<SightMap::Wall> SightMap::lay_out_doors(Triangulation t, const Execu
   place = places_by_tile(std::move(place), tiles.count());
 
   doors_.resize(t.corners.size());
-  std::vector<Wall> walls(map_.sites.size(), kNoWall);
+  BigVector<Wall> walls(map_.sites.size(), kNoWall);
   const auto fetch = [&](std::size_t i) {
     for (std::size_t h = 3 * i; h < 3 * i + 3; ++h) {
       will_need(&map_.sites[t.corners[h]]);
@@ -102,7 +102,7 @@ std::vector<SightMap::Wall> SightMap::lay_out_doors(Triangulation t, const Execu
   return walls;
 }
 
-void SightMap::lay_out_nodes(const NodeOrder& order, std::vector<Wall> walls, const Executor& executor) {
+void SightMap::lay_out_nodes(const NodeOrder& order, BigVector<Wall> walls, const Executor& executor) {
   for (const std::uint32_t site : order.shared_sites) walls[site] = kSeveralWalls;
   nodes_.resize(order.node_count);
   std::atomic<bool> are_all_plain = true;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "accel/big_vector.h"
 #include "accel/triangulation/free_space_sweep.h"
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/short_diagonals.h"
@@ -79,7 +80,7 @@ void sweep(benchmark::State& state, const Worlds& worlds, const Executor& /*exec
 
 void flip(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
   struct Swept {
-    std::vector<Vec2> sites;
+    BigVector<Vec2> sites;
     Triangulation triangulation;
   };
   const auto swept = [](const World& world) {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "core/geometry/vec2.h"
+#include "core/huge_pages.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -93,8 +93,8 @@ class BoxTree {
   };
   void build(std::uint32_t first, std::uint32_t last);
 
-  std::vector<Node> nodes_;
-  std::vector<Item> items_;
+  HugeVector<Node> nodes_;
+  HugeVector<Item> items_;
 };
 
 }  // namespace arcway

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "core/huge_pages.h"
+
 namespace [[gnu::visibility("default")]] arcway {
 
 /// A fixed number of values, each made when it is first asked for and kept until the cache is destroyed. Any number of
@@ -12,11 +14,11 @@ namespace [[gnu::visibility("default")]] arcway {
 template <class Value>
 class SlotCache {
  public:
-  explicit SlotCache(std::size_t count) : slots_(new std::atomic<const Value*>[count]()), count_(count) {}
+  explicit SlotCache(std::size_t count) : slots_(count) {}
   SlotCache(const SlotCache&) = delete;
   SlotCache& operator=(const SlotCache&) = delete;
   ~SlotCache() {
-    for (std::size_t i = 0; i < count_; ++i) delete slots_[i].load(std::memory_order_relaxed);
+    for (const auto& slot : slots_) delete slot.load(std::memory_order_relaxed);
   }
 
   /// The value of slot i, if it has been made.
@@ -33,8 +35,7 @@ class SlotCache {
   }
 
  private:
-  std::unique_ptr<std::atomic<const Value*>[]> slots_;
-  std::size_t count_;
+  mutable HugeVector<std::atomic<const Value*>> slots_;
 };
 
 }  // namespace arcway

@@ -83,7 +83,7 @@ TurnCircles::ByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last
   visit([&](VertexId v, std::uint32_t) { ++result.starts[v + 1]; });
   std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
   result.circles.resize(result.starts.back());
-  std::vector<std::uint64_t> next(result.starts.begin(), result.starts.end() - 1);
+  HugeVector<std::uint64_t> next(result.starts.begin(), result.starts.end() - 1);
   visit([&](VertexId v, std::uint32_t c) { result.circles[next[v]++] = c; });
   return result;
 }

@@ -8,6 +8,7 @@
 #include "core/graph/extra_circles.h"
 #include "core/graph/turn_circle.h"
 #include "core/graph/visibility_rows.h"
+#include "core/huge_pages.h"
 #include "core/vehicle.h"
 #include "core/world.h"
 
@@ -79,7 +80,7 @@ class TurnCircles {
       return starts.empty() ? std::span<const std::uint32_t>()
                             : std::span(circles).subspan(starts[v], starts[v + 1] - starts[v]);
     }
-    std::vector<std::uint64_t> starts;
+    HugeVector<std::uint64_t> starts;
     std::vector<std::uint32_t> circles;
   };
   // The circles [first, last), one in so many, by the vertices that they know.
@@ -91,10 +92,10 @@ class TurnCircles {
   [[nodiscard]] const GateRange& gate_of(std::uint32_t c) const { return gates_[gate_[c - first_of_gates_]]; }
 
   std::size_t radius_count_;
-  std::vector<TurnCircle> circles_;
-  std::vector<std::uint32_t> first_;  // of each vertex's own circles, or kNone
-  ByVertex more_;                     // the left ones of those that are no vertex's own, gates left out
-  ByVertex beside_;                   // those of gates
+  HugeVector<TurnCircle> circles_;
+  HugeVector<std::uint32_t> first_;  // of each vertex's own circles, or kNone
+  ByVertex more_;                    // the left ones of those that are no vertex's own, gates left out
+  ByVertex beside_;                  // those of gates
   std::size_t usual_count_ = 0, first_of_gates_ = 0;
   std::vector<std::uint32_t> gate_;  // by circle from first_of_gates_ on
   std::vector<GateRange> gates_;

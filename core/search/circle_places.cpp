@@ -4,6 +4,7 @@
 #include <cmath>
 #include <compare>
 #include <utility>
+#include <vector>
 
 namespace arcway {
 
@@ -21,7 +22,7 @@ CirclePlaces::CirclePlaces(const TurnCircles& circles, std::shared_ptr<const Out
     : outlines_(std::move(outlines)) {
   const Outlines& pieces = *outlines_;
   const std::span<const TurnCircle> all = circles.all();
-  std::vector<Box> boxes(pieces.size());
+  HugeVector<Box> boxes(pieces.size());
   circles_.reserve(all.size());
   groups_.reserve(pieces.size());
   first_group_.reserve(pieces.size() + 1);

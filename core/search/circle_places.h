@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "core/geometry/box_tree.h"
 #include "core/graph/turn_circles.h"
+#include "core/huge_pages.h"
 #include "core/outlines.h"
 
 namespace arcway {
@@ -38,10 +38,10 @@ class CirclePlaces {
 
  private:
   std::shared_ptr<const Outlines> outlines_;
-  std::vector<std::uint32_t> circles_;
-  std::vector<Group> groups_;
-  std::vector<std::uint32_t> first_group_;  // by piece, one more
-  BoxTree tree_;                            // of the pieces
+  HugeVector<std::uint32_t> circles_;
+  HugeVector<Group> groups_;
+  HugeVector<std::uint32_t> first_group_;  // by piece, one more
+  BoxTree tree_;                           // of the pieces
 };
 
 }  // namespace arcway
