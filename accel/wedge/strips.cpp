@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/geometry/predicates.h"
+#include "core/prefetch.h"
 
 namespace arcway {
 
@@ -88,19 +89,27 @@ int Strips::Wall::turn(const Vec2& s, const Vec2& p, const Vec2& q) const { retu
 std::uint32_t Strips::Wall::limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
                                        std::uint32_t guess) const {
   if (nodes == 0) return kNone;
+  const auto fetch = [this](std::uint32_t i) {
+    will_need(&node(i).at);
+    will_need(step > 0 ? &node(i).next : &node(i).previous);
+  };
   if (passed == 0 && turn(s, step > 0 ? first->previous : first->next, first->at) >= 0) return kNone;
   std::uint32_t low = std::max(passed, 1u) - 1, high = nodes - 1;
   std::uint32_t far = guess == kNone ? nodes : 1;  // how far from the last one the next one is looked for
   std::uint32_t middle = guess == kNone ? low + (high - low) / 2 : std::clamp(guess, low, std::max(high, low + 1) - 1);
   for (; low < high; far *= 2) {
+    // Where it goes on from here, either way.
+    const std::uint32_t ahead = middle + 1 + std::min(far - 1, (high - middle - 1) / 2);
+    const std::uint32_t back = middle - std::min(far, (middle - low + 1) / 2);
+    fetch(ahead);
+    fetch(back);
     const SightMap::Node& n = node(middle);
-    if (turn(s, n.at, step > 0 ? n.next : n.previous) < 0) {
+    const bool is_ahead = turn(s, n.at, step > 0 ? n.next : n.previous) < 0;
+    if (is_ahead)
       low = middle + 1;
-      middle = low + std::min(far - 1, (high - low) / 2);
-    } else {
+    else
       high = middle;
-      middle = high - std::min(far, (high - low + 1) / 2);
-    }
+    middle = is_ahead ? ahead : back;
   }
   return low;
 }
