@@ -122,10 +122,11 @@ PlanRequest plain(const TourRequest& request) {
 
 std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
                                   const PlanLimits& limits) {
+  const Validator validator(planner.world());
   std::vector<CheckedPlan> plans;
   if (arguments.alternatives == 1) {
     Tour tour = plan_tour(planner, request, limits);
-    plans.push_back(checked(planner, std::move(tour.plan), request.reverse));
+    plans.push_back(checked(validator, planner.vehicle(), std::move(tour.plan), request.reverse));
     plans.back().goal = tour.goal;
     plans.back().passed = std::move(tour.passed);
     return plans;
@@ -134,7 +135,7 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
   if (!request.via.empty() || request.goals.size() > 1 || !goal.heading)
     throw UsageError("--alternatives: only to one goal with a heading, and without --via");
   for (PlanResult& result : plan_alternatives(planner, plain(request), arguments.alternatives, limits))
-    plans.push_back(checked(planner, std::move(result), request.reverse));
+    plans.push_back(checked(validator, planner.vehicle(), std::move(result), request.reverse));
   return plans;
 }
 
@@ -199,7 +200,8 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
                       shortest_text(tolerances.first) + " m, near the path within " +
                       shortest_text(plan.rounds.back().tolerance) + " m; planned " + count_text(plan.rounds.size()) +
                       (plan.rounds.size() == 1 ? " time" : " times"));
-  const std::vector<CheckedPlan> plans{checked(plan.planner, std::move(plan.result), request.reverse)};
+  const std::vector<CheckedPlan> plans{
+      checked(Validator(plan.planner.world()), plan.planner.vehicle(), std::move(plan.result), request.reverse)};
   return plan_one(arguments, map, plan.planner, build_seconds, request, plans, team, out);
 }
 

@@ -75,9 +75,10 @@ std::vector<Answer> answer_share(const Planner& planner, std::span<const Numbere
   std::vector<Answer> answers(results.size());
   const ReportingExecutor watched(threads, bar.callback());
   watched.begin_stage("validations");
+  const Validator validator(planner.world());
   watched.for_ranges(results.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const CheckedPlan plan = checked(planner, std::move(results[i]), requests[i].reverse);
+      const CheckedPlan plan = checked(validator, planner.vehicle(), std::move(results[i]), requests[i].reverse);
       Answer& answer = answers[i];
       answer.line = batch_line(queries[i].q, plan);
       if (with_json) answer.json = plan_to_json(plan.result, queries[i].q, planner.vehicle().parameters()) + "\n";

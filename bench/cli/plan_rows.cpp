@@ -8,11 +8,11 @@
 
 namespace arcway::cli {
 
-CheckedPlan checked(const Planner& planner, PlanResult result, bool reverse) {
+CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResult result, bool reverse) {
   CheckedPlan plan{.result = std::move(result), .report = std::nullopt};
   if (plan.result.solved()) {
-    plan.report = validate(planner.world(), planner.vehicle(), plan.result.start, plan.result.goal,
-                           plan.result.timed_path(), {.reverse = reverse});
+    plan.report =
+        validator(vehicle, plan.result.start, plan.result.goal, plan.result.timed_path(), {.reverse = reverse});
   }
   return plan;
 }

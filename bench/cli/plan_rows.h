@@ -18,7 +18,7 @@ struct CheckedPlan {
   std::vector<std::size_t> passed = {};  ///< likewise
   [[nodiscard]] bool good() const { return report && report->valid(); }
 };
-CheckedPlan checked(const Planner& planner, PlanResult result, bool reverse);
+CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResult result, bool reverse);
 
 /// Whether all rows of the reduced graph were found, rather than those that a search asked for.
 bool has_all_rows(const Planner& planner);

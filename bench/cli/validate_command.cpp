@@ -45,15 +45,15 @@ void compare(const char* what, const char* unit, std::optional<double> said, dou
 }
 
 /// What the validator says of one plan; none if it has no path.
-std::optional<bool> validate_plan(const ValidateArguments& arguments, const LoadedMap& map, const std::string& name,
-                                  const PlanFile& plan, std::string& out) {
+std::optional<bool> validate_plan(const ValidateArguments& arguments, const LoadedMap& map, const Validator& validator,
+                                  const std::string& name, const PlanFile& plan, std::string& out) {
   if (plan.path.segments.empty() && plan.status != name_of(PlanStatus::kSolved)) {
     out += name + ": no path to check" + (plan.status.empty() ? "" : " (" + plan.status + ")") + "\n";
     return std::nullopt;
   }
   const auto [origin, vehicle] = robot_of(arguments, map, name, plan);
   const Stopwatch watch;
-  const ValidationReport report = validate(map.world, vehicle, plan.start, plan.goal, plan.path);
+  const ValidationReport report = validator(vehicle, plan.start, plan.goal, plan.path);
   const double seconds = watch.seconds();
 
   std::vector<std::string> complaints;
@@ -84,12 +84,13 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, const Load
 int run_validate(const ValidateArguments& arguments, std::string& out) {
   const LoadedMap map = load_map(arguments.map, arguments.reading);
   const std::vector<PlanOnLine> plans = read_plans(read_file(arguments.path), arguments.path);
+  const Validator validator(map.world);
   std::size_t paths = 0;
   std::size_t valid = 0;
   for (const auto& [line, plan] : plans) {
     std::string name = arguments.path;
     if (plans.size() > 1) name += ":" + std::to_string(line) + (plan.q ? ": query " + std::to_string(*plan.q) : "");
-    const std::optional<bool> verdict = validate_plan(arguments, map, name, plan, out);
+    const std::optional<bool> verdict = validate_plan(arguments, map, validator, name, plan, out);
     paths += verdict ? 1 : 0;
     valid += verdict && *verdict ? 1 : 0;
   }

@@ -12,10 +12,10 @@
 namespace arcway::bench {
 namespace {
 
-bool is_valid(const Planner& planner, const PlanResult& result) {
+bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResult& result) {
   TimedPath path = result.timed_path();
   if (corrupting() && !path.segments.empty()) path.segments.back().length += 0.01;
-  return validate(planner.world(), planner.vehicle(), result.start, result.goal, path).valid();
+  return validator(vehicle, result.start, result.goal, path).valid();
 }
 
 }  // namespace
@@ -43,8 +43,11 @@ std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanR
 }
 
 bool are_right(const Planner& planner, const std::vector<PlanResult>& results) {
-  return std::ranges::any_of(results, &PlanResult::solved) &&
-         std::ranges::all_of(results, [&](const PlanResult& r) { return !r.solved() || is_valid(planner, r); });
+  const Validator validator(planner.world());
+  const Vehicle& vehicle = planner.vehicle();
+  return std::ranges::any_of(results, &PlanResult::solved) && std::ranges::all_of(results, [&](const PlanResult& r) {
+           return !r.solved() || is_valid(validator, vehicle, r);
+         });
 }
 
 }  // namespace arcway::bench

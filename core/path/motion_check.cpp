@@ -102,15 +102,13 @@ double MotionCheck::Rectangle::distance_to(const Vec2& p) const {
   return std::hypot(dx, dy);
 }
 
-MotionCheck::MotionCheck(const World& world, const Vehicle& vehicle)
-    : world_(world), upper_(kInfinity), lower_(kInfinity) {
+MotionCheck::MotionCheck(const World& world, const EdgeGrid& grid, const Vehicle& vehicle)
+    : world_(world), grid_(grid), upper_(kInfinity), lower_(kInfinity) {
   const VehicleParameters& p = vehicle.parameters();
   const double shift = p.steering == Steering::kSymmetric ? 0.0 : 0.5 * p.wheelbase;
   const double ahead = p.steering == Steering::kRear ? -shift : shift;  // from F to the body's centre
   body_ = {ahead - 0.5 * p.length, ahead + 0.5 * p.length, -0.5 * p.width, 0.5 * p.width};
   reach_ = std::hypot(std::max(std::abs(body_.x0), std::abs(body_.x1)), body_.y1);
-  boxes_.reserve(world.edges().size());
-  for (const LineSegment& e : world.edges()) boxes_.push_back(box_of(e));
   if (!world.box().empty())
     largest_ = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
   set_precision();
@@ -127,7 +125,9 @@ std::vector<MotionCheck::Hit> MotionCheck::check(const PathSegment& segment) {
     largest_ = std::max(largest_, p.cwiseAbs().maxCoeff());
   set_precision();
   std::vector<Hit> hits;
-  if (const auto region = swallowing(segment.start)) hits.push_back({*region, 0.0, kNone});
+  if (!is_near_last_end(segment.start))
+    if (const auto region = swallowing(segment.start)) hits.push_back({*region, 0.0, kNone});
+  last_end_ = segment.end();
   if (upper_ == kInfinity) upper_ = body_distance(segment.start);
   if (segment.is_line()) {
     check_line(segment, hits);
@@ -140,13 +140,28 @@ std::vector<MotionCheck::Hit> MotionCheck::check(const PathSegment& segment) {
 
 double MotionCheck::clearance() const { return std::max(0.0, lower_); }
 
+/// From the edges near by, in wider and wider surroundings.
 double MotionCheck::body_distance(const Pose& pose) const {
   const Frame frame(pose);
+  const Box around = Box{frame.origin, frame.origin}.grown(reach_);
   double distance = kInfinity;
-  for (const LineSegment& e : world_.edges()) {
-    distance = std::min(distance, segment_to_rectangle(body_, frame(e.a), frame(e.b)));
+  for (double wide = std::max(grid_.cell(), reach_); !grid_.edges().empty(); wide *= 4.0) {
+    const Box looked_at = around.grown(wide);
+    grid_.visit_near(looked_at, [&](VertexId e) {
+      const LineSegment& edge = world_.edges()[e];
+      distance = std::min(distance, segment_to_rectangle(body_, frame(edge.a), frame(edge.b)));
+    });
+    if (distance <= wide || (looked_at.contains(grid_.box().min) && looked_at.contains(grid_.box().max))) break;
   }
   return distance;
+}
+
+/// Whether the body, moved on from the end of the segment before to a pose, keeps clear of all edges by what was proved
+/// there: then it is in no region that it was not in.
+bool MotionCheck::is_near_last_end(const Pose& pose) const {
+  if (!last_end_) return false;
+  const double turn = std::abs(std::remainder(pose.heading - last_end_->heading, 2.0 * std::numbers::pi));
+  return (pose.position() - last_end_->position()).norm() + turn * reach_ + rounding_ < lower_;
 }
 
 /// The obstacle around a body point by ray crossings of all its rings, or the bounds if it is not in them.
@@ -174,14 +189,9 @@ std::optional<ObstacleId> MotionCheck::swallowing(const Pose& pose) const {
 /// Calls visit(edge) for all edges that can come nearer to the box than the clearance so far.
 template <typename Visit>
 void MotionCheck::for_near(const Box& swept, const Visit& visit) const {
-  for (VertexId e = 0; e < boxes_.size(); ++e) {
-    const double grow = upper_ + rounding_;
-    const Box& box = boxes_[e];
-    if (box.min.x() <= swept.max.x() + grow && swept.min.x() - grow <= box.max.x() &&
-        box.min.y() <= swept.max.y() + grow && swept.min.y() - grow <= box.max.y()) {
-      visit(e);
-    }
-  }
+  grid_.visit_near(swept.grown(upper_ + rounding_), [&](VertexId e) {
+    if (box_of(world_.edges()[e]).overlaps(swept.grown(upper_ + rounding_))) visit(e);
+  });
 }
 
 void MotionCheck::add_hit(std::vector<Hit>& hits, const Hit& hit) const {

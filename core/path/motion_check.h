@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/path/edge_grid.h"
 #include "core/path/path.h"
 #include "core/vehicle.h"
 #include "core/world.h"
@@ -11,10 +12,11 @@ namespace arcway {
 
 /// Collision and clearance of a motion for the validator, segment by segment. Lines: by the rectangle that they sweep;
 /// arcs: bisected until bounds on the distance between body and edges prove them free. Shares no decision with the
-/// planner. O(edges) a segment, more near contact. The world must outlive the use.
+/// planner. O(edges near by) a segment, more near contact. World and grid must outlive the use.
 class MotionCheck {
  public:
-  MotionCheck(const World& world, const Vehicle& vehicle);
+  /// @param grid  of the world's edges.
+  MotionCheck(const World& world, const EdgeGrid& grid, const Vehicle& vehicle);
 
   struct Hit {
     ObstacleId region;
@@ -37,6 +39,7 @@ class MotionCheck {
   void set_precision();
   [[nodiscard]] double body_distance(const Pose& pose) const;
   [[nodiscard]] std::optional<ObstacleId> swallowing(const Pose& pose) const;
+  [[nodiscard]] bool is_near_last_end(const Pose& pose) const;
   template <typename Visit>
   void for_near(const Box& swept, const Visit& visit) const;
   void add_hit(std::vector<Hit>& hits, const Hit& hit) const;
@@ -46,11 +49,12 @@ class MotionCheck {
   void check_arc(const PathSegment& arc, std::vector<Hit>& hits);
 
   const World& world_;
+  const EdgeGrid& grid_;
   Rectangle body_{};
-  double reach_ = 0.0;      ///< of the body from F
-  std::vector<Box> boxes_;  ///< of the edges
-  double largest_ = 0.0;    ///< coordinate of the map, and of the path so far
-  double rounding_ = 0.0;   ///< of a distance
+  double reach_ = 0.0;            ///< of the body from F
+  std::optional<Pose> last_end_;  ///< of the segment before
+  double largest_ = 0.0;          ///< coordinate of the map, and of the path so far
+  double rounding_ = 0.0;         ///< of a distance
   double shortest_interval_ = 0.0, tolerance_ = 0.0;
   double upper_;  ///< a clearance that occurs on the path
   double lower_;  ///< a proved bound so far

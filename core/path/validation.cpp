@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/path/edge_grid.h"
 #include "core/path/motion_check.h"
 #include "core/shortest_text.h"
 
@@ -16,10 +17,11 @@ double heading_difference(double a, double b) { return std::abs(std::remainder(a
 
 bool is_finite(const Pose& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading); }
 
-class Validator {
+class Validation {
  public:
-  Validator(const World& world, const Vehicle& vehicle, const TimedPath& path, const ValidationOptions& options)
-      : world_(world), vehicle_(vehicle), path_(path), options_(options) {}
+  Validation(const World& world, const EdgeGrid& grid, const Vehicle& vehicle, const TimedPath& path,
+             const ValidationOptions& options)
+      : world_(world), grid_(grid), vehicle_(vehicle), path_(path), options_(options) {}
 
   ValidationReport run(const Pose& start, const Pose& goal) {
     const std::size_t n = path_.segments.size();
@@ -98,7 +100,7 @@ class Validator {
   }
 
   void check_motion(const Pose& start) {
-    MotionCheck motion(world_, vehicle_);
+    MotionCheck motion(world_, grid_, vehicle_);
     const auto check = [&](std::size_t i, const PathSegment& segment) {
       for (const MotionCheck::Hit& hit : motion.check(segment)) {
         const bool bounds = world_.has_bounds() && hit.region == world_.obstacle_count();
@@ -190,6 +192,7 @@ class Validator {
   }
 
   const World& world_;
+  const EdgeGrid& grid_;
   const Vehicle& vehicle_;
   const TimedPath& path_;
   const ValidationOptions& options_;
@@ -234,9 +237,22 @@ const char* name_of(Violation violation) {
   return "unknown";
 }
 
+struct Validator::Data {
+  explicit Data(const World& w) : world(w), grid(world.edges()) {}
+  World world;
+  EdgeGrid grid;
+};
+
+Validator::Validator(const World& world) : data_(std::make_shared<const Data>(world)) {}
+
+ValidationReport Validator::operator()(const Vehicle& vehicle, const Pose& start, const Pose& goal,
+                                       const TimedPath& path, const ValidationOptions& options) const {
+  return Validation(data_->world, data_->grid, vehicle, path, options).run(start, goal);
+}
+
 ValidationReport validate(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
                           const TimedPath& path, const ValidationOptions& options) {
-  return Validator(world, vehicle, path, options).run(start, goal);
+  return Validator(world)(vehicle, start, goal, path, options);
 }
 
 }  // namespace arcway

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,9 +65,24 @@ struct ValidationReport {
 /// point can move within it, or the hull of the edge's extreme places seen from the body, grown by the height of the
 /// arcs between them, keeps away; an interval shorter than 1e-9 of the body's reach that is neither is a collision.
 /// Never samples.
-/// Milliseconds for paths of a hundred segments among ten thousand edges.
+/// O(n) to sort the edges by place, some 50 ns each; then a path costs what lies near it: a millisecond or two for a
+/// hundred segments. See Validator for many paths on one map.
 /// @throws std::invalid_argument if speeds or durations are given, but not one a segment.
 ValidationReport validate(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
                           const TimedPath& path, const ValidationOptions& options = {});
+
+/// `validate` for many paths on one map, whose edges are sorted once. Immutable and thread-safe; the world need not
+/// outlive it.
+class Validator {
+ public:
+  explicit Validator(const World& world);
+  /// As `validate`, errors included.
+  [[nodiscard]] ValidationReport operator()(const Vehicle& vehicle, const Pose& start, const Pose& goal,
+                                            const TimedPath& path, const ValidationOptions& options = {}) const;
+
+ private:
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
 
 }  // namespace arcway
