@@ -63,7 +63,7 @@ PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const Plan
       best_cost_(kInfinity),
       second_cost_(kInfinity) {
   search_options_.time_model = options.time_model;
-  search_options_.suboptimality = options.suboptimality;
+  search_options_.suboptimality = options.suboptimality.value_or(0.0);
   search_options_.scout = limits.scout;
   workspace_.unrefined_times.clear();
 }

@@ -320,7 +320,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   PlanRequest request = asked;
   request.start = without_many_turns(asked.start, distance);
   request.goal = without_many_turns(asked.goal, distance);
-  result.statistics.suboptimality = d.options.suboptimality;
+  result.statistics.suboptimality = d.options.suboptimality.value_or(0.0);
   result.lower_bound = travel_time_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse);
   if (!pose_is_free(d.map(), request.start, true, result) || !pose_is_free(d.map(), request.goal, false, result)) {
     result.statistics.total_seconds = total.seconds();

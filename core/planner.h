@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -36,8 +37,11 @@ struct PlannerOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
   TimeModel time_model = TimeModel::kProfile;  ///< of searches
   /// w, from 0 to 1e6: before refinement, a path by single arcs may take up to 1 + w times as long as the fastest one
-  /// of the graph, and is found with fewer expansions. For large maps; see search_arrivals.
-  double suboptimality = 0.0;
+  /// of the graph, and is found with fewer expansions; see search_arrivals. Empty: 0, and kLargeMapSuboptimality on maps
+  /// of more than kExactVertices convex vertices, where the proof that no other path is faster takes most of a query.
+  std::optional<double> suboptimality = std::nullopt;
+  static constexpr std::size_t kExactVertices = 250'000;
+  static constexpr double kLargeMapSuboptimality = 0.02;
   GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
   /// Turning radii of the turn circles [m], each from the vehicle's smallest to kLargestVehicleNumber; empty:
   /// turning_radii(vehicle, world).
@@ -241,7 +245,7 @@ class Planner {
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Vehicle& vehicle() const;
   [[nodiscard]] const QuerySet& queries() const;
-  [[nodiscard]] const PlannerOptions& options() const;  ///< with the radii that are used, without a team
+  [[nodiscard]] const PlannerOptions& options() const;  ///< with the radii and the suboptimality used, without a team
   /// Without vertices if the planner was made from rows.
   [[nodiscard]] const VisibilityGraph& visibility_graph() const;
   /// The rows of the same graph, however the planner was made: for another planner on the map, say.

@@ -59,9 +59,12 @@ void require_margin(const World& world, const Vehicle& vehicle) {
 
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
   options.radii = checked_radii(world, vehicle, std::move(options.radii));
-  if (!(options.suboptimality >= 0.0 && options.suboptimality <= kLargestSuboptimality))
-    throw std::invalid_argument("suboptimality: " + shortest_text(options.suboptimality) + ", must be from 0 to " +
+  const bool is_large = world.convex_vertices().size() > PlannerOptions::kExactVertices;
+  const double suboptimality = options.suboptimality.value_or(is_large ? PlannerOptions::kLargeMapSuboptimality : 0.0);
+  if (!(suboptimality >= 0.0 && suboptimality <= kLargestSuboptimality))
+    throw std::invalid_argument("suboptimality: " + shortest_text(suboptimality) + ", must be from 0 to " +
                                 shortest_text(kLargestSuboptimality));
+  options.suboptimality = suboptimality;
   if (options.manoeuvre_poses > PlannerOptions::kMostManoeuvrePoses)
     throw std::invalid_argument("manoeuvre poses: " + std::to_string(options.manoeuvre_poses) + ", at most " +
                                 std::to_string(PlannerOptions::kMostManoeuvrePoses));

@@ -10,7 +10,7 @@
 
 namespace arcway {
 
-/// The options with their radii: those given, ascending, or those of turning_radii.
+/// The options with their radii: those given, ascending, or those of turning_radii; and with their suboptimality.
 /// @throws std::invalid_argument as Planner's constructors do.
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options);
 

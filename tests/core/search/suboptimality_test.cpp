@@ -3,9 +3,11 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/planner.h"
+#include "core/planner_inputs.h"
 #include "core/query/query_set.h"
 #include "datasets/catalogue.h"
 #include "tests/support/plans.h"
@@ -59,6 +61,24 @@ TEST(Suboptimality, BoundsHowMuchSlowerThePathIs) {
     }
   EXPECT_GT(solved, 200);
   EXPECT_GT(slower, 20);
+}
+
+TEST(Suboptimality, IsAllowedOnLargeMapsUnlessToldOtherwise) {
+  const auto squares = [](std::size_t count) {
+    std::vector<Polygon> obstacles;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 at(3.0 * static_cast<double>(i % 300), 3.0 * static_cast<double>(i / 300));
+      obstacles.push_back({{at, at + Vec2(1, 0), at + Vec2(1, 1), at + Vec2(0, 1)}, {}});
+    }
+    return World(std::move(obstacles));
+  };
+  constexpr std::size_t kMostSquares = PlannerOptions::kExactVertices / 4;
+  const World small = squares(kMostSquares), large = squares(kMostSquares + 1);
+  EXPECT_EQ(checked_options(small, Vehicle(), {}).suboptimality, 0.0);
+  EXPECT_EQ(checked_options(large, Vehicle(), {}).suboptimality, PlannerOptions::kLargeMapSuboptimality);
+  EXPECT_EQ(checked_options(large, Vehicle(), graph_alone(0.0)).suboptimality, 0.0);
+  EXPECT_EQ(checked_options(small, Vehicle(), graph_alone(0.1)).suboptimality, 0.1);
+  EXPECT_EQ(Planner(squares(4), Vehicle()).options().suboptimality, 0.0);
 }
 
 TEST(Suboptimality, IsNeitherNegativeNorBeyondAMillion) {
