@@ -9,7 +9,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "datasets/catalogue.h"
 #include "tests/support/boxes.h"
+#include "tests/support/random_inputs.h"
 
 namespace arcway {
 namespace {
@@ -92,6 +94,30 @@ TEST(Validation, EmptyPathStaysAtTheStart) {
   EXPECT_TRUE(validate(kEmpty, kVehicle, here, here, {}).valid());
   EXPECT_EQ(kinds(validate(kEmpty, kVehicle, here, {2.0, 1.0, 0.0}, {})), Kinds{Violation::kGoalPose});
   EXPECT_EQ(kinds(validate(World({box(0.0, 0.0, 3.0, 3.0)}), kVehicle, here, here, {})), Kinds{Violation::kCollision});
+}
+
+TEST(Validation, NoticesThatAJointLeadsIntoAnObstacle) {
+  const TimedPath path{{{{0, 0, 0}, 1.0, 0.0}, {{15, 0, 0}, 1.0, 0.0}}, {}, {}, {}};
+  EXPECT_EQ(kinds(check(World({box(5, -5, 30, 5)}), path)), (Kinds{Violation::kPositionJump, Violation::kCollision}));
+}
+
+TEST(Validation, OfManyPathsIsThatOfEach) {
+  const World world = catalogue_world("clutter/star/n60/m10/f30/s3");
+  const Validator validator(world);
+  test::Random random(5);
+  int valid = 0, invalid = 0;
+  for (int i = 0; i < 200; ++i) {
+    Path path{{{random.uniform(0, 60), random.uniform(0, 60), random.uniform(0, 6)}, random.uniform(0, 4), 0.0}};
+    path.push_back({path.back().end(), random.uniform(0, 4), random.uniform(-1, 1) / kRadius});
+    const TimedPath timed{path, {}, {}, {}};
+    const ValidationReport once = check(world, timed);
+    const ValidationReport kept = validator(kVehicle, path.front().start, path.back().end(), timed);
+    EXPECT_EQ(kinds(once), kinds(kept));
+    EXPECT_EQ(once.min_clearance, kept.min_clearance);
+    ++(once.valid() ? valid : invalid);
+  }
+  EXPECT_GT(valid, 10);
+  EXPECT_GT(invalid, 10);
 }
 
 TEST(Validation, Numbers) {
