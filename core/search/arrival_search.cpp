@@ -348,7 +348,7 @@ class ArrivalSearch {
       const TerminalLink& link = ends_.start_link(i);
       if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
       const double radius = circles_.circle(link.circle).radius;
-      const Vec2 end = link.line.start.position() + link.line.length * direction_of(link.line.start.heading);
+      const Vec2 end = link.line.start.position() + link.line.length * quick_direction_of(link.line.start.heading);
       push(Kind::kStart, i, estimate(joint, link.turn, from.circle.radius, link.line.length, end, radius));
     }
   }
@@ -413,7 +413,7 @@ class ArrivalSearch {
     walk_links(circles_.links_from(label.circle), circle.side, label.heading,
                [&](std::uint32_t at, const FeasibleGraph::Link& link, double turn) {
                  if (!goes_on(turn)) return false;
-                 const Vec2 ahead = direction_of(link.heading);
+                 const Vec2 ahead = quick_direction_of(link.heading);
                  const Vec2 from = circle.center - sign_of(circle.side) * circle.radius * perpendicular(ahead);
                  const double radius = one_radius ? label.radius : circles_.circle(link.to).radius;
                  push(Kind::kGraph, {index, link.to, at, turn, link.heading, link.length},
