@@ -34,7 +34,8 @@ inline Vec2 quick_direction_of(double heading) {
   const double x = (heading - quarters * kQuarter) - quarters * kRestOfQuarter;
   const double u = x * x;
   const double tail_of_sine = 1.0 / 362880 + u * (-1.0 / 39916800 + u * (1.0 / 6227020800 - u / 1307674368000));
-  const double tail_of_cosine = 1.0 / 40320 + u * (-1.0 / 3628800 + u * (1.0 / 479001600 - u / 87178291200));
+  const double tail_of_cosine =
+      1.0 / 40320 + u * (-1.0 / 3628800 + u * (1.0 / 479001600 + u * (-1.0 / 87178291200 + u / 20922789888000)));
   const double sine = x + x * u * (-1.0 / 6 + u * (1.0 / 120 + u * (-1.0 / 5040 + u * tail_of_sine)));
   const double cosine = 1.0 - 0.5 * u + u * u * (1.0 / 24 + u * (-1.0 / 720 + u * tail_of_cosine));
   switch (quarters & 3) {

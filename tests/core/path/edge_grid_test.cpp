@@ -18,9 +18,10 @@ void expect_all_that_meet(const EdgeGrid& grid, const Box& asked) {
   grid.visit_near(asked, [&](VertexId e) { visited.push_back(e); });
   std::sort(visited.begin(), visited.end());
   EXPECT_TRUE(std::adjacent_find(visited.begin(), visited.end()) == visited.end());
-  for (VertexId e = 0; e < grid.edges().size(); ++e)
-    if (box_of(grid.edges()[e]).overlaps(asked))
-      ASSERT_TRUE(std::binary_search(visited.begin(), visited.end(), e)) << "edge " << e;
+  for (VertexId e = 0; e < grid.edges().size(); ++e) {
+    if (!box_of(grid.edges()[e]).overlaps(asked)) continue;
+    ASSERT_TRUE(std::binary_search(visited.begin(), visited.end(), e)) << "edge " << e;
+  }
 }
 
 std::vector<LineSegment> random_edges(test::Random& random, std::size_t count, double width, double height) {
