@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -10,6 +11,10 @@
 #endif
 
 namespace arcway {
+
+/// Told of what is mapped for large arrays, and with a minus of what is given back [bytes], as none of it passes
+/// through operator new: for programs that count their memory. Called by any thread; none at first.
+inline std::atomic<void (*)(std::ptrdiff_t bytes)> huge_pages_observer{nullptr};
 
 /// Memory in pages of 2 MB, where the system has them, for large arrays. An address of a small page is often not known
 /// to the processor, which costs as much as the memory itself where an array is read here and there; and to get a page
@@ -57,9 +62,16 @@ class HugePageAllocator {
     if (before > 0) munmap(begin, before);
     munmap(begin + before + length, kHugePage - before);
     madvise(begin + before, length, MADV_HUGEPAGE);
+    tell(static_cast<std::ptrdiff_t>(length));
     return begin + before;
   }
-  static void unmap(void* memory, std::size_t bytes) noexcept { munmap(memory, whole_pages(bytes)); }
+  static void unmap(void* memory, std::size_t bytes) noexcept {
+    munmap(memory, whole_pages(bytes));
+    tell(-static_cast<std::ptrdiff_t>(whole_pages(bytes)));
+  }
+  static void tell(std::ptrdiff_t bytes) {
+    if (auto* const observer = huge_pages_observer.load(std::memory_order_relaxed)) observer(bytes);
+  }
   static std::size_t whole_pages(std::size_t bytes) { return (bytes + kHugePage - 1) / kHugePage * kHugePage; }
 #else
   static bool is_mapped(std::size_t) { return false; }

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "core/huge_pages.h"
+
 namespace arcway::bench {
 namespace {
 
@@ -13,22 +15,30 @@ std::atomic<std::uint64_t> allocations{0};
 std::atomic<std::int64_t> live{0};
 std::atomic<std::int64_t> peak{0};
 
-[[maybe_unused]] void* counted(void* memory) {
-  if (memory == nullptr) throw std::bad_alloc();
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  const auto bytes = static_cast<std::int64_t>(malloc_usable_size(memory));
+void count(std::int64_t bytes) {
+  if (bytes > 0) allocations.fetch_add(1, std::memory_order_relaxed);
   const std::int64_t now = live.fetch_add(bytes, std::memory_order_relaxed) + bytes;
   std::int64_t highest = peak.load(std::memory_order_relaxed);
   while (now > highest && !peak.compare_exchange_weak(highest, now, std::memory_order_relaxed)) {
   }
+}
+
+[[maybe_unused]] void* counted(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  count(static_cast<std::int64_t>(malloc_usable_size(memory)));
   return memory;
 }
 
 [[maybe_unused]] void release(void* memory) {
   if (memory == nullptr) return;
-  live.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(memory)), std::memory_order_relaxed);
+  count(-static_cast<std::int64_t>(malloc_usable_size(memory)));
   std::free(memory);
 }
+
+[[maybe_unused]] const bool counts_huge_pages = [] {
+  huge_pages_observer = [](std::ptrdiff_t bytes) { count(bytes); };
+  return true;
+}();
 
 }  // namespace
 

@@ -4,7 +4,8 @@
 
 namespace arcway::bench {
 
-/// What this program has asked of the heap, counted by its own operator new and delete; all threads.
+/// What this program has asked of the heap, counted by its own operator new and delete, and of the system for large
+/// arrays; all threads.
 struct HeapUse {
   std::uint64_t allocations = 0;
   std::int64_t live_bytes = 0;

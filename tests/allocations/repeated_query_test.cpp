@@ -7,6 +7,7 @@
 
 #include "accel/make_queries.h"
 #include "bench/suites/allocations.h"
+#include "core/huge_pages.h"
 #include "core/planner.h"
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
@@ -18,7 +19,8 @@ namespace {
 bool counts() {
   const std::uint64_t before = bench::heap_use().allocations;
   const auto memory = std::make_unique<std::vector<int>>(100);
-  return bench::heap_use().allocations >= before + 2 && memory->size() == 100;
+  const HugeVector<int> large(1'000'000);
+  return bench::heap_use().allocations >= before + 3 && memory->size() == 100 && large.back() == 0;
 }
 
 struct Case {
