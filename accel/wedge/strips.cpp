@@ -97,7 +97,7 @@ std::uint32_t Strips::Wall::limit_from(const Vec2& s, std::uint32_t nodes, std::
   std::uint32_t low = std::max(passed, 1u) - 1, high = nodes - 1;
   std::uint32_t far = guess == kNone ? nodes : 1;  // how far from the last one the next one is looked for
   std::uint32_t middle = guess == kNone ? low + (high - low) / 2 : std::clamp(guess, low, std::max(high, low + 1) - 1);
-  for (; low < high; far *= 2) {
+  for (; low < high; far = std::min(2 * far, nodes)) {
     // Where it goes on from here, either way.
     const std::uint32_t ahead = middle + 1 + std::min(far - 1, (high - middle - 1) / 2);
     const std::uint32_t back = middle - std::min(far, (middle - low + 1) / 2);
