@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kEdgesPerCell = 2.0;
 constexpr double kMostColumns = 16384.0;
-constexpr std::uint64_t kMostCells = 64;  // of an edge that is not long
+constexpr std::uint64_t kMostCells = 16;  // of an edge that is not long
 
 }  // namespace
 

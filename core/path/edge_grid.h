@@ -11,8 +11,9 @@
 
 namespace arcway {
 
-/// The edges of a world by place, for the validator, which shares no tree with the planner: cells of one size, some two
-/// edges each. What is longer than most is looked at whatever is asked for. Immutable and thread-safe. O(n).
+/// The edges of a world by place, for the validator, which shares no tree with the planner: cells of one size, two
+/// edges each if they lie all over the map. Edges that span many cells are looked at whatever is asked for. Immutable
+/// and thread-safe. O(n).
 class EdgeGrid {
  public:
   /// @param edges  which must outlive this.
@@ -28,12 +29,12 @@ class EdgeGrid {
   template <class Visit>
   void visit_near(const Box& box, Visit&& visit) const {
     for (const VertexId e : long_) visit(e);
-    if (edges_.empty()) return;
+    if (edges_.empty() || !box.overlaps(box_)) return;
     const Cells asked = cells_of(box);
     for (std::uint32_t y = asked.y0; y <= asked.y1; ++y)
       for (std::uint32_t x = asked.x0; x <= asked.x1; ++x) {
         const std::size_t c = index_of(x, y);
-        for (std::uint32_t i = starts_[c]; i < starts_[c + 1]; ++i) {
+        for (std::uint64_t i = starts_[c]; i < starts_[c + 1]; ++i) {
           const Cells own = cells_of(box_of(edges_[items_[i]]));
           if (x == std::max(own.x0, asked.x0) && y == std::max(own.y0, asked.y0)) visit(items_[i]);
         }
@@ -61,7 +62,7 @@ class EdgeGrid {
   Box box_;
   double cell_ = 1.0;
   std::uint32_t columns_ = 1, rows_ = 1;
-  HugeVector<std::uint32_t> starts_;  // by cell, one more
+  HugeVector<std::uint64_t> starts_;  // by cell, one more
   HugeVector<VertexId> items_;
   HugeVector<VertexId> long_;
 };

@@ -145,7 +145,9 @@ double MotionCheck::body_distance(const Pose& pose) const {
   const Frame frame(pose);
   const Box around = Box{frame.origin, frame.origin}.grown(reach_);
   double distance = kInfinity;
-  for (double wide = std::max(grid_.cell(), reach_); !grid_.edges().empty(); wide *= 4.0) {
+  double wide = std::max(grid_.cell(), reach_);
+  if (!grid_.edges().empty()) wide = std::max(wide, grid_.box().distance_to(around));
+  for (; !grid_.edges().empty(); wide *= 4.0) {
     const Box looked_at = around.grown(wide);
     grid_.visit_near(looked_at, [&](VertexId e) {
       const LineSegment& edge = world_.edges()[e];
@@ -264,15 +266,17 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
   const double length = std::min(arc.length, 2.0 * std::numbers::pi / std::abs(arc.curvature));
   const Vec2 middle = arc.at(0.5 * length).position();
   const Vec2 margin = Vec2::Constant(0.5 * length + reach_);
+  // And one that can be halved.
+  const double shortest = std::max(shortest_interval_, 4.0 * std::numeric_limits<double>::epsilon() * length);
   std::priority_queue<Node> queue;
   const auto consider = [&](double s0, double s1, VertexId e) {
     bool contact = false;
     const double lower = bound(arc, s0, s1, e, contact);
-    if (contact || (!(lower > 0.0) && s1 - s0 < shortest_interval_)) {
+    if (contact || (!(lower > 0.0) && s1 - s0 < shortest)) {
       add_hit(hits, {world_.obstacle_of(e), 0.5 * (s0 + s1), e});
       return;
     }
-    if (s1 - s0 < shortest_interval_) {
+    if (s1 - s0 < shortest) {
       lower_ = std::min(lower_, lower);
     } else {
       queue.push({lower, s0, s1, e});
