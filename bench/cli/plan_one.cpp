@@ -122,10 +122,10 @@ PlanRequest plain(const TourRequest& request) {
 
 std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
                                   const PlanLimits& limits) {
-  const Validator validator(planner.world());
   std::vector<CheckedPlan> plans;
   if (arguments.alternatives == 1) {
     Tour tour = plan_tour(planner, request, limits);
+    const Validator validator(planner.world());
     plans.push_back(checked(validator, planner.vehicle(), std::move(tour.plan), request.reverse));
     plans.back().goal = tour.goal;
     plans.back().passed = std::move(tour.passed);
@@ -134,7 +134,9 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
   const Place& goal = request.goals.front();
   if (!request.via.empty() || request.goals.size() > 1 || !goal.heading)
     throw UsageError("--alternatives: only to one goal with a heading, and without --via");
-  for (PlanResult& result : plan_alternatives(planner, plain(request), arguments.alternatives, limits))
+  std::vector<PlanResult> results = plan_alternatives(planner, plain(request), arguments.alternatives, limits);
+  const Validator validator(planner.world());
+  for (PlanResult& result : results)
     plans.push_back(checked(validator, planner.vehicle(), std::move(result), request.reverse));
   return plans;
 }

@@ -99,7 +99,10 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
                     " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " +
-                    arguments.build.summary(planner.world()) + "\n";
+                    arguments.build.summary(planner.world());
+  const double suboptimality = planner.options().suboptimality.value_or(0.0);
+  if (suboptimality > 0.0) csv += "; suboptimality " + shortest_text(suboptimality);
+  csv += "\n";
   csv += "q,status,travel_time_s,length_m,lower_bound_s,min_clearance_m,valid,plan_ms\n";
   std::string json;
   std::size_t solved = 0;
@@ -133,6 +136,7 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   out += row("query times", "median " + duration_text(seconds.empty() ? 0.0 : bench::median(seconds)) + ", sum " +
                                 duration_text(std::accumulate(seconds.begin(), seconds.end(), 0.0)) + "; " +
                                 duration_text(total) + " with validation");
+  out += suboptimality_row(suboptimality);
   out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
          row("built by", arguments.build.summary(planner.world())) + warning_rows(map);
   if (team.rank() == 0) files.write();

@@ -59,10 +59,13 @@ std::string search_rows(const PlanStatistics& statistics) {
                        duration_text(statistics.profile_seconds) + ")");
   text += row("arrivals",
               count_text(statistics.nodes_expanded) + " expanded, " + count_text(statistics.nodes_pushed) + " pushed");
-  if (statistics.suboptimality > 0.0)
-    text += row("search", "may take up to " + shortest_text(1.0 + statistics.suboptimality) +
-                              " times as long as the fastest of the graph");
-  return text;
+  return text + suboptimality_row(statistics.suboptimality);
+}
+
+std::string suboptimality_row(double suboptimality) {
+  if (suboptimality == 0.0) return "";
+  return row("search",
+             "may take up to " + shortest_text(1.0 + suboptimality) + " times as long as the fastest of the graph");
 }
 
 std::string validity_row(const ValidationReport& report) {

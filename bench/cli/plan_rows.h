@@ -27,6 +27,8 @@ bool has_all_rows(const Planner& planner);
 std::string prepare_rows(const Planner& planner, double build_seconds);
 std::string result_rows(const PlanResult& result);
 std::string search_rows(const PlanStatistics& statistics);
+/// What searches were allowed; nothing if the fastest path of the graph was asked for.
+std::string suboptimality_row(double suboptimality);
 std::string validity_row(const ValidationReport& report);
 
 }  // namespace arcway::cli
