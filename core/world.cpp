@@ -249,6 +249,7 @@ World World::from_tables(WorldTables tables) {
     data->box.extend(region_box);
   }
   data->vertices.assign(tables.vertices.begin(), tables.vertices.end());
+  tables.vertices = {};
   data->next.assign(tables.next.begin(), tables.next.end());
   data->ring_starts = std::move(tables.ring_starts);
   data->covered.assign(tables.covered.begin(), tables.covered.end());
