@@ -37,8 +37,9 @@ struct PlannerOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
   TimeModel time_model = TimeModel::kProfile;  ///< of searches
   /// w, from 0 to 1e6: before refinement, a path by single arcs may take up to 1 + w times as long as the fastest one
-  /// of the graph, and is found with fewer expansions; see search_arrivals. Empty: 0, and kLargeMapSuboptimality on maps
-  /// of more than kExactVertices convex vertices, where the proof that no other path is faster takes most of a query.
+  /// of the graph, and is found with fewer expansions; see search_arrivals. Empty: 0, and kLargeMapSuboptimality on
+  /// maps of more than kExactVertices convex vertices, where the proof that no other path is faster takes most of a
+  /// query.
   std::optional<double> suboptimality = std::nullopt;
   static constexpr std::size_t kExactVertices = 250'000;
   static constexpr double kLargeMapSuboptimality = 0.02;
@@ -227,10 +228,10 @@ class Planner {
   Planner(const Planner& before, const World& world, const WorldChange& change, const QuerySet& queries,
           VisibilityGraph visibility_graph, const PlannerOptions& options, const Executor& executor);
 
-  /// The fastest path of the graph under the true speed profile, refined. With `reverse` the cheapest found of that
-  /// one, of paths by the graph with motions in both gears at their ends, and of short ones in both gears all the way:
-  /// never dearer than without. Without it no segment is driven backwards. Never throws for want of a path: see
-  /// PlanResult::status.
+  /// The fastest path of the graph under the true speed profile, as far as PlannerOptions::suboptimality asks for it,
+  /// refined. With `reverse` the cheapest found of that one, of paths by the graph with motions in both gears at their
+  /// ends, and of short ones in both gears all the way: never dearer than without. Without it no segment is driven
+  /// backwards. Never throws for want of a path: see PlanResult::status.
   /// Headings of so many turns that their rounding would show at the goal are taken for those within one: segments say
   /// these, the result's start and goal those asked for.
   /// @throws std::invalid_argument if a number of a pose is neither 0 nor of magnitude 1e-50 to 1e9, the safety margin

@@ -36,12 +36,12 @@ struct Tour {
 
 /// The fastest way found by places to one of several goals.
 ///
-/// Legs between two poses are plans of `planner`, the fastest from rest to rest; the whole is driven without a stop at
-/// the places on its way but where the gear changes, and is what is compared. One leg to several poses is the least of
-/// the plans to each, those left out that cannot be it by their lower bounds. An open heading is chosen from 24 that
-/// are tried and, at the goal, improved from the best of them on, by halving steps and by going straight there: no
-/// slower than with any heading tried. Of each pose at a place on the way the way there is kept that costs least if it
-/// ends there. A place on the way with an open heading takes up to 25 plans for each heading of the next place.
+/// Legs between two poses are plans of `planner`, from rest to rest; the whole is driven without a stop at the places
+/// on its way but where the gear changes, and is what is compared. One leg to several poses is the least of the plans
+/// to each, those left out that cannot be it by their lower bounds. An open heading is chosen from 24 that are tried
+/// and, at the goal, improved from the best of them on, by halving steps and by going straight there: no slower than
+/// with any heading tried. Of each pose at a place on the way the way there is kept that costs least if it ends there.
+/// A place on the way with an open heading takes up to 25 plans for each heading of the next place.
 ///
 /// One goal with a heading and nothing on the way gives the plan that Planner::plan gives. Never throws for want of a
 /// path: see PlanResult::status; status and reason name leg and places as they were asked for.

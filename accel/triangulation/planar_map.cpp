@@ -94,7 +94,7 @@ Edge edge_between(std::uint32_t from, std::uint32_t to, std::int32_t count) {
 }
 
 // Sorts edges by site and slope and makes the tables over them; equal ones become one. Returns false if others overlap.
-// The edges are asked for twice, which takes less time than to store them.
+// The edges are asked for again and again, which takes less time than to store them.
 template <class EdgeAt>
 bool make_tables(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
   const auto site_count = static_cast<std::uint32_t>(map.sites.size());

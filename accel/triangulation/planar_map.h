@@ -28,8 +28,8 @@ struct PlanarMap {
   BigVector<Edge> edges;                ///< ascending by low, at a site by slope; the first two are the frame's
   BigVector<std::uint32_t> first_edge;  ///< by site: its edges to the right are [first_edge[s], first_edge[s + 1])
   BigVector<std::uint32_t> incoming;    ///< by site: an edge that ends there, or kNone
-  std::vector<ObstacleId> broken;         ///< ascending
-  bool outside_is_solid = false;          ///< the world has bounds, and they are whole
+  std::vector<ObstacleId> broken;       ///< ascending
+  bool outside_is_solid = false;        ///< the world has bounds, and they are whole
 };
 
 /// Takes all obstacle edges as they are, which may violate what is promised above: overlapping edges that start at a

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "accel/big_vector.h"
 #include "accel/triangulation/free_space_sweep.h"
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/short_diagonals.h"
 #include "accel/triangulation/triangulation.h"
-#include "accel/big_vector.h"
 #include "accel/wedge/by_site.h"
 #include "core/executor.h"
 #include "core/geometry/box_tree.h"
