@@ -117,6 +117,34 @@ TEST(Strips, AreAsLongAsDemanded) {
   }
 }
 
+// A wall that comes nearer up to a node and then recedes, as a point far before it sees it.
+TEST(Strips, FindWhatLimitsSightsOnWallsOfAnyLength) {
+  const Vec2 s(0.0, -1e12);
+  for (const std::uint32_t count : {1u, 2u, 3u, 100u, 1u << 16, 1u << 17}) {
+    for (const double share : {0.0, 0.3, 0.5, 0.7001, 1.0}) {
+      const std::uint32_t nearest = static_cast<std::uint32_t>(share * (count - 1));
+      const auto at = [&](double i) { return Vec2(-(i - nearest) * (i - nearest) / count, i); };
+      std::vector<SightMap::Node> nodes(count);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        nodes[i].previous = at(i - 1.0);
+        nodes[i].at = at(i);
+        nodes[i].next = at(i + 1.0);
+      }
+      const Strips::Wall wall{nodes.data(), 1, count};
+      const std::uint32_t limit = wall.limit_from(s, count, 0);
+      if (nearest == 0) {
+        EXPECT_EQ(limit, 0u);
+      } else {
+        ASSERT_LT(limit, count);
+        EXPECT_LT(wall.turn(s, nodes[limit].previous, nodes[limit].at), 0) << count << " " << limit;
+        EXPECT_TRUE(limit == count - 1 || wall.turn(s, nodes[limit].at, nodes[limit].next) >= 0) << limit;
+      }
+      for (const std::uint32_t guess : {0u, nearest / 2, nearest, count - 1})
+        EXPECT_EQ(wall.limit_from(s, count, 0, guess), limit) << count << " from " << guess;
+    }
+  }
+}
+
 TEST(Strips, AreTheSameForAnyNumberOfThreads) {
   const SightMap map(random_world({.kind = ClutterKind::kConvex, .obstacles = 300, .vertices = 120, .seed = 5}));
   const Strips serial(map, 3), parallel(map, 3, TbbExecutor(2));
