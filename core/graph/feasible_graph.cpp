@@ -351,6 +351,7 @@ struct FeasibleGraph::Data {
   }
 
   [[nodiscard]] const HeadingSet& headings_of(std::uint32_t c) const {
+    if (usual && c < usual->circles.size()) return usual->headings_of(c);
     if (has_headings(c)) return headings[c];
     return lazy_headings.get(c, [&] {
       auto found = std::make_unique<HeadingSet>(queries.sweep->free_headings(body_on(circles[c])));
@@ -445,6 +446,7 @@ struct FeasibleGraph::Data {
   Destinations destinations;
   std::span<const TurnCircle> circles;
   FeasibleGraphCounts counts;
+  std::shared_ptr<const Data> usual;  // of a graph with extra circles: what it knows of the others
 
   std::vector<HeadingSet> headings;  // if eager, or known before a change
   std::vector<Link> links;
@@ -487,9 +489,11 @@ FeasibleGraph::FeasibleGraph(const FeasibleGraph& before, const World& world, co
 }
 
 FeasibleGraph::FeasibleGraph(const FeasibleGraph& usual, const Vehicle& vehicle, const ExtraCircles& extra) {
-  const Data& before = *usual.data_;
-  data_ = std::make_shared<Data>(before.world, vehicle, before.rows, before.queries, before.smallest_radius,
-                                 TurnCircles(before.turn_circles, extra), GraphMode::kLazy);
+  const Data& known = *usual.data_;
+  auto data = std::make_shared<Data>(known.world, vehicle, known.rows, known.queries, known.smallest_radius,
+                                     TurnCircles(known.turn_circles, extra), GraphMode::kLazy);
+  data->usual = usual.data_;
+  data_ = std::move(data);
 }
 
 FeasibleTables FeasibleGraph::tables() const {
