@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/huge_pages.h"
 #include "core/path/dubins.h"
 #include "core/path/speed_profile.h"
 #include "core/search/per_circle.h"
@@ -70,9 +71,9 @@ class SearchEnds {
   std::vector<std::uint32_t> pieces_;  // likewise
   std::vector<Pose> starts_, goals_;
   std::vector<TerminalCircle> start_circles_, goal_circles_;
-  std::vector<TerminalLink> start_links_, found_;
+  HugeVector<TerminalLink> start_links_, found_;
   std::vector<Range> start_link_ranges_;  // by start circle; kNone: not found yet
-  std::vector<GoalLink> goal_links_;
+  HugeVector<GoalLink> goal_links_;
   PerCircle first_goal_link_;
   std::vector<DirectPath> direct_paths_;
   Path path_;             // memory

@@ -39,7 +39,7 @@ void append_circles(const SearchMap& map, std::span<const Terminal> terminals, s
 
 void append_links(const SearchMap& map, std::span<const TerminalCircle> circles, std::uint32_t index,
                   Direction direction, const WayLimit& limit, std::vector<std::uint32_t>& pieces,
-                  std::vector<TerminalLink>& links) {
+                  HugeVector<TerminalLink>& links) {
   const TerminalCircle& own = circles[index];
   if (own.reach < 0.0) return;
   const bool from_start = direction == Direction::kFromStart;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/graph/turn_circle.h"
+#include "core/huge_pages.h"
 #include "core/search/search_map.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -55,6 +56,6 @@ struct WayLimit {
 /// @param pieces  memory.
 void append_links(const SearchMap& map, std::span<const TerminalCircle> circles, std::uint32_t index,
                   Direction direction, const WayLimit& limit, std::vector<std::uint32_t>& pieces,
-                  std::vector<TerminalLink>& links);
+                  HugeVector<TerminalLink>& links);
 
 }  // namespace arcway

@@ -104,7 +104,7 @@ TEST(DeparturesTowards, AreThoseThatLeadThereGoingForwards) {
 bool is_reachable(const SearchMap& map, const PlanRequest& request) {
   HeadingSet headings;
   std::vector<TerminalCircle> starts, goals;
-  std::vector<TerminalLink> start_links, goal_links;
+  HugeVector<TerminalLink> start_links, goal_links;
   std::vector<std::uint32_t> pieces;
   const Terminal start{request.start, {}}, goal{request.goal, {}};
   const WayLimit anywhere{request.goal.position(), std::numeric_limits<double>::infinity()};
