@@ -42,7 +42,7 @@ struct PlannerOptions {
   /// query.
   std::optional<double> suboptimality = std::nullopt;
   static constexpr std::size_t kExactVertices = 250'000;
-  static constexpr double kLargeMapSuboptimality = 0.02;
+  static constexpr double kLargeMapSuboptimality = 0.025;
   GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
   /// Turning radii of the turn circles [m], each from the vehicle's smallest to kLargestVehicleNumber; empty:
   /// turning_radii(vehicle, world).
