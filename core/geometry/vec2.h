@@ -30,7 +30,7 @@ inline Vec2 direction_of(double heading) { return {std::cos(heading), std::sin(h
 inline Vec2 quick_direction_of(double heading) {
   // The heading's distance from a multiple of pi / 2, that as two numbers; then Taylor's series.
   constexpr double kQuarter = 0x1.921fb544p0, kRestOfQuarter = 0x1.0b4611a626331p-34;
-  const int quarters = static_cast<int>(heading * (1.0 / kQuarter) + 0.5);
+  const int quarters = static_cast<int>(heading * (1.0 / kQuarter) + 0.5);  // NOLINT: one of the two nearest will do
   const double x = (heading - quarters * kQuarter) - quarters * kRestOfQuarter;
   const double u = x * x;
   const double tail_of_sine = 1.0 / 362880 + u * (-1.0 / 39916800 + u * (1.0 / 6227020800 - u / 1307674368000));

@@ -54,6 +54,7 @@ struct LazyRow {
 }  // namespace
 
 struct FeasibleGraph::Data {
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): not moved on, as the circles look at it as well
   Data(const World& w, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> r, QuerySet q,
        std::span<const double> radii, GraphMode m, const Executor& executor)
       : Data(w, vehicle, r, std::move(q), checked_radii(radii).front(),
