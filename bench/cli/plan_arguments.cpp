@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/shortest_text.h"
 #include "datasets/svg.h"
 
 namespace arcway::cli {
@@ -50,10 +51,11 @@ void PlanArguments::add_to(CLI::App& command) {
       ->type_name("NAME")
       ->capture_default_str();
   command
-      .add_option(
-          "--suboptimality", suboptimality,
-          "Searches may find a path 1 + W times as long in time as the fastest of the graph; default: 0, on maps "
-          "of more than 250,000 convex vertices 0.02")
+      .add_option("--suboptimality", suboptimality,
+                  "Searches may find a path 1 + W times as long in time as the fastest of the graph; default: 0, on "
+                  "maps of more than " +
+                      count_text(PlannerOptions::kExactVertices) + " convex vertices " +
+                      shortest_text(PlannerOptions::kLargeMapSuboptimality))
       ->type_name("W");
   command
       .add_option("--graph", graph,
