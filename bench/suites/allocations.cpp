@@ -15,9 +15,10 @@ std::atomic<std::uint64_t> allocations{0};
 std::atomic<std::int64_t> live{0};
 std::atomic<std::int64_t> peak{0};
 
-void count(std::int64_t bytes) {
-  if (bytes > 0) allocations.fetch_add(1, std::memory_order_relaxed);
+void count(std::ptrdiff_t bytes) {
   const std::int64_t now = live.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+  if (bytes < 0) return;
+  allocations.fetch_add(1, std::memory_order_relaxed);
   std::int64_t highest = peak.load(std::memory_order_relaxed);
   while (now > highest && !peak.compare_exchange_weak(highest, now, std::memory_order_relaxed)) {
   }
@@ -25,18 +26,18 @@ void count(std::int64_t bytes) {
 
 [[maybe_unused]] void* counted(void* memory) {
   if (memory == nullptr) throw std::bad_alloc();
-  count(static_cast<std::int64_t>(malloc_usable_size(memory)));
+  count(static_cast<std::ptrdiff_t>(malloc_usable_size(memory)));
   return memory;
 }
 
 [[maybe_unused]] void release(void* memory) {
   if (memory == nullptr) return;
-  count(-static_cast<std::int64_t>(malloc_usable_size(memory)));
+  count(-static_cast<std::ptrdiff_t>(malloc_usable_size(memory)));
   std::free(memory);
 }
 
 [[maybe_unused]] const bool counts_huge_pages = [] {
-  huge_pages_observer = [](std::ptrdiff_t bytes) { count(bytes); };
+  huge_pages_observer = count;
   return true;
 }();
 
