@@ -83,4 +83,11 @@ class HugePageAllocator {
 template <class T>
 using HugeVector = std::vector<T, HugePageAllocator<T>>;
 
+/// Empties an array, with memory for so many elements that need not be asked of the system any more.
+template <class T>
+void empty_with_memory(HugeVector<T>& array, std::size_t count) {
+  array.resize(count);
+  array.clear();
+}
+
 }  // namespace arcway

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <list>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -364,6 +365,16 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
     d.complete(run.best(), workspace->run.profile, result);
   }
   result.statistics.total_seconds = total.seconds();
+}
+
+void Planner::warm_up(std::size_t queries_at_once) const {
+  const Data& d = *data_;
+  std::size_t most_circles = d.map().graph.circles().size();
+  for (const PlanMaps* maps : {&d.maps, d.tightest ? &*d.tightest : nullptr})
+    if (maps && maps->narrow) most_circles = std::max(most_circles, maps->narrow->map().graph.circles().size());
+  std::list<WorkspacePool<Data::Workspace>::Lease> leases;
+  for (std::size_t i = 0; i < queries_at_once; ++i)
+    leases.emplace_back(d.workspaces)->run.find.search.warm_up(most_circles);
 }
 
 const World& Planner::world() const { return data_->map().world; }

@@ -55,8 +55,8 @@ struct PlannerOptions {
   std::uint32_t manoeuvre_poses = 400;
   static constexpr std::uint32_t kMostManoeuvrePoses = 1'000'000;
   /// Where single arcs find no path, or the plan may be 10 % slower than the best one, the graph with more circles in
-  /// narrow places is searched as well: see find_gap_circles. It is made when the first query needs it. On maps of at
-  /// most 50,000 vertices: beyond that a query without a path would take seconds.
+  /// narrow places is searched as well: see find_gap_circles. It is made when the first query needs it, or by
+  /// Planner::warm_up. On maps of at most 50,000 vertices: beyond that a query without a path would take seconds.
   bool gap_circles = true;
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
@@ -242,6 +242,11 @@ class Planner {
   /// `reverse` that was answered before then asks the heap for nothing, if single arcs join its ends to a path on
   /// circles of the smallest radius.
   void plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const;
+
+  /// Does now what the first queries would wait for: makes the graph with circles in narrow places, and takes memory
+  /// for searches. For those to whom the slowest query matters; plans are the same. Thread-safe.
+  /// @param queries_at_once  threads that will plan at the same time.
+  void warm_up(std::size_t queries_at_once = 1) const;
 
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Vehicle& vehicle() const;

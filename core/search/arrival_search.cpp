@@ -28,6 +28,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kLong = 256;  // labels, more than most searches take
+constexpr std::size_t kManyLabels = 1 << 14;
 // What a scout adds to the weight of the heuristic: with less it finds what the search finds at the same moment, with
 // more it leaves out more that will be asked for.
 constexpr double kScoutsHaste = 0.003;
@@ -38,6 +39,7 @@ enum class Kind : std::uint8_t { kDirect, kGoal, kGraph, kStart, kStartCircle };
 
 // What waits on the open list, in 16 bytes. Of two with one estimate the one that was pushed first comes first.
 struct Entry {
+  Entry() = default;
   Entry(double e, Kind kind, std::size_t index)
       : estimate(e), what((std::uint64_t{static_cast<std::uint8_t>(kind)} << 61) | index) {}
   [[nodiscard]] Kind kind() const { return static_cast<Kind>(what >> 61); }
@@ -125,6 +127,16 @@ SearchWorkspace::SearchWorkspace() : data_(std::make_unique<Data>()) {}
 SearchWorkspace::~SearchWorkspace() = default;
 SearchWorkspace::SearchWorkspace(SearchWorkspace&&) noexcept = default;
 SearchWorkspace& SearchWorkspace::operator=(SearchWorkspace&&) noexcept = default;
+void SearchWorkspace::warm_up(std::size_t circles) {
+  const std::size_t many = std::min(circles / 2, kManyLabels);
+  data_->map.reset();
+  data_->open.warm_up(many);
+  data_->times.warm_up(many);
+  empty_with_memory(data_->steps, many);
+  empty_with_memory(data_->labels, many);
+  data_->first_label.reset(circles);
+  data_->ends.warm_up(circles);
+}
 void SearchWorkspace::reuse(Path&& path) { data_->path = std::move(path); }
 
 namespace {

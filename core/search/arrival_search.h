@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -68,6 +69,8 @@ class SearchWorkspace {
 
   struct Data;
   Data& operator*() { return *data_; }
+  /// Forgets the search before, and has most of the memory at hand that one on a graph with so many circles asks for.
+  void warm_up(std::size_t circles);
   /// Takes the memory of a path that a search gave, for the next one.
   void reuse(Path&& path);
 

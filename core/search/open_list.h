@@ -24,6 +24,8 @@ class OpenList {
   }
   void clear() { heap_.clear(); }
   void reserve(std::size_t count) { heap_.reserve(kRoot + count); }
+  /// Empty, with memory for so many entries at hand.
+  void warm_up(std::size_t count) { empty_with_memory(heap_, kRoot + count); }
 
   void push(const Entry& entry) {
     if (heap_.empty()) heap_.assign(kRoot, entry);

@@ -35,6 +35,11 @@ void SearchEnds::forget() {
   direct_paths_.clear();
 }
 
+void SearchEnds::warm_up(std::size_t circles) {
+  forget();
+  first_goal_link_.reset(circles);
+}
+
 bool SearchEnds::are_first_of(const SearchContext& context) const {
   return begin_with(context.starts, starts_) && begin_with(context.goals, goals_);
 }

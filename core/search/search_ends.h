@@ -31,6 +31,8 @@ class SearchEnds {
 
   /// Forgets the search before.
   void forget();
+  /// The same, with memory for a graph of so many circles at hand.
+  void warm_up(std::size_t circles);
   /// Whether the terminals of the search before are the first ones of this.
   [[nodiscard]] bool are_first_of(const SearchContext& context) const;
   /// Finds the circles of all terminals, the free words between them, and the links to the goals, unless interrupted;

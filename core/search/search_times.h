@@ -14,6 +14,7 @@ class SearchTimes {
   void begin(const SearchContext& context, bool goes_on);
 
   void reserve(std::size_t joints) { speeds_.reserve(joints); }
+  void warm_up(std::size_t joints) { speeds_.warm_up(joints); }
   [[nodiscard]] const SpeedTree& speeds() const { return speeds_; }
 
   /// The joint at the end of a start terminal's connection, which leads to its circle.

@@ -30,6 +30,8 @@ class SpeedTree {
   void reset(double acceleration, TimeModel time_model = TimeModel::kProfile);
 
   void reserve(std::size_t joints) { joints_.reserve(joints); }
+  /// Forgets all joints, with memory for so many at hand.
+  void warm_up(std::size_t joints) { empty_with_memory(joints_, joints); }
   [[nodiscard]] std::size_t size() const { return joints_.size(); }
   /// Forgets the joints added last.
   void truncate(std::size_t size) { joints_.resize(size); }

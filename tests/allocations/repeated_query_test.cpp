@@ -72,6 +72,24 @@ TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
   EXPECT_GT(manoeuvres, 0U);  // they have memory of their own
 }
 
+// What a planner's first query asks for, most of it memory of the search.
+TEST(WarmedUp, AsksTheHeapForLess) {
+  if (!counts()) GTEST_SKIP() << "a sanitizer's operator new does not count";
+  const World world = random_world({.obstacles = 300, .vertices = 10, .fill = 0.3, .seed = 2});
+  const QuerySet queries = make_embree_queries(world);
+  const PlannerOptions options{.refinement = {.max_trials = 0}};
+  const PlanRequest request = random_queries(world, queries, Vehicle(), {.count = 1, .seed = 3}).front();
+  const auto bytes_of_first_query = [&](const Planner& planner) {
+    const std::int64_t before = bench::heap_use().live_bytes;
+    EXPECT_TRUE(planner.plan(request).solved());
+    return bench::heap_use().live_bytes - before;
+  };
+  const Planner cold(world, Vehicle(), queries, options, SerialExecutor());
+  const Planner warm(world, Vehicle(), queries, options, SerialExecutor());
+  warm.warm_up();
+  EXPECT_LT(4 * bytes_of_first_query(warm), bytes_of_first_query(cold));
+}
+
 INSTANTIATE_TEST_SUITE_P(RefinedOrNot, RepeatedQuery,
                          testing::Values(Case{0}, Case{4000}, Case{0, 4.0, 60, 20}, Case{200, 4.0, 60, 20}));
 

@@ -118,6 +118,24 @@ INSTANTIATE_TEST_SUITE_P(Clutters, PlannerInClutter,
                                           testing::Values(0.15, 0.3, 0.45)));
 
 // All the way it speeds up or brakes: one that is ahead is the slower one there.
+// Some of the queries need circles in narrow places, some manoeuvres.
+TEST(Planner, WarmedUpPlansTheSame) {
+  const World world = random_world({.obstacles = 100, .vertices = 6, .fill = 0.3, .seed = 3});
+  for (const bool several_radii : {false, true}) {
+    VehicleParameters parameters;
+    if (several_radii) parameters.turn_speed = LateralAccelerationLimit{4.0};
+    const Vehicle vehicle(parameters);
+    const PlannerOptions options{.refinement = {.max_trials = 50}};
+    const Planner cold(world, vehicle, options), warm(world, vehicle, options);
+    warm.warm_up(0);
+    warm.warm_up(2);
+    for (const PlanRequest& request : random_queries(world, warm.queries(), vehicle, {.count = 8, .seed = 5})) {
+      test::expect_same_plan(warm.plan(request), cold.plan(request));
+      warm.warm_up();
+    }
+  }
+}
+
 TEST(Planner, PillarsOfManyVerticesTakeFewExpansionsWhereTheVehicleIsNeverAtItsTopSpeed) {
   VehicleParameters parameters;
   parameters.max_acceleration = 2.0;
