@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -103,6 +104,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, team, out);
   const Stopwatch watch;
   const Planner planner = make_planner(arguments, map, vehicle, options);
+  if (batch && map.prepared) planner.warm_up(std::min(arguments.build.thread_count(), queries.size()));
   const double build_seconds = watch.seconds();
   if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, team, out);
   return plan_one(arguments, map, planner, build_seconds, request, plans_of(arguments, planner, request, limits), team,

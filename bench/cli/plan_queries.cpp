@@ -133,7 +133,10 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   out += row("valid", solved == 0    ? "no plan to check"
                       : refused == 0 ? "all of them, every moment of the motion checked"
                                      : "NO, " + count_text(refused) + " refused; " + first_refusal);
-  out += row("query times", "median " + duration_text(seconds.empty() ? 0.0 : bench::median(seconds)) + ", sum " +
+  const auto share_text = [&](double share) {
+    return duration_text(seconds.empty() ? 0.0 : bench::quantile(seconds, share));
+  };
+  out += row("query times", "median " + share_text(0.5) + ", 99 % within " + share_text(0.99) + ", sum " +
                                 duration_text(std::accumulate(seconds.begin(), seconds.end(), 0.0)) + "; " +
                                 duration_text(total) + " with validation");
   out += suboptimality_row(suboptimality);

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/cpu_clock.h"
+#include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/suites/allocations.h"
 #include "bench/suites/backends.h"
@@ -95,6 +97,33 @@ void time_from_nothing(benchmark::State& state, const std::string& world_name, G
   state.counters["bytes_per_vertex"] = static_cast<double>(after.live_bytes - before.live_bytes) / vertices;
 }
 
+/// How long single queries take, the slow ones above all: when first asked of a prepared planner, and again.
+void time_each(benchmark::State& state, const std::string& world_name, std::size_t count) {
+  const Planner planner = make_planner(shared_world(world_name), Vehicle(), {.refinement = {.max_trials = 0}});
+  planner.warm_up();
+  const std::vector<PlanRequest> requests = catalogue_queries(world_name, count, 1);
+  std::vector<PlanResult> results(requests.size());
+  std::vector<double> seconds(requests.size());
+  const auto ask_each = [&] {
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      const CpuClock planning(CpuClock::Of::kProcess);
+      planner.plan(requests[i], {}, results[i]);
+      seconds[i] = planning.seconds();
+    }
+  };
+  ask_each();
+  state.counters["first_median"] = median(seconds);
+  state.counters["first_p99"] = quantile(seconds, 0.99);
+  if (!require(state, are_right(planner, results), kWrong)) return;
+  for (auto _ : state) ask_each();
+  state.counters["again_median"] = median(seconds);
+  state.counters["again_p99"] = quantile(seconds, 0.99);
+  state.counters["vertices"] = static_cast<double>(planner.world().vertices().size());
+  state.counters["queries"] = static_cast<double>(count);
+  state.counters["solved"] = static_cast<double>(std::ranges::count_if(results, &PlanResult::solved));
+  set_batch(state, count);
+}
+
 /// Queries that do not wait for one another.
 void time_batch(benchmark::State& state, const std::string& world_name, std::size_t threads) {
   constexpr std::size_t kBatch = 100;
@@ -136,6 +165,13 @@ void add(Study study) {
     eager.add(size, [name](benchmark::State& state) { time_from_nothing(state, name, GraphMode::kEager); });
     lazy.add(size, [name](benchmark::State& state) { time_from_nothing(state, name, GraphMode::kLazy); });
   }
+  const std::size_t many = study == Study::kCheck ? 32 : 1000;
+  Series each(study, "PlanEach/n:" + std::to_string(many), "fill_percent", "falls with what is seen", 0.0);
+  each.allow(30.0);
+  for (const int fill : {15, 30})
+    each.add(fill, [many, fill, count = study == Study::kCheck ? 20 : 200](benchmark::State& state) {
+      time_each(state, clutter_name("convex", many, 10, fill), static_cast<std::size_t>(count));
+    });
   const std::size_t obstacles = study == Study::kCheck ? 32 : 316;
   const std::string at = "/n:" + std::to_string(obstacles);
   const std::string name = clutter_name("convex", obstacles, 10, 30);
