@@ -31,7 +31,7 @@ struct Options {
 #ifdef ARCWAY_PEER_OMPL
   PlannerSetting planners{.name = {}, .worlds = {}, .vehicle = Vehicle()};  // where no standard one is meant
   std::vector<std::string> settings;
-  std::optional<std::size_t> queries;  // of the standard ones, too
+  std::optional<std::size_t> queries, long_queries;  // of the standard ones, too
 #endif
   std::string only, out, lost, robot;
   bool update = false;
@@ -60,9 +60,9 @@ void add_options(CLI::App& app, Options& options) {
       ->check(CLI::IsMember(setting_names()));
   app.add_option("--worlds", p.worlds, "a setting of its own, to which the options below belong")->delimiter(',');
   app.add_option("--queries", options.queries, "a world");
+  app.add_option("--long-queries", options.long_queries, "the first ones of a world, which have the long time");
   app.add_option("--times", p.times, "when to look at the peers' best path [s]")->delimiter(',')->capture_default_str();
-  app.add_option("--long-time", p.long_time, "once more, on the first queries of a world [s]")->capture_default_str();
-  app.add_option("--long-queries", p.long_queries, "how many those are")->capture_default_str();
+  app.add_option("--long-time", p.long_time, "once more, on the long queries [s]")->capture_default_str();
   app.add_flag("--first-only", p.first_only, "RRTConnect's first path and nothing else");
   app.add_option("--first-within", p.first_within, "the time for that [s]")->capture_default_str();
   app.add_option("--seed", p.seed, "of queries, peers and shortcuts")->capture_default_str();
@@ -89,6 +89,7 @@ std::vector<PlannerSetting> chosen_settings(const Options& options) {
   if (!options.planners.worlds.empty()) {
     std::vector<PlannerSetting> own{options.planners};
     own[0].queries = options.queries.value_or(own[0].queries);
+    own[0].long_queries = options.long_queries.value_or(own[0].long_queries);
     own[0].name = options.robot.empty() ? "paper's robot" : options.robot;
     if (!options.robot.empty()) own[0].vehicle = Vehicle(read_robot(read_file(options.robot), options.robot));
     return own;
@@ -98,7 +99,10 @@ std::vector<PlannerSetting> chosen_settings(const Options& options) {
     return std::ranges::find(options.settings, s.name) == options.settings.end();
   };
   if (!options.settings.empty()) std::erase_if(chosen, is_left_out);
-  for (PlannerSetting& setting : chosen) setting.queries = options.queries.value_or(setting.queries);
+  for (PlannerSetting& setting : chosen) {
+    setting.queries = options.queries.value_or(setting.queries);
+    setting.long_queries = options.long_queries.value_or(setting.long_queries);
+  }
   return chosen;
 }
 
