@@ -1,6 +1,7 @@
 #include "core/world.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <tuple>
@@ -145,17 +146,43 @@ struct World::Data {
     }
   }
 
+  // Some of the vertices asked about that follow each other in a region, from one to before another, and their box.
+  struct Stretch {
+    std::size_t first, last;
+    Box box;
+  };
+  // Of vertices near each other, as boxes around them are to be about as small as points.
+  [[nodiscard]] std::vector<Stretch> stretches_of(std::span<const VertexId> which) const {
+    constexpr std::size_t kMostVertices = 16;
+    const double widest = 4.0 * (box.max - box.min).maxCoeff() / std::sqrt(static_cast<double>(vertices.size()));
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      const VertexId v = which[i];
+      if (i > 0 && obstacle_of[v] == obstacle_of[which[i - 1]] && i - stretches.back().first < kMostVertices) {
+        Stretch& stretch = stretches.back();
+        Box extended = stretch.box;
+        extended.extend(vertices[v]);
+        if ((extended.max - extended.min).maxCoeff() <= widest) {
+          stretch.box = extended;
+          stretch.last = i + 1;
+          continue;
+        }
+      }
+      stretches.push_back({i, i + 1, Box()});
+      stretches.back().box.extend(vertices[v]);
+    }
+    return stretches;
+  }
+
   // Decides which of these vertices are covered.
   void mark_covered(std::span<const VertexId> which) {
     covered.resize(vertices.size());
-    const ObstacleId obstacles = static_cast<ObstacleId>(boxes.size()) - (has_bounds ? 1 : 0);
+    for (const VertexId v : which) covered[v] = false;
+    const std::vector<Stretch> stretches = stretches_of(which);
+    HugeVector<Box> stretch_boxes;
+    for (const Stretch& stretch : stretches) stretch_boxes.push_back(stretch.box);
+    const BoxTree stretch_tree(stretch_boxes);
     // Region by region, so that the tree over the edges of a large one lives only for its turn.
-    HugeVector<Box> points(which.size());
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      points[i].extend(vertices[which[i]]);
-      covered[which[i]] = false;
-    }
-    const BoxTree point_tree(points);
     for (ObstacleId region = 0; region < boxes.size(); ++region) {
       const VertexId first = region_starts[region];
       const VertexId last = region_starts[region + 1];
@@ -167,9 +194,8 @@ struct World::Data {
         for (VertexId v = first; v < last; ++v) edge_boxes.push_back(arcway::box_of(edges[v]));
         edge_tree = BoxTree(edge_boxes);
       };
-      const auto visit = [&](std::uint32_t i) {
-        const VertexId v = which[i];
-        if (obstacle_of[v] == region || covered[v]) return true;
+      const auto mark = [&](VertexId v) {
+        if (covered[v]) return;
         PointLocation location;
         if (!is_large || !boxes[region].contains(vertices[v])) {
           location = locate(vertices[v], region);
@@ -183,13 +209,15 @@ struct World::Data {
           location = side_of(parity.location(), region);
         }
         covered[v] = location == PointLocation::kInside;
-        return true;
       };
-      if (region < obstacles) {
-        point_tree.visit_overlaps(boxes[region], visit);
-      } else {
-        point_tree.visit_overlaps(box, visit);
-      }
+      const Box& around = is_bounds(region) ? box : boxes[region];  // what is outside of the bounds is covered
+      stretch_tree.visit_overlaps(around, [&](std::uint32_t i) {
+        const Stretch& stretch = stretches[i];
+        if (obstacle_of[which[stretch.first]] == region) return true;
+        for (std::size_t k = stretch.first; k < stretch.last; ++k)
+          if (around.contains(vertices[which[k]])) mark(which[k]);
+        return true;
+      });
     }
   }
 };
