@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -24,13 +25,14 @@ struct Retry {
   double gap;
   std::uint32_t poses;
 };
-constexpr std::array<Retry, 2> kRetries{{{0.07, 12}, {0.1, 120}}};
+constexpr std::array<Retry, 2> kQuickRetries{{{0.07, 12}, {0.1, 120}}};
+constexpr std::array<Retry, 3> kRetries{{{0.04, 48}, {0.1, 120}, {0.2, 400}}};
+// Then with circles in narrow places.
+constexpr double kQuickNarrowPlacesGap = 0.1, kNarrowPlacesGap = 0.05;
 // In trials of refinement, of what the options say: of a path in both gears, which has taken longer to find.
 constexpr double kReversingEffort = 10.0;
 // By this share at least that has to be faster: the ways on from where a manoeuvre saves next to nothing are known.
 constexpr double kLeastGain = 0.001;
-// Then with circles in narrow places.
-constexpr double kNarrowPlacesGap = 0.1;
 // No other way is looked for where it cannot be faster by more than this share.
 constexpr double kOtherWaysGap = 0.01;
 // A second best path may become the best one when it is slower by no more than this share.
@@ -167,17 +169,18 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
   return forwards.obstruction;
 }
 
-void PlanRun::improve_forwards() {
+void PlanRun::improve_forwards(bool thorough) {
   const auto is_doubtful = [&](double gap) {
     return fastest_.cost > (1.0 + gap) * result_.lower_bound && !result_.interrupted;
   };
   const SearchMap& map = by_narrow_places_ ? maps_->narrow->map() : maps_->plain;
-  for (const Retry& retry : kRetries) {
+  for (const Retry& retry : thorough ? std::span<const Retry>(kRetries) : kQuickRetries) {
     const auto poses = std::min(retry.poses, options_.manoeuvre_poses);
     if (poses <= 1 || !is_doubtful(retry.gap)) break;
     try_faster(map, poses);
   }
-  if (maps_->narrow && !by_narrow_places_ && is_doubtful(kNarrowPlacesGap)) try_faster(maps_->narrow->map(), 0);
+  if (maps_->narrow && !by_narrow_places_ && is_doubtful(thorough ? kNarrowPlacesGap : kQuickNarrowPlacesGap))
+    try_faster(maps_->narrow->map(), 0);
   for (const SearchMap* other : {&maps_->faster_turns, &maps_->slower_turns})
     find_other_way(*other, 1.0, poses_of_fastest_);
 }

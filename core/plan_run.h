@@ -43,7 +43,8 @@ class PlanRun {
   Obstruction find_forwards(const PlanMaps& maps, double effort, const std::function<bool()>& no_passage);
   /// Where the lower bound says that the path which find_forwards has found last may be far from the best one: looks
   /// for faster ones on the same maps with manoeuvres at both ends, with circles in narrow places, and by other ways.
-  void improve_forwards();
+  /// @param thorough  sooner, and with more manoeuvres.
+  void improve_forwards(bool thorough);
   /// Looks for the fastest path of another map that takes a way of its own, unless the lower bound says that it is not
   /// worth it. The vehicle of that map need not be the real one.
   /// @param poses  of manoeuvres at both ends.

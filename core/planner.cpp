@@ -344,7 +344,8 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   if (has_forwards) {
     distance = d.raise_bound(request, workspace->point, result);
     if (d.tightest && !result.interrupted) run.find_forwards(*d.tightest, 1.0, [] { return false; });
-    run.improve_forwards();
+    // Who refines has time for more; but where other maps are searched as well, those find the faster ways.
+    run.improve_forwards(d.options.refinement.max_trials > 0 && !d.tightest);
     if (d.tightest) {
       run.find_other_way(d.maps.faster_turns, kQuickEffort);
       for (const SearchMap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
