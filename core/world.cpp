@@ -146,31 +146,30 @@ struct World::Data {
     }
   }
 
-  // Some of the vertices asked about that follow each other in a region, from one to before another, and their box.
-  struct Stretch {
-    std::size_t first, last;
-    Box box;
+  // The vertices asked about, in stretches of some that follow each other in a region.
+  struct Stretches {
+    std::vector<std::size_t> starts;  // in what is asked, one more than stretches
+    HugeVector<Box> boxes;
   };
   // Of vertices near each other, as boxes around them are to be about as small as points.
-  [[nodiscard]] std::vector<Stretch> stretches_of(std::span<const VertexId> which) const {
+  [[nodiscard]] Stretches stretches_of(std::span<const VertexId> which) const {
     constexpr std::size_t kMostVertices = 16;
     const double widest = 4.0 * (box.max - box.min).maxCoeff() / std::sqrt(static_cast<double>(vertices.size()));
-    std::vector<Stretch> stretches;
+    Stretches stretches;
     for (std::size_t i = 0; i < which.size(); ++i) {
       const VertexId v = which[i];
-      if (i > 0 && obstacle_of[v] == obstacle_of[which[i - 1]] && i - stretches.back().first < kMostVertices) {
-        Stretch& stretch = stretches.back();
-        Box extended = stretch.box;
-        extended.extend(vertices[v]);
-        if ((extended.max - extended.min).maxCoeff() <= widest) {
-          stretch.box = extended;
-          stretch.last = i + 1;
-          continue;
-        }
+      Box extended;
+      if (i > 0) extended = stretches.boxes.back();
+      extended.extend(vertices[v]);
+      if (i > 0 && obstacle_of[v] == obstacle_of[which[i - 1]] && i - stretches.starts.back() < kMostVertices &&
+          (extended.max - extended.min).maxCoeff() <= widest) {
+        stretches.boxes.back() = extended;
+        continue;
       }
-      stretches.push_back({i, i + 1, Box()});
-      stretches.back().box.extend(vertices[v]);
+      stretches.starts.push_back(i);
+      stretches.boxes.emplace_back().extend(vertices[v]);
     }
+    stretches.starts.push_back(which.size());
     return stretches;
   }
 
@@ -178,10 +177,8 @@ struct World::Data {
   void mark_covered(std::span<const VertexId> which) {
     covered.resize(vertices.size());
     for (const VertexId v : which) covered[v] = false;
-    const std::vector<Stretch> stretches = stretches_of(which);
-    HugeVector<Box> stretch_boxes;
-    for (const Stretch& stretch : stretches) stretch_boxes.push_back(stretch.box);
-    const BoxTree stretch_tree(stretch_boxes);
+    const Stretches stretches = stretches_of(which);
+    const BoxTree stretch_tree(stretches.boxes);
     // Region by region, so that the tree over the edges of a large one lives only for its turn.
     for (ObstacleId region = 0; region < boxes.size(); ++region) {
       const VertexId first = region_starts[region];
@@ -212,10 +209,10 @@ struct World::Data {
       };
       const Box& around = is_bounds(region) ? box : boxes[region];  // what is outside of the bounds is covered
       stretch_tree.visit_overlaps(around, [&](std::uint32_t i) {
-        const Stretch& stretch = stretches[i];
-        if (obstacle_of[which[stretch.first]] == region) return true;
-        for (std::size_t k = stretch.first; k < stretch.last; ++k)
-          if (around.contains(vertices[which[k]])) mark(which[k]);
+        const auto stretch = which.subspan(stretches.starts[i], stretches.starts[i + 1] - stretches.starts[i]);
+        if (obstacle_of[stretch.front()] == region) return true;
+        for (const VertexId v : stretch)
+          if (around.contains(vertices[v])) mark(v);
         return true;
       });
     }
