@@ -54,10 +54,10 @@ struct PlannerOptions {
   /// most kMostManoeuvrePoses; some 300 bytes each.
   std::uint32_t manoeuvre_poses = 400;
   static constexpr std::uint32_t kMostManoeuvrePoses = 1'000'000;
-  /// Where single arcs find no path, or the plan may be 5 % slower than the best one (10 % without refinement), the
-  /// graph with more circles in narrow places is searched as well: see find_gap_circles. It is made when the first
-  /// query needs it, or by Planner::warm_up. On maps of at most 50,000 vertices: beyond that a query without a path
-  /// would take seconds.
+  /// Where single arcs find no path, or the plan may be 5 % slower than the best one (10 % without refinement, or with
+  /// several radii), the graph with more circles in narrow places is searched as well: see find_gap_circles. It is made
+  /// when the first query needs it, or by Planner::warm_up. On maps of at most 50,000 vertices: beyond that a query
+  /// without a path would take seconds.
   bool gap_circles = true;
   ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.

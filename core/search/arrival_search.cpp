@@ -27,8 +27,8 @@ namespace arcway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kLong = 256;  // labels, more than most searches take
-constexpr std::size_t kManyLabels = 1 << 14;
+constexpr std::size_t kLong = 256;            // labels, more than most searches take
+constexpr std::size_t kManyLabels = 1 << 14;  // as many as a warm workspace has room for
 // What a scout adds to the weight of the heuristic: with less it finds what the search finds at the same moment, with
 // more it leaves out more that will be asked for.
 constexpr double kScoutsHaste = 0.003;

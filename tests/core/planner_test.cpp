@@ -117,7 +117,6 @@ INSTANTIATE_TEST_SUITE_P(Clutters, PlannerInClutter,
                          testing::Combine(testing::Values(ClutterKind::kConvex, ClutterKind::kStar),
                                           testing::Values(0.15, 0.3, 0.45)));
 
-// All the way it speeds up or brakes: one that is ahead is the slower one there.
 // Some of the queries need circles in narrow places, some manoeuvres.
 TEST(Planner, WarmedUpPlansTheSame) {
   const World world = random_world({.obstacles = 100, .vertices = 6, .fill = 0.3, .seed = 3});
@@ -136,6 +135,7 @@ TEST(Planner, WarmedUpPlansTheSame) {
   }
 }
 
+// All the way it speeds up or brakes: one that is ahead is the slower one there.
 TEST(Planner, PillarsOfManyVerticesTakeFewExpansionsWhereTheVehicleIsNeverAtItsTopSpeed) {
   VehicleParameters parameters;
   parameters.max_acceleration = 2.0;
