@@ -25,12 +25,15 @@ struct Retry {
   double gap;
   std::uint32_t poses;
 };
-constexpr std::array<Retry, 2> kQuickRetries{{{0.07, 12}, {0.1, 120}}};
+constexpr std::array<Retry, 2> kQuickRetries{{{0.07, 6}, {0.1, 120}}};
 constexpr std::array<Retry, 3> kRetries{{{0.04, 48}, {0.1, 120}, {0.2, 400}}};
 // Then with circles in narrow places.
 constexpr double kQuickNarrowPlacesGap = 0.1, kNarrowPlacesGap = 0.05;
 // In trials of refinement, of what the options say: of a path in both gears, which has taken longer to find.
 constexpr double kReversingEffort = 10.0;
+// And by other ways on from the start, or to the goal: slower at first, they may be faster once refined.
+constexpr double kOtherEndsGap = 0.04;
+constexpr double kOtherEndsSlower = 0.03;
 // By this share at least that has to be faster: the ways on from where a manoeuvre saves next to nothing are known.
 constexpr double kLeastGain = 0.001;
 // No other way is looked for where it cannot be faster by more than this share.
@@ -163,17 +166,20 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
   if (forwards.search.path) {
     maps_ = &maps;
     by_narrow_places_ = forwards.by_narrow_places;
-    fastest_ = keep(std::move(*forwards.search.path), effort, false);
-    poses_of_fastest_ = 0;
+    fastest_.map = by_narrow_places_ ? &maps.narrow->map() : &maps.plain;
+    fastest_.poses = 0;
+    fastest_.first_circle = forwards.search.first_circle;
+    fastest_.last_circle = forwards.search.last_circle;
+    fastest_.times = keep(std::move(*forwards.search.path), effort, false);
   }
   return forwards.obstruction;
 }
 
 void PlanRun::improve_forwards(bool thorough) {
   const auto is_doubtful = [&](double gap) {
-    return fastest_.cost > (1.0 + gap) * result_.lower_bound && !result_.interrupted;
+    return fastest_.times.cost > (1.0 + gap) * result_.lower_bound && !result_.interrupted;
   };
-  const SearchMap& map = by_narrow_places_ ? maps_->narrow->map() : maps_->plain;
+  const SearchMap& map = *fastest_.map;
   for (const Retry& retry : thorough ? std::span<const Retry>(kRetries) : kQuickRetries) {
     const auto poses = std::min(retry.poses, options_.manoeuvre_poses);
     if (poses <= 1 || !is_doubtful(retry.gap)) break;
@@ -181,28 +187,42 @@ void PlanRun::improve_forwards(bool thorough) {
   }
   if (maps_->narrow && !by_narrow_places_ && is_doubtful(thorough ? kNarrowPlacesGap : kQuickNarrowPlacesGap))
     try_faster(maps_->narrow->map(), 0);
+  if (thorough && is_doubtful(kOtherEndsGap)) try_other_ends();
   for (const SearchMap* other : {&maps_->faster_turns, &maps_->slower_turns})
-    find_other_way(*other, 1.0, poses_of_fastest_);
+    find_other_way(*other, 1.0, fastest_.poses);
 }
 
 void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
   SearchOptions faster = search_options_;
-  faster.least_gain = kLeastGain * fastest_.unrefined;
-  faster.faster_than = fastest_.unrefined - faster.least_gain;
+  faster.least_gain = kLeastGain * fastest_.times.unrefined;
+  faster.faster_than = fastest_.times.unrefined - faster.least_gain;
   faster.goes_on = true;
   FoundPath turning = search(
       [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, faster, workspace_.find); });
   if (!turning.search.path) return;
   const Times times = keep(std::move(*turning.search.path), 1.0, false);
-  if (times.cost >= fastest_.cost) return;
-  fastest_ = times;
-  poses_of_fastest_ = poses;
+  if (times.cost >= fastest_.times.cost) return;
+  fastest_ = {times, &map, poses, turning.search.first_circle, turning.search.last_circle};
+}
+
+void PlanRun::try_other_ends() {
+  if (fastest_.last_circle == kNone) return;
+  SearchOptions other_last = search_options_;
+  other_last.faster_than = (1.0 + kOtherEndsSlower) * fastest_.times.unrefined;
+  SearchOptions other_first = other_last;
+  other_last.not_last = fastest_.last_circle;
+  other_first.not_first = fastest_.first_circle;
+  for (const SearchOptions& other : {other_last, other_first})
+    find_other_way(*fastest_.map, 1.0, fastest_.poses, other);
 }
 
 void PlanRun::find_other_way(const SearchMap& map, double effort, std::size_t poses) {
+  find_other_way(map, effort, poses, search_options_);
+}
+
+void PlanRun::find_other_way(const SearchMap& map, double effort, std::size_t poses, SearchOptions bounded) {
   if (result_.interrupted || options_.refinement.max_trials == 0) return;
   if (best_cost_ <= (1.0 + kOtherWaysGap) * result_.lower_bound) return;
-  SearchOptions bounded = search_options_;
   bounded.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   FoundPath other = search(
       [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, bounded, workspace_.find); });

@@ -56,10 +56,16 @@ class PlanRun {
   void find_in_both_gears(const SearchMap& map, double distance);
 
  private:
-  // Of the fastest path of some maps.
   struct Times {
     double unrefined;
     double cost;
+  };
+  // The fastest path of some maps.
+  struct Fastest {
+    Times times;
+    const SearchMap* map;  // that it was found on
+    std::size_t poses;     // of manoeuvres at both ends
+    std::uint32_t first_circle, last_circle;
   };
 
   template <class Find>
@@ -67,6 +73,9 @@ class PlanRun {
   Times keep(Path&& path, double effort, bool reverse);
   void refine(const Path& path, double effort, bool reverse);
   void try_faster(const SearchMap& map, std::size_t poses);
+  // Ways that join the graph, or leave it, by another circle than the fastest path.
+  void try_other_ends();
+  void find_other_way(const SearchMap& map, double effort, std::size_t poses, SearchOptions bounded);
   [[nodiscard]] double cost_of(const Path& path);
   [[nodiscard]] double travel_time(const Path& path);
 
@@ -81,11 +90,10 @@ class PlanRun {
   double second_unrefined_ = 0.0;     // travel time [s]
   double best_cost_, second_cost_;    // infinite where there is none
   std::uint64_t first_expanded_ = 0;  // until the first path was found
-  // Of the path that find_forwards found last.
+  // Of find_forwards, when it found a path last.
   const PlanMaps* maps_ = nullptr;
   bool by_narrow_places_ = false;
-  Times fastest_{};  // on its maps
-  std::size_t poses_of_fastest_ = 0;
+  Fastest fastest_{};  // on its maps
 };
 
 }  // namespace arcway

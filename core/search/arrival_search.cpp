@@ -92,12 +92,13 @@ struct Question {
   TimeModel time_model;
   double cusp_cost;
   double suboptimality;
+  std::uint32_t not_first, not_last;
   friend bool operator==(const Question&, const Question&) = default;
 };
 
 Question question_of(const SearchContext& context) {
   const SearchOptions& o = context.options;
-  return {context.vehicle, o.heuristic, o.time_model, o.cusp_cost, o.suboptimality};
+  return {context.vehicle, o.heuristic, o.time_model, o.cusp_cost, o.suboptimality, o.not_first, o.not_last};
 }
 
 }  // namespace
@@ -358,6 +359,7 @@ class ArrivalSearch {
     const auto range = ends_.links_from(s);
     for (std::uint32_t i = range.first; i < range.last; ++i) {
       const TerminalLink& link = ends_.start_link(i);
+      if (link.circle == context_.options.not_first) continue;
       if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
       const double radius = circles_.circle(link.circle).radius;
       const Vec2 end = link.line.start.position() + link.line.length * quick_direction_of(link.line.start.heading);
@@ -437,6 +439,7 @@ class ArrivalSearch {
   template <class Test>
   void push_goal(std::uint32_t index, std::uint32_t g, Side side, Test&& goes_on) {
     const Label& label = w_.labels[index];
+    if (label.circle == context_.options.not_last) return;
     SearchEnds::GoalLink& goal = ends_.goal_link(g);
     const double turn = turn_between(label.heading, goal.link.line.start.heading, side);
     if (!goes_on(turn) || (goal.checked && !goal.free)) return;
@@ -461,6 +464,8 @@ class ArrivalSearch {
     std::vector<std::uint32_t>& chain = w_.chain;
     chain.clear();
     for (std::uint32_t at = last; at != kNone; at = w_.labels[at].parent) chain.push_back(at);
+    result_.first_circle = w_.labels[chain.back()].circle;
+    result_.last_circle = w_.labels[last].circle;
     const TerminalLink& start = ends_.start_link(w_.labels[chain.back()].index);
     const TerminalCircle& from = ends_.start_circles()[start.terminal_circle];
     Path path = std::move(w_.path);

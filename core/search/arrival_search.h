@@ -39,6 +39,9 @@ struct SearchOptions {
   double least_gain = 0.0;
   /// After so many expansions the best path found by then, if any, will do.
   std::uint64_t most_expanded = std::numeric_limits<std::uint64_t>::max();
+  /// Circles of the graph that a path may not join first, or leave for the goal: those of a path that is known, where
+  /// another one is wanted. kNone: any may be.
+  std::uint32_t not_first = kNone, not_last = kNone;
   /// Another thread, with a workspace of its own, runs ahead of a long search on a lazy graph. It finds rows, headings
   /// and bitangents that this one will ask for; what it misses, this one finds itself.
   bool scout = false;
@@ -48,7 +51,9 @@ struct SearchOptions {
 };
 
 struct SearchResult {
-  std::optional<Path> path;      ///< from start to goal, connections in
+  std::optional<Path> path;  ///< from start to goal, connections in
+  /// Circles of the graph that the path joins first, and leaves for the goal; kNone if it touches none.
+  std::uint32_t first_circle = kNone, last_circle = kNone;
   bool interrupted = false;      ///< by the stop token or the deadline; a path is then the best one found by then
   bool start_connected = false;  ///< some motion leads from a start terminal to the graph or the goal
   bool goal_connected = false;   ///< some straight leads from a circle, reached or not, to a goal terminal's circle

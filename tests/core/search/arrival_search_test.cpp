@@ -27,8 +27,9 @@ SearchMap make_map(const World& world, const Vehicle& vehicle, const std::vector
 // Every path of the graph whose time could be below a bound, one by one, without comparing any two of them.
 class Enumeration {
  public:
-  Enumeration(const SearchMap& map, const Pose& start, const Pose& goal, double bound)
-      : map_(map), start_(start), goal_(goal), best_(bound) {}
+  Enumeration(const SearchMap& map, const Pose& start, const Pose& goal, double bound, std::uint32_t not_first = kNone,
+              std::uint32_t not_last = kNone)
+      : map_(map), start_(start), goal_(goal), best_(bound), not_first_(not_first), not_last_(not_last) {}
 
   double best() {
     for (const double radius : map_.radii)
@@ -39,7 +40,7 @@ class Enumeration {
       for (const Side side : {Side::kLeft, Side::kRight}) {
         const TurnCircle circle = turn_circle(start_, radius, side);
         for (std::uint32_t c = 0; c < map_.graph.circles().size(); ++c)
-          if (const auto line = directed_bitangent(circle, map_.graph.circles()[c]))
+          if (const auto line = directed_bitangent(circle, map_.graph.circles()[c]); line && c != not_first_)
             if (try_push(circle, start_.heading, *line)) {
               visit(c, line->start.heading);
               pop();
@@ -88,7 +89,7 @@ class Enumeration {
       for (const Side side : {Side::kLeft, Side::kRight}) {
         const TurnCircle last = turn_circle(goal_, radius, side);
         const auto line = directed_bitangent(circle, last);
-        if (!line || !try_push(circle, heading, *line)) continue;
+        if (c == not_last_ || !line || !try_push(circle, heading, *line)) continue;
         const double turn = turn_between(line->start.heading, goal_.heading, side);
         const PathSegment arc{pose_on(last, line->start.heading), turn * radius, sign_of(side) / radius};
         if (turn == 0.0 || is_free(arc)) {
@@ -110,6 +111,7 @@ class Enumeration {
   Pose start_, goal_;
   Path path_;
   double best_;
+  std::uint32_t not_first_, not_last_;
   std::size_t paths_ = 0;
 };
 
@@ -156,6 +158,57 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
   }
   EXPECT_GT(solved, 30);
   EXPECT_GT(paths, 120u);
+}
+
+// The ends of the fastest path are closed to the next one.
+TEST(ArrivalSearch, FindsTheFastestPathThatJoinsOrLeavesTheGraphElsewhere) {
+  test::Random random(17);
+  SearchWorkspace workspace;
+  int others = 0, alone = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const World world = random_world({.kind = ClutterKind::kConvex,
+                                      .obstacles = 5,
+                                      .vertices = 4,
+                                      .fill = 0.25,
+                                      .min_radius = 3.0,
+                                      .max_radius = 6.0,
+                                      .seed = seed});
+    const Vehicle vehicle;
+    const SearchMap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+    const double side = world.box().max.x();
+    for (int i = 0; i < 20; ++i) {
+      const auto pose = [&] {
+        return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+      };
+      const Terminal start{pose(), {}}, goal{pose(), {}};
+      const SearchResult best = search_arrivals(map, {&start, 1}, {&goal, 1}, {}, workspace);
+      if (!best.path || best.first_circle == kNone) continue;
+      ASSERT_NE(best.last_circle, kNone);
+      const double fastest = speed_profile(*best.path, vehicle).total_time;
+      for (const bool at_start : {true, false}) {
+        SearchOptions options;
+        options.goes_on = true;  // which it cannot
+        (at_start ? options.not_first : options.not_last) = at_start ? best.first_circle : best.last_circle;
+        const SearchResult other = search_arrivals(map, {&start, 1}, {&goal, 1}, options, workspace);
+        if (!other.path) {
+          Enumeration all(map, start.pose, goal.pose, 1.5 * fastest, options.not_first, options.not_last);
+          all.best();
+          EXPECT_EQ(all.paths(), 0u) << "seed " << seed << ", query " << i;
+          ++alone;
+          continue;
+        }
+        EXPECT_NE(at_start ? other.first_circle : other.last_circle, at_start ? best.first_circle : best.last_circle);
+        const double time = speed_profile(*other.path, vehicle).total_time;
+        EXPECT_GE(time, fastest);
+        Enumeration all(map, start.pose, goal.pose, time, options.not_first, options.not_last);
+        EXPECT_NEAR(all.best(), time, 1e-9 * time) << "seed " << seed << ", query " << i;
+        EXPECT_GE(all.paths(), 1u);
+        ++others;
+      }
+    }
+  }
+  EXPECT_GT(others, 40);
+  EXPECT_GT(alone, 0);
 }
 
 TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
