@@ -51,5 +51,34 @@ TEST(LocalSweep, AnswersAsTheQueryAndSeldomAsks) {
   }
 }
 
+// As those who look for a way out do: from what is free to what is near it.
+TEST(LocalSweep, SeldomAsksAboutStepsFromWhatIsFree) {
+  const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.3, .seed = 5});
+  const CountingSweep sweep(world);
+  const Outlines outlines(world);
+  Random random(8);
+  std::size_t free = 0, in_the_way = 0, asked = 0;
+  for (int place = 0; place < 40; ++place) {
+    const Vec2 size = world.box().max - world.box().min;
+    Vec2 at = world.box().min + Vec2(random.uniform(0, 1) * size.x(), random.uniform(0, 1) * size.y());
+    const double around = 0.1 * size.maxCoeff();
+    LocalSweep local(sweep, outlines, box_of({at, at}).grown(around));
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 next = at + 0.1 * around * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+      const Footprint body{0.1 * around, 0.05 * around, 0.04 * around};
+      const SweptRectangle r = swept_rectangle({next.x(), next.y(), random.uniform(0, kTwoPi)}, 0.0, body);
+      const std::size_t before = sweep.asked();
+      const bool is_free = local.straight_free(r);
+      if (is_free) asked += sweep.asked() - before;
+      ASSERT_EQ(is_free, sweep.straight_free(r)) << place << ' ' << i;
+      (is_free ? free : in_the_way) += 1;
+      if (is_free) at = next;
+    }
+  }
+  EXPECT_GT(free, 1500u);
+  EXPECT_GT(in_the_way, 300u);
+  EXPECT_LT(asked, free / 4);
+}
+
 }  // namespace
 }  // namespace arcway
