@@ -34,7 +34,7 @@ struct Options {
   std::optional<std::size_t> queries, long_queries;  // of the standard ones, too
 #endif
   std::string only, out, lost, robot;
-  bool update = false;
+  bool update = false, ours = false;
 };
 
 /// As a run of all has them.
@@ -63,6 +63,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--long-queries", options.long_queries, "the first ones of a world, which have the long time");
   app.add_option("--times", p.times, "when to look at the peers' best path [s]")->delimiter(',')->capture_default_str();
   app.add_option("--long-time", p.long_time, "once more, on the long queries [s]")->capture_default_str();
+  app.add_flag("--ours", options.ours,
+               "Only plan with arcway anew; answers of peers stay those of the file, by --update");
   app.add_flag("--first-only", p.first_only, "RRTConnect's first path and nothing else");
   app.add_option("--first-within", p.first_within, "the time for that [s]")->capture_default_str();
   app.add_option("--seed", p.seed, "of queries, peers and shortcuts")->capture_default_str();
@@ -90,6 +92,7 @@ std::vector<PlannerSetting> chosen_settings(const Options& options) {
     std::vector<PlannerSetting> own{options.planners};
     own[0].queries = options.queries.value_or(own[0].queries);
     own[0].long_queries = options.long_queries.value_or(own[0].long_queries);
+    own[0].ours_only = options.ours;
     own[0].name = options.robot.empty() ? "paper's robot" : options.robot;
     if (!options.robot.empty()) own[0].vehicle = Vehicle(read_robot(read_file(options.robot), options.robot));
     return own;
@@ -100,6 +103,7 @@ std::vector<PlannerSetting> chosen_settings(const Options& options) {
   };
   if (!options.settings.empty()) std::erase_if(chosen, is_left_out);
   for (PlannerSetting& setting : chosen) {
+    setting.ours_only = options.ours;
     setting.queries = options.queries.value_or(setting.queries);
     setting.long_queries = options.long_queries.value_or(setting.long_queries);
   }
@@ -132,8 +136,10 @@ void run_studies(const Options& options) {
       options.update ? report::read_peer_results(read_file(options.out), options.out) : report::PeerResults();
   report::PeerResults results = new_results();
   const auto save = [&] {
-    if (!options.out.empty())
-      write_file_atomically(options.out, report::peer_results_json(report::renewed(earlier, results, order)));
+    if (options.out.empty()) return;
+    report::PeerResults run = results;
+    if (options.ours) run.queries = report::answered_anew(earlier.queries, results.queries);
+    write_file_atomically(options.out, report::peer_results_json(report::renewed(earlier, std::move(run), order)));
   };
   if (options.only != "planners") results.duels = visibility_study(options.visibility, say);
   save();

@@ -81,11 +81,7 @@ class Study {
       const double time = plan_ours(planner, problem, result);
       plan_from_the_map(problem, result);
       if (tightest) plan_tightest(*tightest, problem, result);
-      Random random(setting_.seed + q);
-      run_peer(OmplPlanner::kRrtConnect, problem, random, result, time);
-      if (tightest && !setting_.first_only) run_peer(OmplPlanner::kRrtConnectWide, problem, random, result, time);
-      if (!setting_.first_only && setting_.shortest_too)
-        run_peer(OmplPlanner::kInformedRrtStar, problem, random, result, time);
+      if (!setting_.ours_only) run_peers(problem, tightest.has_value(), result, time);
       report(result);
       results.push_back(std::move(result));
     }
@@ -126,6 +122,14 @@ class Study {
     const Path path = plan.path();
     result.answers.push_back({"arcway_tightest", name_of(plan.status), seconds, travel_time(path, problem.vehicle),
                               plan.solved() && is_valid(problem, path)});
+  }
+
+  void run_peers(const Problem& problem, bool has_wide_turns, PlannerQuery& result, double our_time) {
+    Random random(setting_.seed + result.query);
+    run_peer(OmplPlanner::kRrtConnect, problem, random, result, our_time);
+    if (setting_.first_only) return;
+    if (has_wide_turns) run_peer(OmplPlanner::kRrtConnectWide, problem, random, result, our_time);
+    if (setting_.shortest_too) run_peer(OmplPlanner::kInformedRrtStar, problem, random, result, our_time);
   }
 
   void run_peer(OmplPlanner kind, const Problem& problem, Random& random, PlannerQuery& result, double our_time) {

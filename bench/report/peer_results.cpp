@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "bench/report/json_message.h"
 #include "datasets/file_io.h"
@@ -175,6 +176,27 @@ PeerResults renewed(const PeerResults& earlier, PeerResults run, std::span<const
   run.queries.insert(run.queries.begin(), kept.queries.begin(), kept.queries.end());
   std::ranges::stable_sort(run.queries, {}, [&](const PlannerQuery& q) { return std::ranges::find(order, q.setting); });
   return run;
+}
+
+std::vector<PlannerQuery> answered_anew(std::span<const PlannerQuery> earlier, std::span<const PlannerQuery> run) {
+  const auto key = [](const PlannerQuery& q) { return std::tie(q.setting, q.world, q.query); };
+  std::vector<PlannerQuery> queries;
+  std::ranges::copy_if(earlier, std::back_inserter(queries), [&](const PlannerQuery& q) {
+    return std::ranges::find(run, q.setting, &PlannerQuery::setting) != run.end();
+  });
+  for (const PlannerQuery& anew : run) {
+    const auto known = std::ranges::find_if(queries, [&](const PlannerQuery& q) { return key(q) == key(anew); });
+    if (known == queries.end()) {
+      queries.push_back(anew);
+      continue;
+    }
+    known->lower_bound = anew.lower_bound;
+    for (const PlannerAnswer& answer : anew.answers) {
+      const auto same = std::ranges::find(known->answers, answer.planner, &PlannerAnswer::planner);
+      (same == known->answers.end() ? known->answers.emplace_back() : *same) = answer;
+    }
+  }
+  return queries;
 }
 
 }  // namespace arcway::report

@@ -65,5 +65,26 @@ TEST(RenewedPeerResults, AreTheRunsWhereNothingElseIsKept) {
   EXPECT_EQ(peer_results_json(renewed({}, run, kOrder)), peer_results_json(run));
 }
 
+TEST(AnsweredAnew, KeepsTheAnswersOfOthers) {
+  const std::vector<PlannerQuery> earlier{query("n1", 1.0), query("n2", 1.0)};
+  PlannerQuery ours{"n2", "w", 0, 8.0, {{"arcway", "solved", 2.0, 7.0, true}, {"arcway first", "solved", 1.5}}};
+  PlannerQuery another{"n2", "w", 1, 5.0, {{"arcway", "solved", 3.0}}};
+  PeerResults run{.name = {}, .context = {}, .duels = {}, .queries = {ours, another}};
+  run.queries = answered_anew(earlier, run.queries);
+  ASSERT_EQ(run.queries.size(), 2u);
+  const PlannerQuery& known = run.queries[0];
+  EXPECT_EQ(known.lower_bound, 8.0);
+  ASSERT_EQ(known.answers.size(), 3u);
+  EXPECT_EQ(known.answers[0].planner, "arcway");
+  EXPECT_EQ(known.answers[0].travel_time, 7.0);
+  EXPECT_TRUE(known.answers[0].valid);
+  EXPECT_EQ(known.answers[1].planner, "ompl_x 1 s");
+  EXPECT_EQ(known.answers[1].seconds, 1.0);
+  EXPECT_EQ(known.answers[2].planner, "arcway first");
+  EXPECT_EQ(run.queries[1].query, 1u);
+  EXPECT_EQ(queries_of(renewed({.name = {}, .context = {}, .duels = {}, .queries = earlier}, run, kOrder)),
+            (std::vector<std::pair<std::string, double>>{{"n1", 1.0}, {"n2", 2.0}, {"n2", 3.0}}));
+}
+
 }  // namespace
 }  // namespace arcway::report
