@@ -190,11 +190,12 @@ std::vector<PlannerQuery> answered_anew(std::span<const PlannerQuery> earlier, s
       queries.push_back(anew);
       continue;
     }
-    known->lower_bound = anew.lower_bound;
-    for (const PlannerAnswer& answer : anew.answers) {
-      const auto same = std::ranges::find(known->answers, answer.planner, &PlannerAnswer::planner);
-      (same == known->answers.end() ? known->answers.emplace_back() : *same) = answer;
-    }
+    std::vector<PlannerAnswer> answers = anew.answers;
+    std::ranges::copy_if(known->answers, std::back_inserter(answers), [&](const PlannerAnswer& a) {
+      return std::ranges::find(anew.answers, a.planner, &PlannerAnswer::planner) == anew.answers.end();
+    });
+    *known = anew;
+    known->answers = std::move(answers);
   }
   return queries;
 }

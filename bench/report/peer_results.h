@@ -59,8 +59,8 @@ std::string peer_results_json(const PeerResults& results);
 /// @param order  settings that come first, in this order; others follow as they were.
 PeerResults renewed(const PeerResults& earlier, PeerResults run, std::span<const std::string> order);
 
-/// The queries of an earlier file in a run's settings, with the answers of the run in place of those by the same
-/// planners, and its lower bounds; then what else the run has.
+/// The queries of an earlier file in a run's settings, with the run's lower bounds and answers, and those of planners
+/// that the run is without; then what else the run has.
 std::vector<PlannerQuery> answered_anew(std::span<const PlannerQuery> earlier, std::span<const PlannerQuery> run);
 
 }  // namespace arcway::report

@@ -78,9 +78,9 @@ TEST(AnsweredAnew, KeepsTheAnswersOfOthers) {
   EXPECT_EQ(known.answers[0].planner, "arcway");
   EXPECT_EQ(known.answers[0].travel_time, 7.0);
   EXPECT_TRUE(known.answers[0].valid);
-  EXPECT_EQ(known.answers[1].planner, "ompl_x 1 s");
-  EXPECT_EQ(known.answers[1].seconds, 1.0);
-  EXPECT_EQ(known.answers[2].planner, "arcway first");
+  EXPECT_EQ(known.answers[1].planner, "arcway first");
+  EXPECT_EQ(known.answers[2].planner, "ompl_x 1 s");
+  EXPECT_EQ(known.answers[2].seconds, 1.0);
   EXPECT_EQ(run.queries[1].query, 1u);
   EXPECT_EQ(queries_of(renewed({.name = {}, .context = {}, .duels = {}, .queries = earlier}, run, kOrder)),
             (std::vector<std::pair<std::string, double>>{{"n1", 1.0}, {"n2", 2.0}, {"n2", 3.0}}));
