@@ -41,10 +41,11 @@ class EdgePieces {
     tree_ = BoxTree(boxes);
   }
 
-  // Calls visit(a, b) once for any two edges whose boxes are so near to each other, a < b.
+  // Calls visit(a, b) once for any two edges whose boxes are so near to each other, a < b. Place by place, so that what
+  // is near one piece is at hand for the next.
   template <class Visitor>
   void visit_pairs(double distance, Visitor&& visit) const {
-    for (const Piece& piece : pieces_)
+    const auto visit_those_of = [&](const Piece& piece) {
       tree_.visit_overlaps(piece.box.grown(distance), [&](std::uint32_t p) {
         const Piece& other = pieces_[p];
         if (other.first < piece.first) return true;
@@ -56,6 +57,12 @@ class EdgePieces {
         }
         return true;
       });
+    };
+    tree_.visit_if([](const Box&) { return true; },
+                   [&](std::uint32_t p) {
+                     visit_those_of(pieces_[p]);
+                     return true;
+                   });
   }
 
   // Whether some edge that meets a box passes a test.
@@ -88,9 +95,13 @@ bool is_divided(const World& world, const EdgePieces& pieces, const Gap& gap) {
   const double largest = world.box().min.cwiseAbs().cwiseMax(world.box().max.cwiseAbs()).maxCoeff();
   const double radius = 0.5 * gap.width * kInside - kRounding * largest;
   if (!(radius > 0.0)) return false;
-  return pieces.any(Box{middle, middle}.grown(radius), [&](VertexId e) {
+  const auto divides = [&](VertexId e) {
     return e != gap.edge_a && e != gap.edge_b && distance(middle, world.edges()[e]) < radius;
-  });
+  };
+  // Across an obstacle it mostly is an edge beside them.
+  for (const VertexId edge : {gap.edge_a, gap.edge_b})
+    if (divides(world.next(edge)) || divides(world.previous(edge))) return true;
+  return pieces.any(Box{middle, middle}.grown(radius), divides);
 }
 
 // Tells two points apart by the parity of crossings with rays from them: a loop that parts them is odd.
