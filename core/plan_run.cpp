@@ -33,6 +33,7 @@ constexpr double kQuickNarrowPlacesGap = 0.1, kNarrowPlacesGap = 0.05;
 constexpr double kReversingEffort = 10.0;
 // And by other ways on from the start, or to the goal: slower at first, they may be faster once refined.
 constexpr double kOtherEndsGap = 0.04;
+// That is, if they are slower by no more than this.
 constexpr double kOtherEndsSlower = 0.03;
 // By this share at least that has to be faster: the ways on from where a manoeuvre saves next to nothing are known.
 constexpr double kLeastGain = 0.001;

@@ -18,7 +18,7 @@ using test::CountingSweep;
 // Rectangles in the place and beyond, some of them inside obstacles; obstacles with few edges there and with more than
 // are remembered.
 TEST(LocalSweep, AnswersAsTheQueryAndSeldomAsks) {
-  for (const std::size_t vertices : {5, 300}) {
+  for (const std::size_t vertices : {std::size_t{5}, std::size_t{300}}) {
     const World world = random_world({.obstacles = 30, .vertices = vertices, .fill = 0.4, .seed = 3});
     const CountingSweep sweep(world);
     const Outlines outlines(world);
