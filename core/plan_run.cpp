@@ -166,12 +166,9 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
   });
   if (forwards.search.path) {
     maps_ = &maps;
-    by_narrow_places_ = forwards.by_narrow_places;
-    fastest_.map = by_narrow_places_ ? &maps.narrow->map() : &maps.plain;
-    fastest_.poses = 0;
-    fastest_.first_circle = forwards.search.first_circle;
-    fastest_.last_circle = forwards.search.last_circle;
-    fastest_.times = keep(std::move(*forwards.search.path), effort, false);
+    const SearchMap& map = forwards.by_narrow_places ? maps.narrow->map() : maps.plain;
+    const Times times = keep(std::move(*forwards.search.path), effort, false);
+    fastest_ = {times, &map, 0, forwards.search.first_circle, forwards.search.last_circle};
   }
   return forwards.obstruction;
 }
@@ -186,7 +183,7 @@ void PlanRun::improve_forwards(bool thorough) {
     if (poses <= 1 || !is_doubtful(retry.gap)) break;
     try_faster(map, poses);
   }
-  if (maps_->narrow && !by_narrow_places_ && is_doubtful(thorough ? kNarrowPlacesGap : kQuickNarrowPlacesGap))
+  if (maps_->narrow && &map == &maps_->plain && is_doubtful(thorough ? kNarrowPlacesGap : kQuickNarrowPlacesGap))
     try_faster(maps_->narrow->map(), 0);
   if (thorough && is_doubtful(kOtherEndsGap)) try_other_ends();
   for (const SearchMap* other : {&maps_->faster_turns, &maps_->slower_turns})

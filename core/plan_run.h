@@ -90,10 +90,8 @@ class PlanRun {
   double second_unrefined_ = 0.0;     // travel time [s]
   double best_cost_, second_cost_;    // infinite where there is none
   std::uint64_t first_expanded_ = 0;  // until the first path was found
-  // Of find_forwards, when it found a path last.
-  const PlanMaps* maps_ = nullptr;
-  bool by_narrow_places_ = false;
-  Fastest fastest_{};  // on its maps
+  const PlanMaps* maps_ = nullptr;    // on which find_forwards found a path last
+  Fastest fastest_{};                 // of these
 };
 
 }  // namespace arcway

@@ -47,9 +47,8 @@ bool LocalSweep::straight_free(const SweptRectangle& rectangle) {
   }
   if (meets_one(lately, edges_.end())) return false;
   // It meets no edge: an obstacle holds all of it, or nothing is in its way.
-  if (!free_ || !sees({*free_, rectangle[0]})) {
-    if (!sweep_.straight_free(rectangle)) return false;
-  }
+  const bool is_beside_free = free_ && sees({*free_, rectangle[0]});
+  if (!is_beside_free && !sweep_.straight_free(rectangle)) return false;
   free_ = rectangle[0];
   return true;
 }
