@@ -64,7 +64,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--times", p.times, "when to look at the peers' best path [s]")->delimiter(',')->capture_default_str();
   app.add_option("--long-time", p.long_time, "once more, on the long queries [s]")->capture_default_str();
   app.add_flag("--ours", options.ours,
-               "Only plan with arcway anew; answers of peers stay those of the file, by --update");
+               "Only plan with arcway anew; answers of peers stay those of the file, by --update")
+      ->needs("--update");
   app.add_flag("--first-only", p.first_only, "RRTConnect's first path and nothing else");
   app.add_option("--first-within", p.first_within, "the time for that [s]")->capture_default_str();
   app.add_option("--seed", p.seed, "of queries, peers and shortcuts")->capture_default_str();
@@ -88,20 +89,18 @@ report::PeerResults new_results() {
 
 #ifdef ARCWAY_PEER_OMPL
 std::vector<PlannerSetting> chosen_settings(const Options& options) {
-  if (!options.planners.worlds.empty()) {
-    std::vector<PlannerSetting> own{options.planners};
-    own[0].queries = options.queries.value_or(own[0].queries);
-    own[0].long_queries = options.long_queries.value_or(own[0].long_queries);
-    own[0].ours_only = options.ours;
-    own[0].name = options.robot.empty() ? "paper's robot" : options.robot;
-    if (!options.robot.empty()) own[0].vehicle = Vehicle(read_robot(read_file(options.robot), options.robot));
-    return own;
+  std::vector<PlannerSetting> chosen;
+  if (options.planners.worlds.empty()) {
+    chosen = standard_settings();
+    const auto is_left_out = [&](const PlannerSetting& s) {
+      return std::ranges::find(options.settings, s.name) == options.settings.end();
+    };
+    if (!options.settings.empty()) std::erase_if(chosen, is_left_out);
+  } else {
+    PlannerSetting& own = chosen.emplace_back(options.planners);
+    own.name = options.robot.empty() ? "paper's robot" : options.robot;
+    if (!options.robot.empty()) own.vehicle = Vehicle(read_robot(read_file(options.robot), options.robot));
   }
-  std::vector<PlannerSetting> chosen = standard_settings();
-  const auto is_left_out = [&](const PlannerSetting& s) {
-    return std::ranges::find(options.settings, s.name) == options.settings.end();
-  };
-  if (!options.settings.empty()) std::erase_if(chosen, is_left_out);
   for (PlannerSetting& setting : chosen) {
     setting.ours_only = options.ours;
     setting.queries = options.queries.value_or(setting.queries);
