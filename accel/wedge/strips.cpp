@@ -1,8 +1,10 @@
 #include "accel/wedge/strips.h"
 
+#include <algorithm>
+#include <atomic>
+#include <tuple>
 #include <utility>
 
-#include "core/geometry/predicates.h"
 #include "core/prefetch.h"
 
 namespace arcway {
@@ -10,62 +12,169 @@ namespace arcway {
 namespace {
 
 using Strip = Strips::Strip;
+using Reach = Strips::Reach;
 
+// By entrance.
+using StripsByDoor = std::vector<std::pair<std::uint32_t, Strip>>;
+
+// Finds triangles with one wall each that follow each other, and the strips among them. On which side the wall is
+// changes all the time: that is used as a number where it can be, as branches would be mispredicted.
 class Tracer {
  public:
-  explicit Tracer(const SightMap& map) : doors_(map.doors()), nodes_(map.nodes()), is_plain_(map.is_plain()) {}
+  /// @param is_traced    by triangle: whether somebody has traced it.
+  /// @param turns, used  where those of the strips found go, one after the other.
+  Tracer(const SightMap& map, std::span<std::uint8_t> is_traced, std::span<std::uint32_t> turns,
+         std::atomic<std::uint32_t>& used)
+      : doors_(map.doors()),
+        nodes_(map.nodes()),
+        is_plain_(map.is_plain()),
+        is_traced_(is_traced),
+        turns_(turns),
+        used_(used) {}
 
-  /// The only door that leads on behind a door, past a wall whose end has a plain node; kNone otherwise.
-  [[nodiscard]] std::uint32_t onward(std::uint32_t door) const {
-    const SightMap::Door& triangle = doors_[door];
-    if ((triangle.left == kNone) == (triangle.right == kNone)) return kNone;
-    if (triangle.node == kNone || !(is_plain_ || nodes_[triangle.node].is_plain())) return kNone;
-    return triangle.left == kNone ? triangle.right : triangle.left;
+  [[nodiscard]] bool is_new(std::uint32_t triangle) const {
+    if (std::atomic_ref(is_traced_[triangle]).load(std::memory_order_relaxed) != 0) return false;
+    const SightMap::Door &first = doors_[3 * triangle], &second = doors_[3 * triangle + 1];
+    return (first.left == kNone) + (first.right == kNone) + (second.left == kNone) == 1;
   }
 
-  /// Whether strips begin at a door: it is no wall, and not where another one leads on to.
-  [[nodiscard]] bool is_entrance(std::uint32_t door) const {
-    if (onward(door) == kNone) return false;
-    const std::uint32_t back = doors_[Triangulation::next(door)].left;
-    if (back == kNone) return false;
-    const bool by_left = doors_[back].left != kNone;
-    if (by_left == (doors_[back].right != kNone)) return true;
-    return onward(by_left ? Triangulation::previous(back) : Triangulation::next(back)) != door;
-  }
-
-  /// The longest strip behind a door; its exit is the door itself if there is none.
-  Strip trace(std::uint32_t door, std::vector<std::uint32_t>& turns) const {
-    Strip strip{door, 0, 0, 0, 0, static_cast<std::uint32_t>(turns.size())};
-    bool leads_right[2] = {};  // by side of the wall, in which direction it is followed
-    for (std::uint32_t next = onward(door); next != kNone; next = onward(next)) {
-      const SightMap::Door& triangle = doors_[strip.exit];
-      const bool is_left = triangle.left == kNone;
-      const std::uint32_t end = is_left ? Triangulation::next(strip.exit) : Triangulation::previous(strip.exit);
-      const bool goes_right = doors_[end].site < triangle.site;
-      std::uint32_t& first = is_left ? strip.first_left : strip.first_right;
-      std::uint32_t& count = is_left ? strip.left_count : strip.right_count;
-      if (count == 0) {
-        first = triangle.node;
-        leads_right[is_left] = goes_right;
-      } else {
-        const bool follows = triangle.node == (is_left ? first + count : first - count);  // not where the ring begins
-        if (!follows || goes_right != leads_right[is_left]) break;
-      }
-      if (is_left) turns.push_back(strip.right_count);
-      ++count;
-      strip.exit = next;
+  /// All that follow each other, among them this one. Returns one of them: the same for all.
+  std::uint32_t trace(std::uint32_t triangle) {
+    std::uint32_t door = 3 * triangle;
+    while (doors_[Triangulation::next(door)].left == kNone) ++door;  // as it is the wall
+    entrances_.clear();
+    const bool is_closed = extend(other_diagonal(door), triangle);
+    turn_round();
+    entrances_.push_back(door);
+    mark(triangle);
+    if (is_closed) {
+      const std::uint32_t first = *std::min_element(entrances_.begin(), entrances_.end()) / 3;
+      return first == triangle ? triangle : trace(first);
     }
-    return strip;
+    extend(door, triangle);
+    if (entrances_.front() > entrances_.back()) turn_round();
+    return entrances_.front() / 3;
+  }
+
+  /// Those of at least so many among the triangles traced: between those where a wall turns back, or the ring begins.
+  void find_strips(std::uint32_t least, StripsByDoor& found) {
+    struct Side {
+      bool has_begun = false;
+      std::uint32_t site = 0, node = 0;  // that were reached last
+      bool leads_right = false;
+    } sides[2];
+    std::size_t first = 0;
+    const auto end_at = [&](std::size_t end) {
+      if (end >= first + least) add(std::span(entrances_).subspan(first, end - first), found);
+      first = end + 1;
+      sides[0].has_begun = sides[1].has_begun = false;
+    };
+    for (std::size_t i = 0; i < entrances_.size(); ++i) {
+      const SightMap::Door& ahead = doors_[entrances_[i]];
+      const int is_left = ahead.left == kNone ? 1 : 0;
+      Side& side = sides[is_left];
+      if (!side.has_begun) {
+        const SightMap::Door& from = doors_[other_diagonal(entrances_[i])];
+        side = {true, from.site, from.node, from.site < ahead.site};
+      }
+      const bool leads_right = side.site < ahead.site;
+      if (leads_right != side.leads_right || !follows(side.node, ahead.node, 2 * is_left - 1)) end_at(i);
+      side = {true, ahead.site, ahead.node, leads_right};
+    }
+    end_at(entrances_.size());
   }
 
  private:
+  /// The only one that leads on from the triangle behind a door: kNone, which the other one is, has all bits set.
+  [[nodiscard]] std::uint32_t onward(std::uint32_t door) const {
+    static_assert(~kNone == 0);
+    return doors_[door].left & doors_[door].right;
+  }
+  /// The door from there into the triangle behind a door.
+  [[nodiscard]] std::uint32_t other_diagonal(std::uint32_t door) const {
+    const std::uint32_t corner = door % 3, other = corner + (doors_[door].left == kNone ? 1 : 2);
+    return door - corner + (other < 3 ? other : other - 3);
+  }
+  void mark(std::uint32_t triangle) { std::atomic_ref(is_traced_[triangle]).store(1, std::memory_order_relaxed); }
+
+  /// Appends what follows behind the triangle behind a door. Returns whether that comes back to a triangle.
+  bool extend(std::uint32_t door, std::uint32_t start) {
+    door = onward(door);
+    while ((doors_[door].left == kNone) != (doors_[door].right == kNone)) {
+      if (door / 3 == start) return true;
+      mark(door / 3);
+      entrances_.push_back(door);
+      door = onward(door);
+    }
+    return false;
+  }
+
+  void turn_round() {
+    std::reverse(entrances_.begin(), entrances_.end());
+    for (std::uint32_t& door : entrances_) door = other_diagonal(door);
+  }
+
+  /// Whether a wall leads from a node to the next one, or the one before: not where the ring begins.
+  [[nodiscard]] bool follows(std::uint32_t from, std::uint32_t to, int step) const {
+    if (from == kNone || to == kNone || to != from + static_cast<std::uint32_t>(step)) return false;
+    return is_plain_ || (nodes_[from].is_plain() && nodes_[to].is_plain());
+  }
+
+  /// A strip, from both ends.
+  void add(std::span<const std::uint32_t> entrances, StripsByDoor& found) {
+    const auto has_left_wall = [&](std::uint32_t door) { return doors_[door].left == kNone; };
+    const auto on_left = static_cast<std::uint32_t>(std::count_if(entrances.begin(), entrances.end(), has_left_wall));
+    const std::uint32_t first_turn = used_.fetch_add(on_left + 1, std::memory_order_relaxed);
+    std::uint32_t left = 0, right = 0;
+    for (const std::uint32_t door : entrances) {
+      turns_[first_turn + left] = right;
+      (has_left_wall(door) ? left : right) += 1;
+    }
+    Strip there{{}, {}, onward(entrances.back()), first_turn, false};
+    Strip back{{}, {}, onward(other_diagonal(entrances.front())), first_turn, true};
+    if (left > 0) {
+      const auto from = std::find_if(entrances.begin(), entrances.end(), has_left_wall);
+      const auto to = std::find_if(entrances.rbegin(), entrances.rend(), has_left_wall);
+      std::tie(there.left, back.right) = reaches(*from, *to, left, 1);
+    }
+    if (right > 0) {
+      const auto from = std::find_if_not(entrances.begin(), entrances.end(), has_left_wall);
+      const auto to = std::find_if_not(entrances.rbegin(), entrances.rend(), has_left_wall);
+      std::tie(there.right, back.left) = reaches(*from, *to, right, -1);
+    }
+    found.push_back({entrances.front(), there});
+    found.push_back({other_diagonal(entrances.back()), back});
+  }
+
+  /// Along the same wall, there and back.
+  /// @param first, last  doors to the triangles that have its first and its last edge.
+  /// @param turning      1 counter-clockwise, -1 the other way.
+  [[nodiscard]] std::pair<Reach, Reach> reaches(std::uint32_t first, std::uint32_t last, std::uint32_t count,
+                                                int turning) const {
+    const auto edge_behind = [&](std::uint32_t door) {
+      return (doors_[door].apex - doors_[other_diagonal(door)].apex).normalized().eval();
+    };
+    const Vec2 from = edge_behind(first), to = edge_behind(last);
+    const double quarters = turning > 0 ? Strips::quarters_of_turn(from, to) : Strips::quarters_of_turn(to, from);
+    const double nodes = quarters > 0.0 ? (count - 1) / quarters : 0.0;
+    const auto reach = [&](std::uint32_t door, const Vec2& edge) {
+      return Reach{doors_[door].node, count, static_cast<float>(edge.x()), static_cast<float>(edge.y()),
+                   static_cast<float>(nodes)};
+    };
+    return {reach(first, from), reach(other_diagonal(last), -to)};
+  }
+
   std::span<const SightMap::Door> doors_;
   std::span<const SightMap::Node> nodes_;
   bool is_plain_;
+  std::span<std::uint8_t> is_traced_;
+  std::span<std::uint32_t> turns_;
+  std::atomic<std::uint32_t>& used_;
+  std::vector<std::uint32_t> entrances_;  // into the triangles traced last, one behind the other
 };
 
 bool has_long_walls(const World& world) {
-  constexpr std::ptrdiff_t kLong = 64;
+  constexpr std::ptrdiff_t kLong = 32;
   const std::span<const VertexId> convex = world.convex_vertices();
   std::ptrdiff_t count = 0;
   for (ObstacleId o = 0; o < world.region_count(); ++o) {
@@ -81,74 +190,33 @@ bool has_long_walls(const World& world) {
 
 }  // namespace
 
-int Strips::Wall::turn(const Vec2& s, const Vec2& p, const Vec2& q) const { return step * orientation(s, p, q); }
-
-// Seen from a point before the strip, nodes of a convex wall come nearer to the other wall one after the other, up to
-// the one that limits what is seen, and then lie behind it; or all of them lie behind the end of the door. From the
-// other wall the last node that was passed is in sight.
-std::uint32_t Strips::Wall::limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
-                                       std::uint32_t guess) const {
-  if (nodes == 0) return kNone;
-  const auto fetch = [this](std::uint32_t i) {
-    will_need(&node(i).at);
-    will_need(step > 0 ? &node(i).next : &node(i).previous);
-  };
-  if (passed == 0 && turn(s, step > 0 ? first->previous : first->next, first->at) >= 0) return kNone;
-  std::uint32_t low = std::max(passed, 1u) - 1, high = nodes - 1;
-  std::uint32_t far = guess == kNone ? nodes : 1;  // how far from the last one the next one is looked for
-  std::uint32_t middle = guess == kNone ? low + (high - low) / 2 : std::clamp(guess, low, std::max(high, low + 1) - 1);
-  for (; low < high; far = std::min(2 * far, nodes)) {
-    // Where it goes on from here, either way.
-    const std::uint32_t ahead = middle + 1 + std::min(far - 1, (high - middle - 1) / 2);
-    const std::uint32_t back = middle - std::min(far, (middle - low + 1) / 2);
-    fetch(ahead);
-    fetch(back);
-    const SightMap::Node& n = node(middle);
-    const bool is_ahead = turn(s, n.at, step > 0 ? n.next : n.previous) < 0;
-    if (is_ahead)
-      low = middle + 1;
-    else
-      high = middle;
-    middle = is_ahead ? ahead : back;
-  }
-  return low;
-}
-
 Strips::Strips(const SightMap& map, std::uint32_t least, const Executor& executor) {
-  constexpr std::size_t kGrain = 1 << 16;
-  struct Part {
-    std::vector<std::pair<std::uint32_t, Strip>> strips;  // by door
-    std::vector<std::uint32_t> turns;
-  };
-  const Tracer tracer(map);
-  std::vector<Part> parts(map.doors().size() / kGrain + 1);
+  constexpr std::size_t kTrianglesPerRange = 1 << 14, kAhead = 1000;
+  const std::size_t triangles = map.doors().size() / 3;
+  turns_.resize(triangles + triangles / least);
+  std::atomic<std::uint32_t> turns = 0;
+  std::vector<std::uint8_t> is_traced(triangles, 0), is_taken(triangles, 0);
+  std::vector<StripsByDoor> parts(triangles / kTrianglesPerRange + 1);
   executor.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    Tracer tracer(map, is_traced, turns_, turns);
     for (std::size_t p = begin; p < end; ++p) {
-      Part& part = parts[p];
-      const std::size_t behind = std::min((p + 1) * kGrain, map.doors().size());
-      for (auto first = static_cast<std::uint32_t>(p * kGrain); first < behind; ++first) {
-        if (!tracer.is_entrance(first)) continue;
-        for (std::uint32_t door = first; tracer.onward(door) != kNone;) {
-          const Strip strip = tracer.trace(door, part.turns);
-          if (strip.left_count + strip.right_count >= least) {
-            part.strips.emplace_back(door, strip);
-          } else {
-            part.turns.resize(strip.first_turn);
-          }
-          door = strip.exit;
+      const std::size_t behind = std::min((p + 1) * kTrianglesPerRange, triangles);
+      for (auto triangle = static_cast<std::uint32_t>(p * kTrianglesPerRange); triangle < behind; ++triangle) {
+        if (triangle + kAhead < triangles) {
+          will_need(&map.doors()[3 * (triangle + kAhead)]);
+          will_need(&map.doors()[3 * (triangle + kAhead) + 2]);
         }
+        if (!tracer.is_new(triangle)) continue;
+        // Two threads may trace the same ones.
+        const std::uint32_t first = tracer.trace(triangle);
+        if (std::atomic_ref(is_taken[first]).exchange(1, std::memory_order_relaxed) == 0)
+          tracer.find_strips(least, parts[p]);
       }
     }
   });
 
-  std::vector<std::pair<std::uint32_t, Strip>> all;
-  for (Part& part : parts) {
-    for (auto& [door, strip] : part.strips) {
-      strip.first_turn += static_cast<std::uint32_t>(turns_.size());
-      all.emplace_back(door, strip);
-    }
-    turns_.insert(turns_.end(), part.turns.begin(), part.turns.end());
-  }
+  StripsByDoor all;
+  for (const StripsByDoor& part : parts) all.insert(all.end(), part.begin(), part.end());
   if (all.empty()) return;
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   marks_.resize(map.doors().size() / kDoorsPerMark + 1);
@@ -165,7 +233,7 @@ Strips::Strips(const SightMap& map, std::uint32_t least, const Executor& executo
 }
 
 Strips worthwhile_strips(const World& world, const SightMap& map, const Executor& executor) {
-  constexpr std::uint32_t kLeast = 16;
+  constexpr std::uint32_t kLeast = 6;
   return has_long_walls(world) ? Strips(map, kLeast, executor) : Strips();
 }
 

@@ -21,6 +21,9 @@ inline int filtered_sign(double ux, double uy, double vx, double vy) {
   return (determinant > error) - (determinant < -error);
 }
 
+// Who looks from a run looks at all of its nodes, not at the first ones first.
+constexpr std::size_t kNodesAhead = 256;
+
 bool is_tangent(const SightMap::Node& node, const Vec2& from) {
   const double x = node.at.x() - from.x(), y = node.at.y() - from.y();
   int previous = filtered_sign(x, y, node.previous.x() - node.at.x(), node.previous.y() - node.at.y());
@@ -91,6 +94,11 @@ void WedgeWalk::look_around(std::uint32_t index) {
 void WedgeWalk::look_right(std::uint32_t index) {
   alias_ = kNone;
   const Node& source = map_.nodes()[index];
+  if (index + kNodesAhead < map_.nodes().size()) {
+    const Node& ahead = map_.nodes()[index + kNodesAhead];
+    will_need(&ahead);
+    will_need(&ahead.last_door);
+  }
   const bool from_left = source.previous_site < source.site, to_left = source.next_site < source.site;
   if (source.is_plain()) {
     if ((from_left || source.before != kNone) && (to_left || source.after != kNone)) {
@@ -223,30 +231,39 @@ void WedgeWalk::look_from_run(std::uint32_t first) {
   } else {
     while (doors[door].site > source->site) door = onward(door);
   }
+  const auto move_on = [&](std::uint32_t nodes) {
+    place = kLeft ? place + nodes : place - nodes;
+    source = &node(place);
+  };
   while (true) {
     ++steps_;
     const std::uint32_t ahead = kLeft ? source->next_site : source->previous_site;
-    const bool runs_on = ahead > source->site && (kLeft ? source->after : source->before) != kNone;
-    if (const Strips::Strip* strip = strips_ && runs_on ? strips_->behind(door) : nullptr;
-        strip && (kLeft ? strip->left_count : strip->right_count) > 0) {
-      if (!pass_along<kHand>(*strip, place, near)) return;
-      place = kLeft ? place + strip->left_count : place - strip->right_count;
-      source = &node(place);
-      door = strip->exit;
-      continue;
-    }
-    const SightMap::Door& triangle = doors[door];
-    if (onward(door) == kNone) {
-      if (runs_on) {
-        place = kLeft ? place + 1 : place - 1;
-        source = &node(place);
-        door = outward(door);
+    const bool leads_right = ahead > source->site;
+    const bool runs_on = leads_right && (kLeft ? source->after : source->before) != kNone;
+    const Strips::Strip* const strip = strips_ ? strips_->behind(door) : nullptr;
+    if (strip) {
+      const std::uint32_t count = kLeft ? strip->left.count : strip->right.count;
+      if (!pass_along<kHand>(*strip, runs_on ? count : 0, place, near)) return;
+      if (runs_on || count == 0) {
+        move_on(count);
+        door = strip->exit;
         continue;
       }
-      const Limit edge = limit(Kind::kMet, place, triangle.site, triangle.apex);
-      look_out(outward(door), near, ahead > source->site ? edge : straight(kEnd, place));
+    }
+    const bool is_last = strip || onward(door) == kNone;
+    if (is_last && runs_on) {
+      move_on(1);
+      door = outward(door);
+      continue;
+    }
+    if (is_last) {
+      const std::uint32_t wall = kLeft ? source->last_door : source->first_door;
+      look_out(onward(wall), near,
+               leads_right ? limit(Kind::kMet, place, ahead, kLeft ? source->next : source->previous)
+                           : straight(kEnd, place));
       return;
     }
+    const SightMap::Door& triangle = doors[door];
     const int near_side = (kLeft ? 1 : -1) * side(near, triangle.apex, triangle.site);
     if (near_side >= 0) {
       const std::uint32_t from = kLeft ? touch(near.from, place, End::kLow, triangle.apex)
@@ -298,6 +315,7 @@ void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
   while (true) {
     ++steps;
     if (const Strips::Strip* strip = kHasStrips ? strips_->behind(door) : nullptr) {
+      will_need(doors + strip->exit);
       door = pass(*strip, low, high) ? strip->exit : kNone;
       left_end = right_end = kNone;
     } else {
@@ -353,52 +371,56 @@ void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
 
 // The wall is looked at from the place that the range's limit starts from, then from where the ray to the node found
 // starts, and so on: each ray leaves more of the wall behind, until one leaves all of it there.
-template <class Passed, class From>
-WedgeWalk::Contact WedgeWalk::contact(const Strips::Wall& wall, const Limit& own, const Limit* other,
-                                      const Passed& passed_before, const From& touched_from) const {
+template <int kStep, class Passed, class From>
+WedgeWalk::Contact WedgeWalk::contact(const Strips::Wall<kStep>& wall, std::uint32_t nodes, const Limit& own,
+                                      const Limit* other, std::uint32_t guess, const Passed& passed_before,
+                                      const From& touched_from) const {
   Contact found;
   found.ray = own;
   while (true) {
     const std::uint32_t from = found.ray.from;
-    const std::uint32_t index = wall.limit_from(node(from).at, wall.count, passed_before(from), found.index);
+    const std::uint32_t index = wall.limit_from(node(from).at, nodes, passed_before(from), guess, sure_);
     if (index == kNone || index == found.index) return found;
-    const Node& at = wall.node(index);
-    const int own_side = wall.step * side(own, at.at, at.site);
+    const Node& n = wall.node(index);
+    const int own_side = kStep * side(own, n.at, n.site);
     if (own_side > 0) return found;
-    found.index = index;
+    found.index = guess = index;
     found.own_side = own_side;
-    if (other) found.other_side = wall.step * side(*other, at.at, at.site);
+    if (other) found.other_side = kStep * side(*other, n.at, n.site);
     if (found.other_side < 0) return found;
-    found.ray = limit(Kind::kMet, touched_from(index, at.at), at.site, at.at);
+    found.ray = limit(Kind::kMet, touched_from(index, n.at), n.site, n.at);
+    if (found.ray.from == from) return found;
   }
 }
 
 bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
-  const Strips::Wall left = Strips::left_wall(map_, strip), right = Strips::right_wall(map_, strip);
+  const Strips::Wall<1> left(strip.left, map_.nodes());
+  const Strips::Wall<-1> right(strip.right, map_.nodes());
   const auto none = [](std::uint32_t) { return 0u; };
   const auto touched = [&](End end) {
     return [&, end](std::uint32_t, const Vec2& at) { return touch(low.from, high.from, end, at); };
   };
-  const Contact on_left = contact(left, high, &low, none, touched(End::kHigh));
-  const Contact on_right = contact(right, low, &high, none, touched(End::kLow));
+  const std::uint32_t guess_left = left.guess(high.direction), guess_right = right.guess(low.direction);
+  left.fetch(guess_left);
+  right.fetch(guess_right);
+  const Contact on_left = contact(left, left.count(), high, &low, guess_left, none, touched(End::kHigh));
+  const Contact on_right = contact(right, right.count(), low, &high, guess_right, none, touched(End::kLow));
   bool passes = on_left.leaves_way() && on_right.leaves_way();
   if (passes && on_left.exists() && on_right.exists()) {
-    const Node& n = right.node(on_right.index);
-    passes = side(on_left.ray, n.at, n.site) < 0;
+    passes = side(on_left.ray, right.node(on_right.index).at, right.node(on_right.index).site) < 0;
   }
   // What is in the range is seen unless the other wall, as far as it was passed before, hides it.
-  const auto report_if_seen = [&](const Contact& c, const Strips::Wall& wall, const Limit& own, const Limit& other,
-                                  const Strips::Wall& across, std::uint32_t passed) {
+  const auto report_if_seen = [&](const Contact& c, const auto& wall, const Limit& own, const Limit& other,
+                                  const auto& across, std::uint32_t passed) {
     const bool in_range =
         (c.own_side < 0 || is_closed(own)) && (c.other_side > 0 || (c.other_side == 0 && is_closed(other)));
     if (!in_range) return;
-    const Node& n = wall.node(c.index);
     if (!passes) {
       const Vec2& s = node(c.ray.from).at;
-      const std::uint32_t hides = across.limit_from(s, passed, 0);
-      if (hides != kNone && across.turn(s, n.at, across.node(hides).at) <= 0) return;
+      const std::uint32_t hides = across.limit_from(s, passed, 0, 0, sure_);
+      if (hides != kNone && across.turn(s, wall.node(c.index).at, across.node(hides).at) <= 0) return;
     }
-    report(c.ray.from, index_of(n));
+    report(c.ray.from, wall.index_of_node(c.index));
   };
   if (on_left.exists())
     report_if_seen(on_left, left, high, low, right, passes ? 0 : strips_->right_before(strip, on_left.index));
@@ -412,24 +434,30 @@ bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
 // The other wall is seen from the run up to the node that a ray of the run touches. A node is touched from what was
 // passed of the run before it, and places within the strip do not see what was passed of the other wall before them.
 template <WedgeWalk::Hand kHand>
-bool WedgeWalk::pass_along(const Strips::Strip& strip, std::uint32_t place, Limit& near) {
+bool WedgeWalk::pass_along(const Strips::Strip& strip, std::uint32_t count, std::uint32_t place, Limit& near) {
   constexpr bool kLeft = kHand == Hand::kLeft;
-  const Strips::Wall across = kLeft ? Strips::right_wall(map_, strip) : Strips::left_wall(map_, strip);
-  const auto ahead = [&](std::uint32_t count) { return kLeft ? place + count : place - count; };
-  const auto passed_before = [&](std::uint32_t from) {  // of the other wall
+  const Strips::Wall<kLeft ? -1 : 1> across(kLeft ? strip.right : strip.left, map_.nodes());
+  const auto across_before = [&](std::uint32_t i) {  // of the other wall, before one of the run
+    return kLeft ? strips_->right_before(strip, i) : strips_->left_before(strip, i);
+  };
+  const auto ahead = [&](std::uint32_t nodes) { return kLeft ? place + nodes : place - nodes; };
+  const auto passed_before = [&](std::uint32_t from) {
     if (kLeft ? from <= place : from >= place) return 0u;
-    return kLeft ? strips_->right_before(strip, from - place - 1) : strips_->left_before(strip, place - from - 1);
+    return across_before(kLeft ? from - place - 1 : place - from - 1);
   };
   const auto touched_from = [&](std::uint32_t index, const Vec2& at) {
     const std::uint32_t last = ahead(kLeft ? strips_->left_before(strip, index) : strips_->right_before(strip, index));
     return kLeft ? touch(near.from, last, End::kLow, at) : touch(last, near.from, End::kHigh, at);
   };
-  const Contact found = contact(across, near, nullptr, passed_before, touched_from);
+  const std::uint32_t in_sight =
+      count == (kLeft ? strip.left.count : strip.right.count) ? across.count() : across_before(0);
+  const Contact found =
+      contact(across, in_sight, near, nullptr, across.guess(near.direction), passed_before, touched_from);
   if (!found.exists()) return true;
-  const Node& n = across.node(found.index);
-  const std::uint32_t end = ahead(kLeft ? strip.left_count : strip.right_count);
-  if (found.ray.from == end && n.site < node(end).site) return false;  // rays from there on lead left
-  if (found.own_side < 0 || is_closed(near)) report(found.ray.from, index_of(n));
+  const std::uint32_t end = ahead(count);
+  if (found.ray.from == end && across.node(found.index).site < node(end).site)
+    return false;  // rays from there on lead left
+  if (found.own_side < 0 || is_closed(near)) report(found.ray.from, across.index_of_node(found.index));
   near = found.ray;
   return true;
 }

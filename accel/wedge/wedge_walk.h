@@ -87,25 +87,27 @@ class WedgeWalk {
     [[nodiscard]] bool exists() const { return index != kNone; }
     [[nodiscard]] bool leaves_way() const { return !exists() || other_side > 0; }
   };
+  /// @param nodes           how many of the wall are reached.
   /// @param own, other      limits of the range; `other` may be none.
+  /// @param guess           see Strips::Wall::limit_from.
   /// @param passed_before   how many nodes of the wall are behind a place of the run.
   /// @param touched_from    the place from which a ray to the wall's node `index`, at some place, starts.
-  template <class Passed, class From>
-  [[nodiscard]] Contact contact(const Strips::Wall& wall, const Limit& own, const Limit* other,
-                                const Passed& passed_before, const From& touched_from) const;
+  template <int kStep, class Passed, class From>
+  [[nodiscard]] Contact contact(const Strips::Wall<kStep>& wall, std::uint32_t nodes, const Limit& own,
+                                const Limit* other, std::uint32_t guess, const Passed& passed_before,
+                                const From& touched_from) const;
   /// Passes a strip. Returns whether anything comes through; then the limits are what does.
   bool pass(const Strips::Strip& strip, Limit& low, Limit& high);
-  /// Passes a strip one of whose walls is the run, from a place at its entrance. Returns whether the run goes on.
+  /// Passes a strip along one of its walls, from a place of the run at its entrance. Returns whether the run goes on.
+  /// @param count  nodes to go: those of the wall; or none, where the run ends, and then the triangles around the
+  /// place.
   template <Hand kHand>
-  bool pass_along(const Strips::Strip& strip, std::uint32_t place, Limit& near);
+  bool pass_along(const Strips::Strip& strip, std::uint32_t count, std::uint32_t place, Limit& near);
   void take_tangent();
   void add(const Node& source, const Node& target);
 
   [[nodiscard]] const Node& node(std::uint32_t place) const {
     return map_.nodes()[place == alias_ ? alias_of_ : place];
-  }
-  [[nodiscard]] std::uint32_t index_of(const Node& node) const {
-    return static_cast<std::uint32_t>(&node - map_.nodes().data());
   }
   [[nodiscard]] int side(const Limit& limit, const Vec2& p, std::uint32_t site) const;
   [[nodiscard]] int exact_side(const Limit& limit, std::uint32_t site) const;

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -31,7 +33,7 @@ World discs(int vertices) {
   return World(std::move(obstacles));
 }
 
-std::uint32_t triangles(const Strips::Strip& strip) { return strip.left_count + strip.right_count; }
+std::uint32_t triangles(const Strips::Strip& strip) { return strip.left.count + strip.right.count; }
 
 // What a strip promises, from door to door.
 void expect_strip(const SightMap& map, const Strips& strips, std::uint32_t entrance) {
@@ -43,29 +45,29 @@ void expect_strip(const SightMap& map, const Strips& strips, std::uint32_t entra
     const SightMap::Door& triangle = doors[door];
     ASSERT_NE(triangle.left == kNone, triangle.right == kNone);
     if (triangle.left == kNone) {
-      ASSERT_EQ(triangle.node, strip.first_left + left);
+      ASSERT_EQ(triangle.node, strip.left.first_node + left);
       EXPECT_EQ(strips.right_before(strip, left), right);
       ++left;
       door = triangle.right;
     } else {
-      ASSERT_EQ(triangle.node, strip.first_right - right);
+      ASSERT_EQ(triangle.node, strip.right.first_node - right);
       EXPECT_EQ(strips.left_before(strip, right), left);
       ++right;
       door = triangle.left;
     }
     ASSERT_TRUE(nodes[triangle.node].is_plain());
   }
-  EXPECT_EQ(left, strip.left_count);
-  EXPECT_EQ(right, strip.right_count);
+  EXPECT_EQ(left, strip.left.count);
+  EXPECT_EQ(right, strip.right.count);
   // From left to right or from right to left, around one obstacle.
   for (std::uint32_t i = 0; i + 1 < left; ++i) {
-    const SightMap::Node& n = nodes[strip.first_left + i];
-    EXPECT_EQ(n.after, strip.first_left + i + 1);
+    const SightMap::Node& n = nodes[strip.left.first_node + i];
+    EXPECT_EQ(n.after, strip.left.first_node + i + 1);
     EXPECT_EQ(n.previous_site < n.site, n.site < n.next_site);
   }
   for (std::uint32_t i = 0; i + 1 < right; ++i) {
-    const SightMap::Node& n = nodes[strip.first_right - i];
-    EXPECT_EQ(n.before, strip.first_right - i - 1);
+    const SightMap::Node& n = nodes[strip.right.first_node - i];
+    EXPECT_EQ(n.before, strip.right.first_node - i - 1);
     EXPECT_EQ(n.previous_site < n.site, n.site < n.next_site);
   }
 }
@@ -130,8 +132,10 @@ TEST(Strips, FindWhatLimitsSightsOnWallsOfAnyLength) {
         nodes[i].at = at(i);
         nodes[i].next = at(i + 1.0);
       }
-      const Strips::Wall wall{nodes.data(), 1, count};
-      const std::uint32_t limit = wall.limit_from(s, count, 0);
+      const Strips::Reach reach{0, count};
+      const Strips::Wall<1> wall(reach, nodes);
+      const double sure = std::numeric_limits<double>::infinity();  // nothing is
+      const std::uint32_t limit = wall.limit_from(s, count, 0, count / 2, sure);
       if (nearest == 0) {
         EXPECT_EQ(limit, 0u);
       } else {
@@ -140,30 +144,69 @@ TEST(Strips, FindWhatLimitsSightsOnWallsOfAnyLength) {
         EXPECT_TRUE(limit == count - 1 || wall.turn(s, nodes[limit].at, nodes[limit].next) >= 0) << limit;
       }
       for (const std::uint32_t guess : {0u, nearest / 2, nearest, count - 1})
-        EXPECT_EQ(wall.limit_from(s, count, 0, guess), limit) << count << " from " << guess;
+        EXPECT_EQ(wall.limit_from(s, count, 0, guess, sure), limit) << count << " from " << guess;
+    }
+  }
+}
+
+// On a round wall the node that a ray touches follows from the ray's direction.
+TEST(Strips, GuessWhereRaysTouchRoundWalls) {
+  const SightMap map(discs(200));
+  const Strips strips(map, 20);
+  std::size_t guesses = 0;
+  const auto expect_guesses = [&](const auto& wall) {
+    for (std::uint32_t i = 0; i < wall.count(); ++i, ++guesses) {
+      const SightMap::Node& n = wall.node(i);
+      const Vec2 along = wall.ahead_of(n) - wall.before(n);
+      EXPECT_NEAR(wall.guess(along), i, 1.5);
+      EXPECT_LT(wall.guess(-along), wall.count());
+    }
+  };
+  for (const std::uint32_t door : entrances(map, strips)) {
+    expect_guesses(Strips::Wall<1>(strips.behind(door)->left, map.nodes()));
+    expect_guesses(Strips::Wall<-1>(strips.behind(door)->right, map.nodes()));
+  }
+  EXPECT_GT(guesses, 1000u);
+}
+
+void expect_same_for_threads(const SightMap& map) {
+  const Strips serial(map, 3);
+  EXPECT_FALSE(serial.empty());
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    const Strips parallel(map, 3, TbbExecutor(2));
+    ASSERT_EQ(entrances(map, parallel), entrances(map, serial));
+    for (const std::uint32_t door : entrances(map, serial)) {
+      const Strips::Strip& a = *serial.behind(door);
+      const Strips::Strip& b = *parallel.behind(door);
+      EXPECT_EQ(b.exit, a.exit);
+      ASSERT_EQ(b.left.count, a.left.count);
+      EXPECT_EQ(b.left.nodes_per_quarter, a.left.nodes_per_quarter);
+      for (std::uint32_t i = 0; i < a.left.count; ++i)
+        ASSERT_EQ(parallel.right_before(b, i), serial.right_before(a, i));
     }
   }
 }
 
 TEST(Strips, AreTheSameForAnyNumberOfThreads) {
-  const SightMap map(random_world({.kind = ClutterKind::kConvex, .obstacles = 300, .vertices = 120, .seed = 5}));
-  const Strips serial(map, 3), parallel(map, 3, TbbExecutor(2));
-  ASSERT_EQ(parallel.size(), serial.size());
-  for (const std::uint32_t door : entrances(map, serial)) {
-    const Strips::Strip* const a = serial.behind(door);
-    const Strips::Strip* const b = parallel.behind(door);
-    ASSERT_NE(b, nullptr);
-    EXPECT_EQ(b->exit, a->exit);
-    EXPECT_EQ(b->left_count, a->left_count);
-    for (std::uint32_t i = 0; i < a->left_count; ++i)
-      ASSERT_EQ(parallel.right_before(*b, i), serial.right_before(*a, i));
-  }
+  expect_same_for_threads(
+      SightMap(random_world({.kind = ClutterKind::kConvex, .obstacles = 300, .vertices = 120, .seed = 5})));
+}
+
+// Triangles that follow each other all around, many times as many as a thread looks at.
+TEST(Strips, AreFoundInRings) {
+  const int vertices = 30000;
+  Ring outside = disc({0.0, 0.0}, 3.0, 7), hole = disc({0.0, 0.0}, 2.1, vertices);
+  std::reverse(hole.begin(), hole.end());
+  const SightMap map(World({{outside, {hole}}, {disc({0.0, 0.0}, 2.0, vertices), {}}}));
+  const Strips strips(map, 1);
+  for (const std::uint32_t door : entrances(map, strips)) expect_strip(map, strips, door);
+  expect_same_for_threads(map);
 }
 
 TEST(Strips, AreLookedForBetweenLongConvexWallsOnly) {
   const auto count = [](const World& world) { return worthwhile_strips(world, SightMap(world)).size(); };
   EXPECT_GT(count(discs(200)), 0u);
-  EXPECT_EQ(count(discs(40)), 0u);
+  EXPECT_EQ(count(discs(30)), 0u);
   EXPECT_EQ(count(random_world({.kind = ClutterKind::kStar, .obstacles = 9, .vertices = 200, .seed = 1})), 0u);
   EXPECT_EQ(count(World({})), 0u);
 }
