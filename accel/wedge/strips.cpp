@@ -34,26 +34,24 @@ class Tracer {
 
   [[nodiscard]] bool is_new(std::uint32_t triangle) const {
     if (std::atomic_ref(is_traced_[triangle]).load(std::memory_order_relaxed) != 0) return false;
-    const SightMap::Door &first = doors_[3 * triangle], &second = doors_[3 * triangle + 1];
+    const std::uint32_t door = 3 * triangle;
+    const SightMap::Door &first = doors_[door], &second = doors_[door + 1];
     return (first.left == kNone) + (first.right == kNone) + (second.left == kNone) == 1;
   }
 
-  /// All that follow each other, among them this one. Returns one of them: the same for all.
+  /// All that follow each other, among them this one: in the order in which the first of them in the map comes to them.
+  /// Returns that one.
   std::uint32_t trace(std::uint32_t triangle) {
     std::uint32_t door = 3 * triangle;
     while (doors_[Triangulation::next(door)].left == kNone) ++door;  // as it is the wall
     entrances_.clear();
-    const bool is_closed = extend(other_diagonal(door), triangle);
-    turn_round();
-    entrances_.push_back(door);
     mark(triangle);
-    if (is_closed) {
-      const std::uint32_t first = *std::min_element(entrances_.begin(), entrances_.end()) / 3;
-      return first == triangle ? triangle : trace(first);
-    }
-    extend(door, triangle);
-    if (entrances_.front() > entrances_.back()) turn_round();
-    return entrances_.front() / 3;
+    const bool is_closed = extend<false>(other_diagonal(door), triangle);
+    std::reverse(entrances_.begin(), entrances_.end());
+    entrances_.push_back(entrance(door));
+    if (!is_closed) extend<true>(door, triangle);
+    const std::uint32_t first = std::min_element(entrances_.begin(), entrances_.end())->door() / 3;
+    return first == triangle ? first : trace(first);
   }
 
   /// Those of at least so many among the triangles traced: between those where a wall turns back, or the ring begins.
@@ -70,21 +68,33 @@ class Tracer {
       sides[0].has_begun = sides[1].has_begun = false;
     };
     for (std::size_t i = 0; i < entrances_.size(); ++i) {
-      const SightMap::Door& ahead = doors_[entrances_[i]];
-      const int is_left = ahead.left == kNone ? 1 : 0;
+      const SightMap::Door& ahead = doors_[entrances_[i].door()];
+      const std::uint32_t is_left = entrances_[i].on_left();
       Side& side = sides[is_left];
       if (!side.has_begun) {
-        const SightMap::Door& from = doors_[other_diagonal(entrances_[i])];
+        const SightMap::Door& from = doors_[other_diagonal(entrances_[i].door())];
         side = {true, from.site, from.node, from.site < ahead.site};
       }
       const bool leads_right = side.site < ahead.site;
-      if (leads_right != side.leads_right || !follows(side.node, ahead.node, 2 * is_left - 1)) end_at(i);
+      if (leads_right != side.leads_right || !follows(side.node, ahead.node, 2 * static_cast<int>(is_left) - 1))
+        end_at(i);
       side = {true, ahead.site, ahead.node, leads_right};
     }
     end_at(entrances_.size());
   }
 
  private:
+  /// A door into a triangle that has one wall, and on which side.
+  struct Entrance {
+    std::uint32_t door_and_side;
+    [[nodiscard]] std::uint32_t door() const { return door_and_side >> 1; }
+    [[nodiscard]] std::uint32_t on_left() const { return door_and_side & 1; }
+    bool operator<(const Entrance& other) const { return door_and_side < other.door_and_side; }
+  };
+  [[nodiscard]] Entrance entrance(std::uint32_t door) const {
+    return {door << 1 | (doors_[door].left == kNone ? 1u : 0u)};
+  }
+
   /// The only one that leads on from the triangle behind a door: kNone, which the other one is, has all bits set.
   [[nodiscard]] std::uint32_t onward(std::uint32_t door) const {
     static_assert(~kNone == 0);
@@ -97,21 +107,18 @@ class Tracer {
   }
   void mark(std::uint32_t triangle) { std::atomic_ref(is_traced_[triangle]).store(1, std::memory_order_relaxed); }
 
-  /// Appends what follows behind the triangle behind a door. Returns whether that comes back to a triangle.
+  /// Appends what follows behind the triangle behind a door, by doors that lead on there, or back. Returns whether that
+  /// comes back to a triangle.
+  template <bool kOn>
   bool extend(std::uint32_t door, std::uint32_t start) {
     door = onward(door);
     while ((doors_[door].left == kNone) != (doors_[door].right == kNone)) {
       if (door / 3 == start) return true;
       mark(door / 3);
-      entrances_.push_back(door);
+      entrances_.push_back(entrance(kOn ? door : other_diagonal(door)));
       door = onward(door);
     }
     return false;
-  }
-
-  void turn_round() {
-    std::reverse(entrances_.begin(), entrances_.end());
-    for (std::uint32_t& door : entrances_) door = other_diagonal(door);
   }
 
   /// Whether a wall leads from a node to the next one, or the one before: not where the ring begins.
@@ -121,29 +128,31 @@ class Tracer {
   }
 
   /// A strip, from both ends.
-  void add(std::span<const std::uint32_t> entrances, StripsByDoor& found) {
-    const auto has_left_wall = [&](std::uint32_t door) { return doors_[door].left == kNone; };
-    const auto on_left = static_cast<std::uint32_t>(std::count_if(entrances.begin(), entrances.end(), has_left_wall));
-    const std::uint32_t first_turn = used_.fetch_add(on_left + 1, std::memory_order_relaxed);
+  void add(std::span<const Entrance> entrances, StripsByDoor& found) {
+    const std::uint32_t first_turn =
+        used_.fetch_add(static_cast<std::uint32_t>(entrances.size()), std::memory_order_relaxed);
     std::uint32_t left = 0, right = 0;
-    for (const std::uint32_t door : entrances) {
+    for (const Entrance e : entrances) {
       turns_[first_turn + left] = right;
-      (has_left_wall(door) ? left : right) += 1;
+      left += e.on_left();
+      right += 1 - e.on_left();
     }
-    Strip there{{}, {}, onward(entrances.back()), first_turn, false};
-    Strip back{{}, {}, onward(other_diagonal(entrances.front())), first_turn, true};
+    const std::uint32_t door = entrances.front().door(), back_door = other_diagonal(entrances.back().door());
+    Strip there{{}, {}, onward(entrances.back().door()), first_turn, false};
+    Strip back{{}, {}, onward(other_diagonal(door)), first_turn, true};
+    const auto is_left = [](const Entrance e) { return e.on_left() != 0; };
     if (left > 0) {
-      const auto from = std::find_if(entrances.begin(), entrances.end(), has_left_wall);
-      const auto to = std::find_if(entrances.rbegin(), entrances.rend(), has_left_wall);
-      std::tie(there.left, back.right) = reaches(*from, *to, left, 1);
+      const auto from = std::find_if(entrances.begin(), entrances.end(), is_left);
+      const auto to = std::find_if(entrances.rbegin(), entrances.rend(), is_left);
+      std::tie(there.left, back.right) = reaches(from->door(), to->door(), left, 1);
     }
     if (right > 0) {
-      const auto from = std::find_if_not(entrances.begin(), entrances.end(), has_left_wall);
-      const auto to = std::find_if_not(entrances.rbegin(), entrances.rend(), has_left_wall);
-      std::tie(there.right, back.left) = reaches(*from, *to, right, -1);
+      const auto from = std::find_if_not(entrances.begin(), entrances.end(), is_left);
+      const auto to = std::find_if_not(entrances.rbegin(), entrances.rend(), is_left);
+      std::tie(there.right, back.left) = reaches(from->door(), to->door(), right, -1);
     }
-    found.push_back({entrances.front(), there});
-    found.push_back({other_diagonal(entrances.back()), back});
+    found.push_back({door, there});
+    found.push_back({back_door, back});
   }
 
   /// Along the same wall, there and back.
@@ -170,7 +179,7 @@ class Tracer {
   std::span<std::uint8_t> is_traced_;
   std::span<std::uint32_t> turns_;
   std::atomic<std::uint32_t>& used_;
-  std::vector<std::uint32_t> entrances_;  // into the triangles traced last, one behind the other
+  std::vector<Entrance> entrances_;  // into the triangles traced last, one behind the other
 };
 
 bool has_long_walls(const World& world) {
@@ -191,9 +200,10 @@ bool has_long_walls(const World& world) {
 }  // namespace
 
 Strips::Strips(const SightMap& map, std::uint32_t least, const Executor& executor) {
-  constexpr std::size_t kTrianglesPerRange = 1 << 14, kAhead = 1000;
+  constexpr std::size_t kTrianglesPerRange = 1 << 14;
+  constexpr std::size_t kAhead = 4000;  // triangles: those that follow each other lie in some tiles of the map
   const std::size_t triangles = map.doors().size() / 3;
-  turns_.resize(triangles + triangles / least);
+  turns_.resize(triangles);
   std::atomic<std::uint32_t> turns = 0;
   std::vector<std::uint8_t> is_traced(triangles, 0), is_taken(triangles, 0);
   std::vector<StripsByDoor> parts(triangles / kTrianglesPerRange + 1);
