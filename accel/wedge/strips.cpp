@@ -102,8 +102,7 @@ class Tracer {
   }
   /// The door from there into the triangle behind a door.
   [[nodiscard]] std::uint32_t other_diagonal(std::uint32_t door) const {
-    const std::uint32_t corner = door % 3, other = corner + (doors_[door].left == kNone ? 1 : 2);
-    return door - corner + (other < 3 ? other : other - 3);
+    return doors_[door].left == kNone ? Triangulation::next(door) : Triangulation::previous(door);
   }
   void mark(std::uint32_t triangle) { std::atomic_ref(is_traced_[triangle]).store(1, std::memory_order_relaxed); }
 
