@@ -32,6 +32,13 @@ constexpr std::size_t kManyLabels = 1 << 14;  // as many as a warm workspace has
 // What a scout adds to the weight of the heuristic: with less it finds what the search finds at the same moment, with
 // more it leaves out more that will be asked for.
 constexpr double kScoutsHaste = 0.003;
+// So many arrivals on one circle are compared exactly. From then on an arrival ends where another one loses less than
+// this share of its time, twice the share after as many again, and so on. In tight places with several radii, hundreds
+// of paths to a circle differ by nanoseconds: 55 obstacles took 20,000 arrivals and 29 s where the exact comparison of
+// all took place, now 5,300 and 0.2 s for the same path. With fewer exact ones the search saves a tenth more; queries
+// in clutter have fewer on nearly all circles.
+constexpr std::uint32_t kExactArrivals = 16;
+constexpr double kSameTime = 1e-4;
 // Entries at the top of the open list: its first two levels, and the third.
 constexpr std::size_t kNext = 5, kSoon = 21;
 
@@ -67,7 +74,8 @@ struct Step {
 // An arrival on a circle by some path.
 struct Label {
   std::uint32_t circle;
-  double radius;  // of the circle
+  std::uint32_t number;  // among the labels on the circle
+  double radius;         // of the circle
   double heading;
   double reach;  // of the free interval
   std::uint32_t joint;
@@ -334,14 +342,14 @@ class ArrivalSearch {
       const double radius = circles_.circle(link.circle).radius;
       const std::uint32_t joint = w_.times.add_drive(w_.times.add_connection(from), link.turn * from.circle.radius,
                                                      from.circle.radius, link.line.length, radius);
-      return arrive({link.circle, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone});
+      return arrive({link.circle, 0, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone});
     }
     const Step step = w_.steps[entry.index()];
     const Label& parent = w_.labels[step.label];
     const double radius = circles_.circle(step.to).radius;
     const std::uint32_t joint =
         w_.times.add_drive(parent.joint, step.turn * parent.radius, parent.radius, step.length, radius);
-    arrive({step.to, radius, step.heading, 0.0, joint, step.label, step.index, kNone});
+    arrive({step.to, 0, radius, step.heading, 0.0, joint, step.label, step.index, kNone});
   }
 
   void push_start_circles() {
@@ -379,6 +387,8 @@ class ArrivalSearch {
     const CircleTable::Circle circle = circles_.circle(label.circle);
     label.reach = circles_.reach(label.circle, label.heading);
     if (label.reach < 0.0) return;
+    label.next = w_.first_label.get(label.circle);
+    if (label.next != kNone) label.number = w_.labels[label.next].number + 1;
     const double limit = undominated_turn(label, circle.side);
     if (limit < 0.0) return;
     const bool free = label.parent == kNone ? context_.is_free(ends_.start_link(label.index).line)
@@ -386,7 +396,6 @@ class ArrivalSearch {
     if (!free) return;
     result_.start_connected = true;
     ++result_.nodes_expanded;
-    label.next = w_.first_label.get(label.circle);
     w_.labels.push_back(label);
     const auto index = static_cast<std::uint32_t>(w_.labels.size() - 1);
     w_.first_label.set(label.circle, index);
@@ -398,8 +407,11 @@ class ArrivalSearch {
     const SpeedTree& speeds = w_.times.speeds();
     const double speed = vehicle_.turn_speed(label.radius);
     double limit = kInfinity;
-    const auto slack = [this](std::uint32_t i) { return i < known_labels_ ? context_.options.least_gain : 0.0; };
-    for (std::uint32_t i = w_.first_label.get(label.circle); i != kNone; i = w_.labels[i].next) {
+    const double same = kSameTime * (label.number / kExactArrivals) * speeds[label.joint].time;
+    const auto slack = [&](std::uint32_t i) {
+      return i < known_labels_ ? std::max(same, context_.options.least_gain) : same;
+    };
+    for (std::uint32_t i = label.next; i != kNone; i = w_.labels[i].next) {
       const Label& other = w_.labels[i];
       const double behind = turn_between(other.heading, label.heading, side);
       if (behind <= other.reach) {

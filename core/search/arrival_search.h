@@ -90,6 +90,12 @@ class SearchWorkspace {
 /// speed profile of that path, see SpeedTree. On one circle a label ends where another one goes on at least as well at
 /// every speed. Departures are sorted by heading, so that one walk along the arc relaxes them in turn: linear in the
 /// bitangents. Complete paths come off the open list with their exact time, so that the first one is the fastest.
+///
+/// Up to 16 labels on one circle, this comparison is exact. The n-th label ends as well where another one loses less
+/// than the share 1e-4 * floor(n / 16) of its time. A path of k circles found then takes at most as long as the
+/// fastest one times the product of 1 + that share over the k circles; without a circle of more than 16 labels it is
+/// the fastest. The tolerance bounds searches in tight places, where hundreds of paths differ by nanoseconds.
+///
 /// After some hundred labels, or with several terminals, walks without times and speeds find out whether there is a
 /// path at all: see Reachability.
 ///
