@@ -44,11 +44,11 @@ void compare(const char* what, const char* unit, std::optional<double> said, dou
                          shortest_text(found) + unit);
 }
 
-/// What the validator says of one plan; none if it has no path.
+/// What the validator says of one plan; none if it has no path and says why. An empty path stays at the start.
 std::optional<bool> validate_plan(const ValidateArguments& arguments, const LoadedMap& map, const Validator& validator,
                                   const std::string& name, const PlanFile& plan, std::string& out) {
-  if (plan.path.segments.empty() && plan.status != name_of(PlanStatus::kSolved)) {
-    out += name + ": no path to check" + (plan.status.empty() ? "" : " (" + plan.status + ")") + "\n";
+  if (plan.path.segments.empty() && !plan.status.empty() && plan.status != name_of(PlanStatus::kSolved)) {
+    out += name + ": no path to check (" + plan.status + ")\n";
     return std::nullopt;
   }
   const auto [origin, vehicle] = robot_of(arguments, map, name, plan);

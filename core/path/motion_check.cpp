@@ -12,7 +12,11 @@ namespace arcway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kShortestInterval = 1e-9;  ///< of the body's reach; one that is not proved free by then is a collision
+/// Of the body's reach: an interval in which every body point travels less, and which is not proved free, is a
+/// collision.
+constexpr double kShortestTravel = 1e-9;
+/// Of an arc's length: intervals that are shorter cannot be halved reliably.
+constexpr double kShortestInterval = 4.0 * std::numeric_limits<double>::epsilon();
 constexpr double kClearanceTolerance = 1e-6, kClearanceShare = 1e-7;  ///< [m]; of the body's reach
 
 using Rectangle = MotionCheck::Rectangle;
@@ -115,14 +119,16 @@ MotionCheck::MotionCheck(const World& world, const EdgeGrid& grid, const Vehicle
 }
 
 void MotionCheck::set_precision() {
-  rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * (largest_ + reach_);
-  shortest_interval_ = std::max(kShortestInterval * reach_, rounding_);
+  rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * (largest_ + std::max(1.0, largest_heading_) * reach_);
+  shortest_travel_ = std::max(kShortestTravel * reach_, rounding_);
   tolerance_ = std::max({kClearanceTolerance, kClearanceShare * reach_, 2.0 * rounding_});
 }
 
 std::vector<MotionCheck::Hit> MotionCheck::check(const PathSegment& segment) {
-  for (const Vec2& p : {segment.start.position(), segment.end().position()})
-    largest_ = std::max(largest_, p.cwiseAbs().maxCoeff());
+  for (const Pose& pose : {segment.start, segment.end()}) {
+    largest_ = std::max(largest_, pose.position().cwiseAbs().maxCoeff());
+    largest_heading_ = std::max(largest_heading_, std::abs(pose.heading));
+  }
   set_precision();
   std::vector<Hit> hits;
   if (!is_near_last_end(segment.start))
@@ -234,11 +240,20 @@ void MotionCheck::check_line(const PathSegment& line, std::vector<Hit>& hits) {
   });
 }
 
+/// The furthest that any body point travels along the arc, for each metre of F: the corner that is furthest from the
+/// rotation centre, which lies 1 / curvature to the left of F.
+double MotionCheck::travel_per_metre(double curvature) const {
+  double most = 0.0;
+  for (const double x : {body_.x0, body_.x1})
+    for (const double y : {body_.y0, body_.y1}) most = std::max(most, std::hypot(curvature * x, 1.0 - curvature * y));
+  return most;
+}
+
 /// The edge during an interval of the arc: lowers the upper bound, gives the lower one.
 /// First order: no body point moves further than `travel` from its place at the middle. Second order: seen from the
 /// body the edge's ends move on arcs about the rotation centre, so that the edge keeps to the hull of its two extreme
 /// places, grown by those arcs' height.
-double MotionCheck::bound(const PathSegment& arc, double s0, double s1, VertexId e, bool& contact) {
+double MotionCheck::bound(const PathSegment& arc, double s0, double s1, double travel, VertexId e, bool& contact) {
   const auto& [a, b] = world_.edges()[e];
   const double curvature = std::abs(arc.curvature);
   const double half = 0.5 * (s1 - s0);
@@ -248,7 +263,6 @@ double MotionCheck::bound(const PathSegment& arc, double s0, double s1, VertexId
   const double distance = segment_to_rectangle(body_, am, bm);
   upper_ = std::min(upper_, distance);
   contact = distance <= rounding_;
-  const double travel = (1.0 + curvature * reach_) * half;
   const double first_order = distance - travel - rounding_;
   if (contact || proved(first_order) || curvature * half > 0.25 * std::numbers::pi) return first_order;
   const Frame before(arc.at(s0));
@@ -266,17 +280,20 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
   const double length = std::min(arc.length, 2.0 * std::numbers::pi / std::abs(arc.curvature));
   const Vec2 middle = arc.at(0.5 * length).position();
   const Vec2 margin = Vec2::Constant(0.5 * length + reach_);
-  // And one that can be halved.
-  const double shortest = std::max(shortest_interval_, 4.0 * std::numeric_limits<double>::epsilon() * length);
+  // Long intervals of little turn and short ones of much turn are told apart by what the body sweeps, not by what F
+  // does.
+  const double swing = travel_per_metre(arc.curvature);
   std::priority_queue<Node> queue;
   const auto consider = [&](double s0, double s1, VertexId e) {
     bool contact = false;
-    const double lower = bound(arc, s0, s1, e, contact);
-    if (contact || (!(lower > 0.0) && s1 - s0 < shortest)) {
+    const double travel = swing * (s1 - s0);
+    const double lower = bound(arc, s0, s1, 0.5 * travel, e, contact);
+    const bool is_shortest = travel < shortest_travel_ || s1 - s0 < kShortestInterval * length;
+    if (contact || (is_shortest && !(lower > 0.0))) {
       add_hit(hits, {world_.obstacle_of(e), 0.5 * (s0 + s1), e});
       return;
     }
-    if (s1 - s0 < shortest) {
+    if (is_shortest) {
       lower_ = std::min(lower_, lower);
     } else {
       queue.push({lower, s0, s1, e});

@@ -44,7 +44,8 @@ class MotionCheck {
   void for_near(const Box& swept, const Visit& visit) const;
   void add_hit(std::vector<Hit>& hits, const Hit& hit) const;
   void check_line(const PathSegment& line, std::vector<Hit>& hits);
-  double bound(const PathSegment& arc, double s0, double s1, VertexId e, bool& contact);
+  [[nodiscard]] double travel_per_metre(double curvature) const;
+  double bound(const PathSegment& arc, double s0, double s1, double travel, VertexId e, bool& contact);
   [[nodiscard]] bool proved(double lower) const;
   void check_arc(const PathSegment& arc, std::vector<Hit>& hits);
 
@@ -54,8 +55,9 @@ class MotionCheck {
   double reach_ = 0.0;            ///< of the body from F
   std::optional<Pose> last_end_;  ///< of the segment before
   double largest_ = 0.0;          ///< coordinate of the map, and of the path so far
+  double largest_heading_ = 0.0;  ///< of the path so far
   double rounding_ = 0.0;         ///< of a distance
-  double shortest_interval_ = 0.0, tolerance_ = 0.0;
+  double shortest_travel_ = 0.0, tolerance_ = 0.0;
   double upper_;  ///< a clearance that occurs on the path
   double lower_;  ///< a proved bound so far
 };

@@ -63,8 +63,9 @@ struct ValidationReport {
 /// used. On a straight line the swept rectangle is compared with the edges. On an arc collision is decided by
 /// subdivision of the motion: an interval is free of an edge if their distance at its middle exceeds what any body
 /// point can move within it, or the hull of the edge's extreme places seen from the body, grown by the height of the
-/// arcs between them, keeps away; an interval shorter than 1e-9 of the body's reach that is neither is a collision.
-/// Never samples.
+/// arcs between them, keeps away; an interval that is neither, and in which no body point travels 1e-9 of the body's
+/// reach, is a collision. Never samples. An empty path is valid where start and goal agree within the tolerances and
+/// the body at the start is free.
 /// O(n) to sort the edges by place, some 50 ns each; then a path costs what lies near it: a millisecond or two for a
 /// hundred segments. See Validator for many paths on one map.
 /// @throws std::invalid_argument if speeds or durations are given, but not one a segment.

@@ -266,6 +266,19 @@ TEST_F(Tool, ValidatesEachPlanOfAFile) {
   expect_bad_input(validate, "p.json:3: format: expected");
 }
 
+TEST_F(Tool, ValidatesAPlanThatStays) {
+  const auto validate = [&](const std::string& goal) {
+    put("p.json", R"({"format":"arcway-plan","version":1,"start":[10,10,0],"goal":)" + goal + R"(,"path":[]})");
+    return run("validate " + map_ + " --path " + file("p.json"));
+  };
+  const Run good = validate("[10.0000005,10,0]");
+  EXPECT_EQ(good.code, 0) << good.out << good.err;
+  EXPECT_NE(good.out.find("p.json: valid\n"), std::string::npos) << good.out;
+  const Run bad = validate("[10.00001,10,0]");
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_NE(bad.out.find("NOT VALID"), std::string::npos) << bad.out << bad.err;
+}
+
 TEST_F(Tool, NoPathIsExitCodeOneWithTheReason) {
   const Run inside = run("plan " + map_ + " --start 30,30,0 --goal 50,50,0 --svg " + file("p.svg"));
   EXPECT_EQ(inside.code, 1);

@@ -96,6 +96,31 @@ TEST(Validation, EmptyPathStaysAtTheStart) {
   EXPECT_EQ(kinds(validate(World({box(0.0, 0.0, 3.0, 3.0)}), kVehicle, here, here, {})), Kinds{Violation::kCollision});
 }
 
+// As the paper's robot, times a factor, and turning on a circle of this radius.
+Vehicle scaled_robot(double scale, double radius) {
+  VehicleParameters parameters;
+  for (double* length : {&parameters.length, &parameters.width, &parameters.wheelbase}) *length *= scale;
+  parameters.max_steering_angle = std::atan(parameters.wheelbase / radius);
+  return Vehicle(parameters);
+}
+
+TEST(Validation, EmptyPathMayEndWithinTheTolerancesForARobotOfAnySize) {
+  for (const double scale : {1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    SCOPED_TRACE(scale);
+    const Vehicle robot = scaled_robot(scale, scale);
+    const World world({box(3.0 * scale, -scale, 4.0 * scale, scale)});
+    const Pose here{scale, scale, 0.3};
+    EXPECT_TRUE(validate(world, robot, here, here, {}).valid());
+    EXPECT_TRUE(validate(world, robot, here, {here.x + 9e-7, here.y, here.heading}, {}).valid());
+    EXPECT_TRUE(
+        validate(world, robot, here, {here.x, here.y, here.heading + 9e-7 + 2.0 * std::numbers::pi}, {}).valid());
+    EXPECT_EQ(kinds(validate(world, robot, here, {here.x + 2e-6, here.y, here.heading}, {})),
+              Kinds{Violation::kGoalPose});
+    EXPECT_EQ(kinds(validate(world, robot, {2.0 * scale, 0, 0}, {2.0 * scale, 0, 0}, {})),
+              Kinds{Violation::kCollision});
+  }
+}
+
 TEST(Validation, NoticesThatAJointLeadsIntoAnObstacle) {
   const TimedPath path{{{{0, 0, 0}, 1.0, 0.0}, {{15, 0, 0}, 1.0, 0.0}}, {}, {}, {}};
   EXPECT_EQ(kinds(check(World({box(5, -5, 30, 5)}), path)), (Kinds{Violation::kPositionJump, Violation::kCollision}));
@@ -278,6 +303,81 @@ TEST(Validation, ArcsAroundVerticesOfAnyScaleAndFarFromTheOrigin) {
       EXPECT_NEAR(clearance(1.6 - 4e-4), 4e-4 * scale, std::max(2e-6, 1e-5 * scale));
       EXPECT_EQ(clearance(1.6 + 1e-5), 0.0);
     }
+}
+
+// An interval ends where the body's corners hardly move: F itself travels next to nothing.
+TEST(Validation, TurnsOnTheSpotToAMicron) {
+  for (const double radius : {1e-3, 1e-6, 1e-9, 1e-12})
+    for (const double curvature : {1.0 / radius, -1.0 / radius})
+      for (const double heading : {0.0, 1.234, -2.9}) {
+        SCOPED_TRACE(testing::Message() << radius << " " << curvature << " " << heading);
+        const Vehicle vehicle = scaled_robot(1.0, radius);
+        const PathSegment arc{{0, 0, heading}, 2.0 * std::numbers::pi * radius, curvature};
+        const Vec2 center = perpendicular(direction_of(heading)) / curvature;
+        const double swept = std::hypot(1.4, 0.4 + radius);  // by the outer front corner
+        const auto report = [&](double gap) {
+          const double right = center.x() + swept + gap;
+          const World world({box(right, -1.0, right + 1.0, 1.0)});
+          return validate(world, vehicle, arc.start, arc.end(), {{arc}, {}, {}, {}});
+        };
+        EXPECT_TRUE(report(1e-6).valid());
+        EXPECT_LE(report(1e-3).min_clearance, 1e-3);
+        EXPECT_GE(report(1e-3).min_clearance, 1e-3 - 1.1e-6);
+        EXPECT_EQ(kinds(report(-1e-6)), Kinds{Violation::kCollision});
+      }
+}
+
+// Forwards, a quarter of a turn on the spot, and on; the outer corner passes a wall while the robot turns.
+TEST(Validation, RefusesWhatIsWrongWithATurnOnTheSpot) {
+  constexpr double kTiny = 1e-9;
+  const Vehicle vehicle = scaled_robot(1.0, kTiny);
+  Path path = straight(3.0);
+  path.push_back({path.back().end(), 0.5 * std::numbers::pi * kTiny, 1.0 / kTiny});
+  path.push_back({path.back().end(), 3.0, 0.0});
+  const SpeedProfile profile = speed_profile(path, vehicle);
+  const TimedPath good{path,
+                       {profile.speeds.begin(), profile.speeds.end() - 1},
+                       {profile.speeds.begin() + 1, profile.speeds.end()},
+                       profile.durations};
+  const double reach = 3.0 + std::hypot(1.4, 0.4);
+  const auto found = [&](const TimedPath& changed, double gap = 1e-6) {
+    const World world({box(reach + gap, -1.0, reach + 1.0, 1.0)});
+    return kinds(validate(world, vehicle, path.front().start, path.back().end(), changed));
+  };
+  EXPECT_EQ(found(good), Kinds{});
+  EXPECT_EQ(found(good, -1e-6), Kinds{Violation::kCollision});
+
+  TimedPath changed = good;
+  for (PathSegment& segment : changed.segments) segment.start.x += 2e-6;
+  EXPECT_EQ(found(changed), (Kinds{Violation::kStartPose, Violation::kGoalPose, Violation::kCollision}));
+  changed = good;
+  changed.segments[1].start.y += 2e-6;
+  EXPECT_TRUE(found(changed).contains(Violation::kPositionJump));
+  changed = good;
+  changed.segments[1].curvature *= 1.001;
+  EXPECT_EQ(found(changed), (Kinds{Violation::kCurvature, Violation::kHeadingJump}));
+  changed = good;
+  changed.segments[1].length *= 1.001;
+  EXPECT_TRUE(found(changed).contains(Violation::kHeadingJump));
+  changed = good;
+  changed.segments[1].curvature *= -1.0;
+  EXPECT_TRUE(found(changed).contains(Violation::kHeadingJump));
+  changed = good;
+  changed.speed_out[1] = changed.speed_in[2] = vehicle.max_speed();
+  EXPECT_TRUE(found(changed).contains(Violation::kSpeedLimit));
+  changed = good;
+  changed.durations[2] *= 0.999;
+  EXPECT_EQ(found(changed), Kinds{Violation::kDuration});
+}
+
+// What no vehicle can drive is refused within a bounded number of intervals.
+TEST(Validation, EndsAtAnyCurvature) {
+  for (const double curvature : {1e30, 1e150, 1e300, 1e-300}) {
+    const PathSegment arc{{0, 0, 0}, 6.0 / curvature, curvature};
+    if (!std::isfinite(arc.end().heading)) continue;
+    const ValidationReport report = check(World({box(0.5, 0.5, 0.6, 0.6)}), Path{arc});
+    EXPECT_EQ(report.valid(), false) << curvature;
+  }
 }
 
 TEST(Validation, SpikeThinnerThanAnyStep) {
