@@ -1,6 +1,7 @@
 #include "datasets/formats/svg_world.h"
 
 #include <algorithm>
+#include <optional>
 #include <pugixml.hpp>
 #include <stdexcept>
 #include <string>
@@ -10,6 +11,7 @@
 #include "core/geometry/ray_parity.h"
 #include "datasets/file_io.h"
 #include "datasets/formats/svg_path.h"
+#include "datasets/formats/svg_style.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"
 #include "datasets/number_text.h"
@@ -47,8 +49,14 @@ class Reader {
     if (local_name(root) != "svg")
       map_.fail("line " + std::to_string(line_of(root.offset_debug())),
                 "expected <svg>, found <" + std::string(root.name()) + ">");
+    style_.emplace(root);
     read_bounds(root);
-    read_children(root, {.scale = {1.0, -1.0}}, 0);
+    if (style_->display(root) == detail::SvgStyle::Display::kNone) {
+      hidden_ += count_paths(root);
+    } else {
+      read_children(root, {.scale = {1.0, -1.0}}, style_->visible(root, true), 0);
+    }
+    report_hidden();
     if (closed_ > 0)
       map_.map().notes.push_back(std::to_string(closed_) + " outlines closed that ended beside their beginning");
     map_.set_planar();
@@ -86,20 +94,53 @@ class Reader {
     map_.set_bounds({{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, {}}, "viewBox");
   }
 
-  void read_children(const pugi::xml_node& parent, const Transform& transform, int depth) {
+  void read_children(const pugi::xml_node& parent, const Transform& transform, bool visible, int depth) {
     if (depth > kDeepest) map_.fail(place_of(parent), "groups nested more than " + std::to_string(kDeepest) + " deep");
     for (const pugi::xml_node& node : parent.children()) {
       if (node.type() != pugi::node_element) continue;
       const std::string_view name = local_name(node);
-      if (name == "g" || name == "a" || name == "svg") {
-        read_children(node, transform.after(transform_of(node)), depth + 1);
+      if (is_never_drawn(name)) continue;
+      const bool shown = style_->visible(node, visible);
+      if (style_->display(node) == detail::SvgStyle::Display::kNone) {
+        hidden_ += count_paths(node);
+      } else if (name == "g" || name == "a" || name == "svg") {
+        read_children(node, transform.after(transform_of(node)), shown, depth + 1);
+      } else if (!shown) {
+        ++hidden_;
       } else if (name == "path") {
         read_path(node, transform.after(transform_of(node)));
-      } else if (name != "defs" && name != "metadata" && name != "title" && name != "desc" && name != "style" &&
-                 name.find(':') == std::string_view::npos) {
+      } else {
         map_.fail(place_of(node), "element <" + std::string(name) + "> is not supported, only paths in groups are");
       }
     }
+  }
+  // What is drawn only where something refers to it, and what is no shape.
+  static bool is_never_drawn(std::string_view name) {
+    for (const std::string_view other : {"defs", "metadata", "title", "desc", "style", "script", "symbol", "clipPath",
+                                         "mask", "marker", "pattern", "linearGradient", "radialGradient", "filter"})
+      if (name == other) return true;
+    return name.find(':') != std::string_view::npos;
+  }
+  static std::size_t count_paths(const pugi::xml_node& hidden) {
+    struct Counter : pugi::xml_tree_walker {
+      std::size_t paths = 0;
+      bool for_each(pugi::xml_node& node) override {
+        paths += local_name(node) == "path" ? 1 : 0;
+        return true;
+      }
+    } counter;
+    pugi::xml_node node = hidden;
+    node.traverse(counter);
+    return counter.paths + (local_name(hidden) == "path" ? 1 : 0);
+  }
+  void report_hidden() {
+    if (hidden_ > 0)
+      map_.map().notes.push_back(std::to_string(hidden_) +
+                                 (hidden_ == 1 ? " shape that is hidden (display or visibility) is no obstacle"
+                                               : " shapes that are hidden (display or visibility) are no obstacles"));
+    for (const std::string& selector : style_->unknown_selectors())
+      map_.warn("style",
+                "selector " + detail::quoted(selector) + " is not understood; what it may hide is kept as an obstacle");
   }
 
   [[nodiscard]] Transform transform_of(const pugi::xml_node& node) const {
@@ -229,6 +270,8 @@ class Reader {
 
   std::string_view text_;
   std::vector<std::ptrdiff_t> line_ends_;
+  std::optional<detail::SvgStyle> style_;
+  std::size_t hidden_ = 0;  // shapes
   std::size_t closed_ = 0;  // outlines whose end was not quite at their beginning
   detail::VectorMapBuilder map_;
 };

@@ -108,6 +108,64 @@ TEST(SvgWorld, PassesOverWhatIsNotDrawn) {
   EXPECT_EQ(map.warnings.size(), 1u);
 }
 
+// Two paths: at x = 1 what may be hidden, at x = 5 what never is.
+std::vector<double> shown(const std::string& hidden, const std::string& style = "") {
+  const MapFile map =
+      read(svg((style.empty() ? "" : "<style>" + style + "</style>") + hidden + "<path d='M5 0h1v1z'/>"));
+  std::vector<double> result;
+  for (const Polygon& polygon : map.obstacles) result.push_back(polygon.outer[0].x());
+  EXPECT_EQ(map.notes.size(), result.size() == 1 ? 1u : 0u);
+  return result;
+}
+constexpr const char* kPath = "<path d='M1 0h1v1z'/>";
+
+TEST(SvgWorld, HiddenShapesAreNoObstacles) {
+  const std::vector<double> one{5}, both{1, 5};
+  const std::string path = kPath;
+  const auto with = [](const std::string& attributes) { return "<path d='M1 0h1v1z' " + attributes + "/>"; };
+  for (const std::string& hidden : std::vector<std::string>{
+           "<g style='display:none'>" + path + "</g>", "<g style='fill:red; display : none ;'><g>" + path + "</g></g>",
+           "<g display='none'>" + path + "</g>", "<g visibility='hidden'><g>" + path + "</g></g>",
+           with("style='visibility:hidden'"), with("visibility='collapse'"), with("display='none'"),
+           "<g style='display:none'><g style='display:inline'><path visibility='visible' d='M1 0h1v1z'/></g></g>",
+           "<g xmlns:inkscape='i' inkscape:groupmode='layer' inkscape:label='old' style='display:none'>" + path +
+               "</g>",
+           "<g display='none'><path d='M1 0h1v1z'/><rect/><image transform='rotate(3)'/></g>",
+           "<svg visibility='hidden'>" + path + "</svg>"})
+    EXPECT_EQ(shown(hidden), one) << hidden;
+  for (const std::string& drawn :
+       std::vector<std::string>{"<g visibility='hidden'><path visibility='visible' d='M1 0h1v1z'/></g>",
+                                with("style='display:inline' display='none'"), with("style='fill:none;stroke:none'"),
+                                with("display='inline'")})
+    EXPECT_EQ(shown(drawn), both) << drawn;
+}
+
+TEST(SvgWorld, RulesHideShapes) {
+  const std::vector<double> one{5}, both{1, 5};
+  const std::string path = "<g id='old' class='a b'><g class='c'><path class='x y' d='M1 0h1v1z'/></g></g>";
+  for (const char* rule :
+       {".a{display:none}", "g.b { visibility: hidden }", "#old{display:none}", ".x.y{display:none}",
+        ".z, .y{display:none}", "g .x{display:none}", "g>g>path{display:none}", "#old path{display:none}",
+        "/* . */.x{fill:red;display:none;}", "@media screen{.x{display:none}}", "@import url(a); .x{display:none}",
+        ".x{display:inline}.x{display:none}", ".x{display:none!important}path.x.y{display:inline}"})
+    EXPECT_EQ(shown(path, rule), one) << rule;
+  for (const char* rule : {".d{display:none}", "svg>path.x{display:none}", "@media print{.x{display:none}}",
+                           ".x{display:none}.x{display:inline}", "#old .x{display:inline}.x{display:none}",
+                           "rect{display:none}", "/*.x{display:none}*/", "}", "{", "@"})
+    EXPECT_EQ(shown(path, rule), both) << rule;
+  EXPECT_EQ(shown("<path class='x' style='display:inline' d='M1 0h1v1z'/>", ".x{display:none}"), both);
+  EXPECT_EQ(shown("<path class='x' style='display:inline' d='M1 0h1v1z'/>", ".x{display:none !important}"), one);
+  const MapFile map = read(svg("<style>path[id=\"a\"]{display:none}</style>" + std::string(kPath)));
+  EXPECT_EQ(map.obstacles.size(), 1u);
+  EXPECT_NE(map.warnings.at(0).find("is not understood; what it may hide is kept"), std::string::npos);
+}
+
+TEST(SvgWorld, PassesOverWhatIsDrawnElsewhereOnly) {
+  EXPECT_EQ(read(svg("<clipPath><path d='M1 0h1v1z'/></clipPath><symbol><rect/></symbol>" + std::string(kPath)))
+                .obstacles.size(),
+            1u);
+}
+
 TEST(SvgWorld, OthersAreRejectedByName) {
   EXPECT_EQ(error_of(path("M0 0 R 1 1 2 2 3 3")), "w.svg: line 2, path \"a\": path command \"R\" is not known");
   EXPECT_NE(error_of(path("M0 0 A 1 1 0 2 0 3 3")).find("expected a flag, 0 or 1"), std::string::npos);

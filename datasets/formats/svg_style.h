@@ -1,0 +1,51 @@
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace arcway::detail {
+
+/// Whether elements of an SVG drawing are shown: `display` and `visibility`, as attributes, in `style`, or by the rules
+/// of <style> elements [SVG 1.1, sections 6 and 11.5]. Selectors of types, classes, ids and *, with descendants and
+/// children, are understood; the media are those of a screen.
+class SvgStyle {
+ public:
+  /// Takes up all <style> elements below the root.
+  explicit SvgStyle(const pugi::xml_node& root);
+
+  enum class Display { kShown, kNone };
+  /// Of the element itself: with kNone none of what it holds is shown, whatever that says.
+  [[nodiscard]] Display display(const pugi::xml_node& node) const;
+  /// Of the element, whose parent's is `inherited`.
+  [[nodiscard]] bool visible(const pugi::xml_node& node, bool inherited) const;
+  /// Selectors that may hide something and are not understood.
+  [[nodiscard]] const std::vector<std::string>& unknown_selectors() const { return unknown_; }
+
+ private:
+  /// One element's part of a selector: "g.hidden#walls".
+  struct Compound {
+    std::string type, id;  // empty: any
+    std::vector<std::string> classes;
+    bool child = false;  // of the compound before; else any descendant
+  };
+  struct Rule {
+    std::vector<Compound> compounds;  // the last one is the element's
+    int specificity = 0;
+    std::string property, value;
+    bool important = false;
+  };
+
+  void read_sheet(std::string_view css);
+  void read_rule(std::string_view selectors, std::string_view declarations);
+  static bool read_selector(std::string_view text, Rule& rule);
+  static bool matches(const std::vector<Compound>& compounds, std::size_t last, const pugi::xml_node& node);
+  /// The value that wins the cascade; empty if nothing sets the property.
+  [[nodiscard]] std::string_view value_of(const pugi::xml_node& node, std::string_view property) const;
+
+  std::vector<Rule> rules_;  // by rising weight
+  std::vector<std::string> unknown_;
+};
+
+}  // namespace arcway::detail
