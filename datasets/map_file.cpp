@@ -4,6 +4,15 @@
 
 namespace arcway {
 
+bool looks_like_degrees(const Box& box) {
+  constexpr double kWidest = 1.0;    // [degrees], 111 km
+  constexpr double kFarther = 20.0;  // than the map is wide
+  if (box.empty() || box.min.x() < -180.0 || box.max.x() > 180.0 || box.min.y() < -90.0 || box.max.y() > 90.0)
+    return false;
+  const double width = (box.max - box.min).maxCoeff(), away = (0.5 * (box.min + box.max)).cwiseAbs().maxCoeff();
+  return width < kWidest && away > kFarther * width;
+}
+
 World to_world(const MapFile& map, std::string_view name) {
   try {
     return World(map.obstacles, map.bounds);

@@ -13,6 +13,13 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
+/// What a file says of its coordinates, which are used as meters in any case.
+enum class CoordinateFrame {
+  kUnstated,
+  kMeters,  ///< stated by the file or by its format, or projected
+  kDegrees  ///< longitude and latitude
+};
+
 /// A planar map as a file has it: obstacles in metres, and what else the file says. Plain data: World checks it.
 struct MapFile {
   std::vector<Polygon> obstacles;
@@ -25,7 +32,12 @@ struct MapFile {
   /// Where each obstacle came from: "feature 3, polygon 1". One an obstacle, or empty if not read from a file.
   std::vector<std::string> places;
   std::string bounds_place;
+  CoordinateFrame frame = CoordinateFrame::kUnstated;
 };
+
+/// Whether coordinates in this box are likely to be longitude and latitude: within 180 and 90, less than 1 wide, and at
+/// least 20 times as far from the origin as that. Metric maps that small lie around their origin.
+bool looks_like_degrees(const Box& box);
 
 /// World of a map file.
 /// @throws FormatError with the World's complaint and the place in the file.

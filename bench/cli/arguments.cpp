@@ -103,7 +103,12 @@ void MapOptions::add_to(CLI::App& command, const std::string& map) {
   command
       .add_flag("--lonlat", lonlat,
                 "Coordinates of " + map +
-                    " are degrees of longitude and latitude: project them to metres around their middle")
+                    " are degrees of longitude and latitude, or Web Mercator: project them to meters on the ground "
+                    "around their middle")
+      ->group(group);
+  command
+      .add_flag("--planar", planar,
+                "Coordinates of " + map + " are meters, whatever the file says or they look like: no warning")
       ->group(group);
   option("--wall-width", wall_width, "Line strings are walls of this width [m]", "W");
   option("--curve-tolerance", curve_tolerance, "Smooth outlines become rings this near [m]; default 0.01", "E");
@@ -124,7 +129,9 @@ MapReadOptions MapOptions::read_options() const {
     return value;
   };
   MapReadOptions options;
+  if (lonlat && planar) throw UsageError("--planar: coordinates are either meters or degrees; leave out --lonlat");
   options.vector.lonlat = lonlat;
+  options.vector.planar = planar;
   if (!wall_width.empty()) options.vector.wall_width = at_least_zero(wall_width, "--wall-width");
   if (!curve_tolerance.empty()) {
     options.vector.curve_tolerance = parse_number(curve_tolerance, "--curve-tolerance");
@@ -156,14 +163,14 @@ MapFile read_named_map(const std::string& name, const MapOptions& options, bool 
 LoadedMap load_map(const std::string& name, const MapOptions& options) {
   if (is_prepared_map_file(name)) {
     PreparedMap map = read_prepared_map_file(name);
-    return {map.world, map.start, map.goal, {}, {}, {}, std::move(map)};
+    return {map.world, map.start, map.goal, {}, {}, {}, CoordinateFrame::kUnstated, std::move(map)};
   }
   MapFile map = read_named_map(name, options);
   World world = to_world(map, name);
   CurvedWorld curved;
   if (!map.curves.empty()) curved = {std::move(map.obstacles), std::move(map.bounds), std::move(map.curves)};
-  return {std::move(world),     map.start,   map.goal, std::move(curved), std::move(map.warnings),
-          std::move(map.notes), std::nullopt};
+  return {std::move(world),     map.start, map.goal,    std::move(curved), std::move(map.warnings),
+          std::move(map.notes), map.frame, std::nullopt};
 }
 
 Vehicle load_vehicle(const std::string& file) {

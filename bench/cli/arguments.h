@@ -110,12 +110,13 @@ struct LoadedMap {
   std::optional<Pose> start, goal;
   CurvedWorld curved;  ///< the same, for planning among its curves; empty if it has none
   std::vector<std::string> warnings, notes;
+  CoordinateFrame frame = CoordinateFrame::kUnstated;
   std::optional<PreparedMap> prepared;  ///< of a prepared map; its world is the one above
 };
 
 /// Options that say how a map file is read, the same for all subcommands that read one.
 struct MapOptions {
-  bool lonlat = false;
+  bool lonlat = false, planar = false;
   std::string wall_width, curve_tolerance;
   std::string cell, tolerance, unknown = "blocked";
   bool swamp = false, open_frame = false;

@@ -170,10 +170,9 @@ class Examiner {
 
   void look_at_coordinates() {
     if (box_.empty()) return;
-    const Vec2 extent = box_.max - box_.min;
     const std::string from_to = "coordinates from " + shortest_text(box_.min) + " to " + shortest_text(box_.max);
-    if (box_.min.x() >= -180.0 && box_.max.x() <= 180.0 && box_.min.y() >= -90.0 && box_.max.y() <= 90.0 &&
-        extent.maxCoeff() < 1.0)
+    if (map_.frame == CoordinateFrame::kDegrees ||
+        (map_.frame == CoordinateFrame::kUnstated && looks_like_degrees(box_)))
       find(FindingKind::kDegrees, "", box_.min, from_to);
     const double largest = std::max(box_.max.cwiseAbs().maxCoeff(), box_.min.cwiseAbs().maxCoeff());
     if (largest >= kFar) {
@@ -265,7 +264,7 @@ const char* consequence_of(FindingKind kind) {
     case FindingKind::kOutsideBounds:
       return "blocks nothing, as nothing is free outside";
     case FindingKind::kDegrees:
-      return "taken as metres; if they are longitude and latitude, read the map with --lonlat";
+      return "taken as meters; longitude and latitude are projected with --lonlat";
     case FindingKind::kFarFromOrigin:
       return "refused unless the robot's safety margin is 2^20 of these steps or more; move the map to the origin";
   }

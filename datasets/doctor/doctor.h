@@ -27,7 +27,7 @@ enum class FindingKind {
   kTouching,         ///< obstacles that touch
   kCrossesBounds,    ///< an obstacle that sticks out of the bounds
   kOutsideBounds,    ///< an obstacle that lies outside of them
-  kDegrees,          ///< coordinates that look like degrees
+  kDegrees,          ///< coordinates that are degrees by the file, or look like degrees
   kFarFromOrigin     ///< coordinates so large that doubles are coarse
 };
 /// "self-crossing", "overlap", ...

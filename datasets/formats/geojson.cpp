@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "datasets/json_text.h"
@@ -16,6 +18,15 @@ using nlohmann::json;
 enum class Role { kObstacle, kBoundary, kStart, kGoal };
 
 constexpr int kMaxDepth = 32;  // of geometry collections
+
+constexpr std::string_view kReadProperties[] = {"role", "curve", "heading", "id", "name"};
+// Parts of properties that elsewhere say where, when or how fast one may drive.
+constexpr std::string_view kDrivingProperties[] = {
+    "speed",     "velocity", "cost",      "weight", "travers", "passable",  "walkable", "drivable", "driveable",
+    "navigable", "access",   "oneway",    "free",   "type",    "direction", "radius",   "buffer",   "inflat",
+    "clearance", "margin",   "opacity",   "start",  "goal",    "until",     "time",     "level",    "floor",
+    "storey",    "layer",    "elevation", "kind",   "class",   "hole"};
+constexpr std::size_t kMostNamed = 8;  // of other properties, in a note
 
 class Reader {
  public:
@@ -49,13 +60,63 @@ class Reader {
     if (geometry == feature.end() || geometry->is_null()) return;
     const auto found = feature.find("properties");
     const json* properties = found != feature.end() && found->is_object() ? &*found : nullptr;
+    if (feature.contains("crs") || feature.contains("coordRefSys")) read_crs(feature);
+    note_properties(feature, properties, place);
     curved_ = is_curved(properties, place);
     read_geometry(*geometry, role_of(properties, place), properties, place, 0);
   }
 
-  MapFile finish() { return map_.finish(); }
+  MapFile finish() {
+    report_properties();
+    return map_.finish();
+  }
 
  private:
+  struct Unread {
+    std::size_t features = 0;
+    std::string first;  // place
+  };
+
+  // Properties that are not read: those that say how or where one may drive are warned of.
+  void note_properties(const json& feature, const json* properties, const std::string& place) {
+    for (const char* key : {"role", "curve", "heading"})
+      if (feature.contains(key))
+        map_.warn(place, "\"" + std::string(key) + "\" is not read beside \"properties\"; put it inside");
+    if (properties == nullptr) return;
+    for (const auto& [key, value] : properties->items()) {
+      if (value.is_null() || std::ranges::find(kReadProperties, key) != std::end(kReadProperties)) continue;
+      Unread& unread = unread_[key];
+      if (unread.features++ == 0) unread.first = place;
+    }
+  }
+  void report_properties() {
+    std::string others;
+    std::size_t left = unread_.size();
+    for (const auto& [key, unread] : unread_) {
+      if (changes_driving(key)) {
+        map_.warn(unread.first, "the property " + shown(key) +
+                                    (unread.features > 1 ? " (and of " + std::to_string(unread.features - 1) +
+                                                               (unread.features == 2 ? " other feature)" : " others)")
+                                                         : std::string()) +
+                                    " is not read: polygons are obstacles for everyone, at all times and speeds");
+        --left;
+      } else if (unread_.size() - left < kMostNamed) {
+        others += (others.empty() ? "" : ", ") + shown(key);
+        --left;
+      }
+    }
+    if (left > 0) others += " and " + std::to_string(left) + " more";
+    if (!others.empty()) map_.map().notes.push_back("properties not read: " + others);
+  }
+  // By parts of the key, as in "maxSpeed", "speed_limit" and "lane_width".
+  static bool changes_driving(std::string_view key) {
+    std::string plain;
+    for (const char c : key)
+      if (c != '_' && c != '-' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return std::ranges::any_of(kDrivingProperties,
+                               [&](std::string_view part) { return plain.find(part) != std::string::npos; });
+  }
+
   void require_object(const json& value, const std::string& place) const {
     if (!value.is_object()) map_.fail(place, "expected an object, found " + shown(value));
   }
@@ -70,14 +131,29 @@ class Reader {
     return value.get<double>();
   }
 
-  // The member of the format's first version (2008). Any named system but that of the globe is planar.
-  void read_crs(const json& top) {
-    const auto crs = top.find("crs");
-    if (crs == top.end() || !crs->is_object()) return;
-    const std::string text = crs->dump(-1, ' ', false, json::error_handler_t::replace);
-    for (const char* globe : {"CRS84", "EPSG:4326", "EPSG::4326"})
-      if (text.find(globe) != std::string::npos) return map_.set_degrees();
-    map_.set_planar();
+  // The member of the format's first version (2008), or that of JSON-FG.
+  void read_crs(const json& object) {
+    for (const char* key : {"crs", "coordRefSys"}) {
+      const auto crs = object.find(key);
+      if (crs == object.end() || crs->is_null()) continue;
+      map_.set_system(name_of_crs(*crs));
+    }
+  }
+  // {"type":"name","properties":{"name":...}}, {"type":"EPSG","properties":{"code":...}}, a link, or a text.
+  static std::string name_of_crs(const json& crs) {
+    const auto text_of = [](const json& value) {
+      return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, json::error_handler_t::replace);
+    };
+    if (!crs.is_object()) return text_of(crs);
+    const auto properties = crs.find("properties");
+    const json& from = properties != crs.end() && properties->is_object() ? *properties : crs;
+    for (const char* key : {"name", "href", "code", "id"}) {
+      const auto value = from.find(key);
+      if (value == from.end()) continue;
+      const bool bare = std::string_view(key) == "code" && crs.value("type", json()).is_string();
+      return (bare ? crs["type"].get<std::string>() + ":" : "") + text_of(*value);
+    }
+    return text_of(crs);
   }
 
   bool is_curved(const json* properties, const std::string& place) const {
@@ -94,7 +170,8 @@ class Reader {
     if (*role == "boundary") return Role::kBoundary;
     if (*role == "start") return Role::kStart;
     if (*role == "goal") return Role::kGoal;
-    map_.warn(place, "unknown role " + shown(*role) + ", taken as \"obstacle\"");
+    map_.warn(place, "unknown role " + shown(*role) +
+                         ", taken as \"obstacle\"; there are obstacle, boundary (free inside), start and goal");
     return Role::kObstacle;
   }
 
@@ -224,8 +301,35 @@ class Reader {
 
   detail::VectorMapBuilder map_;
   std::size_t feature_ = 0;
-  bool curved_ = false;  // of the feature being read
+  bool curved_ = false;                   // of the feature being read
+  std::map<std::string, Unread> unread_;  // by property
 };
+
+// Writers that have no height write NaN for it, which is no JSON: null is put in its place where it is the third number
+// of an array or a later one, which is ignored in positions. Elsewhere it stays, and is refused with its line.
+std::string without_missing_heights(std::string_view text) {
+  std::string result;
+  std::size_t commas = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
+    if (!quoted) {
+      if (c == '[' || c == '{') commas = 0;
+      if (c == ',') ++commas;
+      std::size_t length = 0;
+      for (const std::string_view word : {"NaN", "-Infinity", "Infinity"})
+        if (text.substr(i, word.size()) == word) length = word.size();
+      if (length > 0 && commas >= 2) {
+        result += "null";
+        i += length - 1;
+        continue;
+      }
+    }
+    result += c;
+  }
+  return result;
+}
 
 // Whether the text is one JSON value a line: the first line is one by itself and something follows.
 bool is_sequence(std::string_view text) {
@@ -240,6 +344,9 @@ bool is_sequence(std::string_view text) {
 
 MapFile read_geojson(std::string_view text, std::string_view name, const VectorOptions& options) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  std::string mended;
+  if (text.find("NaN") != std::string_view::npos || text.find("Infinity") != std::string_view::npos)
+    text = mended = without_missing_heights(text);
   Reader reader(name, options);
   if (!is_sequence(text)) {
     const detail::JsonElements features{.key = "features",

@@ -11,29 +11,7 @@
 namespace arcway::detail {
 namespace {
 
-constexpr double kEarthRadius = 6371008.8;  // mean radius [m]
 constexpr std::size_t kMostCurveVertices = 1'000'000;
-
-// Calls `visit` with every position of the map.
-template <class Visit>
-void visit_positions(MapFile& map, std::vector<std::pair<std::vector<Vec2>, std::string>>& lines, Visit visit) {
-  const auto ring = [&](Ring& positions) {
-    for (Vec2& p : positions) visit(p);
-  };
-  for (Polygon& polygon : map.obstacles) {
-    ring(polygon.outer);
-    for (Ring& hole : polygon.holes) ring(hole);
-  }
-  for (auto& [positions, place] : lines) ring(positions);
-  if (map.bounds) ring(*map.bounds);
-  for (std::optional<Pose>* pose : {&map.start, &map.goal}) {
-    if (!*pose) continue;
-    Vec2 p = (*pose)->position();
-    visit(p);
-    (*pose)->x = p.x();
-    (*pose)->y = p.y();
-  }
-}
 
 }  // namespace
 
@@ -115,13 +93,7 @@ void VectorMapBuilder::pass_over(const std::string& place, std::string_view type
 }
 
 MapFile VectorMapBuilder::finish() {
-  if (options_.lonlat) {
-    project();
-  } else if (frame_ == Frame::kDegrees) {
-    warn("", "coordinates are degrees of longitude and latitude; they are taken as metres");
-  } else if (frame_ == Frame::kUnknown && looks_like_degrees()) {
-    warn("", "coordinates look like degrees of longitude and latitude; they are taken as metres");
-  }
+  settle_coordinates();
   add_walls();
   if (passed_over_ > 0) {
     const std::string which =
@@ -133,30 +105,6 @@ MapFile VectorMapBuilder::finish() {
     warn("", "passed over " + which + advice);
   }
   return std::move(map_);
-}
-
-bool VectorMapBuilder::looks_like_degrees() {
-  Box box;
-  visit_positions(map_, lines_, [&](const Vec2& p) { box.extend(p); });
-  return !box.empty() && box.min.x() >= -180.0 && box.max.x() <= 180.0 && box.min.y() >= -90.0 && box.max.y() <= 90.0 &&
-         (box.max - box.min).maxCoeff() < 1.0;
-}
-
-void VectorMapBuilder::project() {
-  Box box;
-  visit_positions(map_, lines_, [&](const Vec2& p) {
-    if (std::abs(p.x()) > 180.0 || std::abs(p.y()) > 90.0)
-      fail("", "(" + shortest_text(p.x()) + ", " + shortest_text(p.y()) + ") is no longitude and latitude in degrees");
-    box.extend(p);
-  });
-  if (box.empty()) return;
-  const Vec2 middle = 0.5 * (box.min + box.max);
-  const double y_scale = kEarthRadius * kPi / 180.0;  // metres a degree
-  const double x_scale = y_scale * std::cos(middle.y() * kPi / 180.0);
-  visit_positions(map_, lines_,
-                  [&](Vec2& p) { p = Vec2(x_scale * (p.x() - middle.x()), y_scale * (p.y() - middle.y())); });
-  map_.notes.push_back("projected around longitude " + shortest_text(middle.x()) + ", latitude " +
-                       shortest_text(middle.y()));
 }
 
 void VectorMapBuilder::add_walls() {

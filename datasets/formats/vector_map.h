@@ -1,22 +1,27 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/geometry/closed_spline.h"
+#include "datasets/formats/coordinate_system.h"
 #include "datasets/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
 /// How files of polygons with coordinates of their own are read.
 struct VectorOptions {
-  /// Coordinates are longitude and latitude in degrees: project them to metres on the tangent plane at the middle of
-  /// their box, x = R cos(lat0) (lon - lon0), y = R (lat - lat0), R = 6371008.8 m. Off by less than 0.1 % within
-  /// 50 km, except near the poles.
+  /// Coordinates are longitude and latitude in degrees, or Web Mercator if the file says so: project them to meters on
+  /// the ground, x east and y north of the middle of the map, by the azimuthal equidistant projection of the ellipsoid
+  /// WGS 84. Lengths are right to 1 mm a kilometer within 15.5 km of the middle; a note says how exact they are, a
+  /// warning where they are less so. Maps may lie across the antimeridian or around a pole.
   bool lonlat = false;
+  /// Coordinates are meters, whatever the file says of them or they look like.
+  bool planar = false;
   /// Above 0, line strings are walls of this width with square ends [m]; otherwise they are passed over with a warning.
   double wall_width = 0.0;
   /// Smooth outlines become rings that contain the obstacle, nowhere farther from it than this [m], > 0. At most a
@@ -52,9 +57,10 @@ class VectorMapBuilder {
   void add_line(std::vector<Vec2> positions, const std::string& place);
   /// A geometry that is no obstacle.
   void pass_over(const std::string& place, std::string_view type);
-  /// Coordinates are planar, however much they look like degrees; or are degrees, whatever they look like.
-  void set_planar() { frame_ = Frame::kPlanar; }
-  void set_degrees() { frame_ = Frame::kDegrees; }
+  /// Coordinates are meters, however much they look like degrees.
+  void set_planar() { system_unit_ = CoordinateUnit::kMeters; }
+  /// The file names a coordinate system: see coordinate_unit.
+  void set_system(std::string_view name);
   void warn(const std::string& place, const std::string& message);
   [[noreturn]] void fail(const std::string& place, const std::string& message) const;
 
@@ -64,14 +70,16 @@ class VectorMapBuilder {
   MapFile finish();
 
  private:
-  [[nodiscard]] bool looks_like_degrees();
+  void settle_coordinates();  // in vector_map_coordinates.cpp, as what follows
+  void warn_of_system(const Box& box);
   void project();
   void add_walls();
 
   std::string name_;
   VectorOptions options_;
   MapFile map_;
-  enum class Frame { kUnknown, kPlanar, kDegrees } frame_ = Frame::kUnknown;
+  std::string system_;                         // as the file names it
+  std::optional<CoordinateUnit> system_unit_;  // none if the file says nothing
   std::vector<std::pair<std::vector<Vec2>, std::string>> lines_;
   std::size_t curve_vertices_ = 0;
   std::size_t passed_over_ = 0;

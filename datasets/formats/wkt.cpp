@@ -53,7 +53,7 @@ class Reader {
     text_.skip_space();
     const std::string_view number = text_.word(";");
     if (!text_.accept(';')) text_.expected("\";\" after the SRID");
-    number == "4326" ? map_.set_degrees() : map_.set_planar();
+    if (number != "0") map_.set_system("EPSG:" + std::string(number));  // 0 of PostGIS: not stated
   }
 
   void open() {
@@ -120,8 +120,18 @@ class Reader {
     text_.skip_space();
     const double y = text_.number("a number");
     for (text_.skip_space(); text_.peek() != ',' && text_.peek() != ')'; text_.skip_space())
-      text_.number("a number, \",\" or \")\"");
+      if (!accept_missing()) text_.number("a number, \",\" or \")\"");
     return {x, y};
+  }
+  // Z and M that a writer had no value for: "nan", "-inf", "NULL".
+  bool accept_missing() {
+    TextScanner before = text_;
+    std::string word = in_capitals(text_.word(",()"));
+    if (word.starts_with('-') || word.starts_with('+')) word.erase(0, 1);
+    for (const std::string_view missing : {"NAN", "INF", "INFINITY", "NULL"})
+      if (word == missing) return true;
+    text_ = before;
+    return false;
   }
   std::vector<Vec2> positions() {
     std::vector<Vec2> result;

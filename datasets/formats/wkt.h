@@ -10,7 +10,8 @@ namespace [[gnu::visibility("default")]] arcway {
 
 /// Reads well-known text [ISO 19125-1]: geometries one after the other, usually one a line, keywords in any case.
 /// POLYGON and MULTIPOLYGON are obstacles, GEOMETRYCOLLECTION is opened, LINESTRING is a wall if the options say so;
-/// others are passed over with a warning. Z and M are ignored, EMPTY is legal, so is the prefix `SRID=n;` of PostGIS.
+/// others are passed over with a warning. Z and M are ignored, also where they are nan; EMPTY is legal, so is the
+/// prefix `SRID=n;` of PostGIS.
 /// @param name  of the source, for messages.
 /// @throws FormatError, "map.wkt: line 3: expected a number, found "x"".
 MapFile read_wkt(std::string_view text, std::string_view name, const VectorOptions& options = {});

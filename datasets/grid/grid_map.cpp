@@ -28,6 +28,7 @@ MapFile to_map_file(const OccupancyGrid& grid, const GridOptions& options) {
     return ring;
   };
   MapFile map;
+  map.frame = CoordinateFrame::kMeters;
   map.obstacles.reserve(polygons.size());
   for (const CornerPolygon& polygon : polygons) {
     Polygon& obstacle = map.obstacles.emplace_back();

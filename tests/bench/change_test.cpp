@@ -37,6 +37,23 @@ TEST_F(Tool, PlansOnAChangedMap) {
   EXPECT_NE(around.out, straight.out);
 }
 
+TEST_F(Tool, PassesOnWhatTheAddedMapsSay) {
+  ASSERT_EQ(run("prepare " + map_ + " --out " + file("m.arcway")).code, 0);
+  const std::string change = "change " + file("m.arcway") + " --out " + file("n.arcway") + " --add ";
+  const Run fence = run(change + put("fence.wkt", "LINESTRING (3 -5, 3 5)\nPOLYGON ((2 2,3 2,3 3,2 2))"));
+  EXPECT_EQ(fence.code, 0) << fence.err;
+  EXPECT_NE(fence.out.find("fence.wkt: passed over 1 geometry that is not a polygon"), std::string::npos) << fence.out;
+  EXPECT_NE(run(change + map_).out.find("its bounds are left out; only obstacles are added"), std::string::npos);
+  const std::string ring = R"("type":"Polygon","coordinates":[[[6,50],[6.001,50],[6.001,50.001],[6,50]]]})";
+  const std::string named = put("nad83.geojson", R"({"crs":{"type":"name","properties":{"name":"NAD83"}},)" + ring);
+  expect_bad_input(change + named, "nad83.geojson has degrees of longitude and latitude");
+  const std::string looks = put("looks.geojson", "{" + ring);
+  expect_bad_input(change + looks, "looks.geojson seems to have degrees");
+  EXPECT_EQ(run(change + looks + " --planar").code, 0);
+  // A cone of 30 cm is none.
+  EXPECT_EQ(run(change + put("cone.wkt", "POLYGON ((50 50, 50.3 50, 50.3 50.3, 50 50))")).code, 0);
+}
+
 TEST_F(Tool, RefusesChangesThatCannotBe) {
   ASSERT_EQ(run("prepare " + map_ + " --out " + file("m.arcway")).code, 0);
   const std::string change = "change " + file("m.arcway") + " --out " + file("n.arcway");

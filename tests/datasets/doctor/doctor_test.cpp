@@ -92,6 +92,15 @@ TEST(Doctor, FindsObstaclesBeyondTheBounds) {
 
 TEST(Doctor, FindsCoordinatesThatAreDegreesOrFar) {
   EXPECT_EQ(kinds(of({{box(13.4, 52.5, 13.41, 52.51), {}}})), Kinds{FindingKind::kDegrees});
+  EXPECT_TRUE(kinds(of({{box(0, 0, 0.2, 0.15), {}}})).empty());
+  EXPECT_TRUE(kinds(of({{box(1, 2, 1.2, 2.2), {}}})).empty());
+  MapFile stated = of({{box(13, 52, 20, 59), {}}});
+  EXPECT_TRUE(kinds(stated).empty());
+  stated.frame = CoordinateFrame::kDegrees;
+  EXPECT_EQ(kinds(stated), Kinds{FindingKind::kDegrees});
+  stated = of({{box(13.4, 52.5, 13.41, 52.51), {}}});
+  stated.frame = CoordinateFrame::kMeters;
+  EXPECT_TRUE(kinds(stated).empty());
   EXPECT_EQ(kinds(of({{box(1e7, 0, 1e7 + 5, 5), {}}})), Kinds{FindingKind::kFarFromOrigin});
   EXPECT_TRUE(kinds(of({{box(8e6, 0, 8e6 + 5, 5), {}}})).empty());
 }

@@ -54,6 +54,19 @@ TEST(GeoJson, KeepsHolesOrderAndPlaces) {
   EXPECT_EQ(map.places, (std::vector<std::string>{"feature 1, polygon 0", "feature 1, polygon 1"}));
 }
 
+TEST(GeoJson, IgnoresHeightsThatAreMissing) {
+  for (const char* ring :
+       {"[[0,0,null],[4,0,null],[4,4,null],[0,0,null]]", "[[0,0,NaN],[4,0,-Infinity],[4,4,1],[0,0,NaN]]",
+        "[[0,0,\"n/a\"],[4,0,1,NaN],[4,4],[0,0, NaN ]]"}) {
+    const MapFile map = read(polygon(ring));
+    ASSERT_EQ(map.obstacles.size(), 1u) << ring;
+    EXPECT_EQ(map.obstacles[0].outer, (Ring{{0, 0}, {4, 0}, {4, 4}})) << ring;
+  }
+  EXPECT_NE(error_of(polygon("[[0,0,NaN],[4,NaN,0],[4,4],[0,0]]")).find("found NaN"), std::string::npos);
+  EXPECT_NE(error_of(collection("", R"("properties":{"start":[1,2,NaN]},)")).find("expected a number, found null"),
+            std::string::npos);
+}
+
 TEST(GeoJson, ReadsRoles) {
   const MapFile map = read(collection(
       feature(polygon("[[0,0],[90,0],[90,90],[0,90],[0,0]],[[5,5],[5,6],[6,6],[5,5]]"), R"({"role":"boundary"})") +
@@ -165,7 +178,80 @@ TEST(GeoJson, AnOldReferenceSystemSaysWhatCoordinatesAre) {
   EXPECT_TRUE(read(collection(small, crs("urn:ogc:def:crs:EPSG::25832"))).warnings.empty());
   EXPECT_EQ(read(collection(small, R"("crs":null,)")).warnings.size(), 1u);
   const std::string large = feature(polygon("[[8,48],[12,48],[12,50],[8,48]]"));
-  EXPECT_EQ(read(collection(large, crs("urn:ogc:def:crs:OGC:1.3:CRS84"))).warnings.size(), 1u);
+  const auto warning = [&](const std::string& member) {
+    const MapFile map = read(collection(large, member));
+    return map.warnings.size() == 1 ? map.warnings[0] : std::to_string(map.warnings.size()) + " warnings";
+  };
+  for (const std::string& member :
+       {crs("urn:ogc:def:crs:OGC:1.3:CRS84"), crs("urn:ogc:def:crs:EPSG::4269"), crs("NAD83"),
+        std::string(R"("crs":{"type":"EPSG","properties":{"code":4258}},)"), std::string(R"("crs":"EPSG:4326",)"),
+        std::string(R"("coordRefSys":"http://www.opengis.net/def/crs/EPSG/0/4283",)"),
+        std::string(R"("crs":{"type":"GeographicCRS","id":{"authority":"EPSG","code":4979}},)")})
+    EXPECT_NE(warning(member).find("coordinates are degrees of longitude and latitude"), std::string::npos) << member;
+  EXPECT_NE(warning(crs("EPSG:3857")).find("units, which are taken as meters"), std::string::npos);
+  EXPECT_NE(warning(crs("EPSG:2263")).find("coordinates are not in meters (\"EPSG:2263\")"), std::string::npos);
+  EXPECT_NE(warning(crs("hall 7")).find("the coordinate system (\"hall 7\") is not known here"), std::string::npos);
+  EXPECT_TRUE(read_geojson(collection(large, crs("NAD83")), "w", {.planar = true}).warnings.empty());
+  EXPECT_THROW(read_geojson(collection(large, crs("EPSG:25832")), "w", {.lonlat = true}), FormatError);
+}
+
+TEST(GeoJson, ReadsMapsAcrossTheAntimeridianAndOfWebMercator) {
+  const auto box = [](const std::string& west, const std::string& east, const std::string& south,
+                      const std::string& north) {
+    return feature(polygon("[[" + west + "," + south + "],[" + east + "," + south + "],[" + east + "," + north + "],[" +
+                           west + "," + north + "],[" + west + "," + south + "]]"));
+  };
+  const auto width = [](const std::string& features, const std::string& members = "") {
+    const MapFile map = read_geojson(collection(features, members), "w", {.lonlat = true});
+    EXPECT_TRUE(map.warnings.empty());
+    Box all;
+    for (const Polygon& polygon : map.obstacles)
+      for (const Vec2& p : polygon.outer) all.extend(p);
+    EXPECT_NEAR(all.min.x(), -all.max.x(), 1e-3);
+    return all.max.x() - all.min.x();
+  };
+  const double expected =
+      width(box("9.999", "9.9995", "-17", "-16.9995") + "," + box("10.0005", "10.001", "-17", "-16.9995"));
+  EXPECT_NEAR(expected, 212.97, 0.01);
+  for (const std::string& pair :
+       {box("179.999", "179.9995", "-17", "-16.9995") + "," + box("-179.9995", "-179.999", "-17", "-16.9995"),
+        box("179.999", "179.9995", "-17", "-16.9995") + "," + box("180.0005", "180.001", "-17", "-16.9995"),
+        box("359.999", "359.9995", "-17", "-16.9995") + "," + box("0.0005", "0.001", "-17", "-16.9995")})
+    EXPECT_NEAR(width(pair), expected, 1e-6) << pair;
+  // 10 units of Web Mercator at a latitude of 52.516 degrees, where 1 is 1 / 1.6432 m, by the ellipsoid a little more.
+  EXPECT_NEAR(width(box("1492000", "1492010", "6894000", "6894010"),
+                    R"("crs":{"type":"name","properties":{"name":"EPSG:3857"}},)"),
+              10 / 1.643285 * 1.002114, 1e-3);
+  // Around the pole no longitude is the middle one.
+  const MapFile pole = read_geojson(feature(polygon("[[-90,89.99],[0,89.99],[90,89.99],[179,89.99],[-90,89.99]]")), "w",
+                                    {.lonlat = true});
+  EXPECT_NEAR(pole.obstacles[0].outer[0].x(), -1116.9398, 1e-3);
+  EXPECT_NEAR(pole.obstacles[0].outer[1].y(), -1116.9398, 1e-3);
+  // Wide maps say how exact they are, and what no plane shows is refused.
+  EXPECT_EQ(read_geojson(box("10", "12", "50", "51"), "w", {.lonlat = true}).warnings.size(), 1u);
+  EXPECT_THROW(read_geojson(feature(polygon("[[-120,-80],[0,80],[120,-80],[-120,-80]]")), "w", {.lonlat = true}),
+               FormatError);
+}
+
+TEST(GeoJson, WarnsOfPropertiesThatItDoesNotRead) {
+  const auto map_of = [](const std::string& properties) {
+    return read(collection(feature(polygon(kSquare), properties) + "," + feature(polygon(kSquare), properties)));
+  };
+  for (const char* key :
+       {"speed", "max_speed", "maxSpeed", "speed-limit", "cost", "traversable", "walkable", "level"}) {
+    const MapFile map = map_of("{\"" + std::string(key) + "\":3}");
+    ASSERT_EQ(map.warnings.size(), 1u) << key;
+    EXPECT_NE(map.warnings[0].find("feature 0: the property \"" + std::string(key) + "\" (and of 1 other feature)"),
+              std::string::npos)
+        << map.warnings[0];
+  }
+  const MapFile others = map_of(R"({"building":"yes","height":9,"name":"x","id":1,"speed":null})");
+  EXPECT_TRUE(others.warnings.empty());
+  EXPECT_EQ(others.notes, std::vector<std::string>{"properties not read: \"building\", \"height\""});
+  EXPECT_NE(map_of(R"({"role":"free"})").warnings.at(0).find("there are obstacle, boundary"), std::string::npos);
+  const MapFile beside =
+      read(R"({"type":"Feature","role":"boundary","properties":{},"geometry":)" + polygon(kSquare) + "}");
+  EXPECT_NE(beside.warnings.at(0).find("\"role\" is not read beside \"properties\""), std::string::npos);
 }
 
 TEST(GeoJson, ProjectsDegreesAndBuildsWallsWhenAsked) {
@@ -175,7 +261,7 @@ TEST(GeoJson, ProjectsDegreesAndBuildsWallsWhenAsked) {
   ASSERT_EQ(map.obstacles.size(), 2u);
   EXPECT_TRUE(map.warnings.empty());
   EXPECT_EQ(map.notes.size(), 1u);
-  EXPECT_NEAR(map.obstacles[0].outer[2].y() - map.obstacles[0].outer[1].y(), 1111.9508, 1e-3);
+  EXPECT_NEAR((map.obstacles[0].outer[2] - map.obstacles[0].outer[1]).norm(), 1111.904199, 1e-3);
   EXPECT_NEAR(map.obstacles[1].outer[2].y() - map.obstacles[1].outer[1].y(), 0.5, 1e-9);
   EXPECT_THROW(read_geojson(polygon("[[0,0],[400,0],[4,4],[0,0]]"), "w", {.lonlat = true}), FormatError);
 }

@@ -19,6 +19,9 @@ TEST(Wkt, ReadsAllShapesOfPolygons) {
            "POLYGON((0 0,4 0,4 4,0 0))",
            "\xEF\xBB\xBFpolygon ( ( 0 0 , 4 0 , 4 4 , 0 0 ) )\r\n\r\n",
            "Polygon Z ((0 0 7, 4 0 7, 4 4 8, 0 0 7))",
+           "POLYGON Z ((0 0 nan, 4 0 NaN, 4 4 -nan, 0 0 NAN))",
+           "POLYGON ZM ((0 0 7 inf,4 0 NULL 2,4 4 8 -Infinity,0 0 7 nan))",
+           "POLYGON M((0 0 nan,4 0 nan,4 4 nan,0 0 nan))",
            "POLYGON ZM ((0 0 7 1, 4 0 7 1, 4 4 8 1, 0 0 7 1))",
            "SRID=25832;POLYGON ((0 0, 4 0,\n 4 4, 4 4, 0 0));",
            "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 0)))",
@@ -61,9 +64,10 @@ TEST(Wkt, ProjectsDegrees) {
   const MapFile map = read(text, {.lonlat = true});
   EXPECT_TRUE(map.warnings.empty());
   const Vec2 diagonal = map.obstacles[0].outer[2] - map.obstacles[0].outer[0];
-  EXPECT_NEAR(diagonal.y(), 1111.9508, 0.001);  // R pi / 180 / 100
-  EXPECT_NEAR(diagonal.x(), 743.9682, 0.001);   // cos(48.005 degrees) of it
-  EXPECT_NEAR((map.obstacles[0].outer[2] + map.obstacles[0].outer[0]).norm(), 0.0, 1e-6);
+  EXPECT_NEAR(diagonal.norm(), 1339.073432, 1e-4);  // Vincenty
+  EXPECT_NEAR((map.obstacles[0].outer[1] - map.obstacles[0].outer[0]).norm(), 746.253535, 1e-4);
+  EXPECT_NEAR((map.obstacles[0].outer[3] - map.obstacles[0].outer[0]).norm(), 1111.904199, 1e-4);
+  EXPECT_NEAR((map.obstacles[0].outer[2] + map.obstacles[0].outer[0]).norm(), 0.0, 0.1);  // around the middle
 }
 
 TEST(Wkt, ErrorsNameLineAndValue) {
