@@ -10,6 +10,7 @@
 #include "datasets/clutter.h"
 #include "datasets/generators/adversarial_world.h"
 #include "datasets/generators/curved_world.h"
+#include "datasets/generators/driven_world.h"
 #include "datasets/generators/structured_world.h"
 #include "datasets/paper_example.h"
 #include "datasets/random_queries.h"
@@ -145,6 +146,19 @@ MapFile ponds_map(const Parts& parts) {
   return map;
 }
 
+DrivenWorld driven_world(const Parts& parts) {
+  const DrivenParameters defaults;
+  const std::uint64_t gears = parts.number('g', 1);
+  if (gears != 1 && gears != 2) refuse(parts.name(), std::to_string(gears) + " gears, must be 1 or 2");
+  return generate_driven_world({.kind = kDrivenKinds[parts.kind()],
+                                .robot = parts.number('r', defaults.robot),
+                                .both_gears = gears == 2,
+                                .clearance = 1e-3 * static_cast<double>(parts.number('c', 50)),
+                                .seed = parts.number('s', defaults.seed)});
+}
+
+MapFile driven_map(const Parts& parts) { return driven_world(parts).map; }
+
 MapFile paper_map(const Parts&) {
   PaperExample example = paper_example();
   MapFile map = to_map_file(example.world);
@@ -181,6 +195,11 @@ const std::vector<Entry>& entries() {
         "adversarial/KIND/vVERTICES/sSEED",
         "legal maps made to break predicates"},
        adversarial_map},
+      {{"driven",
+        {"scattered", "hugging", "carved", "rooms"},
+        "driven/KIND/rROBOT/gGEARS/cCLEARANCE_MM/sSEED",
+        "obstacles beside a drive of one of nine robots, in one or two gears, so that a way is known"},
+       driven_map},
   };
   return all;
 }
@@ -201,6 +220,12 @@ bool is_catalogue_name(std::string_view name) { return find_entry(name) != nullp
 MapFile catalogue_map(std::string_view name) {
   const Parts parts(name);
   return parts.entry().make(parts);
+}
+
+std::optional<DrivenWorld> catalogue_driven_world(std::string_view name) {
+  const Parts parts(name);
+  if (parts.entry().make != driven_map) return std::nullopt;
+  return driven_world(parts);
 }
 
 World catalogue_world(std::string_view name) { return to_world(catalogue_map(name), name); }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,13 +10,14 @@
 
 #include "core/planner.h"
 #include "core/world.h"
+#include "datasets/generators/driven_world.h"
 #include "datasets/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
 /// \file
 /// Names of generated worlds, shared by tests, benchmarks and the tool: a name is all that it takes to have the same
-/// world again, on any platform.
+/// world again, on any platform (worlds "driven/..." up to the platform's sine and cosine).
 ///
 ///     const World world = catalogue_world("clutter/star/n1000/m10/f30/s7");
 ///     for (const PlanRequest& query : catalogue_queries("clutter/star/n1000/m10/f30/s7", 50, 1)) ...
@@ -39,6 +41,11 @@ bool is_catalogue_name(std::string_view name);
 /// @throws std::invalid_argument naming the part that is wrong and what is expected there.
 MapFile catalogue_map(std::string_view name);
 World catalogue_world(std::string_view name);
+
+/// The whole of a world "driven/...": map, robot, and the drive that proves that a way exists. Nothing for the names of
+/// other families.
+/// @throws std::invalid_argument as above.
+std::optional<DrivenWorld> catalogue_driven_world(std::string_view name);
 
 /// Pose pairs for a catalogue world and the paper's robot, by random_queries: the same for the same arguments.
 std::vector<PlanRequest> catalogue_queries(std::string_view name, std::size_t count, std::uint64_t seed);

@@ -11,7 +11,10 @@
 #include "datasets/catalogue.h"
 #include "datasets/clutter.h"
 #include "datasets/formats/geojson.h"
+#include "datasets/generators/driven_world.h"
+#include "datasets/plan_io.h"
 #include "datasets/random_queries.h"
+#include "datasets/robot.h"
 
 namespace arcway::cli {
 namespace {
@@ -21,6 +24,7 @@ struct GenerateArguments {
   std::string obstacles, vertices, fill, seed, gap;
   std::string out;
   std::string queries, count = "50", query_seed = "1", robot;
+  std::string robot_out, drive_out;
 };
 
 std::optional<ClutterKind> clutter_kind(const std::string& name) {
@@ -46,6 +50,20 @@ MapFile clutter_map(ClutterKind kind, const GenerateArguments& arguments, std::s
   map.obstacles = std::move(clutter.obstacles);
   map.bounds = std::move(clutter.bounds);
   return map;
+}
+
+// The robot and the drive of a world "driven/...", as far as they are asked for.
+void add_drive(OutputFiles& files, const GenerateArguments& arguments) {
+  if (arguments.robot_out.empty() && arguments.drive_out.empty()) return;
+  const auto driven =
+      is_catalogue_name(arguments.world) ? catalogue_driven_world(arguments.world) : std::optional<DrivenWorld>();
+  if (!driven) {
+    throw UsageError(std::string(arguments.robot_out.empty() ? "--drive-out" : "--robot-out") +
+                     ": only worlds driven/... know a robot and its drive, got \"" + arguments.world + "\"");
+  }
+  if (!arguments.robot_out.empty()) files.add(arguments.robot_out, to_json(driven->robot) + "\n");
+  if (!arguments.drive_out.empty())
+    files.add(arguments.drive_out, plan_to_json(plan_of_drive(*driven), 0, driven->robot) + "\n");
 }
 
 MapFile make_map(const GenerateArguments& arguments, std::string& out) {
@@ -79,7 +97,7 @@ std::string queries_csv(const GenerateArguments& arguments, const World& world) 
 }
 
 int run_generate(const GenerateArguments& arguments, std::string& out) {
-  if (arguments.out.empty() && arguments.queries.empty())
+  if (arguments.out.empty() && arguments.queries.empty() && arguments.robot_out.empty() && arguments.drive_out.empty())
     throw UsageError("generate: nothing to write; use --out W.geojson or --queries Q.csv");
   for (const char* ending : {".wkt", ".svg", ".arcway"})
     if (std::filesystem::path(arguments.out).extension() == ending)
@@ -90,6 +108,7 @@ int run_generate(const GenerateArguments& arguments, std::string& out) {
   OutputFiles files({arguments.robot});
   if (!arguments.out.empty()) files.add(arguments.out, to_geojson(map));
   if (!arguments.queries.empty()) files.add(arguments.queries, queries_csv(arguments, world));
+  add_drive(files, arguments);
   out += arguments.world + "\n" + world_rows(world) + details;
   files.write();
   out += files.summary();
@@ -133,6 +152,9 @@ void add_generate_command(CLI::App& app, Action& action) {
   command.add_option("--query-seed", arguments->query_seed, "Seed of --queries")->type_name("N")->capture_default_str();
   command.add_option("--robot", arguments->robot, "Robot (JSON) that --queries are for; default: the paper's")
       ->type_name("R.json");
+  command.add_option("--robot-out", arguments->robot_out, "Robot of a world driven/... to write")->type_name("R.json");
+  command.add_option("--drive-out", arguments->drive_out, "Drive of a world driven/... to write, a plan for validate")
+      ->type_name("P.json");
   command.callback(
       [arguments, &action] { action = [arguments](std::string& out) { return run_generate(*arguments, out); }; });
 }

@@ -464,6 +464,19 @@ TEST_F(Tool, ReplacesNothingThatItHasRead) {
   expect_bad_input("generate star --out " + file("w.wkt"), "writes GeoJSON");
 }
 
+TEST_F(Tool, GeneratesDrivenWorldsWithTheirRobotAndDrive) {
+  const std::string name = "driven/hugging/r4/g2/c20/s2";
+  const std::string map = file("w.geojson"), robot = file("r.json"), drive = file("d.json");
+  ASSERT_EQ(run("generate " + name + " --out " + map + " --robot-out " + robot + " --drive-out " + drive).code, 0);
+  const Run check = run("validate " + map + " --path " + drive);
+  EXPECT_EQ(check.code, 0) << check.out;
+  EXPECT_NE(check.out.find("0.0200"), std::string::npos) << check.out;
+  EXPECT_EQ(run("validate " + name + " --robot " + robot + " --path " + drive).code, 0);
+  expect_bad_input("generate clutter/star --drive-out " + file("e.json"), "only worlds driven/... know a robot");
+  expect_bad_input("generate convex --robot-out " + file("e.json"), "--robot-out");
+  EXPECT_FALSE(exists("e.json"));
+}
+
 TEST_F(Tool, WarnsOfDegrees) {
   const Run plan = run("plan " + map_ + " --start 10,10,0 --goal 50,50,90");
   EXPECT_NE(plan.out.find("goal heading is 90 rad, more than a full turn; degrees are written as 90deg"),

@@ -1,0 +1,69 @@
+#include "datasets/generators/drive_clearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/distance.h"
+
+namespace arcway::detail {
+namespace {
+
+// Intervals of an arc shorter than this share of the body's reach are not halved again.
+constexpr double kShortestInterval = 1e-6;
+
+double reach_of(const Footprint& body) { return std::hypot(std::max(body.front, body.rear), body.half_width); }
+
+// The body at a pose, and what it sweeps until it is `ahead` further on in a straight line.
+Polygon body_at(const Pose& pose, const Footprint& body, double ahead = 0.0) {
+  const Vec2 u = direction_of(pose.heading), side = perpendicular(u) * body.half_width;
+  const Vec2 front = pose.position() + u * (body.front + ahead), rear = pose.position() - u * body.rear;
+  return {{rear - side, front - side, front + side, rear + side}, {}};
+}
+
+// How far a polygon must keep from a body with this reach about F.
+struct Wanted {
+  const Polygon& polygon;
+  const Footprint& body;
+  double reach, distance;
+};
+
+bool arc_keeps_away(const Wanted& wanted, const PathSegment& segment, double from, double to) {
+  const double half = 0.5 * (to - from);
+  const double gap = distance(body_at(segment.at(0.5 * (from + to)), wanted.body), wanted.polygon);
+  const double travel = half * (1.0 + std::abs(segment.curvature) * wanted.reach);
+  if (gap >= wanted.distance + travel) return true;
+  if (gap < wanted.distance || travel < kShortestInterval * wanted.reach) return false;
+  const double middle = from + half;
+  return arc_keeps_away(wanted, segment, from, middle) && arc_keeps_away(wanted, segment, middle, to);
+}
+
+bool segment_keeps_away(const Wanted& wanted, const PathSegment& segment) {
+  if (!segment.is_line()) return arc_keeps_away(wanted, segment, 0.0, segment.length);
+  const Polygon swept = body_at(segment.forwards().start, wanted.body, segment.length);
+  return distance(swept, wanted.polygon) >= wanted.distance;
+}
+
+}  // namespace
+
+bool keeps_away(const Polygon& polygon, std::span<const PathSegment> drive, const Footprint& body, double distance) {
+  const Wanted wanted{polygon, body, reach_of(body), distance};
+  return std::ranges::all_of(drive, [&](const PathSegment& segment) { return segment_keeps_away(wanted, segment); });
+}
+
+Box box_of(std::span<const PathSegment> drive, const Footprint& body, double growth) {
+  const double reach = reach_of(body);
+  Box box;
+  for (const PathSegment& segment : drive) {
+    // Pieces as long as the body reaches: nothing is further from a piece's middle than half of that and the reach.
+    const double pieces = std::ceil(segment.length / reach);
+    for (double i = 0.0; i < pieces; i += 1.0) {
+      const Vec2 middle = segment.at(segment.length * ((i + 0.5) / pieces)).position();
+      const double around = 1.5 * reach + growth;
+      box.extend(middle - Vec2(around, around));
+      box.extend(middle + Vec2(around, around));
+    }
+  }
+  return box;
+}
+
+}  // namespace arcway::detail

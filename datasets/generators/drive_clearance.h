@@ -1,0 +1,24 @@
+#pragma once
+
+// Private to datasets: whether obstacles keep away from a drive.
+
+#include <span>
+
+#include "core/geometry/polygon.h"
+#include "core/geometry/vec2.h"
+#include "core/path/path.h"
+#include "core/vehicle.h"
+
+namespace arcway::detail {
+
+/// Whether the polygon is proved to keep this distance from the body at every moment of the drive. A line is decided by
+/// the rectangle that the body sweeps. An interval of an arc is decided by its middle: at least as far as the distance
+/// and what any point of the body moves within the interval is far enough, nearer than the distance is not; else both
+/// halves are asked. Intervals in which it moves less than a millionth of its reach count as too near.
+/// O(vertices) for obstacles far away; more the nearer the polygon's distance is to the one asked for.
+bool keeps_away(const Polygon& polygon, std::span<const PathSegment> drive, const Footprint& body, double distance);
+
+/// A box that contains the body grown by `growth` at every moment of the drive.
+Box box_of(std::span<const PathSegment> drive, const Footprint& body, double growth);
+
+}  // namespace arcway::detail
