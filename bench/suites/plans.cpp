@@ -7,18 +7,14 @@
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
-#include "core/path/validation.h"
 
 namespace arcway::bench {
-namespace {
 
 bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResult& result) {
   TimedPath path = result.timed_path();
   if (corrupting() && !path.segments.empty()) path.segments.back().length += 0.01;
   return validator(vehicle, result.start, result.goal, path).valid();
 }
-
-}  // namespace
 
 QuerySet fastest_queries(const World& world) { return query_backends().back().make(world); }
 

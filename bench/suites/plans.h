@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/path/validation.h"
 #include "core/planner.h"
 
 namespace arcway::bench {
@@ -18,6 +19,8 @@ const Planner& shared_planner(const std::string& world_name, Heuristic heuristic
 
 std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanRequest>& requests);
 
+/// Whether the validator takes the path.
+bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResult& result);
 /// Whether at least one query is solved and the validator takes all paths.
 bool are_right(const Planner& planner, const std::vector<PlanResult>& results);
 

@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "bench/cpu_clock.h"
+#include "bench/quantiles.h"
+#include "bench/suites/plans.h"
+#include "bench/suites/suite.h"
+#include "datasets/catalogue.h"
+#include "datasets/generators/driven_world.h"
+
+// The share solved of worlds in which a way is known: `driven/...` of the catalogue. From map to plan, one thread.
+namespace arcway::bench {
+namespace {
+
+constexpr double kSlower = 1.0 + 1e-9;  // plans that take longer than the drive by more than rounding
+
+struct Answer {
+  bool solved = false, proved = false, valid = true;
+  double seconds = 0.0;     // of processor time, from map to plan
+  double over_drive = 0.0;  // travel time / the drive's
+};
+
+PlanResult plan(const DrivenWorld& driven, const World& world, bool reverse) {
+  const Planner planner = make_planner(world, Vehicle(driven.robot), {.graph_mode = GraphMode::kLazy});
+  return planner.plan({.start = *driven.map.start, .goal = *driven.map.goal, .reverse = reverse});
+}
+
+/// Whether an answer without a path claims that there is none.
+bool is_proof(const PlanResult& result) {
+  return result.status == PlanStatus::kNoPassage || result.reason.find("is a dead end") != std::string::npos;
+}
+
+Answer answer_for(const DrivenWorld& driven, bool reverse) {
+  const World world = to_world(driven.map, "driven");
+  const CpuClock clock(CpuClock::Of::kThread);
+  const PlanResult result = plan(driven, world, reverse);
+  Answer answer{.solved = result.solved(), .seconds = clock.seconds()};
+  answer.proved = !answer.solved && is_proof(result);
+  if (!answer.solved) return answer;
+  answer.over_drive = result.travel_time / plan_of_drive(driven).travel_time;
+  answer.valid = is_valid(Validator(world), Vehicle(driven.robot), result);
+  return answer;
+}
+
+std::vector<std::string> names(DrivenKind kind, bool both_gears, int millimetres, std::size_t seeds) {
+  std::vector<std::string> all;
+  for (std::size_t seed = 1; seed <= seeds; ++seed)
+    for (std::size_t robot = 1; robot <= driven_robots().size(); ++robot)
+      all.push_back("driven/" + std::string(name_of(kind)) + "/r" + std::to_string(robot) + "/g" +
+                    std::to_string(both_gears ? 2 : 1) + "/c" + std::to_string(millimetres) + "/s" +
+                    std::to_string(100 * seed + robot));
+  return all;
+}
+
+void count(benchmark::State& state, const std::vector<Answer>& answers) {
+  const auto share = [&](const auto& holds) {
+    return static_cast<double>(std::ranges::count_if(answers, holds)) / static_cast<double>(answers.size());
+  };
+  std::vector<double> seconds;
+  for (const Answer& answer : answers) seconds.push_back(answer.seconds);
+  state.counters["worlds"] = static_cast<double>(answers.size());
+  state.counters["solved_share"] = share([](const Answer& a) { return a.solved; });
+  state.counters["slower_share"] = share([](const Answer& a) { return a.over_drive > kSlower; });
+  state.counters["cpu_median_s"] = median(seconds);
+  state.counters["cpu_worst_s"] = std::ranges::max(seconds);
+}
+
+void time_driven(benchmark::State& state, const std::vector<std::string>& worlds, bool reverse) {
+  std::vector<DrivenWorld> driven;
+  for (const std::string& name : worlds) driven.push_back(*catalogue_driven_world(name));
+  std::vector<Answer> answers;
+  std::string missed;
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    answers.push_back(answer_for(driven[i], reverse));
+    if (!require(state, answers.back().valid, worlds[i] + ": the validator refuses the path")) return;
+    if (!require(state, !answers.back().proved, worlds[i] + ": said to have no path, but its drive is one")) return;
+    if (!answers.back().solved) missed += (missed.empty() ? "missed: " : ", ") + worlds[i];
+  }
+  state.SetLabel(missed);
+  for (auto _ : state)
+    for (const DrivenWorld& world : driven)
+      benchmark::DoNotOptimize(plan(world, to_world(world.map, "driven"), reverse));
+  set_batch(state, worlds.size());
+  count(state, answers);
+}
+
+void add(Study study) {
+  const std::size_t seeds = study == Study::kFull ? 12 : 1;
+  for (const bool reverse : {false, true}) {
+    for (const int millimetres : {50, 2}) {
+      for (const DrivenKind kind : kDrivenKinds) {
+        if (study == Study::kCheck && (millimetres == 2 || kind != DrivenKind::kScattered)) continue;
+        const std::vector<std::string> worlds = names(kind, reverse, millimetres, seeds);
+        add_benchmark("Driven/" + std::string(reverse ? "both_gears/" : "forwards/") + name_of(kind) +
+                          "/clearance_mm_" + std::to_string(millimetres),
+                      [worlds, reverse](benchmark::State& state) { time_driven(state, worlds, reverse); })
+            ->Iterations(1)
+            ->Repetitions(1);
+      }
+    }
+  }
+}
+
+const Suite suite(add);
+
+}  // namespace
+}  // namespace arcway::bench
