@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <tuple>
@@ -11,12 +12,15 @@
 #include "core/geometry/ray_parity.h"
 #include "core/huge_pages.h"
 #include "core/world_checks.h"
+#include "core/world_coverage.h"
 
 namespace arcway {
 namespace {
 
 // Below this number of vertices a scan of all edges beats a tree over them.
 constexpr std::size_t kScanVertices = 64;
+// Edges to be looked at for each vertex, until one sweep over all edges takes the place of region by region.
+constexpr std::size_t kPatience = 128;
 
 }  // namespace
 
@@ -177,46 +181,73 @@ struct World::Data {
   void mark_covered(std::span<const VertexId> which) {
     covered.resize(vertices.size());
     for (const VertexId v : which) covered[v] = false;
+    std::vector<ObstacleId> regions(boxes.size());
+    std::iota(regions.begin(), regions.end(), ObstacleId{0});
+    if (mark_inside(regions, which, kPatience * vertices.size())) return;
+    Coverage coverage = sweep_coverage(edges, obstacle_of, has_bounds ? regions.back() : kNone);
+    covered = std::move(coverage.covered);
+    HugeVector<VertexId> all(vertices.size());
+    std::iota(all.begin(), all.end(), VertexId{0});
+    mark_inside(coverage.left_over, all, std::numeric_limits<std::size_t>::max());
+  }
+
+  // Marks those of the vertices that lie strictly inside one of the regions.
+  // @param most  how many edges may be looked at, about; then it ends and returns false.
+  bool mark_inside(std::span<const ObstacleId> regions, std::span<const VertexId> which, std::size_t most) {
     const Stretches stretches = stretches_of(which);
     const BoxTree stretch_tree(stretches.boxes);
     // Region by region, so that the tree over the edges of a large one lives only for its turn.
-    for (ObstacleId region = 0; region < boxes.size(); ++region) {
-      const VertexId first = region_starts[region];
-      const VertexId last = region_starts[region + 1];
-      BoxTree edge_tree;
-      const bool is_large = last - first > kScanVertices;
-      const auto build_edge_tree = [&] {
-        std::vector<Box> edge_boxes;
-        edge_boxes.reserve(last - first);
-        for (VertexId v = first; v < last; ++v) edge_boxes.push_back(arcway::box_of(edges[v]));
-        edge_tree = BoxTree(edge_boxes);
-      };
-      const auto mark = [&](VertexId v) {
-        if (covered[v]) return;
-        PointLocation location;
-        if (!is_large || !boxes[region].contains(vertices[v])) {
-          location = locate(vertices[v], region);
-        } else {
-          if (edge_tree.size() == 0) build_edge_tree();
-          RayParity parity(vertices[v]);
-          edge_tree.visit_overlaps(parity.ray_box(), [&](std::uint32_t e) {
-            parity.add(edges[first + e].a, edges[first + e].b);
-            return true;
-          });
-          location = side_of(parity.location(), region);
-        }
-        covered[v] = location == PointLocation::kInside;
-      };
+    for (const ObstacleId region : regions) {
+      RegionSearch search(*this, region);
       const Box& around = is_bounds(region) ? box : boxes[region];  // what is outside of the bounds is covered
-      stretch_tree.visit_overlaps(around, [&](std::uint32_t i) {
+      const bool is_done = stretch_tree.visit_overlaps(around, [&](std::uint32_t i) {
+        ++search.looks;
         const auto stretch = which.subspan(stretches.starts[i], stretches.starts[i + 1] - stretches.starts[i]);
         if (obstacle_of[stretch.front()] == region) return true;
         for (const VertexId v : stretch)
-          if (around.contains(vertices[v])) mark(v);
+          if (!covered[v] && around.contains(vertices[v])) covered[v] = search.locate(v) == PointLocation::kInside;
+        return search.looks <= most;
+      });
+      if (!is_done) return false;
+      most -= std::min(most, search.looks);
+    }
+    return true;
+  }
+
+  // Where points lie in one region, many of them.
+  struct RegionSearch {
+    RegionSearch(const Data& the_data, ObstacleId the_region) : data(the_data), region(the_region) {}
+
+    PointLocation locate(VertexId v) {
+      const Vec2& p = data.vertices[v];
+      const VertexId first = data.region_starts[region], last = data.region_starts[region + 1];
+      if (!data.boxes[region].contains(p)) return data.locate(p, region);
+      if (last - first <= kScanVertices) {
+        looks += last - first;
+        return data.locate(p, region);
+      }
+      if (edge_tree.size() == 0) build_edge_tree(first, last);
+      RayParity parity(p);
+      edge_tree.visit_overlaps(parity.ray_box(), [&](std::uint32_t e) {
+        ++looks;
+        parity.add(data.edges[first + e].a, data.edges[first + e].b);
         return true;
       });
+      return data.side_of(parity.location(), region);
     }
-  }
+
+    void build_edge_tree(VertexId first, VertexId last) {
+      std::vector<Box> edge_boxes;
+      edge_boxes.reserve(last - first);
+      for (VertexId v = first; v < last; ++v) edge_boxes.push_back(arcway::box_of(data.edges[v]));
+      edge_tree = BoxTree(edge_boxes);
+    }
+
+    const Data& data;
+    ObstacleId region;
+    BoxTree edge_tree;
+    std::size_t looks = 0;  // at edges, about
+  };
 };
 
 World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {

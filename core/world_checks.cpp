@@ -1,18 +1,23 @@
 #include "core/world_checks.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/geometry/box_tree.h"
 #include "core/geometry/ray_parity.h"
+#include "core/geometry/simplicity.h"
 #include "core/shortest_text.h"
 
 namespace arcway {
 namespace {
 
 constexpr std::size_t kMaxVertices = 0x7FFFFFFF;
+// Edges to be looked at for each vertex, until one sweep over all edges asks whether any hole is misplaced.
+constexpr std::size_t kPatience = 128;
 
 // What is wrong with the coordinates of a vertex; empty if nothing is.
 std::string complaint_about(const Vec2& p) {
@@ -88,6 +93,8 @@ class RegionCheck {
   // Rings that neither cross nor overlap lie entirely on one side of each other, so that one step
   // along the first edge decides.
   void check_holes() const {
+    std::size_t looks_left = kPatience * count_vertices();
+    const auto look = [&](std::size_t edges) { looks_left -= std::min(looks_left, edges); };
     std::vector<Box> edge_boxes(polygon_.outer.size());
     for (std::size_t i = 0; i < polygon_.outer.size(); ++i) {
       edge_boxes[i].extend(polygon_.outer[i]);
@@ -101,9 +108,14 @@ class RegionCheck {
     const BoxTree hole_tree(hole_boxes);
 
     for (std::size_t h = 0; h < polygon_.holes.size(); ++h) {
+      if (looks_left == 0) {
+        if (holes_are_nested(polygon_)) return;
+        looks_left = std::numeric_limits<std::size_t>::max();  // one is not, and is to be named
+      }
       const Ring& hole = polygon_.holes[h];
       StepParity in_outer(hole[0], hole[1]);
       outer_edges.visit_overlaps(in_outer.ray_box(), [&](std::uint32_t i) {
+        look(1);
         in_outer.add(polygon_.outer[i], polygon_.outer[(i + 1) % polygon_.outer.size()]);
         return true;
       });
@@ -111,6 +123,7 @@ class RegionCheck {
         fail(ring_text(h + 1), "the hole lies outside of its outer ring, vertex 0 at " + shortest_text(hole[0]));
       }
       hole_tree.visit_overlaps(hole_boxes[h], [&](std::uint32_t other) {
+        look(polygon_.holes[other].size());
         if (other != h && starts_inside(hole, polygon_.holes[other])) {
           fail(ring_text(h + 1), "the hole lies inside the hole of ring " + std::to_string(other + 1));
         }
@@ -123,6 +136,12 @@ class RegionCheck {
     StepParity parity(ring[0], ring[1]);
     for (std::size_t i = 0, last = other.size() - 1; i < other.size(); last = i++) parity.add(other[last], other[i]);
     return parity.inside();
+  }
+
+  [[nodiscard]] std::size_t count_vertices() const {
+    std::size_t count = polygon_.outer.size();
+    for (const Ring& hole : polygon_.holes) count += hole.size();
+    return count;
   }
 
   [[nodiscard]] const Ring& ring_at(std::size_t ring) const {

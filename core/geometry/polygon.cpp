@@ -2,17 +2,21 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/geometry/box_tree.h"
 #include "core/geometry/crossing_point.h"
 #include "core/geometry/expansion.h"
 #include "core/geometry/predicates.h"
+#include "core/geometry/simplicity.h"
 
 namespace arcway {
 namespace {
 
 // Below this number of edges all pairs beat the tree and need no memory for it.
 constexpr std::size_t kBruteForceEdges = 32;
+// Pairs of edges with common boxes for each edge, until one sweep over all edges asks whether there is any conflict.
+constexpr std::size_t kPatience = 64;
 
 struct Area {
   double twice;      // twice the signed area, rounded
@@ -146,10 +150,16 @@ std::optional<RingConflict> find_conflict(const Polygon& polygon) {
   boxes.reserve(edges.size());
   for (const auto& edge : edges) boxes.push_back(box_of(edge.segment));
   const BoxTree tree(boxes);
+  std::size_t looks_left = kPatience * edges.size();
   for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (looks_left == 0) {
+      if (!has_conflict(polygon)) return std::nullopt;
+      looks_left = std::numeric_limits<std::size_t>::max();  // there is one, to be named
+    }
     std::size_t first = edges.size();
     std::optional<RingConflict> found;
     tree.visit_overlaps(boxes[i], [&](std::uint32_t j) {
+      looks_left -= looks_left > 0 ? 1 : 0;
       if (j <= i || j >= first) return true;
       if (auto conflict = check(i, j)) {
         found = conflict;

@@ -38,7 +38,8 @@ struct RingConflict {
 /// The first conflict in edge order, or nothing if the polygon is simple. Rings may touch
 /// themselves and each other in single points (pinches) as long as they do not cross there.
 /// Collinear consecutive vertices are legal; an edge folded back on its predecessor is an overlap.
-/// O(n log n) on maps of short edges (boxes of edges in a tree), exact.
+/// O(n log n), exact: boxes of edges in a tree, and where too many of them overlap, a sweep. There a conflict may take
+/// O(n^2) to be named, its absence does not.
 std::optional<RingConflict> find_conflict(const Polygon& polygon);
 
 }  // namespace arcway

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/geometry/polygon.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Whether `find_conflict` finds a conflict in a polygon without repeated consecutive vertices. O(n log n), whatever
+/// the polygon: it sweeps over the edges, while `find_conflict` searches their boxes, which is faster where few of them
+/// overlap. Exact.
+bool has_conflict(const Polygon& polygon);
+
+/// Whether all holes lie in the outer ring and none in another one. O(n log n), exact.
+/// @param polygon  without conflicts.
+bool holes_are_nested(const Polygon& polygon);
+
+}  // namespace arcway
