@@ -7,6 +7,7 @@
 
 #include "accel/region_locator.h"
 #include "accel/wedge/by_site.h"
+#include "accel/wedge/contact_edges.h"
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/expansion.h"
 #include "accel/wedge/sight_map.h"
@@ -46,8 +47,9 @@ struct VisibilityMap::Data {
     const auto site_count = static_cast<std::uint32_t>(map.sites().size());
     std::vector<std::uint32_t> sites;
     for (VertexId v = 0; v < world.vertices().size(); ++v)
-      sites.push_back(world.is_covered(v) ? site_count : site_of(world.vertex(v)));
+      sites.push_back(world.is_covered(v) ? site_count : map.site_at(world.vertex(v)));
     vertices = BySite(std::move(sites), site_count);
+    through_contacts = both_ways(edges_through_contacts(world, map));
   }
 
   static SightMap listed(const World& world, const Executor& executor) {
@@ -97,7 +99,7 @@ struct VisibilityMap::Data {
   void require_near(const char* what, const Vec2& p) const {
     if (!map.is_whole())
       throw std::domain_error(std::string(what) + ": edges of " + std::to_string(map.broken_count()) +
-                              " regions of the world cross, or touch themselves within");
+                              " regions of the world cross");
     if (!world.has_bounds() && !world.box().empty() && !Box{map.sites().front(), map.sites().back()}.contains(p))
       throw std::domain_error(std::string(what) + ": " + shortest_text(p) + " is further from the map than its size");
   }
@@ -127,7 +129,7 @@ struct VisibilityMap::Data {
   [[nodiscard]] std::vector<VertexId> vertices_seen(VertexId vertex) const {
     std::vector<VertexId> found;
     Expansion::Scratch scratch;
-    if (!world.is_covered(vertex)) find_vertices_seen(site_of(world.vertex(vertex)), scratch, found);
+    if (!world.is_covered(vertex)) find_vertices_seen(map.site_at(world.vertex(vertex)), scratch, found);
     return found;
   }
 
@@ -158,11 +160,6 @@ struct VisibilityMap::Data {
     return sites;
   }
 
-  [[nodiscard]] std::uint32_t site_of(const Vec2& p) const {
-    const auto before = [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); };
-    return static_cast<std::uint32_t>(std::ranges::lower_bound(map.sites(), p, before) - map.sites().begin());
-  }
-
   World world;
   SightMap map;
   SightTrace trace;
@@ -170,6 +167,7 @@ struct VisibilityMap::Data {
   Expansion expansion;
   std::vector<std::uint32_t> node_of;  // by vertex
   BySite vertices;                     // that are not covered
+  EdgeList through_contacts;           // of the reduced graph
 };
 
 VisibilityMap::VisibilityMap(const World& world, const Executor& executor)
@@ -214,29 +212,16 @@ std::vector<VertexId> VisibilityMap::visible_from(const Vec2& point) const {
 
 std::vector<VertexId> VisibilityMap::tangents_from(VertexId vertex) const {
   data_->require_vertex("tangents", vertex);
-  return tangent_neighbours(data_->map, data_->node_of[vertex]);
+  std::vector<VertexId> found = tangent_neighbours(data_->map, data_->node_of[vertex]);
+  add_missing(data_->through_contacts, vertex, found);
+  return found;
 }
 
 std::vector<VertexId> VisibilityMap::tangents_from(const Vec2& point) const {
   Data::require_range("tangents", point);
   const Data& d = *data_;
   std::vector<VertexId> found = d.vertices_seen(point);
-  std::erase_if(found, [&](VertexId v) { return !d.world.is_graph_vertex(v) || !is_tangent(d.world, v, point); });
-  // Of those in one direction the nearest, or all that are at its place.
-  const auto place = [&](VertexId v) -> const Vec2& { return d.world.vertex(v); };
-  const auto around = std::partition(found.begin(), found.end(), [&](VertexId v) { return place(v) == point; });
-  std::sort(around, found.end(), [&](VertexId v, VertexId w) {
-    if (precedes_about(point, place(v), place(w))) return true;
-    return !precedes_about(point, place(w), place(v)) && on_open_segment(place(v), {point, place(w)});
-  });
-  const Vec2* nearest = &point;
-  const auto is_behind = [&](VertexId v) {
-    if (on_open_segment(*nearest, {point, place(v)})) return true;
-    nearest = &place(v);
-    return false;
-  };
-  found.erase(std::remove_if(around, found.end(), is_behind), found.end());
-  std::sort(found.begin(), found.end());
+  keep_tangents(d.world, point, found);
   return found;
 }
 

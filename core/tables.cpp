@@ -30,6 +30,8 @@ const char* name_of(Table table) {
       return "links";
     case Table::kLinkCounts:
       return "link counts";
+    case Table::kSelfContacts:
+      return "contacts within regions";
   }
   return "?";
 }

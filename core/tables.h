@@ -24,7 +24,8 @@ enum class Table : std::uint32_t {
   kIntervals,
   kLinkStarts,
   kLinks,
-  kLinkCounts
+  kLinkCounts,
+  kSelfContacts
 };
 /// "vertices", "row starts", ...
 const char* name_of(Table table);
@@ -44,6 +45,12 @@ class TableError : public std::invalid_argument {
   std::size_t index_;
 };
 
+/// A vertex inside an edge of its own region, with the vertex's ring on the edge's left. See World::self_contacts.
+struct SelfContact {
+  std::uint32_t edge, vertex;
+  friend bool operator==(const SelfContact&, const SelfContact&) = default;
+};
+
 /// A world as arrays, by vertex, ring and region: World::tables, World::from_tables.
 struct WorldTables {
   std::vector<Vec2> vertices;
@@ -51,6 +58,7 @@ struct WorldTables {
   std::vector<std::uint8_t> covered;        ///< World::is_covered, 0 or 1
   std::vector<std::uint32_t> ring_starts;   ///< first vertex of each ring, ascending
   std::vector<std::uint32_t> region_rings;  ///< first ring of each region, ascending; then the number of rings
+  std::vector<SelfContact> self_contacts;   ///< World::self_contacts
   bool has_bounds = false;                  ///< the last region is the bounds
 };
 

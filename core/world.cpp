@@ -33,16 +33,38 @@ struct World::Data {
   std::vector<bool> convex;
   std::vector<bool> covered;
   HugeVector<VertexId> convex_vertices;
-  std::vector<VertexId> region_starts{0};  // one more than regions
+  std::vector<SelfContact> contacts;            // ascending by edge
+  std::vector<SelfContact> contacts_by_vertex;  // the same
+  std::vector<VertexId> region_starts{0};       // one more than regions
   std::vector<VertexId> ring_starts;
   std::vector<std::size_t> region_rings{0};  // into ring_starts, one more than regions
   std::vector<Box> boxes;
   Box box;
   bool has_bounds = false;
 
-  void add_region(const Polygon& polygon, bool is_bounds) {
+  // Vertices inside an edge of their own region, whichever of its sides their ring is on.
+  struct Touches {
+    std::vector<SelfContact> on_left;
+    std::vector<VertexId> on_right;  // the vertices; ascending
+  };
+
+  void add_region(const Polygon& polygon, std::span<const RingContact> ring_contacts, bool is_bounds,
+                  Touches& touches) {
+    const std::size_t first_ring = ring_starts.size();
     add_ring(polygon.outer, is_bounds ? -1 : 1);
     for (const Ring& hole : polygon.holes) add_ring(hole, -1);
+    for (const RingContact& contact : ring_contacts) {
+      const VertexId start = ring_starts[first_ring + contact.edge_ring] + static_cast<VertexId>(contact.edge);
+      const Ring& ring = contact.edge_ring == 0 ? polygon.outer : polygon.holes[contact.edge_ring - 1];
+      const VertexId ahead = contact.edge + 1 == ring.size() ? ring_starts[first_ring + contact.edge_ring] : start + 1;
+      const VertexId edge = next[start] == ahead ? start : ahead;
+      const VertexId v = ring_starts[first_ring + contact.vertex_ring] + static_cast<VertexId>(contact.vertex);
+      // No edge runs along another one: both neighbors lie on one side.
+      if (orientation(vertices[edge], vertices[next[edge]], vertices[next[v]]) > 0)
+        touches.on_left.push_back({edge, v});
+      else
+        touches.on_right.push_back(v);
+    }
     Box region_box;
     for (const Vec2& p : polygon.outer) region_box.extend(p);
     close_region(region_box);
@@ -75,6 +97,9 @@ struct World::Data {
     }
     for (std::size_t r = from.region_rings[old]; r < from.region_rings[old + 1]; ++r)
       ring_starts.push_back(moved(from.ring_starts[r]));
+    for (auto c = std::ranges::lower_bound(from.contacts, first, {}, &SelfContact::edge);
+         c != from.contacts.end() && c->edge < last; ++c)
+      contacts.push_back({moved(c->edge), moved(c->vertex)});
     close_region(from.boxes[old]);
   }
 
@@ -124,8 +149,8 @@ struct World::Data {
 
   // Where rings touch in a vertex, an edge that ends there goes on with the edge that bounds the same wedge of the
   // interior, the first one clockwise from it: so each of the coincident vertices has a wedge of its own, and all of
-  // them are disjoint.
-  void relink_pinches(VertexId first_vertex) {
+  // them are disjoint. Where an edge passes between them, those on its two sides have nothing to do with each other.
+  void relink_pinches(VertexId first_vertex, std::span<const VertexId> on_right_of_edges) {
     HugeVector<VertexId> order(vertices.size() - first_vertex);
     std::iota(order.begin(), order.end(), first_vertex);
     const auto key = [this](VertexId v) { return std::tuple(obstacle_of[v], vertices[v].x(), vertices[v].y()); };
@@ -134,20 +159,43 @@ struct World::Data {
     for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
       while (last < order.size() && key(order[first]) == key(order[last])) ++last;
       if (last - first < 2) continue;
-      for (std::size_t i = first; i < last; ++i) {
-        const VertexId v = order[i];
-        VertexId nearest = previous[v];
-        for (std::size_t k = first; k < last; ++k) {
-          const VertexId u = previous[order[k]];
-          if (in_open_cone(vertices[nearest], vertices[v], vertices[next[v]], vertices[u])) nearest = u;
-        }
-        links.emplace_back(nearest, v);
-      }
+      const auto on_right = std::partition(order.begin() + first, order.begin() + last, [&](VertexId v) {
+        return !std::binary_search(on_right_of_edges.begin(), on_right_of_edges.end(), v);
+      });
+      append_links({order.begin() + first, on_right}, links);
+      append_links({on_right, order.begin() + last}, links);
     }
     for (const auto& [u, v] : links) {
       next[u] = v;
       previous[v] = u;
     }
+  }
+
+  // Of coincident vertices: (previous, vertex).
+  void append_links(std::span<const VertexId> pinch, std::vector<std::pair<VertexId, VertexId>>& links) const {
+    for (const VertexId v : pinch) {
+      VertexId nearest = previous[v];
+      for (const VertexId w : pinch) {
+        const VertexId u = previous[w];
+        if (in_open_cone(vertices[nearest], vertices[v], vertices[next[v]], vertices[u])) nearest = u;
+      }
+      links.emplace_back(nearest, v);
+    }
+  }
+
+  // Links coincident vertices of new regions, and lists contacts.
+  void connect(VertexId first_vertex, Touches touches) {
+    std::sort(touches.on_right.begin(), touches.on_right.end());
+    relink_pinches(first_vertex, touches.on_right);
+    contacts.insert(contacts.end(), touches.on_left.begin(), touches.on_left.end());
+    sort_contacts();
+  }
+
+  void sort_contacts() {
+    const auto by_edge = [](const SelfContact& c) { return std::pair(c.edge, c.vertex); };
+    std::ranges::sort(contacts, {}, by_edge);
+    contacts_by_vertex = contacts;
+    std::ranges::sort(contacts_by_vertex, {}, &SelfContact::vertex);
   }
 
   // The vertices asked about, in stretches of some that follow each other in a region.
@@ -263,18 +311,17 @@ World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
   data->next.reserve(vertex_count);
   data->previous.reserve(vertex_count);
   data->obstacle_of.reserve(vertex_count);
+  Data::Touches touches;
   for (ObstacleId o = 0; o < obstacle_count; ++o) {
-    require_region(obstacles[o], o, false);
-    data->add_region(obstacles[o], false);
+    data->add_region(obstacles[o], require_region(obstacles[o], o, false), false, touches);
     obstacles[o] = {};
   }
   if (bounds) {
     const Polygon polygon{std::move(*bounds), {}};
-    require_region(polygon, obstacle_count, true);
     data->has_bounds = true;
-    data->add_region(polygon, true);
+    data->add_region(polygon, require_region(polygon, obstacle_count, true), true, touches);
   }
-  data->relink_pinches(0);
+  data->connect(0, std::move(touches));
   data->derive_edges();
   HugeVector<VertexId> all(data->vertices.size());
   std::iota(all.begin(), all.end(), VertexId{0});
@@ -309,6 +356,8 @@ World World::from_tables(WorldTables tables) {
   data->next.assign(tables.next.begin(), tables.next.end());
   data->ring_starts = std::move(tables.ring_starts);
   data->covered.assign(tables.covered.begin(), tables.covered.end());
+  data->contacts = std::move(tables.self_contacts);
+  data->sort_contacts();
   data->derive_edges();
   data->list_convex_vertices();
   World world(std::vector<Polygon>{});
@@ -323,6 +372,7 @@ WorldTables World::tables() const {
   tables.covered.assign(data_->covered.begin(), data_->covered.end());
   tables.ring_starts = data_->ring_starts;
   tables.region_rings.assign(data_->region_rings.begin(), data_->region_rings.end());
+  tables.self_contacts = data_->contacts;
   tables.has_bounds = data_->has_bounds;
   return tables;
 }
@@ -349,17 +399,19 @@ World World::changed(std::span<const ObstacleId> removed, const std::vector<Poly
     }
   }
   const auto first_added = static_cast<VertexId>(data->vertices.size());
+  Data::Touches touches;
   for (const Polygon& polygon : added) {
-    require_region(polygon, static_cast<ObstacleId>(data->boxes.size()), false);
-    data->add_region(polygon, false);
+    const auto id = static_cast<ObstacleId>(data->boxes.size());
+    data->add_region(polygon, require_region(polygon, id, false), false, touches);
     places.push_back(data->boxes.back());
   }
   const auto end_added = static_cast<VertexId>(data->vertices.size());
-  data->relink_pinches(first_added);
+  data->connect(first_added, std::move(touches));
   data->covered.resize(end_added);
   if (old.has_bounds) {
     data->has_bounds = true;
     data->copy_region(old, obstacles);
+    data->sort_contacts();
   }
   require_vertex_count(data->vertices.size(), static_cast<ObstacleId>(data->boxes.size()));
   data->derive_edges();
@@ -383,6 +435,21 @@ std::span<const Vec2> World::vertices() const { return data_->vertices; }
 std::span<const LineSegment> World::edges() const { return data_->edges; }
 VertexId World::next(VertexId v) const { return data_->next[v]; }
 VertexId World::previous(VertexId v) const { return data_->previous[v]; }
+std::span<const SelfContact> World::self_contacts() const { return data_->contacts; }
+
+std::span<const SelfContact> World::self_contacts_on(VertexId edge) const {
+  if (data_->contacts.empty()) return {};
+  const auto on_edge = std::ranges::equal_range(data_->contacts, edge, {}, &SelfContact::edge);
+  return {on_edge.begin(), on_edge.end()};
+}
+
+VertexId World::edge_touched_by(VertexId v) const {
+  const auto& contacts = data_->contacts_by_vertex;
+  if (contacts.empty()) return kNone;
+  const auto at = std::ranges::lower_bound(contacts, v, {}, &SelfContact::vertex);
+  return at != contacts.end() && at->vertex == v ? at->edge : kNone;
+}
+
 ObstacleId World::obstacle_of(VertexId v) const { return data_->obstacle_of[v]; }
 bool World::is_convex(VertexId v) const { return data_->convex[v]; }
 bool World::is_covered(VertexId v) const { return data_->covered[v]; }

@@ -49,8 +49,12 @@ class WorldError : public std::invalid_argument {
 /// Rings are stored in the order given, and seen through `next` and `previous` always with the
 /// obstacle's interior on the left of vertex -> next(vertex): outer rings counter-clockwise, holes
 /// clockwise, the bounds clockwise. Where rings of one region touch in a common vertex, each of the coincident vertices
-/// has one wedge of the interior there, so that `next` may lead from one ring to another; a vertex on the inside of an
-/// edge of its own region is not split like this.
+/// has one wedge of the interior there, so that `next` may lead from one ring to another.
+///
+/// **Contacts within a region.** A vertex may lie inside an edge of its own region: a hole touches the outer ring, two
+/// holes touch, or a ring touches itself. Both keep their ids. The interior at such a point is what lies in the
+/// vertex's wedge *and* on the left of the edge; `self_contacts` lists where the two differ. No way of positive width
+/// leads through the point, so the vertex is convex only if its ring is.
 class World {
  public:
   /// Checks and takes the map.
@@ -84,6 +88,15 @@ class World {
   [[nodiscard]] VertexId next(VertexId v) const;
   [[nodiscard]] VertexId previous(VertexId v) const;
   [[nodiscard]] ObstacleId obstacle_of(VertexId v) const;
+
+  /// All vertices inside an edge of their own region whose ring lies on the edge's left, where the interior is;
+  /// ascending by edge, then vertex. A vertex that touches an edge from its free side limits the interior by its own
+  /// wedge alone, and is not listed.
+  [[nodiscard]] std::span<const SelfContact> self_contacts() const;
+  /// Those on one edge. O(log n).
+  [[nodiscard]] std::span<const SelfContact> self_contacts_on(VertexId edge) const;
+  /// The edge that a vertex touches like this, or kNone. O(log n).
+  [[nodiscard]] VertexId edge_touched_by(VertexId v) const;
 
   /// Whether the interior angle at v is less than pi (exact). Collinear vertices are not convex.
   [[nodiscard]] bool is_convex(VertexId v) const;

@@ -5,9 +5,11 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/box_tree.h"
+#include "core/geometry/predicates.h"
 #include "core/geometry/ray_parity.h"
 #include "core/geometry/simplicity.h"
 #include "core/shortest_text.h"
@@ -39,11 +41,13 @@ class RegionCheck {
   RegionCheck(const Polygon& polygon, ObstacleId id, bool is_bounds)
       : polygon_(polygon), id_(id), name_(is_bounds ? "bounds" : "obstacle " + std::to_string(id)) {}
 
-  void check() const {
+  [[nodiscard]] std::vector<RingContact> check() const {
     check_ring(polygon_.outer, 0);
     for (std::size_t h = 0; h < polygon_.holes.size(); ++h) check_ring(polygon_.holes[h], h + 1);
-    check_conflicts();
+    std::vector<RingContact> contacts;
+    check_conflicts(contacts);
     if (!polygon_.holes.empty()) check_holes();
+    return contacts;
   }
 
  private:
@@ -71,8 +75,8 @@ class RegionCheck {
     }
   }
 
-  void check_conflicts() const {
-    const auto conflict = find_conflict(polygon_);
+  void check_conflicts(std::vector<RingContact>& contacts) const {
+    const auto conflict = find_conflict(polygon_, &contacts);
     // A ring without area overlaps or crosses itself; without a crossing, lack of area says it best.
     if (!conflict) return;
     if (conflict->kind == RingConflict::Kind::kOverlap) {
@@ -153,6 +157,25 @@ class RegionCheck {
   std::string name_;
 };
 
+void require_self_contacts(const WorldTables& tables) {
+  const std::size_t n = tables.vertices.size();
+  std::vector<std::uint32_t> previous(n);
+  for (std::size_t v = 0; v < n; ++v) previous[tables.next[v]] = static_cast<std::uint32_t>(v);
+  for (std::size_t i = 0; i < tables.self_contacts.size(); ++i) {
+    const auto [e, v] = tables.self_contacts[i];
+    const auto fail = [&](const char* what) {
+      throw TableError(Table::kSelfContacts, i, "vertex " + std::to_string(v) + ", edge " + std::to_string(e) + what);
+    };
+    if (e >= n || v >= n) fail(": there is no such vertex");
+    if (i > 0 && std::pair(tables.self_contacts[i - 1].edge, tables.self_contacts[i - 1].vertex) >= std::pair(e, v))
+      fail(": not in order");
+    const LineSegment edge{tables.vertices[e], tables.vertices[tables.next[e]]};
+    if (!on_open_segment(tables.vertices[v], edge)) fail(": the vertex does not lie inside the edge");
+    for (const std::uint32_t beside : {previous[v], tables.next[v]})
+      if (orientation(edge.a, edge.b, tables.vertices[beside]) <= 0) fail(": its ring is not on the edge's left");
+  }
+}
+
 // Ascending starts of rows within [0, count), each of at least `least`.
 void require_starts(Table table, std::span<const std::uint32_t> starts, std::size_t count, std::size_t least) {
   for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -174,8 +197,8 @@ void require_vertex_count(std::size_t count, ObstacleId obstacles) {
         obstacles);
 }
 
-void require_region(const Polygon& polygon, ObstacleId id, bool is_bounds) {
-  RegionCheck(polygon, id, is_bounds).check();
+std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, bool is_bounds) {
+  return RegionCheck(polygon, id, is_bounds).check();
 }
 
 void require_world(const WorldTables& tables) {
@@ -216,6 +239,7 @@ void require_world(const WorldTables& tables) {
       if (tables.covered[v] > 1) throw TableError(Table::kCovered, v, std::to_string(tables.covered[v]));
     }
   }
+  if (!tables.self_contacts.empty()) require_self_contacts(tables);
 }
 
 }  // namespace arcway

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "core/geometry/polygon.h"
 #include "core/tables.h"
@@ -14,8 +15,9 @@ namespace arcway {
 void require_vertex_count(std::size_t count, ObstacleId obstacles);
 
 /// @param id  the number of obstacles for the bounds.
+/// @return the polygon's contacts with itself.
 /// @throws WorldError as World says.
-void require_region(const Polygon& polygon, ObstacleId id, bool is_bounds);
+std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, bool is_bounds);
 
 /// Everything that memory safety and the predicates rely on.
 /// @throws TableError if the tables are those of no world.

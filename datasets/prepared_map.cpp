@@ -127,10 +127,14 @@ class Reader {
   }
   template <class T>
   std::vector<T> get(Table table) {
-    const auto id = static_cast<std::uint32_t>(table);
-    if (const auto at = entries_.find(id); at != entries_.end())
-      places_[table] = {at->second.entry.offset, at->second.entry.element_bytes};
-    return get<T>(id);
+    note_place(table);
+    return get<T>(static_cast<std::uint32_t>(table));
+  }
+  /// Of a table that is left out where it is empty.
+  template <class T>
+  std::vector<T> get_or_none(Table table) {
+    note_place(table);
+    return find<T>(static_cast<std::uint32_t>(table)).value_or(std::vector<T>{});
   }
   std::optional<Pose> pose(std::uint32_t id) {
     const std::optional<std::vector<double>> numbers = find<double>(id);
@@ -147,6 +151,11 @@ class Reader {
   [[nodiscard]] std::map<Table, PreparedMap::Source::Section> take_places() { return std::move(places_); }
 
  private:
+  void note_place(Table table) {
+    if (const auto at = entries_.find(static_cast<std::uint32_t>(table)); at != entries_.end())
+      places_[table] = {at->second.entry.offset, at->second.entry.element_bytes};
+  }
+
   [[noreturn]] void fail(std::uint64_t byte, const std::string& what) const {
     throw FormatError(std::string(name_) + ": byte " + std::to_string(byte) + ": " + what);
   }
@@ -231,6 +240,7 @@ WorldTables read_world(Reader& reader) {
   tables.covered = reader.get<std::uint8_t>(Table::kCovered);
   tables.ring_starts = reader.get<std::uint32_t>(Table::kRingStarts);
   tables.region_rings = reader.get<std::uint32_t>(Table::kRegionRings);
+  tables.self_contacts = reader.get_or_none<SelfContact>(Table::kSelfContacts);
   tables.has_bounds = (reader.flags() & kHasBounds) != 0;
   return tables;
 }
@@ -313,6 +323,7 @@ std::string to_bytes(const PreparedMap& map) {
   writer.add(Table::kCovered, world.covered);
   writer.add(Table::kRingStarts, world.ring_starts);
   writer.add(Table::kRegionRings, world.region_rings);
+  if (!world.self_contacts.empty()) writer.add(Table::kSelfContacts, world.self_contacts);
   writer.add(static_cast<std::uint32_t>(Table::kRowStarts), map.reduced_graph.row_starts());
   writer.add(static_cast<std::uint32_t>(Table::kTargets), map.reduced_graph.targets());
   const auto numbers = [](const std::optional<Pose>& pose) {

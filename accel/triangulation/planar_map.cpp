@@ -161,6 +161,7 @@ class Cutter {
     cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
     make_pieces();
     drop_crossings();
+    broken_.assign(world_.region_count(), 0);
     for (const auto& [edge, piece] : owners_)
       if (dropped_[piece]) broken_[world_.obstacle_of(edge)] = 1;
     for (ObstacleId o = 0; o < broken_.size(); ++o)
@@ -176,13 +177,7 @@ class Cutter {
     friend auto operator<=>(const Piece&, const Piece&) = default;
   };
 
-  void add_cut(VertexId edge, VertexId vertex) {
-    cuts_.emplace_back(edge, map_.site_of[vertex]);
-    if (world_.obstacle_of(edge) == world_.obstacle_of(vertex)) broken_[world_.obstacle_of(edge)] = 1;
-  }
-
   void find_contacts() {
-    broken_.assign(world_.region_count(), 0);
     const std::span<const LineSegment> edges = world_.edges();
     std::vector<Box> boxes;
     boxes.reserve(edges.size());
@@ -196,9 +191,9 @@ class Cutter {
           crossings_.emplace_back(e, f);
         } else if (relation == SegmentRelation::kTouchingInterior || relation == SegmentRelation::kOverlapping) {
           for (const VertexId v : {f, world_.next(f)})
-            if (on_open_segment(world_.vertex(v), edges[e])) add_cut(e, v);
+            if (on_open_segment(world_.vertex(v), edges[e])) cuts_.emplace_back(e, map_.site_of[v]);
           for (const VertexId v : {e, world_.next(e)})
-            if (on_open_segment(world_.vertex(v), edges[f])) add_cut(f, v);
+            if (on_open_segment(world_.vertex(v), edges[f])) cuts_.emplace_back(f, map_.site_of[v]);
         }
         return true;
       });

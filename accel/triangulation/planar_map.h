@@ -15,8 +15,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// edges are no special case. An edge is an obstacle edge or, cut at the sites on it, a piece of one; equal pieces are
 /// one edge. Of two pieces that cross properly one is left out.
 ///
-/// A region all of whose pieces are there is *whole*; edges count whole regions only. All other regions, and those with
-/// a vertex on an edge of their own, are listed as broken: their edges are walls with no inside.
+/// A region all of whose pieces are there is *whole*; edges count whole regions only. All other regions are listed as
+/// broken: their edges are walls with no inside.
 struct PlanarMap {
   struct Edge {
     std::uint32_t low, high;    ///< sites, low < high

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "accel/wedge/contact_edges.h"
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/shadow_walk.h"
 #include "accel/wedge/sight_map.h"
@@ -79,6 +80,7 @@ VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, co
     const std::scoped_lock lock(mutex);
     lists.push_back(std::move(edges));
   });
+  add_missing(edges_through_contacts(after, map), lists);
   return graph_of(after.vertices().size(), lists, executor);
 }
 

@@ -1,5 +1,6 @@
 #include "accel/wedge/sight_map.h"
 
+#include <algorithm>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -62,6 +63,11 @@ std::optional<FreeSpace> SightMap::sweep(const Executor& executor, NodeOrder& or
   run_both(
       executor, [&] { space = triangulate_free_space(map_); }, [&] { order = number_nodes(); });
   return space;
+}
+
+std::uint32_t SightMap::site_at(const Vec2& vertex) const {
+  const auto before = [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); };
+  return static_cast<std::uint32_t>(std::ranges::lower_bound(sites(), vertex, before) - sites().begin());
 }
 
 double SightMap::sure_cross_product() const {

@@ -70,6 +70,8 @@ class SightMap {
   /// Whether all nodes are plain.
   [[nodiscard]] bool is_plain() const { return first_fan_.empty(); }
   [[nodiscard]] std::span<const Vec2> sites() const { return map_.sites; }
+  /// The site at a vertex of the world. O(log n).
+  [[nodiscard]] std::uint32_t site_at(const Vec2& vertex) const;
   /// Cross products of differences of points within the frame have the right sign beyond this, however they are
   /// rounded.
   [[nodiscard]] double sure_cross_product() const;

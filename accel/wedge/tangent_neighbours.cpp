@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "accel/wedge/contact_edges.h"
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/wedge_walk.h"
 
@@ -13,10 +14,12 @@ struct TangentNeighbours::Data {
       : world(of), map(world, executor), node_of(world.vertices().size(), kNone) {
     map.list_left_edges();
     for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
+    through_contacts = both_ways(edges_through_contacts(world, map));
   }
   World world;
   SightMap map;
   std::vector<std::uint32_t> node_of;  // by vertex
+  EdgeList through_contacts;
 };
 
 TangentNeighbours::TangentNeighbours(const World& world, const Executor& executor)
@@ -29,7 +32,9 @@ std::vector<VertexId> TangentNeighbours::of(VertexId vertex) const {
   if (vertex >= data_->node_of.size())
     throw std::out_of_range("tangent neighbours: vertex " + std::to_string(vertex) + ", the world has " +
                             std::to_string(data_->node_of.size()));
-  return tangent_neighbours(data_->map, data_->node_of[vertex]);
+  std::vector<VertexId> row = tangent_neighbours(data_->map, data_->node_of[vertex]);
+  add_missing(data_->through_contacts, vertex, row);
+  return row;
 }
 
 }  // namespace arcway

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "accel/wedge/contact_edges.h"
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/edge_walks.h"
 #include "accel/wedge/sight_map.h"
@@ -59,15 +60,19 @@ VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, con
                                                          WedgeStatistics* statistics, const Team& team) {
   std::vector<EdgeList> parts;
   WalkCounts sum;
+  EdgeList through_contacts;
   {
-    const SightMap map = map_for_all(world, executor);  // gone when rows are made
+    SightMap map = map_for_all(world, executor);  // gone when rows are made
     if (statistics) *statistics = {map.doors().size() / 3, 0, 0, map.broken_count()};
     executor.begin_stage("lines of sight");
     const Strips strips = worthwhile_strips(world, map, executor);
     const auto [first, last] = team.share_of(map.nodes().size());
     parts = walk_right(map, strips, first, last, executor, &sum);
+    if (!world.self_contacts().empty()) map.list_left_edges();
+    through_contacts = edges_through_contacts(world, map);
   }
   if (team.size() > 1) exchange(parts, sum, team);
+  add_missing(std::move(through_contacts), parts);
   if (statistics) {
     statistics->steps = sum.steps;
     statistics->candidates = sum.candidates;

@@ -15,7 +15,7 @@ struct WedgeStatistics {
   std::uint64_t triangles = 0;       ///< of free space
   std::uint64_t steps = 0;           ///< triangles entered on walks, without those around the start
   std::uint64_t candidates = 0;      ///< edges tested against regions that are not whole
-  std::uint64_t broken_regions = 0;  ///< regions that cross another, or touch themselves with an edge
+  std::uint64_t broken_regions = 0;  ///< regions that lost a piece where they cross another
 };
 
 /// The same graph as core's build_reduced_visibility_graph, bit for bit, for any executor, without testing pairs: a

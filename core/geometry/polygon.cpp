@@ -76,7 +76,14 @@ Vec2 touching_point(const LineSegment& s, const LineSegment& t) {
   return on_segment(t.a, s) ? t.a : t.b;
 }
 
-std::optional<RingConflict> find_conflict_of(const Edge& e, const Edge& f, bool consecutive) {
+// A vertex is noted with the edge that starts there, so that each contact is noted once.
+void append_contacts(const Edge& e, const Edge& f, std::vector<RingContact>& contacts) {
+  if (on_open_segment(f.segment.a, e.segment)) contacts.push_back({e.ring, e.index, f.ring, f.index});
+  if (on_open_segment(e.segment.a, f.segment)) contacts.push_back({f.ring, f.index, e.ring, e.index});
+}
+
+std::optional<RingConflict> find_conflict_of(const Edge& e, const Edge& f, bool consecutive,
+                                             std::vector<RingContact>* contacts) {
   using Kind = RingConflict::Kind;
   const auto conflict = [&](Kind kind, const Vec2& place) {
     return RingConflict{kind, e.ring, e.index, f.ring, f.index, place};
@@ -89,6 +96,8 @@ std::optional<RingConflict> find_conflict_of(const Edge& e, const Edge& f, bool 
     case SegmentRelation::kOverlapping:
       return conflict(Kind::kOverlap, touching_point(e.segment, f.segment));
     case SegmentRelation::kTouchingInterior:
+      if (contacts) append_contacts(e, f, *contacts);
+      break;
     case SegmentRelation::kTouchingEnds:
       break;
   }
@@ -117,7 +126,7 @@ int winding(std::span<const Vec2> ring) {
   return exact.sign();
 }
 
-std::optional<RingConflict> find_conflict(const Polygon& polygon) {
+std::optional<RingConflict> find_conflict(const Polygon& polygon, std::vector<RingContact>* contacts) {
   std::vector<Edge> edges;
   std::vector<std::size_t> ring_size{polygon.outer.size()};
   append_edges(polygon.outer, 0, edges);
@@ -135,7 +144,7 @@ std::optional<RingConflict> find_conflict(const Polygon& polygon) {
     const Edge& f = edges[j];
     const std::size_t gap = f.index - e.index;
     const bool consecutive = e.ring == f.ring && (gap == 1 || gap + 1 == ring_size[e.ring]);
-    return find_conflict_of(e, f, consecutive);
+    return find_conflict_of(e, f, consecutive, contacts);
   };
   if (edges.size() <= kBruteForceEdges) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -150,10 +159,12 @@ std::optional<RingConflict> find_conflict(const Polygon& polygon) {
   boxes.reserve(edges.size());
   for (const auto& edge : edges) boxes.push_back(box_of(edge.segment));
   const BoxTree tree(boxes);
+  const std::size_t known_contacts = contacts ? contacts->size() : 0;
   std::size_t looks_left = kPatience * edges.size();
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (looks_left == 0) {
-      if (!has_conflict(polygon)) return std::nullopt;
+      if (contacts) contacts->resize(known_contacts);
+      if (!has_conflict(polygon, contacts)) return std::nullopt;
       looks_left = std::numeric_limits<std::size_t>::max();  // there is one, to be named
     }
     std::size_t first = edges.size();

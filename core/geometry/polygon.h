@@ -35,11 +35,19 @@ struct RingConflict {
   Vec2 place;  ///< a common point, rounded
 };
 
+/// A vertex inside an edge of the same polygon: a hole touches another ring there, or a ring touches itself. Rings and
+/// edges are counted as in RingConflict.
+struct RingContact {
+  std::size_t edge_ring, edge;
+  std::size_t vertex_ring, vertex;
+};
+
 /// The first conflict in edge order, or nothing if the polygon is simple. Rings may touch
 /// themselves and each other in single points (pinches) as long as they do not cross there.
 /// Collinear consecutive vertices are legal; an edge folded back on its predecessor is an overlap.
 /// O(n log n), exact: boxes of edges in a tree, and where too many of them overlap, a sweep. There a conflict may take
 /// O(n^2) to be named, its absence does not.
-std::optional<RingConflict> find_conflict(const Polygon& polygon);
+/// @param contacts  if not null, all contacts of a polygon without a conflict are appended, each once.
+std::optional<RingConflict> find_conflict(const Polygon& polygon, std::vector<RingContact>* contacts = nullptr);
 
 }  // namespace arcway

@@ -16,8 +16,8 @@ namespace {
 class Chains {
  public:
   explicit Chains(const Polygon& polygon) {
-    append(polygon.outer);
-    for (const Ring& hole : polygon.holes) append(hole);
+    append(polygon.outer, 0);
+    for (std::size_t h = 0; h < polygon.holes.size(); ++h) append(polygon.holes[h], h + 1);
   }
 
   [[nodiscard]] std::span<const LineSegment> edges() const { return edges_; }
@@ -26,10 +26,20 @@ class Chains {
     return edges_[e].b == p ? following_[e] : e;
   }
 
+  /// Of an edge that passes through the vertex at which another one starts.
+  [[nodiscard]] RingContact contact(std::uint32_t passing, std::uint32_t starting) const {
+    return {places_[passing].ring, places_[passing].index, places_[starting].ring, places_[starting].index};
+  }
+
  private:
-  void append(const Ring& ring) {
+  struct Place {
+    std::size_t ring, index;
+  };
+
+  void append(const Ring& ring, std::size_t ring_index) {
     const auto first = static_cast<std::uint32_t>(edges_.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
+      places_.push_back({ring_index, i});
       edges_.push_back({ring[i], ring[(i + 1) % ring.size()]});
       following_.push_back(first + static_cast<std::uint32_t>((i + 1) % ring.size()));
     }
@@ -37,20 +47,31 @@ class Chains {
 
   std::vector<LineSegment> edges_;
   std::vector<std::uint32_t> following_;
+  std::vector<Place> places_;
 };
 
 class ConflictSweep final : public EdgeSweep::Visitor {
  public:
-  explicit ConflictSweep(const Chains& chains) : chains_(chains) {}
+  ConflictSweep(const Chains& chains, std::vector<RingContact>* contacts) : chains_(chains), contacts_(contacts) {}
 
   bool finds_conflict() { return !EdgeSweep(chains_.edges()).run(*this) || has_conflict_; }
 
   bool crosses(std::uint32_t /*e*/, std::uint32_t /*f*/) override { return false; }
   void visit(const EdgeSweep::Event& event) override {
     has_conflict_ = has_conflict_ || has_overlap(event.left) || has_overlap(event.right) || chains_cross(event);
+    if (contacts_) append_contacts(event);
   }
 
  private:
+  void append_contacts(const EdgeSweep::Event& event) {
+    const auto edges = chains_.edges();
+    for (const std::uint32_t e : event.left) {
+      if (edges[e].a == event.at || edges[e].b == event.at) continue;
+      for (const std::uint32_t f : event.ends)
+        if (edges[f].a == event.at) contacts_->push_back(chains_.contact(e, f));
+    }
+  }
+
   // Edges with a common point, ascending at it: those that leave it the same way are neighbors.
   [[nodiscard]] bool has_overlap(std::span<const std::uint32_t> around) const {
     const auto edges = chains_.edges();
@@ -76,6 +97,7 @@ class ConflictSweep final : public EdgeSweep::Visitor {
   }
 
   const Chains& chains_;
+  std::vector<RingContact>* contacts_;
   std::vector<std::uint32_t> open_;
   bool has_conflict_ = false;
 };
@@ -102,7 +124,9 @@ class NestingSweep final : public EdgeSweep::Visitor {
 
 }  // namespace
 
-bool has_conflict(const Polygon& polygon) { return ConflictSweep(Chains(polygon)).finds_conflict(); }
+bool has_conflict(const Polygon& polygon, std::vector<RingContact>* contacts) {
+  return ConflictSweep(Chains(polygon), contacts).finds_conflict();
+}
 
 bool holes_are_nested(const Polygon& polygon) {
   std::vector<LineSegment> edges;

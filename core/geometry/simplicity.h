@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/geometry/polygon.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -7,7 +9,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// Whether `find_conflict` finds a conflict in a polygon without repeated consecutive vertices. O(n log n), whatever
 /// the polygon: it sweeps over the edges, while `find_conflict` searches their boxes, which is faster where few of them
 /// overlap. Exact.
-bool has_conflict(const Polygon& polygon);
+/// @param contacts  as find_conflict's.
+bool has_conflict(const Polygon& polygon, std::vector<RingContact>* contacts = nullptr);
 
 /// Whether all holes lie in the outer ring and none in another one. O(n log n), exact.
 /// @param polygon  without conflicts.

@@ -12,6 +12,7 @@
 #include "accel/make_queries.h"
 #include "accel/pairwise_graph.h"
 #include "accel/parallel.h"
+#include "accel/wedge/contact_edges.h"
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/edge_walks.h"
 #include "accel/wedge/sight_map.h"
@@ -49,9 +50,11 @@ std::string edges_missing_from(const VisibilityGraph& from, const VisibilityGrap
 
 // All strips are passed at once, however short.
 VisibilityGraph graph_by_strips(const World& world, Diagonals shortened) {
-  const SightMap map(world, SerialExecutor(), shortened);
-  return graph_of(world.vertices().size(), walk_right(map, Strips(map, 1), 0, map.nodes().size(), SerialExecutor()),
-                  SerialExecutor());
+  SightMap map(world, SerialExecutor(), shortened);
+  map.list_left_edges();
+  std::vector<EdgeList> lists = walk_right(map, Strips(map, 1), 0, map.nodes().size(), SerialExecutor());
+  add_missing(edges_through_contacts(world, map), lists);
+  return graph_of(world.vertices().size(), lists, SerialExecutor());
 }
 
 ::testing::AssertionResult agrees(const World& world) {

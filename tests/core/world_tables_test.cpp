@@ -6,6 +6,7 @@
 #include "core/world.h"
 #include "datasets/map_file.h"
 #include "tests/support/nasty_worlds.h"
+#include "tests/support/touching_worlds.h"
 
 namespace arcway {
 namespace {
@@ -33,6 +34,7 @@ void expect_same(const World& a, const World& b) {
     ASSERT_EQ(a.box_of(o).min, b.box_of(o).min);
     ASSERT_EQ(a.box_of(o).max, b.box_of(o).max);
   }
+  ASSERT_TRUE(std::ranges::equal(a.self_contacts(), b.self_contacts()));
   if (a.vertices().empty()) return;
   ASSERT_EQ(a.box().min, b.box().min);
   ASSERT_EQ(a.box().max, b.box().max);
@@ -43,6 +45,8 @@ TEST(WorldTables, GiveTheSameWorldAgain) {
     SCOPED_TRACE(seed);
     const World world = test::nasty_world(seed, 9);
     expect_same(World::from_tables(world.tables()), world);
+    const World touching = test::touching_world(seed, 3);
+    expect_same(World::from_tables(touching.tables()), touching);
   }
 }
 
@@ -86,6 +90,24 @@ TEST(WorldTables, ThoseOfNoWorldAreRefusedWithTheEntryAtFault) {
     } catch (const TableError& error) {
       EXPECT_EQ(error.table(), c.table) << error.what();
       EXPECT_EQ(error.index(), c.index) << error.what();
+    }
+  }
+}
+
+TEST(WorldTables, ContactsThatAreNoneAreRefused) {
+  const World world({{test::square(0, 0, 8), {{{4, 0}, {6, 4}, {2, 4}}, {{4, 8}, {3, 6}, {5, 6}}}}});
+  ASSERT_EQ(world.tables().self_contacts, (std::vector<SelfContact>{{0, 4}, {2, 7}}));
+  const std::vector<std::vector<SelfContact>> wrong{{{0, 4}, {2, 99}}, {{0, 4}, {99, 7}}, {{0, 4}, {0, 4}},
+                                                    {{2, 7}, {0, 4}},  {{0, 4}, {2, 6}},  {{0, 4}, {6, 7}}};
+  for (const std::vector<SelfContact>& contacts : wrong) {
+    WorldTables tables = world.tables();
+    tables.self_contacts = contacts;
+    try {
+      static_cast<void>(World::from_tables(std::move(tables)));
+      ADD_FAILURE() << "took " << contacts[1].edge << " " << contacts[1].vertex;
+    } catch (const TableError& error) {
+      EXPECT_EQ(error.table(), Table::kSelfContacts) << error.what();
+      EXPECT_EQ(error.index(), 1u) << error.what();
     }
   }
 }

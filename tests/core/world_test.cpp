@@ -189,6 +189,35 @@ TEST(World, AHoleThatTouchesItsRingSplitsTheWedge) {
   EXPECT_TRUE(world.is_convex(5));
 }
 
+TEST(World, ListsVerticesInsideEdgesOfTheirRegion) {
+  // Two holes touch the lower edge in one point, from inside; a spike of the outer ring touches the upper edge of a
+  // notch from its free side.
+  const World world({{{{0, 0}, {16, 0}, {16, 8}, {0, 8}}, {{{8, 0}, {6, 4}, {4, 4}}, {{8, 0}, {12, 4}, {10, 4}}}},
+                     {{{20, 0}, {30, 0}, {30, 8}, {20, 8}, {20, 6}, {26, 6}, {26, 4}, {24, 6}, {22, 2}, {20, 2}}, {}}});
+  ASSERT_EQ(world.self_contacts().size(), 2u);
+  EXPECT_EQ(world.self_contacts_on(0).size(), 2u);
+  EXPECT_TRUE(world.self_contacts_on(1).empty());
+  EXPECT_EQ(world.edge_touched_by(4), 0u);
+  EXPECT_EQ(world.edge_touched_by(7), 0u);
+  EXPECT_EQ(world.edge_touched_by(17), kNone);
+  EXPECT_EQ(static_cast<int>(world.is_convex(4)) + static_cast<int>(world.is_convex(7)), 1);  // between the holes
+  EXPECT_TRUE(world.is_convex(17));
+  for (VertexId v = 0; v < world.vertices().size(); ++v) EXPECT_EQ(world.previous(world.next(v)), v);
+}
+
+// A hole touches the lower edge of the upper arm from inside, a spike of the lower arm from outside, in one point.
+TEST(World, KeepsTheSidesOfATouchedEdgeApart) {
+  const World world(
+      {{{{0, 0}, {14, 0}, {14, -4}, {9, -4}, {8, 0}, {7, -4}, {0, -4}, {0, -8}, {16, -8}, {16, 8}, {0, 8}},
+        {{{8, 0}, {10, 4}, {6, 4}}}}});
+  ASSERT_EQ(world.self_contacts().size(), 1u);
+  EXPECT_EQ(world.edge_touched_by(11), 0u);
+  EXPECT_TRUE(world.is_convex(4));
+  EXPECT_EQ(world.next(4), 5u);
+  EXPECT_EQ(world.previous(4), 3u);
+  EXPECT_FALSE(world.is_convex(11));
+}
+
 TEST(World, MayBeEmpty) {
   const World world({});
   EXPECT_TRUE(world.vertices().empty());

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include "core/world.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/random_inputs.h"
+#include "tests/support/touching_worlds.h"
 
 namespace arcway {
 namespace {
@@ -36,6 +41,26 @@ TEST(Simplicity, FindsConflictsWhereAllPairsDo) {
   }
   EXPECT_GT(conflicts, 3000);
   EXPECT_GT(simple, 3000);
+}
+
+TEST(Simplicity, ListsTheContactsThatAllPairsHave) {
+  Random random(3);
+  std::size_t count = 0;
+  for (int round = 0; round < 300; ++round) {
+    const Polygon polygon = test::touching_polygon(random, 6);
+    const auto listed = [&](const auto& find) {
+      std::vector<RingContact> contacts;
+      find(&contacts);
+      std::vector<std::array<std::size_t, 4>> sorted;
+      for (const RingContact& c : contacts) sorted.push_back({c.edge_ring, c.edge, c.vertex_ring, c.vertex});
+      std::ranges::sort(sorted);
+      return sorted;
+    };
+    const auto by_pairs = listed([&](auto* contacts) { ASSERT_FALSE(find_conflict(polygon, contacts)); });
+    ASSERT_EQ(listed([&](auto* contacts) { ASSERT_FALSE(has_conflict(polygon, contacts)); }), by_pairs);
+    count += by_pairs.size();
+  }
+  EXPECT_GT(count, 300u);
 }
 
 TEST(Simplicity, AcceptsHolesWhereWorldDoes) {

@@ -6,175 +6,54 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <set>
 #include <utility>
 
 #include "core/query/query_set.h"
 #include "datasets/clutter.h"
 #include "tests/support/random_inputs.h"
+#include "tests/support/sight_oracle.h"
+#include "tests/support/touching_worlds.h"
 
 namespace arcway {
 namespace {
 
-// The rule of the reduced visibility graph restated over whole numbers: a line of sight is cut at all its contacts with
-// obstacle edges, and it is blocked if the middle of some piece lies strictly inside an obstacle. Nothing is shared
-// with the library but the input.
-class Oracle {
- public:
-  using Int = __int128;
-  struct Point {
-    std::int64_t x, y;
-    friend bool operator==(const Point&, const Point&) = default;
-  };
-  using Polygons = std::vector<std::vector<Point>>;  // simple, counter-clockwise
+using test::edges_of;
 
-  explicit Oracle(Polygons polygons) : polygons_(std::move(polygons)) {
-    for (std::size_t o = 0; o < polygons_.size(); ++o) {
-      Box& box = boxes_.emplace_back(polygons_[o][0], polygons_[o][0]);
-      for (std::size_t i = 0; i < polygons_[o].size(); ++i) {
-        vertices_.push_back({o, i});
-        box.add(polygons_[o][i]);
-      }
-    }
-  }
-
-  std::set<std::pair<VertexId, VertexId>> reduced() const {
-    std::set<std::pair<VertexId, VertexId>> edges;
-    std::vector<VertexId> graph;
-    for (VertexId v = 0; v < vertices_.size(); ++v)
-      if (is_node(v)) graph.push_back(v);
-    for (const VertexId u : graph)
-      for (const VertexId v : graph) {
-        if (u >= v || at(u) == at(v) || !tangent(u, at(v)) || !tangent(v, at(u)) || !sees(at(u), at(v))) continue;
-        if (std::none_of(graph.begin(), graph.end(), [&](VertexId w) { return between(at(w), at(u), at(v)); }))
-          edges.insert({u, v});
-      }
-    return edges;
-  }
-
- private:
-  struct Fraction {  // of the way along a line of sight
-    Int n, d;
-    bool operator<(const Fraction& o) const { return n * o.d < o.n * d; }
-    bool operator==(const Fraction& o) const { return n * o.d == o.n * d; }
-  };
-
-  struct Box {
-    Box(const Point& a, const Point& b) : low{a}, high{a} { add(b); }
-    void add(const Point& p) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    bool apart_from(const Box& o) const {
-      return high.x < o.low.x || o.high.x < low.x || high.y < o.low.y || o.high.y < low.y;
-    }
-    Point low, high;
-  };
-
-  const Point& at(VertexId v) const { return polygons_[vertices_[v].first][vertices_[v].second]; }
-  static int sign(Int value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
-  static Int area(const Point& a, const Point& b, const Point& c) {
-    return Int(b.x - a.x) * (c.y - a.y) - Int(b.y - a.y) * (c.x - a.x);
-  }
-  static bool between(const Point& w, const Point& a, const Point& b) {
-    if (area(a, b, w) != 0) return false;
-    const Int along = Int(w.x - a.x) * (b.x - a.x) + Int(w.y - a.y) * (b.y - a.y);
-    const Int whole = Int(b.x - a.x) * (b.x - a.x) + Int(b.y - a.y) * (b.y - a.y);
-    return along > 0 && along < whole;
-  }
-  Point neighbour(VertexId v, bool next) const {
-    const auto [o, i] = vertices_[v];
-    const std::size_t n = polygons_[o].size();
-    return polygons_[o][(i + (next ? 1 : n - 1)) % n];
-  }
-  bool tangent(VertexId v, const Point& p) const {
-    return sign(area(p, at(v), neighbour(v, true))) * sign(area(p, at(v), neighbour(v, false))) >= 0;
-  }
-  bool is_node(VertexId v) const {
-    if (area(neighbour(v, false), at(v), neighbour(v, true)) <= 0) return false;
-    for (const auto& polygon : polygons_)
-      if (strictly_inside(polygon, at(v).x, at(v).y, 1)) return false;
-    return true;
-  }
-  // Of the point (x / d, y / d), d > 0, by crossing parity with the boundary taken out first.
-  static bool strictly_inside(const std::vector<Point>& polygon, Int x, Int y, Int d) {
-    bool inside = false;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Point& a = polygon[i];
-      const Point& b = polygon[(i + 1) % polygon.size()];
-      const Int side = Int(b.x - a.x) * (y - a.y * d) - Int(b.y - a.y) * (x - a.x * d);
-      const auto within = [](Int v, Int p, Int q) { return std::min(p, q) <= v && v <= std::max(p, q); };
-      if (side == 0 && within(x, a.x * d, b.x * d) && within(y, a.y * d, b.y * d)) return false;
-      if ((a.y * d > y) != (b.y * d > y) && (side > 0) == (b.y > a.y)) inside = !inside;
-    }
-    return inside;
-  }
-  bool sees(const Point& p, const Point& q) const {
-    for (std::size_t o = 0; o < polygons_.size(); ++o) {
-      if (boxes_[o].apart_from(Box(p, q))) continue;
-      const auto& polygon = polygons_[o];
-      std::vector<Fraction> cuts{{0, 1}, {1, 1}};
-      for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Point& a = polygon[i];
-        const Point& b = polygon[(i + 1) % polygon.size()];
-        const Int along = Int(a.x - p.x) * (q.x - p.x) + Int(a.y - p.y) * (q.y - p.y);
-        const Int whole = Int(q.x - p.x) * (q.x - p.x) + Int(q.y - p.y) * (q.y - p.y);
-        if (area(p, q, a) == 0 && along > 0 && along < whole) cuts.push_back({along, whole});
-        const Int sa = area(p, q, a), sb = area(p, q, b);
-        if (sign(sa) * sign(sb) < 0) {
-          const Int n = area(a, b, p), m = area(a, b, q);
-          if (sign(n) * sign(m) < 0) cuts.push_back(n > 0 ? Fraction{n, n - m} : Fraction{-n, m - n});
-        }
-      }
-      std::sort(cuts.begin(), cuts.end());
-      for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-        if (cuts[k] == cuts[k + 1]) continue;
-        const Int n = cuts[k].n * cuts[k + 1].d + cuts[k + 1].n * cuts[k].d;
-        const Int d = 2 * cuts[k].d * cuts[k + 1].d;
-        if (strictly_inside(polygon, Int(p.x) * d + (q.x - p.x) * n, Int(p.y) * d + (q.y - p.y) * n, d)) return false;
-      }
-    }
-    return true;
-  }
-
-  Polygons polygons_;
-  std::vector<Box> boxes_;
-  std::vector<std::pair<std::size_t, std::size_t>> vertices_;
-};
-
-std::set<std::pair<VertexId, VertexId>> edges_of(const VisibilityGraph& graph) {
-  std::set<std::pair<VertexId, VertexId>> edges;
-  for (VertexId u = 0; u < graph.vertex_count(); ++u)
-    for (const VertexId v : graph.row(u)) edges.insert({u, v});
-  return edges;
+void expect_oracle(const World& world) {
+  const QuerySet queries = make_reference_queries(world);
+  const test::SightOracle oracle(world);
+  for (VertexId v = 0; v < world.vertices().size(); ++v) ASSERT_EQ(world.is_convex(v), oracle.is_convex(v)) << v;
+  ASSERT_EQ(edges_of(build_reduced_visibility_graph(world, *queries.visibility)), oracle.reduced());
 }
 
-void expect_oracle(const Oracle::Polygons& polygons, double scale = 1.0, Vec2 offset = {0, 0}) {
+using Rings = std::vector<Ring>;
+
+World world_of(const Rings& rings, double scale = 1.0, Vec2 offset = {0, 0}) {
   std::vector<Polygon> obstacles;
-  for (const auto& polygon : polygons) {
+  for (const Ring& ring : rings) {
     obstacles.emplace_back();
-    for (const auto& p : polygon)
-      obstacles.back().outer.emplace_back(static_cast<double>(p.x) * scale + offset.x(),
-                                          static_cast<double>(p.y) * scale + offset.y());
+    for (const Vec2& p : ring) obstacles.back().outer.push_back(p * scale + offset);
   }
-  const World world(std::move(obstacles));
-  const VisibilityGraph graph = build_reduced_visibility_graph(world, *make_reference_queries(world).visibility);
-  EXPECT_EQ(edges_of(graph), Oracle(polygons).reduced());
-  EXPECT_GT(graph.edge_count(), 0u);
+  return World(std::move(obstacles));
 }
 
-std::vector<Oracle::Point> box(std::int64_t x, std::int64_t y, std::int64_t w, std::int64_t h) {
-  return {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
-}
+void expect_oracle(const Rings& rings) { expect_oracle(world_of(rings)); }
+
+Ring box(double x, double y, double w, double h) { return {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}; }
 
 TEST(ReducedVisibilityGraph, OneBoxHasItsEdges) { expect_oracle({box(0, 0, 4, 2)}); }
 
 TEST(ReducedVisibilityGraph, RowsOfEqualBoxes) {
-  Oracle::Polygons boxes;
+  Rings boxes;
   for (int i = 0; i < 5; ++i)
     for (int k = 0; k < 4; ++k) boxes.push_back(box(4 * i, 4 * k, 2, 2));
   expect_oracle(boxes);
-  expect_oracle(boxes, 0.125, {1e7, -1e7});
+  const auto edges = [](const World& world) {
+    return edges_of(build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
+  };
+  EXPECT_EQ(edges(world_of(boxes, 0.125, {1e7, -1e7})), edges(world_of(boxes)));
 }
 
 TEST(ReducedVisibilityGraph, SharedVerticesAndSharedEdges) {
@@ -206,31 +85,127 @@ TEST(ReducedVisibilityGraph, NonConvexObstacles) {
 TEST(ReducedVisibilityGraph, RandomTrianglesOnACoarseGrid) {
   test::Random random(2024);
   for (int round = 0; round < 60; ++round) {
-    Oracle::Polygons triangles;
+    Rings triangles;
     while (triangles.size() < 8) {
-      const auto coordinate = [&] { return static_cast<std::int64_t>(random.uniform(0.0, 12.0)); };
-      Oracle::Point a{coordinate(), coordinate()}, b{coordinate(), coordinate()}, c{coordinate(), coordinate()};
-      const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-      if (area == 0) continue;
-      if (area < 0) std::swap(b, c);
-      triangles.push_back({a, b, c});
+      Ring triangle{random.grid_point(0, 11), random.grid_point(0, 11), random.grid_point(0, 11)};
+      if (winding(triangle) != 0) triangles.push_back(std::move(triangle));
     }
     SCOPED_TRACE(round);
     expect_oracle(triangles);
   }
 }
 
+// Holes that touch rings, and rings that touch themselves, at vertices and inside edges: the full graph and the reduced
+// one.
+TEST(VisibilityGraphs, OfRegionsThatTouchThemselves) {
+  std::size_t contacts = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    const World world = test::touching_world(seed, 3);
+    contacts += world.self_contacts().size();
+    expect_oracle(world);
+    const QuerySet queries = make_reference_queries(world);
+    ASSERT_EQ(edges_of(build_full_visibility_graph(world, *queries.visibility)), test::SightOracle(world).full());
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(contacts, 300u);
+}
+
+// Shortest paths between points along a graph, of those that do not pass from one side of an edge to the other where a
+// vertex of its own region touches it: such a way has no width.
+class ShortestPaths {
+ public:
+  ShortestPaths(const World& world, const VisibilityGraph& graph, const VisibilityQuery& visibility)
+      : world_(world), visibility_(visibility), n_(world.vertices().size()), length_(n_ * n_, kNoWay) {
+    for (const auto& [u, v] : edges_of(graph))
+      if (has_width({world.vertex(u), world.vertex(v)}))
+        length(u, v) = length(v, u) = (world.vertex(u) - world.vertex(v)).norm();
+    for (VertexId u = 0; u < n_; ++u)
+      for (VertexId v = 0; v < n_; ++v)
+        if (world.vertex(u) == world.vertex(v)) length(u, v) = 0.0;
+    for (VertexId k = 0; k < n_; ++k)
+      for (VertexId u = 0; may_turn_at(k) && u < n_; ++u)
+        for (VertexId v = 0; v < n_; ++v) length(u, v) = std::min(length(u, v), length(u, k) + length(k, v));
+  }
+
+  [[nodiscard]] double between(const Vec2& p, const Vec2& q) const {
+    double shortest = sees({p, q}) ? (p - q).norm() : kNoWay;
+    const std::vector<double> from = to_vertices(p), to = to_vertices(q);
+    for (VertexId u = 0; u < n_; ++u)
+      for (VertexId v = 0; v < n_; ++v) shortest = std::min(shortest, from[u] + length_[u * n_ + v] + to[v]);
+    return shortest;
+  }
+
+  static bool touches_itself(const World& world, const Vec2& p) {
+    return std::ranges::any_of(world.self_contacts(),
+                               [&](const SelfContact& contact) { return world.vertex(contact.vertex) == p; });
+  }
+
+ private:
+  static constexpr double kNoWay = std::numeric_limits<double>::infinity();
+  double& length(VertexId u, VertexId v) { return length_[u * n_ + v]; }
+  [[nodiscard]] bool may_turn_at(VertexId v) const { return !touches_itself(world_, world_.vertex(v)); }
+  [[nodiscard]] bool has_width(const LineSegment& s) const {
+    return std::ranges::none_of(world_.self_contacts(), [&](const SelfContact& contact) {
+      const LineSegment& touched = world_.edges()[contact.edge];
+      return on_open_segment(world_.vertex(contact.vertex), s) && orientation(touched.a, touched.b, s.a) != 0;
+    });
+  }
+  [[nodiscard]] bool sees(const LineSegment& s) const { return visibility_.visible(s) && has_width(s); }
+  [[nodiscard]] std::vector<double> to_vertices(const Vec2& p) const {
+    std::vector<double> lengths;
+    for (VertexId v = 0; v < n_; ++v) {
+      const Vec2& at = world_.vertex(v);
+      lengths.push_back(may_turn_at(v) && sees({p, at}) ? (p - at).norm() : kNoWay);
+    }
+    return lengths;
+  }
+
+  const World& world_;
+  const VisibilityQuery& visibility_;
+  std::size_t n_;
+  std::vector<double> length_;
+};
+
+// No shortest path is lost by leaving out edges.
+TEST(VisibilityGraphs, HaveTheSameShortestPaths) {
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    SCOPED_TRACE(seed);
+    const World world = test::touching_world(seed, 3);
+    const auto is_left_out = [&](VertexId v) { return ShortestPaths::touches_itself(world, world.vertex(v)); };
+    if (std::ranges::any_of(world.convex_vertices(), is_left_out)) continue;
+    const QuerySet queries = make_reference_queries(world);
+    const VisibilityQuery& visibility = *queries.visibility;
+    const ShortestPaths full(world, build_full_visibility_graph(world, visibility), visibility);
+    const ShortestPaths reduced(world, build_reduced_visibility_graph(world, visibility), visibility);
+    test::Random random(seed);
+    const Vec2 size = world.box().max - world.box().min;
+    for (int i = 0; i < 20; ++i) {
+      const Vec2 p = world.box().min + size.cwiseProduct(random.point(-0.1, 1.1));
+      const Vec2 q = world.box().min + size.cwiseProduct(random.point(-0.1, 1.1));
+      const double length = full.between(p, q);
+      if (!std::isfinite(length)) {
+        ASSERT_FALSE(std::isfinite(reduced.between(p, q)));
+        continue;
+      }
+      ASSERT_NEAR(reduced.between(p, q), length, 1e-9 * length) << p.transpose() << " to " << q.transpose();
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 300u);
+}
+
 void expect_oracle_in_clutter(ClutterKind kind, std::uint32_t obstacles) {
   const Clutter clutter =
       generate_clutter({.kind = kind, .obstacles = obstacles, .vertices = 8, .fill = 0.3, .seed = 12});
-  Oracle::Polygons polygons;
+  Rings rings;
   for (const Polygon& obstacle : clutter.obstacles) {
-    polygons.emplace_back();
-    for (const Vec2& p : obstacle.outer)
-      polygons.back().push_back({std::llround(1e3 * p.x()), std::llround(1e3 * p.y())});
+    rings.emplace_back();
+    for (const Vec2& p : obstacle.outer) rings.back().emplace_back((p * 1e3).array().round());
   }
   SCOPED_TRACE(name_of(kind));
-  expect_oracle(polygons);
+  expect_oracle(rings);
 }
 
 TEST(ReducedVisibilityGraph, CluttersInWholeMillimetres) {

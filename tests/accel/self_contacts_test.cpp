@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "accel/make_queries.h"
+#include "accel/pairwise_graph.h"
+#include "accel/parallel.h"
+#include "accel/visibility_map.h"
+#include "accel/wedge/changed_graph.h"
+#include "accel/wedge/contact_edges.h"
+#include "accel/wedge/edge_walks.h"
+#include "accel/wedge/sight_map.h"
+#include "accel/wedge/strips.h"
+#include "accel/wedge/tangent_neighbours.h"
+#include "accel/wedge/wedge_graph.h"
+#include "core/graph/visibility_rows.h"
+#include "datasets/catalogue.h"
+#include "datasets/map_file.h"
+#include "tests/support/sight_oracle.h"
+#include "tests/support/thread_executor.h"
+#include "tests/support/touching_worlds.h"
+
+namespace arcway {
+namespace {
+
+constexpr std::uint64_t kWorlds = 400;
+
+void expect_rows(const World& world, const VisibilityGraph& graph) {
+  const auto rows = rows_of(world, graph);
+  const TangentNeighbours neighbors(world);
+  const VisibilityMap map(world);
+  for (VertexId v = 0; v < world.vertices().size(); ++v) {
+    ASSERT_TRUE(std::ranges::equal(neighbors.of(v), rows->of(v))) << v;
+    ASSERT_TRUE(std::ranges::equal(map.tangents_from(v), rows->of(v))) << v;
+  }
+}
+
+VisibilityGraph graph_by_strips(const World& world) {
+  SightMap map(world);
+  map.list_left_edges();
+  std::vector<EdgeList> lists = walk_right(map, Strips(map, 1), 0, map.nodes().size(), SerialExecutor());
+  add_missing(edges_through_contacts(world, map), lists);
+  return graph_of(world.vertices().size(), lists, SerialExecutor());
+}
+
+// Every builder against an oracle that knows no cones.
+TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
+  std::size_t contacts = 0, edges = 0;
+  for (std::uint64_t seed = 1; seed <= kWorlds; ++seed) {
+    SCOPED_TRACE(seed);
+    const World world = test::touching_world(seed, 4);
+    contacts += world.self_contacts().size();
+    const test::SightOracle oracle(world);
+    const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+    edges += graph.edge_count();
+    ASSERT_EQ(test::edges_of(graph), oracle.reduced());
+    ASSERT_EQ(test::edges_of(build_full_visibility_graph_by_expansion(world)), oracle.full());
+    ASSERT_EQ(build_reduced_visibility_graph_by_wedges(world, TbbExecutor(3)), graph);
+    ASSERT_EQ(graph_by_strips(world), graph);
+    const QuerySet queries = make_embree_queries(world);
+    ASSERT_EQ(build_pairwise_visibility_graph(world, *queries.visibility, SerialExecutor()), graph);
+    ASSERT_EQ(test::edges_of(build_full_visibility_graph(world, *queries.visibility)), oracle.full());
+    expect_rows(world, graph);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(contacts, 500u);
+  EXPECT_GT(edges, 5000u);
+}
+
+TEST(SelfContacts, ChangedWorldsKeepTheirs) {
+  for (std::uint64_t seed = 1; seed <= kWorlds / 2; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    World world = test::touching_world(seed, 4);
+    VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+    for (int step = 0; step < 4; ++step) {
+      std::vector<ObstacleId> removed;
+      for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+        if (random.integer(1, 3) == 1) removed.push_back(o);
+      const World after = world.changed(removed, to_map_file(test::touching_world(random.bits(), 1)).obstacles);
+      graph = change_reduced_visibility_graph(graph, after, {world, after, removed}, test::ThreadExecutor(2));
+      ASSERT_EQ(graph, build_reduced_visibility_graph_by_wedges(after));
+      const World anew = to_world(to_map_file(after), "anew");
+      ASSERT_TRUE(std::ranges::equal(after.self_contacts(), anew.self_contacts()));
+      ASSERT_EQ(graph, build_reduced_visibility_graph_by_wedges(anew));
+      world = after;
+    }
+  }
+}
+
+// Lines from a hole through the point where it touches the outer ring, and through two such points in a row.
+TEST(SelfContacts, LinesLeadThroughThem) {
+  const Ring island{{3, 3}, {5, 3}, {5, 5}, {3, 5}};
+  const World world({{test::square(0, 0, 8), {{{4, 0}, {7, 7}, {1, 7}}}}, {island, {}}, {test::square(2, -6, 3), {}}});
+  ASSERT_EQ(world.self_contacts().size(), 1u);
+  const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+  EXPECT_EQ(test::edges_of(graph), test::SightOracle(world).reduced());
+  const auto joins = [&](const Vec2& p, const Vec2& q) {
+    for (const auto& [u, v] : test::edges_of(graph))
+      if ((world.vertex(u) == p && world.vertex(v) == q) || (world.vertex(u) == q && world.vertex(v) == p)) return true;
+    return false;
+  };
+  EXPECT_TRUE(joins({3, 3}, {5, -3}));
+  EXPECT_TRUE(joins({0, 0}, {8, 0}));
+}
+
+TEST(SelfContacts, NoEdgeIsLostInTheWorldOfHoles) {
+  const World world = catalogue_world("adversarial/holes/v250/s3");
+  EXPECT_EQ(build_reduced_visibility_graph_by_wedges(world),
+            build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
+}
+
+}  // namespace
+}  // namespace arcway
