@@ -13,6 +13,7 @@
 
 #include "core/refine/refine_reversing.h"
 #include "core/search/find_reversing_path.h"
+#include "core/search/tree_search.h"
 #include "core/shortest_text.h"
 
 namespace arcway {
@@ -171,6 +172,19 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
     fastest_ = {times, &map, 0, forwards.search.first_circle, forwards.search.last_circle};
   }
   return forwards.obstruction;
+}
+
+void PlanRun::find_by_trees(const PlanMaps& maps, double effort) {
+  const SearchMap& map = maps.narrow ? maps.narrow->map() : maps.plain;
+  FoundPath grown = search([&] {
+    return search_trees(map, request_.start, request_.goal,
+                        std::size_t{PlannerOptions::kTreePoses} * options_.manoeuvre_poses, search_options_,
+                        workspace_.find.search);
+  });
+  if (!grown.search.path) return;
+  maps_ = &maps;
+  const Times times = keep(std::move(*grown.search.path), effort, false);
+  fastest_ = {times, &maps.plain, 0, kNone, kNone};
 }
 
 void PlanRun::improve_forwards(bool thorough) {

@@ -41,7 +41,9 @@ class PlanRun {
   /// @param effort  in trials of refinement, of what the options say.
   /// @returns what stands in the way, if anything does.
   Obstruction find_forwards(const PlanMaps& maps, double effort, const std::function<bool()>& no_passage);
-  /// Where the lower bound says that the path which find_forwards has found last may be far from the best one: looks
+  /// The same by trees of forward motions, for what find_forwards finds no path on these maps.
+  void find_by_trees(const PlanMaps& maps, double effort);
+  /// Where the lower bound says that the path which was found forwards last may be far from the best one: looks
   /// for faster ones on the same maps with manoeuvres at both ends, with circles in narrow places, and by other ways.
   /// @param thorough  sooner, and with more manoeuvres.
   void improve_forwards(bool thorough);

@@ -340,6 +340,12 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
     return why.dead_end.has_value();
   };
   why.obstruction = run.find_forwards(d.maps, d.tightest ? kQuickEffort : 1.0, std::cref(no_passage));
+  const auto grow_trees = [&] {
+    if (!run.found() && !result.interrupted && d.options.manoeuvre_poses > 0)
+      run.find_by_trees(d.maps, d.tightest ? kQuickEffort : 1.0);
+  };
+  // Who may reverse finds most ways out of narrow places sooner in both gears.
+  if (!request.reverse && why.obstruction != Obstruction::kPassage) grow_trees();
   const bool has_forwards = run.found();
   if (has_forwards) {
     distance = d.raise_bound(request, workspace->point, result);
@@ -359,6 +365,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   }
   const bool is_there = run.found() && run.best().empty();
   if (request.reverse && !result.interrupted && !hopeless && !is_there) run.find_in_both_gears(d.map(), distance);
+  if (request.reverse && !hopeless) grow_trees();
   if (!run.found()) {
     explain(d.map(), why, limits, result);
   } else {

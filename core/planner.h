@@ -50,10 +50,12 @@ struct PlannerOptions {
   /// faster one is taken, so that wider turns hardly ever make a plan slower; so are some others.
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
-  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres. At
-  /// most kMostManoeuvrePoses; some 300 bytes each.
+  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. Where all that finds
+  /// no path, trees of forward motions grow kTreePoses times as many, see search_trees. 0: none of this. At most
+  /// kMostManoeuvrePoses; some 300 bytes each.
   std::uint32_t manoeuvre_poses = 400;
   static constexpr std::uint32_t kMostManoeuvrePoses = 1'000'000;
+  static constexpr std::uint32_t kTreePoses = 40;
   /// Where single arcs find no path, or the plan may be 5 % slower than the best one (10 % without refinement, or with
   /// several radii), the graph with more circles in narrow places is searched as well: see find_gap_circles. It is made
   /// when the first query needs it, or by Planner::warm_up. On maps of at most 50,000 vertices: beyond that a query

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace arcway {
+
+/// How trees of forward motions grow. Lengths are in lengths of the body, unless said otherwise.
+struct TreeShape {
+  std::array<double, 11> bends;  ///< curvatures looked at first, times the smallest turning radius
+  int halvings;                  ///< of the steps between curvatures, where obstacles end motions early
+  std::array<double, 4> shares;  ///< of the room, where motions end
+  double longest;                ///< motion, in lengths of the body or turning radii, whichever is larger
+  double coarsest;               ///< cell in which poses count as one, likewise
+  double visit;                  ///< what each turn of a pose makes its coarse cell less promising, in such cells
+  double least;                  ///< motion that is worth a pose
+  double slack;                  ///< by which motions end before a contact: more than rounding
+};
+inline constexpr TreeShape kTree{
+    .bends = {-1.0, -0.7, -0.4, -0.2, -0.08, 0.0, 0.08, 0.2, 0.4, 0.7, 1.0},
+    .halvings = 4,
+    .shares = {1.0, 0.75, 0.5, 0.25},
+    .longest = 2.0,
+    .coarsest = 0.125,
+    .visit = 1.0,
+    .least = 1e-3,
+    .slack = 1e-6,
+};
+
+/// One pass of a search by trees: what is tried where passes with larger cells found nothing.
+struct TreePass {
+  double finest;  ///< size of the smallest cells, in lengths of the body
+  double share;   ///< of all poses that are grown at most
+};
+inline constexpr std::array<TreePass, 3> kTreePasses{{{1.0 / 64.0, 0.25}, {1.0 / 512.0, 0.25}, {1.0 / 4096.0, 0.5}}};
+
+/// How trees are joined.
+struct TreeJoints {
+  double greed;                  ///< what the estimate of the way that remains counts
+  std::size_t field_cells;       ///< of the grid for that estimate
+  std::array<double, 3> ratios;  ///< of tangent lengths of biarcs
+  double near;                   ///< cells in which poses of the other tree are looked for, in lengths of the body
+  std::size_t nearest;           ///< poses of the other tree that are tried
+  std::size_t first_roadmap;     ///< expansions until poses are joined to the roadmap as well; then each time
+  std::size_t roadmap_factor;    ///< so many times as many
+  std::size_t terminals;         ///< of each tree that are joined to it, at most
+};
+inline constexpr TreeJoints kTreeJoints{
+    .greed = 2.0,
+    .field_cells = 250'000,
+    .ratios = {1.0, 0.4, 2.5},
+    .near = 1.0,
+    .nearest = 3,
+    .first_roadmap = 64,
+    .roadmap_factor = 4,
+    .terminals = 200,
+};
+
+}  // namespace arcway

@@ -1,0 +1,131 @@
+#include "core/search/forward_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/geometry/angle.h"
+#include "core/search/effort.h"
+
+namespace arcway {
+
+ForwardTree::ForwardTree(const SearchMap& map, const Pose& root, Direction direction, double finest,
+                         std::function<double(const Vec2&)> remaining)
+    : map_(&map),
+      direction_(direction),
+      gear_(direction == Direction::kFromStart ? Gear::kForward : Gear::kReverse),
+      remaining_(std::move(remaining)),
+      radius_(map.vehicle.min_turning_radius()),
+      body_length_(map.body.front + map.body.rear),
+      far_(kTree.longest * std::max(radius_, body_length_)),
+      coarsest_(kTree.coarsest * std::max(radius_, body_length_)),
+      levels_(std::max(0, static_cast<int>(std::ceil(std::log2(coarsest_ / (finest * body_length_)))))),
+      contact_(*map.outlines, map.body) {
+  nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0.0});
+  open_.push({0.0, kRoot, 0});
+  cells_.insert(cell_of(root, level_of(root)));
+}
+
+std::optional<std::uint32_t> ForwardTree::expand() {
+  std::optional<std::uint32_t> next = pop();
+  if (!next) return std::nullopt;
+  const std::uint32_t at = *next;
+  look_around(nodes_[at].pose);
+  for (std::size_t i = 0; i < rays_.size(); ++i)
+    if (rays_[i].first || leads_furthest(i))
+      for (const double share : kTree.shares) {
+        const double length = share * rays_[i].reach;
+        if (length >= kTree.least * body_length_) add(at, rays_[i].curvature, length);
+      }
+  return at;
+}
+
+// The most promising pose, where those in places that had many turns promise less.
+std::optional<std::uint32_t> ForwardTree::pop() {
+  while (!open_.empty()) {
+    Waiting next = open_.pop();
+    std::uint32_t& visits = visits_[cell_of(nodes_[next.node].pose, 0)];
+    if (visits == next.visits) {
+      ++visits;
+      return next.node;
+    }
+    next.estimate += kTree.visit * coarsest_ * (visits - next.visits);
+    next.visits = visits;
+    open_.push(next);
+  }
+  return std::nullopt;
+}
+
+// Finds the rays from a pose.
+void ForwardTree::look_around(const Pose& pose) {
+  contact_.begin(pose, far_);
+  rays_.clear();
+  for (const double bend : kTree.bends) rays_.push_back(ray(bend / radius_, true));
+  for (int i = 0; i < kTree.halvings; ++i) halve_steps();
+}
+
+ForwardTree::Ray ForwardTree::ray(double curvature, bool first) const {
+  return {curvature, contact_(curvature, gear_) - kTree.slack * body_length_, first};
+}
+
+bool ForwardTree::leads_furthest(std::size_t i) const {
+  return (i == 0 || rays_[i].reach >= rays_[i - 1].reach) &&
+         (i + 1 == rays_.size() || rays_[i].reach >= rays_[i + 1].reach);
+}
+
+// Looks between the rays that lead furthest and their neighbors, where these do not lead as far.
+void ForwardTree::halve_steps() {
+  halved_.clear();
+  for (std::size_t i = 0; i + 1 < rays_.size(); ++i) {
+    halved_.push_back(rays_[i]);
+    const double a = rays_[i].reach, b = rays_[i + 1].reach;
+    if (leads_furthest(a >= b ? i : i + 1) && std::min(a, b) < far_ - 2.0 * kTree.slack * body_length_)
+      halved_.push_back(ray(0.5 * (rays_[i].curvature + rays_[i + 1].curvature), false));
+  }
+  halved_.push_back(rays_.back());
+  std::swap(rays_, halved_);
+}
+
+void ForwardTree::add(std::uint32_t from, double curvature, double length) {
+  const PathSegment away{nodes_[from].pose, length, curvature, gear_};
+  const Pose end = away.end();
+  if (!cells_.insert(cell_of(end, level_of(end))).second) return;
+  const double way = nodes_[from].length + length;
+  nodes_.push_back({end, away.forwards(), from, way});
+  open_.push({way + remaining_(end.position()), static_cast<std::uint32_t>(nodes_.size() - 1), 0});
+}
+
+Path ForwardTree::connection(std::uint32_t node) const {
+  Path path;
+  for (; node != kRoot; node = nodes_[node].parent) path.push_back(nodes_[node].motion);
+  if (direction_ == Direction::kFromStart) std::reverse(path.begin(), path.end());
+  return path;
+}
+
+// Cells are as large as the room beside the body, so that narrow places are told apart finely, and open ones coarsely.
+int ForwardTree::level_of(const Pose& pose) const {
+  const double room = map_->queries.distance->closest(middle_of(map_->body, pose)).distance - map_->body.half_width;
+  int level = 0;
+  for (double size = coarsest_; level < levels_ && size > room; ++level) size *= 0.5;
+  return level;
+}
+
+std::uint64_t ForwardTree::cell_of(const Pose& pose, int level) const {
+  const Pose& root = nodes_[kRoot].pose;
+  const double size = std::ldexp(coarsest_, -level);
+  const double turn = std::min(size / body_length_, kTree.coarsest);
+  const Vec2 ahead = direction_of(root.heading), d = pose.position() - root.position();
+  const auto index = [](double value) { return static_cast<std::uint64_t>(std::llround(value)); };
+  const std::array<std::uint64_t, 4> parts{index(ahead.dot(d) / size), index(cross(ahead, d) / size),
+                                           index(wrap_positive(pose.heading - root.heading) / turn),
+                                           static_cast<std::uint64_t>(level)};
+  std::uint64_t hash = 0;
+  for (const std::uint64_t part : parts) {
+    hash = (hash ^ part) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 29;
+  }
+  return hash;
+}
+
+}  // namespace arcway

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "core/path/path.h"
+#include "core/search/contact_reach.h"
+#include "core/search/open_list.h"
+#include "core/search/search_map.h"
+#include "core/search/terminal_links.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Poses that a vehicle which does not reverse reaches from a start, or from which it reaches a goal: a tree of lines
+/// and arcs of any radius, each as long as the room or a share of it. Where an obstacle ends motions early, the
+/// curvatures that lead furthest are found by halving, so that a tree follows a narrow bend in few motions.
+///
+/// At most one pose for each cell of a grid over position and heading is kept, the first that comes. The grid lies in
+/// the frame of the root and is finer where obstacles are nearer. So a query that is moved or turned has the same tree,
+/// up to rounding. Motions are computed from the edges near by, and remain to be checked by the sweep query.
+class ForwardTree {
+ public:
+  struct Node {
+    Pose pose;
+    PathSegment motion;    ///< between the parent and this, driven forwards; of zero length for the root
+    std::uint32_t parent;  ///< kRoot for the root itself
+    double length;         ///< of the way between the root and this [m]
+  };
+  static constexpr std::uint32_t kRoot = 0;
+
+  /// @param map        must outlive the tree.
+  /// @param finest     size of the smallest cells, in lengths of the body.
+  /// @param remaining  estimate of the way from a position on, by which poses take their turn [m].
+  ForwardTree(const SearchMap& map, const Pose& root, Direction direction, double finest,
+              std::function<double(const Vec2&)> remaining);
+
+  /// Adds the poses reached from the most promising one that had no turn yet; none if all had. O(edges near by).
+  std::optional<std::uint32_t> expand();
+
+  /// How far the pose that had its turn last leads on by a curvature, as far as the tree looks [m].
+  [[nodiscard]] double room(double curvature) const { return contact_(curvature, gear_); }
+  [[nodiscard]] double longest_motion() const { return far_; }
+
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
+  /// The way from the start to a node, or from a node to the goal.
+  [[nodiscard]] Path connection(std::uint32_t node) const;
+
+ private:
+  // A curvature, and how far it leads.
+  struct Ray {
+    double curvature;
+    double reach;
+    bool first;  // looked at from every pose
+  };
+  struct Waiting {
+    double estimate;
+    std::uint32_t node;
+    std::uint32_t visits;  // of its coarse cell that the estimate counts
+    friend bool before(const Waiting& a, const Waiting& b) {
+      return a.estimate != b.estimate ? a.estimate < b.estimate : a.node < b.node;
+    }
+  };
+
+  std::optional<std::uint32_t> pop();
+  void look_around(const Pose& pose);
+  void halve_steps();
+  [[nodiscard]] bool leads_furthest(std::size_t ray) const;
+  [[nodiscard]] Ray ray(double curvature, bool first) const;
+  void add(std::uint32_t from, double curvature, double length);
+  [[nodiscard]] std::uint64_t cell_of(const Pose& pose, int level) const;
+  [[nodiscard]] int level_of(const Pose& pose) const;
+
+  const SearchMap* map_;
+  Direction direction_;
+  Gear gear_;  // in which the tree grows away from its root
+  std::function<double(const Vec2&)> remaining_;
+  double radius_, body_length_;
+  double far_;       // the longest motion [m]
+  double coarsest_;  // size of the largest cells [m]
+  int levels_;       // of smaller cells, each half as large
+  ContactReach contact_;
+  std::vector<Ray> rays_, halved_;  // by curvature
+  std::vector<Node> nodes_;
+  std::unordered_set<std::uint64_t> cells_;
+  std::unordered_map<std::uint64_t, std::uint32_t> visits_;  // of coarse cells
+  OpenList<Waiting> open_;
+};
+
+}  // namespace arcway

@@ -1,0 +1,229 @@
+#include "core/search/tree_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/angle.h"
+#include "core/path/biarc.h"
+#include "core/path/dubins.h"
+#include "core/query/motion_free.h"
+#include "core/search/effort.h"
+#include "core/search/forward_tree.h"
+#include "core/search/route_field.h"
+
+namespace arcway {
+
+namespace {
+
+// Poses by place, for those near another.
+class NearPoses {
+ public:
+  explicit NearPoses(double cell) : cell_(cell) {}
+  void add(std::uint32_t node, const Pose& pose) { cells_[key(index(pose.x), index(pose.y))].push_back(node); }
+  template <class Visit>
+  void visit(const Pose& near, Visit&& visit) const {
+    for (const std::int64_t dx : {-1, 0, 1})
+      for (const std::int64_t dy : {-1, 0, 1}) {
+        const auto found = cells_.find(key(index(near.x) + dx, index(near.y) + dy));
+        if (found == cells_.end()) continue;
+        for (const std::uint32_t node : found->second) visit(node);
+      }
+  }
+
+ private:
+  [[nodiscard]] std::int64_t index(double x) const { return std::llround(x / cell_); }
+  static std::uint64_t key(std::int64_t x, std::int64_t y) {
+    return static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(y);
+  }
+  double cell_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+};
+
+class TreeSearch {
+ public:
+  TreeSearch(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
+             const SearchOptions& options, SearchWorkspace& workspace, FoundPath& found)
+      : map_(map),
+        roots_{start, goal},
+        max_poses_(static_cast<double>(max_poses)),
+        options_(options),
+        workspace_(workspace),
+        found_(found),
+        result_(found.search),
+        radius_(map.vehicle.min_turning_radius()),
+        body_length_(map.body.front + map.body.rear),
+        contact_(*map.outlines, map.body),
+        fields_{field(1), field(0)} {}
+
+  void run() {
+    for (const TreePass& pass : kTreePasses) {
+      grow(pass);
+      if (result_.path || result_.interrupted) return;
+    }
+  }
+
+ private:
+  struct Side {
+    ForwardTree tree;
+    NearPoses near;
+    std::vector<std::uint32_t> terminals;
+  };
+
+  [[nodiscard]] RouteField field(std::size_t to) const {
+    return {map_, roots_[0], roots_[to].position(), kTreeJoints.field_cells, [this] { return options_.interrupted(); }};
+  }
+
+  [[nodiscard]] Side side(std::size_t i, double finest) const {
+    return {{map_, roots_[i], i == 0 ? Direction::kFromStart : Direction::kToGoal, finest,
+             [this, i](const Vec2& p) { return kTreeJoints.greed * fields_[i](p); }},
+            NearPoses(kTreeJoints.near * body_length_),
+            {}};
+  }
+
+  bool interrupted() {
+    result_.interrupted = result_.interrupted || options_.interrupted();
+    return result_.interrupted;
+  }
+
+  void grow(const TreePass& pass) {
+    std::array<Side, 2> sides{side(0, pass.finest), side(1, pass.finest)};
+    std::size_t next_roadmap = kTreeJoints.first_roadmap;
+    std::array<bool, 2> dry{false, false};
+    const auto most = static_cast<std::size_t>(pass.share * max_poses_);
+    for (std::size_t i = 0; i < most && !(dry[0] && dry[1]) && !interrupted(); ++i) {
+      const std::size_t at = i % 2;
+      const auto node = sides[at].tree.expand();
+      dry[at] = !node;
+      if (!node) continue;
+      ++found_.manoeuvre_poses;
+      join(sides, at, *node);
+      if (result_.path) return;
+      if (i + 1 == next_roadmap) {
+        join_roadmap(sides);
+        next_roadmap *= kTreeJoints.roadmap_factor;
+      }
+      if (result_.path) return;
+    }
+    if (!interrupted()) join_roadmap(sides);
+  }
+
+  struct Near {
+    double distance;
+    std::uint32_t node;
+    friend bool operator<(const Near& a, const Near& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
+    }
+  };
+
+  // A new pose to the root of the other tree and the poses near by.
+  void join(std::array<Side, 2>& sides, std::size_t at, std::uint32_t node) {
+    const Pose pose = sides[at].tree[node].pose;
+    const Side& other = sides[1 - at];
+    near_.clear();
+    other.near.visit(pose, [&](std::uint32_t n) {
+      const Pose& to = other.tree[n].pose;
+      const Vec2 way = (at == 0 ? 1.0 : -1.0) * (to.position() - pose.position());
+      if (way.dot(direction_of(pose.heading)) < 0.0 || way.dot(direction_of(to.heading)) < 0.0) return;
+      near_.push_back({way.norm() + body_length_ * std::abs(wrap_signed(to.heading - pose.heading)), n});
+    });
+    const std::size_t few = std::min(near_.size(), kTreeJoints.nearest);
+    std::partial_sort(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(few), near_.end());
+    near_.resize(few);
+    near_.push_back({0.0, ForwardTree::kRoot});
+    for (const Near& n : near_)
+      if (connect(sides, at, at == 0 ? node : n.node, at == 0 ? n.node : node)) return;
+    sides[at].near.add(node, pose);
+    add_terminal(sides[at], node);
+  }
+
+  // @param at  whose pose had its turn last.
+  bool connect(const std::array<Side, 2>& sides, std::size_t at, std::uint32_t from, std::uint32_t to) {
+    const Pose& start = sides[0].tree[from].pose;
+    const Pose& goal = sides[1].tree[to].pose;
+    const auto take = [&](std::span<const PathSegment> between) {
+      if (between.empty() || !has_room(sides[at].tree, at == 0 ? between.front() : between.back())) return false;
+      if (!is_free(between)) return false;
+      Path path = sides[0].tree.connection(from);
+      path.insert(path.end(), between.begin(), between.end());
+      const Path rest = sides[1].tree.connection(to);
+      path.insert(path.end(), rest.begin(), rest.end());
+      if (!motion_free(*map_.queries.sweep, map_.body, path)) return false;
+      result_.path = merged(path);
+      return true;
+    };
+    for (const double ratio : kTreeJoints.ratios) {
+      const auto arcs = biarc(start, goal, ratio, radius_);
+      if (arcs && take(*arcs)) return true;
+    }
+    for (const DubinsWord word : kDubinsWords) {
+      const auto path = dubins_word(word, start, goal, radius_);
+      if (path && take(path->segments())) return true;
+    }
+    return false;
+  }
+
+  static bool has_room(const ForwardTree& tree, const PathSegment& motion) {
+    return tree.room(motion.curvature) >= std::min(motion.length, tree.longest_motion());
+  }
+
+  bool is_free(std::span<const PathSegment> motion) {
+    for (const PathSegment& s : motion) {
+      contact_.begin(s.start, s.length);
+      if (contact_(s.curvature, Gear::kForward) < s.length) return false;
+    }
+    return true;
+  }
+
+  void add_terminal(Side& side, std::uint32_t node) {
+    if (node == ForwardTree::kRoot || side.terminals.size() >= kTreeJoints.terminals) return;
+    side.terminals.push_back(node);
+  }
+
+  void join_roadmap(const std::array<Side, 2>& sides) {
+    const auto terminals = [&](std::size_t i) {
+      std::vector<Terminal> found{{roots_[i], {}}};
+      for (const std::uint32_t node : sides[i].terminals) {
+        Path connection = sides[i].tree.connection(node);
+        if (motion_free(*map_.queries.sweep, map_.body, connection))
+          found.push_back({sides[i].tree[node].pose, std::move(connection)});
+      }
+      return found;
+    };
+    const std::vector<Terminal> starts = terminals(0), goals = terminals(1);
+    SearchResult joined = search_arrivals(map_, starts, goals, options_, workspace_);
+    result_.nodes_expanded += joined.nodes_expanded;
+    result_.nodes_pushed += joined.nodes_pushed;
+    result_.straights_checked += joined.straights_checked;
+    result_.turns_checked += joined.turns_checked;
+    result_.interrupted = result_.interrupted || joined.interrupted;
+    if (joined.path) result_.path = std::move(joined.path);
+  }
+
+  const SearchMap& map_;
+  std::array<Pose, 2> roots_;
+  double max_poses_;
+  const SearchOptions& options_;
+  SearchWorkspace& workspace_;
+  FoundPath& found_;
+  SearchResult& result_;
+  double radius_, body_length_;
+  ContactReach contact_;
+  std::array<RouteField, 2> fields_;  // to the other end
+  std::vector<Near> near_;            // memory
+};
+
+}  // namespace
+
+FoundPath search_trees(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
+                       const SearchOptions& options, SearchWorkspace& workspace) {
+  FoundPath found;
+  TreeSearch(map, start, goal, max_poses, options, workspace, found).run();
+  return found;
+}
+
+}  // namespace arcway

@@ -1,0 +1,39 @@
+#include "core/search/route_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/geometry/angle.h"
+#include "core/query/query_set.h"
+
+namespace arcway {
+namespace {
+
+Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+// A wall with a gap in its middle, which ends in the open above.
+RouteField field_behind_a_wall(double gap) {
+  const World world({{box(9.0, -20.0, 10.0, -0.5 * gap), {}}, {box(9.0, 0.5 * gap, 10.0, 20.0), {}}},
+                    box(-5.0, -20.0, 30.0, 30.0));
+  const Vehicle vehicle;
+  const QuerySet queries = make_reference_queries(world);
+  const std::vector<double> radii{vehicle.min_turning_radius()};
+  FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
+                      queries, radii, SerialExecutor(), GraphMode::kLazy);
+  const SearchMap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
+  return {map, {0.0, 0.0, 0.3}, {20.0, 0.0}, 100'000, {}};
+}
+
+TEST(RouteField, LeadsThroughGapsThatAreWideEnough) { EXPECT_NEAR(field_behind_a_wall(1.0)({0.0, 0.0}), 20.0, 2.0); }
+
+TEST(RouteField, LeadsRoundGapsThatAreTooNarrow) {
+  const double round = 2.0 * std::hypot(9.5, 20.0);
+  EXPECT_NEAR(field_behind_a_wall(0.7)({0.0, 0.0}), round, 0.1 * round);
+}
+
+TEST(RouteField, EndsAtThePlace) { EXPECT_NEAR(field_behind_a_wall(1.0)({20.0, 0.0}), 0.0, 0.5); }
+
+}  // namespace
+}  // namespace arcway
