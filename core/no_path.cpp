@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/passage/bottleneck.h"
+#include "core/passage/collision.h"
 #include "core/shortest_text.h"
 
 namespace arcway {
@@ -28,10 +29,9 @@ bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult
   } else {
     result.status = start ? PlanStatus::kStartInCollision : PlanStatus::kGoalInCollision;
   }
-  result.reason =
-      std::string(start ? "the start " : "the goal ") + shortest_text(pose) +
-      (out ? " lies outside the bounds"
-           : ": the body, grown by half of the safety margin, collides; nearest is " + nearest_region(map, pose));
+  result.reason = std::string(start ? "the start " : "the goal ") + shortest_text(pose) +
+                  (out ? " lies outside the bounds" : "") + ": the body, grown by half of the safety margin, " +
+                  collision_text(map.world, map.queries, map.body, pose);
   return false;
 }
 

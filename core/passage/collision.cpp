@@ -1,0 +1,106 @@
+#include "core/passage/collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/geometry/angle.h"
+#include "core/passage/bottleneck.h"
+#include "core/shortest_text.h"
+
+namespace arcway {
+namespace {
+
+constexpr int kTurns = 24, kDirections = 24, kCircles = 16;
+constexpr int kHalvings = 15;  // of the step between two circles: to a 30,000th
+
+// The part of the segment a + t (b - a) inside the box |x| <= half.x, |y| <= half.y: the two values of t.
+std::optional<std::pair<double, double>> clip(const Vec2& a, const Vec2& b, const Vec2& half) {
+  double first = 0.0, last = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double from = a[axis], along = b[axis] - a[axis];
+    if (along == 0.0) {
+      if (std::abs(from) > half[axis]) return std::nullopt;
+      continue;
+    }
+    const double low = (-half[axis] - from) / along, high = (half[axis] - from) / along;
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
+  }
+  if (first > last) return std::nullopt;
+  return std::pair(first, last);
+}
+
+bool is_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+  return sweep.straight_free(swept_rectangle(pose, 0.0, body));
+}
+
+}  // namespace
+
+std::optional<BodyContact> contact_of(const World& world, const DistanceQuery& distance, const Footprint& body,
+                                      const Pose& pose) {
+  const Vec2 middle = middle_of(body, pose), ahead = direction_of(pose.heading), aside = perpendicular(ahead);
+  const Vec2 half(0.5 * (body.front + body.rear), body.half_width);
+  const auto in_body = [&](const Vec2& p) { return Vec2((p - middle).dot(ahead), (p - middle).dot(aside)); };
+  std::optional<BodyContact> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (VertexId v = 0; v < world.vertices().size(); ++v) {
+    const Vec2 &from = world.vertex(v), &to = world.vertex(world.next(v));
+    const Vec2 a = in_body(from), b = in_body(to), along = b - a;
+    const auto part = clip(a, b, half);
+    if (!part) continue;
+    const double length2 = along.squaredNorm();
+    const double t = length2 > 0.0 ? std::clamp(-a.dot(along) / length2, part->first, part->second) : part->first;
+    const double away = (a + t * along).norm();
+    if (away >= least) continue;
+    least = away;
+    nearest = BodyContact{world.obstacle_of(v), from + t * (to - from)};
+  }
+  if (nearest) return nearest;
+  const ObstacleId inside = distance.containing(middle);
+  return inside == kNone ? std::nullopt : std::optional(BodyContact{inside, middle});
+}
+
+double free_pose_reach(const Footprint& body) {
+  return 2.0 * std::hypot(body.front + body.rear, 2.0 * body.half_width);
+}
+
+std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+  for (int turn = 1; turn < kTurns; ++turn) {  // the smallest turns first, to the left and to the right
+    const double angle = (turn % 2 == 1 ? 1.0 : -1.0) * ((turn + 1) / 2) * (kTwoPi / kTurns);
+    const Pose turned{pose.x, pose.y, wrap_signed(pose.heading + angle)};
+    if (is_free(sweep, body, turned)) return FreePose{turned, 0.0};
+  }
+  const double step = free_pose_reach(body) / kCircles;
+  for (int circle = 1; circle <= kCircles; ++circle) {
+    for (int i = 0; i < kDirections; ++i) {
+      const Vec2 direction = direction_of(pose.heading + i * (kTwoPi / kDirections));
+      const auto at = [&](double distance) {
+        const Vec2 p = pose.position() + distance * direction;
+        return Pose{p.x(), p.y(), pose.heading};
+      };
+      double near = (circle - 1) * step, far = circle * step;
+      if (!is_free(sweep, body, at(far))) continue;
+      for (int k = 0; k < kHalvings; ++k) {
+        const double middle = 0.5 * (near + far);
+        (is_free(sweep, body, at(middle)) ? far : near) = middle;
+      }
+      return FreePose{at(far), far};
+    }
+  }
+  return std::nullopt;
+}
+
+std::string collision_text(const World& world, const QuerySet& queries, const Footprint& body, const Pose& pose) {
+  std::string text = "collides";
+  if (const auto contact = contact_of(world, *queries.distance, body, pose))
+    text += " with " + region_text(world, contact->region) + " at (" + rounded_text(contact->point.x()) + ", " +
+            rounded_text(contact->point.y()) + ")";
+  if (const auto free = nearest_free_pose(*queries.sweep, body, pose))
+    return text + "; the nearest free pose found is " + shortest_text(free->pose) +
+           (free->distance > 0.0 ? ", " + rounded_text(free->distance) + " m away" : ", in the same place");
+  return text + "; no free pose was found within " + rounded_text(free_pose_reach(body)) + " m";
+}
+
+}  // namespace arcway

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/path/path.h"
+#include "core/query/query_set.h"
+#include "core/vehicle.h"
+#include "core/world.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// What a body meets at a pose.
+struct BodyContact {
+  ObstacleId region;  ///< an obstacle, or the bounds
+  Vec2 point;         ///< of that region, on or in the body; where one of its edges enters it, to a rounding
+};
+
+/// The obstacle that the body meets at a pose in collision, and where: of all edges that meet the body the point
+/// nearest to its middle, or the middle itself where an obstacle swallows the body. Nothing if no edge is found in the
+/// body, as where rounding decides. O(vertices).
+std::optional<BodyContact> contact_of(const World& world, const DistanceQuery& distance, const Footprint& body,
+                                      const Pose& pose);
+
+/// Where the body is free near a pose at which it is not.
+struct FreePose {
+  Pose pose;
+  double distance;  ///< of the reference points [m]
+};
+/// How far `nearest_free_pose` looks: twice the diagonal of the body [m].
+double free_pose_reach(const Footprint& body);
+/// The nearest free pose of a fixed pattern: first the same place with headings turned by steps of 15 degrees, then the
+/// same heading on 16 circles of rising radius, 24 directions each, counted from the heading. A place found on a circle
+/// is then drawn in towards the pose by bisection. Each pose is decided exactly by the sweep query; another one may be
+/// nearer. At most 423 checks.
+std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footprint& body, const Pose& pose);
+
+/// "collides with obstacle 3 at (4, 1.5); the nearest free pose found is (4, 0.3, 0), 1.2 m away", of a pose at which
+/// the body is not free.
+std::string collision_text(const World& world, const QuerySet& queries, const Footprint& body, const Pose& pose);
+
+}  // namespace arcway
