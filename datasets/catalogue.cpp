@@ -12,6 +12,7 @@
 #include "datasets/generators/curved_world.h"
 #include "datasets/generators/driven_world.h"
 #include "datasets/generators/structured_world.h"
+#include "datasets/nearest_word.h"
 #include "datasets/paper_example.h"
 #include "datasets/random_queries.h"
 
@@ -20,12 +21,6 @@ namespace {
 
 [[noreturn]] void refuse(std::string_view name, const std::string& message) {
   throw std::invalid_argument("catalogue world \"" + std::string(name) + "\": " + message);
-}
-
-std::string listed(std::span<const std::string_view> words) {
-  std::string text;
-  for (const std::string_view word : words) text.append(text.empty() ? "" : ", ").append(word);
-  return text;
 }
 
 std::string_view first_part(std::string_view name) { return name.substr(0, name.find('/')); }
@@ -50,7 +45,7 @@ class Parts {
     if (entry_ == nullptr) {
       std::vector<std::string_view> names;
       for (const CatalogueFamily& family : catalogue_families()) names.push_back(family.name);
-      refuse(name, "unknown family \"" + std::string(first_part(name)) + "\"; there are " + listed(names));
+      refuse(name, unknown_word("family", first_part(name), names));
     }
     const CatalogueFamily& family = entry_->family;
     std::string_view rest = name.substr(family.name.size());
@@ -63,8 +58,7 @@ class Parts {
     if (!family.kinds.empty()) {
       const std::string_view kind = rest.empty() ? "" : next();
       const auto found = std::ranges::find(family.kinds, kind);
-      if (found == family.kinds.end())
-        refuse(name, "unknown kind \"" + std::string(kind) + "\"; there are " + listed(family.kinds));
+      if (found == family.kinds.end()) refuse(name, unknown_word("kind", kind, family.kinds));
       kind_ = static_cast<std::size_t>(found - family.kinds.begin());
     }
     while (!rest.empty()) add(next());

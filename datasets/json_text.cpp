@@ -4,8 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "datasets/nearest_word.h"
 
 namespace arcway::detail {
 
@@ -214,7 +217,8 @@ void JsonPlace::require_array() const {
 void JsonPlace::allow_keys(std::initializer_list<std::string_view> keys) const {
   require_object();
   for (const auto& [key, unused] : value.items())
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) fail("unknown key " + shown(key));
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      fail(unknown_word("key", key, std::span(keys.begin(), keys.size())));
 }
 
 void JsonPlace::require_format(std::string_view format, int version) const {

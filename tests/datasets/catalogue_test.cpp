@@ -58,7 +58,8 @@ TEST(Catalogue, EveryFamilyMakesWorldsWithItsDefaults) {
 
 TEST(Catalogue, SaysWhatIsWrongWithAName) {
   EXPECT_FALSE(is_catalogue_name("clutters/convex"));
-  EXPECT_NE(message_for("clutters/convex").find("unknown family \"clutters\"; there are paper, clutter"),
+  EXPECT_NE(message_for("clutters/convex")
+                .find("unknown family \"clutters\", did you mean \"clutter\"? There are paper, clutter"),
             std::string::npos);
   EXPECT_EQ(message_for("clutter/cube"),
             "catalogue world \"clutter/cube\": unknown kind \"cube\"; there are convex, star, mixed, rectangle");

@@ -157,7 +157,9 @@ TEST(PlanJson, ReadsPathsWithoutSpeeds) {
             "plan.json: path[1]: speeds must be on all segments or on none");
   EXPECT_EQ(error_of(plan(R"({"type":"line","start":[0,0,0],"length":1,"curvature":0,"direction":0})")),
             "plan.json: path[0].direction: expected 1 (forwards) or -1 (backwards), found 0");
-  EXPECT_EQ(error_of(plan(R"({"typ":"line"})")), "plan.json: path[0]: unknown key \"typ\"");
+  EXPECT_EQ(error_of(plan(R"({"typ":"line"})")),
+            "plan.json: path[0]: unknown key \"typ\", did you mean \"type\"? There are type, start, length, curvature, "
+            "direction, speed_in, speed_out, duration");
 }
 
 TEST(PlanJson, MayComeSeveralTimes) {

@@ -43,7 +43,10 @@ TEST(RobotJson, RoundTripIsExact) {
 }
 
 TEST(RobotJson, ErrorsNameKeyAndValue) {
-  EXPECT_EQ(robot_error(robot(R"(,"lenght":2)")), "robot.json: unknown key \"lenght\"");
+  EXPECT_EQ(robot_error(robot(R"(,"lenght":2)")),
+            "robot.json: unknown key \"lenght\", did you mean \"length\"? There are format, version, length, width, "
+            "wheelbase, "
+            "steering, max_steering_angle, max_speed, turn_speed, max_reverse_speed, max_acceleration, safety_margin");
   EXPECT_EQ(robot_error(robot(R"(,"length":"2")")), "robot.json: length: expected a number, found \"2\"");
   EXPECT_EQ(robot_error(robot(R"(,"steering":"back")")),
             "robot.json: steering: expected \"front\", \"rear\" or \"symmetric\", found \"back\"");

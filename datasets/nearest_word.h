@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// The known word that was most likely meant: at most a third of its letters changed, added, left out or swapped with
+/// the next one, or one word part of the other; empty if there is none so near. Case does not count.
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known);
+
+/// Says that a word is not known: `unknown key "widht", did you mean "width"? There are length, width`.
+std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> known);
+
+}  // namespace arcway
