@@ -1,6 +1,8 @@
 #include "datasets/read_map.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/shortest_text.h"
 #include "datasets/file_io.h"
@@ -10,8 +12,8 @@
 #include "datasets/formats/ros_map.h"
 #include "datasets/formats/svg_world.h"
 #include "datasets/formats/text_polygons.h"
-#include "datasets/formats/text_scanner.h"
 #include "datasets/formats/tpcap.h"
+#include "datasets/formats/vertex_list.h"
 #include "datasets/formats/wkt.h"
 #include "datasets/grid/grid_map.h"
 #include "datasets/gzip.h"
@@ -30,7 +32,9 @@ std::string read_expanded(const fs::path& path) {
 // A file that another one names: by its path from there, or beside it, as it is or compressed.
 fs::path find_beside(const fs::path& path, const std::string& named) {
   const fs::path folder = path.parent_path();
-  for (const fs::path& candidate : {folder / named, folder / fs::path(named).filename()}) {
+  std::string slashed = named;
+  std::ranges::replace(slashed, '\\', '/');  // as written on Windows
+  for (const fs::path& candidate : {folder / named, folder / slashed, folder / fs::path(slashed).filename()}) {
     for (const char* ending : {"", ".gz"}) {
       fs::path file = candidate;
       file += ending;
@@ -39,7 +43,7 @@ fs::path find_beside(const fs::path& path, const std::string& named) {
     }
   }
   throw FileError(path.string() + " needs another file: cannot read " + (folder / named).string() +
-                  ": No such file or directory");
+                  ": No such file or directory, nor is " + fs::path(slashed).filename().string() + " beside it");
 }
 
 GreyImage read_image(std::string_view bytes, const fs::path& path, const GridOptions& options) {
@@ -76,6 +80,14 @@ MapFile read_bare_image(std::string_view bytes, const fs::path& path, const Grid
     result.warnings.push_back(path.string() + ": an image without a YAML file does not say how large its pixels are; " +
                               shortest_text(map.resolution) + " m is assumed (--cell)");
   return result;
+}
+
+MapFile read_letters(std::string_view text, std::string_view name, const GridOptions& options) {
+  MapFile map = to_map_file(read_movingai_map(text, name, options), options);
+  if (options.free_letters)
+    map.notes.push_back("cells of the letters " + *options.free_letters +
+                        " are free, those of letters that are not known are obstacles");
+  return map;
 }
 
 MapFile read_movingai_task(std::string_view text, const fs::path& path, const MapReadOptions& options) {
@@ -116,105 +128,21 @@ MapFile read_prepared(std::string_view bytes, std::string_view name) {
   return map;
 }
 
-bool is_wkt_keyword(std::string_view word) {
-  const std::string type = wkt_type(word);
-  for (const std::string_view keyword : {"SRID", "POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING", "POLYGON",
-                                         "MULTIPOLYGON", "GEOMETRYCOLLECTION"})
-    if (type == keyword) return true;
-  return false;
-}
-
-// Whether the text's first numbers are one a line or between commas, as in a parking case.
-bool is_number_list(detail::TextScanner scanner) {
-  const std::string_view line = scanner.rest_of_line();
-  return line.find(',') != std::string_view::npos || detail::split_at_blanks(line).size() == 1;
-}
-
-// Whether a line is `image: ...`, as in the YAML file of a ROS map.
-bool has_image_key(std::string_view content) {
-  detail::TextScanner scanner(content.substr(0, std::size_t{1} << 16), "");
-  while (!scanner.at_end()) {
-    scanner.skip_space();
-    if (const std::string_view key = scanner.word(":"); key == "image" || key == "\"image\"" || key == "'image'") {
-      scanner.skip_blanks();
-      if (scanner.peek() == ':') return true;
-    }
-    scanner.rest_of_line();
-  }
-  return false;
-}
-
-}  // namespace
-
-const char* name_of(MapFormat format) {
-  switch (format) {
-    case MapFormat::kGeoJson:
-      return "GeoJSON";
-    case MapFormat::kWkt:
-      return "WKT";
-    case MapFormat::kTextPolygons:
-      return "plain text polygons";
-    case MapFormat::kTpcap:
-      return "TPCAP case";
-    case MapFormat::kMovingAiMap:
-      return "MovingAI map";
-    case MapFormat::kMovingAiScenario:
-      return "MovingAI scenario";
-    case MapFormat::kRosMap:
-      return "ROS map";
-    case MapFormat::kPgm:
-      return "PGM image";
-    case MapFormat::kPng:
-      return "PNG image";
-    case MapFormat::kSvg:
-      return "SVG";
-    case MapFormat::kPrepared:
-      return "prepared map";
-  }
-  return "?";
-}
-
-MapFormat detect_format(std::string_view content, std::string_view name) {
-  if (content.starts_with("P2") || content.starts_with("P5")) return MapFormat::kPgm;
-  if (content.starts_with("\x89PNG")) return MapFormat::kPng;
-  if (is_prepared_map(content)) return MapFormat::kPrepared;
-  detail::TextScanner scanner(content, name);
-  if (scanner.peek() == '\x1E') return MapFormat::kGeoJson;
-  scanner.skip_space();
-  while (scanner.peek() == '#') {
-    scanner.rest_of_line();
-    scanner.skip_space();
-  }
-  if (scanner.at_end()) throw FormatError(std::string(name) + ": empty file, expected a map");
-  if (scanner.peek() == '<') return MapFormat::kSvg;
-  if (scanner.peek() == '{' || scanner.peek() == '[') return MapFormat::kGeoJson;
-  detail::TextScanner ahead = scanner;
-  const std::string_view word = ahead.word("(=;,:0123456789");
-  if (word == "type") return MapFormat::kMovingAiMap;
-  if (word == "version") return MapFormat::kMovingAiScenario;
-  if (is_wkt_keyword(word)) return MapFormat::kWkt;
-  if (word == "---" && has_image_key(content)) return MapFormat::kRosMap;  // YAML's mark of a document's begin
-  if (const char c = scanner.peek(); (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.')
-    return is_number_list(scanner) ? MapFormat::kTpcap : MapFormat::kTextPolygons;
-  if (has_image_key(content)) return MapFormat::kRosMap;
-  detail::TextScanner first = scanner;
-  scanner.fail("this is no map of a known format, it begins with " + detail::quoted(first.rest_of_line()));
-}
-
-MapFile read_map(const fs::path& path, const MapReadOptions& options) {
-  const std::string text = read_expanded(path);
+MapFile read_as(MapFormat format, std::string_view text, const fs::path& path, const MapReadOptions& options) {
   const std::string name = path.string();
-  switch (detect_format(text, name)) {
+  switch (format) {
     case MapFormat::kGeoJson:
       return read_geojson(text, name, options.vector);
     case MapFormat::kWkt:
       return read_wkt(text, name, options.vector);
     case MapFormat::kTextPolygons:
       return read_text_polygons(text, name, options.vector);
+    case MapFormat::kVertexList:
+      return read_vertex_list(text, name, options.vector);
     case MapFormat::kTpcap:
       return read_tpcap(text, name);
     case MapFormat::kMovingAiMap:
-      return to_map_file(read_movingai_map(text, name, options.grid), options.grid);
+      return read_letters(text, name, options.grid);
     case MapFormat::kMovingAiScenario:
       return read_movingai_task(text, path, options);
     case MapFormat::kRosMap:
@@ -228,6 +156,31 @@ MapFile read_map(const fs::path& path, const MapReadOptions& options) {
       return read_prepared(text, name);
   }
   return {};
+}
+
+// Options that say what coordinates of polygons are.
+void warn_of_vain_options(MapFormat format, const std::string& name, const VectorOptions& options, MapFile& map) {
+  if (has_polygons(format)) return;
+  for (const auto& [given, what] : {std::pair{options.lonlat, "degrees (--lonlat)"},
+                                    {options.free_polygons, "polygons that are free (--polygons)"},
+                                    {options.wall_width > 0.0, "widths of walls (--wall-width)"}})
+    if (given) map.warnings.push_back(name + ": a " + name_of(format) + " has no " + what + "; the option is not used");
+}
+
+}  // namespace
+
+MapFile read_map(const fs::path& path, const MapReadOptions& options) {
+  const std::string text = read_expanded(path), name = path.string();
+  const MapFormat format = options.format ? *options.format : detect_format(text, name);
+  try {
+    MapFile map = read_as(format, text, path, options);
+    warn_of_vain_options(format, name, options.vector, map);
+    return map;
+  } catch (const FormatError& error) {
+    if (options.format || !is_guess(format)) throw;
+    throw FormatError(std::string(error.what()) + "; by its content the file was taken for a " + name_of(format) +
+                      ", --format NAME reads it as another");
+  }
 }
 
 }  // namespace arcway

@@ -12,6 +12,7 @@
 #include "core/shortest_text.h"
 #include "datasets/catalogue.h"
 #include "datasets/file_io.h"
+#include "datasets/nearest_word.h"
 #include "datasets/number_text.h"
 #include "datasets/paper_example.h"
 #include "datasets/robot.h"
@@ -110,12 +111,19 @@ void MapOptions::add_to(CLI::App& command, const std::string& map) {
       .add_flag("--planar", planar,
                 "Coordinates of " + map + " are meters, whatever the file says or they look like: no warning")
       ->group(group);
+  option("--format", format, "What the file is, if not what its content looks like: geojson, wkt, text, vertices, ...",
+         "NAME");
+  option("--polygons", polygons, "What polygons without a role are: blocked, or free, with walls all around", "NAME")
+      ->capture_default_str();
   option("--wall-width", wall_width, "Line strings are walls of this width [m]", "W");
   option("--curve-tolerance", curve_tolerance, "Smooth outlines become rings this near [m]; default 0.01", "E");
   option("--cell", cell, "Size of a cell [m], if the file does not say; default: 1 of MovingAI maps, 0.05 of an image",
          "S");
   option("--tolerance", tolerance, "Obstacles of a grid may grow by this many cells to save corners", "CELLS");
   option("--unknown", unknown, "What unknown cells are: blocked or free", "NAME")->capture_default_str();
+  option("--free-letters", free_letters,
+         "Letters of MovingAI maps that are free beside . and G; others that are not known are obstacles then",
+         "LETTERS");
   command.add_flag("--swamp-free", swamp, "Swamp of MovingAI maps is free")->group(group);
   command.add_flag("--open-frame", open_frame, "The frame of a grid is no wall")->group(group);
   option("--task", task, "Task of a MovingAI scenario, from 0", "N")->capture_default_str();
@@ -130,6 +138,13 @@ MapReadOptions MapOptions::read_options() const {
   };
   MapReadOptions options;
   if (lonlat && planar) throw UsageError("--planar: coordinates are either meters or degrees; leave out --lonlat");
+  if (!format.empty()) options.format = format_of_word(format);
+  if (!format.empty() && !options.format)
+    throw UsageError("--format: " + unknown_word("format", format, format_words()));
+  if (polygons != "blocked" && polygons != "free")
+    throw UsageError("--polygons: expected blocked or free, got " + in_quotes(polygons));
+  options.vector.free_polygons = polygons == "free";
+  if (!free_letters.empty()) options.grid.free_letters = free_letters;
   options.vector.lonlat = lonlat;
   options.vector.planar = planar;
   if (!wall_width.empty()) options.vector.wall_width = at_least_zero(wall_width, "--wall-width");
@@ -217,7 +232,28 @@ std::string world_rows(const World& world) {
   return text;
 }
 
-std::vector<NumberedRequest> read_queries(const std::string& file) {
+std::string heading_warning(std::string_view what, double heading) {
+  if (std::abs(heading) <= kTwoPi) return "";
+  return std::string(what) + " heading is " + shortest_text(heading) + " rad, more than a full turn: did you mean " +
+         shortest_text(heading) + "deg?";
+}
+
+std::vector<std::string> vehicle_warnings(const Vehicle& vehicle) {
+  constexpr double kLongest = 4.0;  // bodies by their wheelbase: that of a long bus is 2.1
+  const VehicleParameters& p = vehicle.parameters();
+  const std::string measures = "the robot's wheelbase of " + shortest_text(p.wheelbase) + " m ";
+  std::vector<std::string> warnings;
+  if (p.wheelbase > p.length)
+    warnings.push_back(measures + "is longer than its body of " + shortest_text(p.length) +
+                       " m: its axles lie outside of the body; are length and wheelbase swapped?");
+  if (p.length > kLongest * p.wheelbase)
+    warnings.push_back(measures + "is less than a quarter of its body of " + shortest_text(p.length) +
+                       " m, which reaches " + shortest_text(0.5 * (p.length - p.wheelbase)) +
+                       " m beyond each axle; are both in meters?");
+  return warnings;
+}
+
+std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<std::string>& warnings) {
   const std::string text = read_file(file);
   std::string_view rest = text;
   if (rest.substr(0, 3) == "\xEF\xBB\xBF") rest.remove_prefix(3);
@@ -225,6 +261,7 @@ std::vector<NumberedRequest> read_queries(const std::string& file) {
   constexpr std::string_view kHeader = "q,sx,sy,stheta,gx,gy,gtheta";
   std::vector<NumberedRequest> queries;
   bool header_seen = false;
+  std::size_t turns = 0;  // headings beyond a full turn
   for (std::size_t line_number = 1; !rest.empty(); ++line_number) {
     const std::size_t end = rest.find('\n');
     const std::string_view line = trimmed(rest.substr(0, end));
@@ -249,7 +286,12 @@ std::vector<NumberedRequest> read_queries(const std::string& file) {
     const auto heading = [&](std::size_t column) { return parse_heading(fields[column], what(column)); };
     queries.push_back({parse_count(fields[0], what(0)),
                        {.start = {number(1), number(2), heading(3)}, .goal = {number(4), number(5), heading(6)}}});
+    for (const auto& [column, pose] : {std::pair{3, &queries.back().request.start}, {6, &queries.back().request.goal}})
+      if (std::string warning = heading_warning(what(static_cast<std::size_t>(column)), pose->heading);
+          !warning.empty() && turns++ == 0)
+        warnings.push_back(std::move(warning));
   }
+  if (turns > 1) warnings.back() += " " + count_text(turns - 1) + " more of this file are beyond a full turn";
   if (!header_seen) throw UsageError(file + ": no queries; expected the header " + std::string(kHeader));
   return queries;
 }

@@ -118,7 +118,8 @@ struct LoadedMap {
 struct MapOptions {
   bool lonlat = false, planar = false;
   std::string wall_width, curve_tolerance;
-  std::string cell, tolerance, unknown = "blocked";
+  std::string format, polygons = "blocked";
+  std::string cell, tolerance, unknown = "blocked", free_letters;
   bool swamp = false, open_frame = false;
   std::string task = "0", heading_seed = "1";
   /// @param map  what the help calls the file.
@@ -144,13 +145,20 @@ std::string feasible_row(const Planner& planner);
 /// Obstacles, vertices and size.
 std::string world_rows(const World& world);
 
+/// The question whether degrees were meant, of a heading beyond a full turn; empty for others.
+/// @param what  the heading is of.
+std::string heading_warning(std::string_view what, double heading);
+/// What is odd of a robot's measures, one sentence each.
+std::vector<std::string> vehicle_warnings(const Vehicle& vehicle);
+
 struct NumberedRequest {
   std::uint64_t q;
   PlanRequest request;
 };
 /// Reads queries with the columns q,sx,sy,stheta,gx,gy,gtheta; lines that start with # and blank lines are skipped.
+/// @param warnings  gets what may not mean what its author meant.
 /// @throws UsageError naming file, line and value.
-std::vector<NumberedRequest> read_queries(const std::string& file);
+std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<std::string>& warnings);
 
 /// Files of a command, written when all of their texts are ready: all of them whole, or none.
 class OutputFiles {

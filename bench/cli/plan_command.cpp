@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,9 +10,7 @@
 #include "bench/cli/plan_one.h"
 #include "bench/cli/plan_queries.h"
 #include "bench/cli/progress_bar.h"
-#include "core/geometry/angle.h"
 #include "core/planner.h"
-#include "core/shortest_text.h"
 #include "datasets/robot.h"
 
 namespace arcway::cli {
@@ -50,17 +47,16 @@ Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehic
 // Of poses that may not mean what their author meant.
 void warn_of_poses(const PlanArguments& arguments, const Pose& start, const TourRequest& request, LoadedMap& map) {
   const auto look = [&](const char* what, double heading) {
-    if (std::abs(heading) > kTwoPi)
-      map.warnings.push_back(std::string(what) + " heading is " + shortest_text(heading) +
-                             " rad, more than a full turn; degrees are written as 90deg");
+    if (std::string warning = heading_warning(what, heading); !warning.empty())
+      map.warnings.push_back(std::move(warning));
   };
-  look("start", start.heading);
+  if (!arguments.start.empty()) look("start", start.heading);  // the map's own have been looked at
   for (const Place& place : request.via)
     if (place.heading) look("via", *place.heading);
   for (const Place& place : request.goals)
-    if (place.heading) look("goal", *place.heading);
+    if (place.heading && !arguments.goals.empty()) look("goal", *place.heading);
   if (arguments.reading.lonlat && (!arguments.start.empty() || !arguments.goals.empty() || !arguments.via.empty()))
-    map.notes.push_back("--start, --goal and --via are metres from there, not degrees");
+    map.notes.push_back("--start, --goal and --via are meters from there, not degrees");
 }
 
 int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
@@ -76,7 +72,8 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   for (const std::string& via : arguments.via) request.via.push_back(parse_place(via, "--via"));
   for (const std::string& goal : arguments.goals) request.goals.push_back(parse_place(goal, "--goal"));
   std::vector<NumberedRequest> queries;
-  if (batch) queries = read_queries(arguments.queries);
+  std::vector<std::string> query_warnings;
+  if (batch) queries = read_queries(arguments.queries, query_warnings);
   for (NumberedRequest& query : queries) {
     query.request.reverse = arguments.reverse;
     query.request.cusp_cost = cusp_cost;
@@ -85,6 +82,8 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   LoadedMap map = load_map(arguments.map, arguments.reading);
   arguments.build.prepared = map.prepared.has_value();
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
+  for (const auto& warnings : {query_warnings, vehicle_warnings(vehicle)})
+    map.warnings.insert(map.warnings.end(), warnings.begin(), warnings.end());
   if (!batch) {
     if (!start) start = map.start;
     if (request.goals.empty() && map.goal) request.goals.push_back({map.goal->position(), map.goal->heading});

@@ -29,6 +29,8 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   LoadedMap map = load_map(arguments.map, arguments.reading);
   arguments.build.prepared = map.prepared.has_value();
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
+  if (arguments.kind == "feasible")
+    for (std::string& warning : vehicle_warnings(vehicle)) map.warnings.push_back(std::move(warning));
 
   const Stopwatch watch;
   const auto threads = arguments.build.executor();

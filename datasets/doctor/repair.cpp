@@ -25,6 +25,9 @@ namespace arcway {
 bool can_repair() { return false; }
 
 MapFile repaired(const MapFile&) { throw std::runtime_error("repair needs GEOS, and this was built without it"); }
+std::vector<Polygon> united(const std::vector<Polygon>&) {
+  throw std::runtime_error("the union of polygons needs GEOS, and this was built without it");
+}
 
 #else
 
@@ -159,6 +162,18 @@ MapFile united(const MapFile& map, double grid) {
 }  // namespace
 
 bool can_repair() { return true; }
+
+std::vector<Polygon> united(const std::vector<Polygon>& polygons) {
+  Geos geos;
+  std::vector<Geos::Geometry> parts;
+  for (const Polygon& polygon : polygons) parts.push_back(geos.valid_region(polygon));
+  std::vector<Polygon> result = geos.polygons(geos.united(std::move(parts), 0.0).get());
+  for (Polygon& polygon : result) {
+    drop_collinear(polygon.outer);
+    for (Ring& hole : polygon.holes) drop_collinear(hole);
+  }
+  return result;
+}
 
 MapFile repaired(const MapFile& map) {
   const MapFile clean = without_repetitions(map);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "datasets/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -14,5 +16,10 @@ bool can_repair();
 /// moved to a grid of about 1e-9 of the map's size. Start, goal, warnings and notes stay; places and curves go.
 /// @throws std::runtime_error without GEOS or if it fails; std::invalid_argument for coordinates that World refuses.
 MapFile repaired(const MapFile& map);
+
+/// The union of polygons, each made valid first, with outer rings and holes in any orientation.
+/// @param polygons  rings of at least three positions.
+/// @throws std::runtime_error without GEOS or if it fails.
+std::vector<Polygon> united(const std::vector<Polygon>& polygons);
 
 }  // namespace arcway

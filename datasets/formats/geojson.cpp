@@ -15,7 +15,7 @@ namespace {
 using detail::shown;
 using nlohmann::json;
 
-enum class Role { kObstacle, kBoundary, kStart, kGoal };
+enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal };
 
 constexpr int kMaxDepth = 32;  // of geometry collections
 
@@ -47,7 +47,7 @@ class Reader {
     } else if (type == "Feature") {
       read_feature(top);
     } else {
-      read_geometry(top, Role::kObstacle, nullptr, "geometry", 0);
+      read_geometry(top, Role::kUnstated, nullptr, "geometry", 0);
     }
   }
 
@@ -164,9 +164,10 @@ class Reader {
   }
 
   Role role_of(const json* properties, const std::string& place) {
-    if (properties == nullptr) return Role::kObstacle;
+    if (properties == nullptr) return Role::kUnstated;
     const auto role = properties->find("role");
-    if (role == properties->end() || role->is_null() || *role == "obstacle") return Role::kObstacle;
+    if (role == properties->end() || role->is_null()) return Role::kUnstated;
+    if (*role == "obstacle") return Role::kObstacle;
     if (*role == "boundary") return Role::kBoundary;
     if (*role == "start") return Role::kStart;
     if (*role == "goal") return Role::kGoal;
@@ -240,10 +241,11 @@ class Reader {
     if (rings.empty()) return;
     Polygon polygon;
     detail::VectorMapBuilder::Curves curves;
-    const int outer = role == Role::kBoundary ? -1 : 1;
+    const int outer = role == Role::kBoundary ? -1 : role == Role::kObstacle ? 1 : map_.outer_winding();
     polygon.outer = ring(rings[0], outer, place + ", ring 0", curves);
     for (std::size_t i = 1; i < rings.size(); ++i)
       polygon.holes.push_back(ring(rings[i], -outer, place + ", ring " + std::to_string(i), curves));
+    if (role == Role::kUnstated) return map_.add_polygon(std::move(polygon), place, std::move(curves));
     if (role == Role::kObstacle) return map_.add_obstacle(std::move(polygon), place, std::move(curves));
     map_.set_bounds(std::move(polygon), place, std::move(curves));
   }

@@ -26,6 +26,7 @@ std::optional<std::size_t> whole_number(std::string_view text) {
 }
 
 std::optional<Cell> cell_of(char c, const GridOptions& options) {
+  if (options.free_letters && options.free_letters->find(c) != std::string::npos) return Cell::kFree;
   switch (c) {
     case '.':
     case 'G':
@@ -33,40 +34,91 @@ std::optional<Cell> cell_of(char c, const GridOptions& options) {
     case 'S':
       return options.swamp_is_free ? Cell::kFree : Cell::kOccupied;
     case '@':
+    case '#':
     case 'O':
     case 'T':
     case 'W':
       return Cell::kOccupied;
     default:
-      return std::nullopt;
+      return options.free_letters ? std::optional(Cell::kOccupied) : std::nullopt;
   }
+}
+
+struct GridSize {
+  std::size_t height, width;
+};
+
+std::size_t size_after(TextScanner& scanner, std::string_view what) {
+  scanner.skip_blanks();
+  const TextScanner before = scanner;
+  const std::optional<std::size_t> value = whole_number(scanner.word(","));
+  if (!value || *value == 0) before.expected(std::string(what) + " as a whole number above 0");
+  return *value;
+}
+
+// `type octile`, `height h` and `width w` in any order, then `map`.
+GridSize read_header(TextScanner& scanner) {
+  std::optional<std::size_t> height, width;
+  while (true) {
+    scanner.skip_space();
+    const TextScanner before = scanner;
+    const std::string_view key = scanner.word();
+    if (key == "type") {
+      scanner.rest_of_line();
+    } else if (key == "height" && !height) {
+      height = size_after(scanner, "height");
+    } else if (key == "width" && !width) {
+      width = size_after(scanner, "width");
+    } else if (key == "map" && height && width) {
+      scanner.rest_of_line();
+      return {*height, *width};
+    } else {
+      before.expected(!height ? "\"height\"" : !width ? "\"width\"" : "\"map\"");
+    }
+  }
+}
+
+// `height,width`, as maps of warehouses have it, and lines of other counts.
+GridSize read_sizes(TextScanner& scanner) {
+  const std::size_t height = size_after(scanner, "height");
+  scanner.accept(',');
+  const std::size_t width = size_after(scanner, "width");
+  scanner.rest_of_line();
+  while (true) {
+    const TextScanner before = scanner;
+    const std::string_view line = scanner.rest_of_line();
+    if (line.size() != width && whole_number(line)) continue;
+    scanner = before;
+    return {height, width};
+  }
+}
+
+// Without a header: as many rows as there are, as wide as the first one.
+GridSize count_rows(TextScanner scanner) {
+  GridSize size{1, scanner.rest_of_line().size()};
+  while (!scanner.rest_of_line().empty()) ++size.height;
+  return size;
+}
+
+GridSize read_size(TextScanner& scanner) {
+  scanner.skip_space();
+  if (const char c = scanner.peek(); c >= '0' && c <= '9') return read_sizes(scanner);
+  TextScanner ahead = scanner;
+  const std::string_view word = ahead.word();
+  return word == "type" || word == "height" || word == "width" ? read_header(scanner) : count_rows(scanner);
 }
 
 }  // namespace
 
 OccupancyGrid read_movingai_map(std::string_view text, std::string_view name, const GridOptions& options) {
   TextScanner scanner(text, name);
-  const auto size = [&](std::string_view key) {
-    scanner.skip_space();
-    if (const TextScanner before = scanner; scanner.word() != key) before.expected("\"" + std::string(key) + "\"");
-    scanner.skip_blanks();
-    const TextScanner before = scanner;
-    const std::optional<std::size_t> value = whole_number(scanner.word());
-    if (!value || *value == 0) before.expected(std::string(key) + " as a whole number above 0");
-    return *value;
-  };
-  scanner.skip_space();
-  if (const TextScanner before = scanner; scanner.word() != "type") before.expected("\"type\"");
-  scanner.rest_of_line();
-
   OccupancyGrid grid;
-  grid.height = size("height");
-  grid.width = size("width");
-  if (grid.width > options.max_cells / grid.height)
-    scanner.fail(std::to_string(grid.width) + " x " + std::to_string(grid.height) + " cells; at most " +
+  const auto [height, width] = read_size(scanner);
+  grid.height = height;
+  grid.width = width;
+  if (width == 0 || width > options.max_cells / height)
+    scanner.fail(std::to_string(width) + " x " + std::to_string(height) + " cells; at most " +
                  std::to_string(options.max_cells) + " are read");
-  scanner.skip_space();
-  if (const TextScanner before = scanner; scanner.rest_of_line() != "map") before.expected("\"map\"");
   grid.cell_size = options.cell_size.value_or(1.0);
   for (std::size_t row = 0; row < grid.height; ++row) {
     if (scanner.at_end())
@@ -80,7 +132,8 @@ OccupancyGrid read_movingai_map(std::string_view text, std::string_view name, co
     for (std::size_t x = 0; x < grid.width; ++x) {
       const std::optional<Cell> cell = cell_of(line[x], options);
       if (!cell)
-        throw FormatError(place + ", column " + std::to_string(x + 1) + ": unknown cell " + quoted(line.substr(x, 1)));
+        throw FormatError(place + ", column " + std::to_string(x + 1) + ": unknown cell " + quoted(line.substr(x, 1)) +
+                          "; name the letters that are free with --free-letters, others are obstacles then");
       grid.cells[row * grid.width + x] = *cell;
     }
   }
@@ -94,9 +147,12 @@ std::vector<MovingAiTask> read_movingai_scenario(std::string_view text, std::str
   TextScanner scanner(text, name);
   scanner.skip_space();
   const TextScanner first = scanner;
-  if (const auto words = detail::split_at_blanks(scanner.rest_of_line());
-      words.size() != 2 || words[0] != "version" || (words[1] != "1" && words[1] != "1.0"))
+  const auto words = detail::split_at_blanks(scanner.rest_of_line());
+  if (words.size() >= 9) {
+    scanner = first;  // tasks without a line of their version
+  } else if (words.size() != 2 || words[0] != "version" || (words[1] != "1" && words[1] != "1.0")) {
     first.expected("\"version 1\"");
+  }
   std::vector<MovingAiTask> tasks;
   for (scanner.skip_space(); !scanner.at_end(); scanner.skip_space()) {
     const std::size_t line = scanner.line();

@@ -10,8 +10,9 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// Reads a map of the MovingAI benchmarks: `type octile`, height, width, `map`, then rows from the top. `.` and `G` are
-/// free, `S` if the options say so; `@`, `O`, `T`, `W` are occupied. One cell is one metre unless the options say
+/// Reads a map of the MovingAI benchmarks: `type octile`, height and width in either order, `map`, then rows from the
+/// top. The header may be `height,width` and lines of other counts, or missing. `.` and `G` are free, `S` and other
+/// letters if the options say so; `@`, `#`, `O`, `T`, `W` are occupied. One cell is one metre unless the options say
 /// otherwise.
 /// @param name  of the source, for messages.
 /// @throws FormatError, "a.map: line 7, column 3: unknown cell "x"".

@@ -10,12 +10,16 @@
 #include "core/shortest_text.h"
 #include "datasets/file_io.h"
 #include "datasets/formats/text_scanner.h"
+#include "datasets/nearest_word.h"
 #include "datasets/number_text.h"
 
 namespace arcway {
 namespace {
 
 constexpr std::size_t kLargestFile = 1 << 16;  // a map has ten lines
+// Those of map_server, and what other files beside it say of themselves.
+constexpr std::string_view kKeys[] = {"image",       "resolution", "origin",  "negate", "occupied_thresh",
+                                      "free_thresh", "mode",       "version", "name"};
 
 /// A node of the document and what it is called.
 class Place {
@@ -72,7 +76,15 @@ RosMap parse(std::string_view yaml, std::string_view name) {
   if (!document.IsMap()) throw FormatError(std::string(name) + ": expected keys and values as image: map.pgm");
   const auto place = [&](const char* key) {
     const YAML::Node node = document[key];
-    if (!node) throw FormatError(std::string(name) + ": missing key \"" + key + "\"");
+    if (!node) {
+      std::vector<std::string> keys;
+      for (const auto& entry : document)
+        if (entry.first.IsScalar()) keys.push_back(entry.first.Scalar());
+      const std::vector<std::string_view> views(keys.begin(), keys.end());
+      const std::string_view nearest = nearest_word(key, views);
+      throw FormatError(std::string(name) + ": missing key \"" + key + "\"" +
+                        (nearest.empty() ? "" : "; is it meant by " + detail::quoted(nearest) + "?"));
+    }
     return Place(node, name, key);
   };
   RosMap map;
@@ -95,6 +107,11 @@ RosMap parse(std::string_view yaml, std::string_view name) {
     } else {
       place("mode").expected("trinary, scale or raw");
     }
+  }
+  for (const auto& entry : document) {
+    if (!entry.first.IsScalar()) continue;
+    const std::string& key = entry.first.Scalar();
+    if (std::ranges::find(kKeys, std::string_view(key)) == std::end(kKeys)) map.unread_keys.push_back(key);
   }
   return map;
 }
@@ -146,6 +163,11 @@ OccupancyGrid to_grid(const RosMap& map, const GreyImage& image, std::string_vie
     warnings.push_back(std::string(name) +
                        ": grey 205, by which maps mark the unknown, reads as free with free_thresh " +
                        shortest_text(map.free_thresh) + "; 0.196 keeps it unknown");
+  for (const std::string& key : map.unread_keys) {
+    const std::string_view nearest = nearest_word(key, kKeys);
+    warnings.push_back(std::string(name) + ": key " + detail::quoted(key) + " is not read" +
+                       (nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?"));
+  }
   if (map.origin.heading != 0.0)
     warnings.push_back(std::string(name) + ": the map is turned by " + shortest_text(map.origin.heading) +
                        " rad, which many programs ignore");

@@ -18,6 +18,7 @@ struct RosMap {
   bool negate = false;       ///< white is occupied
   double occupied_thresh = 0.65, free_thresh = 0.196;
   enum class Mode { kTrinary, kScale, kRaw } mode = Mode::kTrinary;
+  std::vector<std::string> unread_keys;  ///< of the file, which are not known here
 };
 
 /// Reads the YAML file: image, resolution, origin, negate, occupied_thresh and free_thresh are required; mode is not.

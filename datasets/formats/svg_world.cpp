@@ -36,7 +36,9 @@ struct Transform {
 class Reader {
  public:
   Reader(std::string_view text, std::string_view name, const VectorOptions& options)
-      : text_(text), map_(name, {.curve_tolerance = options.curve_tolerance}) {
+      : text_(text),
+        map_(name, {.free_polygons = options.free_polygons, .curve_tolerance = options.curve_tolerance}),
+        view_is_bounds_(!options.free_polygons) {
     for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
       line_ends_.push_back(static_cast<std::ptrdiff_t>(at));
   }
@@ -50,7 +52,7 @@ class Reader {
       map_.fail("line " + std::to_string(line_of(root.offset_debug())),
                 "expected <svg>, found <" + std::string(root.name()) + ">");
     style_.emplace(root);
-    read_bounds(root);
+    if (view_is_bounds_) read_bounds(root);
     if (style_->display(root) == detail::SvgStyle::Display::kNone) {
       hidden_ += count_paths(root);
     } else {
@@ -202,7 +204,7 @@ class Reader {
 
   void add_subpaths(std::vector<detail::SvgSubpath>& subpaths, const std::string& place) {
     std::vector<Ring> rings;
-    for (detail::SvgSubpath& subpath : subpaths) rings.push_back(ring(subpath, 1, place));
+    for (detail::SvgSubpath& subpath : subpaths) rings.push_back(ring(subpath, map_.outer_winding(), place));
     std::vector<std::vector<bool>> inside(rings.size(), std::vector<bool>(rings.size(), false));
     std::vector<std::size_t> depth(rings.size(), 0);
     for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -218,10 +220,10 @@ class Reader {
       detail::VectorMapBuilder::Curves curves{curve_of(subpaths[i])};
       for (std::size_t k = 0; k < rings.size(); ++k) {
         if (!inside[k][i] || depth[k] != depth[i] + 1) continue;
-        polygon.holes.push_back(ring(subpaths[k], -1, place));
+        polygon.holes.push_back(ring(subpaths[k], -map_.outer_winding(), place));
         curves.push_back(curve_of(subpaths[k]));
       }
-      map_.add_obstacle(std::move(polygon), place, std::move(curves));
+      map_.add_polygon(std::move(polygon), place, std::move(curves));
     }
   }
 
@@ -274,6 +276,7 @@ class Reader {
   std::size_t hidden_ = 0;  // shapes
   std::size_t closed_ = 0;  // outlines whose end was not quite at their beginning
   detail::VectorMapBuilder map_;
+  bool view_is_bounds_;  // not where what is drawn is free space
 };
 
 }  // namespace

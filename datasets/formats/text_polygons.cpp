@@ -16,14 +16,19 @@ MapFile read_text_polygons(std::string_view text, std::string_view name, const V
     }
     const std::string place = "line " + std::to_string(scanner.line());
     Ring positions;
+    const auto skip_separator = [&] {
+      scanner.skip_blanks();
+      if (!scanner.accept(',')) scanner.accept(';');
+      scanner.skip_blanks();
+    };
     do {
       const double x = scanner.number("a number");
-      scanner.skip_blanks();
+      skip_separator();
       const double y = scanner.number("a number, as positions are x y");
       positions.emplace_back(x, y);
-      scanner.skip_blanks();
+      skip_separator();
     } while (!scanner.at_end() && scanner.peek() != '\n');
-    map.add_obstacle({map.ring(std::move(positions), /*closed=*/false, place), {}}, place);
+    map.add_polygon({map.ring(std::move(positions), /*closed=*/false, place), {}}, place);
   }
   return map.finish();
 }

@@ -7,7 +7,8 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// Reads plain text: one polygon a line as `x y x y ...`, not closed, in either orientation. Blank lines and lines that
+/// Reads plain text: one polygon a line as `x y x y ...`, not closed, in either orientation; a comma or
+/// semicolon may stand between any two numbers. Blank lines and lines that
 /// begin with # are skipped.
 /// @param name  of the source, for messages.
 /// @throws FormatError, "map.txt: line 3: expected a number, found "x"".

@@ -69,6 +69,11 @@ void VectorMapBuilder::add_obstacle(Polygon polygon, std::string place, Curves c
   map_.places.push_back(std::move(place));
 }
 
+void VectorMapBuilder::add_polygon(Polygon polygon, std::string place, Curves curves) {
+  if (!options_.free_polygons) return add_obstacle(std::move(polygon), std::move(place), std::move(curves));
+  free_.push_back({std::move(polygon), std::move(place), std::move(curves)});
+}
+
 void VectorMapBuilder::set_bounds(Polygon free_space, const std::string& place, Curves curves) {
   if (map_.bounds) fail(place, "second bounds; the first are in " + map_.bounds_place);
   map_.bounds = std::move(free_space.outer);
@@ -93,7 +98,12 @@ void VectorMapBuilder::pass_over(const std::string& place, std::string_view type
 }
 
 MapFile VectorMapBuilder::finish() {
+  for (const auto& [what, pose] : {std::pair{"start", &map_.start}, {"goal", &map_.goal}})
+    if (*pose && std::abs((*pose)->heading) > kTwoPi)
+      warn(what, "heading is " + shortest_text((*pose)->heading) + " rad, more than a full turn: are these degrees? " +
+                     "Headings of files are in radians");
   settle_coordinates();
+  enclose_free_space();
   add_walls();
   if (passed_over_ > 0) {
     const std::string which =

@@ -22,6 +22,9 @@ struct VectorOptions {
   bool lonlat = false;
   /// Coordinates are meters, whatever the file says of them or they look like.
   bool planar = false;
+  /// Polygons without a role of their own are free space, and all around them is blocked: their union is what is free.
+  /// Several that touch or overlap are united by GEOS if it was found when building; otherwise they must be disjoint.
+  bool free_polygons = false;
   /// Above 0, line strings are walls of this width with square ends [m]; otherwise they are passed over with a warning.
   double wall_width = 0.0;
   /// Smooth outlines become rings that contain the obstacle, nowhere farther from it than this [m], > 0. At most a
@@ -51,6 +54,10 @@ class VectorMapBuilder {
   /// The curve of each ring, outer ring first; empty for none. Nothing: no curves.
   using Curves = std::vector<std::vector<CubicBezier>>;
   void add_obstacle(Polygon polygon, std::string place, Curves curves = {});
+  /// A polygon that the file says nothing of: an obstacle, or free space, as the options say.
+  void add_polygon(Polygon polygon, std::string place, Curves curves = {});
+  /// The winding of the outer ring of such a polygon that has blocked ground on the left, for curved_ring.
+  [[nodiscard]] int outer_winding() const { return options_.free_polygons ? -1 : 1; }
   /// The outer ring is the bounds, the holes are obstacles.
   /// @throws FormatError if there are bounds already.
   void set_bounds(Polygon free_space, const std::string& place, Curves curves = {});
@@ -70,6 +77,14 @@ class VectorMapBuilder {
   MapFile finish();
 
  private:
+  struct FreePolygon {
+    Polygon polygon;
+    std::string place;
+    Curves curves;
+  };
+  template <class Visit>
+  void visit_positions(Visit visit);
+  void enclose_free_space();  // in free_space.cpp
   void settle_coordinates();  // in vector_map_coordinates.cpp, as what follows
   void warn_of_system(const Box& box);
   void project();
@@ -81,6 +96,7 @@ class VectorMapBuilder {
   std::string system_;                         // as the file names it
   std::optional<CoordinateUnit> system_unit_;  // none if the file says nothing
   std::vector<std::pair<std::vector<Vec2>, std::string>> lines_;
+  std::vector<FreePolygon> free_;
   std::size_t curve_vertices_ = 0;
   std::size_t passed_over_ = 0;
   bool passes_lines_ = false;  // lines among them

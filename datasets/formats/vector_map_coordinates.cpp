@@ -13,27 +13,6 @@
 namespace arcway::detail {
 namespace {
 
-// Calls `visit` with every position of the map.
-template <class Visit>
-void visit_positions(MapFile& map, std::vector<std::pair<std::vector<Vec2>, std::string>>& lines, Visit visit) {
-  const auto ring = [&](Ring& positions) {
-    for (Vec2& p : positions) visit(p);
-  };
-  for (Polygon& polygon : map.obstacles) {
-    ring(polygon.outer);
-    for (Ring& hole : polygon.holes) ring(hole);
-  }
-  for (auto& [positions, place] : lines) ring(positions);
-  if (map.bounds) ring(*map.bounds);
-  for (std::optional<Pose>* pose : {&map.start, &map.goal}) {
-    if (!*pose) continue;
-    Vec2 p = (*pose)->position();
-    visit(p);
-    (*pose)->x = p.x();
-    (*pose)->y = p.y();
-  }
-}
-
 std::string lonlat_text(const Vec2& p) { return "(" + shortest_text(p.x()) + ", " + shortest_text(p.y()) + ")"; }
 
 // The middle of longitudes and latitudes. Longitudes are a circle: of the two boxes cut at 180 and at 0 degrees the
@@ -61,6 +40,29 @@ class GlobeBox {
 
 }  // namespace
 
+// Calls `visit` with every position of the map.
+template <class Visit>
+void VectorMapBuilder::visit_positions(Visit visit) {
+  const auto polygon = [&](Polygon& p) {
+    for (Vec2& position : p.outer) visit(position);
+    for (Ring& hole : p.holes)
+      for (Vec2& position : hole) visit(position);
+  };
+  for (Polygon& obstacle : map_.obstacles) polygon(obstacle);
+  for (FreePolygon& free : free_) polygon(free.polygon);
+  for (auto& [positions, place] : lines_)
+    for (Vec2& position : positions) visit(position);
+  if (map_.bounds)
+    for (Vec2& position : *map_.bounds) visit(position);
+  for (std::optional<Pose>* pose : {&map_.start, &map_.goal}) {
+    if (!*pose) continue;
+    Vec2 p = (*pose)->position();
+    visit(p);
+    (*pose)->x = p.x();
+    (*pose)->y = p.y();
+  }
+}
+
 void VectorMapBuilder::set_system(std::string_view name) {
   system_ = name;
   system_unit_ = coordinate_unit(name);
@@ -71,7 +73,7 @@ void VectorMapBuilder::settle_coordinates() {
   if (options_.lonlat) return project();
   if (options_.planar) return;
   Box box;
-  visit_positions(map_, lines_, [&](const Vec2& p) { box.extend(p); });
+  visit_positions([&](const Vec2& p) { box.extend(p); });
   if (system_unit_) return warn_of_system(box);
   map_.frame = CoordinateFrame::kUnstated;
   if (looks_like_degrees(box))
@@ -125,7 +127,7 @@ void VectorMapBuilder::project() {
                  (system_.empty() ? "" : " (" + detail::quoted(system_) + ")") +
                  ", not degrees of longitude and latitude; leave out --lonlat");
   GlobeBox box;
-  visit_positions(map_, lines_, [&](Vec2& p) {
+  visit_positions([&](Vec2& p) {
     if (unit == CoordinateUnit::kWebMercator) p = {web_mercator_longitude(p.x()), web_mercator_latitude(p.y())};
     if (std::abs(p.y()) > 90.0 && std::abs(p.x()) <= 90.0)
       fail("", lonlat_text(p) + " is no longitude and latitude in degrees; longitude comes first");
@@ -137,7 +139,7 @@ void VectorMapBuilder::project() {
   const Vec2 middle = box.middle();
   const AzimuthalPlane plane(middle.x(), middle.y());
   double reach = 0.0;
-  visit_positions(map_, lines_, [&](Vec2& p) {
+  visit_positions([&](Vec2& p) {
     if (!plane.reaches(p.x(), p.y()))
       fail("", lonlat_text(p) + " lies more than a quarter of the globe from the middle of the map at " +
                    lonlat_text(middle) + "; no plane shows both");

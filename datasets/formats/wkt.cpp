@@ -146,7 +146,7 @@ class Reader {
       Ring ring = map_.ring(positions(), /*closed=*/true, place + ", ring " + std::to_string(rings));
       (rings++ == 0 ? polygon.outer : polygon.holes.emplace_back()) = std::move(ring);
     });
-    if (rings > 0) map_.add_obstacle(std::move(polygon), place);
+    if (rings > 0) map_.add_polygon(std::move(polygon), place);
   }
 
   using TextScanner = detail::TextScanner;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/path/path.h"
@@ -34,7 +35,10 @@ struct GridOptions {
   std::optional<double> cell_size{};
   bool unknown_is_free = false;  ///< otherwise unknown cells are obstacles
   bool swamp_is_free = false;    ///< cells S of MovingAI maps; otherwise they are obstacles
-  bool walled = true;            ///< nothing is free beyond the frame of the grid
+  /// Letters of MovingAI maps that are free beside `.` and `G`; then those that are not known are obstacles. None:
+  /// letters that are not known are errors.
+  std::optional<std::string> free_letters{};
+  bool walled = true;  ///< nothing is free beyond the frame of the grid
   /// Obstacles may grow by this many cells where that saves corners; never do they shrink. 0: only what lies on a line.
   double tolerance = 0.0;
   /// Files of more cells are refused.

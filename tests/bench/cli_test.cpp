@@ -113,6 +113,21 @@ TEST_F(Tool, ReadsGridsAsToldTo) {
   EXPECT_EQ(read("h.geojson").find("boundary"), std::string::npos);
 }
 
+TEST_F(Tool, ReadsMapsAsToldTo) {
+  const std::string hall =
+      put("hall.wkt", "POLYGON ((0 0, 60 0, 60 60, 0 60, 0 0), (20 20, 40 20, 40 40, 20 40, 20 20))");
+  EXPECT_EQ(run("plan " + hall + kAround).code, 1);
+  EXPECT_EQ(run("plan " + hall + kAround + " --polygons free").code, 0);
+  EXPECT_EQ(run("graph " + hall + " --polygons free").code, 0);
+  EXPECT_NE(run("doctor " + hall + " --polygons free").out.find("1 polygon of free space"), std::string::npos);
+  expect_bad_input("plan " + hall + kAround + " --polygons open", "--polygons: expected blocked or free");
+  expect_bad_input("plan " + hall + kAround + " --format wtk", "unknown format \"wtk\", did you mean \"wkt\"?");
+  expect_bad_input("plan " + hall + kAround + " --format svg", "hall.wkt");
+  EXPECT_EQ(run("doctor " + put("l.map", "1,3\n.E.\n") + " --free-letters E").code, 0);
+  expect_bad_input("doctor " + file("l.map"), "--free-letters");
+  expect_bad_input("plan " + hall + kAround + " --lonlat --planar", "--planar");
+}
+
 TEST_F(Tool, DrivesBackwardsOnlyWhereAllowed) {
   const std::string plan = "plan " + map_ + " --start 10,10,0 --goal 5,10,0 --json " + file("p.json");
   ASSERT_EQ(run(plan).code, 0);
@@ -426,6 +441,30 @@ TEST_F(Tool, AFileThatCannotBeWrittenIsBadInput) {
                    "cannot make folder " + map_ + ": ");
 }
 
+TEST_F(Tool, AsksWhetherARobotsMeasuresAreMeant) {
+  const auto out_of = [&](const std::string& measures) {
+    return run("plan " + map_ + kAround + " --robot " +
+               put("r.json", R"({"format":"arcway-robot","version":1,)" + measures + "}"))
+        .out;
+  };
+  EXPECT_NE(out_of(R"("length":1,"width":0.5,"wheelbase":2)").find("are length and wheelbase swapped?"),
+            std::string::npos);
+  EXPECT_NE(out_of(R"("length":6,"width":0.5,"wheelbase":1)").find("reaches 2.5 m beyond each axle"),
+            std::string::npos);
+  EXPECT_EQ(out_of(R"("length":4.5,"width":1.8,"wheelbase":2.7)").find("wheelbase"), std::string::npos);
+}
+
+TEST_F(Tool, APoseInCollisionNamesObstaclePlaceAndTheNearestFreePose) {
+  const Run start = run("plan " + map_ + " --start 19.5,30,0 --goal 50,50,0");
+  EXPECT_EQ(start.code, 1);
+  EXPECT_NE(start.out.find("collides with obstacle 0 at (20, 30); the nearest free pose found is (19.5"),
+            std::string::npos)
+      << start.out;
+  const Run goal = run("plan " + map_ + " --start 10,10,0 --goal 70,50,0");
+  EXPECT_NE(goal.out.find("lies outside the bounds"), std::string::npos) << goal.out;
+  EXPECT_NE(goal.out.find("no free pose was found within 3.4"), std::string::npos) << goal.out;
+}
+
 TEST_F(Tool, RefusesEmptyValues) {
   for (const char* option : {"--robot", "--svg", "--json", "--via", "--time-limit", "--task"})
     expect_bad_input("plan " + map_ + kAround + " " + option + " ''", std::string(option) + ": its value is empty");
@@ -479,13 +518,17 @@ TEST_F(Tool, GeneratesDrivenWorldsWithTheirRobotAndDrive) {
 
 TEST_F(Tool, WarnsOfDegrees) {
   const Run plan = run("plan " + map_ + " --start 10,10,0 --goal 50,50,90");
-  EXPECT_NE(plan.out.find("goal heading is 90 rad, more than a full turn; degrees are written as 90deg"),
-            std::string::npos)
+  EXPECT_NE(plan.out.find("goal heading is 90 rad, more than a full turn: did you mean 90deg?"), std::string::npos)
       << plan.out;
   EXPECT_EQ(run("plan " + map_ + " --start 10,10,0 --goal 50,50,90deg").out.find("full turn"), std::string::npos);
+  const std::string queries = put("q.csv", "q,sx,sy,stheta,gx,gy,gtheta\n0,10,10,0,50,50,90\n1,10,10,45,50,50,0\n");
+  const Run batch = run("plan " + map_ + " --queries " + queries + " --out " + file("r.csv"));
+  EXPECT_NE(batch.out.find("q.csv:2: gtheta heading is 90 rad, more than a full turn: did you mean 90deg? 1 more of"),
+            std::string::npos)
+      << batch.out;
   const std::string map =
       put("ll.geojson", R"({"type":"Polygon","coordinates":[[[6,50],[6.001,50],[6.001,50.001],[6,50]]]})");
-  EXPECT_NE(run("plan " + map + " --lonlat --start=-90,0,0 --goal=-90,40,0").out.find("metres from there"),
+  EXPECT_NE(run("plan " + map + " --lonlat --start=-90,0,0 --goal=-90,40,0").out.find("meters from there"),
             std::string::npos);
   ASSERT_EQ(run("prepare " + map + " --lonlat --out " + file("ll.arcway")).code, 0);
   expect_bad_input("change " + file("ll.arcway") + " --add " + map + " --lonlat --out " + file("m.arcway"),

@@ -11,6 +11,7 @@
 #include "datasets/formats/svg_world.h"
 #include "datasets/formats/text_polygons.h"
 #include "datasets/formats/tpcap.h"
+#include "datasets/formats/vertex_list.h"
 #include "datasets/formats/wkt.h"
 #include "datasets/grid/grid_map.h"
 #include "datasets/gzip.h"
@@ -42,11 +43,18 @@ void use(const GreyImage& image) {
 void geojson(std::string_view bytes) {
   use(read_geojson(bytes, kName, {.wall_width = 0.5}));
   use(read_geojson(bytes, kName, {.lonlat = true}));
+  use(read_geojson(bytes, kName, {.free_polygons = true}));
 }
-void wkt(std::string_view bytes) { use(read_wkt(bytes, kName, {.wall_width = 0.5})); }
+void wkt(std::string_view bytes) {
+  use(read_wkt(bytes, kName, {.wall_width = 0.5}));
+  use(read_wkt(bytes, kName, {.lonlat = true, .free_polygons = true}));
+}
+void vertex_list(std::string_view bytes) { use(read_vertex_list(bytes, kName)); }
 void text_polygons(std::string_view bytes) { use(read_text_polygons(bytes, kName)); }
 void tpcap(std::string_view bytes) { use(read_tpcap(bytes, kName)); }
-void movingai_map(std::string_view bytes) { use(read_movingai_map(bytes, kName, {.max_cells = kMaxCells})); }
+void movingai_map(std::string_view bytes) {
+  use(read_movingai_map(bytes, kName, {.free_letters = "E", .max_cells = kMaxCells}));
+}
 void movingai_scenario(std::string_view bytes) { static_cast<void>(read_movingai_scenario(bytes, kName)); }
 void pgm(std::string_view bytes) { use(read_pgm(bytes, kName, kMaxCells)); }
 void png(std::string_view bytes) { use(read_png(bytes, kName, kMaxCells)); }
@@ -85,6 +93,7 @@ constexpr FuzzTarget kTargets[] = {
     {"geojson", geojson},
     {"wkt", wkt},
     {"text_polygons", text_polygons},
+    {"vertex_list", vertex_list},
     {"tpcap", tpcap},
     {"movingai_map", movingai_map},
     {"movingai_scenario", movingai_scenario},

@@ -233,6 +233,20 @@ TEST(GeoJson, ReadsMapsAcrossTheAntimeridianAndOfWebMercator) {
                FormatError);
 }
 
+TEST(GeoJson, PolygonsWithoutARoleAreFreeSpaceWhenAsked) {
+  const std::string hall = polygon("[[0,0],[90,0],[90,90],[0,90],[0,0]],[[5,5],[5,6],[6,6],[5,5]]");
+  const std::string crate = feature(polygon("[[20,20],[30,20],[30,30],[20,20]]"), R"({"role":"obstacle"})");
+  const MapFile map = read_geojson(collection(feature(hall) + "," + crate), "w", {.free_polygons = true});
+  ASSERT_TRUE(map.bounds);
+  EXPECT_EQ(map.bounds->size(), 4u);
+  EXPECT_EQ(map.obstacles.size(), 2u);
+  EXPECT_NE(test::format_error_of([&] {
+              read_geojson(collection(feature(hall), R"("properties":{"bounds":[0,0,9,9]},)"), "w",
+                           {.free_polygons = true});
+            }).find("and there are bounds in properties.bounds"),
+            std::string::npos);
+}
+
 TEST(GeoJson, WarnsOfPropertiesThatItDoesNotRead) {
   const auto map_of = [](const std::string& properties) {
     return read(collection(feature(polygon(kSquare), properties) + "," + feature(polygon(kSquare), properties)));

@@ -26,8 +26,10 @@ TEST(MovingAi, RowsAreFromTheTop) {
 }
 
 TEST(MovingAi, MapErrorsNameThePlace) {
-  EXPECT_EQ(map_error("type octile\nheight 2\nwidth 3\nmap\n...\n.x.\n"),
-            "a.map: line 6, column 2: unknown cell \"x\"");
+  EXPECT_EQ(
+      map_error("type octile\nheight 2\nwidth 3\nmap\n...\n.x.\n"),
+      "a.map: line 6, column 2: unknown cell \"x\"; name the letters that are free with --free-letters, others are "
+      "obstacles then");
   EXPECT_EQ(map_error("type octile\nheight 2\nwidth 3\nmap\n...\n..\n"), "a.map: line 6: expected 3 cells, found 2");
   EXPECT_EQ(map_error("type octile\nheight 2\nwidth 3\nmap\n...\n"), "a.map: line 6: the map ends after 1 of 2 rows");
   EXPECT_EQ(map_error("type octile\nheight 2\nwidth -3\nmap\n...\n"),
@@ -36,6 +38,27 @@ TEST(MovingAi, MapErrorsNameThePlace) {
             "a.map: line 6: expected the end of the file after 1 rows, found \"...\"");
   EXPECT_NE(map_error("type octile\nheight 4294967296\nwidth 4294967297\nmap\n").find("at most 100000000"),
             std::string::npos);
+}
+
+TEST(MovingAi, HeadersVary) {
+  const std::string rows = "..e@\n.@T.\n";
+  const GridOptions options{.free_letters = "e"};
+  const OccupancyGrid grid = read_movingai_map("type octile\nheight 2\nwidth 4\nmap\n" + rows, "a.map", options);
+  for (const char* header :
+       {"type octile\nwidth 4\nheight 2\nmap\n", "height 2\nwidth 4\nmap\n", "2,4\n", "2 4\n", "2,4\r\n7\n12\n", ""}) {
+    const OccupancyGrid other = read_movingai_map(header + rows, "a.map", options);
+    EXPECT_EQ(other.cells, grid.cells) << header;
+    EXPECT_EQ(other.width, 4u) << header;
+  }
+  EXPECT_NE(map_error("type octile\nheight 2\nheight 2\nmap\n").find("line 3: expected \"width\""), std::string::npos);
+  EXPECT_NE(map_error("").find("at most"), std::string::npos);
+}
+
+TEST(MovingAi, LettersAreFreeOrObstaclesAsTold) {
+  const std::string text = "type octile\nheight 1\nwidth 6\nmap\n.eXS#@\n";
+  const Cell f = Cell::kFree, b = Cell::kOccupied;
+  EXPECT_EQ(read_movingai_map(text, "a", {.free_letters = "e"}).cells, (std::vector<Cell>{f, f, b, b, b, b}));
+  EXPECT_EQ(read_movingai_map(text, "a", {.free_letters = "SX"}).cells, (std::vector<Cell>{f, b, f, f, b, b}));
 }
 
 TEST(MovingAi, ReadsTasks) {

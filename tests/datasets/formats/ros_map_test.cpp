@@ -65,8 +65,23 @@ TEST(RosMap, ErrorsNameLineAndValue) {
   EXPECT_EQ(error_of(with("negate", "maybe")), "a.yaml: line 4: negate: expected 0, 1, true or false, found \"maybe\"");
   EXPECT_EQ(error_of(with("mode", "shades")), "a.yaml: line 7: mode: expected trinary, scale or raw, found \"shades\"");
   EXPECT_EQ(error_of("image: a.pgm\n"), "a.yaml: missing key \"resolution\"");
+  EXPECT_EQ(error_of("image: a.pgm\nresolutoin: 1\n"),
+            "a.yaml: missing key \"resolution\"; is it meant by \"resolutoin\"?");
   EXPECT_NE(error_of("image: [\n"), "no error");
   EXPECT_NE(error_of("just words"), "no error");
+}
+
+TEST(RosMap, NamesKeysThatItDoesNotRead) {
+  const RosMap map = read_ros_map(std::string(kYaml) + "version: 1\nmod: raw\nfloor: 3\n", "a.yaml");
+  std::vector<std::string> warnings;
+  to_grid(map, image_of({0}, 1), "a.yaml", warnings);
+  EXPECT_EQ(warnings, (std::vector<std::string>{"a.yaml: key \"mod\" is not read; did you mean \"mode\"?",
+                                                "a.yaml: key \"floor\" is not read"}));
+  EXPECT_EQ(read_ros_map("{image: m.pgm, resolution: 0.05, origin: [0,0,0], negate: 0, occupied_thresh: 0.65, "
+                         "free_thresh: 0.196}",
+                         "a")
+                .resolution,
+            0.05);
 }
 
 TEST(RosMap, ThresholdsDecide) {

@@ -160,6 +160,12 @@ TEST(SvgWorld, RulesHideShapes) {
   EXPECT_NE(map.warnings.at(0).find("is not understood; what it may hide is kept"), std::string::npos);
 }
 
+TEST(SvgWorld, PathsAreFreeSpaceWhenAsked) {
+  const MapFile map = read_svg_world(path("M0 0H9V9H0Z M1 1h2v2h-2z"), "w.svg", {.free_polygons = true});
+  EXPECT_EQ(map.bounds, (Ring{{0, 0}, {9, 0}, {9, -9}, {0, -9}}));
+  EXPECT_EQ(map.obstacles.size(), 1u);
+}
+
 TEST(SvgWorld, PassesOverWhatIsDrawnElsewhereOnly) {
   EXPECT_EQ(read(svg("<clipPath><path d='M1 0h1v1z'/></clipPath><symbol><rect/></symbol>" + std::string(kPath)))
                 .obstacles.size(),

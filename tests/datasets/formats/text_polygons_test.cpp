@@ -20,6 +20,14 @@ TEST(TextPolygons, ReadsOnePolygonALine) {
   EXPECT_TRUE(map.warnings.empty());
 }
 
+TEST(TextPolygons, CommasMayStandBetweenNumbers) {
+  for (const char* text : {"0,0 4,0 4,4", "0,0,4,0,4,4", "0, 0; 4, 0; 4, 4\n", "0 0, 4 0, 4 4"}) {
+    const MapFile map = read_text_polygons(text, "map.txt");
+    ASSERT_EQ(map.obstacles.size(), 1u) << text;
+    EXPECT_EQ(map.obstacles[0].outer, (Ring{{0, 0}, {4, 0}, {4, 4}})) << text;
+  }
+}
+
 TEST(TextPolygons, ErrorsNameLineAndValue) {
   EXPECT_EQ(error_of("0 0 1 0 1 1\n0 0 1 0 1\n"),
             "map.txt: line 2: expected a number, as positions are x y, found the end of the line");

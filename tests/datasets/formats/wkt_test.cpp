@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/polygon.h"
+#include "datasets/doctor/repair.h"
 #include "tests/support/format_errors.h"
 
 namespace arcway {
@@ -56,6 +58,35 @@ TEST(Wkt, LineStringsAreWallsWhenAsked) {
   const MapFile walls = read(text, {.wall_width = 2.0});
   ASSERT_EQ(walls.obstacles.size(), 2u);
   EXPECT_EQ(walls.obstacles[0].outer, (Ring{{-1, -1}, {11, -1}, {11, 1}, {-1, 1}}));
+}
+
+TEST(Wkt, PolygonsAreFreeSpaceWhenAsked) {
+  const VectorOptions free{.free_polygons = true};
+  const std::string hall = "POLYGON ((0 0, 20 0, 20 10, 0 10, 0 0), (9 1, 11 1, 11 6, 9 6, 9 1))";
+  const MapFile one = read("GEOMETRYCOLLECTION (" + hall + ")", free);
+  EXPECT_EQ(one.bounds, (Ring{{0, 0}, {20, 0}, {20, 10}, {0, 10}}));
+  ASSERT_EQ(one.obstacles.size(), 1u);
+  EXPECT_EQ(one.obstacles[0].outer, (Ring{{9, 1}, {11, 1}, {11, 6}, {9, 6}}));
+
+  // Where a point is free: in one of the rooms and not on the island in the first.
+  const auto is_free = [](const World& world, const Vec2& p) {
+    for (ObstacleId o = 0; o < world.region_count(); ++o)
+      if (world.locate(p, o) != PointLocation::kOutside) return false;
+    return true;
+  };
+  const World apart = to_world(read(hall + "\nPOLYGON ((30 0, 40 0, 40 10, 30 10, 30 0))", free), "apart");
+  EXPECT_TRUE(apart.has_bounds());
+  for (const Vec2& p : {Vec2(1, 1), Vec2(35, 5), Vec2(10, 8)}) EXPECT_TRUE(is_free(apart, p)) << p;
+  for (const Vec2& p : {Vec2(25, 5), Vec2(10, 3), Vec2(-0.5, 5), Vec2(41.5, 5), Vec2(60, 60)})
+    EXPECT_FALSE(is_free(apart, p)) << p;
+  if (can_repair()) {  // rooms that share a wall are one
+    const MapFile joined = read(hall + "\nPOLYGON ((20 0, 30 0, 30 10, 20 10, 20 0))", free);
+    ASSERT_TRUE(joined.bounds);
+    EXPECT_EQ(joined.bounds->size(), 4u);
+    EXPECT_EQ(joined.obstacles.size(), 1u);
+  }
+  EXPECT_NE(test::format_error_of([&] { read("POINT (1 2)", free); }).find("no polygons"), std::string::npos);
+  EXPECT_THROW(read("POLYGON EMPTY", free), FormatError);
 }
 
 TEST(Wkt, ProjectsDegrees) {
