@@ -178,7 +178,11 @@ MapFile read_named_map(const std::string& name, const MapOptions& options, bool 
 LoadedMap load_map(const std::string& name, const MapOptions& options) {
   if (is_prepared_map_file(name)) {
     PreparedMap map = read_prepared_map_file(name);
-    return {map.world, map.start, map.goal, {}, {}, {}, CoordinateFrame::kUnstated, std::move(map)};
+    LoadedMap loaded{map.world, map.start, map.goal, {}, {}, {}, CoordinateFrame::kMeters, std::move(map)};
+    if (options.lonlat || options.polygons == "free")
+      loaded.warnings.push_back(name +
+                                ": a prepared map has obstacles in meters; --lonlat and --polygons are not used");
+    return loaded;
   }
   MapFile map = read_named_map(name, options);
   World world = to_world(map, name);

@@ -89,7 +89,7 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
   if (arguments.reading.lonlat && !arguments.added.empty())
     throw UsageError("--add: --lonlat projects each map around its own middle; put them into one file");
   arguments.build.check();
-  LoadedMap map = load_map(arguments.map, arguments.reading);
+  LoadedMap map = load_map(arguments.map, {});  // options for reading are those of the maps to be added
   if (!map.prepared) throw UsageError(arguments.map + ": no prepared map; arcway prepare makes one");
   PreparedMap& prepared = *map.prepared;
   const std::vector<ObstacleId> removed = removed_obstacles(arguments, map.world);

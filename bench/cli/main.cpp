@@ -5,10 +5,13 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "bench/cli/arguments.h"
 #include "core/team.h"
+#include "datasets/nearest_word.h"
 #ifdef ARCWAY_WITH_MPI
 #include "accel/mpi/mpi_team.h"
 #endif
@@ -40,6 +43,22 @@ void refuse_empty_values(const CLI::App& app) {
         if (value.empty()) throw arcway::cli::UsageError(option->get_name() + ": its value is empty");
 }
 
+/// What was meant by words that are neither subcommands nor options; empty if nothing near.
+std::string meant_instead(const CLI::App& app) {
+  const bool in_command = !app.get_subcommands().empty();
+  const CLI::App& command = in_command ? *app.get_subcommands().front() : app;
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  if (!in_command)
+    for (const CLI::App* subcommand : app.get_subcommands(nullptr)) known.push_back(subcommand->get_name());
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  for (const std::string& word : app.remaining(true))
+    if (const std::string_view nearest = arcway::nearest_word(word.substr(0, word.find('=')), words); !nearest.empty())
+      return "Did you mean " + std::string(nearest) + "?\n";
+  return "";
+}
+
 int run(int argc, char** argv, const arcway::Team& team) {
   using namespace arcway::cli;
   CLI::App app(kDescription, kName);
@@ -67,7 +86,7 @@ int run(int argc, char** argv, const arcway::Team& team) {
     const int code = app.exit(error, out, err);
     if (team.rank() > 0) return code == 0 ? kExitSolved : kExitBadInput;
     if (code != 0) {
-      std::fprintf(stderr, "%s: %s", kName, err.str().c_str());
+      std::fprintf(stderr, "%s: %s%s", kName, err.str().c_str(), meant_instead(app).c_str());
       return kExitBadInput;
     }
     print(out.str());

@@ -20,12 +20,13 @@ enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal };
 constexpr int kMaxDepth = 32;  // of geometry collections
 
 constexpr std::string_view kReadProperties[] = {"role", "curve", "heading", "id", "name"};
-// Parts of properties that elsewhere say where, when or how fast one may drive.
-constexpr std::string_view kDrivingProperties[] = {
-    "speed",     "velocity", "cost",      "weight", "travers", "passable",  "walkable", "drivable", "driveable",
-    "navigable", "access",   "oneway",    "free",   "type",    "direction", "radius",   "buffer",   "inflat",
-    "clearance", "margin",   "opacity",   "start",  "goal",    "until",     "time",     "level",    "floor",
-    "storey",    "layer",    "elevation", "kind",   "class",   "hole"};
+// Parts of properties that elsewhere say where, when or how fast one may drive, and whole names that do.
+constexpr std::string_view kDrivingParts[] = {"speed",     "velocity",  "travers", "passable", "walkable", "drivable",
+                                              "driveable", "navigable", "oneway",  "inflat",   "clearance"};
+constexpr std::string_view kDrivingNames[] = {
+    "cost",   "weight", "access", "free",    "freespace", "open",      "blocked", "obstacle", "direction", "radius",
+    "buffer", "margin", "hole",   "level",   "floor",     "storey",    "layer",   "time",     "from",      "until",
+    "start",  "goal",   "bounds", "endtime", "starttime", "validfrom", "validto", "gate",     "zone"};
 constexpr std::size_t kMostNamed = 8;  // of other properties, in a note
 
 class Reader {
@@ -108,12 +109,13 @@ class Reader {
     if (left > 0) others += " and " + std::to_string(left) + " more";
     if (!others.empty()) map_.map().notes.push_back("properties not read: " + others);
   }
-  // By parts of the key, as in "maxSpeed", "speed_limit" and "lane_width".
+  // As in "maxSpeed", "speed_limit" and "free".
   static bool changes_driving(std::string_view key) {
     std::string plain;
     for (const char c : key)
       if (c != '_' && c != '-' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return std::ranges::any_of(kDrivingProperties,
+    return std::ranges::find(kDrivingNames, std::string_view(plain)) != std::end(kDrivingNames) ||
+           std::ranges::any_of(kDrivingParts,
                                [&](std::string_view part) { return plain.find(part) != std::string::npos; });
   }
 

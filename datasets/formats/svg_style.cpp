@@ -173,27 +173,35 @@ bool SvgStyle::read_selector(std::string_view text, Rule& rule) {
   return !rule.compounds.empty() && !child;
 }
 
-bool SvgStyle::matches(const std::vector<Compound>& compounds, std::size_t last, const pugi::xml_node& node) {
-  const Compound& compound = compounds[last];
-  if (node.type() != pugi::node_element) return false;
+bool SvgStyle::is(const Compound& compound, const pugi::xml_node& node) {
   if (!compound.type.empty() && compound.type != local_name(node)) return false;
   if (!compound.id.empty() && compound.id != node.attribute("id").value()) return false;
   const std::string_view classes = node.attribute("class").value();
-  for (const std::string& name : compound.classes)
-    if (!has_word(classes, name)) return false;
-  if (last == 0) return true;
-  for (pugi::xml_node above = node.parent(); above; above = above.parent()) {
-    if (matches(compounds, last - 1, above)) return true;
-    if (compound.child) return false;
+  return std::ranges::all_of(compound.classes, [&](const std::string& name) { return has_word(classes, name); });
+}
+
+bool SvgStyle::matches(const std::vector<Compound>& compounds, const pugi::xml_node& node) {
+  if (!is(compounds.back(), node)) return false;
+  std::vector<pugi::xml_node> chain;  // from the root
+  for (pugi::xml_node above = node; above.type() == pugi::node_element; above = above.parent()) chain.push_back(above);
+  std::ranges::reverse(chain);
+  // Whether compounds 0 to i match with the last of them at the parent, or at any element above.
+  std::vector<char> at_parent(compounds.size(), 0), above(compounds.size(), 0);
+  for (const pugi::xml_node& element : chain) {
+    std::vector<char> here(compounds.size(), 0);
+    for (std::size_t i = 0; i < compounds.size(); ++i)
+      here[i] = (i == 0 || (compounds[i].child ? at_parent : above)[i - 1] != 0) && is(compounds[i], element) ? 1 : 0;
+    for (std::size_t i = 0; i < compounds.size(); ++i) above[i] = above[i] != 0 || here[i] != 0 ? 1 : 0;
+    at_parent = std::move(here);
   }
-  return false;
+  return at_parent.back() != 0;
 }
 
 std::string_view SvgStyle::value_of(const pugi::xml_node& node, std::string_view property) const {
   std::string_view value = trimmed(node.attribute(std::string(property).c_str()).value());
   bool inline_wins = true;
   for (const Rule& rule : rules_) {
-    if (rule.property != property || !matches(rule.compounds, rule.compounds.size() - 1, node)) continue;
+    if (rule.property != property || !matches(rule.compounds, node)) continue;
     value = rule.value;
     if (rule.important) inline_wins = false;
   }

@@ -40,7 +40,9 @@ class SvgStyle {
   void read_sheet(std::string_view css);
   void read_rule(std::string_view selectors, std::string_view declarations);
   static bool read_selector(std::string_view text, Rule& rule);
-  static bool matches(const std::vector<Compound>& compounds, std::size_t last, const pugi::xml_node& node);
+  static bool is(const Compound& compound, const pugi::xml_node& node);
+  /// In time of the compounds times the depth of the element.
+  static bool matches(const std::vector<Compound>& compounds, const pugi::xml_node& node);
   /// The value that wins the cascade; empty if nothing sets the property.
   [[nodiscard]] std::string_view value_of(const pugi::xml_node& node, std::string_view property) const;
 

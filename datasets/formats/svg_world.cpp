@@ -50,7 +50,7 @@ class Reader {
     const pugi::xml_node root = document.document_element();
     if (local_name(root) != "svg")
       map_.fail("line " + std::to_string(line_of(root.offset_debug())),
-                "expected <svg>, found <" + std::string(root.name()) + ">");
+                "expected <svg>, found <" + std::string(root.name()) + ">; " + other_kind(local_name(root)));
     style_.emplace(root);
     if (view_is_bounds_) read_bounds(root);
     if (style_->display(root) == detail::SvgStyle::Display::kNone) {
@@ -66,6 +66,18 @@ class Reader {
   }
 
  private:
+  // What XML of another kind is.
+  static std::string other_kind(std::string_view root) {
+    constexpr std::pair<std::string_view, const char*> kKinds[] = {
+        {"kml", "a KML document"},         {"FeatureCollection", "a GML document"},
+        {"osm", "a map of OpenStreetMap"}, {"additional", "polygons of SUMO"},
+        {"net", "a road network of SUMO"}, {"OpenDRIVE", "an OpenDRIVE document"},
+        {"html", "a page of HTML"}};
+    for (const auto& [name, kind] : kKinds)
+      if (root == name) return "this is " + std::string(kind) + ", save its polygons as GeoJSON";
+    return "of XML only SVG is read";
+  }
+
   [[nodiscard]] std::size_t line_of(std::ptrdiff_t offset) const {
     const auto after = std::lower_bound(line_ends_.begin(), line_ends_.end(), offset);
     return 1 + static_cast<std::size_t>(after - line_ends_.begin());

@@ -43,6 +43,11 @@ TEST_F(Tool, PassesOnWhatTheAddedMapsSay) {
   const Run fence = run(change + put("fence.wkt", "LINESTRING (3 -5, 3 5)\nPOLYGON ((2 2,3 2,3 3,2 2))"));
   EXPECT_EQ(fence.code, 0) << fence.err;
   EXPECT_NE(fence.out.find("fence.wkt: passed over 1 geometry that is not a polygon"), std::string::npos) << fence.out;
+  const std::string hall = put("hall.wkt", "POLYGON ((0 0, 60 0, 60 60, 0 60, 0 0), (50 50, 55 50, 55 55, 50 50))");
+  const Run free = run(change + hall + " --polygons free");
+  EXPECT_NE(free.out.find("0 obstacles removed, 1 added"), std::string::npos) << free.out;
+  EXPECT_NE(run("plan " + file("m.arcway") + kAround + " --lonlat").out.find("--lonlat and --polygons are not used"),
+            std::string::npos);
   EXPECT_NE(run(change + map_).out.find("its bounds are left out; only obstacles are added"), std::string::npos);
   const std::string ring = R"("type":"Polygon","coordinates":[[[6,50],[6.001,50],[6.001,50.001],[6,50]]]})";
   const std::string named = put("nad83.geojson", R"({"crs":{"type":"name","properties":{"name":"NAD83"}},)" + ring);

@@ -441,6 +441,13 @@ TEST_F(Tool, AFileThatCannotBeWrittenIsBadInput) {
                    "cannot make folder " + map_ + ": ");
 }
 
+TEST_F(Tool, AsksWhatWasMeantByUnknownWords) {
+  expect_bad_input("plan " + map_ + kAround + " --rebot r.json", "Did you mean --robot?");
+  expect_bad_input("plan " + map_ + kAround + " --timelimit=3", "Did you mean --time-limit?");
+  expect_bad_input("paln " + map_, "Did you mean plan?");
+  EXPECT_EQ(run("plan " + map_ + kAround + " --zzz").err.find("Did you mean"), std::string::npos);
+}
+
 TEST_F(Tool, AsksWhetherARobotsMeasuresAreMeant) {
   const auto out_of = [&](const std::string& measures) {
     return run("plan " + map_ + kAround + " --robot " +

@@ -259,9 +259,9 @@ TEST(GeoJson, WarnsOfPropertiesThatItDoesNotRead) {
               std::string::npos)
         << map.warnings[0];
   }
-  const MapFile others = map_of(R"({"building":"yes","height":9,"name":"x","id":1,"speed":null})");
+  const MapFile others = map_of(R"({"building":"yes","timestamp":9,"name":"x","id":1,"speed":null})");
   EXPECT_TRUE(others.warnings.empty());
-  EXPECT_EQ(others.notes, std::vector<std::string>{"properties not read: \"building\", \"height\""});
+  EXPECT_EQ(others.notes, std::vector<std::string>{"properties not read: \"building\", \"timestamp\""});
   EXPECT_NE(map_of(R"({"role":"free"})").warnings.at(0).find("there are obstacle, boundary"), std::string::npos);
   const MapFile beside =
       read(R"({"type":"Feature","role":"boundary","properties":{},"geometry":)" + polygon(kSquare) + "}");

@@ -157,6 +157,10 @@ TEST(SvgWorld, RulesHideShapes) {
   EXPECT_EQ(shown("<path class='x' style='display:inline' d='M1 0h1v1z'/>", ".x{display:none !important}"), one);
   const MapFile map = read(svg("<style>path[id=\"a\"]{display:none}</style>" + std::string(kPath)));
   EXPECT_EQ(map.obstacles.size(), 1u);
+  std::string selector, deep = kPath;  // of which every choice of ancestors fails
+  for (int i = 0; i < 40; ++i) selector += "g ";
+  for (int i = 0; i < 90; ++i) deep = "<g>" + deep + "</g>";
+  EXPECT_EQ(read(svg("<style>.a " + selector + "path{display:none}</style>" + deep)).obstacles.size(), 1u);
   EXPECT_NE(map.warnings.at(0).find("is not understood; what it may hide is kept"), std::string::npos);
 }
 
@@ -186,6 +190,7 @@ TEST(SvgWorld, OthersAreRejectedByName) {
   EXPECT_NE(error_of(path("L1 1")).find("begins with M"), std::string::npos);
   EXPECT_NE(error_of("<svg>\n<g>\n</svg>").find("w.svg: line 3"), std::string::npos) << error_of("<svg>\n<g>\n</svg>");
   EXPECT_NE(error_of("<html/>").find("expected <svg>"), std::string::npos);
+  EXPECT_NE(error_of("<kml/>").find("this is a KML document"), std::string::npos);
   std::string deep;
   for (int i = 0; i < 5000; ++i) deep += "<g>";
   for (int i = 0; i < 5000; ++i) deep += "</g>";
