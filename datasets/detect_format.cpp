@@ -85,9 +85,9 @@ bool is_bare_grid(std::string_view content) {
   return first.size() > 1 && first.size() == second.size() && is_row(first) && is_row(second);
 }
 
-// `height,width` or `height width`, at most two lines of counts, then rows of that width.
+// `height,width` or `height width`, some lines of counts, then rows of that width.
 bool is_sized_grid(TextScanner scanner) {
-  constexpr int kCounts = 2;
+  constexpr int kCounts = 4;  // of endpoints, robots, steps
   std::string head(scanner.rest_of_line());
   std::ranges::replace(head, ',', ' ');
   const auto sizes = split_at_blanks(head);
@@ -176,9 +176,15 @@ void refuse_foreign(std::string_view content, std::string_view name) {
       throw FormatError(std::string(name) + ": this is " + std::string(what) + "; it is not read as a map");
 }
 
-// A file of this project that is no map.
-void refuse_own(std::string_view content, std::string_view name) {
-  const std::string_view begin = content.substr(0, 200);
+// JSON that is no GeoJSON: of this project, and of others.
+void refuse_other_json(std::string_view content, std::string_view name) {
+  const std::string_view begin = content.substr(0, 400);
+  for (const auto& [mark, what] : {std::pair{"\"Topology\"", "TopoJSON"},
+                                   {"\"esriGeometry", "Esri JSON"},
+                                   {"\"spatialReference\"", "Esri JSON"},
+                                   {"\"osm3s\"", "JSON of OpenStreetMap"}})
+    if (begin.find(mark) != std::string_view::npos)
+      throw FormatError(std::string(name) + ": this is " + what + "; export it as GeoJSON");
   for (const std::string_view own : {"arcway-robot", "arcway-plan", "arcway-scenario", "arcway-doctor", "arcway-graph"})
     if (begin.find("\"" + std::string(own) + "\"") != std::string_view::npos)
       throw FormatError(std::string(name) + ": this is a file of the format " + std::string(own) + ", not a map");
@@ -241,7 +247,7 @@ MapFormat detect_format(std::string_view content, std::string_view name) {
   if (scanner.at_end()) throw FormatError(std::string(name) + ": empty file, expected a map");
   if (scanner.peek() == '<') return MapFormat::kSvg;
   if (scanner.peek() == '{' || scanner.peek() == '[') {
-    refuse_own(content, name);
+    refuse_other_json(content, name);
     const bool flow = scanner.peek() == '{' && !has_yaml_key(content, "type") && is_ros_map(content);
     return flow ? MapFormat::kRosMap : MapFormat::kGeoJson;
   }
@@ -259,6 +265,9 @@ MapFormat detect_format(std::string_view content, std::string_view name) {
   TextScanner first = scanner;
   const std::string begin = "it begins with " + detail::quoted(first.rest_of_line());
   if (key) scanner.fail("this looks like YAML, but has no key \"image\" as a ROS map has; " + begin);
+  if (begin.find_first_of(",;\t") != std::string::npos && begin.find('(') == std::string::npos)
+    scanner.fail("this looks like a table without columns x and y (or lon and lat), which a list of vertices has; " +
+                 begin);
   scanner.fail("this is no map of a known format, " + begin + "; --format NAME reads it as one");
 }
 

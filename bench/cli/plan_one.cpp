@@ -7,6 +7,7 @@
 #include "bench/cli/counts_json.h"
 #include "core/alternatives.h"
 #include "core/curved_plan.h"
+#include "core/passage/bottleneck.h"
 #include "core/shortest_text.h"
 #include "datasets/plan_io.h"
 #include "datasets/svg.h"
@@ -118,6 +119,18 @@ PlanRequest plain(const TourRequest& request) {
           .cusp_cost = request.cusp_cost};
 }
 
+// The question whether polygons are free space, where one obstacle holds start and goal; else empty.
+std::string free_space_row(const PlanArguments& arguments, const World& world, const PlanResult& result) {
+  const bool collides = result.status == PlanStatus::kStartInCollision || result.status == PlanStatus::kGoalInCollision;
+  if (!collides || arguments.reading.polygons == "free") return "";
+  for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+    if (world.locate(result.start.position(), o) == PointLocation::kInside &&
+        world.locate(result.goal.position(), o) == PointLocation::kInside)
+      return row("warning", "start and goal lie inside of " + region_text(world, o) +
+                                "; is it meant as free space (--polygons free)?");
+  return "";
+}
+
 }  // namespace
 
 std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
@@ -161,7 +174,7 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   }
 
   out += arguments.map + ": " + name_of(result.status) + "\n";
-  if (!result.solved()) out += row("reason", result.reason);
+  if (!result.solved()) out += row("reason", result.reason) + free_space_row(arguments, planner.world(), result);
   out += row("start", pose_text(request.start));
   for (const Place& place : request.via) out += row("by way of", place_text(place));
   if (result.solved()) {

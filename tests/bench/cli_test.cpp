@@ -116,7 +116,9 @@ TEST_F(Tool, ReadsGridsAsToldTo) {
 TEST_F(Tool, ReadsMapsAsToldTo) {
   const std::string hall =
       put("hall.wkt", "POLYGON ((0 0, 60 0, 60 60, 0 60, 0 0), (20 20, 40 20, 40 40, 20 40, 20 20))");
-  EXPECT_EQ(run("plan " + hall + kAround).code, 1);
+  const Run blocked = run("plan " + hall + kAround);
+  EXPECT_EQ(blocked.code, 1);
+  EXPECT_NE(blocked.out.find("is it meant as free space (--polygons free)?"), std::string::npos) << blocked.out;
   EXPECT_EQ(run("plan " + hall + kAround + " --polygons free").code, 0);
   EXPECT_EQ(run("graph " + hall + " --polygons free").code, 0);
   EXPECT_NE(run("doctor " + hall + " --polygons free").out.find("1 polygon of free space"), std::string::npos);

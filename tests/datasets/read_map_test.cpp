@@ -53,6 +53,7 @@ TEST(DetectFormat, GoesByContent) {
   expect("width 4\nheight 1\nmap\n", MapFormat::kMovingAiMap);
   expect("3,4\n....\n.@@.\n....\n", MapFormat::kMovingAiMap);
   expect("2 4\n7\n..E.\n.@@.\n", MapFormat::kMovingAiMap);
+  expect("2,4\n7\n3\n1000\n..E.\n.@@.\n", MapFormat::kMovingAiMap);
   expect("####\n#..#\n####\n", MapFormat::kMovingAiMap);
   expect("version 1\n", MapFormat::kMovingAiScenario);
   expect("0\ta.map\t3\t2\t0\t0\t2\t1\t3\n", MapFormat::kMovingAiScenario);
@@ -88,7 +89,9 @@ TEST(DetectFormat, NamesFormatsThatAreNotRead) {
   EXPECT_NE(error(R"({"format":"arcway-robot","version":1})").find("of the format arcway-robot, not a map"),
             std::string::npos);
   EXPECT_NE(error("costmap:\n  width: 3\n").find("looks like YAML, but has no key \"image\""), std::string::npos);
-  EXPECT_NE(error("s,x,y,yaw\n").find("no map of a known format"), std::string::npos);
+  EXPECT_NE(error("s,x,y,yaw\n").find("a table without columns x and y"), std::string::npos);
+  EXPECT_NE(error("WKT,id\n\"POLYGON EMPTY\",1\n").find("a table without columns x and y"), std::string::npos);
+  EXPECT_EQ(error(R"({"type":"Topology","objects":{}})"), "x: this is TopoJSON; export it as GeoJSON");
 }
 
 TEST(DetectFormat, FormatsHaveWords) {
