@@ -111,8 +111,9 @@ void MapOptions::add_to(CLI::App& command, const std::string& map) {
       .add_flag("--planar", planar,
                 "Coordinates of " + map + " are meters, whatever the file says or they look like: no warning")
       ->group(group);
-  option("--format", format, "What the file is, if not what its content looks like: geojson, wkt, text, vertices, ...",
-         "NAME");
+  std::string formats;
+  for (const std::string_view word : format_words()) formats.append(formats.empty() ? "" : ", ").append(word);
+  option("--format", format, ("What the file is, if not what its content looks like: " + formats).c_str(), "NAME");
   option("--polygons", polygons, "What polygons without a role are: blocked, or free, with walls all around", "NAME")
       ->capture_default_str();
   option("--wall-width", wall_width, "Line strings are walls of this width [m]", "W");
@@ -243,7 +244,7 @@ std::string heading_warning(std::string_view what, double heading) {
 }
 
 std::vector<std::string> vehicle_warnings(const Vehicle& vehicle) {
-  constexpr double kLongest = 4.0;  // bodies by their wheelbase: that of a long bus is 2.1
+  constexpr double kLongest = 3.0;  // bodies by their wheelbase: that of a long bus is 2.1
   const VehicleParameters& p = vehicle.parameters();
   const std::string measures = "the robot's wheelbase of " + shortest_text(p.wheelbase) + " m ";
   std::vector<std::string> warnings;
@@ -251,9 +252,9 @@ std::vector<std::string> vehicle_warnings(const Vehicle& vehicle) {
     warnings.push_back(measures + "is longer than its body of " + shortest_text(p.length) +
                        " m: its axles lie outside of the body; are length and wheelbase swapped?");
   if (p.length > kLongest * p.wheelbase)
-    warnings.push_back(measures + "is less than a quarter of its body of " + shortest_text(p.length) +
+    warnings.push_back(measures + "is less than a third of its body of " + shortest_text(p.length) +
                        " m, which reaches " + shortest_text(0.5 * (p.length - p.wheelbase)) +
-                       " m beyond each axle; are both in meters?");
+                       " m beyond each axle; are both given, in meters?");
   return warnings;
 }
 

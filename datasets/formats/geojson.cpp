@@ -4,10 +4,12 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "datasets/json_text.h"
+#include "datasets/nearest_word.h"
 
 namespace arcway {
 namespace {
@@ -19,6 +21,8 @@ enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal };
 
 constexpr int kMaxDepth = 32;  // of geometry collections
 
+constexpr std::string_view kRoles[] = {"obstacle", "boundary", "start", "goal"};
+constexpr std::string_view kTopProperties[] = {"bounds", "start", "goal", "id", "name"};
 constexpr std::string_view kReadProperties[] = {"role", "curve", "heading", "id", "name"};
 // Parts of properties that elsewhere say where, when or how fast one may drive, and whole names that do.
 constexpr std::string_view kDrivingParts[] = {"speed",     "velocity",  "travers", "passable", "walkable", "drivable",
@@ -27,11 +31,12 @@ constexpr std::string_view kDrivingNames[] = {
     "cost",   "weight", "access", "free",    "freespace", "open",      "blocked", "obstacle", "direction", "radius",
     "buffer", "margin", "hole",   "level",   "floor",     "storey",    "layer",   "time",     "from",      "until",
     "start",  "goal",   "bounds", "endtime", "starttime", "validfrom", "validto", "gate",     "zone"};
-constexpr std::size_t kMostNamed = 8;  // of other properties, in a note
+constexpr const char* kTop = "properties";  // place of those of the whole file
+constexpr std::size_t kMostNamed = 8;       // of other properties, in a note
 
 class Reader {
  public:
-  Reader(std::string_view name, const VectorOptions& options) : map_(name, options) {}
+  Reader(std::string_view name, const VectorOptions& options) : map_(name, options), lonlat_(options.lonlat) {}
 
   /// @param top  a FeatureCollection whose features have been read already, or any other document.
   void read_top(const json& top) {
@@ -92,21 +97,25 @@ class Reader {
   }
   void report_properties() {
     std::string others;
-    std::size_t left = unread_.size();
+    std::size_t named = 0, unnamed = 0;
     for (const auto& [key, unread] : unread_) {
-      if (changes_driving(key)) {
-        map_.warn(unread.first, "the property " + shown(key) +
-                                    (unread.features > 1 ? " (and of " + std::to_string(unread.features - 1) +
-                                                               (unread.features == 2 ? " other feature)" : " others)")
-                                                         : std::string()) +
+      const std::string more =
+          unread.features > 1 ? " (and of " + std::to_string(unread.features - 1) + " more)" : std::string();
+      const std::string_view nearest =
+          nearest_word(key, unread.first == kTop ? std::span(kTopProperties) : std::span(kReadProperties));
+      if (!nearest.empty()) {
+        map_.warn(unread.first,
+                  "the property " + shown(key) + more + " is not read; did you mean \"" + std::string(nearest) + "\"?");
+      } else if (changes_driving(key)) {
+        map_.warn(unread.first, "the property " + shown(key) + more +
                                     " is not read: polygons are obstacles for everyone, at all times and speeds");
-        --left;
-      } else if (unread_.size() - left < kMostNamed) {
+      } else if (++named <= kMostNamed) {
         others += (others.empty() ? "" : ", ") + shown(key);
-        --left;
+      } else {
+        ++unnamed;
       }
     }
-    if (left > 0) others += " and " + std::to_string(left) + " more";
+    if (unnamed > 0) others += " and " + std::to_string(unnamed) + " more";
     if (!others.empty()) map_.map().notes.push_back("properties not read: " + others);
   }
   // As in "maxSpeed", "speed_limit" and "free".
@@ -173,13 +182,16 @@ class Reader {
     if (*role == "boundary") return Role::kBoundary;
     if (*role == "start") return Role::kStart;
     if (*role == "goal") return Role::kGoal;
-    map_.warn(place, "unknown role " + shown(*role) +
-                         ", taken as \"obstacle\"; there are obstacle, boundary (free inside), start and goal");
+    map_.warn(place, unknown_word("role", role->is_string() ? role->get<std::string>() : shown(*role), kRoles) +
+                         "; the feature is taken as an obstacle");
     return Role::kObstacle;
   }
 
   void read_properties(const json& properties) {
     if (!properties.is_object()) return;
+    for (const auto& [key, value] : properties.items())
+      if (!value.is_null() && std::ranges::find(kTopProperties, std::string_view(key)) == std::end(kTopProperties))
+        unread_[key] = {1, kTop};
     const auto numbers = [&](const json& value, const std::string& place, double* out, std::size_t count) {
       for (std::size_t i = 0; i < count; ++i) out[i] = number(value[i], place + "[" + std::to_string(i) + "]");
     };
@@ -189,6 +201,7 @@ class Reader {
         map_.fail(place, "expected [xmin, ymin, xmax, ymax], found " + shown(*bounds));
       double v[4];
       numbers(*bounds, place, v, 4);
+      if (lonlat_ && v[0] > v[2]) v[2] += 360.0;  // from the west to the east, as RFC 7946 has it
       if (!(v[0] < v[2] && v[1] < v[3]))
         map_.fail(place, "must have xmin < xmax and ymin < ymax, found " + bounds->dump());
       map_.set_bounds({{{v[0], v[1]}, {v[2], v[1]}, {v[2], v[3]}, {v[0], v[3]}}, {}}, place);
@@ -305,6 +318,7 @@ class Reader {
 
   detail::VectorMapBuilder map_;
   std::size_t feature_ = 0;
+  bool lonlat_;                           // bounds may lie across the antimeridian
   bool curved_ = false;                   // of the feature being read
   std::map<std::string, Unread> unread_;  // by property
 };

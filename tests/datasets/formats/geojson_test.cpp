@@ -227,6 +227,11 @@ TEST(GeoJson, ReadsMapsAcrossTheAntimeridianAndOfWebMercator) {
                                     {.lonlat = true});
   EXPECT_NEAR(pole.obstacles[0].outer[0].x(), -1116.9398, 1e-3);
   EXPECT_NEAR(pole.obstacles[0].outer[1].y(), -1116.9398, 1e-3);
+  // Bounds from the west to the east.
+  const MapFile bounded = read_geojson(collection(box("179.999", "179.9995", "-17", "-16.9995"),
+                                                  R"("properties":{"bounds":[179.99,-17.01,-179.99,-16.99]},)"),
+                                       "w", {.lonlat = true});
+  EXPECT_NEAR((*bounded.bounds)[1].x() - (*bounded.bounds)[0].x(), 2129.7, 0.5);
   // Wide maps say how exact they are, and what no plane shows is refused.
   EXPECT_EQ(read_geojson(box("10", "12", "50", "51"), "w", {.lonlat = true}).warnings.size(), 1u);
   EXPECT_THROW(read_geojson(feature(polygon("[[-120,-80],[0,80],[120,-80],[-120,-80]]")), "w", {.lonlat = true}),
@@ -255,14 +260,21 @@ TEST(GeoJson, WarnsOfPropertiesThatItDoesNotRead) {
        {"speed", "max_speed", "maxSpeed", "speed-limit", "cost", "traversable", "walkable", "level"}) {
     const MapFile map = map_of("{\"" + std::string(key) + "\":3}");
     ASSERT_EQ(map.warnings.size(), 1u) << key;
-    EXPECT_NE(map.warnings[0].find("feature 0: the property \"" + std::string(key) + "\" (and of 1 other feature)"),
+    EXPECT_NE(map.warnings[0].find("feature 0: the property \"" + std::string(key) + "\" (and of 1 more)"),
               std::string::npos)
         << map.warnings[0];
   }
   const MapFile others = map_of(R"({"building":"yes","timestamp":9,"name":"x","id":1,"speed":null})");
   EXPECT_TRUE(others.warnings.empty());
   EXPECT_EQ(others.notes, std::vector<std::string>{"properties not read: \"building\", \"timestamp\""});
-  EXPECT_NE(map_of(R"({"role":"free"})").warnings.at(0).find("there are obstacle, boundary"), std::string::npos);
+  EXPECT_NE(map_of(R"({"role":"free"})").warnings.at(0).find("here are obstacle, boundary, start, goal"),
+            std::string::npos);
+  EXPECT_NE(map_of(R"({"role":"boundry"})").warnings.at(0).find("unknown role \"boundry\", did you mean \"boundary\"?"),
+            std::string::npos);
+  EXPECT_NE(map_of(R"({"Role":"boundary"})").warnings.at(0).find("did you mean \"role\"?"), std::string::npos);
+  EXPECT_NE(
+      read(collection("", R"("properties":{"bound":[0,0,1,1]},)")).warnings.at(0).find("did you mean \"bounds\"?"),
+      std::string::npos);
   const MapFile beside =
       read(R"({"type":"Feature","role":"boundary","properties":{},"geometry":)" + polygon(kSquare) + "}");
   EXPECT_NE(beside.warnings.at(0).find("\"role\" is not read beside \"properties\""), std::string::npos);
