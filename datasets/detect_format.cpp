@@ -140,7 +140,8 @@ MapFormat format_of_numbers(const TextScanner& scanner, std::string_view content
   const bool commas = first.find(',') != std::string::npos;
   std::ranges::replace(first, ',', ' ');
   const std::size_t count = split_at_blanks(first).size();
-  return count == 1 || (commas && (count < 6 || count % 2 != 0)) ? MapFormat::kTpcap : MapFormat::kTextPolygons;
+  if (commas && count > 1 && count < 6) return MapFormat::kVertexList;  // whose columns have no names
+  return count == 1 || (commas && count % 2 != 0) ? MapFormat::kTpcap : MapFormat::kTextPolygons;
 }
 
 // Whether `key: ...` stands at the beginning of a line or of an entry in braces.

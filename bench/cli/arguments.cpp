@@ -45,6 +45,16 @@ std::string beginning_of(std::string_view line) {
 
 std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
+// A name that is neither a file nor of the catalogue, but near one of its families.
+void refuse_family(const std::string& name) {
+  if (std::filesystem::exists(name)) return;
+  std::vector<std::string_view> families;
+  for (const CatalogueFamily& family : catalogue_families()) families.push_back(family.name);
+  const std::string_view first = std::string_view(name).substr(0, name.find('/'));
+  if (!nearest_word(first, families).empty())
+    throw UsageError(name + ": no such file, and in the catalogue " + unknown_word("family", first, families));
+}
+
 }  // namespace
 
 double parse_number(std::string_view text, std::string_view what) {
@@ -172,7 +182,8 @@ MapReadOptions MapOptions::read_options() const {
 MapFile read_named_map(const std::string& name, const MapOptions& options, bool as_written) {
   MapReadOptions read_options = options.read_options();
   read_options.vector.as_written = as_written;
-  const bool generated = is_catalogue_name(name) && !std::filesystem::is_regular_file(name);
+  const bool is_file = std::filesystem::is_regular_file(name), generated = is_catalogue_name(name) && !is_file;
+  if (!is_file && !generated && name.find('.') == std::string::npos) refuse_family(name);
   return generated ? catalogue_map(name) : read_map(name, read_options);
 }
 

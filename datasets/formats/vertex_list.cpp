@@ -97,7 +97,8 @@ class Reader {
       if (std::exchange(first, false) && read_header(fields)) continue;
       if (fields.size() != columns_.count)
         throw FormatError(place + ": expected " + std::to_string(columns_.count) + " numbers, found " +
-                          std::to_string(fields.size()) + " in " + detail::quoted(whole));
+                          std::to_string(fields.size()) + " in " + detail::quoted(whole) +
+                          "; a first line as \"id,x,y\" names columns");
       add(fields, line, place);
     }
     end_polygon();

@@ -447,6 +447,7 @@ TEST_F(Tool, AsksWhatWasMeantByUnknownWords) {
   expect_bad_input("plan " + map_ + kAround + " --rebot r.json", "Did you mean --robot?");
   expect_bad_input("plan " + map_ + kAround + " --timelimit=3", "Did you mean --time-limit?");
   expect_bad_input("paln " + map_, "Did you mean plan?");
+  expect_bad_input("graph wharehouse/v1000", "unknown family \"wharehouse\", did you mean \"warehouse\"?");
   EXPECT_EQ(run("plan " + map_ + kAround + " --zzz").err.find("Did you mean"), std::string::npos);
 }
 

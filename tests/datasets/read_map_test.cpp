@@ -44,6 +44,7 @@ TEST(DetectFormat, GoesByContent) {
   expect("0\n0\n0\n9\n9\n0\n1\n3\n1\n1\n2\n1\n2\n2\n", MapFormat::kTpcap);
   expect("0,0\n1,0\n1,1\n", MapFormat::kVertexList);
   expect("0 0\n1 0\n1 1\n", MapFormat::kVertexList);
+  expect("1,0,0\n1,1,0\n1,1,1\n", MapFormat::kVertexList);
   expect("x,y\n0,0\n1,0\n1,1\n", MapFormat::kVertexList);
   expect("polygon;lon;lat\n1;8;48\n", MapFormat::kVertexList);
   expect("0,0 1,0 1,1\n5,5 6,5 6,6\n", MapFormat::kTextPolygons);

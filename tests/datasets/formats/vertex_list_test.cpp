@@ -34,7 +34,8 @@ TEST(VertexList, ReadsPolygonsHoweverTheyAreParted) {
 TEST(VertexList, SaysWhatItLeavesOut) {
   EXPECT_EQ(read("x,y,z\n0,0,7\n1,0,7\n1,1,7\n").warnings.at(0), "map.csv: line 1: columns that are not read: \"z\"");
   EXPECT_NE(read("lat,lon\n48,8\n48,9\n49,9\n").warnings.at(0).find("are degrees"), std::string::npos);
-  EXPECT_EQ(error_of("0,0\n1,0\n1\n"), "map.csv: line 3: expected 2 numbers, found 1 in \"1\"");
+  EXPECT_EQ(error_of("0,0\n1,0\n1\n"),
+            "map.csv: line 3: expected 2 numbers, found 1 in \"1\"; a first line as \"id,x,y\" names columns");
   EXPECT_EQ(error_of("0,0\n1,b\n"), "map.csv: line 2: expected a number, found \"b\"");
   EXPECT_NE(error_of("0,0\n1,0\n").find("line 1: needs at least 3 different positions"), std::string::npos);
 }
