@@ -1,0 +1,122 @@
+#include "core/refine/shorten_path.h"
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/path/biarc.h"
+#include "core/path/dubins.h"
+#include "core/path/speed_profile.h"
+#include "core/query/motion_free.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr std::array kRadii{1.0, 2.0, 4.0};   // of Dubins words, in smallest turning radii
+constexpr std::array kRatios{1.0, 0.5, 2.0};  // of tangent lengths of biarcs
+constexpr double kSmallestGain = 1e-4;        // of the travel time, that is worth another path
+
+class Shortener {
+ public:
+  Shortener(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
+            const std::function<bool()>& stop)
+      : path_(std::move(path)),
+        vehicle_(vehicle),
+        sweep_(sweep),
+        body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
+        trials_left_(max_trials),
+        stop_(stop) {
+    time_ = time_of(path_);
+  }
+
+  Path run() {
+    for (bool shorter = true; std::exchange(shorter, false) && !done();) {
+      find_places();
+      for (std::size_t i = 0; i + 1 < places_.size() && !done(); ++i)
+        while (shorten_from(i) && !done()) {
+          shorter = true;
+          find_places();
+        }
+    }
+    return std::move(path_);
+  }
+
+ private:
+  struct Place {
+    std::size_t segment;
+    double along;  // of it [m]
+    Pose pose;
+  };
+
+  [[nodiscard]] bool done() const { return trials_left_ == 0 || (stop_ && stop_()); }
+
+  double time_of(const Path& path) {
+    speed_profile(path, vehicle_, profile_);
+    return profile_.total_time;
+  }
+
+  void find_places() {
+    places_.clear();
+    for (std::size_t i = 0; i < path_.size(); ++i)
+      for (const double share : {0.0, 0.5}) {
+        const double along = share * path_[i].length;
+        places_.push_back({i, along, path_[i].at(along)});
+      }
+    if (!path_.empty()) places_.push_back({path_.size() - 1, path_.back().length, path_.back().end()});
+  }
+
+  // Tries to join a place to a later one, the last one first.
+  bool shorten_from(std::size_t i) {
+    for (std::size_t j = places_.size() - 1; i < places_.size() && j > i + 1 && !done(); --j) {
+      const Place &from = places_[i], &to = places_[j];
+      const double radius = vehicle_.min_turning_radius();
+      for (const double ratio : kRatios) {
+        const auto arcs = biarc(from.pose, to.pose, ratio, radius);
+        if (arcs && take(from, to, *arcs)) return true;
+      }
+      for (const double wider : kRadii)
+        for (const DubinsWord word : kDubinsWords) {
+          const auto between = dubins_word(word, from.pose, to.pose, wider * radius);
+          if (between && take(from, to, between->segments())) return true;
+        }
+    }
+    return false;
+  }
+
+  bool take(const Place& from, const Place& to, std::span<const PathSegment> between) {
+    if (done()) return false;
+    --trials_left_;
+    shorter_.assign(path_.begin(), path_.begin() + static_cast<std::ptrdiff_t>(from.segment));
+    const PathSegment &first = path_[from.segment], &last = path_[to.segment];
+    if (from.along > 0.0) shorter_.push_back({first.start, from.along, first.curvature});
+    shorter_.insert(shorter_.end(), between.begin(), between.end());
+    if (to.along < last.length) shorter_.push_back({to.pose, last.length - to.along, last.curvature});
+    shorter_.insert(shorter_.end(), path_.begin() + static_cast<std::ptrdiff_t>(to.segment) + 1, path_.end());
+    const double time = time_of(shorter_);
+    if (time >= (1.0 - kSmallestGain) * time_ || !motion_free(sweep_, body_, between)) return false;
+    path_ = merged(shorter_);
+    time_ = time;
+    return true;
+  }
+
+  Path path_, shorter_;
+  const Vehicle& vehicle_;
+  const SweepQuery& sweep_;
+  Footprint body_;
+  std::size_t trials_left_;
+  const std::function<bool()>& stop_;
+  double time_ = 0.0;
+  std::vector<Place> places_;
+  SpeedProfile profile_;
+};
+
+}  // namespace
+
+Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
+                  const std::function<bool()>& stop) {
+  return Shortener(std::move(path), vehicle, sweep, max_trials, stop).run();
+}
+
+}  // namespace arcway

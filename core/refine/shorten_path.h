@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "core/path/path.h"
+#include "core/query/sweep_query.h"
+#include "core/vehicle.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Makes a free path driven forwards faster, as long as time falls: what lies between two places on it, the ends and
+/// middles of its segments, becomes a Dubins word or a biarc that is free by `sweep`. For paths of many short motions,
+/// which refine_path, that moves one turn at a time, leaves as they are. As free as the input and never slower.
+/// @param max_trials  paths whose travel time is computed, at most; some microseconds each.
+/// @param stop  asked before each trial; true ends it with the path so far.
+Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
+                  const std::function<bool()>& stop);
+
+}  // namespace arcway
