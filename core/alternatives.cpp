@@ -181,7 +181,9 @@ class AlternativeSearch {
     options.graph_mode = GraphMode::kLazy;
     const Planner walled(planner_.world(), planner_.vehicle(), queries, planner_.visibility_rows(), options,
                          SerialExecutor());
-    return walled.plan(request_, rest());
+    PlanLimits limits = rest();
+    limits.tree_poses = 0;  // most have no path
+    return walled.plan(request_, limits);
   }
 
   [[nodiscard]] bool is_new(const PlanResult& plan) const {

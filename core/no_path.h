@@ -8,6 +8,7 @@
 #include "core/planner.h"
 #include "core/search/find_path.h"
 #include "core/search/search_map.h"
+#include "core/search/tree_search.h"
 
 namespace arcway {
 
@@ -16,6 +17,7 @@ struct NoPath {
   Obstruction obstruction = Obstruction::kNothing;
   std::optional<DeadEnd> dead_end = {};
   std::optional<Enclosure> enclosure = {};
+  std::optional<TreesEnd> trees = {};
   bool reverse = false;  ///< whether reversing was allowed
 };
 

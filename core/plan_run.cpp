@@ -11,9 +11,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/geometry/angle.h"
+#include "core/graph/turn_circle.h"
 #include "core/refine/refine_reversing.h"
+#include "core/refine/shorten_path.h"
 #include "core/search/find_reversing_path.h"
-#include "core/search/tree_search.h"
 #include "core/shortest_text.h"
 
 namespace arcway {
@@ -36,6 +38,10 @@ constexpr double kReversingEffort = 10.0;
 constexpr double kOtherEndsGap = 0.04;
 // That is, if they are slower by no more than this.
 constexpr double kOtherEndsSlower = 0.03;
+// Where an end is hemmed in, so that the tightest turns to both sides end before so far [rad], and the plan may be
+// slower than the best one by more than the gap, trees look for wider turns out: with this share of their poses.
+constexpr double kHemmedTurn = kPi / 8.0, kTreesGap = 0.2;
+constexpr double kTreesShare = 0.05;
 // By this share at least that has to be faster: the ways on from where a manoeuvre saves next to nothing are known.
 constexpr double kLeastGain = 0.001;
 // No other way is looked for where it cannot be faster by more than this share.
@@ -65,6 +71,7 @@ PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const Plan
       map_(map),
       request_(request),
       search_options_{options.heuristic, limits.stop, deadline_of(limits), request.cusp_cost},
+      tree_poses_(options.manoeuvre_poses > 0 ? limits.tree_poses : 0),
       workspace_(workspace),
       result_(result),
       best_cost_(kInfinity),
@@ -174,17 +181,36 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
   return forwards.obstruction;
 }
 
-void PlanRun::find_by_trees(const PlanMaps& maps, double effort) {
+TreesEnd PlanRun::find_by_trees(const PlanMaps& maps, double effort) { return grow_trees(maps, {tree_poses_}, effort); }
+
+TreesEnd PlanRun::grow_trees(const PlanMaps& maps, const TreeLimits& limits, double effort) {
   const SearchMap& map = maps.narrow ? maps.narrow->map() : maps.plain;
+  TreesEnd end;
   FoundPath grown = search([&] {
-    return search_trees(map, request_.start, request_.goal,
-                        std::size_t{PlannerOptions::kTreePoses} * options_.manoeuvre_poses, search_options_,
-                        workspace_.find.search);
+    return search_trees(map, request_.start, request_.goal, limits, search_options_, workspace_.find.search, end);
   });
-  if (!grown.search.path) return;
-  maps_ = &maps;
+  result_.statistics.tree_poses += end.poses;
+  if (!grown.search.path) return end;
+  const bool first = !found_;
+  if (options_.refinement.max_trials > 0) {
+    grown.search.path = shorten_path(std::move(*grown.search.path), map_.vehicle, *map_.queries.sweep,
+                                     options_.refinement.max_trials, [this] { return search_options_.interrupted(); });
+  }
   const Times times = keep(std::move(*grown.search.path), effort, false);
+  if (!first && times.cost >= fastest_.times.cost) return end;
+  maps_ = &maps;
   fastest_ = {times, &maps.plain, 0, kNone, kNone};
+  return end;
+}
+
+// Whether obstacles end the tightest turns to both sides early.
+bool PlanRun::is_hemmed_in(const Pose& pose, Direction direction) const {
+  const double radius = map_.radii[0];
+  return std::ranges::all_of(std::array{Side::kLeft, Side::kRight}, [&](Side side) {
+    const HeadingSet free =
+        map_.queries.sweep->free_headings({turn_circle(pose, radius, side).center, radius, side, map_.body});
+    return free.reach(pose.heading, direction == Direction::kFromStart ? side : opposite(side)) < kHemmedTurn;
+  });
 }
 
 void PlanRun::improve_forwards(bool thorough) {
@@ -200,6 +226,9 @@ void PlanRun::improve_forwards(bool thorough) {
   if (maps_->narrow && &map == &maps_->plain && is_doubtful(thorough ? kNarrowPlacesGap : kQuickNarrowPlacesGap))
     try_faster(maps_->narrow->map(), 0);
   if (thorough && is_doubtful(kOtherEndsGap)) try_other_ends();
+  if (tree_poses_ > 0 && is_doubtful(kTreesGap) &&
+      (is_hemmed_in(request_.start, Direction::kFromStart) || is_hemmed_in(request_.goal, Direction::kToGoal)))
+    grow_trees(*maps_, {static_cast<std::size_t>(kTreesShare * static_cast<double>(tree_poses_)), 1}, 1.0);
   for (const SearchMap* other : {&maps_->faster_turns, &maps_->slower_turns})
     find_other_way(*other, 1.0, fastest_.poses);
 }

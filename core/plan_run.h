@@ -10,6 +10,7 @@
 #include "core/planner.h"
 #include "core/refine/refine_path.h"
 #include "core/search/find_path.h"
+#include "core/search/tree_search.h"
 #include "core/stopwatch.h"
 
 namespace arcway {
@@ -42,7 +43,8 @@ class PlanRun {
   /// @returns what stands in the way, if anything does.
   Obstruction find_forwards(const PlanMaps& maps, double effort, const std::function<bool()>& no_passage);
   /// The same by trees of forward motions, for what find_forwards finds no path on these maps.
-  void find_by_trees(const PlanMaps& maps, double effort);
+  /// @returns how the trees ended.
+  TreesEnd find_by_trees(const PlanMaps& maps, double effort);
   /// Where the lower bound says that the path which was found forwards last may be far from the best one: looks
   /// for faster ones on the same maps with manoeuvres at both ends, with circles in narrow places, and by other ways.
   /// @param thorough  sooner, and with more manoeuvres.
@@ -74,6 +76,8 @@ class PlanRun {
   FoundPath search(const Find& find);
   Times keep(Path&& path, double effort, bool reverse);
   void refine(const Path& path, double effort, bool reverse);
+  TreesEnd grow_trees(const PlanMaps& maps, const TreeLimits& limits, double effort);
+  [[nodiscard]] bool is_hemmed_in(const Pose& pose, Direction direction) const;
   void try_faster(const SearchMap& map, std::size_t poses);
   // Ways that join the graph, or leave it, by another circle than the fastest path.
   void try_other_ends();
@@ -86,6 +90,7 @@ class PlanRun {
   const SearchMap& map_;
   const PlanRequest& request_;
   SearchOptions search_options_;
+  std::size_t tree_poses_;
   PlanWorkspace& workspace_;
   PlanResult& result_;
   bool found_ = false;

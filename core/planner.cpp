@@ -185,12 +185,15 @@ const char* name_of(PlanStatus status) {
   return "unknown";
 }
 
+const char* name_of(Certainty certainty) { return certainty == Certainty::kProved ? "proved" : "gave up"; }
+
 PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
   nodes_expanded += other.nodes_expanded;
   nodes_pushed += other.nodes_pushed;
   straights_checked += other.straights_checked;
   turns_checked += other.turns_checked;
   manoeuvre_poses += other.manoeuvre_poses;
+  tree_poses += other.tree_poses;
   refine_trials += other.refine_trials;
   refine_improvements += other.refine_improvements;
   suboptimality = std::max(suboptimality, other.suboptimality);
@@ -341,8 +344,8 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   };
   why.obstruction = run.find_forwards(d.maps, d.tightest ? kQuickEffort : 1.0, std::cref(no_passage));
   const auto grow_trees = [&] {
-    if (!run.found() && !result.interrupted && d.options.manoeuvre_poses > 0)
-      run.find_by_trees(d.maps, d.tightest ? kQuickEffort : 1.0);
+    if (!run.found() && !result.interrupted && d.options.manoeuvre_poses > 0 && limits.tree_poses > 0)
+      why.trees = run.find_by_trees(d.maps, d.tightest ? kQuickEffort : 1.0);
   };
   // Who may reverse finds most ways out of narrow places sooner in both gears.
   if (!request.reverse && why.obstruction != Obstruction::kPassage) grow_trees();

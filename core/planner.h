@@ -50,12 +50,10 @@ struct PlannerOptions {
   /// faster one is taken, so that wider turns hardly ever make a plan slower; so are some others.
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
-  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. Where all that finds
-  /// no path, trees of forward motions grow kTreePoses times as many, see search_trees. 0: none of this. At most
-  /// kMostManoeuvrePoses; some 300 bytes each.
+  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres, and
+  /// none of the trees of PlanLimits. At most kMostManoeuvrePoses; some 300 bytes each.
   std::uint32_t manoeuvre_poses = 400;
   static constexpr std::uint32_t kMostManoeuvrePoses = 1'000'000;
-  static constexpr std::uint32_t kTreePoses = 40;
   /// Where single arcs find no path, or the plan may be 5 % slower than the best one (10 % without refinement, or with
   /// several radii), the graph with more circles in narrow places is searched as well: see find_gap_circles. It is made
   /// when the first query needs it, or by Planner::warm_up. On maps of at most 50,000 vertices: beyond that a query
@@ -87,6 +85,9 @@ struct PlanLimits {
   /// bit for bit, in some two thirds of the time where a core is free. FeasibleGraph::counts then differs from run to
   /// run.
   bool scout = false;
+  /// Poses that trees of forward motions grow, in all, where nothing else finds a path, see search_trees; none with
+  /// PlannerOptions::manoeuvre_poses = 0. A tenth to some tenths of a millisecond each. 0: no trees.
+  std::uint32_t tree_poses = 16'000;
 };
 
 enum class PlanStatus {
@@ -95,20 +96,28 @@ enum class PlanStatus {
   kGoalInCollision,
   kStartOutsideBounds,
   kGoalOutsideBounds,
-  /// No motion tried, of an arc, a line or a short manoeuvre, leads from the start to the graph. It is proved that
-  /// there is none where the reason calls the start a dead end: see find_dead_end.
+  /// No motion tried leads far from the start; see PlanResult::certainty for whether that is proved. If the goal is
+  /// hemmed in as well, the reason says so.
   kStartBlocked,
-  kGoalBlocked,         ///< none leads from the graph to the goal; the same proof
+  kGoalBlocked,         ///< no motion tried leads to the goal from afar; likewise
   kPlaceInCollision,    ///< of a tour: as at a start or goal, at a place on the way
   kPlaceOutsideBounds,  ///< of a tour
   kPlaceBlocked,        ///< of a tour: no motion leads on from a place on the way, or to it
   kNoPassage,           ///< proved: no passage is wide enough for the body, whichever way it is driven
-  kNoPath,              ///< the graph has no way between start and goal
+  kNoPath,              ///< nothing that was tried joins start and goal
   kTimeLimit,           ///< the time limit ended the search before it found a path
   kCancelled            ///< the stop token did
 };
 /// "solved", "start in collision", ...
 const char* name_of(PlanStatus status);
+
+/// What it is worth that a plan has no path.
+enum class Certainty {
+  kProved,  ///< there is none: of the body in a pose, through a passage, or out of a dead end without reversing
+  kGaveUp   ///< nothing that was tried leads there, or the time was up: there may be one
+};
+/// "proved", "gave up".
+const char* name_of(Certainty certainty);
 
 struct TimedSegment {
   PathSegment segment;
@@ -124,6 +133,7 @@ struct PlanStatistics {
   std::uint64_t straights_checked = 0;    ///< swept rectangles of starts and goals decided
   std::uint64_t turns_checked = 0;        ///< heading sets of starts and goals computed
   std::uint64_t manoeuvre_poses = 0;      ///< poses of start and goal manoeuvres tried
+  std::uint64_t tree_poses = 0;           ///< those of trees of forward motions
   std::uint64_t refine_trials = 0;        ///< paths that refinement tried
   std::uint64_t refine_improvements = 0;  ///< those of them that it took
   double unrefined_travel_time = 0.0;     ///< of the path before refinement [s]
@@ -143,8 +153,9 @@ struct PlanStatistics {
 
 struct PlanResult {
   PlanStatus status = PlanStatus::kNoPath;
-  std::string reason;  ///< in words, with the condition that failed and where, unless solved
-  Pose start, goal;    ///< as requested
+  std::string reason;                        ///< in words, with the condition that failed and where, unless solved
+  Certainty certainty = Certainty::kGaveUp;  ///< of the status, unless solved
+  Pose start, goal;                          ///< as requested
   /// The search or the refinement was ended by the time limit or the stop token: the path, if any, is the best one
   /// found by then.
   bool interrupted = false;

@@ -78,12 +78,16 @@ class TourPlanner {
   PlanResult plan_leg(const Pose& from, const Pose& to) {
     PlanLimits rest = limits_;
     rest.time -= elapsed();
+    if (has_choice()) rest.tree_poses = 0;  // most headings that are tried have no path
     PlanResult leg =
         planner_.plan({.start = from, .goal = to, .reverse = request_.reverse, .cusp_cost = request_.cusp_cost}, rest);
     statistics_ += leg.statistics;
     interrupted_ = interrupted_ || leg.interrupted;
     return leg;
   }
+
+  // Whether there are several poses from which the leg now looked for may begin, or at which it may end.
+  [[nodiscard]] bool has_choice() const { return stages_.back().size() > 1 || stages_[stages_.size() - 2].size() > 1; }
 
   [[nodiscard]] double bound(const Pose& from, const Pose& to) const {
     return travel_time_bound(from, to, (to.position() - from.position()).norm(), planner_.vehicle(), request_.reverse);
@@ -140,6 +144,9 @@ class TourPlanner {
       if (leg.status == PlanStatus::kGoalBlocked) leg.status = PlanStatus::kPlaceBlocked;
       leg.goal = first_goal();
     }
+    // Another pose may have a path.
+    if (has_choice() && leg.status != PlanStatus::kStartInCollision && leg.status != PlanStatus::kStartOutsideBounds)
+      leg.certainty = Certainty::kGaveUp;
     return leg;
   }
   [[nodiscard]] bool is_on_the_way(std::size_t stage) const { return stage > 0 && stage <= request_.via.size(); }

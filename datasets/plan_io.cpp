@@ -140,6 +140,8 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   if (!result.solved()) {
     append_key(out, "reason");
     detail::append_string(out, result.reason);
+    append_key(out, "certainty");
+    detail::append_string(out, name_of(result.certainty));
   }
   if (result.bottleneck) append_bottleneck(out, *result.bottleneck);
   if (result.interrupted) out += R"(,"interrupted":true)";
@@ -165,6 +167,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   append_member(out, "straights_checked", result.statistics.straights_checked);
   append_member(out, "turns_checked", result.statistics.turns_checked);
   append_member(out, "manoeuvre_poses", result.statistics.manoeuvre_poses);
+  append_member(out, "tree_poses", result.statistics.tree_poses);
   append_member(out, "unrefined_travel_time", result.statistics.unrefined_travel_time);
   append_member(out, "first_travel_time", result.statistics.first_travel_time);
   append_member(out, "first_path_seconds", result.statistics.first_path_seconds);
@@ -268,9 +271,9 @@ std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehic
 namespace {
 
 PlanFile plan_of(const JsonPlace& plan) {
-  plan.allow_keys({"format", "version", "q", "status", "reason", "bottleneck", "interrupted", "robot", "start", "goal",
-                   "travel_time", "length", "lower_bound", "min_clearance", "path", "statistics", "goal_index",
-                   "passed"});
+  plan.allow_keys({"format", "version", "q", "status", "reason", "certainty", "bottleneck", "interrupted", "robot",
+                   "start", "goal", "travel_time", "length", "lower_bound", "min_clearance", "path", "statistics",
+                   "goal_index", "passed"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
   if (plan.has("q")) {

@@ -174,7 +174,12 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   }
 
   out += arguments.map + ": " + name_of(result.status) + "\n";
-  if (!result.solved()) out += row("reason", result.reason) + free_space_row(arguments, planner.world(), result);
+  if (!result.solved()) {
+    out += row("reason", result.reason);
+    out += row("certainty",
+               result.certainty == Certainty::kProved ? "proved: there is no path" : "gave up: there may be a path");
+    out += free_space_row(arguments, planner.world(), result);
+  }
   out += row("start", pose_text(request.start));
   for (const Place& place : request.via) out += row("by way of", place_text(place));
   if (result.solved()) {

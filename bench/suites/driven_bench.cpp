@@ -27,9 +27,7 @@ PlanResult plan(const DrivenWorld& driven, const World& world, bool reverse) {
 }
 
 /// Whether an answer without a path claims that there is none.
-bool is_proof(const PlanResult& result) {
-  return result.status == PlanStatus::kNoPassage || result.reason.find("is a dead end") != std::string::npos;
-}
+bool is_proof(const PlanResult& result) { return !result.solved() && result.certainty == Certainty::kProved; }
 
 Answer answer_for(const DrivenWorld& driven, bool reverse) {
   const World world = to_world(driven.map, "driven");

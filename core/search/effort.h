@@ -30,10 +30,12 @@ inline constexpr TreeShape kTree{
 
 /// One pass of a search by trees: what is tried where passes with larger cells found nothing.
 struct TreePass {
-  double finest;  ///< size of the smallest cells, in lengths of the body
-  double share;   ///< of all poses that are grown at most
+  double finest;     ///< size of the smallest cells, in lengths of the body
+  double share;      ///< of all poses that are grown at most
+  bool heeds_turns;  ///< in the estimate of the way that remains
 };
-inline constexpr std::array<TreePass, 3> kTreePasses{{{1.0 / 64.0, 0.25}, {1.0 / 512.0, 0.25}, {1.0 / 4096.0, 0.5}}};
+inline constexpr std::array<TreePass, 3> kTreePasses{
+    {{1.0 / 64.0, 0.2, false}, {1.0 / 128.0, 0.3, true}, {1.0 / 4096.0, 0.5, true}}};
 
 /// How trees are joined.
 struct TreeJoints {
@@ -44,16 +46,20 @@ struct TreeJoints {
   std::size_t nearest;           ///< poses of the other tree that are tried
   std::size_t first_roadmap;     ///< expansions until poses are joined to the roadmap as well; then each time
   std::size_t roadmap_factor;    ///< so many times as many
+  double pocket;                 ///< how far a tree gets that is hemmed in, in lengths of the body or turning radii
+  std::size_t after_dry;         ///< times as many turns are taken in all where one tree has run dry
   std::size_t terminals;         ///< of each tree that are joined to it, at most
 };
 inline constexpr TreeJoints kTreeJoints{
     .greed = 2.0,
-    .field_cells = 250'000,
+    .field_cells = 100'000,
     .ratios = {1.0, 0.4, 2.5},
     .near = 1.0,
     .nearest = 3,
     .first_roadmap = 64,
     .roadmap_factor = 4,
+    .pocket = 4.0,
+    .after_dry = 4,
     .terminals = 200,
 };
 

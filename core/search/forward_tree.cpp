@@ -11,7 +11,7 @@
 namespace arcway {
 
 ForwardTree::ForwardTree(const SearchMap& map, const Pose& root, Direction direction, double finest,
-                         std::function<double(const Vec2&)> remaining)
+                         std::function<double(const Pose&)> remaining)
     : map_(&map),
       direction_(direction),
       gear_(direction == Direction::kFromStart ? Gear::kForward : Gear::kReverse),
@@ -91,9 +91,10 @@ void ForwardTree::add(std::uint32_t from, double curvature, double length) {
   const PathSegment away{nodes_[from].pose, length, curvature, gear_};
   const Pose end = away.end();
   if (!cells_.insert(cell_of(end, level_of(end))).second) return;
+  extent_ = std::max(extent_, (end.position() - nodes_[kRoot].pose.position()).norm());
   const double way = nodes_[from].length + length;
   nodes_.push_back({end, away.forwards(), from, way});
-  open_.push({way + remaining_(end.position()), static_cast<std::uint32_t>(nodes_.size() - 1), 0});
+  open_.push({way + remaining_(end), static_cast<std::uint32_t>(nodes_.size() - 1), 0});
 }
 
 Path ForwardTree::connection(std::uint32_t node) const {

@@ -35,9 +35,9 @@ class ForwardTree {
 
   /// @param map        must outlive the tree.
   /// @param finest     size of the smallest cells, in lengths of the body.
-  /// @param remaining  estimate of the way from a position on, by which poses take their turn [m].
+  /// @param remaining  estimate of the way from a pose on, by which poses take their turn [m].
   ForwardTree(const SearchMap& map, const Pose& root, Direction direction, double finest,
-              std::function<double(const Vec2&)> remaining);
+              std::function<double(const Pose&)> remaining);
 
   /// Adds the poses reached from the most promising one that had no turn yet; none if all had. O(edges near by).
   std::optional<std::uint32_t> expand();
@@ -46,6 +46,8 @@ class ForwardTree {
   [[nodiscard]] double room(double curvature) const { return contact_(curvature, gear_); }
   [[nodiscard]] double longest_motion() const { return far_; }
 
+  /// How far its poses are from its root at most, as the crow flies [m].
+  [[nodiscard]] double extent() const { return extent_; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
   /// The way from the start to a node, or from a node to the goal.
@@ -79,9 +81,10 @@ class ForwardTree {
   const SearchMap* map_;
   Direction direction_;
   Gear gear_;  // in which the tree grows away from its root
-  std::function<double(const Vec2&)> remaining_;
+  std::function<double(const Pose&)> remaining_;
   double radius_, body_length_;
-  double far_;       // the longest motion [m]
+  double far_;  // the longest motion [m]
+  double extent_ = 0.0;
   double coarsest_;  // size of the largest cells [m]
   int levels_;       // of smaller cells, each half as large
   ContactReach contact_;

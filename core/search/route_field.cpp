@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/angle.h"
 #include "core/passage/vehicle_gaps.h"
 #include "core/search/open_list.h"
 
@@ -12,8 +13,12 @@ namespace arcway {
 
 namespace {
 
-constexpr double kCellsAcross = 4.0;  // of a body's width: a passage that lets it through has a row of cells
-constexpr double kAround = 4.0;       // rows around the outlines, in body lengths and turning radii
+constexpr double kCellsAcross = 4.0;   // of a body's width: a passage that lets it through has a row of cells
+constexpr double kAround = 4.0;        // rows around the outlines, in body lengths and turning radii
+constexpr double kStraight = 2.3;      // length of motions straight on [cells]: all headings lead to cells of their own
+constexpr double kPartsOfACell = 4.0;  // in which the cells that a motion passes are looked for
+constexpr double kLeastTurn = 0.05;    // of the length that a turn counts [cells]: none is for nothing
+constexpr double kTighter = 0.9;       // radius of turns, for what rounding to cells takes away
 constexpr std::uint8_t kRight = 1, kUp = 2;
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t kAsked = 1024;  // cells between two questions whether to stop
@@ -28,9 +33,9 @@ struct Waiting {
 
 }  // namespace
 
-RouteField::RouteField(const SearchMap& map, const Pose& frame, const Vec2& place, std::size_t most_cells,
+RouteField::RouteField(const SearchMap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
                        const std::function<bool()>& stop)
-    : frame_(frame), ahead_(direction_of(frame.heading)), place_(place) {
+    : frame_(frame), ahead_(direction_of(frame.heading)), to_(to) {
   lay_out(map, most_cells);
   add_walls(map);
   spread(stop);
@@ -47,7 +52,7 @@ void RouteField::lay_out(const SearchMap& map, std::size_t most_cells) {
   for (std::uint32_t i = 0; i < map.outlines->size(); ++i)
     for (const Vec2& p : (*map.outlines)[i].points) extend(p);
   extend(frame_.position());
-  extend(place_);
+  extend(to_.position());
   const double around = kAround * (map.body.front + map.body.rear + map.vehicle.min_turning_radius());
   box = box.grown(around);
   const Vec2 extent = box.max - box.min;
@@ -96,6 +101,20 @@ bool RouteField::is_open(std::int64_t x, std::int64_t y, int dx, int dy) const {
   return (at(low_x, low_y).walls & (dx != 0 ? kRight : kUp)) == 0;
 }
 
+bool RouteField::is_free(std::int64_t x, std::int64_t y, int dx, int dy) const {
+  if (dx == 0 || dy == 0) return is_open(x, y, dx, dy);
+  return (is_open(x, y, dx, 0) && is_open(x + dx, y, 0, dy)) || (is_open(x, y, 0, dy) && is_open(x, y + dy, dx, 0));
+}
+
+// The cells at the corners around a place, and how far they are.
+template <class Visit>
+void RouteField::visit_around(const Vec2& p, Visit&& visit) {
+  const auto x0 = static_cast<std::int64_t>(std::floor(p.x())), y0 = static_cast<std::int64_t>(std::floor(p.y()));
+  for (const std::int64_t x : {x0, x0 + 1})
+    for (const std::int64_t y : {y0, y0 + 1})
+      visit(x, y, (Vec2(static_cast<double>(x), static_cast<double>(y)) - p).norm());
+}
+
 void RouteField::spread(const std::function<bool()>& stop) {
   OpenList<Waiting> open;
   const auto reach = [&](std::int64_t x, std::int64_t y, float length) {
@@ -104,12 +123,9 @@ void RouteField::spread(const std::function<bool()>& stop) {
     cell.length = length;
     open.push({length, static_cast<std::uint32_t>(y * width_ + x)});
   };
-  const Vec2 place = in_grid(place_);
-  const auto x0 = static_cast<std::int64_t>(place.x()), y0 = static_cast<std::int64_t>(place.y());
-  for (const std::int64_t x : {x0, x0 + 1})
-    for (const std::int64_t y : {y0, y0 + 1})
-      if (has(x, y))
-        reach(x, y, static_cast<float>((Vec2(static_cast<double>(x), static_cast<double>(y)) - place).norm()));
+  visit_around(in_grid(to_.position()), [&](std::int64_t x, std::int64_t y, double far) {
+    if (has(x, y)) reach(x, y, static_cast<float>(far));
+  });
   for (std::uint32_t i = 0; !open.empty(); ++i) {
     if (i % kAsked == 0 && stop && stop()) break;
     const Waiting here = open.pop();
@@ -118,26 +134,100 @@ void RouteField::spread(const std::function<bool()>& stop) {
     longest_ = here.length * size_;
     for (const int dx : {-1, 0, 1})
       for (const int dy : {-1, 0, 1}) {
-        if ((dx == 0 && dy == 0) || !has(x + dx, y + dy)) continue;
-        const bool is_diagonal = dx != 0 && dy != 0;
-        const bool free = is_diagonal ? (is_open(x, y, dx, 0) && is_open(x + dx, y, 0, dy)) ||
-                                            (is_open(x, y, 0, dy) && is_open(x, y + dy, dx, 0))
-                                      : is_open(x, y, dx, dy);
-        if (free) reach(x + dx, y + dy, here.length + (is_diagonal ? std::sqrt(2.0F) : 1.0F));
+        if ((dx == 0 && dy == 0) || !has(x + dx, y + dy) || !is_free(x, y, dx, dy)) continue;
+        reach(x + dx, y + dy, here.length + (dx != 0 && dy != 0 ? std::sqrt(2.0F) : 1.0F));
       }
   }
 }
 
-double RouteField::operator()(const Vec2& from) const {
-  const Vec2 p = in_grid(from);
-  const auto x0 = static_cast<std::int64_t>(std::floor(p.x())), y0 = static_cast<std::int64_t>(std::floor(p.y()));
+double RouteField::without_turns(const Vec2& from) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const std::int64_t x : {x0, x0 + 1})
-    for (const std::int64_t y : {y0, y0 + 1})
-      if (has(x, y))
-        least = std::min(least, static_cast<double>(at(x, y).length) +
-                                    (Vec2(static_cast<double>(x), static_cast<double>(y)) - p).norm());
-  return std::isfinite(least) ? least * size_ : longest_ + (place_ - from).norm();
+  visit_around(in_grid(from), [&](std::int64_t x, std::int64_t y, double far) {
+    if (has(x, y)) least = std::min(least, static_cast<double>(at(x, y).length) + far);
+  });
+  return std::isfinite(least) ? least * size_ : longest_ + (to_.position() - from).norm();
+}
+
+double RouteField::heading_in_grid(double heading) const {
+  return wrap_positive(heading - frame_.heading) / kTwoPi * kHeadings;
+}
+
+// Straight on to the next cell that lies about there, or an arc of the radius, in cells, to the next heading.
+RouteField::Motion RouteField::motion(int heading, int turn, double radius) {
+  const double from = kTwoPi * heading / kHeadings, by = kTwoPi * turn / kHeadings;
+  Motion result{turn, 0.0F, {}};
+  const auto reached = [&](double share) -> Vec2 {
+    if (turn == 0) return share * kStraight * direction_of(from);
+    const double bend = turn > 0 ? radius : -radius, now = from + share * by;
+    return bend * Vec2(std::sin(now) - std::sin(from), std::cos(from) - std::cos(now));
+  };
+  const double length = turn == 0 ? kStraight : radius * std::abs(by);
+  const int parts = 1 + static_cast<int>(kPartsOfACell * length);
+  std::array<int, 2> last{0, 0};
+  for (int i = 1; i <= parts; ++i) {
+    const Vec2 p = reached(static_cast<double>(i) / parts);
+    const std::array<int, 2> cell{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+    if (cell == last) continue;
+    result.steps.push_back({cell[0] - last[0], cell[1] - last[1]});
+    last = cell;
+  }
+  result.length = static_cast<float>(turn == 0 ? std::hypot(last[0], last[1]) : std::max(length, kLeastTurn));
+  return result;
+}
+
+void RouteField::heed_turns(double radius, const std::function<bool()>& stop) {
+  std::array<std::array<Motion, 3>, kHeadings> motions;
+  for (int heading = 0; heading < kHeadings; ++heading)
+    for (const int turn : {-1, 0, 1})
+      motions[static_cast<std::size_t>(heading)][static_cast<std::size_t>(turn + 1)] =
+          motion(heading, turn, kTighter * radius / size_);
+  lengths_.assign(cells_.size() * kHeadings, kNever);
+  OpenList<Waiting> open;
+  const auto reach = [&](std::int64_t x, std::int64_t y, int heading, float length) {
+    const auto state = static_cast<std::uint32_t>((y * width_ + x) * kHeadings + heading);
+    if (length >= lengths_[state]) return;
+    lengths_[state] = length;
+    open.push({length, state});
+  };
+  const int to = static_cast<int>(heading_in_grid(to_.heading));
+  visit_around(in_grid(to_.position()), [&](std::int64_t x, std::int64_t y, double far) {
+    for (const int heading : {to, to + 1})
+      if (has(x, y)) reach(x, y, heading % kHeadings, static_cast<float>(far));
+  });
+  for (std::uint32_t i = 0; !open.empty(); ++i) {
+    if (i % kAsked == 0 && stop && stop()) break;
+    const Waiting here = open.pop();
+    if (here.length > lengths_[here.cell]) continue;
+    longest_with_turns_ = here.length * size_;
+    const int heading = static_cast<int>(here.cell % kHeadings);
+    const std::int64_t cell = here.cell / kHeadings;
+    for (const int turn : {-1, 0, 1}) {  // of the motion that leads here
+      const int before = (heading - turn + kHeadings) % kHeadings;
+      const Motion& m = motions[static_cast<std::size_t>(before)][static_cast<std::size_t>(turn + 1)];
+      std::int64_t x = cell % width_, y = cell / width_;
+      bool free = true;
+      for (auto step = m.steps.rbegin(); step != m.steps.rend() && free; ++step) {
+        const int dx = -(*step)[0], dy = -(*step)[1];
+        free = has(x + dx, y + dy) && is_free(x, y, dx, dy);
+        x += dx;
+        y += dy;
+      }
+      if (free) reach(x, y, before, here.length + m.length);
+    }
+  }
+}
+
+double RouteField::operator()(const Pose& from) const {
+  if (lengths_.empty()) return without_turns(from.position());
+  double least = std::numeric_limits<double>::infinity();
+  const int low = static_cast<int>(heading_in_grid(from.heading));
+  visit_around(in_grid(from.position()), [&](std::int64_t x, std::int64_t y, double far) {
+    if (!has(x, y)) return;
+    for (const int heading : {low % kHeadings, (low + 1) % kHeadings})
+      least = std::min(
+          least, static_cast<double>(lengths_[static_cast<std::size_t>((y * width_ + x) * kHeadings + heading)]) + far);
+  });
+  return std::isfinite(least) ? least * size_ : longest_with_turns_ + without_turns(from.position());
 }
 
 }  // namespace arcway

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,23 +11,27 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
-/// Roughly how long the routes are from anywhere to a place, round the obstacles and through none of the gaps that are
-/// too narrow for the body: Dijkstra over a grid whose steps cross neither an outline nor such a gap. An estimate that
-/// guides searches; it proves nothing. Immutable, thread-safe.
+/// Roughly how long the routes are from anywhere to a pose, round the obstacles and through none of the gaps that are
+/// too narrow for the body: Dijkstra over a grid whose steps cross neither an outline nor such a gap. At first of a
+/// point that turns on the spot; where that misleads, of one that turns with the vehicle's radius. An estimate that
+/// guides searches; it proves nothing.
 class RouteField {
  public:
   /// The grid lies in the frame of a pose, so that a map that is moved and turned with its poses has the same field.
   /// O(cells log cells + edges).
   /// @param frame  start of the query, say.
-  /// @param place  to which routes lead.
+  /// @param to     to which routes lead; its heading matters once turns do.
   /// @param most_cells  the grid has at most so many.
   /// @param stop   asked now and then; true leaves the rest of the grid without routes.
-  RouteField(const SearchMap& map, const Pose& frame, const Vec2& place, std::size_t most_cells,
+  RouteField(const SearchMap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
              const std::function<bool()>& stop);
 
-  /// Length of the route from a point [m]. Where the grid has none, the distance as the crow flies and the longest
-  /// route of all.
-  [[nodiscard]] double operator()(const Vec2& from) const;
+  /// From now on routes turn with a radius. O(cells log cells), some ten times as long as the constructor takes.
+  void heed_turns(double radius, const std::function<bool()>& stop);
+
+  /// Length of the route from a pose [m]. Where the grid has none, that of a point that turns on the spot, or as the
+  /// crow flies, and the longest route of all.
+  [[nodiscard]] double operator()(const Pose& from) const;
 
  private:
   struct Cell {
@@ -38,6 +43,9 @@ class RouteField {
   void add_walls(const SearchMap& map);
   void add_wall(const Vec2& a, const Vec2& b);
   void spread(const std::function<bool()>& stop);
+  [[nodiscard]] double without_turns(const Vec2& from) const;
+  // A step to one of the eight cells around.
+  [[nodiscard]] bool is_free(std::int64_t x, std::int64_t y, int dx, int dy) const;
   [[nodiscard]] bool is_open(std::int64_t x, std::int64_t y, int dx, int dy) const;
   [[nodiscard]] bool has(std::int64_t x, std::int64_t y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
   [[nodiscard]] const Cell& at(std::int64_t x, std::int64_t y) const {
@@ -47,9 +55,24 @@ class RouteField {
   // In units of cells.
   [[nodiscard]] Vec2 in_grid(const Vec2& p) const;
 
+  static constexpr int kHeadings = 16;
+  // A motion from one heading of the grid to the same or the next.
+  struct Motion {
+    int turn;                               // in headings
+    float length;                           // in cells
+    std::vector<std::array<int, 2>> steps;  // from cell to cell
+  };
+  [[nodiscard]] static Motion motion(int heading, int turn, double radius);
+  // In the frame, in steps of the grid.
+  [[nodiscard]] double heading_in_grid(double heading) const;
+  template <class Visit>
+  static void visit_around(const Vec2& p, Visit&& visit);
+
   Pose frame_;
   Vec2 ahead_;
-  Vec2 place_;
+  Pose to_;
+  std::vector<float> lengths_;  // with turns, by cell and heading
+  double longest_with_turns_ = 0.0;
   Vec2 corner_{0.0, 0.0};  // of the grid, in the frame
   double size_ = 1.0;      // of a cell
   std::int64_t width_ = 0, height_ = 0;

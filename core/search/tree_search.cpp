@@ -46,14 +46,14 @@ class NearPoses {
 
 class TreeSearch {
  public:
-  TreeSearch(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
-             const SearchOptions& options, SearchWorkspace& workspace, FoundPath& found)
+  TreeSearch(const SearchMap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
+             const SearchOptions& options, SearchWorkspace& workspace, FoundPath& found, TreesEnd& end)
       : map_(map),
         roots_{start, goal},
-        max_poses_(static_cast<double>(max_poses)),
+        limits_(limits),
         options_(options),
         workspace_(workspace),
-        found_(found),
+        end_(end),
         result_(found.search),
         radius_(map.vehicle.min_turning_radius()),
         body_length_(map.body.front + map.body.rear),
@@ -61,7 +61,9 @@ class TreeSearch {
         fields_{field(1), field(0)} {}
 
   void run() {
-    for (const TreePass& pass : kTreePasses) {
+    for (const TreePass& pass : std::span(kTreePasses).first(std::min(limits_.passes, kTreePasses.size()))) {
+      if (pass.heeds_turns && !std::exchange(heed_turns_, true))
+        for (RouteField& field : fields_) field.heed_turns(radius_, [this] { return options_.interrupted(); });
       grow(pass);
       if (result_.path || result_.interrupted) return;
     }
@@ -74,15 +76,20 @@ class TreeSearch {
     std::vector<std::uint32_t> terminals;
   };
 
+  // A way to a pose is, the other way, one from the pose turned round.
+  static Pose turned_round(const Pose& pose) { return {pose.x, pose.y, pose.heading + kPi}; }
+
   [[nodiscard]] RouteField field(std::size_t to) const {
-    return {map_, roots_[0], roots_[to].position(), kTreeJoints.field_cells, [this] { return options_.interrupted(); }};
+    return {map_, roots_[0], to == 1 ? roots_[1] : turned_round(roots_[0]), kTreeJoints.field_cells,
+            [this] { return options_.interrupted(); }};
   }
 
   [[nodiscard]] Side side(std::size_t i, double finest) const {
-    return {{map_, roots_[i], i == 0 ? Direction::kFromStart : Direction::kToGoal, finest,
-             [this, i](const Vec2& p) { return kTreeJoints.greed * fields_[i](p); }},
-            NearPoses(kTreeJoints.near * body_length_),
-            {}};
+    return {
+        {map_, roots_[i], i == 0 ? Direction::kFromStart : Direction::kToGoal, finest,
+         [this, i](const Pose& pose) { return kTreeJoints.greed * fields_[i](i == 0 ? pose : turned_round(pose)); }},
+        NearPoses(kTreeJoints.near * body_length_),
+        {}};
   }
 
   bool interrupted() {
@@ -94,21 +101,29 @@ class TreeSearch {
     std::array<Side, 2> sides{side(0, pass.finest), side(1, pass.finest)};
     std::size_t next_roadmap = kTreeJoints.first_roadmap;
     std::array<bool, 2> dry{false, false};
-    const auto most = static_cast<std::size_t>(pass.share * max_poses_);
+    auto most = static_cast<std::size_t>(pass.share * static_cast<double>(limits_.poses));
     for (std::size_t i = 0; i < most && !(dry[0] && dry[1]) && !interrupted(); ++i) {
       const std::size_t at = i % 2;
+      if (dry[at]) continue;
       const auto node = sides[at].tree.expand();
-      dry[at] = !node;
-      if (!node) continue;
-      ++found_.manoeuvre_poses;
+      if (!node) {
+        dry[at] = true;
+        // The other tree may still come near, but not by growing all over the map.
+        most = std::min(most, kTreeJoints.after_dry * (i + 1));
+        continue;
+      }
+      ++end_.poses;
       join(sides, at, *node);
-      if (result_.path) return;
-      if (i + 1 == next_roadmap) {
+      if (!result_.path && i + 1 >= next_roadmap) {
         join_roadmap(sides);
         next_roadmap *= kTreeJoints.roadmap_factor;
       }
       if (result_.path) return;
     }
+    const double pocket = kTreeJoints.pocket * std::max(radius_, body_length_);
+    end_.start_hemmed_in = sides[0].tree.extent() < pocket;
+    end_.goal_hemmed_in = sides[1].tree.extent() < pocket;
+    end_.ran_dry = dry[0] || dry[1];
     if (!interrupted()) join_roadmap(sides);
   }
 
@@ -206,23 +221,24 @@ class TreeSearch {
 
   const SearchMap& map_;
   std::array<Pose, 2> roots_;
-  double max_poses_;
+  TreeLimits limits_;
   const SearchOptions& options_;
   SearchWorkspace& workspace_;
-  FoundPath& found_;
+  TreesEnd& end_;
   SearchResult& result_;
   double radius_, body_length_;
   ContactReach contact_;
   std::array<RouteField, 2> fields_;  // to the other end
-  std::vector<Near> near_;            // memory
+  bool heed_turns_ = false;
+  std::vector<Near> near_;  // memory
 };
 
 }  // namespace
 
-FoundPath search_trees(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
-                       const SearchOptions& options, SearchWorkspace& workspace) {
+FoundPath search_trees(const SearchMap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
+                       const SearchOptions& options, SearchWorkspace& workspace, TreesEnd& end) {
   FoundPath found;
-  TreeSearch(map, start, goal, max_poses, options, workspace, found).run();
+  TreeSearch(map, start, goal, limits, options, workspace, found, end).run();
   return found;
 }
 

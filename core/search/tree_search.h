@@ -6,13 +6,29 @@
 
 namespace [[gnu::visibility("default")]] arcway {
 
+/// What a search by trees may take.
+struct TreeLimits {
+  std::size_t poses;                ///< that are grown in all, O(edges near by) each
+  std::size_t passes = kAllPasses;  ///< of those in effort.h
+  static constexpr std::size_t kAllPasses = 100;
+};
+
+/// How the trees of a search were left.
+struct TreesEnd {
+  std::size_t poses = 0;  ///< that were grown
+  /// Of the last pass: no pose of the tree is far from its root.
+  bool start_hemmed_in = false, goal_hemmed_in = false;
+  /// Of the last pass: no motion leads on from any pose of one tree, as far as the finest grid tells poses apart.
+  bool ran_dry = false;
+};
+
 /// A path of a vehicle that does not reverse, for starts, goals and passages so narrow that the roadmap has none: two
 /// trees of poses grow from start and goal, by turns, guided by the routes through gaps that are wide enough. New poses
 /// are joined to the nearest ones of the other tree by biarcs and Dubins words, and now and then to the roadmap. Passes
 /// tell poses apart more and more finely. Paths are checked exactly; the number of poses is limited, so that no path
 /// proves nothing. Deterministic unless interrupted. The path is as free as any, but by no means the fastest.
-/// @param max_poses  that are grown in all, O(edges near by) each.
-FoundPath search_trees(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t max_poses,
-                       const SearchOptions& options, SearchWorkspace& workspace);
+/// @param end  is told how the trees were left.
+FoundPath search_trees(const SearchMap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
+                       const SearchOptions& options, SearchWorkspace& workspace, TreesEnd& end);
 
 }  // namespace arcway

@@ -104,7 +104,7 @@ TEST(PlannerNoPath, NoPathThatExistsIsDisproved) {
     const BottleneckFinder bottleneck(world, vehicle);
     for (const PlanRequest& request :
          random_queries(world, make_reference_queries(world), vehicle, {.count = 8, .min_distance = 0.2})) {
-      const PlanResult plan = planner.plan(request);
+      const PlanResult plan = planner.plan(request, {.tree_poses = 300});
       const auto narrowest = bottleneck(request.start, request.goal);
       if (plan.solved()) {
         ++solved;
@@ -117,6 +117,32 @@ TEST(PlannerNoPath, NoPathThatExistsIsDisproved) {
   }
   EXPECT_GT(solved, 5);
   EXPECT_GT(disproved, 5);
+}
+
+TEST(PlannerNoPath, AProofIsToldFromALimit) {
+  const auto certainty = [](const World& world, const Pose& start, const Pose& goal) {
+    const PlanResult plan =
+        Planner(world, Vehicle{}, {.manoeuvre_poses = 20}).plan({.start = start, .goal = goal}, {.tree_poses = 300});
+    EXPECT_FALSE(plan.solved());
+    return plan.certainty;
+  };
+  EXPECT_EQ(certainty(rooms(0.75), {5, 10, 0}, {25, 10, 0}), Certainty::kProved);
+  EXPECT_EQ(certainty(rooms(0.75), {14.5, 5, 0}, {25, 10, 0}), Certainty::kProved);  // in a wall
+  // A hall too narrow to turn round in, and so long that this is not proved.
+  const World hall({}, box(-60, -1, 60, 1).outer);
+  EXPECT_EQ(certainty(hall, {0, 0, 0}, {5, 0, kPi}), Certainty::kGaveUp);
+  const PlanResult late = Planner(hall, Vehicle{}).plan({.start = {0, 0, 0}, .goal = {5, 0, kPi}}, {.time = 0.0});
+  EXPECT_EQ(late.certainty, Certainty::kGaveUp);
+}
+
+TEST(PlannerNoPath, ReasonsAreTheSameForLazyAndEagerGraphs) {
+  const World hall({box(20, -0.3, 21, 0.3)}, box(-60, -1, 60, 1).outer);
+  const auto reason = [&](GraphMode mode) {
+    const Planner planner(hall, Vehicle{}, {.graph_mode = mode, .manoeuvre_poses = 20});
+    return planner.plan({.start = {-10, 0, 0}, .goal = {-15, 0, 0}}, {.tree_poses = 300}).reason;
+  };
+  EXPECT_FALSE(reason(GraphMode::kEager).empty());
+  EXPECT_EQ(reason(GraphMode::kEager), reason(GraphMode::kLazy));
 }
 
 TEST(PlannerNoPath, WhatWasInterruptedIsNotExplained) {

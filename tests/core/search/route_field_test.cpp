@@ -23,17 +23,28 @@ RouteField field_behind_a_wall(double gap) {
   FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
                       queries, radii, SerialExecutor(), GraphMode::kLazy);
   const SearchMap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
-  return {map, {0.0, 0.0, 0.3}, {20.0, 0.0}, 100'000, {}};
+  return {map, {0.0, 0.0, 0.3}, {20.0, 0.0, 0.0}, 100'000, {}};
 }
 
-TEST(RouteField, LeadsThroughGapsThatAreWideEnough) { EXPECT_NEAR(field_behind_a_wall(1.0)({0.0, 0.0}), 20.0, 2.0); }
+TEST(RouteField, LeadsThroughGapsThatAreWideEnough) {
+  EXPECT_NEAR(field_behind_a_wall(1.0)({0.0, 0.0, 0.0}), 20.0, 2.0);
+}
 
 TEST(RouteField, LeadsRoundGapsThatAreTooNarrow) {
   const double round = 2.0 * std::hypot(9.5, 20.0);
-  EXPECT_NEAR(field_behind_a_wall(0.7)({0.0, 0.0}), round, 0.1 * round);
+  EXPECT_NEAR(field_behind_a_wall(0.7)({0.0, 0.0, 0.0}), round, 0.1 * round);
 }
 
-TEST(RouteField, EndsAtThePlace) { EXPECT_NEAR(field_behind_a_wall(1.0)({20.0, 0.0}), 0.0, 0.5); }
+// Who faces away turns round first.
+TEST(RouteField, HeedsTurns) {
+  RouteField field = field_behind_a_wall(1.0);
+  EXPECT_NEAR(field({0.0, 0.0, kPi}), 20.0, 2.0);
+  field.heed_turns(1.3, {});
+  EXPECT_NEAR(field({0.0, 0.0, 0.0}), 20.0, 2.0);
+  EXPECT_GT(field({0.0, 0.0, kPi}), 21.5);
+}
+
+TEST(RouteField, EndsAtThePlace) { EXPECT_NEAR(field_behind_a_wall(1.0)({20.0, 0.0, 0.0}), 0.0, 0.5); }
 
 }  // namespace
 }  // namespace arcway
