@@ -36,6 +36,40 @@ bool is_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
   return sweep.straight_free(swept_rectangle(pose, 0.0, body));
 }
 
+// The same place with the smallest turn, to the left before the right.
+std::optional<FreePose> free_turn(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+  const double reach = std::hypot(std::max(body.front, body.rear), body.half_width);
+  for (int turn = 1; turn < kTurns; ++turn) {
+    const double angle = (turn % 2 == 1 ? 1.0 : -1.0) * ((turn + 1) / 2) * (kTwoPi / kTurns);
+    const Pose turned{pose.x, pose.y, wrap_signed(pose.heading + angle)};
+    if (is_free(sweep, body, turned)) return FreePose{turned, 0.0, reach * std::abs(angle)};
+  }
+  return std::nullopt;
+}
+
+// The same heading on the smallest circle with a free place, each of them drawn in by bisection: the nearest of them.
+std::optional<FreePose> free_move(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+  const double step = free_pose_reach(body) / kCircles;
+  std::optional<FreePose> nearest;
+  for (int circle = 1; circle <= kCircles && !nearest; ++circle) {
+    for (int i = 0; i < kDirections; ++i) {
+      const Vec2 direction = direction_of(pose.heading + i * (kTwoPi / kDirections));
+      const auto at = [&](double distance) {
+        const Vec2 p = pose.position() + distance * direction;
+        return Pose{p.x(), p.y(), pose.heading};
+      };
+      double near = (circle - 1) * step, far = circle * step;
+      if (!is_free(sweep, body, at(far))) continue;
+      for (int k = 0; k < kHalvings; ++k) {
+        const double middle = 0.5 * (near + far);
+        (is_free(sweep, body, at(middle)) ? far : near) = middle;
+      }
+      if (!nearest || far < nearest->distance) nearest = FreePose{at(far), far, far};
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::optional<BodyContact> contact_of(const World& world, const DistanceQuery& distance, const Footprint& body,
@@ -67,29 +101,8 @@ double free_pose_reach(const Footprint& body) {
 }
 
 std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
-  for (int turn = 1; turn < kTurns; ++turn) {  // the smallest turns first, to the left and to the right
-    const double angle = (turn % 2 == 1 ? 1.0 : -1.0) * ((turn + 1) / 2) * (kTwoPi / kTurns);
-    const Pose turned{pose.x, pose.y, wrap_signed(pose.heading + angle)};
-    if (is_free(sweep, body, turned)) return FreePose{turned, 0.0};
-  }
-  const double step = free_pose_reach(body) / kCircles;
-  for (int circle = 1; circle <= kCircles; ++circle) {
-    for (int i = 0; i < kDirections; ++i) {
-      const Vec2 direction = direction_of(pose.heading + i * (kTwoPi / kDirections));
-      const auto at = [&](double distance) {
-        const Vec2 p = pose.position() + distance * direction;
-        return Pose{p.x(), p.y(), pose.heading};
-      };
-      double near = (circle - 1) * step, far = circle * step;
-      if (!is_free(sweep, body, at(far))) continue;
-      for (int k = 0; k < kHalvings; ++k) {
-        const double middle = 0.5 * (near + far);
-        (is_free(sweep, body, at(middle)) ? far : near) = middle;
-      }
-      return FreePose{at(far), far};
-    }
-  }
-  return std::nullopt;
+  const auto turned = free_turn(sweep, body, pose), moved = free_move(sweep, body, pose);
+  return !turned || (moved && moved->travel < turned->travel) ? moved : turned;
 }
 
 std::string collision_text(const World& world, const QuerySet& queries, const Footprint& body, const Pose& pose) {

@@ -26,13 +26,14 @@ std::optional<BodyContact> contact_of(const World& world, const DistanceQuery& d
 struct FreePose {
   Pose pose;
   double distance;  ///< of the reference points [m]
+  double travel;    ///< of the point of the body that moves most [m]
 };
 /// How far `nearest_free_pose` looks: twice the diagonal of the body [m].
 double free_pose_reach(const Footprint& body);
-/// The nearest free pose of a fixed pattern: first the same place with headings turned by steps of 15 degrees, then the
-/// same heading on 16 circles of rising radius, 24 directions each, counted from the heading. A place found on a circle
-/// is then drawn in towards the pose by bisection. Each pose is decided exactly by the sweep query; another one may be
-/// nearer. At most 423 checks.
+/// The nearest free pose of a fixed pattern, by the travel of the body: of the same place with headings turned by
+/// multiples of 15 degrees, the smallest turn; of the same heading on 16 circles of rising radius, in 24 directions
+/// counted from the heading, the nearest of the first circle with any, drawn in towards the pose by bisection. Each
+/// pose is decided exactly by the sweep query; another one may be nearer. At most 767 checks.
 std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footprint& body, const Pose& pose);
 
 /// "collides with obstacle 3 at (4, 1.5); the nearest free pose found is (4, 0.3, 0), 1.2 m away", of a pose at which

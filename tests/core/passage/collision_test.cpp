@@ -63,10 +63,21 @@ TEST(Collision, TheFreePoseIsFreeAndNear) {
     const auto free = nearest_free_pose(*queries.sweep, body, motion(Pose{0, 0, 0}));
     ASSERT_TRUE(free);
     EXPECT_TRUE(queries.sweep->straight_free(swept_rectangle(free->pose, 0.0, body)));
-    if (free->distance > 0.0) {
-      EXPECT_NEAR(free->distance, depth, 1e-3);
-    }
+    EXPECT_NEAR(free->distance, depth, 1e-3);  // straight back, which is less than to turn
+    EXPECT_EQ(free->travel, free->distance);
   }
+}
+
+TEST(Collision, TurnsWhereThatIsLessThanToMove) {
+  // Between walls beside it, a tail that is turned by 15 degrees: turned back it fits.
+  const World world({box(-50, 1.5, 50, 9), box(-50, -9, 50, -1.5)});
+  const QuerySet queries = make_reference_queries(world);
+  const Footprint body{.front = 3, .rear = 3, .half_width = 1};
+  const auto free = nearest_free_pose(*queries.sweep, body, {0, 0, kPi / 12});
+  ASSERT_TRUE(free);
+  EXPECT_EQ(free->distance, 0.0);
+  EXPECT_NEAR(free->pose.heading, 0.0, 1e-12);
+  EXPECT_NEAR(free->travel, std::hypot(3, 1) * kPi / 12, 1e-12);
 }
 
 TEST(Collision, SaysWhereNothingIsFreeNearBy) {
