@@ -13,6 +13,8 @@ namespace {
 // Of the distance from the center of a turn: what lies this near to a contact counts as one.
 constexpr double kRounding = 1e-12;
 
+constexpr double kQuarterTurn = 0.5 * kPi;
+
 // The first contact of a body that turns about the origin with an edge.
 class TurnContacts {
  public:
@@ -119,8 +121,13 @@ double ContactReach::operator()(double curvature, Gear gear) const {
   const double inside = std::max(0.0, radius - body_.half_width), inner = inside * inside;
   const bool to_left = (curvature > 0.0) == (gear == Gear::kForward);
   TurnContacts contacts(to_left ? Side::kLeft : Side::kRight, std::min(kTwoPi, most_ / radius));
+  // Where the center of the turn is not under the body, all of it moves ahead at first.
+  const double ahead = sign_of(gear), tail = gear == Gear::kForward ? -body_.rear : -body_.front;
+  const bool moves_ahead = radius >= body_.half_width;
   for (const auto& [distance, edge] : edges_) {
     if (distance > around_ + contacts.least() * radius) break;
+    if (moves_ahead && contacts.least() < kQuarterTurn && std::max(ahead * edge.a.x(), ahead * edge.b.x()) < tail)
+      continue;
     const Vec2 p = edge.a - center, q = edge.b - center, d = q - p;
     const double dd = d.squaredNorm();
     if (dd == 0.0) continue;

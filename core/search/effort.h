@@ -9,7 +9,6 @@ namespace arcway {
 /// How trees of forward motions grow. Lengths are in lengths of the body, unless said otherwise.
 struct TreeShape {
   std::array<double, 11> bends;  ///< curvatures looked at first, times the smallest turning radius
-  int halvings;                  ///< of the steps between curvatures, where obstacles end motions early
   std::array<double, 4> shares;  ///< of the room, where motions end
   double longest;                ///< motion, in lengths of the body or turning radii, whichever is larger
   double coarsest;               ///< cell in which poses count as one, likewise
@@ -19,7 +18,6 @@ struct TreeShape {
 };
 inline constexpr TreeShape kTree{
     .bends = {-1.0, -0.7, -0.4, -0.2, -0.08, 0.0, 0.08, 0.2, 0.4, 0.7, 1.0},
-    .halvings = 4,
     .shares = {1.0, 0.75, 0.5, 0.25},
     .longest = 2.0,
     .coarsest = 0.125,
@@ -28,14 +26,17 @@ inline constexpr TreeShape kTree{
     .slack = 1e-6,
 };
 
-/// One pass of a search by trees: what is tried where passes with larger cells found nothing.
+/// One pass of a search by trees: what is tried where the passes before found nothing.
 struct TreePass {
   double finest;     ///< size of the smallest cells, in lengths of the body
+  int halvings;      ///< of the steps between curvatures, where obstacles end motions early
   double share;      ///< of all poses that are grown at most
   bool heeds_turns;  ///< in the estimate of the way that remains
 };
-inline constexpr std::array<TreePass, 3> kTreePasses{
-    {{1.0 / 64.0, 0.2, false}, {1.0 / 128.0, 0.3, true}, {1.0 / 4096.0, 0.5, true}}};
+inline constexpr std::array<TreePass, 4> kTreePasses{{{1.0 / 64.0, 4, 0.2, false},
+                                                      {1.0 / 128.0, 4, 0.2, true},
+                                                      {1.0 / 512.0, 8, 0.2, true},
+                                                      {1.0 / 4096.0, 8, 0.4, true}}};
 
 /// How trees are joined.
 struct TreeJoints {

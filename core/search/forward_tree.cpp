@@ -6,11 +6,10 @@
 #include <utility>
 
 #include "core/geometry/angle.h"
-#include "core/search/effort.h"
 
 namespace arcway {
 
-ForwardTree::ForwardTree(const SearchMap& map, const Pose& root, Direction direction, double finest,
+ForwardTree::ForwardTree(const SearchMap& map, const Pose& root, Direction direction, const TreePass& pass,
                          std::function<double(const Pose&)> remaining)
     : map_(&map),
       direction_(direction),
@@ -20,7 +19,8 @@ ForwardTree::ForwardTree(const SearchMap& map, const Pose& root, Direction direc
       body_length_(map.body.front + map.body.rear),
       far_(kTree.longest * std::max(radius_, body_length_)),
       coarsest_(kTree.coarsest * std::max(radius_, body_length_)),
-      levels_(std::max(0, static_cast<int>(std::ceil(std::log2(coarsest_ / (finest * body_length_)))))),
+      halvings_(pass.halvings),
+      levels_(std::max(0, static_cast<int>(std::ceil(std::log2(coarsest_ / (pass.finest * body_length_)))))),
       contact_(*map.outlines, map.body) {
   nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0.0});
   open_.push({0.0, kRoot, 0});
@@ -62,7 +62,7 @@ void ForwardTree::look_around(const Pose& pose) {
   contact_.begin(pose, far_);
   rays_.clear();
   for (const double bend : kTree.bends) rays_.push_back(ray(bend / radius_, true));
-  for (int i = 0; i < kTree.halvings; ++i) halve_steps();
+  for (int i = 0; i < halvings_; ++i) halve_steps();
 }
 
 ForwardTree::Ray ForwardTree::ray(double curvature, bool first) const {

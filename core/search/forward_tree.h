@@ -10,6 +10,7 @@
 
 #include "core/path/path.h"
 #include "core/search/contact_reach.h"
+#include "core/search/effort.h"
 #include "core/search/open_list.h"
 #include "core/search/search_map.h"
 #include "core/search/terminal_links.h"
@@ -34,9 +35,9 @@ class ForwardTree {
   static constexpr std::uint32_t kRoot = 0;
 
   /// @param map        must outlive the tree.
-  /// @param finest     size of the smallest cells, in lengths of the body.
+  /// @param pass       says how finely poses and curvatures are told apart.
   /// @param remaining  estimate of the way from a pose on, by which poses take their turn [m].
-  ForwardTree(const SearchMap& map, const Pose& root, Direction direction, double finest,
+  ForwardTree(const SearchMap& map, const Pose& root, Direction direction, const TreePass& pass,
               std::function<double(const Pose&)> remaining);
 
   /// Adds the poses reached from the most promising one that had no turn yet; none if all had. O(edges near by).
@@ -86,7 +87,8 @@ class ForwardTree {
   double far_;  // the longest motion [m]
   double extent_ = 0.0;
   double coarsest_;  // size of the largest cells [m]
-  int levels_;       // of smaller cells, each half as large
+  int halvings_;
+  int levels_;  // of smaller cells, each half as large
   ContactReach contact_;
   std::vector<Ray> rays_, halved_;  // by curvature
   std::vector<Node> nodes_;

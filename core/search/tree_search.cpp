@@ -23,15 +23,23 @@ namespace {
 // Poses by place, for those near another.
 class NearPoses {
  public:
+  struct Entry {
+    std::uint32_t node;
+    Pose pose;
+    Vec2 ahead;
+  };
+
   explicit NearPoses(double cell) : cell_(cell) {}
-  void add(std::uint32_t node, const Pose& pose) { cells_[key(index(pose.x), index(pose.y))].push_back(node); }
+  void add(std::uint32_t node, const Pose& pose) {
+    cells_[key(index(pose.x), index(pose.y))].push_back({node, pose, direction_of(pose.heading)});
+  }
   template <class Visit>
   void visit(const Pose& near, Visit&& visit) const {
     for (const std::int64_t dx : {-1, 0, 1})
       for (const std::int64_t dy : {-1, 0, 1}) {
         const auto found = cells_.find(key(index(near.x) + dx, index(near.y) + dy));
         if (found == cells_.end()) continue;
-        for (const std::uint32_t node : found->second) visit(node);
+        for (const Entry& entry : found->second) visit(entry);
       }
   }
 
@@ -41,7 +49,7 @@ class NearPoses {
     return static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(y);
   }
   double cell_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  std::unordered_map<std::uint64_t, std::vector<Entry>> cells_;
 };
 
 class TreeSearch {
@@ -84,9 +92,9 @@ class TreeSearch {
             [this] { return options_.interrupted(); }};
   }
 
-  [[nodiscard]] Side side(std::size_t i, double finest) const {
+  [[nodiscard]] Side side(std::size_t i, const TreePass& pass) const {
     return {
-        {map_, roots_[i], i == 0 ? Direction::kFromStart : Direction::kToGoal, finest,
+        {map_, roots_[i], i == 0 ? Direction::kFromStart : Direction::kToGoal, pass,
          [this, i](const Pose& pose) { return kTreeJoints.greed * fields_[i](i == 0 ? pose : turned_round(pose)); }},
         NearPoses(kTreeJoints.near * body_length_),
         {}};
@@ -98,7 +106,7 @@ class TreeSearch {
   }
 
   void grow(const TreePass& pass) {
-    std::array<Side, 2> sides{side(0, pass.finest), side(1, pass.finest)};
+    std::array<Side, 2> sides{side(0, pass), side(1, pass)};
     std::size_t next_roadmap = kTreeJoints.first_roadmap;
     std::array<bool, 2> dry{false, false};
     auto most = static_cast<std::size_t>(pass.share * static_cast<double>(limits_.poses));
@@ -135,20 +143,27 @@ class TreeSearch {
     }
   };
 
+  // The nearest poses of a tree that lie ahead, or behind for the tree of the goal.
+  void find_near(const Side& other, const Pose& pose, double forwards) {
+    const Vec2 ahead = direction_of(pose.heading);
+    near_.clear();
+    other.near.visit(pose, [&](const NearPoses::Entry& entry) {
+      const Vec2 way = forwards * (entry.pose.position() - pose.position());
+      const bool is_full = near_.size() == kTreeJoints.nearest;
+      if (is_full && way.norm() >= near_.back().distance) return;
+      if (way.dot(ahead) < 0.0 || way.dot(entry.ahead) < 0.0) return;
+      const Near found{way.norm() + body_length_ * std::abs(wrap_signed(entry.pose.heading - pose.heading)),
+                       entry.node};
+      if (is_full && !(found < near_.back())) return;
+      if (is_full) near_.pop_back();
+      near_.insert(std::upper_bound(near_.begin(), near_.end(), found), found);
+    });
+  }
+
   // A new pose to the root of the other tree and the poses near by.
   void join(std::array<Side, 2>& sides, std::size_t at, std::uint32_t node) {
     const Pose pose = sides[at].tree[node].pose;
-    const Side& other = sides[1 - at];
-    near_.clear();
-    other.near.visit(pose, [&](std::uint32_t n) {
-      const Pose& to = other.tree[n].pose;
-      const Vec2 way = (at == 0 ? 1.0 : -1.0) * (to.position() - pose.position());
-      if (way.dot(direction_of(pose.heading)) < 0.0 || way.dot(direction_of(to.heading)) < 0.0) return;
-      near_.push_back({way.norm() + body_length_ * std::abs(wrap_signed(to.heading - pose.heading)), n});
-    });
-    const std::size_t few = std::min(near_.size(), kTreeJoints.nearest);
-    std::partial_sort(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(few), near_.end());
-    near_.resize(few);
+    find_near(sides[1 - at], pose, at == 0 ? 1.0 : -1.0);
     near_.push_back({0.0, ForwardTree::kRoot});
     for (const Near& n : near_)
       if (connect(sides, at, at == 0 ? node : n.node, at == 0 ? n.node : node)) return;
