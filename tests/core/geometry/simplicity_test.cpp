@@ -46,7 +46,7 @@ TEST(Simplicity, FindsConflictsWhereAllPairsDo) {
 TEST(Simplicity, ListsTheContactsThatAllPairsHave) {
   Random random(3);
   std::size_t count = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 1000; ++round) {
     const Polygon polygon = test::touching_polygon(random, 6);
     const auto listed = [&](const auto& find) {
       std::vector<RingContact> contacts;
