@@ -72,8 +72,8 @@ void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
       // Where no edge is touched the body is wholly inside or wholly outside each region.
       for (int k = static_cast<int>(result[i].intervals().size()) - 1; k >= 0; --k) {
         const HeadingInterval& interval = result[i].intervals()[static_cast<std::size_t>(k)];
-        const Vec2 position = position_at(body, 0.5 * (interval.low + interval.high));
-        if (scenes_->locator.containing(position) != kNone) result[i].erase(k);
+        const Vec2 middle = middle_at(body, 0.5 * (interval.low + interval.high));
+        if (scenes_->locator.containing(middle) != kNone) result[i].erase(k);
       }
     }
   });

@@ -104,7 +104,7 @@ void BruteForceQuery::do_free_headings(std::span<const TurningBody> bodies, std:
     // Where no edge is touched the body is wholly inside or wholly outside each region.
     for (int k = static_cast<int>(result[i].intervals().size()) - 1; k >= 0; --k) {
       const HeadingInterval& interval = result[i].intervals()[static_cast<std::size_t>(k)];
-      if (find_containing(world_, position_at(body, 0.5 * (interval.low + interval.high))) != kNone) result[i].erase(k);
+      if (find_containing(world_, middle_at(body, 0.5 * (interval.low + interval.high))) != kNone) result[i].erase(k);
     }
   }
 }

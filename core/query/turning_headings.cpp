@@ -96,8 +96,9 @@ double reach_of(const TurningBody& body) {
   return swept_annulus(body.body, body.radius).outer * (1.0 + kCriticalSlack);
 }
 
-Vec2 position_at(const TurningBody& body, double heading) {
-  return body.center - sign_of(body.side) * body.radius * perpendicular(direction_of(heading));
+Vec2 middle_at(const TurningBody& body, double heading) {
+  const Vec2 position = body.center - sign_of(body.side) * body.radius * perpendicular(direction_of(heading));
+  return middle_of(body.body, {position.x(), position.y(), heading});
 }
 
 bool may_touch(const TurningBody& body, const LineSegment& edge) {

@@ -19,7 +19,7 @@ bool may_touch(const TurningBody& body, const LineSegment& edge);
 /// Distance from a turning body's centre within which all edges lie that it can touch.
 double reach_of(const TurningBody& body);
 
-/// Centre of a turning body's reference point at a heading.
-Vec2 position_at(const TurningBody& body, double heading);
+/// The middle of a turning body at a heading: a point of the body, as its reference point need not be.
+Vec2 middle_at(const TurningBody& body, double heading);
 
 }  // namespace arcway

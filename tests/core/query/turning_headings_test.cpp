@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "accel/make_queries.h"
 #include "core/geometry/angle.h"
 #include "core/query/query_set.h"
 #include "datasets/clutter.h"
@@ -16,19 +17,14 @@ bool free_at(const SweepQuery& sweep, const TurningBody& body, double heading) {
   return sweep.straight_free(swept_rectangle({p.x(), p.y(), heading}, 0.0, body.body));
 }
 
-TEST(FreeHeadings, AgreeWithTheBodyPlacedAtEachHeading) {
-  const Clutter clutter =
-      generate_clutter({.kind = ClutterKind::kMixed, .obstacles = 40, .vertices = 7, .fill = 0.4, .seed = 3});
-  const World world(clutter.obstacles, clutter.bounds);
-  const QuerySet queries = make_reference_queries(world);
+void expect_agreement(const World& world, const QuerySet& queries, const Footprint& footprint) {
   test::Random random(11);
   std::size_t partly_free = 0;
   for (int i = 0; i < 150; ++i) {
     const Vec2 span = world.box().max - world.box().min;
     const Vec2 center =
         world.box().min + Vec2(random.uniform(0.0, 1.0) * span.x(), random.uniform(0.0, 1.0) * span.y());
-    const TurningBody body{center, random.uniform(0.8, 4.0), i % 2 == 0 ? Side::kLeft : Side::kRight,
-                           Vehicle{}.footprint(0.0005)};
+    const TurningBody body{center, random.uniform(0.8, 4.0), i % 2 == 0 ? Side::kLeft : Side::kRight, footprint};
     const HeadingSet set = queries.sweep->free_headings(body);
     partly_free += !set.empty() && !set.is_full();
     for (int k = 0; k < 100; ++k) {
@@ -43,6 +39,31 @@ TEST(FreeHeadings, AgreeWithTheBodyPlacedAtEachHeading) {
     }
   }
   EXPECT_GT(partly_free, 30u);
+}
+
+// A wheelbase longer than the body leaves the reference point ahead of it or behind.
+constexpr Footprint kAhead{.front = 0.9, .rear = -0.5, .half_width = 0.1};
+constexpr Footprint kBehind{.front = -0.5, .rear = 0.9, .half_width = 0.1};
+
+TEST(FreeHeadings, AgreeWithTheBodyPlacedAtEachHeading) {
+  const Clutter clutter =
+      generate_clutter({.kind = ClutterKind::kMixed, .obstacles = 40, .vertices = 7, .fill = 0.4, .seed = 3});
+  const World world(clutter.obstacles, clutter.bounds);
+  for (const Footprint& footprint : {Vehicle{}.footprint(0.0005), kAhead, kBehind})
+    for (const QuerySet& queries : {make_reference_queries(world), make_embree_queries(world)})
+      expect_agreement(world, queries, footprint);
+}
+
+// The body turns around a square; its reference point is always within.
+TEST(FreeHeadings, ABodyApartFromItsReferencePointIsAskedAboutItself) {
+  const Ring square = test::square(-1.1, -1.1, 2.2);
+  const World post({{square, {}}});
+  const World hole({{test::square(-50, -50, 100), {square}}});
+  const TurningBody body{{0, 0}, 1.0, Side::kLeft, {.front = 3.0, .rear = -1.5, .half_width = 0.3}};
+  for (const auto make : {make_reference_queries, +[](const World& world) { return make_embree_queries(world); }}) {
+    EXPECT_TRUE(make(post).sweep->free_headings(body).is_full());
+    EXPECT_TRUE(make(hole).sweep->free_headings(body).empty());
+  }
 }
 
 TEST(FreeHeadings, AnEmptyWorldIsFreeAllRound) {
