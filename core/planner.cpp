@@ -1,6 +1,7 @@
 #include "core/planner.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <list>
@@ -148,6 +149,8 @@ void Planner::Data::complete(const Path& path, SpeedProfile& profile, PlanResult
   if (path.empty()) result.min_clearance = look_along({result.start, 0.0, 0.0});
   result.travel_time = profile.total_time;
   result.length = length_of(path);
+  // Rounding is taken off the bound: a plan below it is a defect.
+  assert(result.travel_time >= result.lower_bound);
   result.statistics.profile_seconds += finishing.seconds();
 }
 

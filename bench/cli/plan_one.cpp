@@ -183,14 +183,14 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   out += row("start", pose_text(request.start));
   for (const Place& place : request.via) out += row("by way of", place_text(place));
   if (result.solved()) {
-    out += row("goal", pose_text(result.goal)) + result_rows(result) + validity_row(*plan.report);
+    out += row("goal", pose_text(result.goal)) + result_rows(result) + validity_row(plan);
   } else {
     for (const Place& goal : request.goals) out += row("goal", place_text(goal));
   }
   bool good = plan.good();
   for (std::size_t i = 1; i < plans.size(); ++i) {
     out += "\n" + row("alternative", count_text(i + 1) + " of " + count_text(plans.size())) +
-           result_rows(plans[i].result) + validity_row(*plans[i].report);
+           result_rows(plans[i].result) + validity_row(plans[i]);
     good = good && plans[i].good();
   }
   out += "\n" + world_rows(planner.world()) + prepare_rows(planner, build_seconds) +

@@ -85,7 +85,8 @@ std::vector<Answer> answer_share(const Planner& planner, std::span<const Numbere
       answer.seconds = plan.result.statistics.total_seconds;
       answer.solved = plan.result.solved();
       if (answer.solved && !plan.good())
-        answer.refusal = "query " + std::to_string(queries[i].q) + ": " + plan.report->issues.front().message;
+        answer.refusal = "query " + std::to_string(queries[i].q) + ": " +
+                         (plan.report->valid() ? plan.defect : plan.report->issues.front().message);
     }
   });
   return answers;

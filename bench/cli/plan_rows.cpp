@@ -8,11 +8,24 @@
 
 namespace arcway::cli {
 
+namespace {
+
+// The bound has its rounding taken off.
+std::string defect_of(const PlanResult& result) {
+  if (result.travel_time >= result.lower_bound) return "";
+  return "the plan takes " + shortest_text(result.travel_time) + " s, less than the lower bound of " +
+         shortest_text(result.lower_bound) +
+         " s: one of them is wrong. Please report this with the map, the robot and the command";
+}
+
+}  // namespace
+
 CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResult result, bool reverse) {
   CheckedPlan plan{.result = std::move(result), .report = std::nullopt};
   if (plan.result.solved()) {
     plan.report =
         validator(vehicle, plan.result.start, plan.result.goal, plan.result.timed_path(), {.reverse = reverse});
+    plan.defect = defect_of(plan.result);
   }
   return plan;
 }
@@ -68,9 +81,11 @@ std::string suboptimality_row(double suboptimality) {
              "may take up to " + shortest_text(1.0 + suboptimality) + " times as long as the fastest of the graph");
 }
 
-std::string validity_row(const ValidationReport& report) {
-  if (report.valid()) return row("valid", "yes, every moment of the motion checked");
-  return row("valid", "NO: " + report.issues.front().message);
+std::string validity_row(const CheckedPlan& plan) {
+  std::string text = row("valid", plan.report->valid() ? "yes, every moment of the motion checked"
+                                                       : "NO: " + plan.report->issues.front().message);
+  if (!plan.defect.empty()) text += row("DEFECT", plan.defect);
+  return text;
 }
 
 }  // namespace arcway::cli

@@ -16,7 +16,8 @@ struct CheckedPlan {
   std::optional<ValidationReport> report;
   std::size_t goal = 0;                  ///< of a tour, see Tour
   std::vector<std::size_t> passed = {};  ///< likewise
-  [[nodiscard]] bool good() const { return report && report->valid(); }
+  std::string defect = {};               ///< of the planner: what both of them cannot be right about; else empty
+  [[nodiscard]] bool good() const { return report && report->valid() && defect.empty(); }
 };
 CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResult result, bool reverse);
 
@@ -29,6 +30,7 @@ std::string result_rows(const PlanResult& result);
 std::string search_rows(const PlanStatistics& statistics);
 /// What searches were allowed; nothing if the fastest path of the graph was asked for.
 std::string suboptimality_row(double suboptimality);
-std::string validity_row(const ValidationReport& report);
+/// What the validator says, and a defect of the planner if there is one. Precondition: the plan is solved.
+std::string validity_row(const CheckedPlan& plan);
 
 }  // namespace arcway::cli
