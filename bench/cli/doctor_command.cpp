@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -76,6 +77,9 @@ int run_doctor(const DoctorArguments& arguments, std::string& out) {
   if (!arguments.repair.empty()) {
     const MapFile clean = repaired(map);
     repair_rows = "\nrepaired\n" + world_rows(to_world(clean, arguments.repair));
+    const auto contacts = std::ranges::count(examine(clean).findings, FindingKind::kSelfTouching, &Finding::kind);
+    if (contacts > 0)
+      repair_rows += row("touches itself", "kept at " + count_text(contacts) + (contacts == 1 ? " point" : " points"));
     files.add(arguments.repair, to_geojson(clean));
   }
 

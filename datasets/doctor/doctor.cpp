@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "core/geometry/polygon.h"
 #include "core/geometry/predicates.h"
@@ -106,7 +108,8 @@ class Examiner {
     const auto edge = [&](std::size_t ring, std::size_t index) {
       return (polygon.holes.empty() ? "edge " : "ring " + std::to_string(ring) + " edge ") + std::to_string(index);
     };
-    const auto conflict = find_conflict(polygon);
+    std::vector<RingContact> contacts;
+    const auto conflict = find_conflict(polygon, &contacts);
     if (conflict) {
       const bool crossing = conflict->kind == RingConflict::Kind::kCrossing;
       const bool flat = !crossing && (winding(ring_of(polygon, conflict->ring_a)) == 0 ||
@@ -119,6 +122,7 @@ class Examiner {
                " of the ring without repeated vertices");
       return false;
     }
+    find_self_contacts(polygon, contacts, place);
     if (polygon.holes.empty()) return true;
     try {
       const World alone({polygon});
@@ -129,6 +133,32 @@ class Examiner {
       return false;
     }
     return true;
+  }
+
+  // Vertices inside edges of their polygon, and vertices in one place.
+  void find_self_contacts(const Polygon& polygon, const std::vector<RingContact>& inside_edges,
+                          const std::string& place) {
+    const auto name = [&](const char* what, std::size_t ring, std::size_t index) {
+      return (polygon.holes.empty() ? "" : "ring " + std::to_string(ring) + " ") + what + " " + std::to_string(index);
+    };
+    for (const RingContact& contact : inside_edges)
+      find(FindingKind::kSelfTouching, place, ring_of(polygon, contact.vertex_ring)[contact.vertex],
+           name("vertex", contact.vertex_ring, contact.vertex) + " lies inside " +
+               name("edge", contact.edge_ring, contact.edge));
+    struct Vertex {
+      Vec2 at;
+      std::size_t ring, index;
+    };
+    std::vector<Vertex> vertices;
+    for (std::size_t r = 0; r <= polygon.holes.size(); ++r)
+      for (std::size_t i = 0; i < ring_of(polygon, r).size(); ++i) vertices.push_back({ring_of(polygon, r)[i], r, i});
+    std::ranges::sort(vertices, {}, [](const Vertex& v) { return std::tuple(v.at.x(), v.at.y(), v.ring, v.index); });
+    for (std::size_t i = 1; i < vertices.size(); ++i) {
+      const Vertex &v = vertices[i - 1], &w = vertices[i];
+      if (v.at == w.at)
+        find(FindingKind::kSelfTouching, place, v.at,
+             name("vertex", v.ring, v.index) + " and " + name("vertex", w.ring, w.index) + " are in one place");
+    }
   }
 
   static const Ring& ring_of(const Polygon& polygon, std::size_t ring) {
@@ -213,6 +243,8 @@ const char* name_of(FindingKind kind) {
       return "self-crossing";
     case FindingKind::kEdgesOverlap:
       return "overlapping edges";
+    case FindingKind::kSelfTouching:
+      return "touches itself";
     case FindingKind::kMisplacedHole:
       return "misplaced hole";
     case FindingKind::kOverlap:
@@ -251,6 +283,8 @@ const char* consequence_of(FindingKind kind) {
     case FindingKind::kEdgesOverlap:
     case FindingKind::kMisplacedHole:
       return "the map is refused";
+    case FindingKind::kSelfTouching:
+      return "kept; a line of sight may pass there, a body cannot";
     case FindingKind::kOverlap:
       return "taken as one region; vertices strictly inside another obstacle take no part";
     case FindingKind::kContainment:

@@ -20,6 +20,7 @@ enum class FindingKind {
   kZeroArea,         ///< a ring without area
   kSelfCrossing,     ///< edges of one polygon that cross
   kEdgesOverlap,     ///< edges of one polygon that run along each other
+  kSelfTouching,     ///< rings of one polygon that touch each other or themselves
   kMisplacedHole,    ///< a hole outside of its outer ring or inside another hole
   kOverlap,          ///< obstacles that have area in common
   kContainment,      ///< an obstacle inside another one

@@ -70,6 +70,20 @@ TEST(Doctor, FindsWhatPlanningRefuses) {
   }
 }
 
+TEST(Doctor, FindsWhereAPolygonTouchesItself) {
+  const DoctorReport report = examine(of({{box(0, 0, 8, 8),
+                                           {{{4, 0}, {2, 3}, {6, 3}},       // inside an edge of the outer ring
+                                            {{0, 8}, {3, 7}, {2, 6}},       // at its corner
+                                            {{4, 3}, {3, 4}, {5, 4}}}}}));  // inside an edge of the first hole
+  EXPECT_TRUE(report.plans());
+  ASSERT_EQ(report.findings.size(), 3u);
+  for (const Finding& finding : report.findings) EXPECT_EQ(finding.kind, FindingKind::kSelfTouching) << finding.what;
+  EXPECT_EQ(report.findings[0].what, "ring 1 vertex 0 lies inside ring 0 edge 0");
+  EXPECT_EQ(report.findings[2].what, "ring 0 vertex 3 and ring 2 vertex 0 are in one place");
+  const Ring pinched{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}};
+  EXPECT_EQ(examine(of({{pinched, {}}})).findings.at(0).what, "vertex 1 and vertex 4 are in one place");
+}
+
 TEST(Doctor, FindsWhatObstaclesDoToEachOther) {
   const Polygon square{box(0, 0, 10, 10), {}};
   EXPECT_EQ(kinds(of({square, {box(10, 0, 15, 5), {}}})), Kinds{FindingKind::kTouching});
@@ -183,11 +197,12 @@ class Repair : public ::testing::Test {
     }
     return sum;
   }
-  // World takes the result, and nothing is left to find but contacts in single points.
+  // World takes the result, and nothing is left to find but contacts in single points, of one region or two.
   static MapFile repair(const MapFile& map) {
     MapFile clean = repaired(map);
     for (const Finding& finding : examine(clean).findings)
-      EXPECT_EQ(finding.kind, FindingKind::kTouching) << name_of(finding.kind) << ' ' << finding.place;
+      EXPECT_TRUE(finding.kind == FindingKind::kTouching || finding.kind == FindingKind::kSelfTouching)
+          << name_of(finding.kind) << ' ' << finding.place;
     EXPECT_NO_THROW(to_world(clean, "repaired"));
     return clean;
   }
@@ -229,6 +244,12 @@ TEST_F(Repair, KeepsBoundsThatTouchThemselves) {
   MapFile map;
   map.bounds = Ring{{7, 1}, {5, 3}, {5, 8}, {1, 4}, {5, 3}, {5, 0}};
   EXPECT_EQ(std::abs(signed_area(*repair(map).bounds)), std::abs(signed_area(*map.bounds)));
+}
+
+TEST_F(Repair, KeepsHolesThatTouch) {
+  const MapFile clean = repair(of({{box(0, 0, 8, 8), {{{4, 0}, {2, 3}, {6, 3}}, {{4, 3}, {3, 4}, {5, 4}}}}}));
+  EXPECT_EQ(area(clean), 64.0 - 6.0 - 1.0);
+  EXPECT_EQ(to_world(clean, "repaired").self_contacts().size(), 2u);
 }
 
 // They name rings by their numbers, which are others now.
