@@ -1,6 +1,11 @@
 #include "datasets/map_file.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
+
+#include "core/geometry/predicates.h"
+#include "datasets/doctor/repair.h"
 
 namespace arcway {
 
@@ -13,13 +18,34 @@ bool looks_like_degrees(const Box& box) {
   return width < kWidest && away > kFarther * width;
 }
 
+namespace {
+
+bool is_on_a_line(const Ring& ring) {
+  const auto other = std::ranges::find_if(ring, [&](const Vec2& p) { return p != ring[0]; });
+  return other == ring.end() ||
+         std::ranges::all_of(ring, [&](const Vec2& p) { return orientation(ring[0], *other, p) == 0; });
+}
+
+// What mends a polygon that World refuses; nothing where no rule says what is meant.
+std::string remedy_for(const Polygon& polygon, std::string_view name) {
+  if (!can_repair() || !std::ranges::all_of(polygon.outer, [](const Vec2& p) { return is_in_range(p); })) return "";
+  const std::string repair = "arcway doctor " + std::string(name) + " --repair W.geojson";
+  if (!is_on_a_line(polygon.outer)) return "; '" + repair + "' writes a map of valid rings";
+  return "; a wall needs a width: draw it as a line string and give --wall-width, or leave it out by '" + repair + "'";
+}
+
+}  // namespace
+
 World to_world(const MapFile& map, std::string_view name) {
   try {
     return World(map.obstacles, map.bounds);
   } catch (const WorldError& error) {
     const std::size_t k = error.obstacle();
     const std::string place = k < map.places.size() ? map.places[k] : k >= map.obstacles.size() ? map.bounds_place : "";
-    throw FormatError(std::string(name) + ": " + (place.empty() ? "" : place + ": ") + error.what());
+    const std::string remedy = k < map.obstacles.size() ? remedy_for(map.obstacles[k], name)
+                               : map.bounds             ? remedy_for({*map.bounds, {}}, name)
+                                                        : "";
+    throw FormatError(std::string(name) + ": " + (place.empty() ? "" : place + ": ") + error.what() + remedy);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "datasets/doctor/repair.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {
@@ -17,6 +18,27 @@ TEST(MapFile, WorldErrorsAreTranslatedToPlaces) {
   } catch (const FormatError& error) {
     EXPECT_EQ(std::string(error.what()).rfind("world.geojson: feature 2: ", 0), 0u) << error.what();
   }
+}
+
+TEST(MapFile, NamesTheRepairOfRingsThatAreRefused) {
+  if (!can_repair()) GTEST_SKIP() << "built without GEOS";
+  const auto refusal = [](const Ring& ring) {
+    MapFile map;
+    map.obstacles = {{ring, {}}};
+    try {
+      to_world(map, "yard.wkt");
+    } catch (const FormatError& error) {
+      return std::string(error.what());
+    }
+    return std::string("taken");
+  };
+  const std::string repair = "arcway doctor yard.wkt --repair";
+  EXPECT_NE(refusal({{0, 0}, {10, 10}, {10, 0}, {0, 12}}).find(repair), std::string::npos);
+  for (const Ring& flat : {Ring{{0, 0}, {10, 10}, {5, 5}}, Ring{{0, 0}, {10, 10}}}) {
+    EXPECT_NE(refusal(flat).find(repair), std::string::npos);
+    EXPECT_NE(refusal(flat).find("--wall-width"), std::string::npos);
+  }
+  EXPECT_EQ(refusal({{0, 0}, {1e300, 0}, {0, 1}}).find("--repair"), std::string::npos);
 }
 
 TEST(MapFile, WorldGivesItsPolygonsBack) {
