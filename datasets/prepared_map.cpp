@@ -133,8 +133,11 @@ class Reader {
   /// Of a table that is left out where it is empty.
   template <class T>
   std::vector<T> get_or_none(Table table) {
+    const auto id = static_cast<std::uint32_t>(table);
+    if (const auto at = entries_.find(id); at != entries_.end() && at->second.entry.count == 0)
+      fail(at->second.place + offsetof(Entry, count), "section " + std::to_string(id) + " is empty, not left out");
     note_place(table);
-    return find<T>(static_cast<std::uint32_t>(table)).value_or(std::vector<T>{});
+    return find<T>(id).value_or(std::vector<T>{});
   }
   std::optional<Pose> pose(std::uint32_t id) {
     const std::optional<std::vector<double>> numbers = find<double>(id);

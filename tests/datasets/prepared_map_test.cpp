@@ -161,6 +161,17 @@ TEST(PreparedMap, IsRefusedWhenItsLayoutIsAnother) {
             "m.arcway: byte 264: unknown section 999");  // in place of the start
 }
 
+// The same map has one file: what may be missing is not there if it is empty.
+TEST(PreparedMap, IsRefusedWithAnEmptySectionOfContacts) {
+  std::string bytes = to_bytes(prepare(World({}), SerialExecutor()));
+  const std::size_t targets = 40 + 32 * 6;  // entry of the targets, of which there are none
+  ASSERT_EQ(test::number_at<std::uint32_t>(bytes, targets), static_cast<std::uint32_t>(Table::kTargets));
+  bytes[targets] = static_cast<char>(Table::kSelfContacts);
+  test::mend_checksums(bytes);
+  EXPECT_EQ(complaint_about(bytes),
+            "m.arcway: byte " + std::to_string(targets + 16) + ": section 14 is empty, not left out");
+}
+
 TEST(PreparedMap, IsWrittenWholeOrNotAtAll) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "arcway_prepared_map";
   std::filesystem::create_directories(folder);
