@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -40,7 +41,7 @@ static_assert(sizeof(Header) == 40 && std::is_trivially_copyable_v<Header>);
 struct Entry {
   std::uint32_t id, crc;
   std::uint64_t offset, count;
-  std::uint32_t element_bytes, zero;
+  std::uint32_t element_bytes, reserved;  // 0
 };
 static_assert(sizeof(Entry) == 32 && std::is_trivially_copyable_v<Entry>);
 

@@ -148,6 +148,8 @@ TEST(PreparedMap, IsRefusedWhenItsLayoutIsAnother) {
   EXPECT_EQ(complaint_after([](std::string& b) { b[16] = 3; }), "m.arcway: byte 16: unknown flags 0x00000003");
   EXPECT_EQ(complaint_after([](std::string& b) { b += std::string(64, '\0'); }),
             "m.arcway: byte " + std::to_string(bytes.size()) + ": bytes after the last section");
+  EXPECT_EQ(complaint_after([&](std::string& b) { put(b, last + 28, 1); }),
+            "m.arcway: byte " + std::to_string(last + 28) + ": section 13 has 0x00000001 where 0 is expected");
   const auto count = test::number_at<std::uint64_t>(bytes, first + 16);
   EXPECT_EQ(complaint_after([&](std::string& b) {
               put(b, first + 16, static_cast<std::uint32_t>(2 * count));
