@@ -1,115 +1,59 @@
 #include "datasets/file_io.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cerrno>
-#include <deque>
-#include <fstream>
-#include <random>
 #include <system_error>
+
+#include "datasets/descriptor.h"
 
 namespace arcway {
 namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void fail(const char* action, const fs::path& path, const std::string& reason) {
+  throw FileError(std::string("cannot ") + action + " " + path.string() + ": " + reason);
+}
 [[noreturn]] void fail(const char* action, const fs::path& path, int error) {
-  throw FileError(std::string("cannot ") + action + " " + path.string() + ": " +
-                  (error != 0 ? std::generic_category().message(error) : "unknown reason"));
+  fail(action, path, std::generic_category().message(error));
 }
 
-// What a path stands for, there or not: links stay when it is written.
-fs::path behind_links(fs::path path) {
-  constexpr int kMostLinks = 40;
-  const fs::path given = path;
-  std::error_code error;
-  for (int links = 0; fs::is_symlink(path, error); ++links) {
-    if (links == kMostLinks) fail("write", given, ELOOP);
-    const fs::path named = fs::read_symlink(path, error);
-    if (error) fail("write", given, error.value());
-    path = path.parent_path() / named;
-  }
-  return path;
-}
-
-void write_whole(const fs::path& path, std::string_view text) {
-  errno = 0;
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  if (!file) fail("write", path, errno);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  if (!file) fail("write", path, errno);
-}
-
-// A file that waits beside the one that it is to replace. Devices and pipes are written at once.
-class PendingFile {
- public:
-  PendingFile(const fs::path& path, std::string_view text) : path_(path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (fs::is_directory(status)) fail("write", path, EISDIR);
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-      write_whole(path, text);
-      return;
-    }
-    target_ = behind_links(path);
-    temporary_ = target_;
-    temporary_ += ".tmp" + std::to_string(std::random_device()());
-    try {
-      write_whole(temporary_, text);
-    } catch (const FileError&) {
-      const int reason = errno;
-      fs::remove(temporary_, error);
-      fail("write", path, reason);
-    }
-    if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), error);
-  }
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
-  ~PendingFile() {
-    std::error_code ignored;
-    if (!temporary_.empty()) fs::remove(temporary_, ignored);
-  }
-
-  void commit() {
-    if (temporary_.empty()) return;
-    std::error_code error;
-    fs::rename(temporary_, target_, error);
-    if (error) fail("write", path_, error.value());
-    temporary_.clear();
-  }
-
- private:
-  fs::path path_, target_, temporary_;
-};
+/// Devices may never end: /dev/zero. Of a terminal nobody reaches this.
+constexpr std::size_t kMostOfDevice = std::size_t{1} << 24;
 
 }  // namespace
 
-std::string read_file(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) fail("read", path, EISDIR);
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail("read", path, errno);
-  std::string text;
-  const std::uintmax_t size = fs::is_regular_file(path, ignored) ? fs::file_size(path, ignored) : 0;
-  if (!ignored && size > 0) {
-    text.resize(size);
-    file.read(text.data(), static_cast<std::streamsize>(size));
-    text.resize(static_cast<std::size_t>(file.gcount()));
+std::string read_file(const fs::path& path, std::size_t max_bytes) {
+  constexpr std::size_t kChunk = 1 << 16;
+  const detail::Descriptor file(::open(path.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC));
+  struct stat status {};
+  if (!file.is_open() || ::fstat(file.number(), &status) != 0) fail("read", path, errno);
+  if (S_ISDIR(status.st_mode)) fail("read", path, EISDIR);
+  const bool is_device = S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode);
+  const std::size_t most = is_device ? std::min(kMostOfDevice, max_bytes) : max_bytes;
+  const auto refuse = [&](const std::string& size) {
+    fail("read", path,
+         (is_device ? "a device of " : "") + size + " bytes, at most " + std::to_string(most) + " are read");
+  };
+  const std::size_t said = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+  if (said > most) refuse(std::to_string(said));
+
+  std::string text(said > 0 ? said + 1 : kChunk, '\0');  // with a byte more than the file says, that shows its end
+  std::size_t size = 0;
+  while (true) {
+    if (size == text.size()) text.resize(2 * size);
+    const ssize_t read = ::read(file.number(), text.data() + size, text.size() - size);
+    if (read == 0) break;
+    if (read < 0 && errno != EINTR) fail("read", path, errno);
+    if (read > 0) size += static_cast<std::size_t>(read);
+    if (size > most) refuse("more than " + std::to_string(most));
   }
-  // The rest by chunks: pipes do not know their size.
-  char chunk[1 << 16];
-  while (file.read(chunk, sizeof chunk) || file.gcount() > 0)
-    text.append(chunk, static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) fail("read", path, errno);
+  text.resize(size);
   return text;
-}
-
-void write_file_atomically(const fs::path& path, std::string_view text) { PendingFile(path, text).commit(); }
-
-void write_files_atomically(std::span<const std::pair<fs::path, std::string>> files) {
-  std::deque<PendingFile> pending;
-  for (const auto& [path, text] : files) pending.emplace_back(path, text);
-  for (PendingFile& file : pending) file.commit();
 }
 
 void make_folders(const fs::path& path) {

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -21,18 +20,19 @@ class FormatError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The whole file.
+/// What `read_file` takes at most [bytes]; ten million vertices of GeoJSON have a tenth of it.
+inline constexpr std::size_t kMostFileBytes = std::size_t{1} << 32;
+
+/// The whole file. Memory follows its size.
+/// @param max_bytes  more are refused, before they are read where the file says its size. Of devices, which may never
+///   end, 16 MiB are read at most.
 /// @throws FileError
-std::string read_file(const std::filesystem::path& path);
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes = kMostFileBytes);
 
 /// Writes to a temporary file beside `path` and renames it: readers see the old file or the new one, never half of
-/// it, and a failure leaves the old one.
+/// it, and a failure leaves the old one. See FileTransaction for several files.
 /// @throws FileError
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
-
-/// The same for several: none takes its place before all are written.
-/// @throws FileError
-void write_files_atomically(std::span<const std::pair<std::filesystem::path, std::string>> files);
 
 /// With all folders that it lies in, where they are not there yet.
 /// @throws FileError

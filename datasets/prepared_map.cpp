@@ -193,6 +193,8 @@ class Reader {
       Entry entry;
       std::memcpy(&entry, bytes_.data() + place, sizeof entry);
       const std::string section = "section " + std::to_string(entry.id);
+      if (entry.reserved != 0)
+        fail(place + offsetof(Entry, reserved), section + " has " + hex(entry.reserved) + " where 0 is expected");
       const std::uint64_t begin = aligned(end);
       if (entry.offset != begin)
         fail(place + offsetof(Entry, offset),
@@ -306,7 +308,7 @@ PreparedMap read_prepared_map(std::string_view bytes, std::string_view name) {
 }
 
 PreparedMap read_prepared_map_file(const std::filesystem::path& path) {
-  return read_prepared_map(read_file(path), path.string());
+  return read_prepared_map(read_file(path, std::numeric_limits<std::size_t>::max()), path.string());
 }
 
 PreparedMap prepared_map_of(const Planner& planner, const std::optional<Pose>& start, const std::optional<Pose>& goal) {

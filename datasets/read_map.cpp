@@ -39,7 +39,8 @@ fs::path find_beside(const fs::path& path, const std::string& named) {
       fs::path file = candidate;
       file += ending;
       std::error_code error;
-      if (fs::is_regular_file(file, error)) return file;
+      const fs::file_status status = fs::status(file, error);
+      if (fs::exists(status) && !fs::is_directory(status)) return file;
     }
   }
   throw FileError(path.string() + " needs another file: cannot read " + (folder / named).string() +
@@ -68,7 +69,9 @@ MapFile read_grid_map(const RosMap& map, const GreyImage& image, const fs::path&
 MapFile read_ros_files(std::string_view yaml, const fs::path& path, const GridOptions& options) {
   const RosMap map = read_ros_map(yaml, path.string());
   const fs::path image_path = find_beside(path, map.image);
-  return read_grid_map(map, read_image(read_expanded(image_path), image_path, options), path, options);
+  MapFile result = read_grid_map(map, read_image(read_expanded(image_path), image_path, options), path, options);
+  result.files.push_back(image_path);
+  return result;
 }
 
 MapFile read_bare_image(std::string_view bytes, const fs::path& path, const GridOptions& options) {
@@ -115,6 +118,7 @@ MapFile read_movingai_task(std::string_view text, const fs::path& path, const Ma
   };
   map.start = pose(task.start_x, task.start_y, headings.start);
   map.goal = pose(task.goal_x, task.goal_y, headings.goal);
+  map.files.push_back(map_path);
   map.notes.push_back("task " + std::to_string(options.task) + " of " + std::to_string(tasks.size()) +
                       ", headings drawn with seed " + std::to_string(options.heading_seed));
   return map;
@@ -174,6 +178,7 @@ MapFile read_map(const fs::path& path, const MapReadOptions& options) {
   const MapFormat format = options.format ? *options.format : detect_format(text, name);
   try {
     MapFile map = read_as(format, text, path, options);
+    map.files.push_back(path);
     warn_of_vain_options(format, name, options.vector, map);
     return map;
   } catch (const FormatError& error) {

@@ -190,7 +190,7 @@ MapFile read_named_map(const std::string& name, const MapOptions& options, bool 
 LoadedMap load_map(const std::string& name, const MapOptions& options) {
   if (is_prepared_map_file(name)) {
     PreparedMap map = read_prepared_map_file(name);
-    LoadedMap loaded{map.world, map.start, map.goal, {}, {}, {}, CoordinateFrame::kMeters, std::move(map)};
+    LoadedMap loaded{map.world, map.start, map.goal, {}, {}, {}, CoordinateFrame::kMeters, {name}, std::move(map)};
     if (options.lonlat || options.polygons == "free")
       loaded.warnings.push_back(name +
                                 ": a prepared map has obstacles in meters; --lonlat and --polygons are not used");
@@ -200,8 +200,15 @@ LoadedMap load_map(const std::string& name, const MapOptions& options) {
   World world = to_world(map, name);
   CurvedWorld curved;
   if (!map.curves.empty()) curved = {std::move(map.obstacles), std::move(map.bounds), std::move(map.curves)};
-  return {std::move(world),     map.start, map.goal,    std::move(curved), std::move(map.warnings),
-          std::move(map.notes), map.frame, std::nullopt};
+  return {std::move(world),
+          map.start,
+          map.goal,
+          std::move(curved),
+          std::move(map.warnings),
+          std::move(map.notes),
+          map.frame,
+          std::move(map.files),
+          std::nullopt};
 }
 
 Vehicle load_vehicle(const std::string& file) {
@@ -310,27 +317,6 @@ std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<s
   if (turns > 1) warnings.back() += " " + count_text(turns - 1) + " more of this file are beyond a full turn";
   if (!header_seen) throw UsageError(file + ": no queries; expected the header " + std::string(kHeader));
   return queries;
-}
-
-void OutputFiles::add(const std::string& file, std::string text) {
-  if (file.empty()) return;
-  std::error_code ignored;  // what cannot be looked at cannot be written either, which says why
-  const bool is_file = !std::filesystem::exists(file, ignored) || std::filesystem::is_regular_file(file, ignored);
-  if (is_file &&
-      std::ranges::find(files_, std::filesystem::path(file), &decltype(files_)::value_type::first) != files_.end())
-    throw UsageError(file + ": two files of this name are to be written");
-  for (const std::string& input : inputs_)
-    if (is_file && std::filesystem::equivalent(file, input, ignored))
-      throw UsageError(file + ": was read, and would be replaced by what is written");
-  files_.emplace_back(file, std::move(text));
-}
-
-void OutputFiles::write() const { write_files_atomically(files_); }
-
-std::string OutputFiles::summary() const {
-  std::string text;
-  for (const auto& [file, content] : files_) text += row("wrote", file.string());
-  return text;
 }
 
 std::string fixed(double value, int digits) {

@@ -111,7 +111,8 @@ struct LoadedMap {
   CurvedWorld curved;  ///< the same, for planning among its curves; empty if it has none
   std::vector<std::string> warnings, notes;
   CoordinateFrame frame = CoordinateFrame::kUnstated;
-  std::optional<PreparedMap> prepared;  ///< of a prepared map; its world is the one above
+  std::vector<std::filesystem::path> files;  ///< that were read
+  std::optional<PreparedMap> prepared;       ///< of a prepared map; its world is the one above
 };
 
 /// Options that say how a map file is read, the same for all subcommands that read one.
@@ -159,25 +160,6 @@ struct NumberedRequest {
 /// @param warnings  gets what may not mean what its author meant.
 /// @throws UsageError naming file, line and value.
 std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<std::string>& warnings);
-
-/// Files of a command, written when all of their texts are ready: all of them whole, or none.
-class OutputFiles {
- public:
-  /// @param inputs  files that have been read and are not to be replaced; empty names and names of no file do not
-  /// count.
-  explicit OutputFiles(std::vector<std::string> inputs = {}) : inputs_(std::move(inputs)) {}
-
-  /// No file of an empty name.
-  /// @throws UsageError if it is an input, or a file of that name has been added; devices take several.
-  void add(const std::string& file, std::string text);
-  void write() const;
-  /// One line a file.
-  [[nodiscard]] std::string summary() const;
-
- private:
-  std::vector<std::string> inputs_;
-  std::vector<std::pair<std::filesystem::path, std::string>> files_;
-};
 
 /// With a fixed number of digits after the point.
 std::string fixed(double value, int digits);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "bench/cli/progress_bar.h"
 #include "core/planner.h"
 #include "core/shortest_text.h"
@@ -62,10 +63,11 @@ void refuse_degrees(const std::string& file, const LoadedMap& added, const MapFi
 }
 
 // The obstacles of the maps to be added; what else these say goes to the warnings and notes of the map.
-std::vector<Polygon> added_obstacles(const ChangeArguments& arguments, LoadedMap& map) {
+std::vector<Polygon> added_obstacles(const ChangeArguments& arguments, LoadedMap& map, OutputFiles& files) {
   std::vector<Polygon> added;
   for (const std::string& file : arguments.added) {
     const LoadedMap more = load_map(file, arguments.reading);
+    files.protect(more.files);
     MapFile polygons = to_map_file(more.world);
     refuse_degrees(file, more, polygons, arguments.map);
     added.insert(added.end(), std::move_iterator(polygons.obstacles.begin()),
@@ -89,11 +91,13 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
   if (arguments.reading.lonlat && !arguments.added.empty())
     throw UsageError("--add: --lonlat projects each map around its own middle; put them into one file");
   arguments.build.check();
+  OutputFiles files({arguments.out}, {arguments.map});
+  files.protect({arguments.added.begin(), arguments.added.end()});
   LoadedMap map = load_map(arguments.map, {});  // options for reading are those of the maps to be added
   if (!map.prepared) throw UsageError(arguments.map + ": no prepared map; arcway prepare makes one");
   PreparedMap& prepared = *map.prepared;
   const std::vector<ObstacleId> removed = removed_obstacles(arguments, map.world);
-  const std::vector<Polygon> added = added_obstacles(arguments, map);
+  const std::vector<Polygon> added = added_obstacles(arguments, map, files);
   const auto threads = arguments.build.executor();
   ProgressBar bar;
   const ReportingExecutor executor(*threads, bar.callback());
@@ -131,7 +135,6 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
          (removed.size() == 1 ? " obstacle removed, " : " obstacles removed, ") + count_text(added.size()) +
          " added\n" + world_rows(after) + rows + row("change", duration_text(seconds)) +
          row("size", count_text(bytes.size()) + " bytes") + warning_rows(map);
-  OutputFiles files(arguments.added);
   files.add(arguments.out, std::move(bytes));
   files.write();
   out += files.summary();

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "datasets/formats/geojson.h"
 #include "datasets/formats/wkt.h"
 #include "datasets/svg.h"
@@ -26,9 +27,10 @@ int run_convert(const ConvertArguments& arguments, std::string& out) {
   const std::string ending = std::filesystem::path(arguments.out).extension().string();
   if (ending != ".geojson" && ending != ".json" && ending != ".wkt" && ending != ".svg")
     throw UsageError("OUT: expected a name that ends in .geojson, .json, .wkt or .svg, got \"" + arguments.out + "\"");
+  OutputFiles files({arguments.out}, {arguments.map});
   const MapFile map = read_named_map(arguments.map, arguments.reading);
+  files.protect(map.files);
 
-  OutputFiles files({arguments.map});
   if (ending == ".wkt") {
     files.add(arguments.out, to_wkt(map));
   } else if (ending == ".svg") {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "core/shortest_text.h"
 #include "datasets/doctor/doctor.h"
 #include "datasets/doctor/repair.h"
@@ -68,10 +69,11 @@ std::string report_json(const DoctorArguments& arguments, const DoctorReport& re
 int run_doctor(const DoctorArguments& arguments, std::string& out) {
   if (!arguments.repair.empty() && !can_repair())
     throw UsageError("--repair: needs GEOS, and this tool was built without it; leave it out for the report");
+  OutputFiles files({arguments.json, arguments.repair}, {arguments.map});
   const MapFile map = read_named_map(arguments.map, arguments.reading, /*as_written=*/true);
+  files.protect(map.files);
   const DoctorReport report = examine(map);
 
-  OutputFiles files({arguments.map});
   if (!arguments.json.empty()) files.add(arguments.json, report_json(arguments, report, map));
   std::string repair_rows;
   if (!arguments.repair.empty()) {

@@ -1,8 +1,10 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "bench/figures/figures.h"
 #include "datasets/file_io.h"
 #include "datasets/paper_example.h"
@@ -19,13 +21,21 @@ int draw_figures(const std::string& folder, std::string& out) {
     return kExitNoPath;
   }
   make_folders(folder);
-  OutputFiles files;
-  for (const figures::Figure& figure :
-       {figures::visibility_graphs(planner), figures::vehicle_model(planner.vehicle()),
-        figures::radial_sets(planner, plan), figures::minimum_distance_pairs(planner, plan),
-        figures::swept_turn(planner.vehicle()), figures::speed_profiles(planner.vehicle()),
-        figures::feasible_graph_and_motion(planner, plan)}) {
-    files.add((std::filesystem::path(folder) / (figure.name + ".svg")).string(), figure.svg);
+  const std::vector<figures::Figure> figures = {figures::visibility_graphs(planner),
+                                                figures::vehicle_model(planner.vehicle()),
+                                                figures::radial_sets(planner, plan),
+                                                figures::minimum_distance_pairs(planner, plan),
+                                                figures::swept_turn(planner.vehicle()),
+                                                figures::speed_profiles(planner.vehicle()),
+                                                figures::feasible_graph_and_motion(planner, plan)};
+  const auto target = [&](const figures::Figure& figure) {
+    return (std::filesystem::path(folder) / (figure.name + ".svg")).string();
+  };
+  std::vector<std::string> targets;
+  for (const figures::Figure& figure : figures) targets.push_back(target(figure));
+  OutputFiles files(targets);
+  for (const figures::Figure& figure : figures) {
+    files.add(target(figure), figure.svg);
     std::string caption = figure.caption;
     for (char& c : caption) c = c == '\n' ? ' ' : c;
     out += row(figure.name, caption);

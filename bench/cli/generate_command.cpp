@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "core/shortest_text.h"
 #include "datasets/catalogue.h"
 #include "datasets/clutter.h"
@@ -102,10 +103,10 @@ int run_generate(const GenerateArguments& arguments, std::string& out) {
   for (const char* ending : {".wkt", ".svg", ".arcway"})
     if (std::filesystem::path(arguments.out).extension() == ending)
       throw UsageError("--out: writes GeoJSON, got \"" + arguments.out + "\"; convert and prepare write other formats");
+  OutputFiles files({arguments.out, arguments.queries, arguments.robot_out, arguments.drive_out}, {arguments.robot});
   std::string details;
   const MapFile map = make_map(arguments, details);
   const World world = to_world(map, arguments.world);
-  OutputFiles files({arguments.robot});
   if (!arguments.out.empty()) files.add(arguments.out, to_geojson(map));
   if (!arguments.queries.empty()) files.add(arguments.queries, queries_csv(arguments, world));
   add_drive(files, arguments);

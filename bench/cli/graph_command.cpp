@@ -6,6 +6,7 @@
 
 #include "bench/cli/arguments.h"
 #include "bench/cli/counts_json.h"
+#include "bench/cli/output_files.h"
 #include "core/graph/feasible_graph.h"
 #include "core/graph/visibility_graph.h"
 #include "datasets/svg.h"
@@ -120,10 +121,11 @@ int run_graph(const GraphArguments& arguments, std::string& out) {
     throw UsageError("--kind: expected visibility, reduced or feasible, got \"" + arguments.kind + "\"");
   }
   arguments.build.check();
+  OutputFiles files({arguments.edges, arguments.svg, arguments.json}, {arguments.map, arguments.robot});
   const LoadedMap map = load_map(arguments.map, arguments.reading);
+  files.protect(map.files);
   BuiltGraph built = build_graph(arguments, map);
 
-  OutputFiles files({arguments.map, arguments.robot});
   if (!arguments.svg.empty()) files.add(arguments.svg, picture(map.world, built, title));
   if (!arguments.json.empty()) files.add(arguments.json, counts_json(arguments, map.world, built));
   if (!arguments.edges.empty()) files.add(arguments.edges, std::move(built.edges_csv));

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -104,6 +105,7 @@ int run(int argc, char** argv, const arcway::Team& team) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file above the limit of sizes is an error as any other
 #ifdef ARCWAY_WITH_MPI
   const arcway::MpiTeam team;
 #else

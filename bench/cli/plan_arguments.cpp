@@ -107,8 +107,6 @@ void PlanArguments::check() const {
   if (!sample_step.empty() && csv.empty() && ros_path.empty())
     throw UsageError("--sample-step: only with --csv or --ros-path");
   if (!(sampling().max_length > 0.0)) throw UsageError("--sample-step: above 0 m, got \"" + sample_step + "\"");
-  OutputFiles files(inputs());  // before anything takes long
-  for (const std::string& file : {out, svg, json, csv, ros_path}) files.add(file, "");
   build.check();
   if (svg_view != "map" && svg_view != "path")
     throw UsageError("--svg-view: expected map or path, got \"" + svg_view + "\"");

@@ -40,6 +40,7 @@ struct PlanArguments {
 
   [[nodiscard]] bool batch() const { return !queries.empty(); }
   [[nodiscard]] std::vector<std::string> inputs() const { return {map, robot, queries}; }
+  [[nodiscard]] std::vector<std::string> outputs() const { return {out, svg, json, csv, ros_path}; }
   /// @throws UsageError, as the next three.
   [[nodiscard]] PlannerOptions planner_options(const Team& team) const;
   [[nodiscard]] PlanLimits limits() const;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "bench/cli/plan_arguments.h"
 #include "bench/cli/plan_one.h"
 #include "bench/cli/plan_queries.h"
@@ -79,7 +80,9 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
     query.request.cusp_cost = cusp_cost;
   }
 
+  OutputFiles files(arguments.outputs(), arguments.inputs(), team.rank() == 0);
   LoadedMap map = load_map(arguments.map, arguments.reading);
+  files.protect(map.files);
   arguments.build.prepared = map.prepared.has_value();
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
   for (const auto& warnings : {query_warnings, vehicle_warnings(vehicle)})
@@ -100,13 +103,13 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   // Tours and alternatives keep to the rings of the map.
   const bool plain = !batch && arguments.alternatives == 1 && request.via.empty() && request.goals.size() == 1 &&
                      request.goals[0].heading;
-  if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, team, out);
+  if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, files, out);
   const Stopwatch watch;
   const Planner planner = make_planner(arguments, map, vehicle, options);
   if (batch && map.prepared) planner.warm_up(std::min(arguments.build.thread_count(), queries.size()));
   const double build_seconds = watch.seconds();
-  if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, team, out);
-  return plan_one(arguments, map, planner, build_seconds, request, plans_of(arguments, planner, request, limits), team,
+  if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, team, files, out);
+  return plan_one(arguments, map, planner, build_seconds, request, plans_of(arguments, planner, request, limits), files,
                   out);
 }
 

@@ -155,11 +155,10 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
 }
 
 int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-             const TourRequest& request, const std::vector<CheckedPlan>& plans, const Team& team, std::string& out) {
+             const TourRequest& request, const std::vector<CheckedPlan>& plans, OutputFiles& files, std::string& out) {
   const CheckedPlan& plan = plans.front();
   const PlanResult& result = plan.result;
 
-  OutputFiles files(arguments.inputs());
   if (!arguments.svg.empty()) files.add(arguments.svg, picture(arguments, planner, request, plans));
   std::string json;
   for (std::size_t i = 0; i < plans.size() && !arguments.json.empty(); ++i)
@@ -196,13 +195,13 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   out += "\n" + world_rows(planner.world()) + prepare_rows(planner, build_seconds) +
          row("built by", arguments.build.summary(planner.world())) + search_rows(result.statistics);
   out += warning_rows(map);
-  if (team.rank() == 0) files.write();
+  files.write();
   out += files.summary();
   return good ? kExitSolved : kExitNoPath;
 }
 
 int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
-                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, const Team& team,
+                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, OutputFiles& files,
                 std::string& out) {
   CurveTolerances tolerances;
   tolerances.last = arguments.reading.read_options().vector.curve_tolerance;
@@ -222,7 +221,7 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
                       (plan.rounds.size() == 1 ? " time" : " times"));
   const std::vector<CheckedPlan> plans{
       checked(Validator(plan.planner.world()), plan.planner.vehicle(), std::move(plan.result), request.reverse)};
-  return plan_one(arguments, map, plan.planner, build_seconds, request, plans, team, out);
+  return plan_one(arguments, map, plan.planner, build_seconds, request, plans, files, out);
 }
 
 }  // namespace arcway::cli

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "bench/cli/plan_arguments.h"
 #include "bench/cli/plan_rows.h"
 #include "core/planner.h"
-#include "core/team.h"
 #include "core/tour.h"
 
 namespace arcway::cli {
@@ -22,11 +22,11 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
 /// @param plans  at least one; the first one is what is drawn and sampled.
 /// @returns the exit code.
 int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-             const TourRequest& request, const std::vector<CheckedPlan>& plans, const Team& team, std::string& out);
+             const TourRequest& request, const std::vector<CheckedPlan>& plans, OutputFiles& files, std::string& out);
 
 /// Plans on rings that are refined near the path, down to the tolerance that the map was read with.
 int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
-                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, const Team& team,
+                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, OutputFiles& files,
                 std::string& out);
 
 }  // namespace arcway::cli

@@ -96,7 +96,7 @@ std::vector<Answer> answer_share(const Planner& planner, std::span<const Numbere
 
 int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
                    const std::vector<NumberedRequest>& queries, const PlanLimits& limits, const Team& team,
-                   std::string& out) {
+                   OutputFiles& files, std::string& out) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
                     " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " +
@@ -126,7 +126,6 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   }
   const double total = watch.seconds();
 
-  OutputFiles files(arguments.inputs());
   files.add(arguments.out, std::move(csv));
   if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
 
@@ -143,7 +142,7 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   out += suboptimality_row(suboptimality);
   out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
          row("built by", arguments.build.summary(planner.world())) + warning_rows(map);
-  if (team.rank() == 0) files.write();
+  files.write();
   out += files.summary();
   return refused == 0 ? kExitSolved : kExitNoPath;
 }

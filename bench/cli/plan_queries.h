@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "bench/cli/plan_arguments.h"
 #include "core/planner.h"
 #include "core/team.h"
@@ -14,6 +15,6 @@ namespace arcway::cli {
 /// @returns the exit code.
 int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
                    const std::vector<NumberedRequest>& queries, const PlanLimits& limits, const Team& team,
-                   std::string& out);
+                   OutputFiles& files, std::string& out);
 
 }  // namespace arcway::cli

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "bench/cli/progress_bar.h"
 #include "core/planner.h"
 #include "datasets/prepared_map.h"
@@ -26,7 +27,9 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   if (arguments.kind == "reduced" && !arguments.robot.empty())
     throw UsageError("--robot: a reduced graph is that of any robot; leave it out, or take --kind feasible");
   arguments.build.check();
+  OutputFiles files({arguments.out}, {arguments.map, arguments.robot}, team.rank() == 0);
   LoadedMap map = load_map(arguments.map, arguments.reading);
+  files.protect(map.files);
   arguments.build.prepared = map.prepared.has_value();
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
   if (arguments.kind == "feasible")
@@ -57,9 +60,8 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   out += row("build", duration_text(build_seconds) + " (reduced graph " + duration_text(reduced_seconds) + ")");
   out += row("built by", arguments.build.summary(map.world)) + row("size", count_text(bytes.size()) + " bytes") +
          warning_rows(map);
-  OutputFiles files({arguments.map, arguments.robot});
   files.add(arguments.out, std::move(bytes));
-  if (team.rank() == 0) files.write();
+  files.write();
   out += files.summary();
   return kExitSolved;
 }

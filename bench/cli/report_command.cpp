@@ -4,11 +4,14 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
+#include "bench/cli/output_files.h"
 #include "bench/report/document.h"
 #include "datasets/file_io.h"
 
 namespace arcway::cli {
 namespace {
+
+constexpr const char *kHtml = "report.html", *kMarkdown = "report.md", *kCsv = "report.csv";
 
 struct ReportArguments {
   std::vector<std::string> files, tables;
@@ -39,14 +42,18 @@ int report(const ReportArguments& arguments, std::string& out) {
   if (arguments.out.empty() && arguments.tables.empty())
     throw UsageError("report: nothing to write; use --out DIR or --tables F.md");
   const report::Inputs inputs = read_inputs(arguments.files);
-  OutputFiles files;
+  std::vector<std::string> targets = arguments.tables;
+  const auto in_folder = [&](const char* name) { return (std::filesystem::path(arguments.out) / name).string(); };
+  if (!arguments.out.empty()) {
+    make_folders(arguments.out);
+    for (const char* name : {kHtml, kMarkdown, kCsv}) targets.push_back(in_folder(name));
+  }
+  OutputFiles files(targets, arguments.files);
   if (!arguments.out.empty()) {
     const report::Document document = report::make_document(inputs);
-    const std::filesystem::path folder = arguments.out;
-    make_folders(folder);
-    files.add((folder / "report.html").string(), to_html(document));
-    files.add((folder / "report.md").string(), to_markdown(document));
-    files.add((folder / "report.csv").string(), to_csv(inputs.results));
+    files.add(in_folder(kHtml), to_html(document));
+    files.add(in_folder(kMarkdown), to_markdown(document));
+    files.add(in_folder(kCsv), to_csv(inputs.results));
     for (const std::string& sentence : document.summary) out += "- " + sentence + "\n";
   }
   for (const std::string& file : arguments.tables) files.add(file, with_tables(read_file(file), inputs, file));

@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace arcway {
 namespace {
@@ -28,22 +26,6 @@ TEST_F(FileIoTest, WritesReplacesAndLeavesNothingBehind) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
-TEST_F(FileIoTest, WritesSeveralFilesOrNone) {
-  using Files = std::vector<std::pair<fs::path, std::string>>;
-  write_file_atomically(folder_ / "a", "old");
-  for (const fs::path& wrong : {folder_ / "no" / "b", folder_, fs::path("/dev/full")}) {
-    if (wrong == "/dev/full" && !fs::exists(wrong)) continue;
-    EXPECT_THROW(write_files_atomically(Files{{folder_ / "a", "new"}, {folder_ / "c", "new"}, {wrong, "new"}}),
-                 FileError)
-        << wrong;
-    EXPECT_EQ(read_file(folder_ / "a"), "old");
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
-  }
-  write_files_atomically(Files{{folder_ / "a", "new"}, {folder_ / "b", "more"}});
-  EXPECT_EQ(read_file(folder_ / "a") + read_file(folder_ / "b"), "newmore");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 2);
-}
-
 TEST_F(FileIoTest, MakesFoldersWithThoseAbove) {
   make_folders(folder_ / "a" / "b");
   make_folders(folder_ / "a" / "b");
@@ -61,6 +43,17 @@ TEST_F(FileIoTest, LinksStay) {
   }
   fs::create_symlink("circle", folder_ / "circle");
   EXPECT_THROW(write_file_atomically(folder_ / "circle", ""), FileError);
+}
+
+TEST_F(FileIoTest, ReadsNoMoreThanALimit) {
+  write_file_atomically(folder_ / "a", "12345");
+  EXPECT_EQ(read_file(folder_ / "a", 5), "12345");
+  EXPECT_THROW(static_cast<void>(read_file(folder_ / "a", 4)), FileError);
+  fs::resize_file(folder_ / "a", std::uintmax_t{1} << 40);  // a file with a hole takes no room
+  EXPECT_THROW(static_cast<void>(read_file(folder_ / "a")), FileError);
+  EXPECT_EQ(read_file("/dev/null"), "");
+  EXPECT_THROW(static_cast<void>(read_file("/dev/zero")), FileError);
+  EXPECT_NE(read_file("/proc/self/stat"), "");  // which does not know its size
 }
 
 TEST_F(FileIoTest, ErrorsNameThePath) {

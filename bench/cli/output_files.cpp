@@ -1,0 +1,42 @@
+#include "bench/cli/output_files.h"
+
+#include <utility>
+
+#include "bench/cli/arguments.h"
+#include "bench/cli/deferred_signals.h"
+
+namespace arcway::cli {
+
+OutputFiles::OutputFiles(const std::vector<std::string>& targets, const std::vector<std::string>& inputs, bool writes)
+    : writes_(writes) {
+  if (!writes_) return;
+  for (const std::string& input : inputs)
+    if (!input.empty()) files_.protect(input);
+  files_.protect("/dev/stdout", "takes what is printed");
+  const DeferredSignals signals;  // none leaves the file behind by which the target is tried
+  for (const std::string& target : targets)
+    if (!target.empty()) files_.claim(target);
+}
+
+void OutputFiles::protect(const std::vector<std::filesystem::path>& inputs) {
+  for (const std::filesystem::path& input : inputs) files_.protect(input);
+}
+
+void OutputFiles::add(const std::string& target, std::string text) {
+  if (target.empty()) return;
+  if (writes_) files_.put(target, std::move(text));
+  added_.push_back(target);
+}
+
+void OutputFiles::write() {
+  const DeferredSignals signals;
+  files_.commit(DeferredSignals::arrived);
+}
+
+std::string OutputFiles::summary() const {
+  std::string text;
+  for (const std::string& file : added_) text += row("wrote", file);
+  return text;
+}
+
+}  // namespace arcway::cli
