@@ -9,6 +9,8 @@
 #include "bench/cli/output_files.h"
 #include "core/graph/feasible_graph.h"
 #include "core/graph/visibility_graph.h"
+#include "core/planner.h"
+#include "core/team.h"
 #include "datasets/svg.h"
 
 namespace arcway::cli {
@@ -39,8 +41,7 @@ void append_edge(std::string& csv, VertexId u, VertexId v) {
   csv += '\n';
 }
 
-BuiltGraph build_graph(const GraphArguments& arguments, const LoadedMap& map) {
-  const World& world = map.world;
+BuiltGraph build_visibility_graph(const GraphArguments& arguments, const World& world) {
   const std::unique_ptr<const Executor> executor = arguments.build.executor();
   const bool with_csv = !arguments.edges.empty(), with_lines = !arguments.svg.empty();
   BuiltGraph built;
@@ -50,23 +51,31 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedMap& map) {
   const VisibilityGraph graph = arguments.kind == "visibility" ? arguments.build.full_graph_of(world, *executor)
                                                                : arguments.build.reduced_graph_of(world, *executor);
   built.visibility_seconds = visibility_watch.seconds();
-  if (arguments.kind != "feasible") {
-    built.edge_count = graph.edge_count();
-    for (VertexId u = 0; u < graph.vertex_count(); ++u) {
-      for (const VertexId v : graph.row(u)) {
-        if (with_csv) append_edge(built.edges_csv, u, v);
-        if (with_lines) built.lines.push_back({world.vertex(u), world.vertex(v)});
-      }
+  built.edge_count = graph.edge_count();
+  for (VertexId u = 0; u < graph.vertex_count(); ++u) {
+    for (const VertexId v : graph.row(u)) {
+      if (with_csv) append_edge(built.edges_csv, u, v);
+      if (with_lines) built.lines.push_back({world.vertex(u), world.vertex(v)});
     }
-    return built;
   }
+  return built;
+}
 
+/// That of the tightest turn, by a planner, which refuses what plans would be refused for.
+BuiltGraph build_feasible_graph(const GraphArguments& arguments, const LoadedMap& map) {
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
-  const std::vector<double> radii = {vehicle.min_turning_radius()};
-  const Stopwatch feasible_watch;
-  const QuerySet queries = arguments.build.queries(world, *executor);
-  const FeasibleGraph feasible(world, vehicle, graph, queries, radii, *executor);
-  built.feasible_seconds = feasible_watch.seconds();
+  const std::unique_ptr<const Executor> executor = arguments.build.executor();
+  const bool with_csv = !arguments.edges.empty(), with_lines = !arguments.svg.empty();
+  const SoloTeam alone;
+  PlannerOptions options{.graph_mode = GraphMode::kEager, .radii = {vehicle.min_turning_radius()}};
+  options.reduced_graph = arguments.build.reduced_graph(alone);
+  const Planner planner(map.world, vehicle, arguments.build.queries(map.world, *executor), options, *executor);
+  const FeasibleGraph& feasible = planner.feasible_graph();
+
+  BuiltGraph built;
+  if (with_csv) built.edges_csv = "u,v\n";
+  built.visibility_seconds = planner.prepare_statistics().visibility_seconds;
+  built.feasible_seconds = planner.prepare_statistics().feasible_seconds;
   built.counts = feasible.counts();
   built.edge_count = feasible.links().size();
   for (const FeasibleGraph::Link& link : feasible.links()) {
@@ -120,17 +129,19 @@ int run_graph(const GraphArguments& arguments, std::string& out) {
   } else {
     throw UsageError("--kind: expected visibility, reduced or feasible, got \"" + arguments.kind + "\"");
   }
+  if (arguments.kind != "feasible" && !arguments.robot.empty())
+    throw UsageError("--robot: only with --kind feasible; the other graphs are those of any robot");
   arguments.build.check();
   OutputFiles files({arguments.edges, arguments.svg, arguments.json}, {arguments.map, arguments.robot});
   const LoadedMap map = load_map(arguments.map, arguments.reading);
   files.protect(map.files);
-  BuiltGraph built = build_graph(arguments, map);
+  const bool feasible = arguments.kind == "feasible";
+  BuiltGraph built = feasible ? build_feasible_graph(arguments, map) : build_visibility_graph(arguments, map.world);
 
   if (!arguments.svg.empty()) files.add(arguments.svg, picture(map.world, built, title));
   if (!arguments.json.empty()) files.add(arguments.json, counts_json(arguments, map.world, built));
   if (!arguments.edges.empty()) files.add(arguments.edges, std::move(built.edges_csv));
 
-  const bool feasible = arguments.kind == "feasible";
   out += arguments.map + ": " + title + "\n";
   out += row(feasible ? "bitangents" : "edges", count_text(built.edge_count) + (feasible ? " directed" : ""));
   if (feasible) {

@@ -663,6 +663,16 @@ TEST_F(Tool, GraphsOfABox) {
   EXPECT_EQ(run("graph " + map_ + " --kind visibility").code, 0);
 }
 
+TEST_F(Tool, GraphsAreRefusedWherePlansAre) {
+  const std::string robot = put("r.json", R"({"format":"arcway-robot","version":1,"safety_margin":1e-9})");
+  const std::string far = put("far.wkt", "POLYGON((1e6 0, 1000001 0, 1000001 1, 1e6 0))");
+  for (const std::string& command :
+       {"graph " + far + " --kind feasible", "prepare " + far + " --out " + file("m.arcway"),
+        "plan " + far + " --start 0,0,0 --goal 9,0,0"})
+    expect_bad_input(command + " --robot " + robot, "safety margin 1e-09 m is too small for coordinates up to 1000001");
+  expect_bad_input("graph " + map_ + " --robot " + robot, "--robot: only with --kind feasible");
+}
+
 TEST_F(Tool, TakesNamesOfTheCatalogueWhereNoSuchFileExists) {
   const std::string name = "clutter/convex/n20/f10/s3";
   const std::string made = "generate " + name + " --out " + file("w.geojson") + " --queries " + file("q.csv");
