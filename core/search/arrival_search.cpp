@@ -124,6 +124,7 @@ struct SearchWorkspace::Data {
   std::optional<Question> question;
   double faster_than = 0.0;
   std::uint32_t pushed_start_circles = 0;
+  std::vector<std::uint32_t> start_joints;  // by start circle: at the end of its terminal's connection
   OpenList<Entry> open;
   HugeVector<Step> steps;
   HugeVector<Label> labels;
@@ -195,7 +196,7 @@ class ArrivalSearch {
     while (!w_.open.empty() && !context_.interrupted()) {
       const Entry entry = w_.open.pop();
       prefetch_next();
-      if (entry.estimate >= context_.options.faster_than) return;
+      if (!is_wanted(entry.estimate)) return;
       if (is_complete(entry)) {
         if (finish(entry)) return;
       } else {
@@ -219,12 +220,13 @@ class ArrivalSearch {
     w_.map = context_.map.circles;
     w_.question = question_of(context_);
     w_.pushed_start_circles = 0;
+    w_.start_joints.clear();
     w_.open.clear();
     w_.steps.clear();
     w_.labels.clear();
     // As much as most searches need: untouched it costs nothing, but to grow is to copy into pages that the system has
     // to clear first.
-    const std::size_t enough = graph_.circles().size() / 2;
+    const std::size_t enough = context_.map.world.vertices().size();
     w_.open.reserve(enough);
     w_.steps.reserve(enough);
     w_.labels.reserve(enough);
@@ -285,11 +287,15 @@ class ArrivalSearch {
     return 0.0;
   }
 
+  // Nothing that goes on from what is too slow is wanted, by this search or one that goes on from it.
+  [[nodiscard]] bool is_wanted(double estimate) const { return estimate < context_.options.faster_than; }
   void push(Kind kind, std::size_t index, double estimate) {
+    if (!is_wanted(estimate)) return;
     w_.open.push({estimate, kind, index});
     ++result_.nodes_pushed;
   }
   void push(Kind kind, const Step& step, double estimate) {
+    if (!is_wanted(estimate)) return;
     push(kind, w_.steps.size(), estimate);
     w_.steps.push_back(step);
   }
@@ -336,20 +342,28 @@ class ArrivalSearch {
   void expand(const Entry& entry) {
     const auto index = static_cast<std::uint32_t>(entry.index());
     if (entry.kind() == Kind::kStartCircle) return push_start_links(index);
+    const std::size_t joints = w_.times.speeds().size();
+    if (!arrive(arrival_by(entry))) w_.times.truncate(joints);
+  }
+
+  // The label that a step or a start link leads to.
+  Label arrival_by(const Entry& entry) {
+    const auto index = static_cast<std::uint32_t>(entry.index());
     if (entry.kind() == Kind::kStart) {
       const TerminalLink& link = ends_.start_link(index);
       const TerminalCircle& from = ends_.start_circles()[link.terminal_circle];
       const double radius = circles_.circle(link.circle).radius;
-      const std::uint32_t joint = w_.times.add_drive(w_.times.add_connection(from), link.turn * from.circle.radius,
-                                                     from.circle.radius, link.line.length, radius);
-      return arrive({link.circle, 0, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone});
+      const std::uint32_t joint =
+          w_.times.add_drive(w_.start_joints[link.terminal_circle], link.turn * from.circle.radius, from.circle.radius,
+                             link.line.length, radius);
+      return {link.circle, 0, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone};
     }
     const Step step = w_.steps[entry.index()];
     const Label& parent = w_.labels[step.label];
     const double radius = circles_.circle(step.to).radius;
     const std::uint32_t joint =
         w_.times.add_drive(parent.joint, step.turn * parent.radius, parent.radius, step.length, radius);
-    arrive({step.to, 0, radius, step.heading, 0.0, joint, step.label, step.index, kNone});
+    return {step.to, 0, radius, step.heading, 0.0, joint, step.label, step.index, kNone};
   }
 
   void push_start_circles() {
@@ -364,6 +378,8 @@ class ArrivalSearch {
   void push_start_links(std::uint32_t s) {
     const TerminalCircle& from = ends_.start_circles()[s];
     const std::uint32_t joint = w_.times.add_connection(from);
+    w_.start_joints.resize(std::max(w_.start_joints.size(), std::size_t{s} + 1));
+    w_.start_joints[s] = joint;
     const auto range = ends_.links_from(s);
     for (std::uint32_t i = range.first; i < range.last; ++i) {
       const TerminalLink& link = ends_.start_link(i);
@@ -382,24 +398,25 @@ class ArrivalSearch {
     return arrival.time + remaining(end, arrival.speed);
   }
 
-  // Goes on from a new label, unless it is as good as an older one or cannot be reached after all.
-  void arrive(Label label) {
+  // Goes on from a new label; false if an older one is as good, or it cannot be reached after all.
+  bool arrive(Label label) {
     const CircleTable::Circle circle = circles_.circle(label.circle);
     label.reach = circles_.reach(label.circle, label.heading);
-    if (label.reach < 0.0) return;
+    if (label.reach < 0.0) return false;
     label.next = w_.first_label.get(label.circle);
     if (label.next != kNone) label.number = w_.labels[label.next].number + 1;
     const double limit = undominated_turn(label, circle.side);
-    if (limit < 0.0) return;
+    if (limit < 0.0) return false;
     const bool free = label.parent == kNone ? context_.is_free(ends_.start_link(label.index).line)
                                             : graph_.is_kept(w_.labels[label.parent].circle, label.index);
-    if (!free) return;
+    if (!free) return false;
     result_.start_connected = true;
     ++result_.nodes_expanded;
     w_.labels.push_back(label);
     const auto index = static_cast<std::uint32_t>(w_.labels.size() - 1);
     w_.first_label.set(label.circle, index);
     leave(index, circle, limit);
+    return true;
   }
 
   // How far a label can turn before an older one does as well; negative if that is so from the beginning.

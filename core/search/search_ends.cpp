@@ -12,9 +12,24 @@ namespace arcway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMostDirectPairs = 64;
+// Straights between the poses of manoeuvres at one end and the graph, in all: so many, or half as many as vertices
+// where those are more; each circle of a pose has two in any case. 48 bytes each at the start, 64 at the goal. In open
+// places 400 poses see millions of circles: among 20,000 cells that touch at corners, their links took 1.2 GB, now 8
+// MB.
+constexpr std::size_t kLinksOfPoses = 1 << 16;
+constexpr std::size_t kVerticesALink = 2;
+constexpr std::size_t kLeastLinks = 2;
 
 bool is_same(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.heading == b.heading; }
+
+// How many straights each new circle of manoeuvres may join the graph by: together they take half of what is left.
+std::size_t links_a_circle(std::size_t vertices, std::size_t known_links, std::size_t new_circles) {
+  const std::size_t most = std::max(kLinksOfPoses, vertices / kVerticesALink);
+  const std::size_t left = most - std::min(most, known_links);
+  return std::max(kLeastLinks, left / 2 / std::max<std::size_t>(new_circles, 1));
+}
 
 // Whether all poses begin with some.
 bool begin_with(std::span<const Terminal> all, const std::vector<Pose>& some) {
@@ -48,7 +63,7 @@ void SearchEnds::begin(SearchContext& context) {
   context_ = &context;
   longest_way_ = context.options.faster_than * context.vehicle.top_speed();
   const std::size_t known_starts = starts_.size(), known_goals = goals_.size();
-  const std::size_t known_circles = start_circles_.size() + goal_circles_.size();
+  const auto first_start_circle = start_circles_.size();
   const auto first_goal_circle = static_cast<std::uint32_t>(goal_circles_.size());
   if (known_goals == 0) first_goal_link_.reset(context.graph.circles().size());
   for (std::size_t s = known_starts; s < context.starts.size(); ++s) starts_.push_back(context.starts[s].pose);
@@ -56,10 +71,14 @@ void SearchEnds::begin(SearchContext& context) {
 
   append_circles(context.map, context.starts, known_starts, Direction::kFromStart, headings_, start_circles_);
   append_circles(context.map, context.goals, known_goals, Direction::kToGoal, headings_, goal_circles_);
-  context.result.turns_checked += start_circles_.size() + goal_circles_.size() - known_circles;
+  const std::size_t new_starts = start_circles_.size() - first_start_circle;
+  const std::size_t new_goals = goal_circles_.size() - first_goal_circle;
+  context.result.turns_checked += new_starts + new_goals;
   start_link_ranges_.resize(start_circles_.size());
+  const std::size_t vertices = context.map.world.vertices().size();
+  most_start_links_ = links_a_circle(vertices, start_links_.size(), new_starts);
+  most_goal_links_ = links_a_circle(vertices, goal_links_.size(), new_goals);
   find_direct_paths(known_starts, known_goals);
-  // The goals of manoeuvres may have millions of links.
   for (std::uint32_t g = first_goal_circle; g < goal_circles_.size() && !context.interrupted(); ++g) add_goal_links(g);
 }
 
@@ -118,7 +137,9 @@ SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
     range.first = static_cast<std::uint32_t>(start_links_.size());
     const Terminal& start = context_->starts[start_circles_[start_circle].terminal];
     append_links(context_->map, start_circles_, start_circle, Direction::kFromStart,
-                 {context_->goal, longest_way_ - length_of(start.connection)}, pieces_, start_links_);
+                 {context_->goal, longest_way_ - length_of(start.connection),
+                  start.connection.empty() ? kUnlimited : most_start_links_},
+                 pieces_, start_links_);
     range.last = static_cast<std::uint32_t>(start_links_.size());
   }
   return range;
@@ -126,12 +147,13 @@ SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
 
 void SearchEnds::add_goal_links(std::uint32_t goal_circle) {
   const Terminal& goal = context_->goals[goal_circles_[goal_circle].terminal];
-  const WayLimit limit{context_->starts[0].pose.position(), longest_way_ - length_of(goal.connection)};
+  const WayLimit limit{context_->starts[0].pose.position(), longest_way_ - length_of(goal.connection),
+                       goal.connection.empty() ? kUnlimited : most_goal_links_};
   if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
   found_.clear();
   append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, limit, pieces_, found_);
   for (const TerminalLink& link : found_) {
-    goal_links_.push_back({link, first_goal_link_.get(link.circle), kInfinity, false, false});
+    goal_links_.push_back({link, kInfinity, first_goal_link_.get(link.circle), false, false});
     first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));
   }
 }

@@ -18,8 +18,8 @@ class SearchEnds {
  public:
   struct GoalLink {
     TerminalLink link;
-    std::uint32_t next;  ///< on the same circle, or kNone
     double best_time;    ///< of complete paths by this link, for the search to keep
+    std::uint32_t next;  ///< on the same circle, or kNone
     bool checked, free;
   };
   /// A word that leads from a start to a goal, and the manoeuvres there.
@@ -68,9 +68,10 @@ class SearchEnds {
   void add_goal_links(std::uint32_t goal_circle);
 
   SearchContext* context_ = nullptr;
-  double longest_way_ = 0.0;           // of paths that are wanted [m]
-  HeadingSet headings_;                // memory
-  std::vector<std::uint32_t> pieces_;  // likewise
+  double longest_way_ = 0.0;                                // of paths that are wanted [m]
+  std::size_t most_start_links_ = 0, most_goal_links_ = 0;  // of a circle of manoeuvres
+  HeadingSet headings_;                                     // memory
+  std::vector<std::uint32_t> pieces_;                       // likewise
   std::vector<Pose> starts_, goals_;
   std::vector<TerminalCircle> start_circles_, goal_circles_;
   HugeVector<TerminalLink> start_links_, found_;

@@ -16,6 +16,8 @@ class SearchTimes {
   void reserve(std::size_t joints) { speeds_.reserve(joints); }
   void warm_up(std::size_t joints) { speeds_.warm_up(joints); }
   [[nodiscard]] const SpeedTree& speeds() const { return speeds_; }
+  /// Forgets the joints added last.
+  void truncate(std::size_t size) { speeds_.truncate(size); }
 
   /// The joint at the end of a start terminal's connection, which leads to its circle.
   std::uint32_t add_connection(const TerminalCircle& from);

@@ -17,6 +17,14 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // relative, of lengths
 
+void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<std::uint32_t>& pieces) {
+  const auto distance = [&](std::uint32_t piece) { return outlines[piece].box.distance_to(place); };
+  std::sort(pieces.begin(), pieces.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const double to_a = distance(a), to_b = distance(b);
+    return to_a != to_b ? to_a < to_b : a < b;
+  });
+}
+
 }  // namespace
 
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, std::size_t first, Direction direction,
@@ -49,14 +57,6 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
                  : TurnCircle{own.circle.center, own.circle.radius, opposite(own.circle.side), own.circle.vertex};
   Horizon horizon(away, from_start ? own.heading : own.heading + kPi, own.reach);
   const bool body_covers_reference = map.body.front >= 0.0 && map.body.rear >= 0.0;
-  pieces.clear();
-  map.places->visit_near_first(
-      own.circle.center, [&](const Box& box) { return !horizon.hides(box); },
-      [&](const Outlines::Piece& piece, std::uint32_t index_of_piece) {
-        if (body_covers_reference) horizon.shorten(piece.points, piece.box);
-        pieces.push_back(index_of_piece);
-      });
-
   const bool is_limited = limit.length < std::numeric_limits<double>::infinity();
   const double longest = limit.length * (1.0 + kRounding) + own.circle.radius;
   const auto is_far = [&](const Box& box) {
@@ -66,6 +66,17 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
     return is_limited && (limit.other_end - other.center).norm() + (own.circle.center - other.center).norm() >
                              longest + 2.0 * other.radius;
   };
+  pieces.clear();
+  std::size_t pieces_circles = 0;
+  map.places->visit_near_first(
+      own.circle.center, [&](const Box& box) { return !is_far(box) && !horizon.hides(box); },
+      [&](const Outlines::Piece& piece, std::uint32_t index_of_piece) {
+        if (body_covers_reference) horizon.shorten(piece.points, piece.box);
+        pieces.push_back(index_of_piece);
+        for (const CirclePlaces::Group& group : map.places->groups(index_of_piece))
+          pieces_circles += group.last - group.first;
+      });
+  if (pieces_circles > limit.most_links) sort_near_first(own.circle.center, *map.outlines, pieces);
   const std::size_t first = links.size();
   const std::span<const TurnCircle> graph_circles = map.graph.circles();
   const auto consider = [&](std::uint32_t circle) {
@@ -86,7 +97,8 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
                                    : turn_between(heading, own.heading, own.circle.side);
     if (turn <= own.reach) links.push_back({index, circle, *line, turn});
   };
-  for (const std::uint32_t piece : pieces)
+  for (const std::uint32_t piece : pieces) {
+    if (links.size() - first >= limit.most_links) break;
     for (const CirclePlaces::Group& group : map.places->groups(piece)) {
       if (is_far(group.box) || horizon.hides(group.box)) continue;
       const Sectors outwards = horizon.sectors_towards(group.box);
@@ -94,6 +106,8 @@ void append_links(const SearchMap& map, std::span<const TerminalCircle> circles,
       for (const std::uint32_t c : map.places->circles(group))
         if ((map.circles->free_sectors(c) & sectors) != 0) consider(c);
     }
+  }
+  links.resize(first + std::min(links.size() - first, limit.most_links));
   // In the same order whatever that of the pieces.
   std::sort(links.begin() + static_cast<std::ptrdiff_t>(first), links.end(),
             [](const TerminalLink& a, const TerminalLink& b) { return a.circle < b.circle; });

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,14 +47,16 @@ struct TerminalLink {
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, std::size_t first, Direction direction,
                     HeadingSet& headings, std::vector<TerminalCircle>& circles);
 
-/// How long a path may be between a terminal and the other end of the path.
+/// How long a path may be between a terminal and the other end of the path, and how many straights it may join by.
 struct WayLimit {
   Vec2 other_end;
   double length;  ///< [m]; infinity: as long as it likes
+  std::size_t most_links = std::numeric_limits<std::size_t>::max();
 };
 
 /// Appends the straights between circles[index] and the graph, but for some that are certainly blocked, or on no path
-/// within the limit. Looks only at circles of pieces of outline that those nearer by do not hide.
+/// within the limit. Looks only at circles of pieces of outline that those nearer by do not hide. Of more straights
+/// than the limit allows, those to the nearest pieces are kept.
 /// @param pieces  memory.
 void append_links(const SearchMap& map, std::span<const TerminalCircle> circles, std::uint32_t index,
                   Direction direction, const WayLimit& limit, std::vector<std::uint32_t>& pieces,

@@ -1,27 +1,19 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <memory>
 #include <ostream>
 #include <vector>
 
 #include "accel/make_queries.h"
 #include "bench/suites/allocations.h"
-#include "core/huge_pages.h"
 #include "core/planner.h"
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
+#include "tests/allocations/counting.h"
 
 // In a program of its own, as it counts all that asks the heap for memory.
 namespace arcway {
 namespace {
-
-bool counts() {
-  const std::uint64_t before = bench::heap_use().allocations;
-  const auto memory = std::make_unique<std::vector<int>>(100);
-  const HugeVector<int> large(1'000'000);
-  return bench::heap_use().allocations >= before + 3 && memory->size() == 100 && large.back() == 0;
-}
 
 struct Case {
   std::uint32_t trials;               // of refinement
@@ -37,7 +29,7 @@ struct Case {
 class RepeatedQuery : public testing::TestWithParam<Case> {};
 
 TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
-  if (!counts()) GTEST_SKIP() << "a sanitizer's operator new does not count";
+  if (!test::counts_memory()) GTEST_SKIP() << "a sanitizer's operator new does not count";
   const Case& c = GetParam();
   const World world = random_world({.obstacles = c.obstacles, .vertices = 10, .fill = 0.3, .seed = 2});
   VehicleParameters parameters;
@@ -74,7 +66,7 @@ TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
 
 // What a planner's first query asks for, most of it memory of the search.
 TEST(WarmedUp, AsksTheHeapForLess) {
-  if (!counts()) GTEST_SKIP() << "a sanitizer's operator new does not count";
+  if (!test::counts_memory()) GTEST_SKIP() << "a sanitizer's operator new does not count";
   const World world = random_world({.obstacles = 300, .vertices = 10, .fill = 0.3, .seed = 2});
   const QuerySet queries = make_embree_queries(world);
   const PlannerOptions options{.refinement = {.max_trials = 0}};
