@@ -14,6 +14,7 @@
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
 #include "core/path/speed_profile.h"
+#include "core/query/memoized_sweep.h"
 #include "core/query/walled_sweep.h"
 
 namespace arcway {
@@ -122,21 +123,35 @@ double turn_about(std::span<const PathSegment> path, const Vec2& point) {
   return turn;
 }
 
+// How far a path turns about each obstacle, by a corner of it [rad].
+std::vector<double> turns_of(std::span<const PathSegment> path, const World& world) {
+  std::vector<double> turns;
+  turns.reserve(world.obstacle_count());
+  for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+    turns.push_back(turn_about(path, world.vertex(world.vertices_of(o).first)));
+  return turns;
+}
+
+// Whether two paths pass every obstacle on the same side, told by their turns.
+bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kPi; });
+}
+
 class AlternativeSearch {
  public:
   AlternativeSearch(const Planner& planner, const PlanRequest& request, const PlanLimits& limits)
-      : planner_(planner), request_(request), limits_(limits) {}
+      : planner_(planner),
+        request_(request),
+        limits_(limits),
+        remembered_(std::make_shared<MemoizedSweep>(planner.queries().sweep)) {}
 
   std::vector<PlanResult> run(std::size_t count) {
-    taken_.push_back({planner_.plan(request_, limits_), {}});
+    Way first = way_of(planner_.plan(request_, limits_), {});
+    if (count > 1 && first.plan.solved()) choose_quick_options(first.plan);
+    taken_.push_back(std::move(first));
     while (taken_.back().plan.solved() && taken_.size() < count && !interrupted()) {
       branch(taken_.back());
-      const auto best = std::min_element(open_.begin(), open_.end(),
-                                         [&](const Way& a, const Way& b) { return cost_of(a.plan) < cost_of(b.plan); });
-      if (best == open_.end()) break;
-      Way way = std::move(*best);
-      open_.erase(best);
-      taken_.push_back(std::move(way));
+      if (!take_next()) break;
     }
     std::vector<PlanResult> plans;
     for (Way& way : taken_) plans.push_back(std::move(way.plan));
@@ -148,6 +163,8 @@ class AlternativeSearch {
  private:
   struct Way {
     PlanResult plan;
+    double cost;                     // that the plan has, or will have once it is refined
+    std::vector<double> turns;       // about the obstacles
     std::vector<LineSegment> walls;  // it was planned with
   };
 
@@ -162,39 +179,89 @@ class AlternativeSearch {
     return travel_cost(plan.path(), planner_.vehicle(), request_.cusp_cost);
   }
 
+  [[nodiscard]] Way way_of(PlanResult plan, std::vector<LineSegment> walls) const {
+    std::vector<double> turns = turns_of(plan.path(), planner_.world());
+    const double cost = cost_of(plan);
+    return {std::move(plan), cost, std::move(turns), std::move(walls)};
+  }
+
+  // Ways are compared by plans from one search, and refined: without other searches and, where the first way does
+  // without, without reversing, manoeuvres and circles in narrow places.
+  void choose_quick_options(const PlanResult& first) {
+    const auto is_backward = [](const TimedSegment& s) { return s.segment.gear == Gear::kReverse; };
+    quick_request_.reverse = std::any_of(first.segments.begin(), first.segments.end(), is_backward);
+    quick_ = planner_.options();
+    quick_.refinement.max_trials = 0;
+    quick_.point_robot_bound = false;
+    PlannerOptions single_arcs = quick_;
+    single_arcs.manoeuvre_poses = 0;
+    single_arcs.gap_circles = false;
+    if (plan_with({}, single_arcs, quick_request_).solved()) quick_ = single_arcs;
+  }
+
   // Adds the ways that do without one of the passages of a way.
   void branch(const Way& way) {
     const std::vector<LineSegment> walls = way.walls;
     for (const Passage& passage : passages_of(way.plan, planner_)) {
       if (interrupted()) return;
-      Way other{{}, walls};
-      other.walls.insert(other.walls.end(), passage.walls.begin(), passage.walls.end());
-      other.plan = plan_with(other.walls);
-      if (other.plan.solved() && is_new(other.plan)) open_.push_back(std::move(other));
+      std::vector<LineSegment> more = walls;
+      more.insert(more.end(), passage.walls.begin(), passage.walls.end());
+      PlanResult plan = plan_with(more, quick_, quick_request_);
+      if (!plan.solved()) continue;
+      Way other = way_of(std::move(plan), std::move(more));
+      if (!is_new(other, taken_) || !is_new(other, open_)) continue;
+      other.cost = std::min(other.cost, refined_cost(other));
+      open_.push_back(std::move(other));
     }
   }
 
-  [[nodiscard]] PlanResult plan_with(const std::vector<LineSegment>& walls) const {
+  // What the path of a quick plan costs once refined. One with changes of gear is taken as it is.
+  [[nodiscard]] double refined_cost(const Way& way) const {
+    if (quick_request_.reverse) return way.cost;
+    const WalledSweep sweep(remembered_, way.walls);
+    const auto stop = [this] { return interrupted(); };
+    return refine_path(way.plan.path(), request_.start, request_.goal, planner_.vehicle(), sweep,
+                       planner_.options().refinement, stop)
+        .travel_time;
+  }
+
+  // Plans the cheapest of the open ways as well as the planner can, and takes it; false if there is none.
+  bool take_next() {
+    while (!open_.empty()) {
+      const auto best = std::ranges::min_element(open_, {}, &Way::cost);
+      Way way = std::move(*best);
+      open_.erase(best);
+      PlanResult better = plan_with(way.walls, planner_.options(), request_);
+      if (better.solved() && cost_of(better) < cost_of(way.plan)) way = way_of(std::move(better), std::move(way.walls));
+      if (!is_new(way, taken_)) continue;
+      taken_.push_back(std::move(way));
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] PlanResult plan_with(const std::vector<LineSegment>& walls, PlannerOptions options,
+                                     const PlanRequest& request) const {
     QuerySet queries = planner_.queries();
-    queries.sweep = std::make_shared<WalledSweep>(queries.sweep, walls);
-    PlannerOptions options = planner_.options();
+    queries.sweep = std::make_shared<WalledSweep>(remembered_, walls);
     options.graph_mode = GraphMode::kLazy;
     const Planner walled(planner_.world(), planner_.vehicle(), queries, planner_.visibility_rows(), options,
                          SerialExecutor());
     PlanLimits limits = rest();
     limits.tree_poses = 0;  // most have no path
-    return walled.plan(request_, limits);
+    return walled.plan(request, limits);
   }
 
-  [[nodiscard]] bool is_new(const PlanResult& plan) const {
-    const Path path = plan.path();
-    const auto same = [&](const Way& way) { return same_way(way.plan.path(), path, planner_.world()); };
-    return std::none_of(taken_.begin(), taken_.end(), same) && std::none_of(open_.begin(), open_.end(), same);
+  static bool is_new(const Way& way, const std::vector<Way>& known) {
+    return std::ranges::none_of(known, [&](const Way& other) { return are_same(other.turns, way.turns); });
   }
 
   const Planner& planner_;
   const PlanRequest& request_;
   const PlanLimits& limits_;
+  std::shared_ptr<const SweepQuery> remembered_;  // of the world without walls
+  PlannerOptions quick_;
+  PlanRequest quick_request_ = request_;
   Clock::time_point begin_ = Clock::now();
   std::vector<Way> taken_, open_;
 };
@@ -208,11 +275,7 @@ std::vector<PlanResult> plan_alternatives(const Planner& planner, const PlanRequ
 }
 
 bool same_way(std::span<const PathSegment> a, std::span<const PathSegment> b, const World& world) {
-  for (ObstacleId o = 0; o < world.obstacle_count(); ++o) {
-    const Vec2& corner = world.vertex(world.vertices_of(o).first);
-    if (std::abs(turn_about(a, corner) - turn_about(b, corner)) > kPi) return false;
-  }
-  return true;
+  return are_same(turns_of(a, world), turns_of(b, world));
 }
 
 }  // namespace arcway

@@ -15,9 +15,10 @@ namespace [[gnu::visibility("default")]] arcway {
 /// the only one without a path.
 ///
 /// Further ones come from plans that may not use some of the passages of those before: in a passage of a path, where
-/// obstacles are nearest on both of its sides, a wall is put across, and the whole is planned again [Lawler 1972]. So
-/// each is as good as the planner makes it, but there may be other ways that are faster than the last ones. Takes some
-/// ten plans for each alternative, and as many lazy feasible graphs.
+/// obstacles are nearest on both of its sides, a wall is put across, and the whole is planned again [Lawler 1972].
+/// Up to ten such ways for each alternative are compared by one search and its refinement; the cheapest is planned as
+/// Planner::plan does. There may be other ways that are faster than the last ones. Takes some two to three plans for
+/// each alternative, and a dozen lazy feasible graphs, whose checks are shared.
 /// @param limits  for all plans together; plans found by then are given.
 /// @throws std::invalid_argument if `count` is 0, and as Planner::plan does.
 std::vector<PlanResult> plan_alternatives(const Planner& planner, const PlanRequest& request, std::size_t count,

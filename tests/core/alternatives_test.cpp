@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "datasets/clutter.h"
 #include "datasets/random_queries.h"
 #include "tests/support/boxes.h"
+#include "tests/support/counting_sweep.h"
 #include "tests/support/plans.h"
 
 namespace arcway {
@@ -83,6 +86,28 @@ TEST(Alternatives, InClutterDifferPairwiseAndAreSorted) {
     }
   }
   EXPECT_GE(solved, 2);
+}
+
+// Counts what is asked about the world, as time is not tested.
+TEST(Alternatives, TakeAFewPlansWorkEach) {
+  const World world = random_world({.obstacles = 60, .vertices = 8, .fill = 0.25, .seed = 4});
+  const Vehicle vehicle;
+  QuerySet queries = make_reference_queries(world);
+  const std::vector<PlanRequest> requests =
+      random_queries(world, queries, vehicle, {.count = 6, .min_distance = 0.6, .seed = 2});
+  const auto counting = std::make_shared<test::CountingSweep>(world);
+  queries.sweep = counting;
+  std::size_t once = 0, thrice = 0;
+  for (const PlanRequest& request : requests) {
+    const auto asked = [&](const auto& plan) {
+      const std::size_t before = counting->asked() + counting->headings_asked();
+      plan(Planner(world, vehicle, queries, {.graph_mode = GraphMode::kLazy}, SerialExecutor()));
+      return counting->asked() + counting->headings_asked() - before;
+    };
+    once += asked([&](const Planner& planner) { (void)planner.plan(request); });
+    thrice += asked([&](const Planner& planner) { (void)plan_alternatives(planner, request, 3); });
+  }
+  EXPECT_LT(thrice, 6 * once);
 }
 
 TEST(Alternatives, InBothGears) {
