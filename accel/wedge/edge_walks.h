@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "accel/wedge/edge_list.h"
+#include "accel/wedge/long_fans.h"
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/strips.h"
 #include "core/executor.h"
@@ -18,9 +19,9 @@ struct WalkCounts {
 };
 
 /// Looks to the right from the nodes [first, last): after all nodes, each edge is in one list once.
-/// @param strips  of the map, to be passed at once.
+/// @param strips, fans  of the map, to be passed at once.
 /// @return lists in the order of the nodes, the same for any executor.
-std::vector<EdgeList> walk_right(const SightMap& map, const Strips& strips, std::size_t first, std::size_t last,
-                                 const Executor& executor, WalkCounts* counts = nullptr);
+std::vector<EdgeList> walk_right(const SightMap& map, const Strips& strips, const LongFans& fans, std::size_t first,
+                                 std::size_t last, const Executor& executor, WalkCounts* counts = nullptr);
 
 }  // namespace arcway

@@ -13,11 +13,13 @@ struct TangentNeighbours::Data {
   Data(const World& of, const Executor& executor)
       : world(of), map(world, executor), node_of(world.vertices().size(), kNone) {
     map.list_left_edges();
+    fans = worthwhile_fans(map, steps_a_node(map));
     for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
     through_contacts = both_ways(edges_through_contacts(world, map));
   }
   World world;
   SightMap map;
+  LongFans fans;
   std::vector<std::uint32_t> node_of;  // by vertex
   EdgeList through_contacts;
 };
@@ -32,7 +34,7 @@ std::vector<VertexId> TangentNeighbours::of(VertexId vertex) const {
   if (vertex >= data_->node_of.size())
     throw std::out_of_range("tangent neighbours: vertex " + std::to_string(vertex) + ", the world has " +
                             std::to_string(data_->node_of.size()));
-  std::vector<VertexId> row = tangent_neighbours(data_->map, data_->node_of[vertex]);
+  std::vector<VertexId> row = tangent_neighbours(data_->map, data_->node_of[vertex], &data_->fans);
   add_missing(data_->through_contacts, vertex, row);
   return row;
 }

@@ -37,21 +37,20 @@ void exchange(std::vector<EdgeList>& parts, WalkCounts& sum, const Team& team) {
   }
 }
 
-// Steps a node, from some nodes all over the map.
-double steps_a_node(const SightMap& map) {
-  constexpr std::size_t kSample = 256, kGolden = 2654435761;
-  WedgeWalk walk(map);
-  if (map.nodes().empty()) return 0.0;
-  for (std::size_t i = 0; i < kSample; ++i)
-    walk.look_right(static_cast<std::uint32_t>(i * kGolden % map.nodes().size()));
-  return static_cast<double>(walk.steps()) / kSample;
-}
+// What all nodes look through.
+struct Landscape {
+  SightMap map;
+  LongFans fans;
+};
 
 // Where walks are long, shorter diagonals are worth a second triangulation.
-SightMap map_for_all(const World& world, const Executor& executor) {
+Landscape landscape_of(const World& world, const Executor& executor) {
   constexpr double kManySteps = 100.0;
-  SightMap map(world, executor, Diagonals::kLong);
-  return steps_a_node(map) > kManySteps ? SightMap(world, executor, Diagonals::kAll) : std::move(map);
+  Landscape landscape{SightMap(world, executor, Diagonals::kLong), {}};
+  const double steps = steps_a_node(landscape.map);
+  if (steps > kManySteps) landscape.map = SightMap(world, executor, Diagonals::kAll);
+  landscape.fans = worthwhile_fans(landscape.map, steps);
+  return landscape;
 }
 
 }  // namespace
@@ -62,12 +61,12 @@ VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, con
   WalkCounts sum;
   EdgeList through_contacts;
   {
-    SightMap map = map_for_all(world, executor);  // gone when rows are made
+    auto [map, fans] = landscape_of(world, executor);  // gone when rows are made
     if (statistics) *statistics = {map.doors().size() / 3, 0, 0, map.broken_count()};
     executor.begin_stage("lines of sight");
     const Strips strips = worthwhile_strips(world, map, executor);
     const auto [first, last] = team.share_of(map.nodes().size());
-    parts = walk_right(map, strips, first, last, executor, &sum);
+    parts = walk_right(map, strips, fans, first, last, executor, &sum);
     if (!world.self_contacts().empty()) map.list_left_edges();
     through_contacts = edges_through_contacts(world, map);
   }

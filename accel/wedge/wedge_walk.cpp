@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/geometry/expansion.h"
 #include "core/geometry/predicates.h"
 #include "core/prefetch.h"
 
@@ -21,6 +23,18 @@ inline int filtered_sign(double ux, double uy, double vx, double vy) {
   return (determinant > error) - (determinant < -error);
 }
 
+// Sign of the cross product of the ways from a to b and from p to q. Exact.
+int cross_sign(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
+  FixedExpansion<16> sum;
+  for (const auto& [end, sign] : {std::pair<const Vec2&, double>(b, 1.0), {a, -1.0}}) {
+    sum.add_product(sign * end.x(), q.y());
+    sum.add_product(-sign * end.x(), p.y());
+    sum.add_product(-sign * end.y(), q.x());
+    sum.add_product(sign * end.y(), p.x());
+  }
+  return sum.sign();
+}
+
 // Who looks from a run looks at all of its nodes, not at the first ones first.
 constexpr std::size_t kNodesAhead = 256;
 
@@ -35,8 +49,11 @@ bool is_tangent(const SightMap::Node& node, const Vec2& from) {
 
 }  // namespace
 
-WedgeWalk::WedgeWalk(const SightMap& map, const Strips* strips)
-    : map_(map), strips_(strips && !strips->empty() ? strips : nullptr), sure_(map.sure_cross_product()) {}
+WedgeWalk::WedgeWalk(const SightMap& map, const Strips* strips, const LongFans* fans)
+    : map_(map),
+      strips_(strips && !strips->empty() ? strips : nullptr),
+      fans_(fans && !fans->empty() ? fans : nullptr),
+      sure_(map.sure_cross_product()) {}
 
 inline WedgeWalk::Limit WedgeWalk::limit(Kind kind, std::uint32_t from, std::uint32_t site, const Vec2& at) const {
   const Vec2& origin = node(from).at;
@@ -299,13 +316,13 @@ std::uint32_t WedgeWalk::touch(std::uint32_t low, std::uint32_t high, End from, 
 
 void WedgeWalk::walk(std::uint32_t door, const Limit& low, const Limit& high) {
   if (strips_) {
-    walk_on<true>(door, low, high);
+    fans_ ? walk_on<true, true>(door, low, high) : walk_on<true, false>(door, low, high);
   } else {
-    walk_on<false>(door, low, high);
+    fans_ ? walk_on<false, true>(door, low, high) : walk_on<false, false>(door, low, high);
   }
 }
 
-template <bool kHasStrips>
+template <bool kHasStrips, bool kHasFans>
 void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
   const SightMap::Door* const doors = map_.doors().data();
   std::uint64_t steps = 0;
@@ -324,12 +341,12 @@ void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
       will_need(doors + triangle.right);
       const int low_side = side(low, triangle.apex, triangle.site);
       if (low_side < 0) {
-        door = triangle.left;
+        door = kHasFans ? pass_fan<Hand::kLeft>(triangle.left, low) : triangle.left;
         right_end = kNone;
       } else {
         const int high_side = side(high, triangle.apex, triangle.site);
         if (high_side > 0) {
-          door = triangle.right;
+          door = kHasFans ? pass_fan<Hand::kRight>(triangle.right, high) : triangle.right;
           left_end = kNone;
         } else {
           const End near = triangle.right == kNone ? End::kLow : End::kHigh;
@@ -346,13 +363,14 @@ void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
           const bool look_right = low_side > 0 && triangle.right != kNone;
           if (look_left && look_right) stack_.push_back({triangle.right, low, middle});
           if (look_left) {
-            right_end = ends_right_wall ? seen : kNone;
-            door = triangle.left;
             low = middle;
+            door = kHasFans ? pass_fan<Hand::kLeft>(triangle.left, low) : triangle.left;
+            right_end = ends_right_wall && door == triangle.left ? seen : kNone;
           } else {
-            left_end = ends_left_wall ? seen : kNone;
-            door = look_right ? triangle.right : kNone;
             high = middle;
+            const std::uint32_t right = look_right ? triangle.right : kNone;
+            door = kHasFans ? pass_fan<Hand::kRight>(right, high) : right;
+            left_end = ends_left_wall && door == right ? seen : kNone;
           }
         }
       }
@@ -367,6 +385,31 @@ void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
     stack_.pop_back();
   }
   steps_ += steps;
+}
+
+template <WedgeWalk::Hand kPivot>
+std::uint32_t WedgeWalk::pass_fan(std::uint32_t door, const Limit& limit) const {
+  constexpr int kStep = kPivot == Hand::kLeft ? 1 : -1;
+  if (door == kNone) return kNone;
+  const auto [fan, triangle] = fans_->behind<kStep>(door);
+  if (!fan || kStep * side(limit, map_.sites()[fan->pivot], fan->pivot) <= 0) return door;
+  const int least = is_closed(limit) ? 0 : 1;  // a corner on a ray that does not belong to the range is passed
+  const auto stops = [&](std::uint32_t site) { return kStep * side(limit, map_.sites()[site], site) >= least; };
+  const auto rises = [&](std::uint32_t from, std::uint32_t to) { return kStep * turn_along(limit, from, to) > 0; };
+  if (const auto stop = fans_->first_stop<kStep>(*fan, triangle, stops, rises)) return fans_->door<kStep>(*fan, *stop);
+  const SightMap::Door& last = map_.doors()[fans_->door<kStep>(*fan, LongFans::last_triangle<kStep>(*fan))];
+  return kStep > 0 ? last.left : last.right;
+}
+
+// Sign of the cross product of the limit's direction with the way from one site to another one. Exact.
+int WedgeWalk::turn_along(const Limit& limit, std::uint32_t from, std::uint32_t to) const {
+  if (limit.kind() == Kind::kDown) return to > from ? 1 : -1;
+  if (limit.kind() == Kind::kUp) return to > from ? -1 : 1;
+  const Vec2 &p = map_.sites()[from], &q = map_.sites()[to];
+  const int sure = filtered_sign(limit.direction.x(), limit.direction.y(), q.x() - p.x(), q.y() - p.y());
+  if (sure != 0) return sure;
+  const int exact = cross_sign(node(limit.from).at, map_.sites()[limit.site()], p, q);
+  return limit.kind() == Kind::kAway ? -exact : exact;
 }
 
 // The wall is looked at from the place that the range's limit starts from, then from where the ray to the node found
@@ -498,9 +541,25 @@ EdgeList WedgeWalk::take_edges() {
   return taken;
 }
 
-std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node) {
-  if (node == kNone) return {};
+double steps_a_node(const SightMap& map) {
+  constexpr std::size_t kSample = 256, kGolden = 2654435761;
   WedgeWalk walk(map);
+  if (map.nodes().empty()) return 0.0;
+  for (std::size_t i = 0; i < kSample; ++i)
+    walk.look_right(static_cast<std::uint32_t>(i * kGolden % map.nodes().size()));
+  return static_cast<double>(walk.steps()) / kSample;
+}
+
+LongFans worthwhile_fans(const SightMap& map, double steps_a_node) {
+  // Finding fans costs as much as some ten steps a node, a look at each door about as much as a step.
+  constexpr double kVeryManySteps = 400.0;
+  constexpr std::uint32_t kLeastTriangles = 64;
+  return steps_a_node > kVeryManySteps ? LongFans(map, kLeastTriangles) : LongFans();
+}
+
+std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node, const LongFans* fans) {
+  if (node == kNone) return {};
+  WedgeWalk walk(map, nullptr, fans);
   walk.look_around(node);
   std::vector<VertexId> row;
   for (const auto& [u, v] : walk.take_edges()) row.push_back(v);

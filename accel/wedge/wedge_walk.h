@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "accel/wedge/edge_list.h"
+#include "accel/wedge/long_fans.h"
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/strips.h"
 
@@ -24,8 +25,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// one that leaves from a single node; the vertex that splits it is seen from the node whose tangent wedge it lies in.
 class WedgeWalk {
  public:
-  /// @param strips  of the map, to be passed at once; nullptr is as good as none of them.
-  explicit WedgeWalk(const SightMap& map, const Strips* strips = nullptr);
+  /// @param strips, fans  of the map, to be passed at once; may be null.
+  explicit WedgeWalk(const SightMap& map, const Strips* strips = nullptr, const LongFans* fans = nullptr);
 
   /// Edges to the right of the nodes of the runs that start at a node: after all nodes, each edge is found once.
   void look_right(std::uint32_t node);
@@ -73,7 +74,7 @@ class WedgeWalk {
   void look_right_from(std::uint32_t node);
   void look_through_wedge(std::uint32_t node, const Limit& low, const Limit& high);
   void walk(std::uint32_t door, const Limit& low, const Limit& high);
-  template <bool kHasStrips>
+  template <bool kHasStrips, bool kHasFans>
   void walk_on(std::uint32_t door, Limit low, Limit high);
   /// @param instead_of  what has been reported and is not tangent; kNone if nothing is.
   /// @return to be replaced later on; kNone if sites may have several nodes.
@@ -103,6 +104,14 @@ class WedgeWalk {
   /// place.
   template <Hand kHand>
   bool pass_along(const Strips::Strip& strip, std::uint32_t count, std::uint32_t place, Limit& near);
+  /// Passes the triangles of a long fan whose pivot is on one side of a door, up to the first one that the range does
+  /// not pass by.
+  /// @param kPivot  the side.
+  /// @param limit   of the range, on the other side.
+  /// @return the door to go on with; kNone: a wall.
+  template <Hand kPivot>
+  [[nodiscard]] std::uint32_t pass_fan(std::uint32_t door, const Limit& limit) const;
+  [[nodiscard]] int turn_along(const Limit& limit, std::uint32_t from, std::uint32_t to) const;
   void take_tangent();
   void add(const Node& source, const Node& target);
 
@@ -114,6 +123,7 @@ class WedgeWalk {
 
   const SightMap& map_;
   const Strips* strips_;
+  const LongFans* fans_;
   double sure_;  ///< SightMap::sure_cross_product
   Hand hand_ = Hand::kLeft;
   /// Places on a run are its nodes, counter-clockwise around the obstacle; a ring's first node may also be one past the
@@ -132,6 +142,12 @@ class WedgeWalk {
 
 /// The neighbours of a node in the reduced visibility graph, ascending; none for kNone. Needs a map that lists left
 /// edges.
-std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node);
+std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node, const LongFans* fans = nullptr);
+
+/// Triangles that walks to the right enter, of a node on average: from some nodes all over the map.
+double steps_a_node(const SightMap& map);
+
+/// The long fans of a map where walks are so long that they are worth it.
+LongFans worthwhile_fans(const SightMap& map, double steps_a_node);
 
 }  // namespace arcway

@@ -29,7 +29,7 @@ using Worlds = std::vector<const World*>;
 
 // Strips are found anew, as they are needed for walks only.
 std::vector<EdgeList> walk_all(const World& world, const SightMap& map, const Executor& executor) {
-  return walk_right(map, worthwhile_strips(world, map, executor), 0, map.nodes().size(), executor);
+  return walk_right(map, worthwhile_strips(world, map, executor), LongFans(), 0, map.nodes().size(), executor);
 }
 
 bool is_right(benchmark::State& state, const World& world, const std::string& name, std::size_t threads,

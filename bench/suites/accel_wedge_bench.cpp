@@ -49,6 +49,15 @@ void add(Study study) {
     by_each.add(static_cast<double>(m),
                 [=](benchmark::State& state) { build(state, clutter_name("convex", obstacles, m, 30), 1); });
 
+  // Where walks pass long fans, and where World sweeps.
+  for (const char* kind : {"saw", "comb", "spikes", "rings"}) {
+    Series by_size(study, std::string("WedgeGraph/adversarial/") + kind, "vertices", "O(n log n)", 1.1);
+    for (const std::size_t n : sizes(study, {400, 4000, 12649, 40000, 126491, 400000}, 400, 40000))
+      by_size.add(static_cast<double>(n), [=](benchmark::State& state) {
+        build(state, std::string("adversarial/") + kind + "/v" + std::to_string(n) + "/s1", 1);
+      });
+  }
+
   const std::string size = study == Study::kCheck ? "v400" : study == Study::kQuick ? "v10000" : "v100000";
   const std::size_t cells = study == Study::kCheck ? 40 : study == Study::kQuick ? 1000 : 10000;
   std::vector<std::string> shapes = {clutter_name("convex", cells, 10, 2), clutter_name("convex", cells, 10, 50)};

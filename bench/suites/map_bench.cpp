@@ -29,6 +29,20 @@ void load(benchmark::State& state, const std::string& world_name) {
   state.SetBytesProcessed(static_cast<std::int64_t>(text.size()) * static_cast<std::int64_t>(state.iterations()));
 }
 
+// The checks of a map whose boxes nest or overlap all over.
+void check_map(benchmark::State& state, const std::string& world_name) {
+  const World& right = shared_world(world_name);
+  const MapFile map = to_map_file(right);
+  MapFile read = map;
+  if (corrupting()) read.obstacles.pop_back();
+  const auto is_right = [&] {
+    return std::ranges::equal(to_world(read, "benchmark").convex_vertices(), right.convex_vertices());
+  };
+  if (!require(state, is_right(), "the world's graph vertices are others")) return;
+  for (auto _ : state) benchmark::DoNotOptimize(to_world(map, "benchmark"));
+  state.counters["vertices"] = static_cast<double>(right.vertices().size());
+}
+
 OccupancyGrid random_grid(std::size_t side) {
   Random random(1);
   OccupancyGrid grid;
@@ -67,6 +81,13 @@ void add(Study study) {
   for (const std::size_t n : sizes(study, {10, 100, 1000, 10000, 100000}, 10, 10000))
     loading.add(static_cast<double>(n),
                 [n](benchmark::State& state) { load(state, clutter_name("convex", n, 10, 30)); });
+  for (const char* kind : {"saw", "spikes", "rings", "nested", "holes"}) {
+    Series checking(study, std::string("CheckMap/adversarial/") + kind, "vertices", "O(n log n)", 1.1);
+    for (const std::size_t n : sizes(study, {400, 4000, 12649, 40000, 126491, 400000}, 400, 40000))
+      checking.add(static_cast<double>(n), [=](benchmark::State& state) {
+        check_map(state, std::string("adversarial/") + kind + "/v" + std::to_string(n) + "/s1");
+      });
+  }
   Series tracing(study, "TraceGrid", "cells", "O(cells)", 1.0);
   for (const std::size_t side : sizes(study, {64, 128, 256, 512, 1024, 2048}, 64, 1024))
     tracing.add(static_cast<double>(side * side), [side](benchmark::State& state) { trace(state, side); });

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/geometry/angle.h"
 #include "datasets/clutter.h"
 #include "datasets/generators/layout.h"
 
@@ -195,6 +196,53 @@ void lay_out_contacts(Layout& layout) {
   square_bounds(layout, kSquare * static_cast<double>(columns));
 }
 
+constexpr double kToothPitch = 4.0;
+constexpr double kClearance = 10.0;  // between one large obstacle and the bounds
+
+// Tips on a circle, and between them vertices nearer to its center.
+template <class Inner>
+void lay_out_teeth(Layout& layout, const Inner& inner_radius) {
+  const std::size_t teeth = (layout.wanted - 4) / 2;
+  const double radius = kToothPitch * static_cast<double>(teeth) / kTwoPi;
+  const double middle = radius + kClearance;
+  Ring ring;
+  for (std::size_t i = 0; i < 2 * teeth; ++i) {
+    const Vec2 u = unit_vector_at(static_cast<double>(i) / static_cast<double>(2 * teeth));
+    ring.push_back(Vec2(middle, middle) + (i % 2 == 0 ? radius : inner_radius(radius)) * u);
+  }
+  layout.add(std::move(ring));
+  square_bounds(layout, 2.0 * middle);
+}
+
+void lay_out_comb(Layout& layout) {
+  constexpr double kHeight = 40.0, kBack = 2.0;
+  const std::size_t teeth = (layout.wanted - 6) / 2;
+  Ring ring{{kClearance, kClearance}};
+  const double length = kToothPitch * static_cast<double>(teeth);
+  ring.push_back({kClearance + length, kClearance});
+  for (std::size_t i = teeth; i-- > 0;) {
+    const double x = kClearance + kToothPitch * static_cast<double>(i);
+    ring.push_back({x + 0.5 * kToothPitch, kClearance + kHeight});
+    ring.push_back({x, kClearance + kBack + layout.random.uniform(0.0, 1.0)});
+  }
+  layout.add(std::move(ring));
+  square_bounds(layout, 2.0 * kClearance + std::max(length, kHeight));
+}
+
+void lay_out_rings(Layout& layout) {
+  constexpr double kPitch = 8.0;
+  const std::size_t rings = (layout.wanted - 4) / 8;
+  const double middle = kPitch * static_cast<double>(rings + 1) + kClearance;
+  const auto ring_at = [&](double r) {
+    return Ring{{middle + r, middle}, {middle, middle + r}, {middle - r, middle}, {middle, middle - r}};
+  };
+  for (std::size_t i = 0; i < rings; ++i) {
+    const double r = kPitch * static_cast<double>(i + 1);
+    layout.add(ring_at(r + layout.random.uniform(2.0, 4.0)), {ring_at(r)});
+  }
+  square_bounds(layout, 2.0 * middle);
+}
+
 }  // namespace
 
 const char* name_of(AdversarialKind kind) {
@@ -217,6 +265,14 @@ const char* name_of(AdversarialKind kind) {
       return "contacts";
     case AdversarialKind::kHoles:
       return "holes";
+    case AdversarialKind::kSaw:
+      return "saw";
+    case AdversarialKind::kComb:
+      return "comb";
+    case AdversarialKind::kSpikes:
+      return "spikes";
+    case AdversarialKind::kRings:
+      return "rings";
   }
   return "unknown";
 }
@@ -251,6 +307,18 @@ MapFile generate_adversarial_world(const AdversarialParameters& parameters) {
       break;
     case AdversarialKind::kHoles:
       lay_out_motifs(layout, holes_motifs());
+      break;
+    case AdversarialKind::kSaw:
+      lay_out_teeth(layout, [&](double radius) { return radius - layout.random.uniform(1.0, 3.0); });
+      break;
+    case AdversarialKind::kComb:
+      lay_out_comb(layout);
+      break;
+    case AdversarialKind::kSpikes:
+      lay_out_teeth(layout, [&](double radius) { return radius * layout.random.uniform(0.3, 0.4); });
+      break;
+    case AdversarialKind::kRings:
+      lay_out_rings(layout);
       break;
   }
   return std::move(layout.map);

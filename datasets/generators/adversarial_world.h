@@ -17,12 +17,17 @@ enum class AdversarialKind {
   kNested,       ///< obstacles inside obstacles, inside holes, and holes inside those
   kOverlapping,  ///< stars that cross each other, some of them twice in the same place
   kContacts,     ///< random cells of a grid, each a square of its own
-  kHoles         ///< obstacles with many holes: in rows, touching each other, touching the outer ring
+  kHoles,        ///< obstacles with many holes: in rows, touching each other, touching the outer ring
+  kSaw,          ///< one obstacle: teeth of 1 m to 3 m around a circle, all seen from the corners of the bounds
+  kComb,         ///< one obstacle: teeth side by side whose tips lie on a line
+  kSpikes,       ///< one obstacle: needles around a disc, longer than it is wide
+  kRings         ///< squares with a hole in each other's holes, all around one point
 };
 inline constexpr AdversarialKind kAdversarialKinds[] = {
-    AdversarialKind::kTouching,    AdversarialKind::kShared,   AdversarialKind::kCollinear,
-    AdversarialKind::kNeedles,     AdversarialKind::kFar,      AdversarialKind::kNested,
-    AdversarialKind::kOverlapping, AdversarialKind::kContacts, AdversarialKind::kHoles};
+    AdversarialKind::kTouching, AdversarialKind::kShared, AdversarialKind::kCollinear,   AdversarialKind::kNeedles,
+    AdversarialKind::kFar,      AdversarialKind::kNested, AdversarialKind::kOverlapping, AdversarialKind::kContacts,
+    AdversarialKind::kHoles,    AdversarialKind::kSaw,    AdversarialKind::kComb,        AdversarialKind::kSpikes,
+    AdversarialKind::kRings};
 /// "touching", "shared", ...
 const char* name_of(AdversarialKind kind);
 

@@ -15,6 +15,7 @@
 #include "accel/wedge/contact_edges.h"
 #include "accel/wedge/edge_list.h"
 #include "accel/wedge/edge_walks.h"
+#include "accel/wedge/long_fans.h"
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/strips.h"
 #include "core/progress.h"
@@ -48,11 +49,12 @@ std::string edges_missing_from(const VisibilityGraph& from, const VisibilityGrap
                                        << "\nextra:" << edges_missing_from(expected, graph);
 }
 
-// All strips are passed at once, however short.
+// All strips and fans are passed at once, however short.
 VisibilityGraph graph_by_strips(const World& world, Diagonals shortened) {
   SightMap map(world, SerialExecutor(), shortened);
   map.list_left_edges();
-  std::vector<EdgeList> lists = walk_right(map, Strips(map, 1), 0, map.nodes().size(), SerialExecutor());
+  std::vector<EdgeList> lists =
+      walk_right(map, Strips(map, 1), LongFans(map, 1), 0, map.nodes().size(), SerialExecutor());
   add_missing(edges_through_contacts(world, map), lists);
   return graph_of(world.vertices().size(), lists, SerialExecutor());
 }
@@ -88,10 +90,26 @@ TEST(WedgeGraph, NastyWorlds) {
 }
 
 TEST(WedgeGraph, WorldsOfTheCatalogue) {
-  for (const char* family :
-       {"corridor", "city", "coastline", "islands", "maze", "rooms", "warehouse", "adversarial/touching",
-        "adversarial/shared", "adversarial/collinear", "adversarial/needles", "adversarial/far", "adversarial/nested",
-        "adversarial/overlapping", "adversarial/contacts", "adversarial/holes"})
+  for (const char* family : {"corridor",
+                             "city",
+                             "coastline",
+                             "islands",
+                             "maze",
+                             "rooms",
+                             "warehouse",
+                             "adversarial/touching",
+                             "adversarial/shared",
+                             "adversarial/collinear",
+                             "adversarial/needles",
+                             "adversarial/far",
+                             "adversarial/nested",
+                             "adversarial/overlapping",
+                             "adversarial/contacts",
+                             "adversarial/holes",
+                             "adversarial/saw",
+                             "adversarial/comb",
+                             "adversarial/spikes",
+                             "adversarial/rings"})
     EXPECT_TRUE(agrees(catalogue_world(std::string(family) + "/v250/s2"))) << family;
 }
 
@@ -164,6 +182,72 @@ TEST(WedgeGraph, SmoothObstacles) {
             {round({3.0 * i + random.uniform(-0.4, 0.4), 3.0 * k}, random.uniform(0.3, 1.4), 10 * i + 20 * k + 7), {}});
     EXPECT_TRUE(agrees(World(obstacles))) << seed;
     EXPECT_TRUE(agrees(World(obstacles, round({4.5, 3.0}, 12.0, 50)))) << seed;
+  }
+}
+
+// Teeth around a circle, or along a line if the radius is 0: what is outside of them is a fan around each corner of the
+// frame.
+Ring saw(test::Random& random, std::size_t teeth, double radius, double deepest, bool is_on_grid) {
+  Ring ring;
+  for (std::size_t i = 0; i < 2 * teeth; ++i) {
+    const double share = static_cast<double>(i) / (2.0 * static_cast<double>(teeth));
+    const double depth = i % 2 == 0 ? 0.0 : random.uniform(0.1, 1.0) * deepest;
+    Vec2 p =
+        radius > 0.0 ? Vec2((radius - depth) * direction_of(kTwoPi * share)) : Vec2(static_cast<double>(i), -depth);
+    if (is_on_grid) p = p.array().round();
+    ring.push_back(p);
+  }
+  if (radius == 0.0) {
+    ring.push_back({2.0 * static_cast<double>(teeth), -2.0 * deepest});
+    ring.push_back({-1.0, -2.0 * deepest});
+    std::reverse(ring.begin(), ring.end());
+  }
+  return ring;
+}
+
+TEST(WedgeGraph, LongFansAroundSaws) {
+  test::Random random(7);
+  std::size_t fans = 0;
+  for (int round = 0; round < 24; ++round) {
+    const bool is_line = round % 3 == 0, is_on_grid = round % 2 == 0;
+    const double turn = random.uniform(0.0, round % 4 < 2 ? 0.0 : 6.0);
+    Ring ring = saw(random, static_cast<std::size_t>(random.integer(140, 180)), is_line ? 0.0 : 400.0,
+                    random.uniform(2.0, is_line ? 20.0 : 200.0), is_on_grid);
+    for (Vec2& p : ring) p = p.x() * direction_of(turn) + p.y() * perpendicular(direction_of(turn));
+    std::vector<Polygon> obstacles{{ring, {}}};
+    for (std::int64_t k = random.integer(0, 4); k > 0; --k)
+      obstacles.push_back({test::random_star(random, 500.0 * direction_of(random.uniform(0, 6)), 5.0, 60.0, 9), {}});
+    try {
+      const World world(obstacles);
+      ASSERT_TRUE(agrees(world)) << "round " << round;
+      fans += LongFans(SightMap(world), 32).size();
+    } catch (const WorldError&) {  // rounded to the grid, teeth may cross
+    }
+  }
+  EXPECT_GT(fans, 30u);
+}
+
+// From outside and from inside: a ring in a ring of teeth.
+TEST(WedgeGraph, LongFansWithinARing) {
+  test::Random random(8);
+  for (int round = 0; round < 10; ++round) {
+    const Ring outer = test::square(-500, -500, 1000);
+    Ring hole = test::reversed(saw(random, 90, 300.0, 3.0, false));
+    EXPECT_TRUE(agrees(World({{outer, {hole}}, {test::random_star(random, {20, 30}, 20, 250, 60), {}}}))) << round;
+  }
+}
+
+// Where the builder passes fans at once of its own accord: so many steps a vertex at every size.
+TEST(WedgeGraph, StepsAroundASawGrowLikeItsTeeth) {
+  for (const std::size_t teeth : {2000, 8000}) {
+    test::Random random(9);
+    const World world({{saw(random, teeth, static_cast<double>(teeth), 2.0, false), {}}});
+    WedgeStatistics statistics;
+    const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world, SerialExecutor(), &statistics);
+    EXPECT_GE(graph.edge_count(), teeth);
+    EXPECT_LT(statistics.steps, 12 * world.vertices().size());
+    for (const std::size_t threads : {2, 3})
+      EXPECT_TRUE(graph == build_reduced_visibility_graph_by_wedges(world, TbbExecutor(threads)));
   }
 }
 
