@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <limits>
 #include <numeric>
 #include <span>
 
 #include "core/geometry/box_tree.h"
+#include "core/geometry/edge_sweep.h"
 #include "core/geometry/predicates.h"
 #include "core/prefetch.h"
 
@@ -150,6 +153,36 @@ bool make_tables(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
   return true;
 }
 
+// Pairs of edges with common boxes for each edge, until one sweep over all edges looks for contacts.
+constexpr std::size_t kPatience = 64;
+
+// Finds vertices inside edges of a world in which no edges cross.
+class ContactSweep final : public EdgeSweep::Visitor {
+ public:
+  explicit ContactSweep(std::span<const LineSegment> edges) : edges_(edges) {}
+
+  /// Calls found(edge, vertex), a vertex by the edge that starts there.
+  /// @return false if edges cross.
+  bool finds(std::function<void(VertexId, VertexId)> found) {
+    found_ = std::move(found);
+    return EdgeSweep(edges_).run(*this);
+  }
+
+  bool crosses(std::uint32_t /*e*/, std::uint32_t /*f*/) override { return false; }
+  void visit(const EdgeSweep::Event& event) override {
+    const auto passes = [&](std::uint32_t e) { return edges_[e].a != event.at && edges_[e].b != event.at; };
+    for (const std::uint32_t e : event.left) {
+      if (!passes(e)) continue;
+      for (const std::uint32_t f : event.ends)
+        if (edges_[f].a == event.at) found_(e, f);
+    }
+  }
+
+ private:
+  std::span<const LineSegment> edges_;
+  std::function<void(VertexId, VertexId)> found_;
+};
+
 // Obstacle edges, cut where vertices lie on them; what remains to be dropped.
 class Cutter {
  public:
@@ -178,13 +211,24 @@ class Cutter {
   };
 
   void find_contacts() {
+    if (search_boxes(kPatience * world_.edges().size())) return;
+    cuts_.clear();
+    crossings_.clear();
+    ContactSweep sweep(world_.edges());
+    if (!sweep.finds([&](VertexId edge, VertexId vertex) { cuts_.emplace_back(edge, map_.site_of[vertex]); }))
+      search_boxes(std::numeric_limits<std::size_t>::max());
+  }
+
+  // @param most  pairs of boxes to look at; beyond them it ends and returns false.
+  bool search_boxes(std::size_t most) {
     const std::span<const LineSegment> edges = world_.edges();
     std::vector<Box> boxes;
     boxes.reserve(edges.size());
     for (const LineSegment& edge : edges) boxes.push_back(box_of(edge));
     const BoxTree tree(boxes);
     for (VertexId e = 0; e < edges.size(); ++e) {
-      tree.visit_overlaps(boxes[e], [&](VertexId f) {
+      const bool is_done = tree.visit_overlaps(boxes[e], [&](VertexId f) {
+        if (most-- == 0) return false;
         if (f <= e) return true;
         const SegmentRelation relation = relate(edges[e], edges[f]);
         if (relation == SegmentRelation::kCrossing) {
@@ -197,7 +241,9 @@ class Cutter {
         }
         return true;
       });
+      if (!is_done) return false;
     }
+    return true;
   }
 
   // Sites along an edge, ascending.
