@@ -227,6 +227,21 @@ TEST(WedgeGraph, LongFansAroundSaws) {
   EXPECT_GT(fans, 30u);
 }
 
+// Needles side by side, each with a vertex on the next one's long edge: boxes of all edges overlap, so that contacts
+// are found by a sweep; with a box across them, edges cross, and they are not.
+TEST(WedgeGraph, ContactsOfLongEdges) {
+  for (const bool crosses : {false, true})
+    for (const double turn : {0.0, 0.3}) {
+      const double n = 90.0;
+      std::vector<Polygon> obstacles;
+      for (double k = 0.0; k < n; ++k) obstacles.push_back({{{0, k}, {1, k}, {n, n + k}}, {}});
+      if (crosses) obstacles.push_back({test::square(0.5, n + 0.5, 3.0), {}});
+      for (Polygon& polygon : obstacles)
+        for (Vec2& p : polygon.outer) p = p.x() * direction_of(turn) + p.y() * perpendicular(direction_of(turn));
+      EXPECT_TRUE(agrees(World(obstacles))) << crosses << " " << turn;
+    }
+}
+
 // From outside and from inside: a ring in a ring of teeth.
 TEST(WedgeGraph, LongFansWithinARing) {
   test::Random random(8);
