@@ -47,9 +47,10 @@ struct Landscape {
 Landscape landscape_of(const World& world, const Executor& executor) {
   constexpr double kManySteps = 100.0;
   Landscape landscape{SightMap(world, executor, Diagonals::kLong), {}};
-  const double steps = steps_a_node(landscape.map);
-  if (steps > kManySteps) landscape.map = SightMap(world, executor, Diagonals::kAll);
-  landscape.fans = worthwhile_fans(landscape.map, steps);
+  if (steps_a_node(landscape.map) > kManySteps) {
+    landscape.map = SightMap(world, executor, Diagonals::kAll);
+    landscape.fans = worthwhile_fans(landscape.map);
+  }
   return landscape;
 }
 

@@ -145,9 +145,9 @@ class WedgeWalk {
 std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node, const LongFans* fans = nullptr);
 
 /// Triangles that walks to the right enter, of a node on average: from some nodes all over the map.
-double steps_a_node(const SightMap& map);
+double steps_a_node(const SightMap& map, const LongFans* fans = nullptr);
 
-/// The long fans of a map where walks are so long that they are worth it.
-LongFans worthwhile_fans(const SightMap& map, double steps_a_node);
+/// The long fans of a map where walks are very long, and much shorter with them; else none. O(n log n).
+LongFans worthwhile_fans(const SightMap& map);
 
 }  // namespace arcway
