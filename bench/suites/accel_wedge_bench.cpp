@@ -50,7 +50,7 @@ void add(Study study) {
                 [=](benchmark::State& state) { build(state, clutter_name("convex", obstacles, m, 30), 1); });
 
   // Where walks pass long fans, and where World sweeps.
-  for (const char* kind : {"saw", "comb", "spikes", "rings"}) {
+  for (const char* kind : {"saw", "spikes", "rings"}) {
     Series by_size(study, std::string("WedgeGraph/adversarial/") + kind, "vertices", "O(n log n)", 1.1);
     for (const std::size_t n : sizes(study, {400, 4000, 12649, 40000, 126491, 400000}, 400, 40000))
       by_size.add(static_cast<double>(n), [=](benchmark::State& state) {
