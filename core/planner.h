@@ -51,8 +51,8 @@ struct PlannerOptions {
   std::vector<double> radii = {};
   /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
   /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres, and
-  /// none of the trees of PlanLimits. At most kMostManoeuvrePoses; some 300 bytes each, and beside that 65,536 straights
-  /// to the graph at each end, or half as many as vertices where those are more, of some 60 bytes.
+  /// none of the trees of PlanLimits. At most kMostManoeuvrePoses; some 300 bytes each, and beside that 65,536
+  /// straights to the graph at each end, or half as many as vertices where those are more, of some 60 bytes.
   std::uint32_t manoeuvre_poses = 400;
   static constexpr std::uint32_t kMostManoeuvrePoses = 1'000'000;
   /// Where single arcs find no path, or the plan may be 5 % slower than the best one (10 % without refinement, or with
