@@ -39,7 +39,8 @@ void expect_rows(const World& world, const VisibilityGraph& graph) {
 VisibilityGraph graph_by_strips(const World& world) {
   SightMap map(world);
   map.list_left_edges();
-  std::vector<EdgeList> lists = walk_right(map, Strips(map, 1), 0, map.nodes().size(), SerialExecutor());
+  std::vector<EdgeList> lists =
+      walk_right(map, Strips(map, 1), LongFans(map, 1), 0, map.nodes().size(), SerialExecutor());
   add_missing(edges_through_contacts(world, map), lists);
   return graph_of(world.vertices().size(), lists, SerialExecutor());
 }
