@@ -255,7 +255,7 @@ class Planner {
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
   /// The same into a result whose memory is used again. With accel's queries and an eager graph, a request without
   /// `reverse` that was answered before then asks the heap for nothing, if single arcs join its ends to a path on
-  /// circles of the smallest radius.
+  /// circles of the smallest radius, and `limits` leave out trees.
   void plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const;
 
   /// Does now what the first queries would wait for: makes the graph with circles in narrow places, and takes memory

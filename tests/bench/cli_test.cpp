@@ -410,7 +410,8 @@ TEST_F(Tool, UsageErrorsGoToStandardError) {
   expect_bad_input("plan " + map_ + kAround + " --builder magic", "\"magic\"");
   expect_bad_input("plan " + map_ + kAround + " --heuristic none", "--heuristic");
   expect_bad_input("plan " + map_ + " --queries " + map_, "--out");
-  expect_bad_input("plan " + map_ + " --queries " + map_ + " --out " + map_,
+  const std::string queries = put("q.csv", "q,sx,sy,stheta,gx,gy,gtheta\n");
+  expect_bad_input("plan " + map_ + " --queries " + queries + " --out " + map_,
                    "was read, and would be replaced by what is written");
   expect_bad_input("graph " + map_ + " --kind dense", "--kind");
   expect_bad_input("report " ARCWAY_SOURCE_DIR "/bench/results/amd-epyc/results.json", "--out");

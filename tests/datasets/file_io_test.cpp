@@ -15,7 +15,8 @@ class FileIoTest : public ::testing::Test {
  protected:
   FileIoTest() { fs::create_directories(folder_); }
   ~FileIoTest() override { fs::remove_all(folder_); }
-  fs::path folder_ = fs::path(::testing::TempDir()) / "arcway_file_io";
+  fs::path folder_ = fs::path(::testing::TempDir()) /
+                     ("arcway_file_io_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(FileIoTest, WritesReplacesAndLeavesNothingBehind) {
