@@ -439,8 +439,9 @@ std::span<const SelfContact> World::self_contacts() const { return data_->contac
 
 std::span<const SelfContact> World::self_contacts_on(VertexId edge) const {
   if (data_->contacts.empty()) return {};
-  const auto on_edge = std::ranges::equal_range(data_->contacts, edge, {}, &SelfContact::edge);
-  return {on_edge.begin(), on_edge.end()};
+  const auto& all = data_->contacts;
+  const auto first = std::ranges::lower_bound(all, edge, {}, &SelfContact::edge);
+  return {first, std::ranges::upper_bound(first, all.end(), edge, {}, &SelfContact::edge)};
 }
 
 VertexId World::edge_touched_by(VertexId v) const {

@@ -162,7 +162,7 @@ void require_self_contacts(const WorldTables& tables) {
   std::vector<std::uint32_t> previous(n);
   for (std::size_t v = 0; v < n; ++v) previous[tables.next[v]] = static_cast<std::uint32_t>(v);
   for (std::size_t i = 0; i < tables.self_contacts.size(); ++i) {
-    const auto [e, v] = tables.self_contacts[i];
+    const std::uint32_t e = tables.self_contacts[i].edge, v = tables.self_contacts[i].vertex;
     const auto fail = [&](const char* what) {
       throw TableError(Table::kSelfContacts, i, "vertex " + std::to_string(v) + ", edge " + std::to_string(e) + what);
     };

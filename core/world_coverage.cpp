@@ -58,7 +58,7 @@ class Sweeper final : public EdgeSweep::Visitor {
       if (std::exchange(seen_at_[region_of_[e]], events_) != events_ && is_below) ++count;
     };
     for (const std::uint32_t e : event.right) take(e, !depths_->is_region_above(e));
-    for (const std::uint32_t e : event.left | std::views::reverse) take(e, depths_->is_region_above(e));
+    for (auto e = event.left.rbegin(); e != event.left.rend(); ++e) take(*e, depths_->is_region_above(*e));
     return count;
   }
 

@@ -96,9 +96,10 @@ EdgeList both_ways(EdgeList edges) {
 }
 
 void add_missing(std::span<const EdgeList::value_type> both_ways, VertexId vertex, std::vector<VertexId>& row) {
-  const auto mine = std::ranges::equal_range(both_ways, vertex, {}, &EdgeList::value_type::first);
-  if (mine.empty()) return;
-  for (const auto& [u, v] : mine) row.push_back(v);
+  const auto first = std::ranges::lower_bound(both_ways, vertex, {}, &EdgeList::value_type::first);
+  const auto last = std::ranges::upper_bound(both_ways, vertex, {}, &EdgeList::value_type::first);
+  if (first == last) return;
+  for (auto edge = first; edge != last; ++edge) row.push_back(edge->second);
   std::ranges::sort(row);
   row.erase(std::unique(row.begin(), row.end()), row.end());
 }

@@ -92,7 +92,7 @@ class ConflictSweep final : public EdgeSweep::Visitor {
       }
     };
     for (const std::uint32_t e : event.right) meet(e);
-    for (const std::uint32_t e : event.left | std::views::reverse) meet(e);
+    for (auto e = event.left.rbegin(); e != event.left.rend(); ++e) meet(*e);
     return !open_.empty();
   }
 
