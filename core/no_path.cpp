@@ -87,7 +87,7 @@ bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult
   result.certainty = Certainty::kProved;
   result.reason = std::string(start ? "the start " : "the goal ") + shortest_text(pose) +
                   (out ? " lies outside the bounds" : "") + ": the body, grown by half of the safety margin, " +
-                  collision_text(map.world, map.queries, map.body, pose);
+                  collision_text(map.world, *map.outlines, map.queries, map.body, pose);
   return false;
 }
 

@@ -72,26 +72,36 @@ std::optional<FreePose> free_move(const SweepQuery& sweep, const Footprint& body
 
 }  // namespace
 
-std::optional<BodyContact> contact_of(const World& world, const DistanceQuery& distance, const Footprint& body,
-                                      const Pose& pose) {
+std::optional<BodyContact> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
+                                      const Footprint& body, const Pose& pose) {
   const Vec2 middle = middle_of(body, pose), ahead = direction_of(pose.heading), aside = perpendicular(ahead);
   const Vec2 half(0.5 * (body.front + body.rear), body.half_width);
   const auto in_body = [&](const Vec2& p) { return Vec2((p - middle).dot(ahead), (p - middle).dot(aside)); };
-  std::optional<BodyContact> nearest;
+  VertexId nearest = kNone;
   double least = std::numeric_limits<double>::infinity();
-  for (VertexId v = 0; v < world.vertices().size(); ++v) {
-    const Vec2 &from = world.vertex(v), &to = world.vertex(world.next(v));
+  Vec2 point = middle;
+  const auto look_at = [&](VertexId v, const Vec2& from, const Vec2& to) {
     const Vec2 a = in_body(from), b = in_body(to), along = b - a;
     const auto part = clip(a, b, half);
-    if (!part) continue;
+    if (!part) return;
     const double length2 = along.squaredNorm();
     const double t = length2 > 0.0 ? std::clamp(-a.dot(along) / length2, part->first, part->second) : part->first;
     const double away = (a + t * along).norm();
-    if (away >= least) continue;
+    if (away > least || (away == least && v > nearest)) return;
     least = away;
-    nearest = BodyContact{world.obstacle_of(v), from + t * (to - from)};
-  }
-  if (nearest) return nearest;
+    nearest = v;
+    point = from + t * (to - from);
+  };
+  // Twice as far as the body reaches, so that rounding leaves no edge out.
+  const Vec2 far = Vec2::Constant(2.0 * half.norm());
+  const Box near{middle - far, middle + far};
+  outlines.visit_if([&](const Box& box) { return box.overlaps(near); },
+                    [&](const Outlines::Piece& piece) {
+                      for (std::size_t i = 0; i < piece.edge_count(); ++i)
+                        look_at(piece.first + static_cast<VertexId>(i), piece.points[i], piece.points[i + 1]);
+                      return true;
+                    });
+  if (nearest != kNone) return BodyContact{world.obstacle_of(nearest), point};
   const ObstacleId inside = distance.containing(middle);
   return inside == kNone ? std::nullopt : std::optional(BodyContact{inside, middle});
 }
@@ -105,9 +115,10 @@ std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footpri
   return !turned || (moved && moved->travel < turned->travel) ? moved : turned;
 }
 
-std::string collision_text(const World& world, const QuerySet& queries, const Footprint& body, const Pose& pose) {
+std::string collision_text(const World& world, const Outlines& outlines, const QuerySet& queries, const Footprint& body,
+                           const Pose& pose) {
   std::string text = "collides";
-  if (const auto contact = contact_of(world, *queries.distance, body, pose))
+  if (const auto contact = contact_of(world, outlines, *queries.distance, body, pose))
     text += " with " + region_text(world, contact->region) + " at (" + rounded_text(contact->point.x()) + ", " +
             rounded_text(contact->point.y()) + ")";
   if (const auto free = nearest_free_pose(*queries.sweep, body, pose))

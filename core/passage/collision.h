@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/outlines.h"
 #include "core/path/path.h"
 #include "core/query/query_set.h"
 #include "core/vehicle.h"
@@ -17,10 +18,12 @@ struct BodyContact {
 };
 
 /// The obstacle that the body meets at a pose in collision, and where: of all edges that meet the body the point
-/// nearest to its middle, or the middle itself where an obstacle swallows the body. Nothing if no edge is found in the
-/// body, as where rounding decides. O(vertices).
-std::optional<BodyContact> contact_of(const World& world, const DistanceQuery& distance, const Footprint& body,
-                                      const Pose& pose);
+/// nearest to its middle, or the middle itself where an obstacle swallows the body. Of edges equally near, that of
+/// the lowest vertex counts. Nothing if no edge is found in the body, as where rounding decides. O(log n + edges near
+/// the body), and a `containing` query where there are none.
+/// @param outlines  of the world.
+std::optional<BodyContact> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
+                                      const Footprint& body, const Pose& pose);
 
 /// Where the body is free near a pose at which it is not.
 struct FreePose {
@@ -38,6 +41,8 @@ std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footpri
 
 /// "collides with obstacle 3 at (4, 1.5); the nearest free pose found is (4, 0.3, 0), 1.2 m away", of a pose at which
 /// the body is not free.
-std::string collision_text(const World& world, const QuerySet& queries, const Footprint& body, const Pose& pose);
+/// @param outlines  of the world.
+std::string collision_text(const World& world, const Outlines& outlines, const QuerySet& queries, const Footprint& body,
+                           const Pose& pose);
 
 }  // namespace arcway

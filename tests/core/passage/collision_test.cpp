@@ -36,7 +36,7 @@ TEST(Collision, NamesTheObstacleThatTheBodyMeetsNotTheNearestToItsReference) {
     // Obstacle 0 is beside the reference point, obstacle 1 is before the nose, and is met by it.
     const World world({motion(box(-1, 1.5, 0, 3)), motion(box(9, -3, 20, 3))});
     const QuerySet queries = make_reference_queries(world);
-    const auto contact = contact_of(world, *queries.distance, body, motion(Pose{0, 0, 0}));
+    const auto contact = contact_of(world, Outlines(world), *queries.distance, body, motion(Pose{0, 0, 0}));
     ASSERT_TRUE(contact);
     EXPECT_EQ(contact->region, 1u);
     EXPECT_LT((contact->point - motion(Vec2(9, 0))).norm(), 1e-8);
@@ -47,9 +47,9 @@ TEST(Collision, ASwallowedBodyMeetsWhatSwallowsIt) {
   const World world({box(0, 0, 100, 100)}, box(-50, -50, 200, 200).outer);
   const QuerySet queries = make_reference_queries(world);
   const Footprint body{.front = 2, .rear = 1, .half_width = 1};
-  EXPECT_EQ(contact_of(world, *queries.distance, body, {50, 50, 1})->region, 0u);
-  EXPECT_EQ(contact_of(world, *queries.distance, body, {-60, 0, 1})->region, 1u);
-  EXPECT_FALSE(contact_of(world, *queries.distance, body, {-20, 0, 1}));
+  EXPECT_EQ(contact_of(world, Outlines(world), *queries.distance, body, {50, 50, 1})->region, 0u);
+  EXPECT_EQ(contact_of(world, Outlines(world), *queries.distance, body, {-60, 0, 1})->region, 1u);
+  EXPECT_FALSE(contact_of(world, Outlines(world), *queries.distance, body, {-20, 0, 1}));
 }
 
 TEST(Collision, TheFreePoseIsFreeAndNear) {
@@ -84,7 +84,7 @@ TEST(Collision, SaysWhereNothingIsFreeNearBy) {
   const World world({box(0, 0, 100, 100)});
   const QuerySet queries = make_reference_queries(world);
   const Footprint body{.front = 2, .rear = 1, .half_width = 2};  // of diagonal 5
-  EXPECT_EQ(collision_text(world, queries, body, {50, 50, 1}),
+  EXPECT_EQ(collision_text(world, Outlines(world), queries, body, {50, 50, 1}),
             "collides with obstacle 0 at (50.27, 50.421); no free pose was found within 10 m");
 }
 
