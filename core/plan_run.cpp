@@ -184,7 +184,10 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
   return forwards.obstruction;
 }
 
-TreesEnd PlanRun::find_by_trees(const PlanMaps& maps, double effort) { return grow_trees(maps, {tree_poses_}, effort); }
+std::optional<TreesEnd> PlanRun::find_by_trees(const PlanMaps& maps, double effort) {
+  if (tree_poses_ == 0) return std::nullopt;
+  return grow_trees(maps, {tree_poses_}, effort);
+}
 
 TreesEnd PlanRun::grow_trees(const PlanMaps& maps, const TreeLimits& limits, double effort) {
   const SearchMap& map = maps.narrow ? maps.narrow->map() : maps.plain;

@@ -347,8 +347,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   };
   why.obstruction = run.find_forwards(d.maps, d.tightest ? kQuickEffort : 1.0, std::cref(no_passage));
   const auto grow_trees = [&] {
-    if (!run.found() && !result.interrupted && d.options.manoeuvre_poses > 0 && limits.tree_poses > 0)
-      why.trees = run.find_by_trees(d.maps, d.tightest ? kQuickEffort : 1.0);
+    if (!run.found() && !result.interrupted) why.trees = run.find_by_trees(d.maps, d.tightest ? kQuickEffort : 1.0);
   };
   // Who may reverse finds most ways out of narrow places sooner in both gears.
   if (!request.reverse && why.obstruction != Obstruction::kPassage) grow_trees();
