@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/hash_of.h"
+
 namespace arcway {
 
 namespace {
@@ -29,14 +31,7 @@ Question question_of(const TurningBody& b) {
 using Bits = std::array<std::uint64_t, 8>;
 
 struct Hash {
-  std::size_t operator()(const Bits& bits) const {
-    std::uint64_t hash = 0;
-    for (const std::uint64_t part : bits) {
-      hash = (hash ^ part) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 32;
-    }
-    return hash;
-  }
+  std::size_t operator()(const Bits& bits) const { return hash_of(bits); }
 };
 
 // Answers by question.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/geometry/angle.h"
+#include "core/hash_of.h"
 
 namespace arcway {
 
@@ -121,12 +122,7 @@ std::uint64_t ForwardTree::cell_of(const Pose& pose, int level) const {
   const std::array<std::uint64_t, 4> parts{index(ahead.dot(d) / size), index(cross(ahead, d) / size),
                                            index(wrap_positive(pose.heading - root.heading) / turn),
                                            static_cast<std::uint64_t>(level)};
-  std::uint64_t hash = 0;
-  for (const std::uint64_t part : parts) {
-    hash = (hash ^ part) * 0x9E3779B97F4A7C15u;
-    hash ^= hash >> 29;
-  }
-  return hash;
+  return hash_of(parts);
 }
 
 }  // namespace arcway
