@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <vector>
 
+#include "datasets/lowercase.h"
+
 namespace arcway {
 namespace {
 
 constexpr std::size_t kLongest = 64;  // letters that are compared, and shown
 
-std::string lowercase(std::string_view text) {
-  std::string result(text.substr(0, kLongest));
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
+std::string compared(std::string_view text) { return detail::lowercase(text.substr(0, kLongest)); }
 
 // Letters to change, add, leave out or swap with the next one (optimal string alignment).
 std::size_t distance(std::string_view a, std::string_view b) {
@@ -36,11 +33,11 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known) {
   constexpr std::size_t kPart = 4;  // letters of a word that is part of another
-  const std::string given = lowercase(word);
+  const std::string given = compared(word);
   std::string_view nearest;
   std::size_t least = std::string_view::npos;
   for (const std::string_view candidate : known) {
-    const std::string text = lowercase(candidate);
+    const std::string text = compared(candidate);
     const bool part = std::min(given.size(), text.size()) >= kPart &&
                       (text.find(given) != std::string::npos || given.find(text) != std::string::npos);
     const std::size_t off = part ? 1 : distance(given, text);

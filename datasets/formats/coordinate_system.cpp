@@ -9,19 +9,13 @@
 
 #include "core/geometry/angle.h"
 #include "datasets/formats/epsg_codes.h"
+#include "datasets/lowercase.h"
 #include "datasets/number_text.h"
 
 namespace arcway::detail {
 namespace {
 
 constexpr double kEquatorRadius = 6378137.0;  // of Web Mercator's sphere [m]
-
-std::string lowercase(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "datasets/json_text.h"
+#include "datasets/lowercase.h"
 #include "datasets/nearest_word.h"
 
 namespace arcway {
@@ -122,7 +123,7 @@ class Reader {
   static bool changes_driving(std::string_view key) {
     std::string plain;
     for (const char c : key)
-      if (c != '_' && c != '-' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      if (c != '_' && c != '-' && c != ' ') plain += detail::lowercase(c);
     return std::ranges::find(kDrivingNames, std::string_view(plain)) != std::end(kDrivingNames) ||
            std::ranges::any_of(kDrivingParts,
                                [&](std::string_view part) { return plain.find(part) != std::string::npos; });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "datasets/formats/text_scanner.h"
+#include "datasets/lowercase.h"
 #include "datasets/number_text.h"
 
 namespace arcway {
@@ -31,13 +32,7 @@ Fields fields_of(std::string_view line) {
   }
 }
 
-std::string lowercase(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
-bool is_nan(const std::string& field) { return lowercase(field) == "nan"; }
+bool is_nan(const std::string& field) { return detail::lowercase(field) == "nan"; }
 
 // Which columns hold what.
 struct Columns {
@@ -52,7 +47,7 @@ std::optional<Columns> columns_of(const Fields& names) {
   columns.count = names.size();
   bool has_x = false, has_y = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string name = lowercase(names[i]);
+    const std::string name = detail::lowercase(names[i]);
     const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
       return std::ranges::find(words, std::string_view(name)) != words.end();
     };

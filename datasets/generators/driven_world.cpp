@@ -83,7 +83,7 @@ Path random_drive(Random& random, const Vehicle& vehicle, bool both_gears) {
   return drive;
 }
 
-// Vertices in turn around the centre, never half a turn apart: simple.
+// Vertices in turn around the center, never half a turn apart: simple.
 Ring random_polygon(Random& random, const Vec2& center, double radius) {
   const std::size_t vertices = 3 + static_cast<std::size_t>(random.below(5));
   Ring ring;
