@@ -1,7 +1,6 @@
 #include "core/world_coverage.h"
 
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "core/geometry/edge_sweep.h"

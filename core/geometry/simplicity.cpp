@@ -1,7 +1,6 @@
 #include "core/geometry/simplicity.h"
 
 #include <cstdint>
-#include <ranges>
 #include <span>
 #include <vector>
 
