@@ -15,12 +15,13 @@
 #include "datasets/nearest_word.h"
 #include "datasets/paper_example.h"
 #include "datasets/random_queries.h"
+#include "datasets/shortened.h"
 
 namespace arcway {
 namespace {
 
 [[noreturn]] void refuse(std::string_view name, const std::string& message) {
-  throw std::invalid_argument("catalogue world \"" + std::string(name) + "\": " + message);
+  throw std::invalid_argument("catalogue world \"" + shortened(name) + "\": " + message);
 }
 
 std::string_view first_part(std::string_view name) { return name.substr(0, name.find('/')); }
@@ -84,9 +85,9 @@ class Parts {
     const bool known = !part.empty() && part[0] >= 'a' && part[0] <= 'z' &&
                        pattern.find("/" + std::string(1, part[0])) != std::string_view::npos;
     if (!known || begin == end || stop != end || error != std::errc())
-      refuse(name_, "unexpected part \"" + std::string(part) + "\"; expected " + std::string(pattern));
+      refuse(name_, "unexpected part \"" + shortened(part) + "\"; expected " + std::string(pattern));
     for (const auto& [letter, number] : numbers_)
-      if (letter == part[0]) refuse(name_, "second part \"" + std::string(part) + "\" of one letter");
+      if (letter == part[0]) refuse(name_, "second part \"" + shortened(part) + "\" of one letter");
     numbers_.emplace_back(part[0], value);
   }
 

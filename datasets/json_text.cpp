@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "datasets/nearest_word.h"
+#include "datasets/shortened.h"
 
 namespace arcway::detail {
 
@@ -74,7 +75,10 @@ class TreeBuilder : public nlohmann::json_sax<json> {
     // "[json.exception.parse_error.101] parse error at line 1, column 3: syntax error ..."
     const std::string what = exception.what();
     const std::size_t colon = what.find(": "), bracket = what.find("] ");
-    error_ = what.substr(colon != std::string::npos ? colon + 2 : bracket != std::string::npos ? bracket + 2 : 0);
+    error_ = shortened(what.substr(colon != std::string::npos     ? colon + 2
+                                   : bracket != std::string::npos ? bracket + 2
+                                                                  : 0),
+                       kMostOfParser);
     return false;
   }
 

@@ -18,6 +18,7 @@
 #include "datasets/grid/grid_map.h"
 #include "datasets/gzip.h"
 #include "datasets/prepared_map.h"
+#include "datasets/shortened.h"
 
 namespace arcway {
 namespace {
@@ -43,8 +44,9 @@ fs::path find_beside(const fs::path& path, const std::string& named) {
       if (fs::exists(status) && !fs::is_directory(status)) return file;
     }
   }
-  throw FileError(path.string() + " needs another file: cannot read " + (folder / named).string() +
-                  ": No such file or directory, nor is " + fs::path(slashed).filename().string() + " beside it");
+  throw FileError(path.string() + " needs another file: cannot read " +
+                  shortened((folder / named).string(), kMostOfParser) + ": No such file or directory, nor is " +
+                  shortened(fs::path(slashed).filename().string()) + " beside it");
 }
 
 GreyImage read_image(std::string_view bytes, const fs::path& path, const GridOptions& options) {

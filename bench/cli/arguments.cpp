@@ -16,6 +16,7 @@
 #include "datasets/number_text.h"
 #include "datasets/paper_example.h"
 #include "datasets/robot.h"
+#include "datasets/shortened.h"
 
 namespace arcway::cli {
 namespace {
@@ -37,14 +38,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-// Of a line that may be of any length.
-std::string beginning_of(std::string_view line) {
-  constexpr std::size_t kMost = 80;
-  return line.size() <= kMost ? std::string(line) : std::string(line.substr(0, kMost)) + "...";
-}
-
-std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
-
 // A name that is neither a file nor of the catalogue, but near one of its families.
 void refuse_family(const std::string& name) {
   if (std::filesystem::exists(name)) return;
@@ -56,6 +49,8 @@ void refuse_family(const std::string& name) {
 }
 
 }  // namespace
+
+std::string in_quotes(std::string_view text) { return "\"" + shortened(text) + "\""; }
 
 double parse_number(std::string_view text, std::string_view what) {
   const std::optional<double> value = read_number(trimmed(text));
@@ -294,15 +289,14 @@ std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<s
     const std::vector<std::string_view> fields = split(line, ',');
     if (!header_seen) {
       if (!std::equal(fields.begin(), fields.end(), kColumns.begin(), kColumns.end())) {
-        throw UsageError(where + ": expected the header " + std::string(kHeader) + ", got " +
-                         in_quotes(beginning_of(line)));
+        throw UsageError(where + ": expected the header " + std::string(kHeader) + ", got " + in_quotes(line));
       }
       header_seen = true;
       continue;
     }
     if (fields.size() != kColumns.size()) {
       throw UsageError(where + ": expected 7 fields (" + std::string(kHeader) + "), got " +
-                       std::to_string(fields.size()) + ": " + in_quotes(beginning_of(line)));
+                       std::to_string(fields.size()) + ": " + in_quotes(line));
     }
     const auto what = [&](std::size_t column) { return where + ": " + std::string(kColumns[column]); };
     const auto number = [&](std::size_t column) { return parse_number(fields[column], what(column)); };

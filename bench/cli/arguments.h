@@ -47,6 +47,9 @@ void add_doctor_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);
 void add_figures_command(CLI::App& app, Action& action);
 
+/// For messages; no more than its beginning if it is long.
+std::string in_quotes(std::string_view text);
+
 /// The whole text as one finite number, in any locale.
 /// @throws UsageError naming `what` and the text.
 double parse_number(std::string_view text, std::string_view what);

@@ -23,8 +23,6 @@ constexpr bool kHasAccel = true;
 constexpr bool kHasAccel = false;
 #endif
 
-std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
-
 }  // namespace
 
 BuildOptions::BuildOptions() : backend(kHasAccel ? "embree" : "reference") {}

@@ -13,6 +13,7 @@
 #include "core/world_change.h"
 #include "datasets/map_file.h"
 #include "datasets/prepared_map.h"
+#include "datasets/shortened.h"
 
 namespace arcway::cli {
 namespace {
@@ -30,7 +31,7 @@ std::vector<ObstacleId> removed_obstacles(const ChangeArguments& arguments, cons
   for (const std::string& text : arguments.removed) {
     const std::uint64_t id = parse_count(text, "--remove");
     if (id >= world.obstacle_count())
-      throw UsageError("--remove: obstacle " + text + " of " + arguments.map + ", which has " +
+      throw UsageError("--remove: obstacle " + shortened(text) + " of " + arguments.map + ", which has " +
                        count_text(world.obstacle_count()) + ", counted from 0");
     removed.push_back(static_cast<ObstacleId>(id));
   }

@@ -26,7 +26,8 @@ std::string picture(const MapFile& map, const std::string& name) {
 int run_convert(const ConvertArguments& arguments, std::string& out) {
   const std::string ending = std::filesystem::path(arguments.out).extension().string();
   if (ending != ".geojson" && ending != ".json" && ending != ".wkt" && ending != ".svg")
-    throw UsageError("OUT: expected a name that ends in .geojson, .json, .wkt or .svg, got \"" + arguments.out + "\"");
+    throw UsageError("OUT: expected a name that ends in .geojson, .json, .wkt or .svg, got " +
+                     in_quotes(arguments.out));
   OutputFiles files({arguments.out}, {arguments.map});
   const MapFile map = read_named_map(arguments.map, arguments.reading);
   files.protect(map.files);

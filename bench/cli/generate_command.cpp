@@ -60,7 +60,7 @@ void add_drive(OutputFiles& files, const GenerateArguments& arguments) {
       is_catalogue_name(arguments.world) ? catalogue_driven_world(arguments.world) : std::optional<DrivenWorld>();
   if (!driven) {
     throw UsageError(std::string(arguments.robot_out.empty() ? "--drive-out" : "--robot-out") +
-                     ": only worlds driven/... know a robot and its drive, got \"" + arguments.world + "\"");
+                     ": only worlds driven/... know a robot and its drive, got " + in_quotes(arguments.world));
   }
   if (!arguments.robot_out.empty()) files.add(arguments.robot_out, to_json(driven->robot) + "\n");
   if (!arguments.drive_out.empty())
@@ -76,7 +76,7 @@ MapFile make_map(const GenerateArguments& arguments, std::string& out) {
                                       {"--seed", &arguments.seed}}) {
     if (!value->empty()) {
       throw UsageError(std::string(option) + ": only with convex, star, mixed or rectangle; a name of the catalogue " +
-                       "says it all, got \"" + arguments.world + "\"");
+                       "says it all, got " + in_quotes(arguments.world));
     }
   }
   return catalogue_map(arguments.world);
@@ -102,7 +102,8 @@ int run_generate(const GenerateArguments& arguments, std::string& out) {
     throw UsageError("generate: nothing to write; use --out W.geojson or --queries Q.csv");
   for (const char* ending : {".wkt", ".svg", ".arcway"})
     if (std::filesystem::path(arguments.out).extension() == ending)
-      throw UsageError("--out: writes GeoJSON, got \"" + arguments.out + "\"; convert and prepare write other formats");
+      throw UsageError("--out: writes GeoJSON, got " + in_quotes(arguments.out) +
+                       "; convert and prepare write other formats");
   OutputFiles files({arguments.out, arguments.queries, arguments.robot_out, arguments.drive_out}, {arguments.robot});
   std::string details;
   const MapFile map = make_map(arguments, details);

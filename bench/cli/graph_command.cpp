@@ -127,7 +127,7 @@ int run_graph(const GraphArguments& arguments, std::string& out) {
   } else if (arguments.kind == "feasible") {
     title = "Feasible visibility graph";
   } else {
-    throw UsageError("--kind: expected visibility, reduced or feasible, got \"" + arguments.kind + "\"");
+    throw UsageError("--kind: expected visibility, reduced or feasible, got " + in_quotes(arguments.kind));
   }
   if (arguments.kind != "feasible" && !arguments.robot.empty())
     throw UsageError("--robot: only with --kind feasible; the other graphs are those of any robot");

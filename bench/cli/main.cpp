@@ -13,6 +13,7 @@
 #include "bench/cli/arguments.h"
 #include "core/team.h"
 #include "datasets/nearest_word.h"
+#include "datasets/shortened.h"
 #ifdef ARCWAY_WITH_MPI
 #include "accel/mpi/mpi_team.h"
 #endif
@@ -24,6 +25,7 @@ constexpr const char* kName = "arcway_mpi";
 #else
 constexpr const char* kName = "arcway";
 #endif
+constexpr std::size_t kMostOfMessage = 10'000;  ///< bytes printed of an error: two paths of the longest, and a sentence
 constexpr const char* kDescription = "Time-optimal smooth paths for car-like robots on polygon maps.";
 constexpr const char* kFooter =
     "Units: metres, seconds, radians counter-clockwise from +x (or degrees: 90deg).\n"
@@ -87,7 +89,8 @@ int run(int argc, char** argv, const arcway::Team& team) {
     const int code = app.exit(error, out, err);
     if (team.rank() > 0) return code == 0 ? kExitSolved : kExitBadInput;
     if (code != 0) {
-      std::fprintf(stderr, "%s: %s%s", kName, err.str().c_str(), meant_instead(app).c_str());
+      std::fprintf(stderr, "%s: %s%s", kName, arcway::shortened(err.str(), kMostOfMessage).c_str(),
+                   meant_instead(app).c_str());
       return kExitBadInput;
     }
     print(out.str());
@@ -116,7 +119,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "%s: out of memory\n", kName);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", kName, error.what());
+    std::fprintf(stderr, "%s: %s\n", kName, arcway::shortened(error.what(), kMostOfMessage).c_str());
   }
 #ifdef ARCWAY_WITH_MPI
   team.abort(arcway::cli::kExitBadInput);  // the others would wait for this process

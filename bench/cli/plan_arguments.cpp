@@ -14,14 +14,14 @@ Heuristic heuristic_of(const std::string& name) {
   if (name == "travel_time") return Heuristic::kTravelTime;
   if (name == "paper") return Heuristic::kPaperDistance;
   if (name == "dijkstra") return Heuristic::kDijkstra;
-  throw UsageError("--heuristic: expected travel_time, paper or dijkstra, got \"" + name + "\"");
+  throw UsageError("--heuristic: expected travel_time, paper or dijkstra, got " + in_quotes(name));
 }
 
 GraphMode graph_mode_of(const std::string& name, bool batch) {
   if (name.empty()) return batch ? GraphMode::kEager : GraphMode::kLazy;
   if (name == "eager") return GraphMode::kEager;
   if (name == "lazy") return GraphMode::kLazy;
-  throw UsageError("--graph: expected eager or lazy, got \"" + name + "\"");
+  throw UsageError("--graph: expected eager or lazy, got " + in_quotes(name));
 }
 
 }  // namespace
@@ -106,14 +106,14 @@ void PlanArguments::check() const {
   }
   if (!sample_step.empty() && csv.empty() && ros_path.empty())
     throw UsageError("--sample-step: only with --csv or --ros-path");
-  if (!(sampling().max_length > 0.0)) throw UsageError("--sample-step: above 0 m, got \"" + sample_step + "\"");
+  if (!(sampling().max_length > 0.0)) throw UsageError("--sample-step: above 0 m, got " + in_quotes(sample_step));
   build.check();
   if (svg_view != "map" && svg_view != "path")
-    throw UsageError("--svg-view: expected map or path, got \"" + svg_view + "\"");
+    throw UsageError("--svg-view: expected map or path, got " + in_quotes(svg_view));
   for (const std::string& layer : svg_layers)
     if (std::ranges::find(SvgPicture::layers(), layer) == SvgPicture::layers().end())
-      throw UsageError("--svg-layers: expected bounds, obstacles, graph, swept, path, robot or markers, got \"" +
-                       layer + "\"");
+      throw UsageError("--svg-layers: expected bounds, obstacles, graph, swept, path, robot or markers, got " +
+                       in_quotes(layer));
 }
 
 PlannerOptions PlanArguments::planner_options(const Team& team) const {
@@ -121,13 +121,13 @@ PlannerOptions PlanArguments::planner_options(const Team& team) const {
   options.heuristic = heuristic_of(heuristic);
   if (!suboptimality.empty()) options.suboptimality = parse_number(suboptimality, "--suboptimality");
   if (options.suboptimality && *options.suboptimality < 0.0)
-    throw UsageError("--suboptimality: at least 0, got \"" + suboptimality + "\"");
+    throw UsageError("--suboptimality: at least 0, got " + in_quotes(suboptimality));
   options.graph_mode = graph_mode_of(graph, batch());
   options.reduced_graph = build.reduced_graph(team);
   constexpr std::uint64_t kMostTrials = std::numeric_limits<std::uint32_t>::max();
   const std::uint64_t trials = parse_count(refine_trials, "--refine-trials");
   if (trials > kMostTrials)
-    throw UsageError("--refine-trials: at most " + std::to_string(kMostTrials) + ", got \"" + refine_trials + "\"");
+    throw UsageError("--refine-trials: at most " + std::to_string(kMostTrials) + ", got " + in_quotes(refine_trials));
   options.refinement.max_trials = static_cast<std::uint32_t>(trials);
   options.team = &team;
   return options;
@@ -138,7 +138,7 @@ PlanLimits PlanArguments::limits() const {
   const std::string& text = time_limit;
   if (text.empty()) return limits;
   limits.time = parse_number(text, "--time-limit");
-  if (limits.time < 0.0) throw UsageError("--time-limit: at least 0 s, got \"" + text + "\"");
+  if (limits.time < 0.0) throw UsageError("--time-limit: at least 0 s, got " + in_quotes(text));
   return limits;
 }
 
@@ -147,7 +147,7 @@ double PlanArguments::cusp_cost_seconds() const {
   if (text.empty()) return 0.0;
   if (!reverse) throw UsageError("--cusp-cost: only with --reverse");
   const double seconds = parse_number(text, "--cusp-cost");
-  if (seconds < 0.0) throw UsageError("--cusp-cost: at least 0 s, got \"" + text + "\"");
+  if (seconds < 0.0) throw UsageError("--cusp-cost: at least 0 s, got " + in_quotes(text));
   return seconds;
 }
 

@@ -23,7 +23,7 @@ struct PrepareArguments {
 
 int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) {
   if (arguments.kind != "reduced" && arguments.kind != "feasible")
-    throw UsageError("--kind: expected reduced or feasible, got \"" + arguments.kind + "\"");
+    throw UsageError("--kind: expected reduced or feasible, got " + in_quotes(arguments.kind));
   if (arguments.kind == "reduced" && !arguments.robot.empty())
     throw UsageError("--robot: a reduced graph is that of any robot; leave it out, or take --kind feasible");
   arguments.build.check();

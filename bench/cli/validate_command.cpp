@@ -11,6 +11,7 @@
 #include "core/shortest_text.h"
 #include "datasets/file_io.h"
 #include "datasets/plan_io.h"
+#include "datasets/shortened.h"
 
 namespace arcway::cli {
 namespace {
@@ -48,7 +49,7 @@ void compare(const char* what, const char* unit, std::optional<double> said, dou
 std::optional<bool> validate_plan(const ValidateArguments& arguments, const LoadedMap& map, const Validator& validator,
                                   const std::string& name, const PlanFile& plan, std::string& out) {
   if (plan.path.segments.empty() && !plan.status.empty() && plan.status != name_of(PlanStatus::kSolved)) {
-    out += name + ": no path to check (" + plan.status + ")\n";
+    out += name + ": no path to check (" + shortened(plan.status) + ")\n";
     return std::nullopt;
   }
   const auto [origin, vehicle] = robot_of(arguments, map, name, plan);

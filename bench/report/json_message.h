@@ -3,13 +3,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "datasets/shortened.h"
+
 namespace arcway::report {
 
 /// What went wrong, without the name of the exception in brackets that the library begins with.
 inline std::string message_of(const nlohmann::json::exception& error) {
   const std::string message = error.what();
   const std::size_t end = message.find("] ");
-  return end == std::string::npos ? message : message.substr(end + 2);
+  return shortened(end == std::string::npos ? message : message.substr(end + 2), kMostOfParser);
 }
 
 }  // namespace arcway::report

@@ -9,6 +9,7 @@
 #include "bench/quantiles.h"
 #include "bench/report/json_message.h"
 #include "datasets/file_io.h"
+#include "datasets/shortened.h"
 
 namespace arcway::report {
 namespace {
@@ -38,7 +39,7 @@ double unit_seconds(const std::string& unit, std::string_view file) {
   if (unit == "us") return 1e-6;
   if (unit == "ms") return 1e-3;
   if (unit == "s") return 1.0;
-  throw FormatError(std::string(file) + ": time_unit: expected ns, us, ms or s, found \"" + unit + "\"");
+  throw FormatError(std::string(file) + ": time_unit: expected ns, us, ms or s, found \"" + shortened(unit) + "\"");
 }
 
 const json& field(const json& object, const char* key, std::string_view place) {
@@ -66,7 +67,8 @@ void read_run(const json& run, const std::string& place, Results& results, std::
   const double unit = unit_seconds(run.value("time_unit", "ns"), place) / run.value("batch", 1.0);
   for (const char* key : {"real_time", "cpu_time"}) {
     const json& value = field(run, key, place);
-    if (!value.is_number()) throw FormatError(place + ": " + key + ": expected a number, found " + value.dump());
+    if (!value.is_number())
+      throw FormatError(place + ": " + key + ": expected a number, found " + shortened(value.dump()));
     (key[0] == 'r' ? m.wall_seconds : m.cpu_seconds).push_back(unit * value.get<double>());
   }
   for (const auto& [key, value] : run.items())

@@ -9,6 +9,7 @@
 #include "datasets/formats/text_scanner.h"
 #include "datasets/number_text.h"
 #include "datasets/random.h"
+#include "datasets/shortened.h"
 
 namespace arcway {
 namespace {
@@ -186,7 +187,7 @@ std::vector<MovingAiTask> read_movingai_scenario(std::string_view text, std::str
     for (const std::size_t column : {4, 5, 6, 7}) {
       const std::size_t limit = column % 2 == 0 ? task.width : task.height;
       if (count(column, "a cell") >= limit)
-        throw FormatError(place + "cell " + std::string(field(column)) + " is outside of the map of " +
+        throw FormatError(place + "cell " + shortened(field(column)) + " is outside of the map of " +
                           std::to_string(task.width) + " x " + std::to_string(task.height) + " cells");
     }
     const std::optional<double> length = read_number(field(8));

@@ -12,6 +12,7 @@
 #include "datasets/formats/text_scanner.h"
 #include "datasets/nearest_word.h"
 #include "datasets/number_text.h"
+#include "datasets/shortened.h"
 
 namespace arcway {
 namespace {
@@ -134,7 +135,8 @@ RosMap read_ros_map(std::string_view yaml, std::string_view name) {
   try {
     return parse(yaml, name);
   } catch (const YAML::Exception& error) {
-    throw FormatError(std::string(name) + ": line " + std::to_string(error.mark.line + 1) + ": " + error.msg);
+    throw FormatError(std::string(name) + ": line " + std::to_string(error.mark.line + 1) + ": " +
+                      shortened(error.msg, kMostOfParser));
   }
 }
 

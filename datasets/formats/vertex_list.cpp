@@ -9,6 +9,7 @@
 #include "datasets/formats/text_scanner.h"
 #include "datasets/lowercase.h"
 #include "datasets/number_text.h"
+#include "datasets/shortened.h"
 
 namespace arcway {
 namespace {
@@ -106,7 +107,8 @@ class Reader {
     if (!columns) return false;
     columns_ = *columns;
     if (columns_.degrees) map_.set_system("longitude and latitude");
-    if (!columns_.unread.empty()) map_.warn("line 1", "columns that are not read: " + columns_.unread);
+    if (!columns_.unread.empty())
+      map_.warn("line 1", "columns that are not read: " + shortened(columns_.unread, kMostOfParser));
     return true;
   }
   void add(const Fields& fields, std::size_t line, const std::string& place) {
