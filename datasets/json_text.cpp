@@ -155,6 +155,11 @@ json parse_json(std::string_view text, std::string_view name, const JsonElements
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw FormatError(std::string(name) + ": empty file, expected JSON");
+  // The parser takes a zero for the end, and would pass over what follows.
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    const auto line = first_line + static_cast<std::size_t>(std::count(text.begin(), text.begin() + zero, '\n'));
+    throw FormatError(std::string(name) + ": line " + std::to_string(line) + ": a byte 0, which JSON does not have");
+  }
   const char* at = text.data();
   TreeBuilder builder(elements, repeated);
   json::sax_parse(TrackedIterator{at, &at}, TrackedIterator{text.data() + text.size(), nullptr}, &builder);

@@ -18,6 +18,19 @@ std::string scenario_error(const std::string& text) {
   return test::format_error_of([&] { read_scenario(text, "s.json"); });
 }
 
+TEST(RobotJson, IsRefusedBehindAZeroByte) {
+  const std::string robot = to_json(VehicleParameters{});
+  EXPECT_NO_THROW(static_cast<void>(read_robot(robot + "\n", "r.json")));
+  for (const std::string& text : {robot + "\n" + std::string(3, '\0'), robot + "\n" + std::string(1, '\0') + robot}) {
+    try {
+      static_cast<void>(read_robot(text, "r.json"));
+      ADD_FAILURE() << "taken";
+    } catch (const FormatError& error) {
+      EXPECT_STREQ(error.what(), "r.json: line 2: a byte 0, which JSON does not have");
+    }
+  }
+}
+
 TEST(RobotJson, MissingKeysTakeDefaults) { EXPECT_EQ(to_json(read_robot(robot(), "r")), to_json(VehicleParameters{})); }
 
 TEST(RobotJson, RoundTripIsExact) {
