@@ -97,7 +97,7 @@ bool is_sized_grid(TextScanner scanner) {
   if (sizes.size() != 2 || !whole(sizes[0]) || !whole(sizes[1])) return false;
   for (int i = 0; i <= kCounts; ++i) {
     const std::string_view line = scanner.rest_of_line();
-    if (is_row(line)) return line.size() == static_cast<std::size_t>(read_number(sizes[1]).value_or(0.0));
+    if (is_row(line)) return static_cast<double>(line.size()) == read_number(sizes[1]);
     if (!whole(line) || line.empty()) return false;
   }
   return false;

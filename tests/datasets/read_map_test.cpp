@@ -56,6 +56,7 @@ TEST(DetectFormat, GoesByContent) {
   expect("2 4\n7\n..E.\n.@@.\n", MapFormat::kMovingAiMap);
   expect("2,4\n7\n3\n1000\n..E.\n.@@.\n", MapFormat::kMovingAiMap);
   expect("####\n#..#\n####\n", MapFormat::kMovingAiMap);
+  expect("42,61000000000000000000000000000\n.\n", MapFormat::kVertexList);  // no width that a row could have
   expect("version 1\n", MapFormat::kMovingAiScenario);
   expect("0\ta.map\t3\t2\t0\t0\t2\t1\t3\n", MapFormat::kMovingAiScenario);
   expect("version: 1\nimage: a.pgm\n", MapFormat::kRosMap);
