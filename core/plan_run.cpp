@@ -184,10 +184,7 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
   return forwards.obstruction;
 }
 
-std::optional<TreesEnd> PlanRun::find_by_trees(const PlanMaps& maps, double effort) {
-  if (tree_poses_ == 0) return std::nullopt;
-  return grow_trees(maps, {tree_poses_}, effort);
-}
+TreesEnd PlanRun::find_by_trees(const PlanMaps& maps, double effort) { return grow_trees(maps, {tree_poses_}, effort); }
 
 TreesEnd PlanRun::grow_trees(const PlanMaps& maps, const TreeLimits& limits, double effort) {
   const SearchMap& map = maps.narrow ? maps.narrow->map() : maps.plain;
@@ -233,7 +230,7 @@ void PlanRun::improve_forwards(bool thorough) {
   if (maps_->narrow && &map == &maps_->plain && is_doubtful(thorough ? kNarrowPlacesGap : kQuickNarrowPlacesGap))
     try_faster(maps_->narrow->map(), 0);
   if (thorough && is_doubtful(kOtherEndsGap)) try_other_ends();
-  if (tree_poses_ > 0 && is_doubtful(kTreesGap) &&
+  if (grows_trees() && is_doubtful(kTreesGap) &&
       (is_hemmed_in(request_.start, Direction::kFromStart) || is_hemmed_in(request_.goal, Direction::kToGoal)))
     grow_trees(*maps_, {static_cast<std::size_t>(kTreesShare * static_cast<double>(tree_poses_)), 1}, 1.0);
   for (const SearchMap* other : {&maps_->faster_turns, &maps_->slower_turns})

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "core/path/path.h"
@@ -43,9 +42,11 @@ class PlanRun {
   /// @param effort  in trials of refinement, of what the options say.
   /// @returns what stands in the way, if anything does.
   Obstruction find_forwards(const PlanMaps& maps, double effort, const std::function<bool()>& no_passage);
-  /// The same by trees of forward motions, for what find_forwards finds no path on these maps.
-  /// @returns how the trees ended; nothing if none are wanted.
-  std::optional<TreesEnd> find_by_trees(const PlanMaps& maps, double effort);
+  /// Whether trees of forward motions are wanted.
+  [[nodiscard]] bool grows_trees() const { return tree_poses_ > 0; }
+  /// Looks for a path by trees of forward motions, for what find_forwards finds none on these maps.
+  /// @returns how the trees ended.
+  TreesEnd find_by_trees(const PlanMaps& maps, double effort);
   /// Where the lower bound says that the path which was found forwards last may be far from the best one: looks
   /// for faster ones on the same maps with manoeuvres at both ends, with circles in narrow places, and by other ways.
   /// @param thorough  sooner, and with more manoeuvres.

@@ -16,7 +16,6 @@ namespace arcway {
 
 namespace {
 
-constexpr int kLevels = 2;
 constexpr double kCoarsest = 0.15;      // edge of the larger boxes, of the body's half width
 constexpr int kFewestHeadings = 128;    // in a full turn, a power of two
 constexpr std::int32_t kFurthest = 40;  // boxes away from the end, at the coarsest
@@ -257,7 +256,7 @@ Box place_around(const Vec2& position, const Footprint& footprint) {
 }  // namespace
 
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, const Outlines& outlines, std::size_t max_checks) {
+                                     const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort) {
   // Whoever drives from where it came sees the body the other way round.
   const Pose turned{goal.x, goal.y, goal.heading + kPi};
   const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
@@ -266,12 +265,12 @@ std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const 
   std::vector<std::uint32_t> memory;
   // Smaller boxes would be even more than too many, or free as well.
   std::array<bool, 2> is_settled{};
-  for (int level = 0; level < kLevels; ++level)
+  for (int level = 0; level <= effort.halvings; ++level)
     for (const bool at_start : {true, false}) {
       if (is_settled[at_start]) continue;
       ForwardFlood flood(at_start ? start : turned, at_start ? goal.position() : start.position(),
                          at_start ? footprint : swapped, radius, at_start ? near_start : near_goal, level);
-      const ForwardFlood::End end = flood.run(max_checks << level, memory);
+      const ForwardFlood::End end = flood.run(effort.max_checks << level, memory);
       if (end == ForwardFlood::End::kClosed) return DeadEnd{at_start, flood.reach()};
       is_settled[at_start] = end == ForwardFlood::End::kGivenUp || end == ForwardFlood::End::kOpenAtOnce;
     }

@@ -17,19 +17,25 @@ struct DeadEnd {
   double reach;   ///< the reference point gets no further from there, or comes from no further away [m]
 };
 
+/// How long to look for such a proof.
+struct DeadEndEffort {
+  int halvings;            ///< of the boxes; each takes some eight times as many
+  std::size_t max_checks;  ///< of the largest boxes from one end, and after each halving twice as many
+};
+
 /// Looks for such a proof: positions and headings are divided into boxes. Those are followed that the reference point
 /// may be in after a step forwards of a certain length from a box reached before, whatever curvatures of at most
 /// 1 / radius it is driven with, unless the body collides everywhere in the box. Backwards from the goal likewise. If
 /// there are no more of them before they are some body widths away or near the other end, that is a proof; else boxes
-/// are halved, once, unless they were too many before or all free. What is near is decided, not what is far: enclosures
+/// are halved, unless they were too many before or all free. What is near is decided, not what is far: enclosures
 /// of any size that also hold for reversing are found by find_enclosure. No proof is found for vehicles that turn
 /// within no less than some 24 times the body's width.
 /// @param footprint  of the body that must not touch anything.
 /// @param radius  smallest turning radius, > 0.
 /// @param outlines  of the query's world.
-/// @param max_checks  of larger boxes from one end, and twice as many of smaller ones; below a microsecond each.
+/// @param effort  some tenths of a microsecond a check.
 /// @returns nothing if no proof is found: there may be a path or none.
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, const Outlines& outlines, std::size_t max_checks);
+                                     const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort);
 
 }  // namespace arcway

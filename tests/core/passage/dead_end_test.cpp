@@ -20,12 +20,12 @@ namespace {
 using test::box;
 using test::CountingSweep;
 
-constexpr std::size_t kChecks = 10000;
+constexpr DeadEndEffort kEffort{.halvings = 1, .max_checks = 10'000};
 const Pose kFarGoal{-30, 5, 0};
 
 std::optional<DeadEnd> dead_end(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal) {
   return find_dead_end(start, goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                       *make_reference_queries(world).sweep, Outlines(world), kChecks);
+                       *make_reference_queries(world).sweep, Outlines(world), kEffort);
 }
 
 // Whoever faces a wall gets away by the tightest turn if at all, in which the outer front corner gets furthest.
@@ -40,6 +40,25 @@ TEST(DeadEnd, AWallAhead) {
   }
   for (const double ahead : {1.001 * needed, 1.2 * needed})
     EXPECT_FALSE(dead_end(World({box(ahead, -40, ahead + 1, 40)}), vehicle, {0, 0, 0}, kFarGoal)) << ahead;
+}
+
+// Boxes that are halved once more prove what larger ones leave open, and a planner asks so before it grows trees.
+TEST(DeadEnd, SmallerBoxesProveMore) {
+  const Vehicle vehicle;
+  const double ahead = 0.93 * swept_annulus(vehicle.footprint(), vehicle.min_turning_radius()).outer;
+  const World world({box(ahead, -40, ahead + 1, 40)});
+  const auto sweep = make_reference_queries(world).sweep;
+  const auto proved = [&](const DeadEndEffort& effort) {
+    return find_dead_end({0, 0, 0}, kFarGoal, vehicle.footprint(), vehicle.min_turning_radius(), *sweep,
+                         Outlines(world), effort)
+        .has_value();
+  };
+  EXPECT_FALSE(proved({.halvings = 1, .max_checks = 100'000}));
+  EXPECT_TRUE(proved({.halvings = 2, .max_checks = 100'000}));
+  const PlanResult plan = Planner(world, vehicle).plan({.start = {0, 0, 0}, .goal = kFarGoal});
+  EXPECT_EQ(plan.certainty, Certainty::kProved) << plan.reason;
+  EXPECT_GT(plan.statistics.manoeuvre_poses, 0u);
+  EXPECT_EQ(plan.statistics.tree_poses, 0u);
 }
 
 // A step of the proof would leave all that is near: no proof, at once.
@@ -116,7 +135,7 @@ TEST(DeadEnd, AsksLittleWhereThereIsAWayOut) {
   const World world({box(6, -40, 7, 40)});
   const CountingSweep sweep(world);
   EXPECT_FALSE(find_dead_end({0, 0, 0}, kFarGoal, vehicle.footprint(), vehicle.min_turning_radius(), sweep,
-                             Outlines(world), kChecks));
+                             Outlines(world), kEffort));
   EXPECT_LT(sweep.asked(), 300u);
 }
 
@@ -165,7 +184,7 @@ TEST(DeadEnd, NoDriveGetsFurtherThanItSays) {
     Random random(seed);
     for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 25, .min_distance = 0.3})) {
       const auto proof = find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                                       *queries.sweep, outlines, kChecks);
+                                       *queries.sweep, outlines, kEffort);
       if (!proof || !proof->at_start) {
         ++open;
         continue;
@@ -191,7 +210,7 @@ TEST(DeadEnd, IsNotProvedWhereThereIsAPath) {
       if (!planner.plan(request).solved()) continue;
       ++solved;
       EXPECT_FALSE(find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                                 *queries.sweep, outlines, kChecks))
+                                 *queries.sweep, outlines, kEffort))
           << seed;
     }
   }
