@@ -38,6 +38,28 @@ inline constexpr std::array<TreePass, 4> kTreePasses{{{1.0 / 64.0, 4, 0.2, false
                                                       {1.0 / 512.0, 8, 0.2, true},
                                                       {1.0 / 4096.0, 8, 0.4, true}}};
 
+/// Passes where one end lies in a pocket. The ways out that are found at all are found by these: of some 480 driven
+/// worlds with 2 mm of room each that lies beside such a pocket and that `kTreePasses` solve.
+inline constexpr std::array<TreePass, 2> kPocketPasses{{{1.0 / 128.0, 4, 0.1, true}, {1.0 / 512.0, 8, 0.1, true}}};
+
+/// How a way out of the surroundings of one end is looked for.
+struct WayOutEffort {
+  double pocket;      ///< how far a tree gets that is hemmed in, in lengths of the body or turning radii
+  TreePass coarse;    ///< of the first tree
+  std::size_t poses;  ///< of it that have their turns at most
+  std::size_t small;  ///< poses of a tree that is compared with a finer one: ways out of larger ones are often found
+  TreePass fine;      ///< of that one
+  double more;        ///< times as many poses as the first tree has it may have at most
+};
+inline constexpr WayOutEffort kWayOut{
+    .pocket = 4.0,
+    .coarse = kTreePasses[0],
+    .poses = 1600,
+    .small = 300,
+    .fine = kTreePasses[2],
+    .more = 1.25,
+};
+
 /// How trees are joined.
 struct TreeJoints {
   double greed;                  ///< what the estimate of the way that remains counts
@@ -47,7 +69,6 @@ struct TreeJoints {
   std::size_t nearest;           ///< poses of the other tree that are tried
   std::size_t first_roadmap;     ///< expansions until poses are joined to the roadmap as well; then each time
   std::size_t roadmap_factor;    ///< so many times as many
-  double pocket;                 ///< how far a tree gets that is hemmed in, in lengths of the body or turning radii
   std::size_t after_dry;         ///< times as many turns are taken in all where one tree has run dry
   std::size_t terminals;         ///< of each tree that are joined to it, at most
 };
@@ -59,7 +80,6 @@ inline constexpr TreeJoints kTreeJoints{
     .nearest = 3,
     .first_roadmap = 64,
     .roadmap_factor = 4,
-    .pocket = 4.0,
     .after_dry = 4,
     .terminals = 200,
 };

@@ -15,6 +15,7 @@
 #include "core/search/effort.h"
 #include "core/search/forward_tree.h"
 #include "core/search/route_field.h"
+#include "core/search/way_out.h"
 
 namespace arcway {
 
@@ -65,11 +66,17 @@ class TreeSearch {
         result_(found.search),
         radius_(map.vehicle.min_turning_radius()),
         body_length_(map.body.front + map.body.rear),
-        contact_(*map.outlines, map.body),
-        fields_{field(1), field(0)} {}
+        contact_(*map.outlines, map.body) {}
 
   void run() {
-    for (const TreePass& pass : std::span(kTreePasses).first(std::min(limits_.passes, kTreePasses.size()))) {
+    std::span<const TreePass> passes = std::span(kTreePasses).first(std::min(limits_.passes, kTreePasses.size()));
+    if (passes.size() == kTreePasses.size()) {
+      const Surroundings surroundings = look_around();
+      if (surroundings == Surroundings::kClosed || result_.interrupted) return;
+      if (surroundings == Surroundings::kPocket) passes = kPocketPasses;
+    }
+    fields_ = {field(1), field(0)};
+    for (const TreePass& pass : passes) {
       if (pass.heeds_turns && !std::exchange(heed_turns_, true))
         for (RouteField& field : fields_) field.heed_turns(radius_, [this] { return options_.interrupted(); });
       grow(pass);
@@ -86,6 +93,21 @@ class TreeSearch {
 
   // A way to a pose is, the other way, one from the pose turned round.
   static Pose turned_round(const Pose& pose) { return {pose.x, pose.y, pose.heading + kPi}; }
+
+  // What trees of each end alone say: of the end that is in more trouble.
+  Surroundings look_around() {
+    Surroundings worst = Surroundings::kOpen;
+    for (const std::size_t at : {0, 1}) {
+      const WayOut way = look_for_way_out(map_, roots_[at], at == 0 ? Direction::kFromStart : Direction::kToGoal,
+                                          [this] { return interrupted(); });
+      end_.poses += way.poses;
+      worst = std::max(worst, way.surroundings);
+      if (way.surroundings != Surroundings::kClosed) continue;
+      (at == 0 ? end_.start_hemmed_in : end_.goal_hemmed_in) = end_.ran_dry = true;
+      break;
+    }
+    return worst;
+  }
 
   [[nodiscard]] RouteField field(std::size_t to) const {
     return {map_, roots_[0], to == 1 ? roots_[1] : turned_round(roots_[0]), kTreeJoints.field_cells,
@@ -128,7 +150,7 @@ class TreeSearch {
       }
       if (result_.path) return;
     }
-    const double pocket = kTreeJoints.pocket * std::max(radius_, body_length_);
+    const double pocket = pocket_radius(map_);
     end_.start_hemmed_in = sides[0].tree.extent() < pocket;
     end_.goal_hemmed_in = sides[1].tree.extent() < pocket;
     end_.ran_dry = dry[0] || dry[1];
@@ -243,7 +265,7 @@ class TreeSearch {
   SearchResult& result_;
   double radius_, body_length_;
   ContactReach contact_;
-  std::array<RouteField, 2> fields_;  // to the other end
+  std::vector<RouteField> fields_;  // to the other end
   bool heed_turns_ = false;
   std::vector<Near> near_;  // memory
 };

@@ -25,8 +25,10 @@ struct TreesEnd {
 /// A path of a vehicle that does not reverse, for starts, goals and passages so narrow that the roadmap has none: two
 /// trees of poses grow from start and goal, by turns, guided by the routes through gaps that are wide enough. New poses
 /// are joined to the nearest ones of the other tree by biarcs and Dubins words, and now and then to the roadmap. Passes
-/// tell poses apart more and more finely. Paths are checked exactly; the number of poses is limited, so that no path
-/// proves nothing. Deterministic unless interrupted. The path is as free as any, but by no means the fastest.
+/// tell poses apart more and more finely. A search of all passes first looks for a way out of the surroundings of each
+/// end, and ends early if there is none, see way_out.h. Paths are checked exactly; the number of poses is limited, so
+/// that no path proves nothing. Deterministic unless interrupted. The path is as free as any, but by no means the
+/// fastest.
 /// @param end  is told how the trees were left.
 FoundPath search_trees(const SearchMap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
                        const SearchOptions& options, SearchWorkspace& workspace, TreesEnd& end);
