@@ -89,6 +89,7 @@ class TreeSearch {
     ForwardTree tree;
     NearPoses near;
     std::vector<std::uint32_t> terminals;
+    std::unordered_map<std::uint32_t, bool> is_free;  // of the motions that end at nodes, as far as was asked
   };
 
   // A way to a pose is, the other way, one from the pose turned round.
@@ -119,6 +120,7 @@ class TreeSearch {
         {map_, roots_[i], i == 0 ? Direction::kFromStart : Direction::kToGoal, pass,
          [this, i](const Pose& pose) { return kTreeJoints.greed * fields_[i](i == 0 ? pose : turned_round(pose)); }},
         NearPoses(kTreeJoints.near * body_length_),
+        {},
         {}};
   }
 
@@ -130,6 +132,7 @@ class TreeSearch {
   void grow(const TreePass& pass) {
     std::array<Side, 2> sides{side(0, pass), side(1, pass)};
     std::size_t next_roadmap = kTreeJoints.first_roadmap;
+    terminals_joined_ = 0;
     std::array<bool, 2> dry{false, false};
     auto most = static_cast<std::size_t>(pass.share * static_cast<double>(limits_.poses));
     for (std::size_t i = 0; i < most && !(dry[0] && dry[1]) && !interrupted(); ++i) {
@@ -236,14 +239,23 @@ class TreeSearch {
     side.terminals.push_back(node);
   }
 
-  void join_roadmap(const std::array<Side, 2>& sides) {
+  // Whether the way between a node and the root is free; many share their motions.
+  bool is_connected(Side& side, std::uint32_t node) {
+    for (; node != ForwardTree::kRoot; node = side.tree[node].parent) {
+      const auto [known, is_new] = side.is_free.try_emplace(node, false);
+      if (is_new) known->second = motion_free(*map_.queries.sweep, map_.body, {&side.tree[node].motion, 1});
+      if (!known->second) return false;
+    }
+    return true;
+  }
+
+  void join_roadmap(std::array<Side, 2>& sides) {
+    const std::size_t terminal_count = sides[0].terminals.size() + sides[1].terminals.size();
+    if (std::exchange(terminals_joined_, terminal_count) == terminal_count) return;
     const auto terminals = [&](std::size_t i) {
       std::vector<Terminal> found{{roots_[i], {}}};
-      for (const std::uint32_t node : sides[i].terminals) {
-        Path connection = sides[i].tree.connection(node);
-        if (motion_free(*map_.queries.sweep, map_.body, connection))
-          found.push_back({sides[i].tree[node].pose, std::move(connection)});
-      }
+      for (const std::uint32_t node : sides[i].terminals)
+        if (is_connected(sides[i], node)) found.push_back({sides[i].tree[node].pose, sides[i].tree.connection(node)});
       return found;
     };
     const std::vector<Terminal> starts = terminals(0), goals = terminals(1);
@@ -267,7 +279,8 @@ class TreeSearch {
   ContactReach contact_;
   std::vector<RouteField> fields_;  // to the other end
   bool heed_turns_ = false;
-  std::vector<Near> near_;  // memory
+  std::size_t terminals_joined_ = 0;  // to the roadmap, of this pass
+  std::vector<Near> near_;            // memory
 };
 
 }  // namespace
