@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/geometry/angle.h"
 #include "core/passage/vehicle_gaps.h"
-#include "core/search/open_list.h"
 
 namespace arcway {
 
@@ -21,15 +21,49 @@ constexpr double kLeastTurn = 0.05;    // of the length that a turn counts [cell
 constexpr double kTighter = 0.9;       // radius of turns, for what rounding to cells takes away
 constexpr std::uint8_t kRight = 1, kUp = 2;
 constexpr float kNever = std::numeric_limits<float>::infinity();
-constexpr std::uint32_t kAsked = 1024;  // cells between two questions whether to stop
+constexpr std::uint32_t kAsked = 1024;   // cells between two questions whether to stop
+constexpr float kDiagonal = 1.42F;       // a step across a corner takes no longer [cells]
+constexpr float kBucket = 0.5F;          // range of lengths in which cells take their turns in any order [cells]
+constexpr float kMostBuckets = 1000.0F;  // of wider ranges where motions are long
 
 struct Waiting {
   float length;
   std::uint32_t cell;
-  friend bool before(const Waiting& a, const Waiting& b) {
-    return a.length != b.length ? a.length < b.length : a.cell < b.cell;
-  }
 };
+
+/// Cells by length, roughly the nearest first: a ring of buckets, after Dial (1969). Cells of a bucket may be found
+/// again on a shorter way, which ends with the same lengths and takes less than an exact order.
+class NearestFirst {
+ public:
+  /// @param longest  a cell that is pushed is further than the one popped last by no more than this.
+  explicit NearestFirst(float longest)
+      : width_(std::max(kBucket, longest / kMostBuckets)), buckets_(static_cast<std::size_t>(longest / width_) + 3) {}
+
+  void push(const Waiting& cell) {
+    buckets_[static_cast<std::size_t>(cell.length / width_) % buckets_.size()].push_back(cell);
+    ++size_;
+  }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  Waiting pop() {
+    while (buckets_[now_].empty()) now_ = (now_ + 1) % buckets_.size();
+    const Waiting cell = buckets_[now_].back();
+    buckets_[now_].pop_back();
+    --size_;
+    return cell;
+  }
+
+ private:
+  float width_;
+  std::vector<std::vector<Waiting>> buckets_;
+  std::size_t now_ = 0, size_ = 0;
+};
+
+double longest_of(std::span<const float> lengths) {
+  float longest = 0.0F;
+  for (const float length : lengths)
+    if (length < kNever) longest = std::max(longest, length);
+  return longest;
+}
 
 }  // namespace
 
@@ -116,7 +150,7 @@ void RouteField::visit_around(const Vec2& p, Visit&& visit) {
 }
 
 void RouteField::spread(const std::function<bool()>& stop) {
-  OpenList<Waiting> open;
+  NearestFirst open(kDiagonal);
   const auto reach = [&](std::int64_t x, std::int64_t y, float length) {
     Cell& cell = at(x, y);
     if (length >= cell.length) return;
@@ -131,7 +165,7 @@ void RouteField::spread(const std::function<bool()>& stop) {
     const Waiting here = open.pop();
     const std::int64_t x = here.cell % width_, y = here.cell / width_;
     if (here.length > at(x, y).length) continue;
-    longest_ = here.length * size_;
+    longest_ = std::max(longest_, here.length * size_);
     for (const int dx : {-1, 0, 1})
       for (const int dy : {-1, 0, 1}) {
         if ((dx == 0 && dy == 0) || !has(x + dx, y + dy) || !is_free(x, y, dx, dy)) continue;
@@ -182,7 +216,10 @@ void RouteField::heed_turns(double radius, const std::function<bool()>& stop) {
       motions[static_cast<std::size_t>(heading)][static_cast<std::size_t>(turn + 1)] =
           motion(heading, turn, kTighter * radius / size_);
   lengths_.assign(cells_.size() * kHeadings, kNever);
-  OpenList<Waiting> open;
+  float longest = kDiagonal;
+  for (const auto& of_heading : motions)
+    for (const Motion& m : of_heading) longest = std::max(longest, m.length);
+  NearestFirst open(longest);
   const auto reach = [&](std::int64_t x, std::int64_t y, int heading, float length) {
     const auto state = static_cast<std::uint32_t>((y * width_ + x) * kHeadings + heading);
     if (length >= lengths_[state]) return;
@@ -198,7 +235,6 @@ void RouteField::heed_turns(double radius, const std::function<bool()>& stop) {
     if (i % kAsked == 0 && stop && stop()) break;
     const Waiting here = open.pop();
     if (here.length > lengths_[here.cell]) continue;
-    longest_with_turns_ = here.length * size_;
     const int heading = static_cast<int>(here.cell % kHeadings);
     const std::int64_t cell = here.cell / kHeadings;
     for (const int turn : {-1, 0, 1}) {  // of the motion that leads here
@@ -215,6 +251,7 @@ void RouteField::heed_turns(double radius, const std::function<bool()>& stop) {
       if (free) reach(x, y, before, here.length + m.length);
     }
   }
+  longest_with_turns_ = longest_of(lengths_) * size_;
 }
 
 double RouteField::operator()(const Pose& from) const {
