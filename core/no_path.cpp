@@ -65,7 +65,10 @@ void explain_failure(const SearchMap& map, const NoPath& why, PlanResult& result
 std::string tried_text(const NoPath& why, const PlanResult& result) {
   std::string text;
   if (result.statistics.manoeuvre_poses > 0)
-    text += "; tried " + std::to_string(result.statistics.manoeuvre_poses) + " poses of manoeuvres";
+    text += "; tried " + std::to_string(result.statistics.manoeuvre_poses) + " poses of manoeuvres" +
+            (why.reverse && result.certainty == Certainty::kGaveUp ? ", the limit, so that there may be a path" : "");
+  if (why.max_gear_changes)
+    text += "; at most " + std::to_string(*why.max_gear_changes) + " changes of gear were allowed";
   if (why.trees) {
     text += "; trees of forward motions grew " + std::to_string(why.trees->poses) + " poses, " +
             (why.trees->ran_dry ? "and found no more from one end" : "the limit, so that there may be a path");

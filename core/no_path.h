@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,7 @@ struct NoPath {
   std::optional<Enclosure> enclosure = {};
   std::optional<TreesEnd> trees = {};
   bool reverse = false;  ///< whether reversing was allowed
+  std::optional<std::uint32_t> max_gear_changes = {};
 };
 
 /// Whether the body is free at the start, or at the goal; else fills status and reason.

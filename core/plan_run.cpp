@@ -13,7 +13,6 @@
 
 #include "core/geometry/angle.h"
 #include "core/graph/turn_circle.h"
-#include "core/refine/refine_reversing.h"
 #include "core/refine/shorten_path.h"
 #include "core/search/find_reversing_path.h"
 #include "core/shortest_text.h"
@@ -75,10 +74,12 @@ PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const Plan
       request_(request),
       search_options_{options.heuristic, limits.stop, deadline_of(limits), request.cusp_cost},
       tree_poses_(options.manoeuvre_poses > 0 ? limits.tree_poses : 0),
+      gear_changes_{.cost = request.cusp_cost},
       workspace_(workspace),
       result_(result),
       best_cost_(kInfinity),
       second_cost_(kInfinity) {
+  if (request.max_gear_changes) gear_changes_.most = *request.max_gear_changes;
   search_options_.time_model = options.time_model;
   search_options_.suboptimality = options.suboptimality.value_or(0.0);
   search_options_.scout = limits.scout;
@@ -123,7 +124,7 @@ void PlanRun::refine(const Path& path, double effort, bool reverse) {
   }
   const auto stop = [this] { return search_options_.interrupted(); };
   if (reverse) {
-    refined = refine_reversing_path(path, map_.vehicle, *map_.queries.sweep, request_.cusp_cost, refinement, stop);
+    refined = refine_reversing_path(path, map_.vehicle, *map_.queries.sweep, gear_changes_, refinement, stop);
   } else {
     refine_path(path, request_.start, request_.goal, map_.vehicle, *map_.queries.sweep, refinement, stop,
                 workspace_.refine, refined);
@@ -300,8 +301,8 @@ void PlanRun::refine_best(double effort) {
 void PlanRun::find_in_both_gears(const SearchMap& map, double distance) {
   const double unrefined = found_ ? result_.statistics.unrefined_travel_time : kInfinity;
   FoundPath both = search([&] {
-    return find_reversing_path(map, {request_.start, request_.goal, distance, unrefined}, search_options_,
-                               workspace_.find.search);
+    return find_reversing_path(map, {request_.start, request_.goal, distance, unrefined, gear_changes_.most},
+                               search_options_, workspace_.find.search);
   });
   if (both.search.path) keep(std::move(*both.search.path), kReversingEffort, true);
 }

@@ -9,6 +9,7 @@
 #include "core/plan_maps.h"
 #include "core/planner.h"
 #include "core/refine/refine_path.h"
+#include "core/refine/refine_reversing.h"
 #include "core/search/find_path.h"
 #include "core/search/tree_search.h"
 #include "core/stopwatch.h"
@@ -93,6 +94,7 @@ class PlanRun {
   const PlanRequest& request_;
   SearchOptions search_options_;
   std::size_t tree_poses_;
+  GearChanges gear_changes_;
   PlanWorkspace& workspace_;
   PlanResult& result_;
   bool found_ = false;

@@ -339,7 +339,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
 
   WorkspacePool<Data::Workspace>::Lease workspace(d.workspaces);
   PlanRun run(d.options, d.map(), request, limits, workspace->run, result);
-  NoPath why{.reverse = request.reverse};
+  NoPath why{.reverse = request.reverse, .max_gear_changes = request.max_gear_changes};
   const auto find_end = [&](const DeadEndEffort& effort) {
     return find_dead_end(request.start, request.goal, d.map().body, d.map().vehicle.min_turning_radius(),
                          *d.map().queries.sweep, *d.map().outlines, effort);

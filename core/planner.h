@@ -76,6 +76,8 @@ struct PlanRequest {
   Pose goal;
   bool reverse = false;    ///< may drive backwards as well
   double cusp_cost = 0.0;  ///< of a change of gear, beside the time that stopping takes; no part of travel times [s]
+  /// Only paths with at most so many changes of gear are of interest; none: any number.
+  std::optional<std::uint32_t> max_gear_changes = std::nullopt;
 };
 
 /// When to end a plan before it is done, which then gives the best path found by then, if any; and what it may take.

@@ -79,8 +79,12 @@ class TourPlanner {
     PlanLimits rest = limits_;
     rest.time -= elapsed();
     if (has_choice()) rest.tree_poses = 0;  // most headings that are tried have no path
-    PlanResult leg =
-        planner_.plan({.start = from, .goal = to, .reverse = request_.reverse, .cusp_cost = request_.cusp_cost}, rest);
+    PlanResult leg = planner_.plan({.start = from,
+                                    .goal = to,
+                                    .reverse = request_.reverse,
+                                    .cusp_cost = request_.cusp_cost,
+                                    .max_gear_changes = request_.max_gear_changes},
+                                   rest);
     statistics_ += leg.statistics;
     interrupted_ = interrupted_ || leg.interrupted;
     return leg;

@@ -22,6 +22,8 @@ struct TourRequest {
   std::vector<Place> goals;     ///< to one of them, whichever is reached first; at least one
   bool reverse = false;         ///< as in PlanRequest
   double cusp_cost = 0.0;       ///< as in PlanRequest [s]
+  /// As in PlanRequest, of each leg; at each place on the way there may be one more.
+  std::optional<std::uint32_t> max_gear_changes = std::nullopt;
 };
 
 struct Tour {

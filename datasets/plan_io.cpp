@@ -153,6 +153,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   if (result.solved()) {
     append_member(out, "travel_time", result.travel_time);
     append_member(out, "length", result.length);
+    append_member(out, "gear_changes", static_cast<std::uint64_t>(cusps_of(result.path())));
   }
   append_member(out, "lower_bound", result.lower_bound);
   if (result.solved()) append_member(out, "min_clearance", result.min_clearance);
@@ -271,9 +272,9 @@ std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehic
 namespace {
 
 PlanFile plan_of(const JsonPlace& plan) {
-  plan.allow_keys({"format", "version", "q", "status", "reason", "certainty", "bottleneck", "interrupted", "robot",
-                   "start", "goal", "travel_time", "length", "lower_bound", "min_clearance", "path", "statistics",
-                   "goal_index", "passed"});
+  plan.allow_keys({"format",      "version",       "q",     "status",     "reason",      "certainty", "bottleneck",
+                   "interrupted", "robot",         "start", "goal",       "travel_time", "length",    "gear_changes",
+                   "lower_bound", "min_clearance", "path",  "statistics", "goal_index",  "passed"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
   if (plan.has("q")) {
@@ -288,6 +289,7 @@ PlanFile plan_of(const JsonPlace& plan) {
   }
   if (plan.has("travel_time")) file.travel_time = plan.at("travel_time").number();
   if (plan.has("length")) file.length = plan.at("length").number();
+  if (plan.has("gear_changes")) file.gear_changes = plan.at("gear_changes").number();
   file.start = plan.at("start").pose();
   file.goal = plan.at("goal").pose();
   const JsonPlace path = plan.at("path");

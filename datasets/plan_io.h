@@ -18,7 +18,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// finite is null.
 ///
 ///     {"format":"arcway-plan","version":1,"q":0,"status":"solved","robot":{..},"start":[x,y,heading],
-///      "goal":[x,y,heading],"travel_time":..,"length":..,"lower_bound":..,"min_clearance":..,
+///      "goal":[x,y,heading],"travel_time":..,"length":..,"gear_changes":..,"lower_bound":..,"min_clearance":..,
 ///      "path":[{"type":"line"|"arc","start":[x,y,heading],"length":..,"curvature":..,"direction":1|-1,
 ///               "speed_in":..,"speed_out":..,"duration":..}],"statistics":{..}}
 ///
@@ -69,6 +69,7 @@ struct PlanFile {
   std::string status;
   std::optional<VehicleParameters> robot;     ///< that it says it is for
   std::optional<double> travel_time, length;  ///< that it says it has [s], [m]
+  std::optional<double> gear_changes;         ///< likewise
   Pose start, goal;
   TimedPath path;  ///< speeds and durations empty if the file has none
 };

@@ -67,6 +67,8 @@ void PlanArguments::add_to(CLI::App& command) {
   command.add_flag("--reverse", reverse, "Drive backwards as well, where that is faster or nothing else leads there");
   command.add_option("--cusp-cost", cusp_cost, "Of a change of gear, beside the time to stop; default: 0")
       ->type_name("SECONDS");
+  command.add_option("--max-gear-changes", max_gear_changes, "Only paths with at most so many; default: any number")
+      ->type_name("N");
   command.add_option("--refine-trials", refine_trials, "Paths that refinement may try; 0 leaves it out")
       ->type_name("N")
       ->capture_default_str();
@@ -149,6 +151,17 @@ double PlanArguments::cusp_cost_seconds() const {
   const double seconds = parse_number(text, "--cusp-cost");
   if (seconds < 0.0) throw UsageError("--cusp-cost: at least 0 s, got " + in_quotes(text));
   return seconds;
+}
+
+std::optional<std::uint32_t> PlanArguments::most_gear_changes() const {
+  const std::string& text = max_gear_changes;
+  if (text.empty()) return std::nullopt;
+  if (!reverse) throw UsageError("--max-gear-changes: only with --reverse");
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  const std::uint64_t count = parse_count(text, "--max-gear-changes");
+  if (count > kMost)
+    throw UsageError("--max-gear-changes: at most " + std::to_string(kMost) + ", got \"" + text + "\"");
+  return static_cast<std::uint32_t>(count);
 }
 
 PathSampling PlanArguments::sampling() const {

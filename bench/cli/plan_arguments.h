@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct PlanArguments {
   std::string graph;
   std::string time_limit;
   bool reverse = false;
-  std::string cusp_cost;
+  std::string cusp_cost, max_gear_changes;
   std::string refine_trials = std::to_string(RefineOptions{}.max_trials);
   std::string svg, json, csv, ros_path;
   std::string sample_step;
@@ -45,6 +46,7 @@ struct PlanArguments {
   [[nodiscard]] PlannerOptions planner_options(const Team& team) const;
   [[nodiscard]] PlanLimits limits() const;
   [[nodiscard]] double cusp_cost_seconds() const;  ///< 0 if not given
+  [[nodiscard]] std::optional<std::uint32_t> most_gear_changes() const;
   [[nodiscard]] PathSampling sampling() const;
 };
 

@@ -68,7 +68,12 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   const double cusp_cost = arguments.cusp_cost_seconds();
 
   std::optional<Pose> start;
-  TourRequest request{.start = {}, .goals = {}, .reverse = arguments.reverse, .cusp_cost = cusp_cost};
+  const std::optional<std::uint32_t> max_gear_changes = arguments.most_gear_changes();
+  TourRequest request{.start = {},
+                      .goals = {},
+                      .reverse = arguments.reverse,
+                      .cusp_cost = cusp_cost,
+                      .max_gear_changes = max_gear_changes};
   if (!arguments.start.empty()) start = parse_pose(arguments.start, "--start");
   for (const std::string& via : arguments.via) request.via.push_back(parse_place(via, "--via"));
   for (const std::string& goal : arguments.goals) request.goals.push_back(parse_place(goal, "--goal"));
@@ -78,6 +83,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   for (NumberedRequest& query : queries) {
     query.request.reverse = arguments.reverse;
     query.request.cusp_cost = cusp_cost;
+    query.request.max_gear_changes = max_gear_changes;
   }
 
   OutputFiles files(arguments.outputs(), arguments.inputs(), team.rank() == 0);

@@ -116,7 +116,8 @@ PlanRequest plain(const TourRequest& request) {
   return {.start = request.start,
           .goal = {goal.position.x(), goal.position.y(), *goal.heading},
           .reverse = request.reverse,
-          .cusp_cost = request.cusp_cost};
+          .cusp_cost = request.cusp_cost,
+          .max_gear_changes = request.max_gear_changes};
 }
 
 // The question whether polygons are free space, where one obstacle holds start and goal; else empty.

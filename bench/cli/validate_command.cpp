@@ -60,6 +60,7 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, const Load
   std::vector<std::string> complaints;
   compare("length", " m", plan.length, report.length, complaints);
   if (!plan.path.durations.empty()) compare("travel time", " s", plan.travel_time, report.travel_time, complaints);
+  compare("changes of gear", "", plan.gear_changes, static_cast<double>(cusps_of(plan.path.segments)), complaints);
   const bool valid = report.valid() && complaints.empty();
 
   out += name + ": " + (valid ? "valid" : "NOT VALID") + "\n";

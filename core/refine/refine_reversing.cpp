@@ -10,7 +10,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/path/dubins.h"
-#include "core/path/reeds_shepp.h"
+#include "core/path/gear_words.h"
 #include "core/path/speed_profile.h"
 #include "core/query/motion_free.h"
 
@@ -21,6 +21,13 @@ namespace {
 // Less than this part of the cost is not worth a step.
 constexpr double kSmallestGain = 1e-6;
 constexpr int kMostRounds = 4;
+// Of the trials; the rest is for words after the last cusp has moved.
+constexpr double kShareBeforeLastWords = 0.8;
+// Words lead between places up to so many places apart, further on each span is shorter by this part of it: of n places
+// some n log n pairs.
+constexpr std::size_t kEverySpan = 16, kSpanRatio = 8;
+// Of words, in smallest turning radii: wider ones only where they may save a change of gear.
+constexpr std::array<double, 3> kWordRadii{1.0, 2.0, 4.0};
 constexpr double kFirstStep = 0.5;             // of a cusp that moves, in turning radii
 constexpr std::ptrdiff_t kSegmentsBeside = 4;  // of a cusp that moves, which may give way to others
 constexpr std::size_t kLinksTried = 4;         // to either side of it
@@ -32,25 +39,30 @@ void append(Path& path, std::span<const PathSegment> more) { path.insert(path.en
 
 class ReversingRefiner {
  public:
-  ReversingRefiner(const Vehicle& vehicle, const SweepQuery& sweep, double cusp_cost, const RefineOptions& options,
-                   const std::function<bool()>& stop, RefinedPath& result)
+  ReversingRefiner(const Vehicle& vehicle, const SweepQuery& sweep, const GearChanges& changes,
+                   const RefineOptions& options, const std::function<bool()>& stop, RefinedPath& result)
       : vehicle_(vehicle),
         sweep_(sweep),
-        cusp_cost_(cusp_cost),
+        changes_(changes),
         options_(options),
         stop_(stop),
         result_(result),
         body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
+        most_cusps_(std::max(changes.most, cusps_of(result.path))),
+        most_trials_(options.max_trials),
         cost_(cost_of(result.path)) {}
 
   void run() {
+    // Some trials are kept for the words that the last moves of cusps make room for.
+    most_trials_ = static_cast<std::uint32_t>(kShareBeforeLastWords * options_.max_trials);
     for (int round = 0; round < kMostRounds && !done(); ++round) {
+      bool changed = insert_words();
       const bool runs = refine_runs();
-      bool changed = false;
-      while (!done() && insert_word()) changed = true;
       changed = slide_cusps() || changed;
       if (!changed && (!runs || round > 0)) break;
     }
+    most_trials_ = options_.max_trials;
+    insert_words();
     result_.travel_time = speed_profile(result_.path, vehicle_).total_time;
   }
 
@@ -66,17 +78,17 @@ class ReversingRefiner {
 
   [[nodiscard]] bool done() {
     if (stop_ && !result_.interrupted) result_.interrupted = stop_();
-    return result_.interrupted || result_.trials >= options_.max_trials;
+    return result_.interrupted || result_.trials >= most_trials_;
   }
 
-  [[nodiscard]] double cost_of(const Path& path) const { return travel_cost(path, vehicle_, cusp_cost_); }
+  [[nodiscard]] double cost_of(const Path& path) const { return travel_cost(path, vehicle_, changes_.cost); }
 
   [[nodiscard]] bool is_cheaper(double cost) const { return cost < cost_ * (1.0 - kSmallestGain); }
 
   // Takes a free path if it is cheaper.
   bool accept(const Path& path) {
     const double cost = cost_of(path);
-    if (!is_cheaper(cost)) return false;
+    if (!is_cheaper(cost) || cusps_of(path) > most_cusps_) return false;
     cost_ = cost;
     result_.path = merged(path);
     ++result_.improvements;
@@ -100,32 +112,62 @@ class ReversingRefiner {
     return stations;
   }
 
-  // The first word that makes the path cheaper, between places far apart first.
-  bool insert_word() {
-    const std::vector<Station> places = stations();
-    for (std::size_t span = places.empty() ? 0 : places.size() - 1; span > 0; --span)
-      for (std::size_t i = 0; i + span < places.size() && !done(); ++i)
-        if (insert_word(places[i], places[i + span])) return true;
-    return false;
+  // Puts words between places of the path until none makes it cheaper.
+  bool insert_words() {
+    bool changed = false;
+    while (!done() && sweep_words()) changed = true;
+    return changed;
   }
 
-  bool insert_word(const Station& from, const Station& to) {
-    const double radius = vehicle_.min_turning_radius();
-    const double budget = to.time - from.time + (cusp_cost_ * static_cast<double>(to.cusps - from.cusps));
-    std::vector<std::pair<double, std::size_t>> words;
-    for (std::size_t word = 0; word < kReedsSheppWords; ++word) {
-      const double fastest = reeds_shepp_length(word, from.pose, to.pose, radius) / vehicle_.top_speed();
-      if (fastest < budget) words.emplace_back(fastest, word);
+  // Tries words between places far apart first; a word that is taken changes the places for all that is tried after it.
+  bool sweep_words() {
+    bool changed = false;
+    std::vector<Station> places = stations();
+    for (std::size_t span = places.empty() ? 0 : places.size() - 1; span > 0 && !done(); span = next_span(span)) {
+      for (std::size_t i = 0; i + span < places.size() && !done(); ++i) {
+        if (!insert_word(places[i], places[i + span])) continue;
+        changed = true;
+        places = stations();
+      }
     }
-    std::sort(words.begin(), words.end());
-    for (const auto& [fastest, word] : words) {
+    return changed;
+  }
+
+  [[nodiscard]] static std::size_t next_span(std::size_t span) {
+    return span <= kEverySpan ? span - 1 : std::max(kEverySpan, span - span / kSpanRatio - 1);
+  }
+
+  struct Word {
+    double fastest;  // it can be driven, but for its changes of gear [s]
+    std::size_t word;
+    double radius;
+  };
+
+  bool insert_word(const Station& from, const Station& to) {
+    for (const Word& word : words_between(from, to)) {
       if (done()) return false;
       ++result_.trials;
-      const auto middle = reeds_shepp_path(word, from.pose, to.pose, radius);
+      const auto middle = gear_word_path(word.word, from.pose, to.pose, word.radius);
       const Path path = spliced(from, *middle, to);
       if (is_cheaper(cost_of(path)) && is_free(*middle) && accept(path)) return true;
     }
     return false;
+  }
+
+  // Those that may make the path cheaper, the fastest first.
+  [[nodiscard]] std::vector<Word> words_between(const Station& from, const Station& to) const {
+    const double budget = to.time - from.time + changes_.cost * static_cast<double>(to.cusps - from.cusps);
+    std::vector<Word> words;
+    for (const double turn : kWordRadii) {
+      const double radius = turn * vehicle_.min_turning_radius();
+      for (std::size_t word = 0; word < kGearWords; ++word) {
+        const double fastest = gear_word_length(word, from.pose, to.pose, radius) / vehicle_.top_speed();
+        if (fastest < budget) words.push_back({fastest, word, radius});
+      }
+      if (from.cusps == to.cusps) break;
+    }
+    std::ranges::sort(words, {}, &Word::fastest);
+    return words;
   }
 
   // Moves the poses at which the gear changes, by steps that are halved, as long as that makes the path cheaper.
@@ -270,22 +312,25 @@ class ReversingRefiner {
 
   const Vehicle& vehicle_;
   const SweepQuery& sweep_;
-  double cusp_cost_;
+  GearChanges changes_;
   const RefineOptions& options_;
   const std::function<bool()>& stop_;
   RefinedPath& result_;
   Footprint body_;
+  std::size_t most_cusps_;
+  std::uint64_t most_trials_;  // until the next stage
   double cost_;
 };
 
 }  // namespace
 
-RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep, double cusp_cost,
-                                  const RefineOptions& options, const std::function<bool()>& stop) {
+RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep,
+                                  const GearChanges& changes, const RefineOptions& options,
+                                  const std::function<bool()>& stop) {
   require_refinement(options);
   RefinedPath result;
   result.path = path;
-  ReversingRefiner(vehicle, sweep, cusp_cost, options, stop, result).run();
+  ReversingRefiner(vehicle, sweep, changes, options, stop, result).run();
   return result;
 }
 

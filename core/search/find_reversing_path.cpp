@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,18 +58,26 @@ class Finder {
   void join_graph(const Terminals& wanted, Gear gear) {
     if (search_.interrupted) return;
     const bool forward = gear == Gear::kForward;
-    SearchOptions options = options_;
-    options.gear = gear;
-    options.faster_than = cost_;
     const auto starts = terminals(forward ? query_.start : query_.goal, Direction::kFromStart, wanted, gear);
     const auto goals = terminals(forward ? query_.goal : query_.start, Direction::kToGoal, wanted, gear);
     // The ends themselves have been joined before.
     if (wanted.most > 0 && starts.size() + goals.size() == 2) return;
+    if (join(starts, goals, gear)) return;
+    // Each end alone changes gear seldom enough.
+    join(starts, std::span(goals).first(1), gear);
+    join(std::span(starts).first(1), goals, gear);
+  }
+
+  // Whether the cheapest path, if any, changes gear seldom enough.
+  bool join(std::span<const Terminal> starts, std::span<const Terminal> goals, Gear gear) {
+    SearchOptions options = options_;
+    options.gear = gear;
+    options.faster_than = cost_;
     SearchResult joined = search_arrivals(map_, starts, goals, options, workspace_);
     search_.nodes_expanded += joined.nodes_expanded;
     search_.nodes_pushed += joined.nodes_pushed;
     count(joined.straights_checked, joined.turns_checked, starts.size() + goals.size(), joined.interrupted);
-    if (joined.path) offer(forward ? *joined.path : reversed(*joined.path));
+    return !joined.path || offer(gear == Gear::kForward ? *joined.path : reversed(*joined.path));
   }
 
   // Poses from which the graph is entered forwards behind a motion backwards, or the other way round for the goal; the
@@ -89,6 +98,7 @@ class Finder {
       const GearTree::Node& reached = tree[*node];
       if (*node == GearTree::kRoot || reached.motion.gear != (from_start ? Gear::kReverse : Gear::kForward)) continue;
       Path connection = from_start ? tree.path_from_root(*node) : tree.path_to_root(*node);
+      if (cusps_of(connection) >= query_.max_cusps) continue;  // where it ends the gear changes once more
       // The vehicle stops there, and what it has come is all that the way on is shorter by.
       const double way = query_.distance - length_of(connection);
       if (reached.cost + options_.cusp_cost + least_cost(reached.pose, other, way) >= cost_) continue;
@@ -109,6 +119,7 @@ class Finder {
                                                 {.cusp_cost = options_.cusp_cost,
                                                  .max_poses = std::isfinite(cost_) ? kPosesBeside : kPosesAlone,
                                                  .cutoff = cost_,
+                                                 .max_cusps = query_.max_cusps,
                                                  .stop = [this] { return options_.interrupted(); }});
     count(gears.straights_checked, gears.turns_checked, gears.poses, gears.interrupted);
     if (gears.path) offer(*gears.path);
@@ -121,11 +132,14 @@ class Finder {
     found_.manoeuvre_poses += poses;
   }
 
-  void offer(const Path& path) {
+  // Keeps the path if it is the cheapest. Returns whether it changes gear seldom enough.
+  bool offer(const Path& path) {
+    if (cusps_of(path) > query_.max_cusps) return false;
     const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost);
-    if (cost >= cost_) return;
+    if (cost >= cost_) return true;
     search_.path = merged(path);
     cost_ = cost;
+    return true;
   }
 
   const SearchMap& map_;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
+
 #include "core/search/find_path.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -8,6 +11,7 @@ struct ReversingQuery {
   Pose start, goal;  ///< that differ
   double distance;   ///< that no path of the vehicle falls below, as travel_time_bound takes it [m]
   double cutoff;     ///< cost of a path that is known, driven forwards; only cheaper ones are of interest [s]
+  std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< of paths of interest
 };
 
 /// The cheapest path found of a vehicle that may drive backwards, in travel time and `options.cusp_cost` for each

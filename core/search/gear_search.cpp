@@ -69,7 +69,7 @@ class GearSearch {
             side == 0 ? vehicle_ : vehicle_.with_gears_swapped(),
             sweep_,
             options_.cusp_cost,
-            {cells_[side], cells_[side] == kCells},
+            {cells_[side], cells_[side] == kCells, options_.max_cusps},
             [this, to = roots_[1 - side]](const Pose& from) { return far(from, to); }};
   }
 
@@ -108,6 +108,7 @@ class GearSearch {
         const Path rest = trees_[1].path_to_root(node);
         path.insert(path.end(), rest.begin(), rest.end());
       }
+      if (cusps_of(path) > options_.max_cusps) continue;
       const double cost = travel_cost(path, vehicle_, options_.cusp_cost);
       if (cost >= result_.cost || !motion_free(sweep_, body_, *middle)) continue;
       result_.cost = cost;

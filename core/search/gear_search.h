@@ -13,10 +13,11 @@
 namespace [[gnu::visibility("default")]] arcway {
 
 struct GearSearchOptions {
-  double cusp_cost = 0.0;                                   ///< of a change of gear, beside the time for it [s]
-  std::size_t max_poses = 8000;                             ///< tried at most, of both ends together
-  double cutoff = std::numeric_limits<double>::infinity();  ///< only paths of less cost are of interest [s]
-  std::function<bool()> stop = {};                          ///< asked now and then; true ends the search
+  double cusp_cost = 0.0;                                           ///< of a change of gear, beside the time for it [s]
+  std::size_t max_poses = 8000;                                     ///< tried at most, of both ends together
+  double cutoff = std::numeric_limits<double>::infinity();          ///< only paths of less cost are of interest [s]
+  std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< of paths of interest
+  std::function<bool()> stop = {};                                  ///< asked now and then; true ends the search
 };
 
 struct GearSearchResult {

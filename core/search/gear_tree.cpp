@@ -17,7 +17,9 @@ constexpr double kStepTurn = kPi / 8.0;
 constexpr double kFarTurns = 3.0;       // motions up to contact are worth a pose within so many steps
 constexpr double kLeastTurn = 1e-3;     // shorter motions lead nowhere [rad]
 constexpr double kContactSlack = 1e-6;  // how far motions up to a contact stay away from it [rad], for rounding
-constexpr int kHalvings = 10;           // when looking for the length of a line up to contact
+// Spreads the number of cusps over the bits of a cell's key: an odd number, 2^64 over the golden ratio.
+constexpr std::uint64_t kLayer = 0x9E3779B97F4A7C15u;
+constexpr int kHalvings = 10;  // when looking for the length of a line up to contact
 
 }  // namespace
 
@@ -31,7 +33,7 @@ GearTree::GearTree(const Pose& root, const Vehicle& vehicle, const SweepQuery& s
       body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
       radius_(vehicle.min_turning_radius()) {
   speeds_.reset(vehicle.max_acceleration());
-  nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0, 0.0});
+  nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0, 0, 0.0});
   open_.push({remaining_(root), kRoot});
 }
 
@@ -44,7 +46,8 @@ std::optional<std::uint32_t> GearTree::expand() {
     const std::uint32_t at = open_.top().second;
     open_.pop();
     const Node& node = nodes_[at];
-    if (at != kRoot && cells_.at(cell_of(node.pose, node.motion.gear)) != at) continue;  // there is a cheaper one
+    if (at != kRoot && cells_.at(cell_of(node.pose, node.motion.gear, node.cusps)) != at)
+      continue;  // there is a cheaper one
     for (const Gear gear : {Gear::kForward, Gear::kReverse}) add_lines(at, gear);
     for (const Side side : {Side::kLeft, Side::kRight}) add_arcs(at, side);
     return at;
@@ -101,13 +104,16 @@ void GearTree::add(std::uint32_t from, const PathSegment& motion) {
   const Node& parent = nodes_[from];
   const Pose end = motion.end();
   const bool cusp = from != kRoot && parent.motion.gear != motion.gear;
+  const std::uint32_t cusps = parent.cusps + (cusp ? 1 : 0);
+  if (cusps > grid_.max_cusps) return;
   const double limit = speed_limit(motion, vehicle_);
   const std::size_t size = speeds_.size();
   const std::uint32_t turned =
       cusp ? speeds_.add_stop(parent.joint, cusp_cost_) : speeds_.add(parent.joint, 0.0, limit, limit);
   const std::uint32_t joint = speeds_.add(turned, motion.length, limit, limit);
   const double cost = speeds_[joint].time;
-  const auto [cell, added] = cells_.try_emplace(cell_of(end, motion.gear), static_cast<std::uint32_t>(nodes_.size()));
+  const auto [cell, added] =
+      cells_.try_emplace(cell_of(end, motion.gear, cusps), static_cast<std::uint32_t>(nodes_.size()));
   if (!added) {
     if (nodes_[cell->second].cost <= cost) {
       speeds_.truncate(size);
@@ -115,7 +121,7 @@ void GearTree::add(std::uint32_t from, const PathSegment& motion) {
     }
     cell->second = static_cast<std::uint32_t>(nodes_.size());
   }
-  nodes_.push_back({end, motion, from, joint, cost});
+  nodes_.push_back({end, motion, from, joint, cusps, cost});
   open_.push({cost + remaining_(end), static_cast<std::uint32_t>(nodes_.size() - 1)});
 }
 
@@ -132,11 +138,13 @@ Path GearTree::path_to_root(std::uint32_t node) const {
   return path;
 }
 
-std::uint64_t GearTree::cell_of(const Pose& pose, Gear gear) const {
+std::uint64_t GearTree::cell_of(const Pose& pose, Gear gear, std::uint32_t cusps) const {
   const Vec2 d = (pose.position() - nodes_[kRoot].pose.position()) * (grid_.cells / radius_);
   const auto index = [](double value) { return static_cast<std::uint64_t>(std::llround(value)) & 0xFFFFFFu; };
   const auto heading = static_cast<std::uint64_t>(wrap_positive(pose.heading) * grid_.cells);
-  return (index(d.x()) << 40) | (index(d.y()) << 16) | ((heading & 0x7FFFu) << 1) | (gear == Gear::kForward ? 1u : 0u);
+  const std::uint64_t layer = grid_.max_cusps == std::numeric_limits<std::size_t>::max() ? 0 : cusps * kLayer;
+  const std::uint64_t place = (index(d.x()) << 40) | (index(d.y()) << 16);
+  return layer ^ (place | ((heading & 0x7FFFu) << 1) | (gear == Gear::kForward ? 1u : 0u));
 }
 
 }  // namespace arcway

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <queue>
 #include <unordered_map>
@@ -19,13 +20,14 @@ namespace [[gnu::visibility("default")]] arcway {
 struct GearTreeGrid {
   double cells;  ///< in a turning radius; headings are told apart as finely
   bool halves;   ///< motions that an obstacle ends early are made half as long, too
+  std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< of the way to a pose
 };
 
 /// Poses that free motions in both gears reach from a pose: arcs of the smallest radius to either side and lines, some
 /// of a fixed length, some as far as they are free. Motions are checked exactly; only their number is limited, so a
 /// missing pose proves nothing. At most one pose for each cell of a grid over position, heading and gear is kept, the
-/// cheapest. What can be driven from the root can be driven to it the other way, in the same time if the vehicle's
-/// gears are swapped.
+/// cheapest; where cusps are limited, one for each number of them. What can be driven from the root can be driven to it
+/// the other way, in the same time if the vehicle's gears are swapped.
 class GearTree {
  public:
   struct Node {
@@ -33,6 +35,7 @@ class GearTree {
     PathSegment motion;    ///< from the parent; of zero length for the root
     std::uint32_t parent;  ///< kRoot for the root itself
     std::uint32_t joint;   ///< in the speed tree
+    std::uint32_t cusps;   ///< of the way from the root
     double cost;           ///< least time to pass here, and the cost of all cusps [s]
   };
   static constexpr std::uint32_t kRoot = 0;
@@ -62,7 +65,7 @@ class GearTree {
   void add_arcs(std::uint32_t from, Side side);
   void add(std::uint32_t from, const PathSegment& motion);
   [[nodiscard]] double free_length(const Pose& from, Gear gear, double most);
-  [[nodiscard]] std::uint64_t cell_of(const Pose& pose, Gear gear) const;
+  [[nodiscard]] std::uint64_t cell_of(const Pose& pose, Gear gear, std::uint32_t cusps) const;
 
   Vehicle vehicle_;
   const SweepQuery* sweep_;

@@ -238,7 +238,7 @@ TEST_F(Tool, ValidatesAPlanForItsOwnRobot) {
 TEST_F(Tool, ValidatesWhatAPlanSaysOfItself) {
   ASSERT_EQ(run("plan " + map_ + kAround + " --json " + file("p.json")).code, 0);
   const std::string plan = read("p.json");
-  for (const char* total : {"travel_time", "length"}) {
+  for (const char* total : {"travel_time", "length", "gear_changes"}) {
     const std::string key = "\"" + std::string(total) + "\":";
     std::string changed = plan;
     put("p.json", changed.insert(changed.rfind(key, changed.find("\"path\":")) + key.size(), "1"));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <tuple>
 
 #include "core/geometry/angle.h"
@@ -71,6 +72,50 @@ TEST(PlannerReverse, IsNeverDearerThanForwards) {
     }
   }
   EXPECT_GT(faster, 0);
+}
+
+// Aside on an open field: to and fro, or round in a loop.
+TEST(PlannerReverse, TheCostOfAChangeOfGearChangesThePlan) {
+  const Planner planner(World({box(50.0, 50.0, 51.0, 51.0)}), Vehicle{});
+  PlanRequest request{.start = {0, 0, 0}, .goal = {0, 2, 0}, .reverse = true};
+  const PlanResult cheap = planner.plan(request);
+  ASSERT_TRUE(cheap.solved());
+  EXPECT_GT(cusps_of(cheap.path()), 0u);
+  request.cusp_cost = 10.0;
+  const PlanResult dear = planner.plan(request);
+  ASSERT_TRUE(dear.solved());
+  EXPECT_EQ(cusps_of(dear.path()), 0u);
+  EXPECT_GT(dear.travel_time, cheap.travel_time);
+}
+
+TEST(PlannerReverse, ChangesGearNoMoreOftenThanAllowed) {
+  const Planner field(World({box(50.0, 50.0, 51.0, 51.0)}), Vehicle{});
+  PlanRequest request{.start = {0, 0, 0}, .goal = {0, 2, 0}, .reverse = true};
+  double before = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t most : {0u, 1u, 2u, 100u}) {
+    request.max_gear_changes = most;
+    const PlanResult plan = field.plan(request);
+    ASSERT_TRUE(plan.solved()) << most << plan.reason;
+    expect_valid(field, plan, true);
+    EXPECT_LE(cusps_of(plan.path()), most);
+    EXPECT_LE(plan.travel_time, before);
+    before = plan.travel_time;
+  }
+  // Out of a dead end.
+  const Planner lane(dead_end(), Vehicle{});
+  request = {.start = {6.0, 0.0, 0.0}, .goal = {-10.0, 5.0, 0.0}, .reverse = true, .max_gear_changes = 1};
+  EXPECT_TRUE(lane.plan(request).solved());
+  EXPECT_LE(cusps_of(lane.plan(request).path()), 1u);
+  // A lane with two dead ends.
+  const Planner closed(World({box(-1.0, 1.0, 8.0, 2.0), box(-1.0, -2.0, 8.0, -1.0)}, box(-1.0, -2.0, 8.0, 2.0).outer),
+                       Vehicle{});
+  request = {.start = {2.0, 0.0, 0.0}, .goal = {2.0, 0.15, 0.0}, .reverse = true, .max_gear_changes = 0};
+  const PlanResult none = closed.plan(request);
+  EXPECT_FALSE(none.solved());
+  EXPECT_EQ(none.certainty, Certainty::kGaveUp);
+  EXPECT_NE(none.reason.find("at most 0 changes of gear"), std::string::npos) << none.reason;
+  request.max_gear_changes = std::nullopt;
+  EXPECT_TRUE(closed.plan(request).solved());
 }
 
 // A lane that is left backwards at a speed of its own.

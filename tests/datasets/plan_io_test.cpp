@@ -188,6 +188,7 @@ TEST(PlanJson, KeepsTheGear) {
   ASSERT_EQ(file.path.segments.size(), 2u);
   EXPECT_EQ(file.path.segments[0].gear, Gear::kForward);
   EXPECT_EQ(file.path.segments[1].gear, Gear::kReverse);
+  EXPECT_EQ(file.gear_changes, 1.0);
   EXPECT_EQ(file.path.segments[1].end().x, 2.0);
 }
 

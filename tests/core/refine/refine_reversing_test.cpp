@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/path/dubins.h"
 #include "core/path/speed_profile.h"
 #include "core/planner.h"
 #include "core/query/query_set.h"
@@ -31,9 +32,9 @@ TEST(RefineReversing, CuspsMoveToWhereParkingTakesLessTime) {
     ASSERT_TRUE(found.path) << length;
     RefineOptions options;
     options.max_trials = 100000;
-    const RefinedPath fine = refine_reversing_path(*found.path, vehicle, *queries.sweep, 0.0, options, {});
+    const RefinedPath fine = refine_reversing_path(*found.path, vehicle, *queries.sweep, {}, options, {});
     options.smallest_step = 1.0;  // so large that nothing moves
-    const RefinedPath words = refine_reversing_path(*found.path, vehicle, *queries.sweep, 0.0, options, {});
+    const RefinedPath words = refine_reversing_path(*found.path, vehicle, *queries.sweep, {}, options, {});
     expect_valid(world, vehicle, start, goal, fine.path);
     expect_valid(world, vehicle, start, goal, words.path);
     EXPECT_LE(fine.travel_time, words.travel_time);
@@ -44,13 +45,49 @@ TEST(RefineReversing, CuspsMoveToWhereParkingTakesLessTime) {
   EXPECT_GT(gain, 0.015);
 }
 
+// Back and forth along a lane too narrow to turn in: all of it is one line.
+TEST(RefineReversing, LeavesNoChangeOfGearThatAWordSaves) {
+  const Vehicle vehicle;
+  const World world({box(-5.0, 0.8, 60.0, 1.8), box(-5.0, -1.8, 60.0, -0.8)});
+  const QuerySet queries = make_reference_queries(world);
+  Path zigzag;
+  Pose pose{0.0, 0.0, 0.0};
+  for (int i = 0; i < 120; ++i) {
+    const Gear gear = i % 2 == 0 ? Gear::kForward : Gear::kReverse;
+    zigzag.push_back({pose, i % 2 == 0 ? 1.0 : 0.6, 0.02 * (i % 3 - 1), gear});
+    pose = zigzag.back().end();
+  }
+  const RefinedPath refined = refine_reversing_path(zigzag, vehicle, *queries.sweep, {.cost = 10.0}, {}, {});
+  expect_valid(world, vehicle, zigzag.front().start, pose, refined.path);
+  EXPECT_EQ(cusps_of(refined.path), 0u);
+  EXPECT_LE(refined.trials, RefineOptions{}.max_trials);
+}
+
+// Aside on an open field two changes of gear are faster than a loop without any.
+TEST(RefineReversing, TakesNoMoreChangesOfGearThanAllowed) {
+  const Vehicle vehicle({.max_acceleration = 50.0});
+  const World world({});
+  const QuerySet queries = make_reference_queries(world);
+  const Pose start{0.0, 0.0, 0.0}, goal{0.0, 2.0, 0.0};
+  const Path loop = *dubins_path(DubinsWord::kLSL, start, goal, 3.0);
+  const auto refined_with = [&](std::size_t most) {
+    const RefinedPath refined = refine_reversing_path(loop, vehicle, *queries.sweep, {.most = most}, {}, {});
+    expect_valid(world, vehicle, start, goal, refined.path);
+    return refined;
+  };
+  const RefinedPath none = refined_with(0), any = refined_with(10);
+  EXPECT_EQ(cusps_of(none.path), 0u);
+  EXPECT_GT(cusps_of(any.path), 0u);
+  EXPECT_LT(any.travel_time, none.travel_time);
+}
+
 TEST(RefineReversing, RefusesStepsThatNeverEnd) {
   const QuerySet queries = make_reference_queries(World({}));
   const Path path{{{0, 0, 0}, 2.0, 0.0}};
   for (const double step : {0.0, -0.01, std::nan(""), HUGE_VAL}) {
     RefineOptions options;
     options.smallest_step = step;
-    EXPECT_THROW((void)refine_reversing_path(path, Vehicle{}, *queries.sweep, 0.0, options, {}), std::invalid_argument);
+    EXPECT_THROW((void)refine_reversing_path(path, Vehicle{}, *queries.sweep, {}, options, {}), std::invalid_argument);
     EXPECT_THROW((void)refine_path(path, {0, 0, 0}, {2, 0, 0}, Vehicle{}, *queries.sweep, options),
                  std::invalid_argument);
     EXPECT_THROW(Planner(World({}), Vehicle{}, {.refinement = options}), std::invalid_argument);
@@ -63,11 +100,11 @@ TEST(RefineReversing, StopsWhenItIsAsked) {
   const QuerySet queries = make_reference_queries(world);
   const Path there_and_back{{{0.0, 0.0, 0.0}, 5.0, 0.0, Gear::kForward}, {{5.0, 0.0, 0.0}, 4.0, 0.0, Gear::kReverse}};
   const RefinedPath stopped =
-      refine_reversing_path(there_and_back, vehicle, *queries.sweep, 0.0, {}, [] { return true; });
+      refine_reversing_path(there_and_back, vehicle, *queries.sweep, {}, {}, [] { return true; });
   EXPECT_TRUE(stopped.interrupted);
   EXPECT_EQ(stopped.trials, 0u);
   EXPECT_EQ(stopped.path.size(), 2u);
-  const RefinedPath refined = refine_reversing_path(there_and_back, vehicle, *queries.sweep, 0.0, {}, {});
+  const RefinedPath refined = refine_reversing_path(there_and_back, vehicle, *queries.sweep, {}, {}, {});
   EXPECT_FALSE(refined.interrupted);
   EXPECT_EQ(cusps_of(refined.path), 0u);
   EXPECT_NEAR(length_of(refined.path), 1.0, 1e-9);
