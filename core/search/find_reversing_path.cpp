@@ -10,13 +10,16 @@
 #include "core/path/speed_profile.h"
 #include "core/search/gear_search.h"
 #include "core/search/gear_tree.h"
+#include "core/search/narrow_gear_search.h"
 
 namespace arcway {
 
 namespace {
 
-constexpr std::size_t kPosesBeside = 1500;  // tried all the way where a path is known
-constexpr std::size_t kPosesAlone = 40000;  // and where none is
+constexpr std::size_t kPosesBeside = 1500;   // tried all the way where a path is known
+constexpr std::size_t kPosesAlone = 2000;    // and where none is
+constexpr std::size_t kNarrowPoses = 40000;  // then, by trees for narrow places
+constexpr std::size_t kPosesLast = 40000;    // and last
 
 // Poses by which one end joins the graph, beside its own.
 struct Terminals {
@@ -114,13 +117,27 @@ class Finder {
   }
 
   void search_all_the_way() {
+    if (std::isfinite(cost_)) return search_gears_with(kPosesBeside);
+    search_gears_with(kPosesAlone);
+    if (!search_.path && !search_.interrupted)
+      offer(search_narrow_gears(map_, query_.start, query_.goal, gear_options(kNarrowPoses)));
+    if (!search_.path) search_gears_with(kPosesLast);
+  }
+
+  void search_gears_with(std::size_t poses) {
     if (search_.interrupted) return;
-    const GearSearchResult gears = search_gears(query_.start, query_.goal, map_.vehicle, *map_.queries.sweep,
-                                                {.cusp_cost = options_.cusp_cost,
-                                                 .max_poses = std::isfinite(cost_) ? kPosesBeside : kPosesAlone,
-                                                 .cutoff = cost_,
-                                                 .max_cusps = query_.max_cusps,
-                                                 .stop = [this] { return options_.interrupted(); }});
+    offer(search_gears(query_.start, query_.goal, map_.vehicle, *map_.queries.sweep, gear_options(poses)));
+  }
+
+  [[nodiscard]] GearSearchOptions gear_options(std::size_t poses) const {
+    return {.cusp_cost = options_.cusp_cost,
+            .max_poses = poses,
+            .cutoff = cost_,
+            .max_cusps = query_.max_cusps,
+            .stop = [this] { return options_.interrupted(); }};
+  }
+
+  void offer(const GearSearchResult& gears) {
     count(gears.straights_checked, gears.turns_checked, gears.poses, gears.interrupted);
     if (gears.path) offer(*gears.path);
   }

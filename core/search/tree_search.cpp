@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,44 +13,13 @@
 #include "core/query/motion_free.h"
 #include "core/search/effort.h"
 #include "core/search/forward_tree.h"
+#include "core/search/near_poses.h"
 #include "core/search/route_field.h"
 #include "core/search/way_out.h"
 
 namespace arcway {
 
 namespace {
-
-// Poses by place, for those near another.
-class NearPoses {
- public:
-  struct Entry {
-    std::uint32_t node;
-    Pose pose;
-    Vec2 ahead;
-  };
-
-  explicit NearPoses(double cell) : cell_(cell) {}
-  void add(std::uint32_t node, const Pose& pose) {
-    cells_[key(index(pose.x), index(pose.y))].push_back({node, pose, direction_of(pose.heading)});
-  }
-  template <class Visit>
-  void visit(const Pose& near, Visit&& visit) const {
-    for (const std::int64_t dx : {-1, 0, 1})
-      for (const std::int64_t dy : {-1, 0, 1}) {
-        const auto found = cells_.find(key(index(near.x) + dx, index(near.y) + dy));
-        if (found == cells_.end()) continue;
-        for (const Entry& entry : found->second) visit(entry);
-      }
-  }
-
- private:
-  [[nodiscard]] std::int64_t index(double x) const { return std::llround(x / cell_); }
-  static std::uint64_t key(std::int64_t x, std::int64_t y) {
-    return static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(y);
-  }
-  double cell_;
-  std::unordered_map<std::uint64_t, std::vector<Entry>> cells_;
-};
 
 class TreeSearch {
  public:

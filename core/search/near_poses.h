@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+#include "core/path/path.h"
+
+namespace arcway {
+
+/// Poses of a tree by place, for those near another.
+class NearPoses {
+ public:
+  struct Entry {
+    std::uint32_t node;
+    Pose pose;
+    Vec2 ahead;
+  };
+
+  /// @param cell  how far poses are looked for at least [m].
+  explicit NearPoses(double cell) : cell_(cell) {}
+  void add(std::uint32_t node, const Pose& pose) {
+    cells_[key(index(pose.x), index(pose.y))].push_back({node, pose, direction_of(pose.heading)});
+  }
+  /// Calls `visit(entry)` for all within a cell, and some further away.
+  template <class Visit>
+  void visit(const Pose& near, Visit&& visit) const {
+    for (const std::int64_t dx : {-1, 0, 1})
+      for (const std::int64_t dy : {-1, 0, 1}) {
+        const auto found = cells_.find(key(index(near.x) + dx, index(near.y) + dy));
+        if (found == cells_.end()) continue;
+        for (const Entry& entry : found->second) visit(entry);
+      }
+  }
+
+ private:
+  [[nodiscard]] std::int64_t index(double x) const { return std::llround(x / cell_); }
+  static std::uint64_t key(std::int64_t x, std::int64_t y) {
+    return static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(y);
+  }
+  double cell_;
+  std::unordered_map<std::uint64_t, std::vector<Entry>> cells_;
+};
+
+}  // namespace arcway
