@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "core/path/speed_profile.h"
 #include "core/query/memoized_sweep.h"
 #include "core/query/walled_sweep.h"
+#include "core/stop_clock.h"
 
 namespace arcway {
 
@@ -59,7 +59,8 @@ Nearest nearest_on_side(const World& world, const Vec2& from, const Vec2& normal
   return {far, from + far * normal, kNone};
 }
 
-std::vector<Passage> passages_of(const PlanResult& plan, const Planner& planner) {
+// None if the clock is over before they are found.
+std::vector<Passage> passages_of(const PlanResult& plan, const Planner& planner, const StopClock& clock) {
   const World& world = planner.world();
   const Footprint body = planner.vehicle().footprint(planner.vehicle().safety_margin());
   const std::array<SweptRectangle, 2> ends = {swept_rectangle(plan.start, 0.0, body),
@@ -68,6 +69,7 @@ std::vector<Passage> passages_of(const PlanResult& plan, const Planner& planner)
   for (const TimedSegment& timed : plan.segments) {
     const PathSegment& s = timed.segment;
     for (double i = 1.0; i <= kSamplesPerSegment; ++i) {
+      if (clock.is_over()) return {};
       const Pose pose = s.at(s.length * (i / kSamplesPerSegment));
       const Vec2 side = perpendicular(direction_of(pose.heading));
       const Nearest left = nearest_on_side(world, pose.position(), side);
@@ -123,12 +125,15 @@ double turn_about(std::span<const PathSegment> path, const Vec2& point) {
   return turn;
 }
 
-// How far a path turns about each obstacle, by a corner of it [rad].
-std::vector<double> turns_of(std::span<const PathSegment> path, const World& world) {
+// How far a path turns about each obstacle, by a corner of it [rad]. Nothing if the clock is over before that is known.
+std::optional<std::vector<double>> turns_of(std::span<const PathSegment> path, const World& world,
+                                            const StopClock& clock) {
   std::vector<double> turns;
   turns.reserve(world.obstacle_count());
-  for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+  for (ObstacleId o = 0; o < world.obstacle_count(); ++o) {
+    if (clock.is_over()) return std::nullopt;
     turns.push_back(turn_about(path, world.vertex(world.vertices_of(o).first)));
+  }
   return turns;
 }
 
@@ -143,12 +148,15 @@ class AlternativeSearch {
       : planner_(planner),
         request_(request),
         limits_(limits),
+        clock_(limits.time, limits.stop),
         remembered_(std::make_shared<MemoizedSweep>(planner.queries().sweep)) {}
 
   std::vector<PlanResult> run(std::size_t count) {
-    Way first = way_of(planner_.plan(request_, limits_), {});
-    if (count > 1 && first.plan.solved()) choose_quick_options(first.plan);
-    taken_.push_back(std::move(first));
+    const PlanResult fastest = planner_.plan(request_, limits_);
+    if (count > 1 && fastest.solved()) choose_quick_options(fastest);
+    std::optional<Way> first = way_of(fastest, {});
+    if (!first) return {fastest};
+    taken_.push_back(std::move(*first));
     while (taken_.back().plan.solved() && taken_.size() < count && !interrupted()) {
       branch(taken_.back());
       if (!take_next()) break;
@@ -168,21 +176,22 @@ class AlternativeSearch {
     std::vector<LineSegment> walls;  // it was planned with
   };
 
-  using Clock = std::chrono::steady_clock;
   [[nodiscard]] PlanLimits rest() const {
     PlanLimits rest = limits_;
-    rest.time -= std::chrono::duration<double>(Clock::now() - begin_).count();
+    rest.time = clock_.seconds_left();
     return rest;
   }
-  [[nodiscard]] bool interrupted() const { return limits_.stop.stop_requested() || rest().time <= 0.0; }
+  [[nodiscard]] bool interrupted() const { return clock_.is_over(); }
   [[nodiscard]] double cost_of(const PlanResult& plan) const {
     return travel_cost(plan.path(), planner_.vehicle(), request_.cusp_cost);
   }
 
-  [[nodiscard]] Way way_of(PlanResult plan, std::vector<LineSegment> walls) const {
-    std::vector<double> turns = turns_of(plan.path(), planner_.world());
+  // Nothing if the time is over before it can be told from others.
+  [[nodiscard]] std::optional<Way> way_of(PlanResult plan, std::vector<LineSegment> walls) const {
+    std::optional<std::vector<double>> turns = turns_of(plan.path(), planner_.world(), clock_);
+    if (!turns) return std::nullopt;
     const double cost = cost_of(plan);
-    return {std::move(plan), cost, std::move(turns), std::move(walls)};
+    return Way{std::move(plan), cost, std::move(*turns), std::move(walls)};
   }
 
   // Ways are compared by plans from one search, and refined: without other searches and, where the first way does
@@ -202,16 +211,16 @@ class AlternativeSearch {
   // Adds the ways that do without one of the passages of a way.
   void branch(const Way& way) {
     const std::vector<LineSegment> walls = way.walls;
-    for (const Passage& passage : passages_of(way.plan, planner_)) {
+    for (const Passage& passage : passages_of(way.plan, planner_, clock_)) {
       if (interrupted()) return;
       std::vector<LineSegment> more = walls;
       more.insert(more.end(), passage.walls.begin(), passage.walls.end());
       PlanResult plan = plan_with(more, quick_, quick_request_);
       if (!plan.solved()) continue;
-      Way other = way_of(std::move(plan), std::move(more));
-      if (!is_new(other, taken_) || !is_new(other, open_)) continue;
-      other.cost = std::min(other.cost, refined_cost(other));
-      open_.push_back(std::move(other));
+      std::optional<Way> other = way_of(std::move(plan), std::move(more));
+      if (!other || !is_new(*other, taken_) || !is_new(*other, open_)) continue;
+      other->cost = std::min(other->cost, refined_cost(*other));
+      open_.push_back(std::move(*other));
     }
   }
 
@@ -232,7 +241,10 @@ class AlternativeSearch {
       Way way = std::move(*best);
       open_.erase(best);
       PlanResult better = plan_with(way.walls, planner_.options(), request_);
-      if (better.solved() && cost_of(better) < cost_of(way.plan)) way = way_of(std::move(better), std::move(way.walls));
+      if (better.solved() && cost_of(better) < cost_of(way.plan)) {
+        std::optional<Way> other = way_of(std::move(better), way.walls);
+        if (other) way = std::move(*other);
+      }
       if (!is_new(way, taken_)) continue;
       taken_.push_back(std::move(way));
       return true;
@@ -245,11 +257,16 @@ class AlternativeSearch {
     QuerySet queries = planner_.queries();
     queries.sweep = std::make_shared<WalledSweep>(remembered_, walls);
     options.graph_mode = GraphMode::kLazy;
-    const Planner walled(planner_.world(), planner_.vehicle(), queries, planner_.visibility_rows(), options,
-                         SerialExecutor());
-    PlanLimits limits = rest();
-    limits.tree_poses = 0;  // most have no path
-    return walled.plan(request, limits);
+    const SerialExecutor serial;
+    try {
+      const Planner walled(planner_.world(), planner_.vehicle(), queries, planner_.visibility_rows(), options,
+                           StoppableExecutor(serial, clock_));
+      PlanLimits limits = rest();
+      limits.tree_poses = 0;  // most have no path
+      return walled.plan(request, limits);
+    } catch (const Cancelled&) {
+      return {};
+    }
   }
 
   static bool is_new(const Way& way, const std::vector<Way>& known) {
@@ -259,10 +276,10 @@ class AlternativeSearch {
   const Planner& planner_;
   const PlanRequest& request_;
   const PlanLimits& limits_;
+  StopClock clock_;
   std::shared_ptr<const SweepQuery> remembered_;  // of the world without walls
   PlannerOptions quick_;
   PlanRequest quick_request_ = request_;
-  Clock::time_point begin_ = Clock::now();
   std::vector<Way> taken_, open_;
 };
 
@@ -275,7 +292,8 @@ std::vector<PlanResult> plan_alternatives(const Planner& planner, const PlanRequ
 }
 
 bool same_way(std::span<const PathSegment> a, std::span<const PathSegment> b, const World& world) {
-  return are_same(turns_of(a, world), turns_of(b, world));
+  const StopClock never;
+  return are_same(*turns_of(a, world, never), *turns_of(b, world, never));
 }
 
 }  // namespace arcway

@@ -58,7 +58,7 @@ PlanMaps::PlanMaps(SearchMap map, bool gap_circles)
 }
 
 std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap& smallest,
-                                          const std::shared_ptr<const VisibilityRows>& rows) {
+                                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor) {
   std::vector<SearchMap> maps;
   const auto add_with = [&](std::size_t count, double factor) {
     if (count == smallest.radii.size()) return maps.push_back(with_other_turns(smallest, all.vehicle, factor));
@@ -66,7 +66,7 @@ std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap&
     const auto same = std::ranges::find(maps, count, [](const SearchMap& map) { return map.radii.size(); });
     if (same != maps.end()) return maps.push_back(with_other_turns(*same, all.vehicle, factor));
     const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(count));
-    FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, SerialExecutor(), GraphMode::kLazy);
+    FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, executor, GraphMode::kLazy);
     maps.push_back(with_other_turns(all.with_graph(std::move(lazy), radii), all.vehicle, factor));
   };
   std::vector<OtherWay> known{{all.radii.size(), kFasterFactor}, {all.radii.size(), 1.0}};

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/executor.h"
 #include "core/graph/visibility_rows.h"
 #include "core/search/narrow_places.h"
 #include "core/search/search_map.h"
@@ -40,7 +41,8 @@ struct PlanMaps {
 /// @param all       with more radii than `smallest`.
 /// @param smallest  with the first of them, see tightest_radii.
 /// @param rows      of the reduced graph of both.
+/// @param executor  used during the call only.
 std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap& smallest,
-                                          const std::shared_ptr<const VisibilityRows>& rows);
+                                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor);
 
 }  // namespace arcway

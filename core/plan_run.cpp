@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -56,23 +54,14 @@ constexpr double kSameCost = 1e-6;
 // thousands of paths are as good as each other.
 constexpr std::uint64_t kMoreExpanded = 1000;
 
-// When the time limit of a query that begins now ends; nothing if never.
-std::optional<std::chrono::steady_clock::time_point> deadline_of(const PlanLimits& limits) {
-  using Clock = std::chrono::steady_clock;
-  const auto now = Clock::now();
-  const std::chrono::duration<double> limit(std::max(0.0, limits.time));
-  if (limit >= Clock::time_point::max() - now) return std::nullopt;
-  return now + std::chrono::duration_cast<Clock::duration>(limit);
-}
-
 }  // namespace
 
 PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const PlanRequest& request,
-                 const PlanLimits& limits, PlanWorkspace& workspace, PlanResult& result)
+                 const PlanLimits& limits, const StopClock& clock, PlanWorkspace& workspace, PlanResult& result)
     : options_(options),
       map_(map),
       request_(request),
-      search_options_{options.heuristic, limits.stop, deadline_of(limits), request.cusp_cost},
+      search_options_{options.heuristic, clock, request.cusp_cost},
       tree_poses_(options.manoeuvre_poses > 0 ? limits.tree_poses : 0),
       gear_changes_{.cost = request.cusp_cost},
       workspace_(workspace),
@@ -229,7 +218,7 @@ void PlanRun::improve_forwards(bool thorough) {
     try_faster(map, poses);
   }
   if (maps_->narrow && &map == &maps_->plain && is_doubtful(thorough ? kNarrowPlacesGap : kQuickNarrowPlacesGap))
-    try_faster(maps_->narrow->map(), 0);
+    try_faster(maps_->narrow->map(search_options_.clock), 0);
   if (thorough && is_doubtful(kOtherEndsGap)) try_other_ends();
   if (grows_trees() && is_doubtful(kTreesGap) &&
       (is_hemmed_in(request_.start, Direction::kFromStart) || is_hemmed_in(request_.goal, Direction::kToGoal)))

@@ -12,6 +12,7 @@
 #include "core/refine/refine_reversing.h"
 #include "core/search/find_path.h"
 #include "core/search/tree_search.h"
+#include "core/stop_clock.h"
 #include "core/stopwatch.h"
 
 namespace arcway {
@@ -31,9 +32,11 @@ struct PlanWorkspace {
 class PlanRun {
  public:
   /// All arguments must outlive this.
-  /// @param map  any of the world, with the vehicle that is to drive.
+  /// @param map    any of the world, with the vehicle that is to drive.
+  /// @param limits  but for the time and the stop.
+  /// @param clock   ends the run, with the cheapest path found by then.
   PlanRun(const PlannerOptions& options, const SearchMap& map, const PlanRequest& request, const PlanLimits& limits,
-          PlanWorkspace& workspace, PlanResult& result);
+          const StopClock& clock, PlanWorkspace& workspace, PlanResult& result);
 
   [[nodiscard]] bool found() const { return found_; }
   /// So far.

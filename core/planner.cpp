@@ -23,6 +23,7 @@
 #include "core/search/search_map.h"
 #include "core/search/workspace_pool.h"
 #include "core/shortest_text.h"
+#include "core/stop_clock.h"
 #include "core/stopwatch.h"
 
 namespace arcway {
@@ -86,9 +87,9 @@ struct Planner::Data {
     if (tightest_count < options.radii.size()) {
       const std::vector<double> smallest(options.radii.begin(),
                                          options.radii.begin() + static_cast<std::ptrdiff_t>(tightest_count));
-      FeasibleGraph lazy(world, vehicle, rows, queries, smallest, SerialExecutor(), GraphMode::kLazy);
+      FeasibleGraph lazy(world, vehicle, rows, queries, smallest, executor, GraphMode::kLazy);
       tightest.emplace(map().with_graph(std::move(lazy), smallest), options.gap_circles);
-      other_ways = maps_of_other_ways(maps.plain, tightest->plain, rows);
+      other_ways = maps_of_other_ways(maps.plain, tightest->plain, rows, executor);
     }
     const Footprint bare = vehicle.footprint();
     if (options.point_robot_bound && std::min(bare.front, bare.rear) >= 0.0)
@@ -101,18 +102,20 @@ struct Planner::Data {
   [[nodiscard]] const SearchMap& map() const { return maps.plain; }
 
   // The lower bound with the way round the obstacles, if that is wanted, and the length that no path falls below [m].
-  double raise_bound(const PlanRequest& request, PointDistance::Workspace& workspace, PlanResult& result) const {
+  // A clock that is over sooner leaves the largest that is proved by then.
+  double raise_bound(const PlanRequest& request, const StopClock& clock, PointDistance::Workspace& workspace,
+                     PlanResult& result) const {
     const Stopwatch bounding;
     const Vec2 start = request.start.position(), goal = request.goal.position();
     if (!point_distance) return (goal - start).norm();
-    const double distance = (*point_distance)(start, goal, *map().queries.visibility, workspace);
+    const double distance = (*point_distance)(start, goal, *map().queries.visibility, workspace, clock);
     result.lower_bound = travel_time_bound(request.start, request.goal, distance, map().vehicle, request.reverse);
     result.statistics.bound_seconds = bounding.seconds();
     return distance;
   }
 
   // Speeds, clearance and all that follows from a path.
-  void complete(const Path& path, SpeedProfile& profile, PlanResult& result) const;
+  void complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const;
 
   Stopwatch watch;
   PlannerOptions options;
@@ -127,7 +130,7 @@ struct Planner::Data {
   mutable WorkspacePool<Workspace> workspaces;
 };
 
-void Planner::Data::complete(const Path& path, SpeedProfile& profile, PlanResult& result) const {
+void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const {
   const Stopwatch finishing;
   const Vehicle& vehicle = map().vehicle;
   result.status = PlanStatus::kSolved;
@@ -142,6 +145,12 @@ void Planner::Data::complete(const Path& path, SpeedProfile& profile, PlanResult
   for (std::size_t i = 0; i < path.size(); ++i) {
     const PathSegment& segment = path[i];
     result.segments.push_back({segment, profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
+    if (result.clearance_is_bound) continue;
+    if (grace.is_over()) {
+      result.clearance_is_bound = result.interrupted = true;
+      result.min_clearance = std::min(result.min_clearance, 0.5 * vehicle.safety_margin());
+      continue;
+    }
     const double clearance = look_along(segment);
     if (clearance < result.min_clearance) {
       result.min_clearance = clearance;
@@ -316,6 +325,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   if (!(asked.cusp_cost >= 0.0 && std::isfinite(asked.cusp_cost)))
     throw std::invalid_argument("cusp cost: " + shortest_text(asked.cusp_cost) + " s, must be finite and >= 0");
   const Stopwatch total;
+  const StopClock clock(limits.time, limits.stop);
   const Data& d = *data_;
   std::vector<TimedSegment> segments = std::move(result.segments);
   Path first_path = std::move(result.first_path);
@@ -338,14 +348,14 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   }
 
   WorkspacePool<Data::Workspace>::Lease workspace(d.workspaces);
-  PlanRun run(d.options, d.map(), request, limits, workspace->run, result);
+  PlanRun run(d.options, d.map(), request, limits, clock, workspace->run, result);
   NoPath why{.reverse = request.reverse, .max_gear_changes = request.max_gear_changes};
   const auto find_end = [&](const DeadEndEffort& effort) {
     return find_dead_end(request.start, request.goal, d.map().body, d.map().vehicle.min_turning_radius(),
-                         *d.map().queries.sweep, *d.map().outlines, effort);
+                         *d.map().queries.sweep, *d.map().outlines, effort, clock);
   };
   const auto no_passage = [&] {
-    result.bottleneck = d.bottleneck(request.start, request.goal);
+    result.bottleneck = d.bottleneck(request.start, request.goal, clock);
     if (result.bottleneck && result.bottleneck->too_narrow()) return true;
     if (!request.reverse) why.dead_end = find_end(kQuickDeadEnd);
     return why.dead_end.has_value();
@@ -360,7 +370,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   if (!request.reverse && why.obstruction != Obstruction::kPassage) grow_trees();
   const bool has_forwards = run.found();
   if (has_forwards) {
-    distance = d.raise_bound(request, workspace->point, result);
+    distance = d.raise_bound(request, clock, workspace->point, result);
     if (d.tightest && !result.interrupted) run.find_forwards(*d.tightest, 1.0, [] { return false; });
     // Who refines has time for more; but where other maps are searched as well, those find the faster ways.
     run.improve_forwards(d.options.refinement.max_trials > 0 && !d.tightest);
@@ -372,17 +382,20 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   }
   bool hopeless = why.obstruction == Obstruction::kPassage;
   if (request.reverse && !run.found() && !result.interrupted && !hopeless) {
-    why.enclosure = find_enclosure(request.start, request.goal, d.map().body, *d.map().queries.sweep, kEnclosureBoxes);
+    why.enclosure =
+        find_enclosure(request.start, request.goal, d.map().body, *d.map().queries.sweep, kEnclosureBoxes, clock);
     hopeless = why.enclosure.has_value();
   }
   const bool is_there = run.found() && run.best().empty();
   if (request.reverse && !result.interrupted && !hopeless && !is_there) run.find_in_both_gears(d.map(), distance);
   if (request.reverse && !hopeless) grow_trees();
   if (!run.found()) {
+    // What ended early is no reason, unless a proof came before.
+    result.interrupted = result.interrupted || (!hopeless && !why.dead_end && clock.is_over());
     explain(d.map(), why, limits, result);
   } else {
-    if (!has_forwards) d.raise_bound(request, workspace->point, result);
-    d.complete(run.best(), workspace->run.profile, result);
+    if (!has_forwards) d.raise_bound(request, clock, workspace->point, result);
+    d.complete(run.best(), Grace(clock, limits.time), workspace->run.profile, result);
   }
   result.statistics.total_seconds = total.seconds();
 }

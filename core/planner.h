@@ -81,8 +81,10 @@ struct PlanRequest {
 };
 
 /// When to end a plan before it is done, which then gives the best path found by then, if any; and what it may take.
+/// Every stage of a query asks for both ends within a millisecond or so. What follows them, the speeds and the
+/// clearance of the path, takes at most 2 ms and a twentieth of the time limit more.
 struct PlanLimits {
-  double time = std::numeric_limits<double>::infinity();  ///< [s]
+  double time = std::numeric_limits<double>::infinity();  ///< from the call on [s]
   std::stop_token stop = {};                              ///< asked from any thread
   /// On a lazy graph another thread runs ahead of a search that is long, and finds what it will ask for: the same plan,
   /// bit for bit, in some two thirds of the time where a core is free. FeasibleGraph::counts then differs from run to
@@ -169,7 +171,10 @@ struct PlanResult {
   /// No path can take less [s]: travel_time_bound with the length of the straight line; if solved, `point_robot_bound`
   /// is set and the body covers the reference point, with that of a point's shortest path among the obstacles.
   double lower_bound = 0.0;
-  double min_clearance = 0.0;     ///< of the bare body along the path [m]; infinity in a world without obstacles
+  double min_clearance = 0.0;  ///< of the bare body along the path [m]; infinity in a world without obstacles
+  /// The time was over before the clearance of the whole path was measured: `min_clearance` is what the checks of the
+  /// path prove, half of the safety margin, or less where less was measured; it belongs to no segment.
+  bool clearance_is_bound = false;
   PathSegment clearance_segment;  ///< the segment where that is
   std::size_t clearance_index = 0;
   /// Unless solved: the narrowest place of the widest way from start to goal. Nothing if that is wide enough for the

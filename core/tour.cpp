@@ -251,6 +251,7 @@ class TourPlanner {
     plan.min_clearance = kInfinity;
     for (const PlanResult* leg : legs) {
       if (leg != legs.front()) tour.passed.push_back(plan.segments.size());
+      plan.clearance_is_bound = plan.clearance_is_bound || leg->clearance_is_bound;
       if (leg->min_clearance < plan.min_clearance) {
         plan.min_clearance = leg->min_clearance;
         plan.clearance_segment = leg->clearance_segment;

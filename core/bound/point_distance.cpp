@@ -73,12 +73,14 @@ Horizon PointDistance::horizon_of(const Vec2& place) const {
   return horizon;
 }
 
-double PointDistance::operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility,
-                                 Workspace& w) const {
+double PointDistance::operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility, Workspace& w,
+                                 const StopClock& clock) const {
   using Step = Workspace::Step;
   w.reset(world_.vertices().size());
   const auto to_goal = [&](const Vec2& p) { return (goal - p).norm(); };
   const std::span<const Vec2> places = world_.vertices();
+  double proved = to_goal(start);  // of the path's length, whatever comes
+  if (clock.is_over()) return proved;
   const Horizon from_start = horizon_of(start);
   std::optional<Horizon> from_goal;
   std::size_t asked = 0;
@@ -99,6 +101,8 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
 
   while (!w.open_.empty()) {
     const Workspace::Entry entry = w.open_.pop();
+    proved = std::max(proved, entry.estimate);
+    if (clock.is_over()) return proved;
     for (const Workspace::Entry& next : w.open_.first_few(kNext)) {
       if (next.vertex == kNone) continue;
       will_need(&places[next.vertex]);

@@ -10,6 +10,7 @@
 #include "core/query/visibility_query.h"
 #include "core/search/horizon.h"
 #include "core/search/open_list.h"
+#include "core/stop_clock.h"
 #include "core/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -60,8 +61,9 @@ class PointDistance {
   /// inside an obstacle. A* over the graph with the distance to the goal, from the vertices that the outlines near by
   /// do not hide, along edges that a taut string would take; segments from the start and to the goal are asked of
   /// `visibility` when their turn comes.
+  /// @param clock  ends the search, with the largest length that the path is then known to have at least.
   [[nodiscard]] double operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility,
-                                  Workspace& workspace) const;
+                                  Workspace& workspace, const StopClock& clock = {}) const;
 
  private:
   [[nodiscard]] Horizon horizon_of(const Vec2& place) const;

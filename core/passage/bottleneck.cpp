@@ -47,8 +47,14 @@ BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle, s
       swept_annulus(vehicle.footprint(0.5 * vehicle.safety_margin()), vehicle.min_turning_radius()).width();
 }
 
-std::optional<Bottleneck> BottleneckFinder::operator()(const Pose& from, const Pose& to) const {
-  const auto gap = gaps_->map().bottleneck(middle_of(body_, from), middle_of(body_, to));
+std::optional<Bottleneck> BottleneckFinder::operator()(const Pose& from, const Pose& to, const StopClock& clock) const {
+  std::optional<Gap> gap;
+  try {
+    if (const GapMap* gaps = gaps_->map(clock))
+      gap = gaps->bottleneck(middle_of(body_, from), middle_of(body_, to), clock);
+  } catch (const Cancelled&) {
+    return std::nullopt;
+  }
   if (!gap || gap->width > std::max(vehicle_takes_.needed, vehicle_takes_.needed_to_turn)) return std::nullopt;
   Bottleneck bottleneck = vehicle_takes_;
   bottleneck.width = gap->width;

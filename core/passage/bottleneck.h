@@ -7,6 +7,7 @@
 #include "core/geometry/vec2.h"
 #include "core/passage/vehicle_gaps.h"
 #include "core/path/path.h"
+#include "core/stop_clock.h"
 #include "core/vehicle.h"
 #include "core/world.h"
 
@@ -39,7 +40,9 @@ class BottleneckFinder {
   /// Nothing if the widest way is wide enough for the tightest turn, or as wide as the room around one of the poses.
   /// Precondition: the body grown by half of the safety margin is free at both poses.
   /// Time as GapMap::bottleneck, where the gaps were asked for before.
-  [[nodiscard]] std::optional<Bottleneck> operator()(const Pose& from, const Pose& to) const;
+  /// @param clock  ends the search: then nothing.
+  [[nodiscard]] std::optional<Bottleneck> operator()(const Pose& from, const Pose& to,
+                                                     const StopClock& clock = {}) const;
 
  private:
   World world_;

@@ -111,7 +111,7 @@ class ForwardFlood {
   }
 
   enum class End { kClosed, kOpen, kOpenAtOnce, kGivenUp };
-  End run(std::size_t max_checks, std::vector<std::uint32_t>& memory) {
+  End run(std::size_t max_checks, std::vector<std::uint32_t>& memory, const StopClock& clock) {
     if (core_.half_width <= 0.0 || core_.front + core_.rear <= 0.0 || step_ > kMostTurn * radius_ ||
         step_ > kLongestStep * furthest_ * edge_)
       return End::kOpen;
@@ -121,11 +121,12 @@ class ForwardFlood {
     seen.see(0, 0, 0, 1, [&](std::int32_t heading) { open.push_back({0, 0, heading}); });
     const double near = step_ + edge_;
     bool has_collided = false;
+    StopTicker ticker(clock);
     for (std::size_t checks = 0; !open.empty(); ++checks) {
       // The last one first, and not asked about before: where there is a way out, it is found soon.
       const PoseBox box = open.back();
       open.pop_back();
-      if (checks > max_checks) return End::kGivenUp;
+      if (checks > max_checks || ticker.is_over()) return End::kGivenUp;
       if (checks > 0 && !is_free(box)) {
         has_collided = true;
         continue;
@@ -256,7 +257,8 @@ Box place_around(const Vec2& position, const Footprint& footprint) {
 }  // namespace
 
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort) {
+                                     const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort,
+                                     const StopClock& clock) {
   // Whoever drives from where it came sees the body the other way round.
   const Pose turned{goal.x, goal.y, goal.heading + kPi};
   const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
@@ -270,7 +272,7 @@ std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const 
       if (is_settled[at_start]) continue;
       ForwardFlood flood(at_start ? start : turned, at_start ? goal.position() : start.position(),
                          at_start ? footprint : swapped, radius, at_start ? near_start : near_goal, level);
-      const ForwardFlood::End end = flood.run(effort.max_checks << level, memory);
+      const ForwardFlood::End end = flood.run(effort.max_checks << level, memory, clock);
       if (end == ForwardFlood::End::kClosed) return DeadEnd{at_start, flood.reach()};
       is_settled[at_start] = end == ForwardFlood::End::kGivenUp || end == ForwardFlood::End::kOpenAtOnce;
     }

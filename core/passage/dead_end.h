@@ -6,6 +6,7 @@
 #include "core/outlines.h"
 #include "core/path/path.h"
 #include "core/query/sweep_query.h"
+#include "core/stop_clock.h"
 #include "core/vehicle.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -34,8 +35,10 @@ struct DeadEndEffort {
 /// @param radius  smallest turning radius, > 0.
 /// @param outlines  of the query's world.
 /// @param effort  some tenths of a microsecond a check.
+/// @param clock  ends the search.
 /// @returns nothing if no proof is found: there may be a path or none.
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort);
+                                     const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort,
+                                     const StopClock& clock = {});
 
 }  // namespace arcway

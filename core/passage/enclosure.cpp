@@ -49,7 +49,7 @@ class Flood {
   }
 
   enum class End { kClosed, kOpen, kTooMany };
-  End run(std::size_t max_boxes) {
+  End run(std::size_t max_boxes, const StopClock& clock) {
     if (std::min(core_.front, core_.half_width) <= 0.0) return End::kOpen;
     const PoseBox goal = box_of(to_);
     std::vector<PoseBox> boxes{{0, 0, 0}};
@@ -57,7 +57,9 @@ class Flood {
     std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> open;
     open.push({0.0, 0});
     std::unordered_set<std::uint64_t> seen{key_of(boxes[0])};
+    StopTicker ticker(clock);
     while (!open.empty()) {
+      if (ticker.is_over()) return End::kTooMany;
       const PoseBox box = boxes[open.top().second];
       open.pop();
       reach_ = std::max(reach_, (center_of(box).position() - from_.position()).norm());
@@ -111,13 +113,13 @@ class Flood {
 }  // namespace
 
 std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, const Footprint& footprint,
-                                        const SweepQuery& sweep, std::size_t max_boxes) {
+                                        const SweepQuery& sweep, std::size_t max_boxes, const StopClock& clock) {
   std::array<bool, 2> has_room{};  // so much that there are too many boxes, and more of smaller ones
   for (int level = 0; level < kLevels; ++level)
     for (const bool at_start : {true, false}) {
       if (has_room[at_start]) continue;
       Flood flood(at_start ? start : goal, at_start ? goal : start, footprint, sweep, level);
-      const Flood::End end = flood.run(max_boxes);
+      const Flood::End end = flood.run(max_boxes, clock);
       if (end == Flood::End::kClosed) return Enclosure{at_start, flood.reach()};
       has_room[at_start] = end == Flood::End::kTooMany;
     }

@@ -5,6 +5,7 @@
 
 #include "core/path/path.h"
 #include "core/query/sweep_query.h"
+#include "core/stop_clock.h"
 #include "core/vehicle.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -21,8 +22,9 @@ struct Enclosure {
 /// of them before the other end is reached, that is a proof; then boxes are halved, a few times.
 /// @param footprint  of the body that must not touch anything.
 /// @param max_boxes  of one size from one end; some tenths of a microsecond each.
+/// @param clock  ends the search.
 /// @returns nothing if no proof is found: there may be a path or none.
 std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, const Footprint& footprint,
-                                        const SweepQuery& sweep, std::size_t max_boxes);
+                                        const SweepQuery& sweep, std::size_t max_boxes, const StopClock& clock = {});
 
 }  // namespace arcway

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/executor.h"
 #include "core/geometry/angle.h"
 #include "core/geometry/predicates.h"
 
@@ -44,8 +45,10 @@ class GapCircles {
         body_(vehicle.footprint(vehicle.safety_margin())),
         swept_(swept_annulus(body_, radius)) {}
 
-  ExtraCircles find(const GapMap& gaps) && {
+  ExtraCircles find(const GapMap& gaps, const StopClock& clock) && {
+    StopTicker ticker(clock);
     for (const Gap& gap : gaps.gaps()) {
+      end_if_over(ticker);
       if (!(gap.width > 2.0 * body_.half_width && gap.width <= swept_.outer)) continue;
       const Vec2 across = (gap.on_b - gap.on_a) / gap.width;
       const VertexId a = corner_at(gap.edge_a, gap.on_a);
@@ -206,8 +209,9 @@ class GapCircles {
 
 }  // namespace
 
-ExtraCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius) {
-  return GapCircles(world, vehicle, radius).find(gaps);
+ExtraCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
+                              const StopClock& clock) {
+  return GapCircles(world, vehicle, radius).find(gaps, clock);
 }
 
 }  // namespace arcway

@@ -2,6 +2,7 @@
 
 #include "core/graph/extra_circles.h"
 #include "core/passage/gap_map.h"
+#include "core/stop_clock.h"
 #include "core/vehicle.h"
 #include "core/world.h"
 
@@ -22,6 +23,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// @param gaps    those of VehicleGaps.
 /// @param radius  the smallest turning radius.
 /// O(gaps log gaps), O(gaps) circles.
-ExtraCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius);
+/// @throws Cancelled if the clock is over before all are found.
+ExtraCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
+                              const StopClock& clock = {});
 
 }  // namespace arcway

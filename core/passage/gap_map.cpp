@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/executor.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/closest_pair.h"
 #include "core/geometry/distance.h"
@@ -44,8 +45,9 @@ class EdgePieces {
   // Calls visit(a, b) once for any two edges whose boxes are so near to each other, a < b. Place by place, so that what
   // is near one piece is at hand for the next.
   template <class Visitor>
-  void visit_pairs(double distance, Visitor&& visit) const {
+  void visit_pairs(double distance, StopTicker& ticker, Visitor&& visit) const {
     const auto visit_those_of = [&](const Piece& piece) {
+      end_if_over(ticker);
       tree_.visit_overlaps(piece.box.grown(distance), [&](std::uint32_t p) {
         const Piece& other = pieces_[p];
         if (other.first < piece.first) return true;
@@ -173,10 +175,12 @@ double room_around(const World& world, const Vec2& p) {
 
 }  // namespace
 
-GapMap::GapMap(const World& world, double widest) : world_(world) {
+GapMap::GapMap(const World& world, double widest, const StopClock& clock) : world_(world) {
   const std::span<const LineSegment> edges = world.edges();
   const EdgePieces pieces(world);
-  pieces.visit_pairs(widest, [&](VertexId a, VertexId b) {
+  StopTicker ticker(clock);
+  pieces.visit_pairs(widest, ticker, [&](VertexId a, VertexId b) {
+    end_if_over(ticker);
     if (follow_each_other(world, a, b)) return;
     const ClosestPair pair = closest_pair(edges[a], edges[b]);
     const Gap gap{pair.distance, a, b, pair.a, pair.b};
@@ -187,16 +191,19 @@ GapMap::GapMap(const World& world, double widest) : world_(world) {
   });
 }
 
-std::optional<Gap> GapMap::bottleneck(const Vec2& from, const Vec2& to) const {
+std::optional<Gap> GapMap::bottleneck(const Vec2& from, const Vec2& to, const StopClock& clock) const {
   if (from == to) return std::nullopt;
+  StopTicker ticker(clock);
   const Parting parting(from, to);
   ParityForest forest(world_.edges().size());  // an edge stands for its first vertex
   for (VertexId v = 0; v < world_.edges().size(); ++v) {
+    end_if_over(ticker);
     const auto& [a, b] = world_.edges()[v];
     if (!forest.join(v, world_.next(v), parting.is_odd({a, b}))) return Gap{0.0, v, world_.next(v), b, b};
   }
   const double room = std::min(room_around(world_, from), room_around(world_, to));
   for (const Gap& gap : gaps_) {
+    end_if_over(ticker);
     if (gap.width >= room) break;
     const bool odd = parting.is_odd({world_.vertex(gap.edge_a), gap.on_a, gap.on_b, world_.vertex(gap.edge_b)});
     if (!forest.join(gap.edge_a, gap.edge_b, odd)) return gap;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry/vec2.h"
+#include "core/stop_clock.h"
 #include "core/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -38,7 +39,8 @@ class GapMap {
  public:
   /// All gaps that may be bottlenecks, up to a width. Time O(n log n + k log n) for n edges, k pairs of them so near to
   /// each other.
-  GapMap(const World& world, double widest);
+  /// @throws Cancelled if the clock is over before all are found.
+  GapMap(const World& world, double widest, const StopClock& clock = {});
 
   /// By width, then edges; without those of edges that follow each other in a ring.
   [[nodiscard]] std::span<const Gap> gaps() const { return gaps_; }
@@ -46,7 +48,8 @@ class GapMap {
   /// Nothing if a disc of the largest width asked for passes, or one with the diameter of the room around one of the
   /// points: twice its distance to the next edge. Two points in one place have none. O(n + gaps).
   /// Precondition: no point lies on an edge.
-  [[nodiscard]] std::optional<Gap> bottleneck(const Vec2& from, const Vec2& to) const;
+  /// @throws Cancelled if the clock is over before that is known.
+  [[nodiscard]] std::optional<Gap> bottleneck(const Vec2& from, const Vec2& to, const StopClock& clock = {}) const;
 
  private:
   World world_;

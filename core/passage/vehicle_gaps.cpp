@@ -23,9 +23,8 @@ VehicleGaps::VehicleGaps(const World& world, const Vehicle& vehicle, double radi
       widest_(std::max(widest_hopeless_gap(vehicle),
                        swept_annulus(vehicle.footprint(vehicle.safety_margin()), radius).outer)) {}
 
-const GapMap& VehicleGaps::map() const {
-  std::call_once(once_, [this] { map_.emplace(world_, widest_); });
-  return *map_;
+const GapMap* VehicleGaps::map(const StopClock& clock) const {
+  return map_.get(clock, [&] { return GapMap(world_, widest_, clock); });
 }
 
 }  // namespace arcway

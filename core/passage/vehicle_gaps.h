@@ -1,9 +1,8 @@
 #pragma once
 
-#include <mutex>
-#include <optional>
-
+#include "core/late_value.h"
 #include "core/passage/gap_map.h"
+#include "core/stop_clock.h"
 #include "core/vehicle.h"
 #include "core/world.h"
 
@@ -17,13 +16,14 @@ class VehicleGaps {
   VehicleGaps(const World& world, const Vehicle& vehicle, double radius);
 
   /// The first call takes as long as GapMap.
-  [[nodiscard]] const GapMap& map() const;
+  [[nodiscard]] const GapMap& map() const { return *map(StopClock()); }
+  /// Nothing if the clock is over before the gaps are known.
+  [[nodiscard]] const GapMap* map(const StopClock& clock) const;
 
  private:
   World world_;
   double widest_;
-  mutable std::once_flag once_;
-  mutable std::optional<GapMap> map_;
+  LateValue<GapMap> map_;
 };
 
 /// No motion of the vehicle, forwards or backwards, leads through a gap that is not wider: the body grown by half of

@@ -40,6 +40,8 @@ constexpr double kNear = 0.25;  // of the line's length, at most
 // A path that has become faster by this share may do so once more.
 constexpr double kWorthSettling = 1e-5;
 constexpr int kMostSettled = 4;
+// Rounds of a loop, of some nanoseconds to some tenths of a microsecond each, between two questions whether to stop.
+constexpr std::uint32_t kRoundsUnasked = 64;
 
 // How the circle of a turn that is not the first or last one moves, in steps: its centre inwards from, and around, the
 // point of the inner swept circle where a share of the turn, `at`, is done, and along the heading there; and its radius
@@ -138,8 +140,13 @@ class Refiner {
 
   [[nodiscard]] bool done() {
     if (stop_ && !result_.interrupted) result_.interrupted = stop_();
-    return result_.interrupted || result_.trials >= options_.max_trials;
+    return is_over();
   }
+  // Whether that is known, without asking: in loops that ask by their trials. Those over the circles of a long path
+  // have thousands of rounds left.
+  [[nodiscard]] bool is_over() const { return result_.interrupted || result_.trials >= options_.max_trials; }
+  // Asks once in a while: in loops that try next to nothing.
+  [[nodiscard]] bool done_by_now() { return ++rounds_ % kRoundsUnasked == 0 ? done() : is_over(); }
 
   [[nodiscard]] const std::vector<TurnCircle>& circles() const { return chain_.chain().circles; }
   [[nodiscard]] const std::vector<Bitangent>& lines() const { return chain_.lines(); }
@@ -197,14 +204,14 @@ class Refiner {
   bool drop_turns() {
     bool any = false;
     for (std::size_t span = circles().size() - 1; span >= 2; --span)
-      for (std::size_t i = 0; i + span < circles().size(); ++i)
+      for (std::size_t i = 0; i + span < circles().size() && !is_over(); ++i)
         any |= accept(replaced(chain_.chain(), i + 1, i + span));
     return any;
   }
 
   bool rejoin_ends() {
     bool any = false;
-    for (std::size_t keep = 1; keep < circles().size(); ++keep)  // circles from the other end
+    for (std::size_t keep = 1; keep < circles().size() && !is_over(); ++keep)  // circles from the other end
       for (const bool at_start : {true, false})
         for (const Side side : {Side::kLeft, Side::kRight}) {
           const std::size_t size = circles().size();
@@ -221,7 +228,7 @@ class Refiner {
   bool merge_turns() {
     bool any = false;
     for (std::size_t span = circles().size(); span >= 2; --span)
-      for (std::size_t i = 0; i + span <= circles().size(); ++i) any |= merge(i, i + span);
+      for (std::size_t i = 0; i + span <= circles().size() && !done_by_now(); ++i) any |= merge(i, i + span);
     return any;
   }
 
@@ -288,8 +295,8 @@ class Refiner {
       std::sort(stations.begin() + static_cast<std::ptrdiff_t>(first), stations.end(),
                 [](const Station& a, const Station& b) { return a.part < b.part; });
     }
-    for (std::size_t span = stations.size() - 1; span > 0 && !done(); --span)
-      for (std::size_t i = 0; i + span < stations.size(); ++i)
+    for (std::size_t span = stations.size() - 1; span > 0 && !is_over(); --span)
+      for (std::size_t i = 0; i + span < stations.size() && !done_by_now(); ++i)
         if (stations[i].line < stations[i + span].line && insert_word(stations[i], stations[i + span])) return true;
     return false;
   }
@@ -335,7 +342,7 @@ class Refiner {
   bool widen_turns() {
     if (radii_.size() < 2) return false;
     bool any = false;
-    for (std::size_t i = 0; i < circles().size(); ++i)
+    for (std::size_t i = 0; i < circles().size() && !is_over(); ++i)
       for (const bool leaving : {true, false}) any |= widen(i, leaving);
     any |= pinch(0);
     any |= pinch(circles().size() - 1);
@@ -381,7 +388,7 @@ class Refiner {
       bool moved = true;
       for (int round = 0; moved && round < 8 && !done(); ++round) {
         moved = false;
-        for (std::size_t i = 0; i < circles().size(); ++i) moved |= slide_circle(i, step, moves);
+        for (std::size_t i = 0; i < circles().size() && !is_over(); ++i) moved |= slide_circle(i, step, moves);
         any |= moved;
       }
     }
@@ -450,6 +457,7 @@ class Refiner {
   Footprint body_;
   double smallest_;
   double least_time_ = 0.0;  // of any path [s]
+  std::uint32_t rounds_ = 0;
   TimedChain& chain_;
   std::vector<double>& radii_;
   std::vector<Station>& stations_;

@@ -243,7 +243,7 @@ class ArrivalSearch {
     ahead.doubts_reachability = false;
     try {
       return std::jthread([this, ahead](const std::stop_token& done) mutable {
-        ahead.stop = done;
+        ahead.clock = ahead.clock.with_stop(done);
         try {
           SearchWorkspace workspace;
           search_arrivals(context_.map, context_.starts, context_.goals, ahead, workspace);

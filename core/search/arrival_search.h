@@ -1,26 +1,24 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stop_token>
 
 #include "core/path/path.h"
 #include "core/search/heuristic.h"
 #include "core/search/search_map.h"
 #include "core/search/terminal_links.h"
 #include "core/search/time_model.h"
+#include "core/stop_clock.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
 struct SearchOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
-  std::stop_token stop;
-  std::optional<std::chrono::steady_clock::time_point> deadline;
+  StopClock clock = {};    ///< ends the search, with the best path found by then
   double cusp_cost = 0.0;  ///< of a change of gear in a connection, beside the time for it [s]
   /// Gear in which the vehicle is driven where the search drives forwards; if backwards, the path found is to be driven
   /// the other way, and has the speeds of that.
@@ -45,9 +43,7 @@ struct SearchOptions {
   /// Another thread, with a workspace of its own, runs ahead of a long search on a lazy graph. It finds rows, headings
   /// and bitangents that this one will ask for; what it misses, this one finds itself.
   bool scout = false;
-  [[nodiscard]] bool interrupted() const {
-    return stop.stop_requested() || (deadline && std::chrono::steady_clock::now() >= *deadline);
-  }
+  [[nodiscard]] bool interrupted() const { return clock.is_over(); }
 };
 
 struct SearchResult {

@@ -113,7 +113,7 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
     found.obstruction = Obstruction::kPassage;
     return found;
   }
-  const SearchMap& narrow = places ? places->map() : map;
+  const SearchMap& narrow = places ? places->map(options.clock) : map;
   const bool has_places = &narrow != &map;
   if (has_places && search(narrow, from, to)) return found;
   while (extend())

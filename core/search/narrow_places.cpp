@@ -20,14 +20,17 @@ void add_wide_turns(const SearchMap& map, ExtraCircles& extra) {
 
 }  // namespace
 
-const SearchMap& NarrowPlaces::map() const {
-  std::call_once(once_, [this] {
-    ExtraCircles extra = find_gap_circles(map_.world, map_.gaps->map(), map_.vehicle, map_.radii.front());
-    if (extra.round.empty() && extra.gates.empty()) return;
+const SearchMap& NarrowPlaces::map(const StopClock& clock) const {
+  const auto make = [&]() -> std::optional<SearchMap> {
+    const GapMap* gaps = map_.gaps->map(clock);
+    if (!gaps) throw Cancelled("cancelled");
+    ExtraCircles extra = find_gap_circles(map_.world, *gaps, map_.vehicle, map_.radii.front(), clock);
+    if (extra.round.empty() && extra.gates.empty()) return std::nullopt;
     add_wide_turns(map_, extra);
-    detailed_ = map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, extra), map_.radii);
-  });
-  return detailed_ ? *detailed_ : map_;
+    return map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, extra), map_.radii);
+  };
+  const std::optional<SearchMap>* detailed = detailed_.get(clock, make);
+  return detailed && *detailed ? **detailed : map_;
 }
 
 }  // namespace arcway

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <mutex>
 #include <optional>
 
+#include "core/late_value.h"
 #include "core/search/search_map.h"
+#include "core/stop_clock.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -16,13 +17,12 @@ class NarrowPlaces {
   explicit NarrowPlaces(const SearchMap& map) : map_(map) {}
 
   /// The same map but for the graph, which is lazy and has all straights of the map's own and more. The map itself if
-  /// it has no narrow place. The first call takes as long as GapMap.
-  [[nodiscard]] const SearchMap& map() const;
+  /// it has no narrow place, or if the clock is over before they are known. The first call takes as long as GapMap.
+  [[nodiscard]] const SearchMap& map(const StopClock& clock = {}) const;
 
  private:
   const SearchMap& map_;
-  mutable std::once_flag once_;
-  mutable std::optional<SearchMap> detailed_;
+  LateValue<std::optional<SearchMap>> detailed_;  // nothing where there is no narrow place
 };
 
 }  // namespace arcway

@@ -69,8 +69,9 @@ void SearchEnds::begin(SearchContext& context) {
   for (std::size_t s = known_starts; s < context.starts.size(); ++s) starts_.push_back(context.starts[s].pose);
   for (std::size_t g = known_goals; g < context.goals.size(); ++g) goals_.push_back(context.goals[g].pose);
 
-  append_circles(context.map, context.starts, known_starts, Direction::kFromStart, headings_, start_circles_);
-  append_circles(context.map, context.goals, known_goals, Direction::kToGoal, headings_, goal_circles_);
+  const StopClock& clock = context.options.clock;
+  append_circles(context.map, context.starts, known_starts, Direction::kFromStart, headings_, start_circles_, clock);
+  append_circles(context.map, context.goals, known_goals, Direction::kToGoal, headings_, goal_circles_, clock);
   const std::size_t new_starts = start_circles_.size() - first_start_circle;
   const std::size_t new_goals = goal_circles_.size() - first_goal_circle;
   context.result.turns_checked += new_starts + new_goals;
@@ -90,6 +91,7 @@ void SearchEnds::find_direct_paths(std::size_t known_starts, std::size_t known_g
     for (auto g = static_cast<std::uint32_t>(s < known_starts ? known_goals : 0); g < goals; ++g) {
       const bool plain_start = context_->starts[s].connection.empty();
       const bool plain_goal = context_->goals[g].connection.empty();
+      if (context_->interrupted()) return;
       // Of many manoeuvres at both ends one is enough for a path that goes round nothing in between.
       if (are_many && !plain_start && !plain_goal) continue;
       const bool few_radii = are_many && !(plain_start && plain_goal);

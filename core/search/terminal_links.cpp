@@ -28,8 +28,8 @@ void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<st
 }  // namespace
 
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, std::size_t first, Direction direction,
-                    HeadingSet& headings, std::vector<TerminalCircle>& circles) {
-  for (auto t = static_cast<std::uint32_t>(first); t < terminals.size(); ++t) {
+                    HeadingSet& headings, std::vector<TerminalCircle>& circles, const StopClock& clock) {
+  for (auto t = static_cast<std::uint32_t>(first); t < terminals.size() && !clock.is_over(); ++t) {
     // Manoeuvres are for narrow places, and their poses are many.
     const bool plain = terminals[t].connection.empty();
     for (const double radius : std::span(map.radii).first(plain ? map.radii.size() : 1))

@@ -10,6 +10,7 @@
 #include "core/graph/turn_circle.h"
 #include "core/huge_pages.h"
 #include "core/search/search_map.h"
+#include "core/stop_clock.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -44,8 +45,9 @@ struct TerminalLink {
 /// Appends the left and right circles of every radius for each terminal from the `first` on, of the smallest for those
 /// with a connection; none that another terminal has as well.
 /// O(terminals * radii) heading sets, each in `headings`, whose memory is used again.
+/// @param clock  ends that before all terminals have theirs.
 void append_circles(const SearchMap& map, std::span<const Terminal> terminals, std::size_t first, Direction direction,
-                    HeadingSet& headings, std::vector<TerminalCircle>& circles);
+                    HeadingSet& headings, std::vector<TerminalCircle>& circles, const StopClock& clock = {});
 
 /// How long a path may be between a terminal and the other end of the path, and how many straights it may join by.
 struct WayLimit {

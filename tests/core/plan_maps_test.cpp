@@ -91,7 +91,7 @@ TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
 TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
   const std::vector<double>& radii = planner_.options().radii;
   const SearchMap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
-  const std::vector<SearchMap> maps = maps_of_other_ways(all, smallest, planner_.visibility_rows());
+  const std::vector<SearchMap> maps = maps_of_other_ways(all, smallest, planner_.visibility_rows(), SerialExecutor());
   EXPECT_GT(maps.size(), 3u);
   SearchWorkspace workspace;
   int other = 0;
@@ -120,7 +120,8 @@ TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
   for (const std::size_t count : {std::size_t{2}, radii.size()}) {
     const PlanMaps all(lazy_map(planner_, {radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count)}), false);
     const PlanMaps smallest(lazy_map(planner_, {radii.front()}), false);
-    const std::vector<SearchMap> more = maps_of_other_ways(all.plain, smallest.plain, planner_.visibility_rows());
+    const std::vector<SearchMap> more =
+        maps_of_other_ways(all.plain, smallest.plain, planner_.visibility_rows(), SerialExecutor());
     std::vector<std::pair<std::vector<double>, double>> ways;
     const auto add = [&](const SearchMap& map) {
       const double limit = std::get<LateralAccelerationLimit>(map.vehicle.parameters().turn_speed).lateral_acceleration;
