@@ -46,6 +46,7 @@ std::vector<VisibilityRows::Pair> collect_near_pairs(const World& world, double 
     const auto from = std::lower_bound(items.begin(), items.end(), items[begin].cell + kColumn, lies_before);
     auto next = static_cast<std::size_t>(from - items.begin());  // item of the next column
     for (std::size_t i = begin; i < end; ++i) {
+      end_if_over(executor);  // the vertices near one may be nearly all
       for (std::size_t k = i + 1; k < items.size() && items[k].cell <= items[i].cell + 1; ++k)
         visit(here, items[i].vertex, items[k].vertex);
       while (next < items.size() && lies_before(items[next], items[i].cell + kColumn)) ++next;

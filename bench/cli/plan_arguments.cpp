@@ -62,7 +62,10 @@ void PlanArguments::add_to(CLI::App& command) {
                   "eager (check all bitangents first), the default of --queries, or lazy (as the search needs them), "
                   "that of one query")
       ->type_name("MODE");
-  command.add_option("--time-limit", time_limit, "Of each search; then the best path found so far, if any")
+  command
+      .add_option("--time-limit", time_limit,
+                  "Of planning, from the read map on: the graph's building is part of it; of --queries for each query, "
+                  "without the building. Then the best path found so far, if any")
       ->type_name("SECONDS");
   command.add_flag("--reverse", reverse, "Drive backwards as well, where that is faster or nothing else leads there");
   command.add_option("--cusp-cost", cusp_cost, "Of a change of gear, beside the time to stop; default: 0")

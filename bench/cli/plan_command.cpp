@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,23 +12,27 @@
 #include "bench/cli/plan_one.h"
 #include "bench/cli/plan_queries.h"
 #include "bench/cli/progress_bar.h"
+#include "core/no_path.h"
 #include "core/planner.h"
+#include "core/stop_clock.h"
 #include "datasets/robot.h"
 
 namespace arcway::cli {
 namespace {
 
 /// From the map's file what it has of this vehicle; the rest is built, or found as a search asks for it.
+/// @throws Cancelled if the clock is over before that is done.
 Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
-                     const PlannerOptions& options) {
-  const auto threads = arguments.build.executor();
+                     const PlannerOptions& options, const StopClock& clock) {
+  const auto arena = arguments.build.executor();
+  const StoppableExecutor threads(*arena, clock);
   ProgressBar bar;
-  const ReportingExecutor executor(*threads, bar.callback());
+  const ReportingExecutor executor(threads, bar.callback());
   QuerySet queries;
   std::shared_ptr<const VisibilityRows> rows;
   const bool lazy = !map.prepared && options.graph_mode == GraphMode::kLazy;
   run_both(
-      *threads, [&] { queries = arguments.build.queries(map.world, *threads); },
+      threads, [&] { queries = arguments.build.queries(map.world, threads); },
       [&] {
         if (lazy) rows = arguments.build.lazy_rows(map.world, executor);
       });
@@ -101,22 +106,33 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
     warn_of_poses(arguments, *start, request, map);
   }
 
-  const auto executor = arguments.build.executor();
+  // A process alone that stops to build would leave the others waiting for it, and of many queries each has the limit.
+  const StopClock clock(batch || team.size() > 1 ? std::numeric_limits<double>::infinity() : limits.time);
+  const auto arena = arguments.build.executor();
+  const StoppableExecutor executor(*arena, clock);
   const auto plan_on = [&](const World& world) {
-    return Planner(world, vehicle, arguments.build.queries(world, *executor), options, *executor);
+    return Planner(world, vehicle, arguments.build.queries(world, executor), options, executor);
   };
   if (!batch) request.start = *start;
   // Tours and alternatives keep to the rings of the map.
   const bool plain = !batch && arguments.alternatives == 1 && request.via.empty() && request.goals.size() == 1 &&
                      request.goals[0].heading;
-  if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, files, out);
-  const Stopwatch watch;
-  const Planner planner = make_planner(arguments, map, vehicle, options);
-  if (batch && map.prepared) planner.warm_up(std::min(arguments.build.thread_count(), queries.size()));
-  const double build_seconds = watch.seconds();
-  if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, team, files, out);
-  return plan_one(arguments, map, planner, build_seconds, request, plans_of(arguments, planner, request, limits), files,
-                  out);
+  try {
+    if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, files, out);
+    const Stopwatch watch;
+    const Planner planner = make_planner(arguments, map, vehicle, options, clock);
+    if (batch && map.prepared) planner.warm_up(std::min(arguments.build.thread_count(), queries.size()));
+    const double build_seconds = watch.seconds();
+    if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, team, files, out);
+    PlanLimits rest = limits;
+    rest.time = std::min(limits.time, clock.seconds_left());
+    std::vector<CheckedPlan> plans = plans_of(arguments, planner, request, rest);
+    for (CheckedPlan& plan : plans)
+      if (plan.result.status == PlanStatus::kTimeLimit) plan.result.reason = time_limit_reason(limits);
+    return plan_one(arguments, map, planner, build_seconds, request, plans, files, out);
+  } catch (const Cancelled&) {
+    return no_plan(arguments, map, request, limits, files, out);
+  }
 }
 
 }  // namespace

@@ -201,6 +201,26 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   return good ? kExitSolved : kExitNoPath;
 }
 
+int no_plan(const PlanArguments& arguments, const LoadedMap& map, const TourRequest& request, const PlanLimits& limits,
+            OutputFiles& files, std::string& out) {
+  PlanResult result;
+  result.status = PlanStatus::kTimeLimit;
+  result.interrupted = true;
+  result.reason = "the time limit of " + shortest_text(limits.time) +
+                  " s was over while the map was prepared; raise it, or prepare the map once: see arcway prepare";
+  const Place& goal = request.goals.front();
+  result.start = request.start;
+  result.goal = {goal.position.x(), goal.position.y(), goal.heading.value_or(0.0)};
+  if (!arguments.json.empty()) files.add(arguments.json, plan_to_json(result, 0) + "\n");
+  out += arguments.map + ": " + name_of(result.status) + "\n" + row("reason", result.reason);
+  out += row("start", pose_text(request.start));
+  for (const Place& place : request.goals) out += row("goal", place_text(place));
+  out += "\n" + world_rows(map.world) + warning_rows(map);
+  files.write();
+  out += files.summary();
+  return kExitNoPath;
+}
+
 int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
                 const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, OutputFiles& files,
                 std::string& out) {

@@ -24,6 +24,11 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
 int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
              const TourRequest& request, const std::vector<CheckedPlan>& plans, OutputFiles& files, std::string& out);
 
+/// Says that the time limit was over before the map was prepared, so that nothing was planned. Writes --json.
+/// @returns the exit code.
+int no_plan(const PlanArguments& arguments, const LoadedMap& map, const TourRequest& request, const PlanLimits& limits,
+            OutputFiles& files, std::string& out);
+
 /// Plans on rings that are refined near the path, down to the tolerance that the map was read with.
 int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
                 const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, OutputFiles& files,
