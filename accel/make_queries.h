@@ -4,6 +4,7 @@
 
 #include "core/executor.h"
 #include "core/query/query_set.h"
+#include "core/stop_clock.h"
 #include "core/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -14,6 +15,8 @@ struct EmbreeOptions {
   double body_half_width = 0.0;
   /// Runs batches of 128 and more questions; none: the calling thread does, and no call but free_headings allocates.
   std::shared_ptr<const Executor> batches = nullptr;
+  /// Ends the building, which then throws Cancelled.
+  StopClock clock = {};
 };
 
 /// All queries of core on Embree. Embree proposes obstacle edges in single precision, core's exact tests decide: every

@@ -174,7 +174,12 @@ CurvedPlan plan_among_curves(const CurvedWorld& world, const PlanRequest& reques
       plan.result.interrupted = true;
       break;
     }
-    plan.planner = make_planner(rings);
+    try {
+      plan.planner = make_planner(rings);
+    } catch (const Cancelled&) {
+      plan.result.interrupted = true;
+      break;
+    }
     keep_cheaper(plan.planner, request.cusp_cost, plan_round(), plan.result);
   }
   if (plan.result.interrupted && !plan.result.solved()) explain_interruption(limits, plan.result);

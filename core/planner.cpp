@@ -83,6 +83,7 @@ struct Planner::Data {
                  world, vehicle, queries, options, [&] { return make_feasible(rows, options); }, executor),
              options.gap_circles),
         bottleneck(world, vehicle, map().gaps) {
+    end_if_over(executor);
     const std::size_t tightest_count = tightest_radii(vehicle.footprint(vehicle.safety_margin()), options.radii);
     if (tightest_count < options.radii.size()) {
       const std::vector<double> smallest(options.radii.begin(),

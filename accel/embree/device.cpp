@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/executor.h"
+
 namespace arcway::embree {
 
 namespace {
@@ -32,6 +34,7 @@ const char* name_of(RTCError error) {
 void throw_on(RTCError error) {
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (error == RTC_ERROR_CANCELLED) throw Cancelled("cancelled");
   throw std::runtime_error(std::string("Embree: ") + name_of(error));
 }
 
@@ -44,9 +47,12 @@ Device::Device(const char* config) : device_(rtcNewDevice(config)) {
 
 void Device::check() const { throw_on(rtcGetDeviceError(device_.get())); }
 
-void Device::commit(RTCScene scene) const {
+void Device::commit(RTCScene scene, const StopClock& clock) const {
+  const auto goes_on = [](void* asked, double) { return !static_cast<const StopClock*>(asked)->is_over(); };
+  rtcSetSceneProgressMonitorFunction(scene, goes_on, const_cast<StopClock*>(&clock));
   // A thread that waits for the build must not pick up the caller's tasks: it flushes denormals meanwhile.
   tbb::this_task_arena::isolate([scene] { rtcCommitScene(scene); });
+  rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
   check();
 }
 

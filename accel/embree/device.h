@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "accel/embree/embree_api.h"
+#include "core/stop_clock.h"
 
 namespace arcway::embree {
 
@@ -27,7 +28,8 @@ class Device {
   /// Throws what went wrong on this thread since the last call: std::bad_alloc or std::runtime_error.
   void check() const;
   /// Builds a scene in the caller's arena, apart from the caller's other tasks.
-  void commit(RTCScene scene) const;
+  /// @throws Cancelled if the clock is over before it is built.
+  void commit(RTCScene scene, const StopClock& clock) const;
 
  private:
   std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release<RTCDevice, rtcReleaseDevice>> device_;

@@ -30,7 +30,7 @@ bool cut(double p, double d, double& t0, double& t1) {
 }  // namespace
 
 EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, double inflation,
-                     RTCOccludedFunctionN on_edge, std::size_t many_edges)
+                     RTCOccludedFunctionN on_edge, std::size_t many_edges, const StopClock& clock)
     : device_(std::move(device)), world_(world), inflation_(inflation) {
   if (!world_.box().empty()) {
     center_ = world_.box().min + 0.5 * (world_.box().max - world_.box().min);
@@ -53,7 +53,7 @@ EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, d
   scene_.reset(rtcNewScene(device_->get()));
   rtcAttachGeometry(scene_.get(), geometry.get());
   device_->check();
-  device_->commit(scene_.get());
+  device_->commit(scene_.get(), clock);
 }
 
 void EdgeScene::join_edges() {

@@ -31,8 +31,9 @@ class EdgeScene {
   /// @param inflation  by how much boxes are larger than the edges, for rays that stand for something wider [m].
   /// @param on_edge    told the edges that a ray comes near; none if the scene is asked for points only.
   /// @param many_edges boxes hold several edges if the world has more than so many.
+  /// @param clock      ends the building: Cancelled is thrown then.
   EdgeScene(std::shared_ptr<const Device> device, const World& world, double inflation, RTCOccludedFunctionN on_edge,
-            std::size_t many_edges = kManyEdges);
+            std::size_t many_edges = kManyEdges, const StopClock& clock = {});
   EdgeScene(const EdgeScene&) = delete;
   EdgeScene& operator=(const EdgeScene&) = delete;
 
@@ -125,8 +126,8 @@ template <class Test>
 class RayScene {
  public:
   RayScene(std::shared_ptr<const Device> device, const World& world, double inflation,
-           std::size_t many_edges = EdgeScene::kManyEdges)
-      : edges_(std::move(device), world, inflation, &on_edge, many_edges) {}
+           std::size_t many_edges = EdgeScene::kManyEdges, const StopClock& clock = {})
+      : edges_(std::move(device), world, inflation, &on_edge, many_edges, clock) {}
 
   [[nodiscard]] const EdgeScene& edges() const { return edges_; }
 

@@ -17,7 +17,8 @@ constexpr Link kWall = kNone;
 /// A diagonal with the gap on both of its sides; the other bits number it.
 constexpr Link kDangling = 0x80000000u;
 
-constexpr std::uint32_t kAhead = 12;  // sites
+constexpr std::uint32_t kAhead = 12;          // sites
+constexpr std::uint32_t kSitesUnasked = 512;  // between two questions whether to end: some tenths of a millisecond
 
 class Sweep {
  public:
@@ -27,7 +28,7 @@ class Sweep {
     space_.triangulation.twins.reserve(5 * map.sites.size());
   }
 
-  std::optional<FreeSpace> run() {
+  std::optional<FreeSpace> run(const Executor& executor) {
     const auto last = static_cast<std::uint32_t>(map_.sites.size() - 1);
     const std::uint32_t all = new_gap(0, map_.outside_is_solid ? 1 : 0);
     const std::uint32_t beyond = new_gap(1, 0);
@@ -36,6 +37,7 @@ class Sweep {
     order_.start(all);
     if (is_free(all)) start_front(all, 0, 1);
     for (std::uint32_t site = 2; site + 1 < last; ++site) {
+      if (site % kSitesUnasked == 0) end_if_over(executor);
       fetch_ends(std::min(site + kAhead, last));
       if (!pass(site)) return std::nullopt;
     }
@@ -308,6 +310,8 @@ class Sweep {
 
 }  // namespace
 
-std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map) { return Sweep(map).run(); }
+std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map, const Executor& executor) {
+  return Sweep(map).run(executor);
+}
 
 }  // namespace arcway

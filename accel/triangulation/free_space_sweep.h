@@ -6,6 +6,7 @@
 
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/triangulation.h"
+#include "core/executor.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -20,6 +21,7 @@ struct FreeSpace {
 /// of edges on either side. O(n log n), exact.
 /// @return nothing if edges of the map meet elsewhere than in common ends: neighbours are tested as they become so
 ///   [Shamos and Hoey 1976].
-std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map);
+/// @param executor  only asked whether to end. @throws Cancelled then
+std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map, const Executor& executor);
 
 }  // namespace arcway

@@ -41,9 +41,11 @@ SightMap::SightMap(const World& world, const Executor& executor, Diagonals short
   edge_is_covered_ = std::move(space->edge_is_covered);
   map_.incoming = {};
   shorten_diagonals(map_.sites, space->triangulation, shortened, executor);
+  end_if_over(executor);
   BigVector<Wall> walls = lay_out_doors(std::move(space->triangulation), executor);
   lay_out_nodes(order, std::move(walls), executor);
   map_.site_of = {};
+  end_if_over(executor);
 
   std::vector<Box> boxes;
   for (const ObstacleId o : map_.broken) {
@@ -61,7 +63,7 @@ std::optional<FreeSpace> SightMap::sweep(const Executor& executor, NodeOrder& or
   executor.begin_stage("triangulation");
   std::optional<FreeSpace> space;
   run_both(
-      executor, [&] { space = triangulate_free_space(map_); }, [&] { order = number_nodes(); });
+      executor, [&] { space = triangulate_free_space(map_, executor); }, [&] { order = number_nodes(); });
   return space;
 }
 

@@ -75,8 +75,8 @@ struct BuildOptions {
   ///   sensible.
   void check() const;
 
-  /// Made on the executor's threads.
-  [[nodiscard]] QuerySet queries(const World& world, const Executor& executor) const;
+  /// Made on the executor's threads. @throws Cancelled if the clock is over before
+  [[nodiscard]] QuerySet queries(const World& world, const Executor& executor, const StopClock& clock = {}) const;
   [[nodiscard]] std::unique_ptr<const Executor> executor() const;
   /// Builds the reduced graph, for PlannerOptions::reduced_graph.
   /// @param team  must outlive the builder.

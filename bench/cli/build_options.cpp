@@ -72,11 +72,11 @@ std::string BuildOptions::summary(const World& world) const {
 
 std::size_t BuildOptions::thread_count() const { return TbbExecutor(threads_asked_for()).threads(); }
 
-QuerySet BuildOptions::queries(const World& world, const Executor& executor) const {
+QuerySet BuildOptions::queries(const World& world, const Executor& executor, const StopClock& clock) const {
   QuerySet queries;
   // Embree takes the threads of the arena that it is called in.
   executor.for_ranges(1, 1, [&](std::size_t, std::size_t) {
-    queries = backend == "embree" ? make_embree_queries(world) : make_reference_queries(world);
+    queries = backend == "embree" ? make_embree_queries(world, {.clock = clock}) : make_reference_queries(world);
   });
   return queries;
 }
@@ -131,7 +131,9 @@ VisibilityGraph BuildOptions::changed_graph(const VisibilityGraph&, const World&
 }
 std::string BuildOptions::builder_name(const World&) const { return prepared ? "prepared" : "pairwise"; }
 
-QuerySet BuildOptions::queries(const World& world, const Executor&) const { return make_reference_queries(world); }
+QuerySet BuildOptions::queries(const World& world, const Executor&, const StopClock&) const {
+  return make_reference_queries(world);
+}
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }
 ReducedGraphBuilder BuildOptions::reduced_graph(const Team&) const { return build_reduced_visibility_graph; }
 VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor) const {

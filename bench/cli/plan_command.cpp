@@ -32,7 +32,7 @@ Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehic
   std::shared_ptr<const VisibilityRows> rows;
   const bool lazy = !map.prepared && options.graph_mode == GraphMode::kLazy;
   run_both(
-      threads, [&] { queries = arguments.build.queries(map.world, threads); },
+      threads, [&] { queries = arguments.build.queries(map.world, threads, clock); },
       [&] {
         if (lazy) rows = arguments.build.lazy_rows(map.world, executor);
       });
@@ -111,7 +111,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   const auto arena = arguments.build.executor();
   const StoppableExecutor executor(*arena, clock);
   const auto plan_on = [&](const World& world) {
-    return Planner(world, vehicle, arguments.build.queries(world, executor), options, executor);
+    return Planner(world, vehicle, arguments.build.queries(world, executor, clock), options, executor);
   };
   if (!batch) request.start = *start;
   // Tours and alternatives keep to the rings of the map.

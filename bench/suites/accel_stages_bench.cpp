@@ -75,7 +75,8 @@ void sort_vertices(benchmark::State& state, const Worlds& worlds, const Executor
 }
 
 void sweep(benchmark::State& state, const Worlds& worlds, const Executor& /*executor*/) {
-  time_in_turn(state, make_of_each(worlds, plain_map), triangulate_free_space);
+  time_in_turn(state, make_of_each(worlds, plain_map),
+               [](const PlanarMap& map) { return triangulate_free_space(map, SerialExecutor()); });
 }
 
 void flip(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
@@ -85,7 +86,7 @@ void flip(benchmark::State& state, const Worlds& worlds, const Executor& executo
   };
   const auto swept = [](const World& world) {
     const PlanarMap map = plain_map(world);
-    return Swept{map.sites, triangulate_free_space(map)->triangulation};
+    return Swept{map.sites, triangulate_free_space(map, SerialExecutor())->triangulation};
   };
   time_in_turn(state, make_of_each(worlds, swept), [&](const Swept& before) {
     state.PauseTiming();

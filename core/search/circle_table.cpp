@@ -5,7 +5,15 @@
 #include <memory>
 #include <numeric>
 
+#include "core/executor.h"
+
 namespace arcway {
+
+namespace {
+
+constexpr std::uint32_t kCirclesUnasked = 16;  // between two questions whether to end; a lazy row takes microseconds
+
+}  // namespace
 
 CircleTable::CircleTable(const FeasibleGraph& graph) : graph_(graph) {
   if (graph.mode() != GraphMode::kEager || graph.links().size() > std::numeric_limits<std::uint32_t>::max()) return;
@@ -28,22 +36,36 @@ CircleTable::CircleTable(const FeasibleGraph& graph) : graph_(graph) {
       std::ranges::all_of(records_, [&](const Record& record) { return record.radius == records_[0].radius; });
 }
 
+bool CircleTable::find_links_to(const StopClock& clock) const {
+  try {
+    (void)incoming_.get(0, [&] { return std::make_unique<const Incoming>(find_incoming(clock)); });
+    return true;
+  } catch (const Cancelled&) {
+    return false;
+  }
+}
+
 std::span<const CircleTable::LinkOf> CircleTable::links_to(std::uint32_t c) const {
-  const Incoming& incoming = incoming_.get(0, [this] { return std::make_unique<const Incoming>(find_incoming()); });
+  (void)find_links_to();
+  const Incoming& incoming = *incoming_.find(0);
   return std::span(incoming.links).subspan(incoming.starts[c], incoming.starts[c + 1] - incoming.starts[c]);
 }
 
-CircleTable::Incoming CircleTable::find_incoming() const {
+CircleTable::Incoming CircleTable::find_incoming(const StopClock& clock) const {
   Incoming incoming;
   incoming.starts.assign(size() + 1, 0);
-  for (std::uint32_t c = 0; c < size(); ++c)
+  for (std::uint32_t c = 0; c < size(); ++c) {
+    if (c % kCirclesUnasked == 0 && clock.is_over()) throw Cancelled("cancelled");
     for (const FeasibleGraph::Link& link : links_from(c)) ++incoming.starts[link.to + 1];
+  }
   std::partial_sum(incoming.starts.begin(), incoming.starts.end(), incoming.starts.begin());
   incoming.links.resize(incoming.starts.back());
   std::vector<std::uint64_t> next(incoming.starts.begin(), incoming.starts.end() - 1);
-  for (std::uint32_t c = 0; c < size(); ++c)
+  for (std::uint32_t c = 0; c < size(); ++c) {
+    if (c % kCirclesUnasked == 0 && clock.is_over()) throw Cancelled("cancelled");
     for (std::uint32_t index = 0; const FeasibleGraph::Link& link : links_from(c))
       incoming.links[next[link.to]++] = {c, index++};
+  }
   return incoming;
 }
 

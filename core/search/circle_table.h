@@ -11,6 +11,7 @@
 #include "core/huge_pages.h"
 #include "core/prefetch.h"
 #include "core/search/sectors.h"
+#include "core/stop_clock.h"
 
 namespace arcway {
 
@@ -58,11 +59,14 @@ class CircleTable {
   struct LinkOf {
     std::uint32_t circle, index;
   };
-  /// The links that lead to a circle, by the one that they leave; those of a lazy graph are not decided by that. The
-  /// first call sorts all links, for which a lazy graph finds all rows: 8 bytes a link, kept.
-  [[nodiscard]] std::span<const LinkOf> links_to(std::uint32_t c) const;
-  /// Whether that call has been made.
+  /// Sorts all links by where they lead to, for which a lazy graph finds all rows, none of them being decided by that:
+  /// 8 bytes a link, kept. Nothing to do the next time.
+  /// @returns false if the clock is over before that is done.
+  [[nodiscard]] bool find_links_to(const StopClock& clock = {}) const;
+  /// Whether that has been done.
   [[nodiscard]] bool knows_links_to() const { return incoming_.find(0) != nullptr; }
+  /// The links that lead to a circle, by the one that they leave. Finds them first if need be.
+  [[nodiscard]] std::span<const LinkOf> links_to(std::uint32_t c) const;
   [[nodiscard]] std::size_t size() const { return graph_.circles().size(); }
   [[nodiscard]] bool is_lazy() const { return graph_.mode() == GraphMode::kLazy; }
   /// Says that a circle will be asked about soon.
@@ -90,7 +94,7 @@ class CircleTable {
     std::vector<std::uint64_t> starts;
     std::vector<LinkOf> links;
   };
-  [[nodiscard]] Incoming find_incoming() const;
+  [[nodiscard]] Incoming find_incoming(const StopClock& clock) const;
 
   FeasibleGraph graph_;
   bool has_one_radius_ = false;

@@ -17,11 +17,13 @@ constexpr std::size_t kSparseFactor = 4;
 // One end of a path and the poses by which it may join the graph.
 class End {
  public:
-  End(const SearchMap& map, const Pose& pose, Direction direction, std::size_t max_poses, ManoeuvreWorkspace& workspace)
+  End(const SearchMap& map, const Pose& pose, Direction direction, std::size_t max_poses, ManoeuvreWorkspace& workspace,
+      const StopClock& clock)
       : map_(map),
         direction_(direction),
         max_poses_(max_poses),
         workspace_(workspace),
+        clock_(clock),
         plain_{pose, {}},
         terminals_(&plain_, 1) {}
 
@@ -44,7 +46,7 @@ class End {
   void find(std::size_t poses, Spread spread) {
     asked_ = poses;
     terminals_ = find_manoeuvres(plain_.pose, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses,
-                                 spread, workspace_);
+                                 spread, workspace_, clock_);
   }
 
   const SearchMap& map_;
@@ -52,6 +54,7 @@ class End {
   std::size_t max_poses_;
   std::size_t asked_ = 0;
   ManoeuvreWorkspace& workspace_;
+  const StopClock& clock_;
   Terminal plain_;
   std::span<const Terminal> terminals_;
 };
@@ -84,8 +87,8 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
     found.by_narrow_places = found.search.path && &on != &map;
     return found.search.path || found.search.interrupted;
   };
-  End from(map, start, Direction::kFromStart, max_poses, workspace.from);
-  End to(map, goal, Direction::kToGoal, max_poses, workspace.to);
+  End from(map, start, Direction::kFromStart, max_poses, workspace.from, options.clock);
+  End to(map, goal, Direction::kToGoal, max_poses, workspace.to, options.clock);
   // More poses for the end that is in trouble; false if there are no more.
   const auto extend = [&] {
     if (!found.search.goal_connected) {
@@ -119,8 +122,8 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
   while (extend())
     if (search(map, from, to)) return found;
   if (has_places && max_poses > 0) {
-    End few_from(map, start, Direction::kFromStart, std::min(max_poses, kFirstPoses), workspace.from);
-    End few_to(map, goal, Direction::kToGoal, std::min(max_poses, kFirstPoses), workspace.to);
+    End few_from(map, start, Direction::kFromStart, std::min(max_poses, kFirstPoses), workspace.from, options.clock);
+    End few_to(map, goal, Direction::kToGoal, std::min(max_poses, kFirstPoses), workspace.to, options.clock);
     if (found.obstruction != Obstruction::kGoal) few_from.extend();
     if (found.obstruction != Obstruction::kStart) few_to.extend();
     found.manoeuvre_poses += few_from.terminals().size() + few_to.terminals().size();
@@ -133,7 +136,7 @@ FoundPath find_path_with_manoeuvres(const SearchMap& map, const Pose& start, con
                                     const SearchOptions& options, FindWorkspace& workspace) {
   const auto terminals = [&](const Pose& pose, Direction direction, ManoeuvreWorkspace& memory) {
     return find_manoeuvres(pose, direction, map.vehicle, map.radii[0], *map.queries.sweep, poses, Spread::kSparse,
-                           memory);
+                           memory, options.clock);
   };
   const auto from = terminals(start, Direction::kFromStart, workspace.from);
   const auto to = terminals(goal, Direction::kToGoal, workspace.to);

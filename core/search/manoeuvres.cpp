@@ -81,7 +81,7 @@ ManoeuvreWorkspace& ManoeuvreWorkspace::operator=(ManoeuvreWorkspace&&) noexcept
 
 std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                           const SweepQuery& sweep, std::size_t max_poses, Spread spread,
-                                          ManoeuvreWorkspace& workspace) {
+                                          ManoeuvreWorkspace& workspace, const StopClock& clock) {
   const bool forwards = direction == Direction::kFromStart;
   const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
   const double step = radius * kStepTurn;
@@ -120,7 +120,7 @@ std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction,
     if (forwards) connection.push_back(segment);
   };
 
-  while (!open.empty() && lengths.size() < max_poses) {
+  while (!open.empty() && lengths.size() < max_poses && !clock.is_over()) {
     const std::size_t at = open.pop().pose;
     const Pose here = terminals[at].pose;
     const Vec2 ahead = direction_of(here.heading);
@@ -154,9 +154,10 @@ std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction,
 }
 
 std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                      const SweepQuery& sweep, std::size_t max_poses, Spread spread) {
+                                      const SweepQuery& sweep, std::size_t max_poses, Spread spread,
+                                      const StopClock& clock) {
   ManoeuvreWorkspace workspace;
-  const auto found = find_manoeuvres(pose, direction, vehicle, radius, sweep, max_poses, spread, workspace);
+  const auto found = find_manoeuvres(pose, direction, vehicle, radius, sweep, max_poses, spread, workspace, clock);
   return {found.begin(), found.end()};
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/query/sweep_query.h"
 #include "core/search/terminal_links.h"
+#include "core/stop_clock.h"
 #include "core/vehicle.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -35,11 +36,13 @@ class ManoeuvreWorkspace {
 /// one. Straight steps are of three lengths; arcs turn by one angle, or where an obstacle is nearer by the rest
 /// of the way and shares of it. Steps are checked exactly; only their number is limited, so a missing pose proves
 /// nothing. O(max_poses) queries and memory.
+/// @param clock  ends that, with the poses found by then.
 std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                      const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense);
+                                      const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense,
+                                      const StopClock& clock = {});
 /// The same in memory that is used again: theirs is the workspace's.
 std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                           const SweepQuery& sweep, std::size_t max_poses, Spread spread,
-                                          ManoeuvreWorkspace& workspace);
+                                          ManoeuvreWorkspace& workspace, const StopClock& clock = {});
 
 }  // namespace arcway

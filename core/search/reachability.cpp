@@ -38,7 +38,7 @@ bool Reachability::goal_is_reachable(SearchContext& context, SearchEnds& ends) {
     if (is_known(ends.goal_link(g))) return true;
   // Indices of start links are those of other starts.
   open_.keep_if([](const Arrival& arrival) { return arrival.circle != kNone; });
-  for (std::uint32_t s = 0; s < ends.start_circles().size(); ++s) {
+  for (std::uint32_t s = 0; s < ends.start_circles().size() && !context.interrupted(); ++s) {
     if (ends.start_circles()[s].reach < 0.0) continue;
     const auto range = ends.links_from(s);
     for (std::uint32_t i = range.first; i < range.last; ++i) push(kNone, i);
@@ -69,10 +69,8 @@ bool Reachability::goal_is_in_pocket() {
 
 // Makes the rows of a lazy graph, if they are not too many, so that links can be asked for by where they lead to.
 bool Reachability::has_links_to(const CircleTable& circles) {
-  if (!circles.is_lazy() || circles.knows_links_to()) return true;
-  if (circles.size() > kMostLazyCircles) return false;
-  for (std::uint32_t c = 0; c < circles.size() && !context_->interrupted(); ++c) (void)circles.links_from(c);
-  return !context_->result.interrupted;
+  if (circles.is_lazy() && circles.size() > kMostLazyCircles && !circles.knows_links_to()) return false;
+  return circles.find_links_to(context_->options.clock);
 }
 
 bool Reachability::start_leads_to(const std::vector<Departure>& pocket) {
@@ -83,7 +81,7 @@ bool Reachability::start_leads_to(const std::vector<Departure>& pocket) {
     next.push_back(first.get(pocket[i].circle));
     first.set(pocket[i].circle, i);
   }
-  for (std::uint32_t s = 0; s < ends_->start_circles().size(); ++s) {
+  for (std::uint32_t s = 0; s < ends_->start_circles().size() && !context_->interrupted(); ++s) {
     if (ends_->start_circles()[s].reach < 0.0) continue;
     const auto range = ends_->links_from(s);
     for (std::uint32_t i = range.first; i < range.last; ++i) {
