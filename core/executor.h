@@ -26,8 +26,8 @@ class Executor {
                           const std::function<void(std::size_t, std::size_t)>& body) const = 0;
   /// What the loops that follow are for, for who watches: "bitangents".
   virtual void begin_stage(const char* /*name*/) const {}
-  /// Whether the work should end at once: for long serial parts of builders, see end_if_over.
-  [[nodiscard]] virtual bool is_over() const { return false; }
+  /// Says when the work has to end: for long serial parts of builders, see end_if_over, and long single pieces.
+  [[nodiscard]] virtual StopClock clock() const { return {}; }
 };
 
 /// One range, on the calling thread.
@@ -47,7 +47,7 @@ class Cancelled : public std::runtime_error {
 
 /// Ends a serial part of a build that has to end. @throws Cancelled
 inline void end_if_over(const Executor& executor) {
-  if (executor.is_over()) throw Cancelled("cancelled");
+  if (executor.clock().is_over()) throw Cancelled("cancelled");
 }
 /// The same in a loop of short rounds.
 inline void end_if_over(StopTicker& ticker) {
@@ -76,7 +76,7 @@ class StoppableExecutor final : public Executor {
   StoppableExecutor(const Executor& executor, StopClock clock) : executor_(executor), clock_(std::move(clock)) {}
 
   void begin_stage(const char* name) const override { executor_.begin_stage(name); }
-  [[nodiscard]] bool is_over() const override { return clock_.is_over() || executor_.is_over(); }
+  [[nodiscard]] StopClock clock() const override { return clock_; }
   /// @throws Cancelled once the clock is over, when all pieces under way have ended.
   void for_ranges(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) const override {

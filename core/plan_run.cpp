@@ -177,7 +177,7 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
 TreesEnd PlanRun::find_by_trees(const PlanMaps& maps, double effort) { return grow_trees(maps, {tree_poses_}, effort); }
 
 TreesEnd PlanRun::grow_trees(const PlanMaps& maps, const TreeLimits& limits, double effort) {
-  const SearchMap& map = maps.narrow ? maps.narrow->map() : maps.plain;
+  const SearchMap& map = maps.narrow ? maps.narrow->map(search_options_.clock) : maps.plain;
   TreesEnd end;
   FoundPath grown = search([&] {
     return search_trees(map, request_.start, request_.goal, limits, search_options_, workspace_.find.search, end);

@@ -37,7 +37,7 @@ class ReportingExecutor final : public Executor {
       : executor_(executor), report_(std::move(report)) {}
 
   void begin_stage(const char* name) const override { stage_ = name; }
-  [[nodiscard]] bool is_over() const override { return executor_.is_over(); }
+  [[nodiscard]] StopClock clock() const override { return executor_.clock(); }
 
   void for_ranges(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) const override {

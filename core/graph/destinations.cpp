@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/executor.h"
 #include "core/geometry/predicates.h"
 #include "core/graph/visibility_graph.h"
 
@@ -30,7 +31,7 @@ bool bends_round(const TurnCircle& from, const TurnCircle& middle, const TurnCir
 
 }  // namespace
 
-std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle) const {
+std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle, const StopClock& clock) const {
   const std::span<const Vec2> vertices = world_.vertices();
   std::vector<Arrival> arrivals;
   const auto add = [&](VertexId from, Side departure, VertexId to, std::uint32_t passed, bool may_be_known) {
@@ -46,6 +47,7 @@ std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle) 
     if (u != kNone)
       for (const VertexId v : rows_.of(u)) add(u, circle.side, v, 0, u == circle.second);
   append_beside(circle, arrivals);
+  StopTicker ticker(clock);
   for (std::size_t i = 0; i < arrivals.size(); ++i) {
     const Arrival at = arrivals[i];
     if (at.passed == kMostPassed) break;  // so have all that follow
@@ -57,6 +59,7 @@ std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle) 
     // as well. In open country that is nearly every one.
     const double far = 4.0 * middle.radius * across.norm();
     for (const VertexId next : rows_.of(at.vertex)) {
+      end_if_over(ticker);
       if (across.dot(vertices[next] - here) > far) continue;
       const int turn = orientation(vertices[at.before], here, vertices[next]);
       if (turn == (at.side == Side::kLeft ? -1 : 1)) continue;

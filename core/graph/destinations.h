@@ -6,6 +6,7 @@
 #include "core/graph/turn_circles.h"
 #include "core/graph/visibility_rows.h"
 #include "core/path/path.h"
+#include "core/stop_clock.h"
 #include "core/world.h"
 
 namespace arcway {
@@ -29,7 +30,8 @@ class Destinations {
   /// and the one behind it would have a path turn away from the vertex in between, those behind it, past a few vertices
   /// at most. Also those that a body's straights lead to where a point's would pass the next vertex of an obstacle.
   /// O(k^2) in the degree k of the vertices, of which all but some k are a product and a comparison each.
-  [[nodiscard]] std::vector<Arrival> from(const TurnCircle& circle) const;
+  /// @throws Cancelled if the clock is over before all are found.
+  [[nodiscard]] std::vector<Arrival> from(const TurnCircle& circle, const StopClock& clock = {}) const;
 
   /// The neighbor on its ring from which a path comes that has the obstacle on a side; kNone if they are no neighbors
   /// in the graph.

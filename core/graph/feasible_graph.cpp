@@ -208,9 +208,10 @@ struct FeasibleGraph::Data {
                                                   const Executor& executor) const {
     std::vector<Departures> found(which.size());
     const std::vector<std::uint32_t> order = places_along_curve(which);
+    const StopClock clock = executor.clock();
     executor.begin_stage("bitangents");
     executor.for_ranges(which.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) found[order[i]] = kept_departures(which[order[i]]);
+      for (std::size_t i = begin; i < end; ++i) found[order[i]] = kept_departures(which[order[i]], clock);
     });
     return found;
   }
@@ -285,8 +286,8 @@ struct FeasibleGraph::Data {
     }
   }
 
-  [[nodiscard]] Departures kept_departures(std::uint32_t c) const {
-    Departures row = departures(c);
+  [[nodiscard]] Departures kept_departures(std::uint32_t c, const StopClock& clock) const {
+    Departures row = departures(c, clock);
     row.counts.arrivals = static_cast<std::uint32_t>(
         std::erase_if(row.links, [&](const Link& link) { return !headings[link.to].contains(link.heading); }));
     std::vector<SweptRectangle> rectangles;
@@ -304,10 +305,10 @@ struct FeasibleGraph::Data {
 
   // Calls visit(circle) for those that a straight from a circle may lead to, for some of them repeatedly.
   template <class Visitor>
-  void visit_destinations(std::uint32_t c, Visitor&& visit) const {
+  void visit_destinations(std::uint32_t c, const StopClock& clock, Visitor&& visit) const {
     const TurnCircle& circle = circles[c];
     if (!turn_circles.is_of_gate(c)) {
-      for (const Destinations::Arrival& arrival : destinations.from(circle))
+      for (const Destinations::Arrival& arrival : destinations.from(circle, clock))
         turn_circles.visit_round(arrival.vertex, arrival.side, visit);
     } else if (!turn_circles.is_exit(c)) {
       return turn_circles.visit_exits_behind(c, visit);
@@ -324,11 +325,13 @@ struct FeasibleGraph::Data {
   }
 
   // Bitangents that leave a circle at a free heading.
-  [[nodiscard]] Departures departures(std::uint32_t c) const {
+  [[nodiscard]] Departures departures(std::uint32_t c, const StopClock& clock) const {
     const TurnCircle& circle = circles[c];
     const HeadingSet& free = headings_of(c);
     Departures row;
-    visit_destinations(c, [&](std::uint32_t to) {
+    StopTicker ticker(clock);
+    visit_destinations(c, clock, [&](std::uint32_t to) {
+      end_if_over(ticker);
       ++row.counts.candidates;
       const auto line = directed_bitangent(circle, circles[to]);
       if (!line) {
@@ -382,8 +385,8 @@ struct FeasibleGraph::Data {
     return std::span(links).subspan(link_starts[c], link_starts[c + 1] - link_starts[c]);
   }
 
-  [[nodiscard]] const LazyRow& lazy_row(std::uint32_t c) const {
-    return lazy_rows.get(c, [&] { return std::make_unique<const LazyRow>(departures(c)); });
+  [[nodiscard]] const LazyRow& lazy_row(std::uint32_t c, const StopClock& clock = {}) const {
+    return lazy_rows.get(c, [&] { return std::make_unique<const LazyRow>(departures(c, clock)); });
   }
 
   [[nodiscard]] bool decide(std::uint32_t c, std::size_t index) const {
@@ -517,8 +520,8 @@ const HeadingSet& FeasibleGraph::free_headings(std::uint32_t circle) const { ret
 std::span<const FeasibleGraph::Link> FeasibleGraph::links() const { return data_->links; }
 FeasibleGraphCounts FeasibleGraph::counts() const { return data_->counts_so_far(); }
 
-std::span<const FeasibleGraph::Link> FeasibleGraph::links_from(std::uint32_t circle) const {
-  return data_->has_row(circle) ? data_->links_of(circle) : data_->lazy_row(circle).departures.links;
+std::span<const FeasibleGraph::Link> FeasibleGraph::links_from(std::uint32_t circle, const StopClock& clock) const {
+  return data_->has_row(circle) ? data_->links_of(circle) : data_->lazy_row(circle, clock).departures.links;
 }
 
 bool FeasibleGraph::is_kept(std::uint32_t circle, std::size_t index) const {

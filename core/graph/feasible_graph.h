@@ -11,6 +11,7 @@
 #include "core/graph/visibility_rows.h"
 #include "core/query/heading_set.h"
 #include "core/query/query_set.h"
+#include "core/stop_clock.h"
 #include "core/team.h"
 #include "core/vehicle.h"
 #include "core/world.h"
@@ -92,7 +93,9 @@ class FeasibleGraph {
   [[nodiscard]] const HeadingSet& free_headings(std::uint32_t circle) const;
   /// Links that leave a circle, by heading, then `to`: the kept ones if eager; those whose first heading is free if
   /// lazy.
-  [[nodiscard]] std::span<const Link> links_from(std::uint32_t circle) const;
+  /// @throws Cancelled if the clock is over before a lazy graph has found them: where vertices see thousands of others
+  ///   that takes up to a second.
+  [[nodiscard]] std::span<const Link> links_from(std::uint32_t circle, const StopClock& clock = {}) const;
   /// Whether links_from(circle)[index] is kept.
   [[nodiscard]] bool is_kept(std::uint32_t circle, std::size_t index) const;
   /// All kept links, by circle. Eager graphs only.

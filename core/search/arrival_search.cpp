@@ -206,7 +206,7 @@ class ArrivalSearch {
       if (w_.labels.size() >= kLong && !reachability_known_ && !goal_is_reachable()) return;
       if (w_.labels.size() >= context_.options.most_expanded) return finish_best();
     }
-    if (result_.interrupted) finish_best();
+    if (context_.interrupted()) finish_best();
   }
 
  private:
@@ -381,7 +381,9 @@ class ArrivalSearch {
     w_.start_joints.resize(std::max(w_.start_joints.size(), std::size_t{s} + 1));
     w_.start_joints[s] = joint;
     const auto range = ends_.links_from(s);
-    for (std::uint32_t i = range.first; i < range.last; ++i) {
+    // In open country they may be ten thousand, and headings of a lazy graph take some ten microseconds each.
+    StopTicker ticker(context_.options.clock);
+    for (std::uint32_t i = range.first; i < range.last && !ticker.is_over(); ++i) {
       const TerminalLink& link = ends_.start_link(i);
       if (link.circle == context_.options.not_first) continue;
       if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
@@ -453,7 +455,7 @@ class ArrivalSearch {
       push_goal(index, g, circle.side, goes_on);
 
     const bool one_radius = circles_.has_one_radius();
-    walk_links(circles_.links_from(label.circle), circle.side, label.heading,
+    walk_links(context_.links_from(label.circle), circle.side, label.heading,
                [&](std::uint32_t at, const FeasibleGraph::Link& link, double turn) {
                  if (!goes_on(turn)) return false;
                  const Vec2 ahead = quick_direction_of(link.heading);

@@ -56,7 +56,7 @@ CircleTable::Incoming CircleTable::find_incoming(const StopClock& clock) const {
   incoming.starts.assign(size() + 1, 0);
   for (std::uint32_t c = 0; c < size(); ++c) {
     if (c % kCirclesUnasked == 0 && clock.is_over()) throw Cancelled("cancelled");
-    for (const FeasibleGraph::Link& link : links_from(c)) ++incoming.starts[link.to + 1];
+    for (const FeasibleGraph::Link& link : links_from(c, clock)) ++incoming.starts[link.to + 1];
   }
   std::partial_sum(incoming.starts.begin(), incoming.starts.end(), incoming.starts.begin());
   incoming.links.resize(incoming.starts.back());

@@ -49,9 +49,9 @@ class CircleTable {
   /// Sectors of headings that may be free, as far as is known without a search.
   [[nodiscard]] Sectors free_sectors(std::uint32_t c) const { return sectors_.empty() ? kAllSectors : sectors_[c]; }
   /// See FeasibleGraph::links_from.
-  [[nodiscard]] std::span<const FeasibleGraph::Link> links_from(std::uint32_t c) const {
+  [[nodiscard]] std::span<const FeasibleGraph::Link> links_from(std::uint32_t c, const StopClock& clock = {}) const {
     if (const Record* r = record(c)) return links_.subspan(r->first_link, r->links);
-    return graph_.links_from(c);
+    return graph_.links_from(c, clock);
   }
   /// See FeasibleGraph::is_kept.
   [[nodiscard]] bool is_kept(std::uint32_t c, std::uint32_t index) const { return graph_.is_kept(c, index); }

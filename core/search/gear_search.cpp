@@ -39,7 +39,7 @@ class GearSearch {
   void run() {
     std::size_t limit = options_.max_poses;
     for (std::size_t turn = 0; result_.poses < limit; ++turn) {
-      if (options_.stop && options_.stop()) {
+      if (options_.clock.is_over()) {
         result_.interrupted = true;
         break;
       }

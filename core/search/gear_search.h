@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 
 #include "core/path/path.h"
 #include "core/query/sweep_query.h"
+#include "core/stop_clock.h"
 #include "core/vehicle.h"
 
 namespace [[gnu::visibility("default")]] arcway {
@@ -17,7 +17,7 @@ struct GearSearchOptions {
   std::size_t max_poses = 8000;                                     ///< tried at most, of both ends together
   double cutoff = std::numeric_limits<double>::infinity();          ///< only paths of less cost are of interest [s]
   std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< of paths of interest
-  std::function<bool()> stop = {};                                  ///< asked now and then; true ends the search
+  StopClock clock = {};                                             ///< ends the search, with the best path so far
 };
 
 struct GearSearchResult {

@@ -55,7 +55,7 @@ class NarrowGearSearch {
   };
 
   [[nodiscard]] RouteField field(std::size_t to) const {
-    return {map_, roots_[0], roots_[to], kFieldCells, [this] { return options_.stop && options_.stop(); }};
+    return {map_, roots_[0], roots_[to], kFieldCells, options_.clock};
   }
 
   [[nodiscard]] Side side(std::size_t i, double fineness) const {
@@ -75,7 +75,7 @@ class NarrowGearSearch {
   }
 
   bool interrupted() {
-    result_.interrupted = result_.interrupted || (options_.stop && options_.stop());
+    result_.interrupted = result_.interrupted || options_.clock.is_over();
     return result_.interrupted;
   }
 

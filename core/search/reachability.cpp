@@ -49,7 +49,7 @@ bool Reachability::goal_is_reachable(SearchContext& context, SearchEnds& ends) {
       context.result.start_is_open = true;
       if (goal_is_in_pocket()) return false;
     }
-    if (open_.empty() || context.interrupted()) return context.result.interrupted;
+    if (context.interrupted() || open_.empty()) return context.result.interrupted;
     if (reaches_goal(open_.pop())) return true;
   }
 }
@@ -134,7 +134,7 @@ bool Reachability::reaches_goal(const Arrival& arrival) {
   context_->result.start_connected = true;
   arcs_.push_back({heading, reach, first_arc_.get(c)});
   first_arc_.set(c, static_cast<std::uint32_t>(arcs_.size() - 1));
-  walk_links(graph.links_from(c), side, heading,
+  walk_links(context_->links_from(c), side, heading,
              [&, from = c](std::uint32_t index, const FeasibleGraph::Link&, double turn) {
                if (turn > reach || turn >= limit) return false;
                push(from, index);

@@ -68,11 +68,11 @@ double longest_of(std::span<const float> lengths) {
 }  // namespace
 
 RouteField::RouteField(const SearchMap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
-                       const std::function<bool()>& stop)
+                       const StopClock& clock)
     : frame_(frame), ahead_(direction_of(frame.heading)), to_(to) {
   lay_out(map, most_cells);
-  add_walls(map);
-  spread(stop);
+  add_walls(map, clock);
+  spread(clock);
 }
 
 Vec2 RouteField::in_grid(const Vec2& p) const {
@@ -98,14 +98,17 @@ void RouteField::lay_out(const SearchMap& map, std::size_t most_cells) {
   cells_.assign(static_cast<std::size_t>(width_ * height_), {kNever, 0});
 }
 
-void RouteField::add_walls(const SearchMap& map) {
-  for (std::uint32_t i = 0; i < map.outlines->size(); ++i) {
+void RouteField::add_walls(const SearchMap& map, const StopClock& clock) {
+  StopTicker ticker(clock);
+  for (std::uint32_t i = 0; i < map.outlines->size() && !ticker.is_over(); ++i) {
     const Outlines::Piece piece = (*map.outlines)[i];
     for (std::size_t k = 0; k < piece.edge_count(); ++k) add_wall(piece.points[k], piece.points[k + 1]);
   }
   const double hopeless = widest_hopeless_gap(map.vehicle);
-  for (const Gap& gap : map.gaps->map().gaps()) {
-    if (gap.width > hopeless) break;
+  const GapMap* gaps = map.gaps->map(clock);
+  if (!gaps) return;
+  for (const Gap& gap : gaps->gaps()) {
+    if (gap.width > hopeless || ticker.is_over()) break;
     add_wall(gap.on_a, gap.on_b);
   }
 }
@@ -149,7 +152,7 @@ void RouteField::visit_around(const Vec2& p, Visit&& visit) {
       visit(x, y, (Vec2(static_cast<double>(x), static_cast<double>(y)) - p).norm());
 }
 
-void RouteField::spread(const std::function<bool()>& stop) {
+void RouteField::spread(const StopClock& clock) {
   NearestFirst open(kDiagonal);
   const auto reach = [&](std::int64_t x, std::int64_t y, float length) {
     Cell& cell = at(x, y);
@@ -161,7 +164,7 @@ void RouteField::spread(const std::function<bool()>& stop) {
     if (has(x, y)) reach(x, y, static_cast<float>(far));
   });
   for (std::uint32_t i = 0; !open.empty(); ++i) {
-    if (i % kAsked == 0 && stop && stop()) break;
+    if (i % kAsked == 0 && clock.is_over()) break;
     const Waiting here = open.pop();
     const std::int64_t x = here.cell % width_, y = here.cell / width_;
     if (here.length > at(x, y).length) continue;
@@ -209,7 +212,7 @@ RouteField::Motion RouteField::motion(int heading, int turn, double radius) {
   return result;
 }
 
-void RouteField::heed_turns(double radius, const std::function<bool()>& stop) {
+void RouteField::heed_turns(double radius, const StopClock& clock) {
   std::array<std::array<Motion, 3>, kHeadings> motions;
   for (int heading = 0; heading < kHeadings; ++heading)
     for (const int turn : {-1, 0, 1})
@@ -232,7 +235,7 @@ void RouteField::heed_turns(double radius, const std::function<bool()>& stop) {
       if (has(x, y)) reach(x, y, heading % kHeadings, static_cast<float>(far));
   });
   for (std::uint32_t i = 0; !open.empty(); ++i) {
-    if (i % kAsked == 0 && stop && stop()) break;
+    if (i % kAsked == 0 && clock.is_over()) break;
     const Waiting here = open.pop();
     if (here.length > lengths_[here.cell]) continue;
     const int heading = static_cast<int>(here.cell % kHeadings);

@@ -3,11 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "core/path/path.h"
 #include "core/search/search_map.h"
+#include "core/stop_clock.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -22,12 +22,12 @@ class RouteField {
   /// @param frame  start of the query, say.
   /// @param to     to which routes lead; its heading matters once turns do.
   /// @param most_cells  the grid has at most so many.
-  /// @param stop   asked now and then; true leaves the rest of the grid without routes.
+  /// @param clock  ends that: the rest of the grid has no routes then.
   RouteField(const SearchMap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
-             const std::function<bool()>& stop);
+             const StopClock& clock = {});
 
   /// From now on routes turn with a radius. O(cells log cells), some ten times as long as the constructor takes.
-  void heed_turns(double radius, const std::function<bool()>& stop);
+  void heed_turns(double radius, const StopClock& clock = {});
 
   /// Length of the route from a pose [m]. Where the grid has none, that of a point that turns on the spot, or as the
   /// crow flies, and the longest route of all.
@@ -40,9 +40,9 @@ class RouteField {
   };
 
   void lay_out(const SearchMap& map, std::size_t most_cells);
-  void add_walls(const SearchMap& map);
+  void add_walls(const SearchMap& map, const StopClock& clock);
   void add_wall(const Vec2& a, const Vec2& b);
-  void spread(const std::function<bool()>& stop);
+  void spread(const StopClock& clock);
   [[nodiscard]] double without_turns(const Vec2& from) const;
   // A step to one of the eight cells around.
   [[nodiscard]] bool is_free(std::int64_t x, std::int64_t y, int dx, int dy) const;

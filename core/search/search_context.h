@@ -2,8 +2,10 @@
 
 #include <span>
 
+#include "core/executor.h"
 #include "core/query/sweep_query.h"
 #include "core/search/arrival_search.h"
+#include "core/search/circle_table.h"
 
 namespace arcway {
 
@@ -24,6 +26,17 @@ class SearchContext {
   bool interrupted() {
     result.interrupted = result.interrupted || options.interrupted();
     return result.interrupted;
+  }
+
+  /// The links that leave a circle: none, and the search is interrupted, if the time is over before a lazy graph has
+  /// found them.
+  std::span<const FeasibleGraph::Link> links_from(std::uint32_t circle) {
+    try {
+      return map.circles->links_from(circle, options.clock);
+    } catch (const Cancelled&) {
+      result.interrupted = true;
+      return {};
+    }
   }
 
   bool is_free(const Bitangent& line) {

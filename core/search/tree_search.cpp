@@ -46,7 +46,7 @@ class TreeSearch {
     fields_ = {field(1), field(0)};
     for (const TreePass& pass : passes) {
       if (pass.heeds_turns && !std::exchange(heed_turns_, true))
-        for (RouteField& field : fields_) field.heed_turns(radius_, [this] { return options_.interrupted(); });
+        for (RouteField& field : fields_) field.heed_turns(radius_, options_.clock);
       grow(pass);
       if (result_.path || result_.interrupted) return;
     }
@@ -79,8 +79,7 @@ class TreeSearch {
   }
 
   [[nodiscard]] RouteField field(std::size_t to) const {
-    return {map_, roots_[0], to == 1 ? roots_[1] : turned_round(roots_[0]), kTreeJoints.field_cells,
-            [this] { return options_.interrupted(); }};
+    return {map_, roots_[0], to == 1 ? roots_[1] : turned_round(roots_[0]), kTreeJoints.field_cells, options_.clock};
   }
 
   [[nodiscard]] Side side(std::size_t i, const TreePass& pass) const {
@@ -222,8 +221,10 @@ class TreeSearch {
     if (std::exchange(terminals_joined_, terminal_count) == terminal_count) return;
     const auto terminals = [&](std::size_t i) {
       std::vector<Terminal> found{{roots_[i], {}}};
-      for (const std::uint32_t node : sides[i].terminals)
+      for (const std::uint32_t node : sides[i].terminals) {
+        if (options_.interrupted()) break;
         if (is_connected(sides[i], node)) found.push_back({sides[i].tree[node].pose, sides[i].tree.connection(node)});
+      }
       return found;
     };
     const std::vector<Terminal> starts = terminals(0), goals = terminals(1);

@@ -88,7 +88,7 @@ TEST(GearSearch, KeepsItsLimits) {
   const GearSearchResult all = search_gears(start, goal, vehicle, *queries.sweep, {});
   ASSERT_TRUE(all.path);
   EXPECT_FALSE(search_gears(start, goal, vehicle, *queries.sweep, {.cutoff = 0.5 * all.cost}).path);
-  const GearSearchResult stopped = search_gears(start, goal, vehicle, *queries.sweep, {.stop = [] { return true; }});
+  const GearSearchResult stopped = search_gears(start, goal, vehicle, *queries.sweep, {.clock = StopClock(0.0)});
   EXPECT_TRUE(stopped.interrupted);
   EXPECT_FALSE(stopped.path);
   // A cusp that costs enough is avoided where it can be.
