@@ -59,6 +59,8 @@ void explain_failure(const SearchMap& map, const NoPath& why, PlanResult& result
     result.status = PlanStatus::kNoPath;
     result.reason = "neither the feasible visibility graph nor any motion that was tried joins start and goal";
   }
+  // A body gets out of any room that its diagonal fits, by enough changes of gear.
+  if (why.reverse) result.status = PlanStatus::kNoPath;
 }
 
 // What was tried, and whether a limit ended it.

@@ -102,7 +102,7 @@ enum class PlanStatus {
   kStartOutsideBounds,
   kGoalOutsideBounds,
   /// No motion tried leads far from the start; see PlanResult::certainty for whether that is proved. If the goal is
-  /// hemmed in as well, the reason says so.
+  /// hemmed in as well, the reason says so. With `reverse` only where it is proved.
   kStartBlocked,
   kGoalBlocked,         ///< no motion tried leads to the goal from afar; likewise
   kPlaceInCollision,    ///< of a tour: as at a start or goal, at a place on the way
