@@ -91,7 +91,8 @@ struct PlanLimits {
   /// run.
   bool scout = false;
   /// Poses that trees of forward motions grow, in all, where nothing else finds a path, see search_trees; none with
-  /// PlannerOptions::manoeuvre_poses = 0. A tenth to some tenths of a millisecond each. 0: no trees.
+  /// PlannerOptions::manoeuvre_poses = 0. A twentieth to some tenths of a millisecond each; fewer where very many edges
+  /// are near. 0: no trees.
   std::uint32_t tree_poses = 16'000;
 };
 

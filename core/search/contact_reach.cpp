@@ -126,6 +126,7 @@ double ContactReach::operator()(double curvature, Gear gear) const {
   const bool moves_ahead = radius >= body_.half_width;
   for (const auto& [distance, edge] : edges_) {
     if (distance > around_ + contacts.least() * radius) break;
+    ++edges_compared_;
     if (moves_ahead && contacts.least() < kQuarterTurn && std::max(ahead * edge.a.x(), ahead * edge.b.x()) < tail)
       continue;
     const Vec2 p = edge.a - center, q = edge.b - center, d = q - p;
@@ -147,6 +148,7 @@ double ContactReach::along_line(Gear gear) const {
   const double width = body_.half_width;
   for (const auto& [distance, edge] : edges_) {
     if (distance > around_ + least) break;
+    ++edges_compared_;
     // The part of the edge within the width of the body.
     double low = 0.0, high = 1.0;
     const double y = edge.a.y(), rise = edge.b.y() - y;

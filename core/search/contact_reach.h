@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry/vec2.h"
@@ -25,6 +26,9 @@ class ContactReach {
   /// @param curvature  positive to the left of the body; 0: a line.
   [[nodiscard]] double operator()(double curvature, Gear gear) const;
 
+  /// Edges that all motions so far were compared with: what they cost.
+  [[nodiscard]] std::uint64_t edges_compared() const { return edges_compared_; }
+
  private:
   [[nodiscard]] double along_line(Gear gear) const;
 
@@ -37,6 +41,7 @@ class ContactReach {
   Footprint body_;
   double around_;  // the body lies within, of its reference point
   double most_ = 0.0;
+  mutable std::uint64_t edges_compared_ = 0;
   std::vector<Edge> edges_;  // in the frame of the body, nearest first
 };
 

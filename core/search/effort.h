@@ -69,6 +69,7 @@ struct TreeJoints {
   std::size_t nearest;           ///< poses of the other tree that are tried
   std::size_t first_roadmap;     ///< expansions until poses are joined to the roadmap as well; then each time
   std::size_t roadmap_factor;    ///< so many times as many
+  std::uint64_t edges;           ///< that motions are compared with, for each pose of the limit: some 60 ns each
   std::size_t after_dry;         ///< times as many turns are taken in all where one tree has run dry
   std::size_t terminals;         ///< of each tree that are joined to it, at most
 };
@@ -80,6 +81,7 @@ inline constexpr TreeJoints kTreeJoints{
     .nearest = 3,
     .first_roadmap = 64,
     .roadmap_factor = 4,
+    .edges = 3000,
     .after_dry = 4,
     .terminals = 200,
 };

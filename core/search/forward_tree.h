@@ -47,6 +47,9 @@ class ForwardTree {
   [[nodiscard]] double room(double curvature) const { return contact_(curvature, gear_); }
   [[nodiscard]] double longest_motion() const { return far_; }
 
+  /// Edges that its motions were compared with.
+  [[nodiscard]] std::uint64_t edges_compared() const { return contact_.edges_compared(); }
+
   /// How far its poses are from its root at most, as the crow flies [m].
   [[nodiscard]] double extent() const { return extent_; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }

@@ -102,7 +102,9 @@ class TreeSearch {
     terminals_joined_ = 0;
     std::array<bool, 2> dry{false, false};
     auto most = static_cast<std::size_t>(pass.share * static_cast<double>(limits_.poses));
-    for (std::size_t i = 0; i < most && !(dry[0] && dry[1]) && !interrupted(); ++i) {
+    const std::uint64_t most_edges = kTreeJoints.edges * most;
+    const auto edges = [&] { return sides[0].tree.edges_compared() + sides[1].tree.edges_compared(); };
+    for (std::size_t i = 0; i < most && edges() < most_edges && !(dry[0] && dry[1]) && !interrupted(); ++i) {
       const std::size_t at = i % 2;
       if (dry[at]) continue;
       const auto node = sides[at].tree.expand();

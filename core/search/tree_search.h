@@ -8,7 +8,7 @@ namespace [[gnu::visibility("default")]] arcway {
 
 /// What a search by trees may take.
 struct TreeLimits {
-  std::size_t poses;                ///< that are grown in all, O(edges near by) each
+  std::size_t poses;                ///< that are grown in all, O(edges near by) each; fewer where these are very many
   std::size_t passes = kAllPasses;  ///< of those in effort.h
   static constexpr std::size_t kAllPasses = 100;
 };

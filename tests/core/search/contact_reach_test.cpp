@@ -73,5 +73,23 @@ TEST_F(ContactReachOnClutter, IsThatOfSweptRectanglesOnLines) {
   EXPECT_GT(early, 100);
 }
 
+// What a motion costs: an edge in the way ends it before those further away are looked at.
+TEST(ContactReach, CountsTheEdgesThatItCompares) {
+  const Footprint body{1.4, 0.1, 0.4};
+  std::vector<Polygon> walls;
+  for (const double x : {3.0, 6.0, 9.0, 12.0})
+    walls.push_back({{{x, -1.0}, {x + 0.5, -1.0}, {x + 0.5, 1.0}, {x, 1.0}}, {}});
+  const Outlines outlines{World(std::move(walls))};
+  ContactReach contact(outlines, body);
+  contact.begin({0.0, 0.0, 0.0}, 15.0);
+  EXPECT_EQ(contact.edges_compared(), 0u);
+  EXPECT_NEAR(contact(0.0, Gear::kForward), 1.6, 1e-12);
+  const std::uint64_t ahead = contact.edges_compared();
+  EXPECT_GT(ahead, 0u);
+  EXPECT_LT(ahead, 8u);
+  EXPECT_NEAR(contact(0.0, Gear::kReverse), 15.0, 1e-12);
+  EXPECT_EQ(contact.edges_compared(), ahead + 16u);
+}
+
 }  // namespace
 }  // namespace arcway
