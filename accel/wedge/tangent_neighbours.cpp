@@ -13,7 +13,7 @@ struct TangentNeighbours::Data {
   Data(const World& of, const Executor& executor)
       : world(of), map(world, executor), node_of(world.vertices().size(), kNone) {
     map.list_left_edges();
-    fans = worthwhile_fans(map);
+    fans = worthwhile_fans(map, executor);
     for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
     through_contacts = both_ways(edges_through_contacts(world, map));
   }

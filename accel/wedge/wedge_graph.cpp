@@ -47,9 +47,9 @@ struct Landscape {
 Landscape landscape_of(const World& world, const Executor& executor) {
   constexpr double kManySteps = 100.0;
   Landscape landscape{SightMap(world, executor, Diagonals::kLong), {}};
-  if (steps_a_node(landscape.map) > kManySteps) {
+  if (steps_a_node(landscape.map, executor) > kManySteps) {
     landscape.map = SightMap(world, executor, Diagonals::kAll);
-    landscape.fans = worthwhile_fans(landscape.map);
+    landscape.fans = worthwhile_fans(landscape.map, executor);
   }
   return landscape;
 }

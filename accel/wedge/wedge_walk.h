@@ -8,6 +8,7 @@
 #include "accel/wedge/long_fans.h"
 #include "accel/wedge/sight_map.h"
 #include "accel/wedge/strips.h"
+#include "core/executor.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -145,9 +146,11 @@ class WedgeWalk {
 std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node, const LongFans* fans = nullptr);
 
 /// Triangles that walks to the right enter, of a node on average: from some nodes all over the map.
-double steps_a_node(const SightMap& map, const LongFans* fans = nullptr);
+/// @param executor  only asked whether to end. @throws Cancelled then
+double steps_a_node(const SightMap& map, const Executor& executor, const LongFans* fans = nullptr);
 
 /// The long fans of a map where walks are very long, and much shorter with them; else none. O(n log n).
-LongFans worthwhile_fans(const SightMap& map);
+/// @param executor  only asked whether to end. @throws Cancelled then
+LongFans worthwhile_fans(const SightMap& map, const Executor& executor);
 
 }  // namespace arcway

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <functional>
 #include <stdexcept>
 
+#include "core/executor.h"
 #include "core/graph/visibility_graph.h"
 #include "core/query/query_set.h"
 #include "datasets/clutter.h"
@@ -49,6 +52,33 @@ TEST(TangentNeighbours, RefuseVerticesThatAreNotThere) {
   const World box({{test::square(0, 0, 4), {}}});
   EXPECT_EQ(TangentNeighbours(box).of(0), (std::vector<VertexId>{1, 3}));
   EXPECT_THROW((void)TangentNeighbours(box).of(4), std::out_of_range);
+}
+
+// Is asked whether to end, and says so from a given question on.
+class EndingExecutor final : public Executor {
+ public:
+  explicit EndingExecutor(std::size_t last) : last_(last) {}
+  void for_ranges(std::size_t count, std::size_t /*grain*/,
+                  const std::function<void(std::size_t, std::size_t)>& body) const override {
+    if (count > 0) body(0, count);
+  }
+  [[nodiscard]] StopClock clock() const override { return StopClock(++asked_ >= last_ ? 0.0 : 1e300); }
+  [[nodiscard]] std::size_t asked() const { return asked_; }
+
+ private:
+  std::size_t last_;
+  mutable std::size_t asked_ = 0;
+};
+
+TEST(TangentNeighbours, AskForTheTimeBeforeEachWalkOfASample) {
+  constexpr std::size_t kWalks = 256;
+  const World box({{test::square(0, 0, 4), {}}});
+  const EndingExecutor patient(1'000'000);
+  const TangentNeighbours neighbours(box, patient);
+  EXPECT_GE(patient.asked(), kWalks);
+  const EndingExecutor ending(patient.asked() - kWalks / 2);
+  EXPECT_THROW(TangentNeighbours(box, ending), Cancelled);
+  EXPECT_EQ(ending.asked(), patient.asked() - kWalks / 2);
 }
 
 }  // namespace
