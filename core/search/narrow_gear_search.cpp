@@ -29,6 +29,7 @@ constexpr std::size_t kFieldCells = 50'000;  // of the grid for that estimate
 constexpr double kNear = 1.0;                // how far poses of the other tree are looked for, in lengths of the body
 constexpr std::size_t kNearest = 2;          // of them that are tried
 constexpr std::size_t kWordsTried = 6;       // to each, the shortest of those that have room at the new pose
+constexpr std::size_t kPosesAfter = 500;     // that have their turn beyond as many as the first path took
 
 class NarrowGearSearch {
  public:
@@ -39,7 +40,9 @@ class NarrowGearSearch {
         options_(options),
         result_(result),
         radius_(map.vehicle.min_turning_radius()),
-        fields_{field(1), field(0)} {}
+        fields_{field(1), field(0)} {
+    result_.cost = options.cutoff;
+  }
 
   void run() {
     for (const Pass& pass : kPasses) {
@@ -81,14 +84,15 @@ class NarrowGearSearch {
 
   void grow(const Pass& pass) {
     std::array<Side, 2> sides{side(0, pass.fineness), side(1, pass.fineness)};
-    const auto most = static_cast<std::size_t>(pass.share * static_cast<double>(options_.max_poses));
+    auto most = static_cast<std::size_t>(pass.share * static_cast<double>(options_.max_poses));
     for (std::size_t i = 0; i < most && !interrupted(); ++i) {
       const std::size_t at = i % 2;
       const auto node = sides[at].tree.expand();
       if (!node) return;  // finer cells may lead further
       ++result_.poses;
+      const bool first = !result_.path;
       join(sides, at, *node);
-      if (result_.path) return;
+      if (first && result_.path) most = std::min(most, 2 * (i + 1) + kPosesAfter);
     }
   }
 
@@ -113,10 +117,7 @@ class NarrowGearSearch {
     std::partial_sort(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(few), near_.end());
     near_.resize(few);
     near_.push_back({0.0, NarrowGearTree::kRoot});
-    for (const Near& n : near_) {
-      connect(sides, at, node, n.node);
-      if (result_.path) return;
-    }
+    for (const Near& n : near_) connect(sides, at, node, n.node);
     sides[at].near.add(node, pose);
   }
 
@@ -125,10 +126,12 @@ class NarrowGearSearch {
   void connect(const std::array<Side, 2>& sides, std::size_t at, std::uint32_t node, std::uint32_t other) {
     const Pose& from = sides[0].tree[at == 0 ? node : other].pose;
     const Pose& to = sides[1].tree[at == 0 ? other : node].pose;
+    const double ends = sides[at].tree[node].cost + sides[1 - at].tree[other].cost;
     words_.clear();
     for (std::size_t word = 0; word < kGearWords; ++word) {
       const double length = gear_word_length(word, from, to, radius_);
-      if (std::isfinite(length)) words_.emplace_back(length, word);
+      if (std::isfinite(length) && ends + length / map_.vehicle.top_speed() < result_.cost)
+        words_.emplace_back(length, word);
     }
     std::sort(words_.begin(), words_.end());
     std::size_t tried = 0;
@@ -149,7 +152,7 @@ class NarrowGearSearch {
   bool take(Path&& path) {
     if (cusps_of(path) > options_.max_cusps) return false;
     const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost);
-    if (cost >= options_.cutoff || !motion_free(*map_.queries.sweep, map_.body, path)) return false;
+    if (cost >= result_.cost || !motion_free(*map_.queries.sweep, map_.body, path)) return false;
     result_.cost = cost;
     result_.path = std::move(path);
     return true;
