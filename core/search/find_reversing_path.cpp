@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t kPosesBeside = 1500;   // tried all the way where a path is known
 constexpr std::size_t kPosesAlone = 2000;    // and where none is
-constexpr std::size_t kNarrowPoses = 40000;  // then, by trees for narrow places
-constexpr std::size_t kPosesLast = 20000;    // and last
+constexpr std::size_t kNarrowPoses = 24000;  // then, by trees for narrow places
+constexpr std::size_t kPosesLast = 40000;    // and last
 
 // Poses by which one end joins the graph, beside its own.
 struct Terminals {
