@@ -104,10 +104,14 @@ TEST(NarrowGearSearch, KeepsItsLimits) {
   const std::size_t cusps = cusps_of(*all.path);
   for (const std::size_t most : {std::size_t{0}, cusps - 1}) {
     const GearSearchResult few = search_narrow_gears(map, start, goal, {.max_poses = 2000, .max_cusps = most});
-    if (few.path) EXPECT_LE(cusps_of(*few.path), most);
+    if (few.path) {
+      EXPECT_LE(cusps_of(*few.path), most);
+    }
   }
   const GearSearchResult cheap = search_narrow_gears(map, start, goal, {.max_poses = 2000, .cutoff = 0.9 * all.cost});
-  if (cheap.path) EXPECT_LT(cheap.cost, 0.9 * all.cost);
+  if (cheap.path) {
+    EXPECT_LT(cheap.cost, 0.9 * all.cost);
+  }
   const GearSearchResult stopped = search_narrow_gears(map, start, goal, {.clock = StopClock(0.0)});
   EXPECT_TRUE(stopped.interrupted);
   EXPECT_FALSE(stopped.path);
