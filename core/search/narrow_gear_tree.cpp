@@ -37,8 +37,7 @@ double quantized(double largest, double wanted) {
 
 NarrowGearTree::NarrowGearTree(const SearchMap& map, const Vehicle& vehicle, const Pose& root, const TreeGears& gears,
                                double fineness, std::function<double(const Pose&)> remaining)
-    : map_(&map),
-      vehicle_(vehicle),
+    : vehicle_(vehicle),
       gears_(gears),
       fineness_(fineness),
       remaining_(std::move(remaining)),

@@ -81,7 +81,6 @@ class NarrowGearTree {
   [[nodiscard]] Cell cell_where(double way, double turn) const;
   [[nodiscard]] std::uint64_t key_of(const Pose& pose, const Cell& cell) const;
 
-  const SearchMap* map_;
   Vehicle vehicle_;
   TreeGears gears_;
   double fineness_;
