@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/vehicle.h"
+#include "core/model/vehicle.h"
 
 namespace arcway::bench {
 

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 
-#include "accel/make_queries.h"
+#include "accel/embree/embree_options.h"
+#include "core/collision/query_set.h"
+#include "core/model/world.h"
 
 namespace arcway::embree {
 

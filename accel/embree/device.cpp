@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/executor.h"
+#include "core/base/executor.h"
 
 namespace arcway::embree {
 

@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "accel/embree/embree_api.h"
-#include "core/stop_clock.h"
+#include "core/base/stop_clock.h"
 
 namespace arcway::embree {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "accel/embree/device.h"
-#include "core/world.h"
+#include "core/model/world.h"
 
 namespace arcway::embree {
 

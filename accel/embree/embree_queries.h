@@ -3,11 +3,11 @@
 #include <memory>
 
 #include "accel/embree/edge_scene.h"
-#include "accel/make_queries.h"
-#include "accel/region_locator.h"
-#include "core/query/distance_query.h"
-#include "core/query/sweep_query.h"
-#include "core/query/visibility_query.h"
+#include "accel/embree/embree_options.h"
+#include "accel/location/region_locator.h"
+#include "core/collision/distance_query.h"
+#include "core/collision/sweep_query.h"
+#include "core/collision/visibility_query.h"
 
 namespace arcway::embree {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "accel/embree/embree_queries.h"
+#include "core/collision/turning_headings.h"
 #include "core/geometry/predicates.h"
-#include "core/query/turning_headings.h"
 
 namespace arcway::embree {
 

@@ -1,5 +1,5 @@
 #include "accel/embree/embree_queries.h"
-#include "core/query/blocking.h"
+#include "core/collision/blocking.h"
 
 namespace arcway::embree {
 

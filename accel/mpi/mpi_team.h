@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/team.h"
+#include "core/base/team.h"
 
 namespace arcway {
 

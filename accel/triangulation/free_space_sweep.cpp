@@ -4,8 +4,8 @@
 #include <cassert>
 
 #include "accel/triangulation/gap_order.h"
+#include "core/base/prefetch.h"
 #include "core/geometry/predicates.h"
-#include "core/prefetch.h"
 
 namespace arcway {
 

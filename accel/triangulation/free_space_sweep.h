@@ -6,7 +6,7 @@
 
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/triangulation.h"
-#include "core/executor.h"
+#include "core/base/executor.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

@@ -9,10 +9,10 @@
 #include <numeric>
 #include <span>
 
+#include "core/base/prefetch.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/edge_sweep.h"
 #include "core/geometry/predicates.h"
-#include "core/prefetch.h"
 
 namespace arcway {
 

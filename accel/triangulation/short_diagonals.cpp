@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/prefetch.h"
+#include "core/base/prefetch.h"
 
 namespace arcway {
 

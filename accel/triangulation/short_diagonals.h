@@ -4,7 +4,7 @@
 #include <span>
 
 #include "accel/triangulation/triangulation.h"
-#include "core/executor.h"
+#include "core/base/executor.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "accel/big_vector.h"
-#include "core/world.h"
+#include "accel/base/big_vector.h"
+#include "core/model/world.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

@@ -9,14 +9,14 @@
 #include <system_error>
 
 #include "core/geometry/angle.h"
-#include "core/shortest_text.h"
-#include "datasets/catalogue.h"
-#include "datasets/file_io.h"
-#include "datasets/nearest_word.h"
-#include "datasets/number_text.h"
-#include "datasets/paper_example.h"
-#include "datasets/robot.h"
-#include "datasets/shortened.h"
+#include "core/model/pose_text.h"
+#include "datasets/formats/robot.h"
+#include "datasets/generators/catalogue.h"
+#include "datasets/generators/paper_example.h"
+#include "datasets/io/file_io.h"
+#include "datasets/io/nearest_word.h"
+#include "datasets/io/number_text.h"
+#include "datasets/io/shortened.h"
 
 namespace arcway::cli {
 namespace {

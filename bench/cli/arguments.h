@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/planner.h"
-#include "core/stopwatch.h"
-#include "core/tour.h"
-#include "core/world_change.h"
-#include "datasets/prepared_map.h"
-#include "datasets/read_map.h"
+#include "core/base/stopwatch.h"
+#include "core/model/world_change.h"
+#include "core/planner/planner.h"
+#include "core/tasks/tour.h"
+#include "datasets/formats/prepared_map.h"
+#include "datasets/formats/read_map.h"
 
 namespace arcway::cli {
 

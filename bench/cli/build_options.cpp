@@ -4,14 +4,14 @@
 
 #include "bench/cli/arguments.h"
 #ifdef ARCWAY_WITH_ACCEL
-#include "accel/graph_builder.h"
-#include "accel/lazy_rows.h"
-#include "accel/make_queries.h"
-#include "accel/pairwise_graph.h"
-#include "accel/parallel.h"
-#include "accel/visibility_map.h"
-#include "accel/wedge/changed_graph.h"
-#include "accel/wedge/wedge_graph.h"
+#include "accel/backend/make_queries.h"
+#include "accel/base/parallel.h"
+#include "accel/graphs/changed_graph.h"
+#include "accel/graphs/graph_builder.h"
+#include "accel/graphs/lazy_rows.h"
+#include "accel/graphs/pairwise_graph.h"
+#include "accel/graphs/visibility_map.h"
+#include "accel/graphs/wedge_graph.h"
 #endif
 
 namespace arcway::cli {

@@ -8,12 +8,12 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/progress_bar.h"
-#include "core/planner.h"
-#include "core/shortest_text.h"
-#include "core/world_change.h"
-#include "datasets/map_file.h"
-#include "datasets/prepared_map.h"
-#include "datasets/shortened.h"
+#include "core/model/pose_text.h"
+#include "core/model/world_change.h"
+#include "core/planner/planner.h"
+#include "datasets/formats/prepared_map.h"
+#include "datasets/io/shortened.h"
+#include "datasets/map/map_file.h"
 
 namespace arcway::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "bench/cli/output_files.h"
 #include "datasets/formats/geojson.h"
 #include "datasets/formats/wkt.h"
-#include "datasets/svg.h"
+#include "datasets/pictures/svg.h"
 
 namespace arcway::cli {
 namespace {

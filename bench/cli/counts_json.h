@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/graph/feasible_graph.h"
+#include "core/roadmap/feasible_graph.h"
 
 namespace arcway::cli {
 

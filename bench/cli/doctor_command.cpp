@@ -8,10 +8,10 @@
 
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
-#include "core/shortest_text.h"
-#include "datasets/doctor/doctor.h"
-#include "datasets/doctor/repair.h"
+#include "core/base/shortest_text.h"
 #include "datasets/formats/geojson.h"
+#include "datasets/map/doctor.h"
+#include "datasets/map/repair.h"
 
 namespace arcway::cli {
 namespace {

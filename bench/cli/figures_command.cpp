@@ -6,8 +6,8 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/figures/figures.h"
-#include "datasets/file_io.h"
-#include "datasets/paper_example.h"
+#include "datasets/generators/paper_example.h"
+#include "datasets/io/file_io.h"
 
 namespace arcway::cli {
 namespace {

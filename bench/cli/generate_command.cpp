@@ -8,14 +8,14 @@
 
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
-#include "core/shortest_text.h"
-#include "datasets/catalogue.h"
-#include "datasets/clutter.h"
+#include "core/model/pose_text.h"
 #include "datasets/formats/geojson.h"
+#include "datasets/formats/plan_io.h"
+#include "datasets/formats/robot.h"
+#include "datasets/generators/catalogue.h"
+#include "datasets/generators/clutter.h"
 #include "datasets/generators/driven_world.h"
-#include "datasets/plan_io.h"
-#include "datasets/random_queries.h"
-#include "datasets/robot.h"
+#include "datasets/generators/random_queries.h"
 
 namespace arcway::cli {
 namespace {

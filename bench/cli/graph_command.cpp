@@ -7,11 +7,11 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/counts_json.h"
 #include "bench/cli/output_files.h"
-#include "core/graph/feasible_graph.h"
-#include "core/graph/visibility_graph.h"
-#include "core/planner.h"
-#include "core/team.h"
-#include "datasets/svg.h"
+#include "core/base/team.h"
+#include "core/planner/planner.h"
+#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/visibility_graph.h"
+#include "datasets/pictures/svg.h"
 
 namespace arcway::cli {
 namespace {

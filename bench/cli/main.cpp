@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
-#include "core/team.h"
-#include "datasets/nearest_word.h"
-#include "datasets/shortened.h"
+#include "core/base/team.h"
+#include "datasets/io/nearest_word.h"
+#include "datasets/io/shortened.h"
 #ifdef ARCWAY_WITH_MPI
 #include "accel/mpi/mpi_team.h"
 #endif

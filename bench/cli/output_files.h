@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/file_transaction.h"
+#include "datasets/io/file_transaction.h"
 
 namespace arcway::cli {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/shortest_text.h"
-#include "datasets/svg.h"
+#include "core/base/shortest_text.h"
+#include "datasets/pictures/svg.h"
 
 namespace arcway::cli {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
-#include "core/planner.h"
-#include "core/team.h"
-#include "datasets/plan_io.h"
+#include "core/base/team.h"
+#include "core/planner/planner.h"
+#include "datasets/formats/plan_io.h"
 
 namespace arcway::cli {
 

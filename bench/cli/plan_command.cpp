@@ -12,10 +12,10 @@
 #include "bench/cli/plan_one.h"
 #include "bench/cli/plan_queries.h"
 #include "bench/cli/progress_bar.h"
-#include "core/no_path.h"
-#include "core/planner.h"
-#include "core/stop_clock.h"
-#include "datasets/robot.h"
+#include "core/base/stop_clock.h"
+#include "core/planner/no_path.h"
+#include "core/planner/planner.h"
+#include "datasets/formats/robot.h"
 
 namespace arcway::cli {
 namespace {

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "bench/cli/counts_json.h"
-#include "core/alternatives.h"
-#include "core/curved_plan.h"
-#include "core/passage/bottleneck.h"
-#include "core/shortest_text.h"
-#include "datasets/plan_io.h"
-#include "datasets/svg.h"
+#include "core/base/shortest_text.h"
+#include "core/gaps/bottleneck.h"
+#include "core/tasks/alternatives.h"
+#include "core/tasks/curved_plan.h"
+#include "datasets/formats/plan_io.h"
+#include "datasets/pictures/svg.h"
 
 namespace arcway::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include "bench/cli/output_files.h"
 #include "bench/cli/plan_arguments.h"
 #include "bench/cli/plan_rows.h"
-#include "core/planner.h"
-#include "core/tour.h"
+#include "core/planner/planner.h"
+#include "core/tasks/tour.h"
 
 namespace arcway::cli {
 

@@ -10,10 +10,10 @@
 #include "bench/cli/plan_rows.h"
 #include "bench/cli/progress_bar.h"
 #include "bench/quantiles.h"
-#include "core/bytes.h"
-#include "core/plan_batch.h"
-#include "core/shortest_text.h"
-#include "datasets/plan_io.h"
+#include "core/base/bytes.h"
+#include "core/base/shortest_text.h"
+#include "core/tasks/plan_batch.h"
+#include "datasets/formats/plan_io.h"
 
 namespace arcway::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/plan_arguments.h"
-#include "core/planner.h"
-#include "core/team.h"
+#include "core/base/team.h"
+#include "core/planner/planner.h"
 
 namespace arcway::cli {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bench/cli/arguments.h"
-#include "core/shortest_text.h"
+#include "core/base/shortest_text.h"
 
 namespace arcway::cli {
 

@@ -6,8 +6,8 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/progress_bar.h"
-#include "core/planner.h"
-#include "datasets/prepared_map.h"
+#include "core/planner/planner.h"
+#include "datasets/formats/prepared_map.h"
 
 namespace arcway::cli {
 namespace {

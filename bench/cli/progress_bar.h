@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstddef>
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 
 namespace arcway::cli {
 

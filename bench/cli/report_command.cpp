@@ -6,7 +6,7 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/report/document.h"
-#include "datasets/file_io.h"
+#include "datasets/io/file_io.h"
 
 namespace arcway::cli {
 namespace {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "bench/cli/arguments.h"
-#include "core/path/validation.h"
-#include "core/shortest_text.h"
-#include "datasets/file_io.h"
-#include "datasets/plan_io.h"
-#include "datasets/shortened.h"
+#include "core/base/shortest_text.h"
+#include "core/validate/validation.h"
+#include "datasets/formats/plan_io.h"
+#include "datasets/io/file_io.h"
+#include "datasets/io/shortened.h"
 
 namespace arcway::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/planner.h"
+#include "core/planner/planner.h"
 
 namespace arcway::figures {
 

@@ -1,9 +1,9 @@
 #include <vector>
 
 #include "bench/figures/figures.h"
-#include "core/graph/visibility_graph.h"
-#include "core/query/query_set.h"
-#include "datasets/svg.h"
+#include "core/collision/query_set.h"
+#include "core/roadmap/visibility_graph.h"
+#include "datasets/pictures/svg.h"
 
 namespace arcway::figures {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bench/figures/figures.h"
-#include "core/passage/minimum_distances.h"
-#include "datasets/svg.h"
+#include "core/gaps/minimum_distances.h"
+#include "datasets/pictures/svg.h"
 
 namespace arcway::figures {
 namespace {

@@ -1,6 +1,6 @@
 #include "bench/figures/canvas.h"
 #include "bench/figures/figures.h"
-#include "core/path/speed_profile.h"
+#include "core/motion/speed_profile.h"
 
 namespace arcway::figures {
 namespace {

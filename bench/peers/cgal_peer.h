@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/world.h"
+#include "core/model/world.h"
 
 namespace arcway::peers {
 

@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "core/path/dubins.h"
-#include "core/path/speed_profile.h"
-#include "core/path/validation.h"
+#include "core/motion/dubins.h"
+#include "core/motion/speed_profile.h"
+#include "core/validate/validation.h"
 
 namespace arcway::peers {
 

@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "core/path/path.h"
-#include "core/planner.h"
-#include "core/query/motion_free.h"
-#include "core/query/sweep_query.h"
-#include "core/vehicle.h"
+#include "core/collision/motion_free.h"
+#include "core/collision/sweep_query.h"
+#include "core/model/path.h"
+#include "core/model/vehicle.h"
+#include "core/planner/planner.h"
 
 namespace arcway::peers {
 

@@ -11,14 +11,14 @@
 #include "bench/context/context.h"
 #include "bench/peers/visibility_study.h"
 #include "bench/report/peer_results.h"
-#include "datasets/file_io.h"
+#include "datasets/io/file_io.h"
 #ifdef ARCWAY_PEER_CGAL
 #include "bench/peers/cgal_peer.h"
 #endif
 #ifdef ARCWAY_PEER_OMPL
 #include "bench/peers/ompl_peer.h"
 #include "bench/peers/planner_study.h"
-#include "datasets/robot.h"
+#include "datasets/formats/robot.h"
 #endif
 
 namespace arcway::peers {

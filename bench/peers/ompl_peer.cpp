@@ -20,7 +20,7 @@
 #include "bench/cpu_clock.h"
 #include "bench/peers/shortcut.h"
 #include "core/geometry/angle.h"
-#include "core/graph/turning_radii.h"
+#include "core/roadmap/turning_radii.h"
 
 namespace arcway::peers {
 namespace {

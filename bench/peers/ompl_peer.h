@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/peers/exact_motion.h"
-#include "datasets/random.h"
+#include "datasets/io/random.h"
 
 namespace arcway::peers {
 

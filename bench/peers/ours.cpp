@@ -1,9 +1,9 @@
 #include "bench/peers/ours.h"
 
 #ifdef ARCWAY_WITH_ACCEL
-#include "accel/make_queries.h"
-#include "accel/visibility_map.h"
-#include "accel/wedge/wedge_graph.h"
+#include "accel/backend/make_queries.h"
+#include "accel/graphs/visibility_map.h"
+#include "accel/graphs/wedge_graph.h"
 #endif
 
 namespace arcway::peers {

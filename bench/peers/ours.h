@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/graph/visibility_graph.h"
-#include "core/query/query_set.h"
-#include "core/world.h"
+#include "core/collision/query_set.h"
+#include "core/model/world.h"
+#include "core/roadmap/visibility_graph.h"
 
 namespace arcway::peers {
 

@@ -10,10 +10,10 @@
 #include "bench/peers/ompl_peer.h"
 #include "bench/peers/ours.h"
 #include "bench/robots.h"
-#include "core/graph/turning_radii.h"
-#include "core/planner.h"
-#include "datasets/catalogue.h"
-#include "datasets/plan_io.h"
+#include "core/planner/planner.h"
+#include "core/roadmap/turning_radii.h"
+#include "datasets/formats/plan_io.h"
+#include "datasets/generators/catalogue.h"
 
 namespace arcway::peers {
 namespace {

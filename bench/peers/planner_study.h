@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/report/peer_results.h"
-#include "core/vehicle.h"
+#include "core/model/vehicle.h"
 
 namespace arcway::peers {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/path/dubins.h"
+#include "core/motion/dubins.h"
 
 namespace arcway::peers {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "bench/peers/exact_motion.h"
-#include "datasets/random.h"
+#include "datasets/io/random.h"
 
 namespace arcway::peers {
 

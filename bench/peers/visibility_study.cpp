@@ -9,18 +9,18 @@
 
 #include "bench/cpu_clock.h"
 #include "bench/peers/ours.h"
-#include "core/graph/visibility_graph.h"
-#include "core/query/query_set.h"
-#include "datasets/catalogue.h"
-#include "datasets/random.h"
+#include "core/collision/query_set.h"
+#include "core/roadmap/visibility_graph.h"
+#include "datasets/generators/catalogue.h"
+#include "datasets/io/random.h"
 #ifdef ARCWAY_PEER_CGAL
 #include "bench/peers/cgal_peer.h"
 #endif
 #ifdef ARCWAY_WITH_ACCEL
-#include "accel/parallel.h"
-#include "accel/visibility_map.h"
-#include "accel/wedge/tangent_neighbours.h"
-#include "accel/wedge/wedge_graph.h"
+#include "accel/base/parallel.h"
+#include "accel/expansion/tangent_neighbours.h"
+#include "accel/graphs/visibility_map.h"
+#include "accel/graphs/wedge_graph.h"
 #endif
 
 namespace arcway::peers {

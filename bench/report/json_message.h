@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "datasets/shortened.h"
+#include "datasets/io/shortened.h"
 
 namespace arcway::report {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "bench/report/plot.h"
-#include "datasets/markup_text.h"
+#include "datasets/io/markup_text.h"
 
 namespace arcway::report {
 

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "bench/report/json_message.h"
-#include "datasets/file_io.h"
+#include "datasets/io/file_io.h"
 
 namespace arcway::report {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "bench/quantiles.h"
 #include "bench/report/json_message.h"
-#include "datasets/file_io.h"
-#include "datasets/shortened.h"
+#include "datasets/io/file_io.h"
+#include "datasets/io/shortened.h"
 
 namespace arcway::report {
 namespace {

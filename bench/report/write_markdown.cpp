@@ -5,7 +5,7 @@
 #include "bench/report/document.h"
 #include "bench/report/findings.h"
 #include "bench/report/peer_sections.h"
-#include "datasets/file_io.h"
+#include "datasets/io/file_io.h"
 
 namespace arcway::report {
 namespace {

@@ -4,19 +4,19 @@
 #include <utility>
 #include <vector>
 
-#include "accel/make_queries.h"
-#include "accel/wedge/changed_graph.h"
-#include "accel/wedge/wedge_graph.h"
+#include "accel/backend/make_queries.h"
+#include "accel/graphs/changed_graph.h"
+#include "accel/graphs/wedge_graph.h"
 #include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/graph/feasible_tables.h"
-#include "core/planner.h"
-#include "core/world_change.h"
-#include "datasets/catalogue.h"
-#include "datasets/map_file.h"
+#include "core/model/world_change.h"
+#include "core/planner/planner.h"
+#include "core/roadmap/feasible_tables.h"
+#include "datasets/generators/catalogue.h"
+#include "datasets/map/map_file.h"
 
 // A prepared map after some obstacles have left their places and come back a little aside, against preparing it anew:
 // queries and all graphs, one thread. Lazily, where all that was checked before and is not near the change is kept,

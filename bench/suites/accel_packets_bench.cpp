@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "accel/backend/make_queries.h"
 #include "accel/embree/edge_scene.h"
 #include "accel/embree/embree_queries.h"
-#include "accel/make_queries.h"
-#include "accel/pairwise_graph.h"
+#include "accel/graphs/pairwise_graph.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
-#include "core/query/blocking.h"
-#include "datasets/random.h"
+#include "core/collision/blocking.h"
+#include "datasets/io/random.h"
 
 // Exact lines of sight one by one and in packets of eight, of the pairs that the pairwise builder asks for, in its
 // order, in no order, and sorted by place and direction: do packets or sorting pay? The library asks one by one, in the

@@ -2,8 +2,8 @@
 #include <string>
 #include <tuple>
 
-#include "accel/make_queries.h"
-#include "accel/pairwise_graph.h"
+#include "accel/backend/make_queries.h"
+#include "accel/graphs/pairwise_graph.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/graph_check.h"

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "accel/backend/make_queries.h"
+#include "accel/base/parallel.h"
 #include "accel/embree/edge_scene.h"
-#include "accel/make_queries.h"
-#include "accel/parallel.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
-#include "datasets/random.h"
+#include "datasets/io/random.h"
 
 // Lines of sight beside Embree alone, which traces the same rays through the same boxes with a callback that refuses
 // every edge: what do exact answers cost? And what does a second thread bring to a batch?

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "accel/big_vector.h"
+#include "accel/base/big_vector.h"
+#include "accel/expansion/edge_list.h"
+#include "accel/expansion/sight_map.h"
+#include "accel/expansion/strips.h"
+#include "accel/graphs/edge_walks.h"
 #include "accel/triangulation/free_space_sweep.h"
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/short_diagonals.h"
-#include "accel/wedge/edge_list.h"
-#include "accel/wedge/edge_walks.h"
-#include "accel/wedge/sight_map.h"
-#include "accel/wedge/strips.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/graph_check.h"

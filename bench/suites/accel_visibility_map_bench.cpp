@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "accel/visibility_map.h"
+#include "accel/graphs/visibility_map.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
+#include "core/collision/query_set.h"
 #include "core/geometry/predicates.h"
-#include "core/query/query_set.h"
-#include "datasets/random.h"
+#include "datasets/io/random.h"
 
 // What a visibility library is asked for, from free points, one by one; the map is made before.
 namespace arcway::bench {

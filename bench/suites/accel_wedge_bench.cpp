@@ -1,7 +1,7 @@
 #include <memory>
 #include <string>
 
-#include "accel/wedge/wedge_graph.h"
+#include "accel/graphs/wedge_graph.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/graph_check.h"

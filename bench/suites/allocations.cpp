@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "core/huge_pages.h"
+#include "core/base/huge_pages.h"
 
 namespace arcway::bench {
 namespace {

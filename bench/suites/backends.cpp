@@ -3,11 +3,11 @@
 #include "bench/suites/corruption.h"
 
 #ifdef ARCWAY_BENCH_ACCEL
-#include "accel/make_queries.h"
-#include "accel/pairwise_graph.h"
-#include "accel/parallel.h"
-#include "accel/visibility_map.h"
-#include "accel/wedge/wedge_graph.h"
+#include "accel/backend/make_queries.h"
+#include "accel/base/parallel.h"
+#include "accel/graphs/pairwise_graph.h"
+#include "accel/graphs/visibility_map.h"
+#include "accel/graphs/wedge_graph.h"
 #endif
 
 namespace arcway::bench {

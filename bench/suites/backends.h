@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/executor.h"
-#include "core/graph/visibility_graph.h"
-#include "core/query/query_set.h"
+#include "core/base/executor.h"
+#include "core/collision/query_set.h"
+#include "core/roadmap/visibility_graph.h"
 
 namespace arcway::bench {
 

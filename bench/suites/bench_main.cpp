@@ -12,7 +12,7 @@
 #include "bench/suites/corruption.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
-#include "datasets/file_io.h"
+#include "datasets/io/file_io.h"
 
 namespace arcway::bench {
 namespace {

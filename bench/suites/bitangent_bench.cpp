@@ -5,8 +5,8 @@
 
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
-#include "core/graph/turn_circle.h"
-#include "datasets/random.h"
+#include "core/roadmap/turn_circle.h"
+#include "datasets/io/random.h"
 
 namespace arcway::bench {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
+#include "core/collision/sweep_query.h"
 #include "core/geometry/distance.h"
-#include "core/path/clearance.h"
-#include "core/query/sweep_query.h"
-#include "datasets/random.h"
+#include "core/motion/clearance.h"
+#include "datasets/io/random.h"
 
 // How near a moving body comes to the obstacles, in closed form; checked against poses close together.
 namespace arcway::bench {

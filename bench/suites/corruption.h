@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/graph/visibility_graph.h"
-#include "core/query/query_set.h"
+#include "core/collision/query_set.h"
+#include "core/roadmap/visibility_graph.h"
 
 namespace arcway::bench {
 

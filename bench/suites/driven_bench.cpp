@@ -6,7 +6,7 @@
 #include "bench/quantiles.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "datasets/catalogue.h"
+#include "datasets/generators/catalogue.h"
 #include "datasets/generators/driven_world.h"
 
 // The share solved of worlds in which a way is known: `driven/...` of the catalogue. From map to plan, one thread.

@@ -7,8 +7,8 @@
 #include "bench/suites/allocations.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/suite.h"
-#include "core/graph/feasible_graph.h"
-#include "datasets/random.h"
+#include "core/roadmap/feasible_graph.h"
+#include "datasets/io/random.h"
 
 namespace arcway::bench {
 namespace {

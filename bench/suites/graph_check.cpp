@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "core/query/query_set.h"
-#include "datasets/random.h"
+#include "core/collision/query_set.h"
+#include "datasets/io/random.h"
 
 #ifdef ARCWAY_BENCH_ACCEL
-#include "accel/make_queries.h"
+#include "accel/backend/make_queries.h"
 #endif
 
 namespace arcway::bench {

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "core/graph/visibility_graph.h"
-#include "core/world.h"
+#include "core/model/world.h"
+#include "core/roadmap/visibility_graph.h"
 
 namespace arcway::bench {
 

@@ -8,11 +8,11 @@
 #include "bench/suites/backends.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/alternatives.h"
-#include "core/stop_clock.h"
-#include "core/stopwatch.h"
-#include "core/tour.h"
-#include "datasets/random_queries.h"
+#include "core/base/stop_clock.h"
+#include "core/base/stopwatch.h"
+#include "core/tasks/alternatives.h"
+#include "core/tasks/tour.h"
+#include "datasets/generators/random_queries.h"
 
 // How far behind a time limit a plan ends, from map to plan and on a planner that is made already, one thread. A limit
 // holds where `worst_of_allowed` is at most 1: then every query ended within 10 % and 5 ms of its limit.

@@ -6,8 +6,8 @@
 #include "bench/suites/suite.h"
 #include "datasets/formats/geojson.h"
 #include "datasets/grid/trace.h"
-#include "datasets/map_file.h"
-#include "datasets/random.h"
+#include "datasets/io/random.h"
+#include "datasets/map/map_file.h"
 
 // From a file's text to a checked world, and from cells to polygons.
 namespace arcway::bench {

@@ -13,10 +13,10 @@
 #include "bench/suites/backends.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/graph/turning_radii.h"
-#include "core/plan_batch.h"
-#include "datasets/catalogue.h"
-#include "datasets/random_queries.h"
+#include "core/roadmap/turning_radii.h"
+#include "core/tasks/plan_batch.h"
+#include "datasets/generators/catalogue.h"
+#include "datasets/generators/random_queries.h"
 
 // Whole plans: on a prepared map, one for a new map with everything checked before or as it is needed; batches by
 // several threads; and what distance, fill and radii do to them.

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/path/validation.h"
-#include "core/planner.h"
+#include "core/planner/planner.h"
+#include "core/validate/validation.h"
 
 namespace arcway::bench {
 

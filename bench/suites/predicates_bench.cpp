@@ -7,7 +7,7 @@
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
 #include "core/geometry/predicates.h"
-#include "datasets/random.h"
+#include "datasets/io/random.h"
 
 // The sign on which everything rests: points at random, and points on a line, of which no filter can be sure.
 namespace arcway::bench {

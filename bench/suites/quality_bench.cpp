@@ -9,8 +9,8 @@
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/graph/turning_radii.h"
-#include "datasets/catalogue.h"
+#include "core/roadmap/turning_radii.h"
+#include "datasets/generators/catalogue.h"
 
 // How good the plans are, beside how long they take: the catalogue's query sets, the heuristics, and the planner with
 // its features switched off one by one.

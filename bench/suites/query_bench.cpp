@@ -7,8 +7,8 @@
 #include "bench/suites/backends.h"
 #include "bench/suites/suite.h"
 #include "core/geometry/angle.h"
-#include "core/vehicle.h"
-#include "datasets/random.h"
+#include "core/model/vehicle.h"
+#include "datasets/io/random.h"
 
 // What the graphs ask of a map, by every backend, over growing maps of constant density.
 namespace arcway::bench {

@@ -8,9 +8,9 @@
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/graph/turning_radii.h"
-#include "core/path/speed_profile.h"
-#include "datasets/catalogue.h"
+#include "core/motion/speed_profile.h"
+#include "core/roadmap/turning_radii.h"
+#include "datasets/generators/catalogue.h"
 
 // Travel time over the number of radii, for robots whose turns are the faster the wider they are.
 namespace arcway::bench {

@@ -10,8 +10,8 @@
 #include "bench/suites/plans.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
-#include "datasets/random_queries.h"
-#include "datasets/read_map.h"
+#include "datasets/formats/read_map.h"
+#include "datasets/generators/random_queries.h"
 
 // Maps of a city, a coast and a grid of random cells, from the folder that ARCWAY_SHARED_DATA names: what it takes to
 // prepare them for a vehicle that suits them, and to plan between random poses that a disc can move between.

@@ -6,7 +6,7 @@
 #include "bench/suites/backends.h"
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
-#include "core/graph/visibility_graph.h"
+#include "core/roadmap/visibility_graph.h"
 
 namespace arcway::bench {
 namespace {

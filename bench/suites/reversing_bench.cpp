@@ -6,7 +6,7 @@
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
 #include "core/geometry/angle.h"
-#include "datasets/read_map.h"
+#include "datasets/formats/read_map.h"
 
 // Parking, with both gears: bays of one length and less and less room, and the TPCAP cases where the folder that
 // ARCWAY_SHARED_DATA names has them.

@@ -4,8 +4,8 @@
 
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
-#include "core/path/speed_profile.h"
-#include "datasets/random.h"
+#include "core/motion/speed_profile.h"
+#include "datasets/io/random.h"
 
 namespace arcway::bench {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "bench/cpu_clock.h"
 #include "bench/suites/run_policy.h"
-#include "datasets/catalogue.h"
+#include "datasets/generators/catalogue.h"
 
 namespace arcway::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/world.h"
+#include "core/model/world.h"
 
 namespace arcway::bench {
 

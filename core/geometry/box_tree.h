@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/huge_pages.h"
 #include "core/geometry/vec2.h"
-#include "core/huge_pages.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

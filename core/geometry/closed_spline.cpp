@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/shortest_text.h"
 #include "core/geometry/predicates.h"
-#include "core/shortest_text.h"
 
 namespace arcway {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/graph/turn_circle.h"
-#include "core/path/path.h"
+#include "core/model/path.h"
+#include "core/roadmap/turn_circle.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

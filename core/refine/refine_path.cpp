@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "core/bound/travel_time_bound.h"
+#include "core/base/shortest_text.h"
+#include "core/collision/motion_free.h"
 #include "core/geometry/angle.h"
-#include "core/path/speed_profile.h"
-#include "core/query/motion_free.h"
+#include "core/motion/speed_profile.h"
+#include "core/motion/travel_time_bound.h"
 #include "core/refine/circle_chain.h"
 #include "core/refine/tied_turns.h"
 #include "core/refine/timed_chain.h"
-#include "core/shortest_text.h"
 
 namespace arcway {
 

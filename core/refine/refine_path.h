@@ -4,9 +4,9 @@
 #include <functional>
 #include <memory>
 
-#include "core/path/path.h"
-#include "core/query/sweep_query.h"
-#include "core/vehicle.h"
+#include "core/collision/sweep_query.h"
+#include "core/model/path.h"
+#include "core/model/vehicle.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

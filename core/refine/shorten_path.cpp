@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/path/biarc.h"
-#include "core/path/dubins.h"
-#include "core/path/speed_profile.h"
-#include "core/query/motion_free.h"
+#include "core/collision/motion_free.h"
+#include "core/motion/biarc.h"
+#include "core/motion/dubins.h"
+#include "core/motion/speed_profile.h"
 
 namespace arcway {
 

@@ -5,10 +5,10 @@
 #include <initializer_list>
 #include <vector>
 
-#include "core/path/speed_profile.h"
+#include "core/model/vehicle.h"
+#include "core/motion/speed_profile.h"
+#include "core/motion/speed_tree.h"
 #include "core/refine/circle_chain.h"
-#include "core/search/speed_tree.h"
-#include "core/vehicle.h"
 
 namespace arcway {
 

@@ -10,17 +10,17 @@
 #include <utility>
 #include <vector>
 
+#include "core/attach/circle_table.h"
+#include "core/attach/per_circle.h"
+#include "core/attach/search_context.h"
+#include "core/attach/search_ends.h"
+#include "core/attach/walk_links.h"
+#include "core/base/open_list.h"
+#include "core/base/prefetch.h"
 #include "core/geometry/angle.h"
-#include "core/path/speed_profile.h"
-#include "core/prefetch.h"
-#include "core/search/circle_table.h"
-#include "core/search/open_list.h"
-#include "core/search/per_circle.h"
+#include "core/motion/speed_profile.h"
 #include "core/search/reachability.h"
-#include "core/search/search_context.h"
-#include "core/search/search_ends.h"
 #include "core/search/search_times.h"
-#include "core/search/walk_links.h"
 
 namespace arcway {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "core/attach/manoeuvres.h"
 #include "core/geometry/angle.h"
-#include "core/search/manoeuvres.h"
 
 namespace arcway {
 

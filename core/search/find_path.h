@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <functional>
 
+#include "core/attach/manoeuvres.h"
+#include "core/attach/narrow_places.h"
 #include "core/search/arrival_search.h"
-#include "core/search/manoeuvres.h"
-#include "core/search/narrow_places.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

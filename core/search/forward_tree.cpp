@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/hash_of.h"
 #include "core/geometry/angle.h"
-#include "core/hash_of.h"
 
 namespace arcway {
 

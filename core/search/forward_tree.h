@@ -8,12 +8,12 @@
 #include <unordered_set>
 #include <vector>
 
-#include "core/path/path.h"
-#include "core/search/contact_reach.h"
+#include "core/attach/search_map.h"
+#include "core/attach/terminal_links.h"
+#include "core/base/open_list.h"
+#include "core/collision/contact_reach.h"
+#include "core/model/path.h"
 #include "core/search/effort.h"
-#include "core/search/open_list.h"
-#include "core/search/search_map.h"
-#include "core/search/terminal_links.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/vec2.h"
-#include "core/path/path.h"
+#include "core/model/path.h"
 
 namespace arcway {
 

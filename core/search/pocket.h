@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/search/circle_table.h"
+#include "core/attach/circle_table.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

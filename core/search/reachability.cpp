@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
+#include "core/attach/circle_table.h"
+#include "core/attach/walk_links.h"
 #include "core/geometry/angle.h"
-#include "core/search/circle_table.h"
-#include "core/search/walk_links.h"
 
 namespace arcway {
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/search/open_list.h"
-#include "core/search/per_circle.h"
+#include "core/attach/per_circle.h"
+#include "core/attach/search_context.h"
+#include "core/attach/search_ends.h"
+#include "core/base/open_list.h"
 #include "core/search/pocket.h"
-#include "core/search/search_context.h"
-#include "core/search/search_ends.h"
 
 namespace arcway {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "core/gaps/vehicle_gaps.h"
 #include "core/geometry/angle.h"
-#include "core/passage/vehicle_gaps.h"
 
 namespace arcway {
 

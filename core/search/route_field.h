@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/path/path.h"
-#include "core/search/search_map.h"
-#include "core/stop_clock.h"
+#include "core/attach/search_map.h"
+#include "core/base/stop_clock.h"
+#include "core/model/path.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

@@ -1,6 +1,6 @@
 #include "core/search/search_times.h"
 
-#include "core/path/speed_profile.h"
+#include "core/motion/speed_profile.h"
 
 namespace arcway {
 

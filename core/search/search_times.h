@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "core/search/search_context.h"
-#include "core/search/speed_tree.h"
+#include "core/attach/search_context.h"
+#include "core/motion/speed_tree.h"
 
 namespace arcway {
 

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/collision/motion_free.h"
 #include "core/geometry/angle.h"
-#include "core/path/biarc.h"
-#include "core/path/dubins.h"
-#include "core/query/motion_free.h"
+#include "core/motion/biarc.h"
+#include "core/motion/dubins.h"
 #include "core/search/effort.h"
 #include "core/search/forward_tree.h"
 #include "core/search/near_poses.h"

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/search/search_map.h"
-#include "core/search/terminal_links.h"
+#include "core/attach/search_map.h"
+#include "core/attach/terminal_links.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

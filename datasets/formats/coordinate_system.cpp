@@ -9,8 +9,8 @@
 
 #include "core/geometry/angle.h"
 #include "datasets/formats/epsg_codes.h"
-#include "datasets/lowercase.h"
-#include "datasets/number_text.h"
+#include "datasets/io/lowercase.h"
+#include "datasets/io/number_text.h"
 
 namespace arcway::detail {
 namespace {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "datasets/doctor/repair.h"
 #include "datasets/formats/vector_map.h"
+#include "datasets/map/repair.h"
 
 namespace arcway::detail {
 namespace {

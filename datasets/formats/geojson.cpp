@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "datasets/json_text.h"
-#include "datasets/lowercase.h"
-#include "datasets/nearest_word.h"
+#include "datasets/io/json_text.h"
+#include "datasets/io/lowercase.h"
+#include "datasets/io/nearest_word.h"
 
 namespace arcway {
 namespace {

@@ -1,7 +1,7 @@
 #include <utility>
 
 #include "datasets/formats/geojson.h"
-#include "datasets/json_text.h"
+#include "datasets/io/json_text.h"
 
 namespace arcway {
 namespace {

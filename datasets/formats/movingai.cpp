@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "core/geometry/angle.h"
-#include "datasets/file_io.h"
 #include "datasets/formats/text_scanner.h"
-#include "datasets/number_text.h"
-#include "datasets/random.h"
-#include "datasets/shortened.h"
+#include "datasets/io/file_io.h"
+#include "datasets/io/number_text.h"
+#include "datasets/io/random.h"
+#include "datasets/io/shortened.h"
 
 namespace arcway {
 namespace {

@@ -2,9 +2,9 @@
 #include <charconv>
 #include <string>
 
-#include "datasets/file_io.h"
 #include "datasets/formats/grey_image.h"
 #include "datasets/formats/text_scanner.h"
+#include "datasets/io/file_io.h"
 
 namespace arcway {
 namespace {

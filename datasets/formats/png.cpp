@@ -4,8 +4,8 @@
 #include <cstring>
 #include <string>
 
-#include "datasets/file_io.h"
 #include "datasets/formats/grey_image.h"
+#include "datasets/io/file_io.h"
 
 namespace arcway {
 namespace {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <optional>
 
-#include "core/shortest_text.h"
-#include "datasets/file_io.h"
+#include "core/base/shortest_text.h"
 #include "datasets/formats/text_scanner.h"
-#include "datasets/nearest_word.h"
-#include "datasets/number_text.h"
-#include "datasets/shortened.h"
+#include "datasets/io/file_io.h"
+#include "datasets/io/nearest_word.h"
+#include "datasets/io/number_text.h"
+#include "datasets/io/shortened.h"
 
 namespace arcway {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/path/path.h"
+#include "core/model/path.h"
 #include "datasets/formats/grey_image.h"
 #include "datasets/grid/occupancy_grid.h"
 

@@ -8,7 +8,7 @@
 
 #include "core/geometry/angle.h"
 #include "datasets/formats/text_scanner.h"
-#include "datasets/number_text.h"
+#include "datasets/io/number_text.h"
 
 namespace arcway::detail {
 namespace {

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "core/geometry/ray_parity.h"
-#include "datasets/file_io.h"
 #include "datasets/formats/svg_path.h"
 #include "datasets/formats/svg_style.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"
-#include "datasets/number_text.h"
+#include "datasets/io/file_io.h"
+#include "datasets/io/number_text.h"
 
 namespace arcway {
 namespace {

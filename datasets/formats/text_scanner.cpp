@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "datasets/file_io.h"
-#include "datasets/number_text.h"
+#include "datasets/io/file_io.h"
+#include "datasets/io/number_text.h"
 
 namespace arcway::detail {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/shortest_text.h"
+#include "core/base/shortest_text.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"
 

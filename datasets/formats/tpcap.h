@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "datasets/map_file.h"
+#include "datasets/map/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

@@ -6,7 +6,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/geometry/polygon.h"
-#include "core/shortest_text.h"
+#include "core/model/pose_text.h"
 
 namespace arcway::detail {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/geometry/closed_spline.h"
 #include "datasets/formats/coordinate_system.h"
-#include "datasets/map_file.h"
+#include "datasets/map/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

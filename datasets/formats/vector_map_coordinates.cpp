@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/geometry/angle.h"
-#include "core/shortest_text.h"
+#include "core/model/pose_text.h"
 #include "datasets/formats/azimuthal_plane.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"

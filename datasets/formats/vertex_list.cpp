@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "datasets/formats/text_scanner.h"
-#include "datasets/lowercase.h"
-#include "datasets/number_text.h"
-#include "datasets/shortened.h"
+#include "datasets/io/lowercase.h"
+#include "datasets/io/number_text.h"
+#include "datasets/io/shortened.h"
 
 namespace arcway {
 namespace {

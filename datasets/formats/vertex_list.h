@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "datasets/formats/vector_map.h"
-#include "datasets/map_file.h"
+#include "datasets/map/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

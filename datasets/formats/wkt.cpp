@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/shortest_text.h"
+#include "core/model/pose_text.h"
 #include "datasets/formats/text_scanner.h"
 
 namespace arcway {

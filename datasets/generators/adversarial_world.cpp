@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/geometry/angle.h"
-#include "datasets/clutter.h"
+#include "datasets/generators/clutter.h"
 #include "datasets/generators/layout.h"
 
 namespace arcway {

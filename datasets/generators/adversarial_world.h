@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "datasets/map_file.h"
+#include "datasets/map/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

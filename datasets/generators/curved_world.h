@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/curved_plan.h"
+#include "core/tasks/curved_plan.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

@@ -6,8 +6,8 @@
 
 #include "core/geometry/polygon.h"
 #include "core/geometry/vec2.h"
-#include "core/path/path.h"
-#include "core/vehicle.h"
+#include "core/model/path.h"
+#include "core/model/vehicle.h"
 
 namespace arcway::detail {
 

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/bound/travel_time_bound.h"
+#include "core/base/shortest_text.h"
 #include "core/geometry/angle.h"
-#include "core/path/clearance.h"
-#include "core/path/speed_profile.h"
-#include "core/shortest_text.h"
+#include "core/motion/clearance.h"
+#include "core/motion/speed_profile.h"
+#include "core/motion/travel_time_bound.h"
 #include "datasets/generators/drive_clearance.h"
 #include "datasets/generators/layout.h"
-#include "datasets/random.h"
+#include "datasets/io/random.h"
 
 namespace arcway {
 namespace {

@@ -5,10 +5,10 @@
 #include <span>
 #include <string_view>
 
-#include "core/path/path.h"
-#include "core/planner.h"
-#include "core/vehicle.h"
-#include "datasets/map_file.h"
+#include "core/model/path.h"
+#include "core/model/vehicle.h"
+#include "core/planner/planner.h"
+#include "datasets/map/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

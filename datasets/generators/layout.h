@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/geometry/polygon.h"
-#include "datasets/map_file.h"
-#include "datasets/random.h"
+#include "datasets/io/random.h"
+#include "datasets/map/map_file.h"
 
 namespace arcway::detail {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/shortest_text.h"
+#include "core/base/shortest_text.h"
 #include "datasets/grid/simplify.h"
 #include "datasets/grid/trace.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "datasets/grid/occupancy_grid.h"
-#include "datasets/map_file.h"
+#include "datasets/map/map_file.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

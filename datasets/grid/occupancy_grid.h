@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/path/path.h"
+#include "core/model/path.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 

@@ -5,11 +5,11 @@
 #include <thread>
 #include <vector>
 
-#include "accel/make_queries.h"
-#include "accel/pairwise_graph.h"
-#include "accel/parallel.h"
-#include "core/planner.h"
-#include "datasets/catalogue.h"
+#include "accel/backend/make_queries.h"
+#include "accel/base/parallel.h"
+#include "accel/graphs/pairwise_graph.h"
+#include "core/planner/planner.h"
+#include "datasets/generators/catalogue.h"
 #include "tests/support/thread_executor.h"
 
 namespace arcway {

@@ -10,10 +10,10 @@
 #include <thread>
 #include <utility>
 
-#include "accel/lazy_rows.h"
-#include "accel/make_queries.h"
-#include "core/planner.h"
-#include "datasets/catalogue.h"
+#include "accel/backend/make_queries.h"
+#include "accel/graphs/lazy_rows.h"
+#include "core/planner/planner.h"
+#include "datasets/generators/catalogue.h"
 #include "tests/support/plans.h"
 
 namespace arcway {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/suites/allocations.h"
-#include "core/huge_pages.h"
+#include "core/base/huge_pages.h"
 
 namespace arcway::test {
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "accel/lazy_rows.h"
-#include "accel/make_queries.h"
+#include "accel/backend/make_queries.h"
+#include "accel/graphs/lazy_rows.h"
 #include "bench/suites/allocations.h"
-#include "core/planner.h"
+#include "core/planner/planner.h"
 #include "tests/allocations/counting.h"
 
 // In a program of its own, as it counts all that asks the heap for memory.

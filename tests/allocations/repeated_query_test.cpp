@@ -4,11 +4,11 @@
 #include <ostream>
 #include <vector>
 
-#include "accel/make_queries.h"
+#include "accel/backend/make_queries.h"
 #include "bench/suites/allocations.h"
-#include "core/planner.h"
-#include "datasets/clutter.h"
-#include "datasets/random_queries.h"
+#include "core/planner/planner.h"
+#include "datasets/generators/clutter.h"
+#include "datasets/generators/random_queries.h"
 #include "tests/allocations/counting.h"
 
 // In a program of its own, as it counts all that asks the heap for memory.

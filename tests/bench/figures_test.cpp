@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "datasets/paper_example.h"
+#include "datasets/generators/paper_example.h"
 
 namespace arcway::figures {
 namespace {

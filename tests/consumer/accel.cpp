@@ -1,8 +1,8 @@
 #include <iostream>
 
-#include "accel/make_queries.h"
-#include "accel/parallel.h"
-#include "core/planner.h"
+#include "accel/backend/make_queries.h"
+#include "accel/base/parallel.h"
+#include "core/planner/planner.h"
 
 int main() {
   const arcway::World world({{{{4, -1}, {6, -1}, {6, 1}, {4, 1}}, {}}});

@@ -1,8 +1,8 @@
 // example
 #include <iostream>
 
-#include "core/planner.h"
-#include "datasets/clutter.h"
+#include "core/planner/planner.h"
+#include "datasets/generators/clutter.h"
 
 int main() {
   const arcway::World world = arcway::random_world({.obstacles = 30, .vertices = 6, .fill = 0.15, .seed = 7});

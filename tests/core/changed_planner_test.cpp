@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/planner.h"
-#include "datasets/clutter.h"
-#include "datasets/map_file.h"
+#include "core/planner/planner.h"
+#include "datasets/generators/clutter.h"
+#include "datasets/map/map_file.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
 #include "tests/support/same_graphs.h"

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/alternatives.h"
-#include "core/planner.h"
-#include "core/tour.h"
-#include "datasets/clutter.h"
-#include "datasets/random_queries.h"
+#include "core/planner/planner.h"
+#include "core/tasks/alternatives.h"
+#include "core/tasks/tour.h"
+#include "datasets/generators/clutter.h"
+#include "datasets/generators/random_queries.h"
 #include "tests/support/plans.h"
 #include "tests/support/stopping_queries.h"
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/geometry/angle.h"
-#include "core/planner.h"
-#include "datasets/clutter.h"
-#include "datasets/map_file.h"
+#include "core/planner/planner.h"
+#include "datasets/generators/clutter.h"
+#include "datasets/map/map_file.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/angle.h"
-#include "core/planner.h"
+#include "core/planner/planner.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "datasets/file_io.h"
-#include "datasets/read_map.h"
+#include "datasets/formats/read_map.h"
+#include "datasets/io/file_io.h"
 #include "tests/fuzz/targets.h"
 #include "tests/support/random_inputs.h"
 

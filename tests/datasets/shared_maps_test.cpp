@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "datasets/read_map.h"
+#include "datasets/formats/read_map.h"
 
 namespace arcway {
 namespace {

@@ -10,12 +10,12 @@
 #include <optional>
 #include <string_view>
 
-#include "core/planner.h"
+#include "core/planner/planner.h"
 #include "datasets/formats/geojson.h"
+#include "datasets/formats/plan_io.h"
+#include "datasets/formats/read_map.h"
 #include "datasets/formats/wkt.h"
-#include "datasets/plan_io.h"
-#include "datasets/read_map.h"
-#include "datasets/svg.h"
+#include "datasets/pictures/svg.h"
 #include "tests/support/plans.h"
 
 namespace arcway {

@@ -3,10 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "core/planner.h"
+#include "core/planner/planner.h"
 #include "datasets/formats/geojson.h"
 #include "datasets/formats/grey_image.h"
 #include "datasets/formats/movingai.h"
+#include "datasets/formats/plan_io.h"
+#include "datasets/formats/prepared_map.h"
+#include "datasets/formats/read_map.h"
+#include "datasets/formats/robot.h"
 #include "datasets/formats/ros_map.h"
 #include "datasets/formats/svg_world.h"
 #include "datasets/formats/text_polygons.h"
@@ -14,11 +18,7 @@
 #include "datasets/formats/vertex_list.h"
 #include "datasets/formats/wkt.h"
 #include "datasets/grid/grid_map.h"
-#include "datasets/gzip.h"
-#include "datasets/plan_io.h"
-#include "datasets/prepared_map.h"
-#include "datasets/read_map.h"
-#include "datasets/robot.h"
+#include "datasets/io/gzip.h"
 #include "tests/support/prepared_bytes.h"
 
 namespace arcway::test {

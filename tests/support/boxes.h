@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/world.h"
+#include "core/model/world.h"
 
 namespace arcway::test {
 

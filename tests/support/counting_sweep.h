@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "core/query/query_set.h"
+#include "core/collision/query_set.h"
 
 namespace arcway::test {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/geometry/angle.h"
-#include "core/planner.h"
+#include "core/planner/planner.h"
 
 namespace arcway::test {
 

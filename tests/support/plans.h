@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/path/validation.h"
-#include "core/planner.h"
+#include "core/planner/planner.h"
+#include "core/validate/validation.h"
 
 namespace arcway::test {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "core/graph/feasible_tables.h"
+#include "core/roadmap/feasible_tables.h"
 
 namespace arcway::test {
 

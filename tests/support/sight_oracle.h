@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/graph/visibility_graph.h"
-#include "core/world.h"
+#include "core/model/world.h"
+#include "core/roadmap/visibility_graph.h"
 
 namespace arcway::test {
 

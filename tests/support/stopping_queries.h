@@ -7,7 +7,7 @@
 #include <span>
 #include <stop_token>
 
-#include "core/query/query_set.h"
+#include "core/collision/query_set.h"
 
 namespace arcway::test {
 

@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/executor.h"
+#include "core/base/executor.h"
 
 namespace arcway::test {
 

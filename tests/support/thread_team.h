@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/team.h"
+#include "core/base/team.h"
 
 namespace arcway::test {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/world.h"
+#include "core/model/world.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/random_inputs.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/query/sweep_query.h"
-#include "core/world.h"
+#include "core/collision/sweep_query.h"
+#include "core/model/world.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::test {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/path/clearance.h"
-#include "datasets/catalogue.h"
-#include "datasets/random_queries.h"
+#include "core/motion/clearance.h"
+#include "datasets/generators/catalogue.h"
+#include "datasets/generators/random_queries.h"
 
 namespace arcway::peers {
 namespace {

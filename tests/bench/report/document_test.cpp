@@ -11,7 +11,7 @@
 
 #include "bench/report/plot.h"
 #include "bench/report/study.h"
-#include "datasets/file_io.h"
+#include "datasets/io/file_io.h"
 
 namespace arcway::report {
 namespace {

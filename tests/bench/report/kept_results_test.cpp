@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/report/document.h"
-#include "datasets/file_io.h"
+#include "datasets/io/file_io.h"
 
 // What is committed under bench/results, and the tables made from it.
 namespace arcway::report {

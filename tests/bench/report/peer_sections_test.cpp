@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "datasets/file_io.h"
+#include "datasets/io/file_io.h"
 
 namespace arcway::report {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/geometry/angle.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
-#include "core/world.h"
+#include "core/model/world.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "core/world.h"
+#include "core/model/world.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/random_inputs.h"
 #include "tests/support/touching_worlds.h"

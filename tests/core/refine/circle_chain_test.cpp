@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/angle.h"
-#include "core/path/dubins.h"
-#include "core/path/validation.h"
-#include "core/world.h"
+#include "core/model/world.h"
+#include "core/motion/dubins.h"
+#include "core/validate/validation.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {

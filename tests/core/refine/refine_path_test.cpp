@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "core/geometry/angle.h"
-#include "core/path/dubins.h"
-#include "core/path/speed_profile.h"
-#include "core/path/validation.h"
-#include "core/planner.h"
-#include "datasets/catalogue.h"
-#include "datasets/clutter.h"
+#include "core/motion/dubins.h"
+#include "core/motion/speed_profile.h"
+#include "core/planner/planner.h"
+#include "core/validate/validation.h"
+#include "datasets/generators/catalogue.h"
+#include "datasets/generators/clutter.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {

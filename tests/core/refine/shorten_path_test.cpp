@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/path/speed_profile.h"
-#include "core/query/query_set.h"
-#include "core/world.h"
+#include "core/collision/query_set.h"
+#include "core/model/world.h"
+#include "core/motion/speed_profile.h"
 #include "tests/support/plans.h"
 
 namespace arcway {

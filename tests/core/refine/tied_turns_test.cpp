@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/collision/query_set.h"
 #include "core/geometry/angle.h"
-#include "core/path/dubins.h"
-#include "core/path/speed_profile.h"
-#include "core/path/validation.h"
-#include "core/query/query_set.h"
+#include "core/motion/dubins.h"
+#include "core/motion/speed_profile.h"
 #include "core/refine/refine_path.h"
+#include "core/validate/validation.h"
 
 namespace arcway {
 namespace {

@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/attach/manoeuvres.h"
 #include "core/geometry/angle.h"
-#include "core/path/dubins.h"
-#include "core/path/speed_profile.h"
-#include "core/search/manoeuvres.h"
-#include "datasets/clutter.h"
+#include "core/motion/dubins.h"
+#include "core/motion/speed_profile.h"
+#include "datasets/generators/clutter.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/planner.h"
-#include "core/search/search_map.h"
-#include "core/search/terminal_links.h"
-#include "datasets/clutter.h"
-#include "datasets/random_queries.h"
+#include "core/attach/search_map.h"
+#include "core/attach/terminal_links.h"
+#include "core/planner/planner.h"
+#include "datasets/generators/clutter.h"
+#include "datasets/generators/random_queries.h"
 
 namespace arcway {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "core/collision/query_set.h"
 #include "core/geometry/angle.h"
-#include "core/query/query_set.h"
 
 namespace arcway {
 namespace {

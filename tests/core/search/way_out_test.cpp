@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/collision/query_set.h"
 #include "core/geometry/angle.h"
-#include "core/planner.h"
-#include "core/query/query_set.h"
+#include "core/planner/planner.h"
 #include "tests/support/boxes.h"
 
 namespace arcway {

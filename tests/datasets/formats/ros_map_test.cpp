@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/angle.h"
-#include "datasets/file_io.h"
+#include "datasets/io/file_io.h"
 #include "tests/support/format_errors.h"
 
 namespace arcway {

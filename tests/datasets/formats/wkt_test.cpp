@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/polygon.h"
-#include "datasets/doctor/repair.h"
+#include "datasets/map/repair.h"
 #include "tests/support/format_errors.h"
 
 namespace arcway {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "core/path/validation.h"
-#include "core/vehicle.h"
-#include "datasets/catalogue.h"
+#include "core/model/vehicle.h"
+#include "core/validate/validation.h"
+#include "datasets/formats/plan_io.h"
+#include "datasets/formats/robot.h"
+#include "datasets/generators/catalogue.h"
 #include "datasets/generators/drive_clearance.h"
-#include "datasets/plan_io.h"
-#include "datasets/robot.h"
 
 namespace arcway {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/geometry/polygon.h"
-#include "core/world.h"
+#include "core/model/world.h"
 #include "tests/support/random_grids.h"
 
 namespace arcway {

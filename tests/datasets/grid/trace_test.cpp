@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "core/world.h"
+#include "core/model/world.h"
 #include "datasets/grid/grid_map.h"
 #include "tests/support/random_grids.h"
 

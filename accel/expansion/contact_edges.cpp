@@ -1,0 +1,126 @@
+#include "accel/expansion/contact_edges.h"
+
+#include <algorithm>
+
+#include "accel/expansion/expansion.h"
+#include "accel/expansion/sight_trace.h"
+#include "core/geometry/direction_order.h"
+#include "core/geometry/predicates.h"
+
+namespace arcway {
+
+namespace {
+
+class ContactSights {
+ public:
+  ContactSights(const World& world, const SightMap& map)
+      : world_(world), map_(map), trace_(map), expansion_(map, trace_) {}
+
+  void add_edges(const SelfContact& contact, EdgeList& edges) {
+    const Vec2& at = world_.vertex(contact.vertex);
+    const std::uint32_t site = map_.site_at(at);
+    // A line ends where a node is.
+    if (world_.is_covered(contact.vertex) || map_.first_node_at(site) != kNone) return;
+    const std::vector<VertexId> seen = tangents_from(at, site);
+    const LineSegment& touched = world_.edges()[contact.edge];
+    std::vector<VertexId> before, beyond;
+    for (const VertexId v : seen) {
+      const int side = orientation(touched.a, touched.b, world_.vertex(v));
+      if (side != 0) (side > 0 ? before : beyond).push_back(v);
+    }
+    // All of them are on one side of a line, so that they have an order about the contact.
+    std::ranges::sort(beyond,
+                      [&](VertexId v, VertexId w) { return orientation(at, world_.vertex(v), world_.vertex(w)) > 0; });
+    for (const VertexId u : before) {
+      const auto side = [&](VertexId v) { return orientation(world_.vertex(u), at, world_.vertex(v)); };
+      const auto first = std::ranges::partition_point(beyond, [&](VertexId v) { return side(v) < 0; });
+      for (auto v = first; v != beyond.end() && side(*v) == 0; ++v) edges.push_back(std::minmax(u, *v));
+    }
+  }
+
+ private:
+  [[nodiscard]] std::vector<VertexId> tangents_from(const Vec2& at, std::uint32_t site) {
+    scratch_.triangles.clear();
+    for (const std::uint32_t corner : trace_.corners_at(site)) scratch_.triangles.push_back(corner - corner % 3);
+    expansion_.find_sites(at, site, scratch_);
+    std::vector<VertexId> seen;
+    for (const std::uint32_t s : scratch_.sites) {
+      if (!map_.is_whole() && map_.is_blocked_by_broken({at, map_.sites()[s]})) continue;
+      for (std::uint32_t n = map_.first_node_at(s); n != kNone; n = map_.nodes()[n].sibling)
+        seen.push_back(map_.nodes()[n].vertex);
+    }
+    std::ranges::sort(seen);
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    keep_tangents(world_, at, seen);
+    return seen;
+  }
+
+  const World& world_;
+  const SightMap& map_;
+  SightTrace trace_;
+  Expansion expansion_;
+  Expansion::Scratch scratch_;
+};
+
+}  // namespace
+
+EdgeList edges_through_contacts(const World& world, const SightMap& map) {
+  EdgeList edges;
+  if (world.self_contacts().empty()) return edges;
+  ContactSights sights(world, map);
+  for (const SelfContact& contact : world.self_contacts()) sights.add_edges(contact, edges);
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+void add_missing(EdgeList added, std::vector<EdgeList>& lists) {
+  if (added.empty()) return;
+  std::vector<std::uint8_t> is_there(added.size(), 0);
+  for (const EdgeList& list : lists)
+    for (const auto& [u, v] : list) {
+      const auto at = std::ranges::lower_bound(added, std::pair(std::min(u, v), std::max(u, v)));
+      if (at != added.end() && at->first == std::min(u, v) && at->second == std::max(u, v))
+        is_there[static_cast<std::size_t>(at - added.begin())] = 1;
+    }
+  EdgeList& missing = lists.emplace_back();
+  for (std::size_t i = 0; i < added.size(); ++i)
+    if (is_there[i] == 0) missing.push_back(added[i]);
+}
+
+EdgeList both_ways(EdgeList edges) {
+  const std::size_t count = edges.size();
+  for (std::size_t i = 0; i < count; ++i) edges.emplace_back(edges[i].second, edges[i].first);
+  std::ranges::sort(edges);
+  return edges;
+}
+
+void add_missing(std::span<const EdgeList::value_type> both_ways, VertexId vertex, std::vector<VertexId>& row) {
+  const auto first = std::ranges::lower_bound(both_ways, vertex, {}, &EdgeList::value_type::first);
+  const auto last = std::ranges::upper_bound(both_ways, vertex, {}, &EdgeList::value_type::first);
+  if (first == last) return;
+  for (auto edge = first; edge != last; ++edge) row.push_back(edge->second);
+  std::ranges::sort(row);
+  row.erase(std::unique(row.begin(), row.end()), row.end());
+}
+
+void keep_tangents(const World& world, const Vec2& point, std::vector<VertexId>& seen) {
+  std::erase_if(seen, [&](VertexId v) { return !world.is_graph_vertex(v) || !is_tangent(world, v, point); });
+  // Of those in one direction the nearest, or all that are at its place.
+  const auto place = [&](VertexId v) -> const Vec2& { return world.vertex(v); };
+  const auto around = std::partition(seen.begin(), seen.end(), [&](VertexId v) { return place(v) == point; });
+  std::sort(around, seen.end(), [&](VertexId v, VertexId w) {
+    if (precedes_about(point, place(v), place(w))) return true;
+    return !precedes_about(point, place(w), place(v)) && on_open_segment(place(v), {point, place(w)});
+  });
+  const Vec2* nearest = &point;
+  const auto is_behind = [&](VertexId v) {
+    if (on_open_segment(*nearest, {point, place(v)})) return true;
+    nearest = &place(v);
+    return false;
+  };
+  seen.erase(std::remove_if(around, seen.end(), is_behind), seen.end());
+  std::sort(seen.begin(), seen.end());
+}
+
+}  // namespace arcway

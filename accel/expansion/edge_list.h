@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "core/base/executor.h"
+#include "core/roadmap/visibility_graph.h"
+
+namespace arcway {
+
+using EdgeList = std::vector<std::pair<VertexId, VertexId>>;
+
+/// The graph that has the edges of all lists, in any order and direction.
+inline VisibilityGraph graph_of(std::size_t vertices, const std::vector<EdgeList>& lists, const Executor& executor) {
+  constexpr std::size_t kRowsPerRange = 1024;
+  std::vector<std::uint64_t> starts(vertices + 2, 0);  // a row's place is the start of the next one in the end
+  const auto place_of = [&](const auto& edge) { return &starts[std::min(edge.first, edge.second) + 1]; };
+  for (const EdgeList& list : lists)
+    for (const auto& edge : list) ++place_of(edge)[1];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<VertexId> targets(starts.back());
+  for (const EdgeList& list : lists)
+    for (const auto& edge : list) targets[(*place_of(edge))++] = std::max(edge.first, edge.second);
+  starts.pop_back();
+  executor.for_ranges(vertices, kRowsPerRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t u = begin; u < end; ++u) std::sort(targets.begin() + starts[u], targets.begin() + starts[u + 1]);
+  });
+  return {std::move(starts), std::move(targets)};
+}
+
+}  // namespace arcway

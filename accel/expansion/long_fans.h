@@ -1,0 +1,161 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "accel/base/big_vector.h"
+#include "accel/expansion/sight_map.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Long fans of a free-space triangulation: many triangles in a row around one site, the *pivot*. All rays that pass
+/// such a pivot cross all of its triangles up to the first corner that is not beyond them; this finds it in
+/// O(log^2 k) of k triangles instead of one by one.
+///
+/// A fan's rim is the chain of the triangles' other corners, counter-clockwise around the pivot and less than half a
+/// turn. Over the rim lies a binary tree of blocks. Each block keeps the part of its corners' convex hull that faces
+/// the pivot: the whole block lies beyond a ray that has the pivot on its other side if the one corner does that comes
+/// nearest to the ray.
+class LongFans {
+ public:
+  struct Fan {
+    std::uint32_t pivot;
+    std::uint32_t first_door;  ///< into doors of all fans
+    std::uint32_t triangles;   ///< one less than corners of the rim
+    std::uint32_t first_hull;  ///< into hulls of all fans
+  };
+  /// A triangle of a fan.
+  struct Place {
+    const Fan* fan;
+    std::uint32_t triangle;
+  };
+
+  /// None.
+  LongFans() = default;
+  /// Those of at least so many triangles. O(n log n) for n triangles; about 24 bytes a vertex and 12 a triangle of a
+  /// long fan.
+  LongFans(const SightMap& map, std::uint32_t least);
+
+  [[nodiscard]] bool empty() const { return fans_.empty(); }
+  [[nodiscard]] std::size_t size() const { return fans_.size(); }
+  /// The triangle behind a door that has the pivot at one end. The fan is null if there is none.
+  /// @tparam kStep  1: at its left end, so that the fan is passed counter-clockwise; -1: at its right end, clockwise.
+  template <int kStep>
+  [[nodiscard]] Place behind(std::uint32_t door) const {
+    const std::uint32_t at = place_[kStep > 0 ? door : Triangulation::next(door)];
+    if (at == kNone) return {nullptr, 0};
+    const Fan& fan = fans_[fan_of_[at]];
+    return {&fan, at - fan.first_door};
+  }
+  /// The door into a triangle.
+  template <int kStep>
+  [[nodiscard]] std::uint32_t door(const Fan& fan, std::uint32_t triangle) const {
+    const std::uint32_t door = doors_[fan.first_door + triangle];
+    return kStep > 0 ? door : Triangulation::previous(door);
+  }
+  /// The last triangle on the way.
+  template <int kStep>
+  [[nodiscard]] static std::uint32_t last_triangle(const Fan& fan) {
+    return kStep > 0 ? fan.triangles - 1 : 0;
+  }
+
+  /// The first triangle, from one of them on, whose far corner stops a ray; nothing if none does.
+  /// @param stops  by site: whether it does not lie beyond the ray.
+  /// @param rises  of two sites: whether the second one is nearer to the pivot's side of the ray. Exact.
+  template <int kStep, class Stops, class Rises>
+  [[nodiscard]] std::optional<std::uint32_t> first_stop(const Fan& fan, std::uint32_t from, const Stops& stops,
+                                                        const Rises& rises) const {
+    constexpr std::int64_t kFarCorner = kStep > 0 ? 1 : 0;  // of triangle 0
+    const std::int64_t corner = first_corner<kStep>(fan, from + kFarCorner, stops, rises);
+    if (corner < 0 || corner >= corners(fan)) return std::nullopt;
+    return static_cast<std::uint32_t>(corner - kFarCorner);
+  }
+
+ private:
+  static constexpr std::uint32_t kLeaf = 16;  // corners
+
+  [[nodiscard]] static std::uint32_t corners(const Fan& fan) { return fan.triangles + 1; }
+  [[nodiscard]] std::uint32_t site(const Fan& fan, std::uint32_t corner) const {
+    return rim_[fan.first_door + static_cast<std::size_t>(&fan - fans_.data()) + corner];
+  }
+  /// Full blocks of a level.
+  [[nodiscard]] static std::uint32_t blocks(const Fan& fan, std::uint32_t level) {
+    return corners(fan) / (kLeaf << level);
+  }
+  [[nodiscard]] static std::uint32_t levels(const Fan& fan) {
+    return static_cast<std::uint32_t>(std::bit_width(corners(fan) / kLeaf));
+  }
+  [[nodiscard]] std::span<const std::uint32_t> hull(const Fan& fan, std::uint32_t level, std::uint32_t block) const {
+    std::uint32_t index = fan.first_hull + block;
+    for (std::uint32_t l = 0; l < level; ++l) index += blocks(fan, l);
+    return std::span(hull_sites_).subspan(hull_starts_[index], hull_starts_[index + 1] - hull_starts_[index]);
+  }
+  /// The first corner of a rim, from one of them on, that stops a ray; -1 or the number of corners if none does.
+  template <int kStep, class Stops, class Rises>
+  [[nodiscard]] std::int64_t first_corner(const Fan& fan, std::int64_t from, const Stops& stops,
+                                          const Rises& rises) const;
+  /// The corner of a hull that comes nearest to the pivot's side.
+  template <class Rises>
+  [[nodiscard]] static std::uint32_t nearest(std::span<const std::uint32_t> hull, const Rises& rises);
+
+  void add_fan(const SightMap& map, std::span<const std::uint32_t> doors);
+  void add_hulls(const SightMap& map, const Fan& fan);
+
+  std::vector<Fan> fans_;
+  BigVector<std::uint32_t> place_;    ///< by door with a pivot at its left end: index of the triangle; else kNone
+  std::vector<std::uint32_t> doors_;  ///< by triangle
+  std::vector<std::uint32_t> fan_of_;
+  std::vector<std::uint32_t> rim_;  ///< sites by fan and corner
+  std::vector<std::uint32_t> hull_starts_{0};
+  std::vector<std::uint32_t> hull_sites_;
+};
+
+template <class Rises>
+std::uint32_t LongFans::nearest(std::span<const std::uint32_t> hull, const Rises& rises) {
+  std::size_t low = 0, high = hull.size() - 1;
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (rises(hull[middle], hull[middle + 1])) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return hull[low];
+}
+
+// Blocks grow as long as they are passed, and are halved where one is not.
+template <int kStep, class Stops, class Rises>
+std::int64_t LongFans::first_corner(const Fan& fan, std::int64_t from, const Stops& stops, const Rises& rises) const {
+  const std::int64_t end = kStep > 0 ? std::int64_t{corners(fan)} : -1;
+  const std::uint32_t most_levels = levels(fan);
+  std::int64_t at = from;
+  std::uint32_t level = 0;
+  while (at != end) {
+    const std::int64_t border = kStep > 0 ? at : at + 1, size = std::int64_t{kLeaf} << level;
+    const bool is_at_border = border % kLeaf == 0;
+    if (is_at_border && level < most_levels && border % size == 0) {
+      const auto block = static_cast<std::uint32_t>(kStep > 0 ? border / size : border / size - 1);
+      if (block < blocks(fan, level) && !stops(nearest(hull(fan, level, block), rises))) {
+        at += kStep * size;
+        ++level;
+        continue;
+      }
+    }
+    if (is_at_border && level > 0) {
+      --level;
+      continue;
+    }
+    do {
+      if (stops(site(fan, static_cast<std::uint32_t>(at)))) return at;
+      at += kStep;
+    } while (at != end && (kStep > 0 ? at : at + 1) % kLeaf != 0);
+  }
+  return end;
+}
+
+}  // namespace arcway

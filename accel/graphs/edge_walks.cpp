@@ -1,0 +1,36 @@
+#include "accel/graphs/edge_walks.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "accel/expansion/wedge_walk.h"
+
+namespace arcway {
+
+namespace {
+
+// Lists as long as their edges allow: one that grows is held twice.
+constexpr std::size_t kNodesPerList = 256;
+
+}  // namespace
+
+std::vector<EdgeList> walk_right(const SightMap& map, const Strips& strips, const LongFans& fans, std::size_t first,
+                                 std::size_t last, const Executor& executor, WalkCounts* counts) {
+  std::vector<EdgeList> lists((last - first + kNodesPerList - 1) / kNodesPerList);
+  std::atomic<std::uint64_t> steps = 0, candidates = 0;
+  executor.for_ranges(lists.size(), 1, [&](std::size_t begin, std::size_t end) {
+    WedgeWalk walk(map, &strips, &fans);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t behind = std::min(last, first + (i + 1) * kNodesPerList);
+      for (std::size_t node = first + i * kNodesPerList; node < behind; ++node)
+        walk.look_right(static_cast<std::uint32_t>(node));
+      lists[i] = walk.take_edges();
+    }
+    steps += walk.steps();
+    candidates += walk.candidates();
+  });
+  if (counts) *counts = {steps, candidates};
+  return lists;
+}
+
+}  // namespace arcway

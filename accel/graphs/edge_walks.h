@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "accel/expansion/edge_list.h"
+#include "accel/expansion/long_fans.h"
+#include "accel/expansion/sight_map.h"
+#include "accel/expansion/strips.h"
+#include "core/base/executor.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// What walks did.
+struct WalkCounts {
+  std::uint64_t steps = 0;       ///< triangles entered
+  std::uint64_t candidates = 0;  ///< edges tested against regions that are not whole
+};
+
+/// Looks to the right from the nodes [first, last): after all nodes, each edge is in one list once.
+/// @param strips, fans  of the map, to be passed at once.
+/// @return lists in the order of the nodes, the same for any executor.
+std::vector<EdgeList> walk_right(const SightMap& map, const Strips& strips, const LongFans& fans, std::size_t first,
+                                 std::size_t last, const Executor& executor, WalkCounts* counts = nullptr);
+
+}  // namespace arcway

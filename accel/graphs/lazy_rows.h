@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/executor.h"
+#include "core/model/world.h"
+#include "core/roadmap/visibility_rows.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// The rows of the reduced visibility graph, each found by walks through its vertex's tangent wedges when it is first
+/// asked for: what a first query on a large map needs of it.
+///
+///     const Planner planner(world, vehicle, queries, make_lazy_rows(world), {.graph_mode = GraphMode::kLazy},
+///     executor);
+///
+/// Triangulates free space, see TangentNeighbours for cost and limits. Rows are kept as long as the result lives, and
+/// there is one for a vertex at most: all of them take 8 bytes an edge of the graph and about 60 a vertex. Thread-safe.
+std::shared_ptr<const VisibilityRows> make_lazy_rows(const World& world, const Executor& executor = SerialExecutor());
+
+}  // namespace arcway

@@ -1,0 +1,265 @@
+#include "accel/graphs/visibility_map.h"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "accel/expansion/by_site.h"
+#include "accel/expansion/contact_edges.h"
+#include "accel/expansion/edge_list.h"
+#include "accel/expansion/expansion.h"
+#include "accel/expansion/sight_map.h"
+#include "accel/expansion/sight_trace.h"
+#include "accel/expansion/wedge_walk.h"
+#include "accel/location/region_locator.h"
+#include "core/collision/blocking.h"
+#include "core/geometry/crossing_point.h"
+#include "core/geometry/direction_order.h"
+#include "core/geometry/predicates.h"
+#include "core/model/pose_text.h"
+
+namespace arcway {
+
+namespace {
+
+using End = SightTrace::End;
+using Kind = SightTrace::End::Kind;
+
+// Where the line from p through `through` meets a wall, rounded.
+Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& wall) {
+  if (through == wall.a || through == wall.b) return through;
+  if (orientation(wall.a, wall.b, p) == 0) return p;
+  return crossing_point(wall, {p, through});
+}
+
+}  // namespace
+
+struct VisibilityMap::Data {
+  Data(const World& of, const Executor& executor)
+      : world(of),
+        map(listed(world, executor)),
+        trace(map),
+        locator(world),
+        expansion(map, trace),
+        node_of(world.vertices().size(), kNone) {
+    for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
+    const auto site_count = static_cast<std::uint32_t>(map.sites().size());
+    std::vector<std::uint32_t> sites;
+    for (VertexId v = 0; v < world.vertices().size(); ++v)
+      sites.push_back(world.is_covered(v) ? site_count : map.site_at(world.vertex(v)));
+    vertices = BySite(std::move(sites), site_count);
+    through_contacts = both_ways(edges_through_contacts(world, map));
+  }
+
+  static SightMap listed(const World& world, const Executor& executor) {
+    SightMap map(world, executor);
+    map.list_left_edges();
+    return map;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> triangles_at(const Vec2& p) const {
+    std::vector<std::uint32_t> triangles;
+    trace.triangles_at(p, triangles);
+    return triangles;
+  }
+
+  // Segments of one point are lines of sight as well unless it lies inside a region.
+  [[nodiscard]] bool is_visible(const LineSegment& segment) const {
+    if (locator.containing(segment.a) != kNone) return false;
+    if (segment.a == segment.b) return true;
+    if (std::vector<std::uint32_t> triangles = triangles_at(segment.a); !triangles.empty())
+      return is_reached(segment.a, segment.b, triangles);
+    if (locator.containing(segment.b) != kNone) return false;
+    if (std::vector<std::uint32_t> triangles = triangles_at(segment.b); !triangles.empty())
+      return is_reached(segment.b, segment.a, triangles);
+    for (VertexId e = 0; e < world.edges().size(); ++e)
+      if (blocks(world, e, segment)) return false;
+    return true;
+  }
+
+  [[nodiscard]] bool is_reached(const Vec2& p, const Vec2& q, std::span<const std::uint32_t> triangles) const {
+    const Kind kind = trace.trace(p, q, triangles, false).kind;
+    return (kind == Kind::kReached || kind == Kind::kFrame) && (map.is_whole() || !map.is_blocked_by_broken({p, q}));
+  }
+
+  static void require_range(const char* what, const Vec2& p) {
+    if (!is_in_range(p))
+      throw std::invalid_argument(std::string(what) + ": " + shortest_text(p) + ", coordinates must be 0 or from " +
+                                  shortest_text(kMinMagnitude) + " to " + shortest_text(kMaxMagnitude) +
+                                  " in magnitude");
+  }
+
+  void require_vertex(const char* what, VertexId vertex) const {
+    if (vertex >= node_of.size())
+      throw std::out_of_range(std::string(what) + ": vertex " + std::to_string(vertex) + ", the world has " +
+                              std::to_string(node_of.size()));
+  }
+
+  void require_near(const char* what, const Vec2& p) const {
+    if (!map.is_whole())
+      throw std::domain_error(std::string(what) + ": edges of " + std::to_string(map.broken_count()) +
+                              " regions of the world cross");
+    if (!world.has_bounds() && !world.box().empty() && !Box{map.sites().front(), map.sites().back()}.contains(p))
+      throw std::domain_error(std::string(what) + ": " + shortest_text(p) + " is further from the map than its size");
+  }
+
+  [[nodiscard]] LineSegment wall_of(std::uint32_t right, std::uint32_t left) const {
+    return {map.sites()[right], map.sites()[left]};
+  }
+
+  // Ascending; from a point at some triangles.
+  void find_vertices_seen(const Vec2& p, std::uint32_t own, Expansion::Scratch& scratch,
+                          std::vector<VertexId>& found) const {
+    expansion.find_sites(p, own, scratch);
+    found.clear();
+    for (const std::uint32_t site : scratch.sites)
+      if (map.is_whole() || !map.is_blocked_by_broken({p, map.sites()[site]}))
+        for (const VertexId v : vertices.of(site)) found.push_back(v);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+
+  void find_vertices_seen(std::uint32_t site, Expansion::Scratch& scratch, std::vector<VertexId>& found) const {
+    scratch.triangles.clear();
+    for (const std::uint32_t corner : trace.corners_at(site)) scratch.triangles.push_back(corner - corner % 3);
+    find_vertices_seen(map.sites()[site], site, scratch, found);
+  }
+
+  [[nodiscard]] std::vector<VertexId> vertices_seen(VertexId vertex) const {
+    std::vector<VertexId> found;
+    Expansion::Scratch scratch;
+    if (!world.is_covered(vertex)) find_vertices_seen(map.site_at(world.vertex(vertex)), scratch, found);
+    return found;
+  }
+
+  [[nodiscard]] std::vector<VertexId> vertices_seen(const Vec2& p) const {
+    std::vector<VertexId> found;
+    if (locator.containing(p) != kNone) return found;
+    Expansion::Scratch scratch;
+    trace.triangles_at(p, scratch.triangles);
+    if (!scratch.triangles.empty()) {
+      find_vertices_seen(p, trace.site_at(p, scratch.triangles), scratch, found);
+    } else {
+      for (VertexId v = 0; v < world.vertices().size(); ++v)
+        if (!world.is_covered(v) && world.vertex(v) != p && is_visible({world.vertex(v), p})) found.push_back(v);
+    }
+    return found;
+  }
+
+  // Those with vertices; what is near in the plane follows each other.
+  [[nodiscard]] std::vector<std::uint32_t> sites_by_tile() const {
+    std::vector<std::uint32_t> sites;
+    std::vector<std::uint8_t> listed(map.sites().size(), 0);
+    const auto list = [&](std::uint32_t site) {
+      if (listed[site] == 0 && !vertices.of(site).empty()) sites.push_back(site);
+      listed[site] = 1;
+    };
+    for (const SightMap::Door& door : map.doors()) list(door.site);
+    for (std::uint32_t site = 0; site < listed.size(); ++site) list(site);  // that no triangle meets
+    return sites;
+  }
+
+  World world;
+  SightMap map;
+  SightTrace trace;
+  RegionLocator locator;
+  Expansion expansion;
+  std::vector<std::uint32_t> node_of;  // by vertex
+  BySite vertices;                     // that are not covered
+  EdgeList through_contacts;           // of the reduced graph
+};
+
+VisibilityMap::VisibilityMap(const World& world, const Executor& executor)
+    : data_(std::make_unique<const Data>(world, executor)) {}
+VisibilityMap::~VisibilityMap() = default;
+VisibilityMap::VisibilityMap(VisibilityMap&&) noexcept = default;
+VisibilityMap& VisibilityMap::operator=(VisibilityMap&&) noexcept = default;
+
+bool VisibilityMap::visible(const LineSegment& segment) const {
+  Data::require_range("line of sight", segment.a);
+  Data::require_range("line of sight", segment.b);
+  return data_->is_visible(segment);
+}
+
+std::optional<VisibilityMap::RayHit> VisibilityMap::first_hit(const Vec2& from, const Vec2& towards) const {
+  const Data& d = *data_;
+  Data::require_range("first hit", from);
+  Data::require_range("first hit", towards);
+  if (from == towards) throw std::invalid_argument("first hit: a ray needs two different points");
+  d.require_near("first hit", from);
+  if (d.world.vertices().empty()) return std::nullopt;
+  const std::vector<std::uint32_t> triangles = d.triangles_at(from);
+  const std::optional<End> found = triangles.empty() ? d.trace.trace_along_edges(from, towards, true)
+                                                     : d.trace.trace(from, towards, triangles, true);
+  if (!found) return RayHit{from, {from, from}};
+  const End& end = *found;
+  if (end.kind == Kind::kFrame) return std::nullopt;
+  const LineSegment wall = d.wall_of(end.right, end.left);
+  if (end.kind == Kind::kCorner) return RayHit{wall.a, wall};
+  return RayHit{meet(from, towards, wall), wall};
+}
+
+std::vector<VertexId> VisibilityMap::visible_from(VertexId vertex) const {
+  data_->require_vertex("visible vertices", vertex);
+  return data_->vertices_seen(vertex);
+}
+
+std::vector<VertexId> VisibilityMap::visible_from(const Vec2& point) const {
+  Data::require_range("visible vertices", point);
+  return data_->vertices_seen(point);
+}
+
+std::vector<VertexId> VisibilityMap::tangents_from(VertexId vertex) const {
+  data_->require_vertex("tangents", vertex);
+  std::vector<VertexId> found = tangent_neighbours(data_->map, data_->node_of[vertex]);
+  add_missing(data_->through_contacts, vertex, found);
+  return found;
+}
+
+std::vector<VertexId> VisibilityMap::tangents_from(const Vec2& point) const {
+  Data::require_range("tangents", point);
+  const Data& d = *data_;
+  std::vector<VertexId> found = d.vertices_seen(point);
+  keep_tangents(d.world, point, found);
+  return found;
+}
+
+std::vector<VisibilityMap::SeenWall> VisibilityMap::visibility_polygon(const Vec2& point) const {
+  const Data& d = *data_;
+  Data::require_range("visibility polygon", point);
+  d.require_near("visibility polygon", point);
+  std::vector<SeenWall> walls;
+  Expansion::Scratch scratch;
+  d.trace.triangles_at(point, scratch.triangles);
+  d.expansion.find_walls(point, scratch);
+  for (const Expansion::View& seen : scratch.walls) {
+    const LineSegment wall = d.wall_of(seen.right, seen.left);
+    const Vec2 &low = d.map.sites()[seen.low], &high = d.map.sites()[seen.high];
+    walls.push_back({wall, meet(point, low, wall), meet(point, high, wall), low, high,
+                     d.trace.is_frame(seen.right) && d.trace.is_frame(seen.left)});
+  }
+  return walls;
+}
+
+VisibilityGraph build_full_visibility_graph_by_expansion(const World& world, const Executor& executor) {
+  constexpr std::size_t kSitesPerRange = 64;
+  const VisibilityMap::Data map(world, executor);
+  const std::vector<std::uint32_t> sites = map.sites_by_tile();
+  std::vector<EdgeList> parts((sites.size() + kSitesPerRange - 1) / kSitesPerRange);
+  executor.begin_stage("lines of sight");
+  executor.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    Expansion::Scratch scratch;
+    std::vector<VertexId> seen;
+    for (std::size_t part = begin; part < end; ++part)
+      for (std::size_t i = part * kSitesPerRange; i < std::min(sites.size(), (part + 1) * kSitesPerRange); ++i) {
+        map.find_vertices_seen(sites[i], scratch, seen);
+        for (const VertexId u : map.vertices.of(sites[i]))
+          for (const VertexId v : seen)
+            if (v > u) parts[part].emplace_back(u, v);
+      }
+  });
+  return graph_of(world.vertices().size(), parts, executor);
+}
+
+}  // namespace arcway

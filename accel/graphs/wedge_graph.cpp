@@ -1,0 +1,83 @@
+#include "accel/graphs/wedge_graph.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "accel/expansion/contact_edges.h"
+#include "accel/expansion/edge_list.h"
+#include "accel/expansion/sight_map.h"
+#include "accel/expansion/strips.h"
+#include "accel/expansion/wedge_walk.h"
+#include "accel/graphs/edge_walks.h"
+#include "core/base/bytes.h"
+
+namespace arcway {
+
+namespace {
+
+// Everybody's edges, and sums of everybody's counters.
+void exchange(std::vector<EdgeList>& parts, WalkCounts& sum, const Team& team) {
+  std::string bytes;
+  append_bytes(bytes, sum.steps);
+  append_bytes(bytes, sum.candidates);
+  for (const EdgeList& part : parts)
+    for (const auto& [u, v] : part) append_bytes(bytes, std::array<VertexId, 2>{u, v});
+  parts.clear();
+  sum = {};
+  for (std::string_view rest : team.gather(std::move(bytes))) {
+    sum.steps += take_bytes<std::uint64_t>(rest);
+    sum.candidates += take_bytes<std::uint64_t>(rest);
+    EdgeList part;
+    for (const auto& [u, v] : take_bytes<std::array<VertexId, 2>>(rest, rest.size() / sizeof(std::array<VertexId, 2>)))
+      part.emplace_back(u, v);
+    parts.push_back(std::move(part));
+  }
+}
+
+// What all nodes look through.
+struct Landscape {
+  SightMap map;
+  LongFans fans;
+};
+
+// Where walks are long, shorter diagonals are worth a second triangulation.
+Landscape landscape_of(const World& world, const Executor& executor) {
+  constexpr double kManySteps = 100.0;
+  Landscape landscape{SightMap(world, executor, Diagonals::kLong), {}};
+  if (steps_a_node(landscape.map, executor) > kManySteps) {
+    landscape.map = SightMap(world, executor, Diagonals::kAll);
+    landscape.fans = worthwhile_fans(landscape.map, executor);
+  }
+  return landscape;
+}
+
+}  // namespace
+
+VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, const Executor& executor,
+                                                         WedgeStatistics* statistics, const Team& team) {
+  std::vector<EdgeList> parts;
+  WalkCounts sum;
+  EdgeList through_contacts;
+  {
+    auto [map, fans] = landscape_of(world, executor);  // gone when rows are made
+    if (statistics) *statistics = {map.doors().size() / 3, 0, 0, map.broken_count()};
+    executor.begin_stage("lines of sight");
+    const Strips strips = worthwhile_strips(world, map, executor);
+    const auto [first, last] = team.share_of(map.nodes().size());
+    parts = walk_right(map, strips, fans, first, last, executor, &sum);
+    if (!world.self_contacts().empty()) map.list_left_edges();
+    through_contacts = edges_through_contacts(world, map);
+  }
+  if (team.size() > 1) exchange(parts, sum, team);
+  add_missing(std::move(through_contacts), parts);
+  if (statistics) {
+    statistics->steps = sum.steps;
+    statistics->candidates = sum.candidates;
+  }
+  return graph_of(world.vertices().size(), parts, executor);
+}
+
+}  // namespace arcway

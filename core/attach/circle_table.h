@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/attach/sectors.h"
+#include "core/base/huge_pages.h"
+#include "core/base/prefetch.h"
+#include "core/base/stop_clock.h"
+#include "core/geometry/angle.h"
+#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/slot_cache.h"
+
+namespace arcway {
+
+/// A feasible graph as searches read it: of an eager graph all that they ask about a circle lies in one cache line, as
+/// a search on a large map waits for memory most of the time; a lazy graph is asked itself. Immutable, thread-safe.
+class CircleTable {
+ public:
+  explicit CircleTable(const FeasibleGraph& graph);
+
+  struct Circle {
+    Vec2 center;
+    double radius;
+    Side side;
+  };
+  [[nodiscard]] Circle circle(std::uint32_t c) const {
+    if (const Record* r = record(c)) return {r->center, r->radius, r->side};
+    const TurnCircle& circle = graph_.circles()[c];
+    return {circle.center, circle.radius, circle.side};
+  }
+  /// Whether all circles are known to have the same radius.
+  [[nodiscard]] bool has_one_radius() const { return has_one_radius_; }
+  /// See HeadingSet::reach, towards the circle's own side.
+  [[nodiscard]] double reach(std::uint32_t c, double heading) const {
+    if (const Record* r = record(c); r && r->has_one_interval) return reach_within(r->free, heading, r->side);
+    return graph_.free_headings(c).reach(heading, graph_.circles()[c].side);
+  }
+  /// Whether a heading in [0, 2 pi), known within less than `slack`, may be free, as far as is known without a search.
+  [[nodiscard]] bool may_be_free(std::uint32_t c, double heading, double slack) const {
+    const Record* r = record(c);
+    if (!r || !r->has_one_interval) return true;
+    const double ahead = heading - r->free.low + slack;  // of the interval's begin, up to whole turns
+    const double width = r->free.high - r->free.low + 2.0 * slack;
+    return (ahead >= 0.0 && ahead <= width) || ahead + kTwoPi <= width || ahead >= kTwoPi;
+  }
+  /// Sectors of headings that may be free, as far as is known without a search.
+  [[nodiscard]] Sectors free_sectors(std::uint32_t c) const { return sectors_.empty() ? kAllSectors : sectors_[c]; }
+  /// See FeasibleGraph::links_from.
+  [[nodiscard]] std::span<const FeasibleGraph::Link> links_from(std::uint32_t c, const StopClock& clock = {}) const {
+    if (const Record* r = record(c)) return links_.subspan(r->first_link, r->links);
+    return graph_.links_from(c, clock);
+  }
+  /// See FeasibleGraph::is_kept.
+  [[nodiscard]] bool is_kept(std::uint32_t c, std::uint32_t index) const { return graph_.is_kept(c, index); }
+  /// One of the links that leave a circle: links_from(circle)[index].
+  struct LinkOf {
+    std::uint32_t circle, index;
+  };
+  /// Sorts all links by where they lead to, for which a lazy graph finds all rows, none of them being decided by that:
+  /// 8 bytes a link, kept. Nothing to do the next time.
+  /// @returns false if the clock is over before that is done.
+  [[nodiscard]] bool find_links_to(const StopClock& clock = {}) const;
+  /// Whether that has been done.
+  [[nodiscard]] bool knows_links_to() const { return incoming_.find(0) != nullptr; }
+  /// The links that lead to a circle, by the one that they leave. Finds them first if need be.
+  [[nodiscard]] std::span<const LinkOf> links_to(std::uint32_t c) const;
+  [[nodiscard]] std::size_t size() const { return graph_.circles().size(); }
+  [[nodiscard]] bool is_lazy() const { return graph_.mode() == GraphMode::kLazy; }
+  /// Says that a circle will be asked about soon.
+  void prefetch(std::uint32_t c) const {
+    if (const Record* r = record(c)) will_need(r);
+  }
+  /// Says that the links will be asked for that leave a circle; best some time after `prefetch`.
+  void prefetch_links(std::uint32_t c) const {
+    if (const Record* r = record(c)) will_need(links_.data() + r->first_link);
+  }
+
+ private:
+  struct alignas(64) Record {
+    Vec2 center;
+    double radius;
+    HeadingInterval free;  // if there is just one interval
+    std::uint32_t first_link, links;
+    Side side;
+    bool has_one_interval;
+  };
+  [[nodiscard]] const Record* record(std::uint32_t c) const { return records_.empty() ? nullptr : &records_[c]; }
+
+  // Links by where they lead to.
+  struct Incoming {
+    std::vector<std::uint64_t> starts;
+    std::vector<LinkOf> links;
+  };
+  [[nodiscard]] Incoming find_incoming(const StopClock& clock) const;
+
+  FeasibleGraph graph_;
+  bool has_one_radius_ = false;
+  std::span<const FeasibleGraph::Link> links_;
+  HugeVector<Record> records_;    // none of a lazy graph
+  std::vector<Sectors> sectors_;  // likewise
+  SlotCache<Incoming> incoming_{1};
+};
+
+}  // namespace arcway

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+
+#include "core/attach/circle_table.h"
+#include "core/attach/search_map.h"
+#include "core/attach/search_options.h"
+#include "core/attach/terminal_links.h"
+#include "core/base/executor.h"
+#include "core/collision/sweep_query.h"
+
+namespace arcway {
+
+/// What the parts of one search have in common.
+class SearchContext {
+ public:
+  SearchContext(const SearchMap& m, std::span<const Terminal> s, std::span<const Terminal> g, const SearchOptions& o,
+                SearchResult& r)
+      : map(m),
+        graph(m.graph),
+        vehicle(o.gear == Gear::kForward ? m.vehicle : m.vehicle.with_gears_swapped()),
+        starts(s),
+        goals(g),
+        options(o),
+        goal((g[0].connection.empty() ? g[0].pose : g[0].connection.back().end()).position()),
+        result(r) {}
+
+  bool interrupted() {
+    result.interrupted = result.interrupted || options.interrupted();
+    return result.interrupted;
+  }
+
+  /// The links that leave a circle: none, and the search is interrupted, if the time is over before a lazy graph has
+  /// found them.
+  std::span<const FeasibleGraph::Link> links_from(std::uint32_t circle) {
+    try {
+      return map.circles->links_from(circle, options.clock);
+    } catch (const Cancelled&) {
+      result.interrupted = true;
+      return {};
+    }
+  }
+
+  bool is_free(const Bitangent& line) {
+    ++result.straights_checked;
+    return map.queries.sweep->straight_free(swept_rectangle(line.start, line.length, map.body));
+  }
+
+  const SearchMap& map;
+  const FeasibleGraph& graph;
+  const Vehicle vehicle;  ///< with the gears as the path will be driven
+  std::span<const Terminal> starts;
+  std::span<const Terminal> goals;
+  const SearchOptions& options;
+  const Vec2 goal;  ///< where all paths end
+  SearchResult& result;
+};
+
+}  // namespace arcway

@@ -1,0 +1,172 @@
+#include "core/attach/search_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/collision/motion_free.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kMostDirectPairs = 64;
+// Straights between the poses of manoeuvres at one end and the graph, in all: so many, or half as many as vertices
+// where those are more; each circle of a pose has two in any case. 48 bytes each at the start, 64 at the goal. In open
+// places 400 poses see millions of circles: among 20,000 cells that touch at corners, their links took 1.2 GB, now 8
+// MB.
+constexpr std::size_t kLinksOfPoses = 1 << 16;
+constexpr std::size_t kVerticesALink = 2;
+constexpr std::size_t kLeastLinks = 2;
+
+bool is_same(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.heading == b.heading; }
+
+// How many straights each new circle of manoeuvres may join the graph by: together they take half of what is left.
+std::size_t links_a_circle(std::size_t vertices, std::size_t known_links, std::size_t new_circles) {
+  const std::size_t most = std::max(kLinksOfPoses, vertices / kVerticesALink);
+  const std::size_t left = most - std::min(most, known_links);
+  return std::max(kLeastLinks, left / 2 / std::max<std::size_t>(new_circles, 1));
+}
+
+// Whether all poses begin with some.
+bool begin_with(std::span<const Terminal> all, const std::vector<Pose>& some) {
+  return some.size() <= all.size() &&
+         std::ranges::equal(some, all.first(some.size()), is_same, {}, [](const Terminal& t) { return t.pose; });
+}
+
+}  // namespace
+
+void SearchEnds::forget() {
+  starts_.clear();
+  goals_.clear();
+  start_circles_.clear();
+  goal_circles_.clear();
+  start_links_.clear();
+  start_link_ranges_.clear();
+  goal_links_.clear();
+  direct_paths_.clear();
+}
+
+void SearchEnds::warm_up(std::size_t circles) {
+  forget();
+  first_goal_link_.reset(circles);
+}
+
+bool SearchEnds::are_first_of(const SearchContext& context) const {
+  return begin_with(context.starts, starts_) && begin_with(context.goals, goals_);
+}
+
+void SearchEnds::begin(SearchContext& context) {
+  context_ = &context;
+  longest_way_ = context.options.faster_than * context.vehicle.top_speed();
+  const std::size_t known_starts = starts_.size(), known_goals = goals_.size();
+  const auto first_start_circle = start_circles_.size();
+  const auto first_goal_circle = static_cast<std::uint32_t>(goal_circles_.size());
+  if (known_goals == 0) first_goal_link_.reset(context.graph.circles().size());
+  for (std::size_t s = known_starts; s < context.starts.size(); ++s) starts_.push_back(context.starts[s].pose);
+  for (std::size_t g = known_goals; g < context.goals.size(); ++g) goals_.push_back(context.goals[g].pose);
+
+  const StopClock& clock = context.options.clock;
+  append_circles(context.map, context.starts, known_starts, Direction::kFromStart, headings_, start_circles_, clock);
+  append_circles(context.map, context.goals, known_goals, Direction::kToGoal, headings_, goal_circles_, clock);
+  const std::size_t new_starts = start_circles_.size() - first_start_circle;
+  const std::size_t new_goals = goal_circles_.size() - first_goal_circle;
+  context.result.turns_checked += new_starts + new_goals;
+  start_link_ranges_.resize(start_circles_.size());
+  const std::size_t vertices = context.map.world.vertices().size();
+  most_start_links_ = links_a_circle(vertices, start_links_.size(), new_starts);
+  most_goal_links_ = links_a_circle(vertices, goal_links_.size(), new_goals);
+  find_direct_paths(known_starts, known_goals);
+  for (std::uint32_t g = first_goal_circle; g < goal_circles_.size() && !context.interrupted(); ++g) add_goal_links(g);
+}
+
+void SearchEnds::find_direct_paths(std::size_t known_starts, std::size_t known_goals) {
+  const auto starts = static_cast<std::uint32_t>(context_->starts.size());
+  const auto goals = static_cast<std::uint32_t>(context_->goals.size());
+  const bool are_many = context_->starts.size() * context_->goals.size() > kMostDirectPairs;
+  for (std::uint32_t s = 0; s < starts; ++s)
+    for (auto g = static_cast<std::uint32_t>(s < known_starts ? known_goals : 0); g < goals; ++g) {
+      const bool plain_start = context_->starts[s].connection.empty();
+      const bool plain_goal = context_->goals[g].connection.empty();
+      if (context_->interrupted()) return;
+      // Of many manoeuvres at both ends one is enough for a path that goes round nothing in between.
+      if (are_many && !plain_start && !plain_goal) continue;
+      const bool few_radii = are_many && !(plain_start && plain_goal);
+      const std::span<const double> radii = context_->map.radii;
+      for (const double radius : radii.first(few_radii ? 1 : radii.size()))
+        for (const DubinsWord word : kDubinsWords) try_direct(s, g, radius, word);
+    }
+}
+
+void SearchEnds::try_direct(std::uint32_t start, std::uint32_t goal, double radius, DubinsWord word) {
+  const Terminal& from = context_->starts[start];
+  const Terminal& to = context_->goals[goal];
+  const auto between = dubins_word(word, from.pose, to.pose, radius);
+  if (!between) return;
+  double length = length_of(from.connection) + length_of(to.connection);
+  for (const PathSegment& segment : between->segments()) length += segment.length;
+  if (length >= longest_way_) return;
+  // Lines first: they are longer and sooner asked about.
+  for (const bool lines : {true, false})
+    for (const PathSegment& segment : between->segments())
+      if (segment.is_line() == lines && !is_free(segment)) return;
+  context_->result.start_connected = context_->result.goal_connected = true;
+  direct_paths_.push_back({start, goal, *between, 0.0});
+  take_path(direct_paths_.back(), path_);
+  direct_paths_.back().time = travel_cost(path_, context_->vehicle, context_->options.cusp_cost, profile_);
+}
+
+void SearchEnds::take_path(const DirectPath& direct, Path& path) const {
+  path = context_->starts[direct.start].connection;
+  const std::span<const PathSegment> between = direct.word.segments();
+  path.insert(path.end(), between.begin(), between.end());
+  const Path& after = context_->goals[direct.goal].connection;
+  path.insert(path.end(), after.begin(), after.end());
+}
+
+bool SearchEnds::is_free(const PathSegment& segment) {
+  if (segment.is_line()) return context_->is_free({segment.start, segment.length});
+  ++context_->result.turns_checked;
+  return turn_free(*context_->map.queries.sweep, context_->map.body, segment, headings_);
+}
+
+SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
+  Range& range = start_link_ranges_[start_circle];
+  if (range.first == kNone) {
+    range.first = static_cast<std::uint32_t>(start_links_.size());
+    const Terminal& start = context_->starts[start_circles_[start_circle].terminal];
+    append_links(context_->map, start_circles_, start_circle, Direction::kFromStart,
+                 {context_->goal, longest_way_ - length_of(start.connection),
+                  start.connection.empty() ? kUnlimited : most_start_links_},
+                 pieces_, start_links_);
+    range.last = static_cast<std::uint32_t>(start_links_.size());
+  }
+  return range;
+}
+
+void SearchEnds::add_goal_links(std::uint32_t goal_circle) {
+  const Terminal& goal = context_->goals[goal_circles_[goal_circle].terminal];
+  const WayLimit limit{context_->starts[0].pose.position(), longest_way_ - length_of(goal.connection),
+                       goal.connection.empty() ? kUnlimited : most_goal_links_};
+  if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
+  found_.clear();
+  append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, limit, pieces_, found_);
+  for (const TerminalLink& link : found_) {
+    goal_links_.push_back({link, kInfinity, first_goal_link_.get(link.circle), false, false});
+    first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));
+  }
+}
+
+bool SearchEnds::is_free(GoalLink& goal) {
+  if (!goal.checked) {
+    const Bitangent& line = goal.link.line;
+    goal.free = context_->graph.free_headings(goal.link.circle).contains(line.start.heading) && context_->is_free(line);
+    goal.checked = true;
+  }
+  return goal.free;
+}
+
+}  // namespace arcway

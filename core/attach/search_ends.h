@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/attach/per_circle.h"
+#include "core/attach/search_context.h"
+#include "core/attach/terminal_links.h"
+#include "core/base/huge_pages.h"
+#include "core/motion/dubins.h"
+#include "core/motion/speed_profile.h"
+
+namespace arcway {
+
+/// How start and goal terminals join the graph, and each other.
+class SearchEnds {
+ public:
+  struct GoalLink {
+    TerminalLink link;
+    double best_time;    ///< of complete paths by this link, for the search to keep
+    std::uint32_t next;  ///< on the same circle, or kNone
+    bool checked, free;
+  };
+  /// A word that leads from a start to a goal, and the manoeuvres there.
+  struct DirectPath {
+    std::uint32_t start, goal;  ///< terminals
+    DubinsPath word;            ///< from the one to the other
+    double time;
+  };
+
+  /// Forgets the search before.
+  void forget();
+  /// The same, with memory for a graph of so many circles at hand.
+  void warm_up(std::size_t circles);
+  /// Whether the terminals of the search before are the first ones of this.
+  [[nodiscard]] bool are_first_of(const SearchContext& context) const;
+  /// Finds the circles of all terminals, the free words between them, and the links to the goals, unless interrupted;
+  /// those that the search before had found stay, and keep their indices.
+  void begin(SearchContext& context);
+
+  [[nodiscard]] std::span<const TerminalCircle> start_circles() const { return start_circles_; }
+  [[nodiscard]] std::span<const TerminalCircle> goal_circles() const { return goal_circles_; }
+  [[nodiscard]] std::span<const DirectPath> direct_paths() const { return direct_paths_; }
+  /// @param path  becomes the whole path; its memory is used again.
+  void take_path(const DirectPath& direct, Path& path) const;
+
+  /// Indices, from `first` to before `last`, of the links that leave a start circle; found when first asked for.
+  struct Range {
+    std::uint32_t first = kNone, last = kNone;
+  };
+  Range links_from(std::uint32_t start_circle);
+  [[nodiscard]] const TerminalLink& start_link(std::uint32_t index) const { return start_links_[index]; }
+
+  [[nodiscard]] std::span<const GoalLink> goal_links() const { return goal_links_; }
+  [[nodiscard]] GoalLink& goal_link(std::uint32_t index) { return goal_links_[index]; }
+  /// The first one that leaves a circle of the graph; the others by `next`.
+  [[nodiscard]] std::uint32_t first_goal_link(std::uint32_t circle) const { return first_goal_link_.get(circle); }
+  /// Says that the links will be asked for that leave a circle of the graph.
+  void prefetch(std::uint32_t circle) const { first_goal_link_.prefetch(circle); }
+  /// Whether the swept rectangle, and the body on the graph's circle where it begins, is free.
+  bool is_free(GoalLink& goal);
+
+ private:
+  void find_direct_paths(std::size_t known_starts, std::size_t known_goals);
+  void try_direct(std::uint32_t start, std::uint32_t goal, double radius, DubinsWord word);
+  bool is_free(const PathSegment& segment);
+  void add_goal_links(std::uint32_t goal_circle);
+
+  SearchContext* context_ = nullptr;
+  double longest_way_ = 0.0;                                // of paths that are wanted [m]
+  std::size_t most_start_links_ = 0, most_goal_links_ = 0;  // of a circle of manoeuvres
+  HeadingSet headings_;                                     // memory
+  std::vector<std::uint32_t> pieces_;                       // likewise
+  std::vector<Pose> starts_, goals_;
+  std::vector<TerminalCircle> start_circles_, goal_circles_;
+  HugeVector<TerminalLink> start_links_, found_;
+  std::vector<Range> start_link_ranges_;  // by start circle; kNone: not found yet
+  HugeVector<GoalLink> goal_links_;
+  PerCircle first_goal_link_;
+  std::vector<DirectPath> direct_paths_;
+  Path path_;             // memory
+  SpeedProfile profile_;  // likewise
+};
+
+}  // namespace arcway

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "core/base/executor.h"
+#include "core/base/stop_clock.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// A value that takes long to make: made when it is first asked for, then kept. Thread-safe: one thread makes it, the
+/// others wait for it, each until its own clock is over. What was begun and not completed leaves no trace.
+template <class Value>
+class LateValue {
+ public:
+  /// @param make  gives the value; throws Cancelled where the clock is over before.
+  /// @returns nullptr if the clock was over before the value was there.
+  template <class Make>
+  const Value* get(const StopClock& clock, Make&& make) const {
+    if (const Value* known = known_.load(std::memory_order_acquire)) return known;
+    std::unique_lock lock(mutex_, std::defer_lock);
+    while (!lock.try_lock()) {
+      if (clock.is_over()) return nullptr;
+      std::this_thread::sleep_for(kWait);
+    }
+    if (!value_) {
+      try {
+        value_.emplace(make());
+      } catch (const Cancelled&) {
+        return nullptr;
+      }
+      known_.store(&*value_, std::memory_order_release);
+    }
+    return &*value_;
+  }
+
+ private:
+  static constexpr std::chrono::microseconds kWait{200};  // between two looks at whether another thread is done
+
+  mutable std::mutex mutex_;
+  mutable std::optional<Value> value_;  // guarded by mutex_ until it is known
+  mutable std::atomic<const Value*> known_ = nullptr;
+};
+
+}  // namespace arcway

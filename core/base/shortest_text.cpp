@@ -1,0 +1,12 @@
+#include "core/base/shortest_text.h"
+
+#include <charconv>
+
+namespace arcway {
+
+std::string shortest_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+}  // namespace arcway

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Shortest text that reads back to the same double, in any locale; "inf", "nan" if not finite.
+std::string shortest_text(double value);
+
+}  // namespace arcway

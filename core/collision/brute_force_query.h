@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/collision/distance_query.h"
+#include "core/collision/sweep_query.h"
+#include "core/collision/visibility_query.h"
+#include "core/model/world.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// All three query interfaces by trying every edge: the reference that all other implementations must agree with.
+/// O(edges) a query.
+class BruteForceQuery final : public VisibilityQuery, public DistanceQuery, public SweepQuery {
+ public:
+  explicit BruteForceQuery(World world) : world_(std::move(world)) {}
+
+ private:
+  void do_visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const override;
+  void do_closest(std::span<const Vec2> points, std::span<ClosestPoint> result) const override;
+  void do_closer_than(std::span<const Vec2> points, std::span<const double> distances,
+                      std::span<std::uint8_t> closer) const override;
+  void do_containing(std::span<const Vec2> points, std::span<ObstacleId> result) const override;
+  void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override;
+  void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override;
+
+  World world_;
+};
+
+}  // namespace arcway

@@ -1,0 +1,171 @@
+#include "core/collision/contact_reach.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+
+namespace {
+
+// Of the distance from the center of a turn: what lies this near to a contact counts as one.
+constexpr double kRounding = 1e-12;
+
+constexpr double kQuarterTurn = 0.5 * kPi;
+
+// The first contact of a body that turns about the origin with an edge.
+class TurnContacts {
+ public:
+  // A turn by `least` or more is of no interest.
+  TurnContacts(Side side, double least) : turning_(sign_of(side)) { set_least(least); }
+
+  // A point of the body that turns to a point of the edge.
+  void add(const Vec2& of_body, const Vec2& of_edge) {
+    const double sine = turning_ * cross(of_body, of_edge), cosine = of_body.dot(of_edge);
+    // Most are known to come later, or to lie behind, without an arc tangent.
+    if (least_ < kPi && (sine < 0.0 || sine * cosine_ > cosine * sine_)) return;
+    const double turn = std::atan2(sine, cosine);
+    if (const double ahead = turn < 0.0 ? turn + kTwoPi : turn; ahead < least_) set_least(ahead);
+  }
+  [[nodiscard]] double least() const { return least_; }
+
+ private:
+  void set_least(double least) {
+    least_ = least;
+    sine_ = std::sin(least);
+    cosine_ = std::cos(least);
+  }
+
+  double turning_;
+  double least_ = kTwoPi;
+  double sine_ = 0.0, cosine_ = 1.0;
+};
+
+struct TurnedBody {
+  double x_low, x_high, y_low, y_high;  // about the center of the turn
+  [[nodiscard]] std::array<Vec2, 4> corners() const {
+    return {Vec2(x_low, y_low), Vec2(x_high, y_low), Vec2(x_high, y_high), Vec2(x_low, y_high)};
+  }
+};
+
+// A corner of the body meets the edge from p to q.
+void add_corner(const Vec2& corner, const Vec2& p, const Vec2& q, TurnContacts& contacts) {
+  const Vec2 d = q - p;
+  const double rr = corner.squaredNorm(), dd = d.squaredNorm();
+  const double along = -p.dot(d) / dd;
+  const double rest = rr - (p + along * d).squaredNorm();
+  if (rest < 0.0) return;
+  const double half = std::sqrt(rest / dd);
+  for (const double t : {along - half, along + half})
+    if (t >= 0.0 && t <= 1.0) contacts.add(corner, p + t * d);
+}
+
+// A side of the body meets an end of an edge.
+void add_end(const Vec2& p, const TurnedBody& b, TurnContacts& contacts) {
+  const double rr = p.squaredNorm();
+  const double slack = kRounding * std::sqrt(rr);
+  for (const double x : {b.x_low, b.x_high}) {
+    const double rest = rr - x * x;
+    if (rest < 0.0) continue;
+    for (const double y : {std::sqrt(rest), -std::sqrt(rest)})
+      if (y >= b.y_low - slack && y <= b.y_high + slack) contacts.add({x, y}, p);
+  }
+  for (const double y : {b.y_low, b.y_high}) {
+    const double rest = rr - y * y;
+    if (rest < 0.0) continue;
+    for (const double x : {std::sqrt(rest), -std::sqrt(rest)})
+      if (x >= b.x_low - slack && x <= b.x_high + slack) contacts.add({x, y}, p);
+  }
+}
+
+}  // namespace
+
+ContactReach::ContactReach(const Outlines& outlines, const Footprint& body)
+    : outlines_(outlines),
+      body_(body),
+      around_(std::hypot(std::max(std::abs(body.front), std::abs(body.rear)), body.half_width)) {}
+
+void ContactReach::begin(const Pose& pose, double most) {
+  most_ = most;
+  edges_.clear();
+  const double far = most + around_;
+  const Vec2 place = pose.position(), ahead = direction_of(pose.heading);
+  const Box near{place - Vec2(far, far), place + Vec2(far, far)};
+  const auto add = [&](const Vec2& p, const Vec2& q) {
+    if (!box_of(LineSegment{p, q}).overlaps(near)) return;
+    const Vec2 a = p - place, b = q - place, d = b - a;
+    const double dd = d.squaredNorm();
+    const double at = dd > 0.0 ? std::clamp(-a.dot(d) / dd, 0.0, 1.0) : 0.0;
+    const double distance = (a + at * d).norm();
+    if (distance > far) return;
+    edges_.push_back({distance, {{ahead.dot(a), cross(ahead, a)}, {ahead.dot(b), cross(ahead, b)}}});
+  };
+  outlines_.visit_if([&](const Box& box) { return box.overlaps(near); },
+                     [&](const Outlines::Piece& piece) {
+                       for (std::size_t i = 0; i < piece.edge_count(); ++i) add(piece.points[i], piece.points[i + 1]);
+                       return true;
+                     });
+  std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.distance < b.distance; });
+}
+
+double ContactReach::operator()(double curvature, Gear gear) const {
+  if (curvature == 0.0) return along_line(gear);
+  const double radius = 1.0 / std::abs(curvature);
+  const Vec2 center(0.0, 1.0 / curvature);
+  const TurnedBody body{-body_.rear, body_.front, -body_.half_width - center.y(), body_.half_width - center.y()};
+  const std::array<Vec2, 4> corners = body.corners();
+  double outer = 0.0;  // squares of distances from the center
+  for (const Vec2& corner : corners) outer = std::max(outer, corner.squaredNorm());
+  const double inside = std::max(0.0, radius - body_.half_width), inner = inside * inside;
+  const bool to_left = (curvature > 0.0) == (gear == Gear::kForward);
+  TurnContacts contacts(to_left ? Side::kLeft : Side::kRight, std::min(kTwoPi, most_ / radius));
+  // Where the center of the turn is not under the body, all of it moves ahead at first.
+  const double ahead = sign_of(gear), tail = gear == Gear::kForward ? -body_.rear : -body_.front;
+  const bool moves_ahead = radius >= body_.half_width;
+  for (const auto& [distance, edge] : edges_) {
+    if (distance > around_ + contacts.least() * radius) break;
+    ++edges_compared_;
+    if (moves_ahead && contacts.least() < kQuarterTurn && std::max(ahead * edge.a.x(), ahead * edge.b.x()) < tail)
+      continue;
+    const Vec2 p = edge.a - center, q = edge.b - center, d = q - p;
+    const double dd = d.squaredNorm();
+    if (dd == 0.0) continue;
+    const double from_p = p.squaredNorm(), from_q = q.squaredNorm();
+    if (std::max(from_p, from_q) < inner) continue;
+    if ((p + std::clamp(-p.dot(d) / dd, 0.0, 1.0) * d).squaredNorm() > outer) continue;
+    for (const Vec2& corner : corners) add_corner(corner, p, q, contacts);
+    if (from_p <= outer) add_end(p, body, contacts);
+    if (from_q <= outer) add_end(q, body, contacts);
+  }
+  return contacts.least() * radius;
+}
+
+double ContactReach::along_line(Gear gear) const {
+  double least = most_;
+  const double nose = gear == Gear::kForward ? body_.front : body_.rear;
+  const double width = body_.half_width;
+  for (const auto& [distance, edge] : edges_) {
+    if (distance > around_ + least) break;
+    ++edges_compared_;
+    // The part of the edge within the width of the body.
+    double low = 0.0, high = 1.0;
+    const double y = edge.a.y(), rise = edge.b.y() - y;
+    if (std::abs(rise) > 0.0) {
+      const double at_low = (-width - y) / rise, at_high = (width - y) / rise;
+      low = std::max(low, std::min(at_low, at_high));
+      high = std::min(high, std::max(at_low, at_high));
+    } else if (std::abs(y) > width) {
+      continue;
+    }
+    if (low > high) continue;
+    for (const double t : {low, high}) {
+      const double x = sign_of(gear) * (edge.a.x() + t * (edge.b.x() - edge.a.x()));
+      if (x >= nose) least = std::min(least, x - nose);
+    }
+  }
+  return least;
+}
+
+}  // namespace arcway

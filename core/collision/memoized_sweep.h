@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "core/collision/sweep_query.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Answers as another sweep query does, bit for bit, and remembers the answers: for planners on one world that ask
+/// nearly the same questions one after the other. Remembers a million questions at most, some 100 bytes each; later
+/// ones are passed on. A remembered answer takes less than a microsecond. Thread-safe.
+class MemoizedSweep final : public SweepQuery {
+ public:
+  explicit MemoizedSweep(std::shared_ptr<const SweepQuery> base);
+  ~MemoizedSweep() override;
+
+ private:
+  void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override;
+  void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override;
+
+  struct Memory;
+  std::shared_ptr<const SweepQuery> base_;
+  std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace arcway

@@ -1,0 +1,26 @@
+#include "core/collision/motion_free.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arcway {
+
+bool turn_free(const SweepQuery& sweep, const Footprint& body, const PathSegment& arc, HeadingSet& headings) {
+  const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
+  const double radius = 1.0 / std::abs(arc.curvature);
+  const Vec2 center = arc.start.position() + sign_of(side) * radius * perpendicular(direction_of(arc.start.heading));
+  const TurningBody turning{center, radius, side, body};
+  sweep.free_headings({&turning, 1}, {&headings, 1});
+  return headings.reach(arc.start.heading, side) >= arc.length / radius;
+}
+
+bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion) {
+  for (const PathSegment& s : motion)
+    if (s.is_line() && !sweep.straight_free(swept_rectangle(s.forwards().start, s.length, body))) return false;
+  HeadingSet headings;
+  return std::ranges::all_of(motion, [&](const PathSegment& segment) {
+    return segment.is_line() || turn_free(sweep, body, segment.forwards(), headings);
+  });
+}
+
+}  // namespace arcway

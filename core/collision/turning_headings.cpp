@@ -1,0 +1,139 @@
+#include "core/collision/turning_headings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+
+namespace {
+
+// Critical angles that do not exist only split an interval needlessly, while one that rounding loses could hide a
+// contact: so whatever lies within this relative distance of existing counts.
+constexpr double kCriticalSlack = 1e-9;
+
+// The body about the rotation centre, at heading 0.
+struct CenteredBody {
+  double x_low, x_high, y_low, y_high;
+};
+
+CenteredBody centered(const TurningBody& t) {
+  const double y = -sign_of(t.side) * t.radius;
+  return {-t.body.rear, t.body.front, y - t.body.half_width, y + t.body.half_width};
+}
+
+class CriticalAngles {
+ public:
+  void add(double angle) { angles_[count_++] = wrap_positive(angle); }
+  [[nodiscard]] std::span<double> sorted() {
+    std::sort(angles_.begin(), angles_.begin() + count_);
+    return {angles_.data(),
+            static_cast<std::size_t>(std::unique(angles_.begin(), angles_.begin() + count_) - angles_.begin())};
+  }
+
+ private:
+  std::array<double, 24> angles_;  // 4 corners meet the edge twice, 2 ends meet 4 sides twice
+  std::ptrdiff_t count_ = 0;
+};
+
+void add_corner_contacts(const Vec2& corner, const Vec2& p, const Vec2& q, CriticalAngles& angles) {
+  const Vec2 d = q - p;
+  const double dd = d.squaredNorm();
+  const double along = -p.dot(d) / dd;
+  const Vec2 foot = p + along * d;
+  const double rest = corner.squaredNorm() - foot.squaredNorm();
+  if (rest < -kCriticalSlack * corner.squaredNorm()) return;
+  const double half = std::sqrt(std::max(rest, 0.0) / dd);
+  const double corner_angle = std::atan2(corner.y(), corner.x());
+  for (const double t : {along - half, along + half}) {
+    if (t < -kCriticalSlack || t > 1.0 + kCriticalSlack) continue;
+    const Vec2 x = p + t * d;
+    angles.add(std::atan2(x.y(), x.x()) - corner_angle);
+  }
+}
+
+void add_end_contacts(const Vec2& p, const CenteredBody& b, CriticalAngles& angles) {
+  const double rr = p.squaredNorm();
+  const double slack = kCriticalSlack * (rr + 1e-300);
+  const double reach = kCriticalSlack * std::sqrt(rr);
+  const double angle = std::atan2(p.y(), p.x());
+  for (const double y : {b.y_low, b.y_high}) {
+    if (rr - y * y < -slack) continue;
+    const double x = std::sqrt(std::max(rr - y * y, 0.0));
+    for (const double side : {-x, x})
+      if (side >= b.x_low - reach && side <= b.x_high + reach) angles.add(angle - std::atan2(y, side));
+  }
+  for (const double x : {b.x_low, b.x_high}) {
+    if (rr - x * x < -slack) continue;
+    const double y = std::sqrt(std::max(rr - x * x, 0.0));
+    for (const double side : {-y, y})
+      if (side >= b.y_low - reach && side <= b.y_high + reach) angles.add(angle - std::atan2(side, x));
+  }
+}
+
+bool touches(const CenteredBody& b, const Vec2& p, const Vec2& q, double heading) {
+  const double c = std::cos(heading);
+  const double s = std::sin(heading);
+  const Vec2 u(c * p.x() + s * p.y(), c * p.y() - s * p.x());
+  const Vec2 v(c * q.x() + s * q.y(), c * q.y() - s * q.x());
+  if (std::max(u.x(), v.x()) < b.x_low || std::min(u.x(), v.x()) > b.x_high) return false;
+  if (std::max(u.y(), v.y()) < b.y_low || std::min(u.y(), v.y()) > b.y_high) return false;
+  const Vec2 d = v - u;
+  const double side_a = cross(d, Vec2(b.x_low, b.y_low) - u);
+  const double side_b = cross(d, Vec2(b.x_high, b.y_low) - u);
+  const double side_c = cross(d, Vec2(b.x_high, b.y_high) - u);
+  const double side_d = cross(d, Vec2(b.x_low, b.y_high) - u);
+  const bool all_left = side_a > 0 && side_b > 0 && side_c > 0 && side_d > 0;
+  const bool all_right = side_a < 0 && side_b < 0 && side_c < 0 && side_d < 0;
+  return !all_left && !all_right;
+}
+
+}  // namespace
+
+double reach_of(const TurningBody& body) {
+  return swept_annulus(body.body, body.radius).outer * (1.0 + kCriticalSlack);
+}
+
+Vec2 middle_at(const TurningBody& body, double heading) {
+  const Vec2 position = body.center - sign_of(body.side) * body.radius * perpendicular(direction_of(heading));
+  return middle_of(body.body, {position.x(), position.y(), heading});
+}
+
+bool may_touch(const TurningBody& body, const LineSegment& edge) {
+  const SweptAnnulus annulus = swept_annulus(body.body, body.radius);
+  const Vec2 p = edge.a - body.center;
+  const Vec2 q = edge.b - body.center;
+  const double inner = annulus.inner * (1.0 - kCriticalSlack);
+  if (std::max(p.squaredNorm(), q.squaredNorm()) < inner * inner) return false;
+  const Vec2 d = q - p;
+  const double t = std::clamp(-p.dot(d) / d.squaredNorm(), 0.0, 1.0);
+  const double outer = reach_of(body);
+  return (p + t * d).squaredNorm() <= outer * outer;
+}
+
+void append_blocked_headings(const TurningBody& body, const LineSegment& edge, std::vector<HeadingInterval>& blocked) {
+  const CenteredBody b = centered(body);
+  const Vec2 p = edge.a - body.center;
+  const Vec2 q = edge.b - body.center;
+  CriticalAngles critical;
+  for (const Vec2& corner :
+       {Vec2(b.x_low, b.y_low), Vec2(b.x_high, b.y_low), Vec2(b.x_high, b.y_high), Vec2(b.x_low, b.y_high)})
+    add_corner_contacts(corner, p, q, critical);
+  add_end_contacts(p, b, critical);
+  add_end_contacts(q, b, critical);
+
+  const std::span<double> angles = critical.sorted();
+  if (angles.empty()) {
+    if (touches(b, p, q, 0.0)) blocked.push_back({0.0, kTwoPi});
+    return;
+  }
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double low = angles[i];
+    const double high = i + 1 < angles.size() ? angles[i + 1] : angles[0] + kTwoPi;
+    if (touches(b, p, q, 0.5 * (low + high))) blocked.push_back({low, high});
+  }
+}
+
+}  // namespace arcway

@@ -1,0 +1,38 @@
+#include "core/collision/walled_sweep.h"
+
+#include <algorithm>
+
+#include "core/collision/turning_headings.h"
+#include "core/geometry/angle.h"
+#include "core/geometry/predicates.h"
+
+namespace arcway {
+
+void WalledSweep::do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const {
+  base_->straight_free(rectangles, free);
+  for (std::size_t i = 0; i < rectangles.size(); ++i)
+    for (const LineSegment& wall : walls_)
+      if (free[i] != 0 && intersects(wall, rectangles[i])) free[i] = 0;
+}
+
+void WalledSweep::do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const {
+  base_->free_headings(bodies, result);
+  std::vector<HeadingInterval> blocked;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (result[i].empty()) continue;
+    blocked.clear();
+    for (const LineSegment& wall : walls_)
+      if (may_touch(bodies[i], wall)) append_blocked_headings(bodies[i], wall, blocked);
+    if (blocked.empty()) continue;
+    const std::span<const HeadingInterval> free = result[i].intervals();
+    if (!result[i].is_full()) {
+      for (std::size_t k = 0; k < free.size(); ++k) {
+        const bool last = k + 1 == free.size();
+        blocked.push_back({free[k].high, last ? free[0].low + kTwoPi : free[k + 1].low});
+      }
+    }
+    HeadingSet::complement(blocked, result[i]);
+  }
+}
+
+}  // namespace arcway

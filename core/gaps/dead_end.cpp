@@ -1,0 +1,282 @@
+#include "core/gaps/dead_end.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+#include "core/gaps/local_sweep.h"
+#include "core/geometry/angle.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kCoarsest = 0.15;      // edge of the larger boxes, of the body's half width
+constexpr int kFewestHeadings = 128;    // in a full turn, a power of two
+constexpr std::int32_t kFurthest = 40;  // boxes away from the end, at the coarsest
+constexpr double kStep = 0.25;          // length of a step, of the smallest turning radius
+constexpr double kLeastStep = 4.0;      // of a box's edge: shorter ones would get lost in it
+constexpr double kMostTurn = 1.5;       // in a step, below a right angle [rad]
+constexpr double kLongestStep = 2.0;    // beside `kFurthest` boxes: longer ones leave what is near at once
+constexpr double kRounding = 1e-9;      // relative, that shrunk bodies are smaller by and that steps lead further
+
+struct Range {
+  double low, high;
+};
+
+/// A box of positions of the reference point and of headings.
+struct PoseBox {
+  std::int32_t x, y, heading;
+};
+
+/// From a box to some at one position: how far that is from it, and by how many headings they turn, from first to last.
+struct Move {
+  std::int32_t x, y, first_turn, last_turn;
+};
+
+/// Where a step of length `step` leads that turns by an angle in `turn`, seen from its begin: x ahead, y to the left.
+/// The heading on the way lies between those of the sharpest turns out and back; all bounds are attained.
+std::array<Range, 2> places_after(double step, double radius, const Range& turn) {
+  const double most = step / radius;
+  const double least = turn.low > 0.0 ? turn.low : turn.high < 0.0 ? -turn.high : 0.0;  // of the angle's size
+  const double largest = std::max(-turn.low, turn.high);
+  const auto to_the_left = [&](double angle) {
+    return radius * (1.0 + std::cos(angle) - 2.0 * std::cos(0.5 * (most + angle)));
+  };
+  return {{{radius * (2.0 * std::sin(0.5 * (most + largest)) - std::sin(largest)),
+            step - radius * (least - std::sin(least))},
+           {-to_the_left(-turn.low), to_the_left(turn.high)}}};
+}
+
+/// Which of many boxes have been seen: bits, those of one position together.
+class SeenBoxes {
+ public:
+  // Boxes from -furthest to furthest, and of so many headings: a power of two, at least kBits.
+  SeenBoxes(std::int32_t furthest, std::int32_t headings, std::vector<std::uint32_t>& memory)
+      : furthest_(furthest), words_(headings / kBits), seen_(memory) {
+    seen_.assign(static_cast<std::size_t>((2 * furthest + 1) * (2 * furthest + 1) * words_), 0);
+  }
+
+  /// Calls visit(heading) for each of so many boxes, from a heading on, up to full turns, that was not seen. Now they
+  /// are.
+  template <class Visitor>
+  void see(std::int32_t x, std::int32_t y, std::int32_t first_heading, std::int32_t count, Visitor&& visit) {
+    std::uint32_t* const place = seen_.data() + ((x + furthest_) * (2 * furthest_ + 1) + y + furthest_) * words_;
+    for (std::int32_t done = 0; done < count; done += kBits) {
+      const std::int32_t first = (first_heading + done) & (words_ * kBits - 1);
+      const std::int32_t word = first / kBits, begin = word * kBits;
+      std::uint32_t &low = place[word], &high = place[(word + 1) & (words_ - 1)];
+      const std::uint64_t asked = ((std::uint64_t{1} << std::min(kBits, count - done)) - 1) << (first - begin);
+      std::uint64_t fresh = asked & ~(low | std::uint64_t{high} << kBits);
+      if (fresh == 0) continue;
+      low |= static_cast<std::uint32_t>(asked);
+      high |= static_cast<std::uint32_t>(asked >> kBits);
+      for (; fresh != 0; fresh &= fresh - 1) visit((begin + std::countr_zero(fresh)) & (words_ * kBits - 1));
+    }
+  }
+
+ private:
+  static constexpr std::int32_t kBits = 32;
+
+  std::int32_t furthest_, words_;
+  std::vector<std::uint32_t>& seen_;
+};
+
+class ForwardFlood {
+ public:
+  ForwardFlood(const Pose& from, const Vec2& to, const Footprint& footprint, double radius, LocalSweep& sweep,
+               int level)
+      : sweep_(sweep),
+        from_(from),
+        to_(to),
+        radius_(radius),
+        headings_(kFewestHeadings << level),
+        furthest_(kFurthest << level),
+        edge_(kCoarsest * footprint.half_width / (1 << level)),
+        step_(std::max(kStep * radius, kLeastStep * edge_)),
+        bodies_(static_cast<std::size_t>(headings_)),
+        moves_(static_cast<std::size_t>(headings_)) {
+    const double length = std::max(footprint.front, footprint.rear);
+    const double largest = std::max(from.position().cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
+    const double turn = std::sin(kPi / headings_);
+    // What the body covers wherever it is in a box.
+    const double shift = edge_ * std::sqrt(0.5) + kRounding * (length + largest);
+    const double shorter = turn * footprint.half_width + shift;
+    core_ = {footprint.front - shorter, footprint.rear - shorter, footprint.half_width - turn * length - shift};
+  }
+
+  enum class End { kClosed, kOpen, kOpenAtOnce, kGivenUp };
+  End run(std::size_t max_checks, std::vector<std::uint32_t>& memory, const StopClock& clock) {
+    if (core_.half_width <= 0.0 || core_.front + core_.rear <= 0.0 || step_ > kMostTurn * radius_ ||
+        step_ > kLongestStep * furthest_ * edge_)
+      return End::kOpen;
+    turned_steps_ = turned_steps();  // their number is bounded by what was just asked
+    SeenBoxes seen(furthest_, headings_, memory);
+    std::vector<PoseBox> open;
+    seen.see(0, 0, 0, 1, [&](std::int32_t heading) { open.push_back({0, 0, heading}); });
+    const double near = step_ + edge_;
+    bool has_collided = false;
+    StopTicker ticker(clock);
+    for (std::size_t checks = 0; !open.empty(); ++checks) {
+      // The last one first, and not asked about before: where there is a way out, it is found soon.
+      const PoseBox box = open.back();
+      open.pop_back();
+      if (checks > max_checks || ticker.is_over()) return End::kGivenUp;
+      if (checks > 0 && !is_free(box)) {
+        has_collided = true;
+        continue;
+      }
+      const Vec2 position = position_of(box);
+      if (is_far(box) || (position - to_).norm() < near) return has_collided ? End::kOpen : End::kOpenAtOnce;
+      reach_ = std::max(reach_, (position - from_.position()).norm() + near);
+      for (const Move& move : moves_from(box.heading)) {
+        const std::int32_t x = box.x + move.x, y = box.y + move.y, first = box.heading + move.first_turn;
+        const std::int32_t count = move.last_turn - move.first_turn + 1;
+        const auto add = [&](std::int32_t heading) { open.push_back({x, y, heading}); };
+        if (!is_far({x, y, 0})) {
+          seen.see(x, y, first, count, add);
+        } else {
+          for (std::int32_t heading = first; heading < first + count; ++heading) add(heading & (headings_ - 1));
+        }
+      }
+    }
+    return End::kClosed;
+  }
+
+  [[nodiscard]] double reach() const { return reach_; }
+
+ private:
+  [[nodiscard]] bool is_far(const PoseBox& box) const { return std::max(std::abs(box.x), std::abs(box.y)) > furthest_; }
+  [[nodiscard]] bool is_free(const PoseBox& box) {
+    auto& body = bodies_[static_cast<std::size_t>(box.heading)];
+    if (!body) body = swept_rectangle({0.0, 0.0, heading_of(box.heading)}, 0.0, core_);
+    SweptRectangle placed = *body;
+    for (Vec2& corner : placed) corner += position_of(box);
+    return sweep_.straight_free(placed);
+  }
+  [[nodiscard]] double heading_of(std::int32_t heading) const { return from_.heading + kTwoPi * heading / headings_; }
+  [[nodiscard]] Vec2 position_of(const PoseBox& box) const { return from_.position() + edge_ * Vec2(box.x, box.y); }
+  // Where steps may end that turn by so many headings, and half a one more or less.
+  struct Turned {
+    std::int32_t headings;
+    Range x, y;
+  };
+
+  std::vector<Turned> turned_steps() const {
+    std::vector<Turned> steps;
+    const double part = kTwoPi / headings_;
+    const double most = step_ / radius_;
+    const auto furthest_turn = static_cast<std::int32_t>(most / part + 1.0);
+    for (std::int32_t turned = -furthest_turn; turned <= furthest_turn; ++turned) {
+      const Range turn{std::max(-most, (turned - 1) * part), std::min(most, (turned + 1) * part)};
+      const auto [x, y] = places_after(step_, radius_, turn);
+      steps.push_back({turned, x, y});
+    }
+    return steps;
+  }
+
+  // Where a step may end that turns by so many headings.
+  struct Places {
+    std::int32_t first_x, last_x, first_y, last_y, turned;
+  };
+  // Those that a step to some position may turn by; none: first > last.
+  struct Turns {
+    std::int32_t first, last;
+  };
+
+  // To all boxes in which a step from a box with this heading may end.
+  const std::vector<Move>& moves_from(std::int32_t heading) {
+    std::vector<Move>& moves = moves_[static_cast<std::size_t>(heading)];
+    if (!moves.empty()) return moves;
+    places_.clear();
+    // Headings in the box are off by half a part.
+    const double sine = std::sin(kPi / headings_), lost = 1.0 - std::cos(kPi / headings_);
+    const Vec2 ahead = direction_of(heading_of(heading));
+    for (const auto& [turned, x, y] : turned_steps_) {
+      const double aside = std::max(-y.low, y.high);
+      const double more_ahead = aside * sine + x.high * lost + kRounding * step_;
+      const double more_aside = x.high * sine + aside * lost + kRounding * step_;
+      const Vec2 middle = 0.5 * (x.low + x.high) * ahead + 0.5 * (y.low + y.high) * perpendicular(ahead);
+      const double half_x = 0.5 * (x.high - x.low) + more_ahead, half_y = 0.5 * (y.high - y.low) + more_aside;
+      const Vec2 half = half_x * ahead.cwiseAbs() + half_y * perpendicular(ahead).cwiseAbs() + Vec2(edge_, edge_);
+      const auto first = [&](double d) { return static_cast<std::int32_t>(std::ceil(d / edge_)); };
+      const auto last = [&](double d) { return static_cast<std::int32_t>(std::floor(d / edge_)); };
+      places_.push_back({first(middle.x() - half.x()), last(middle.x() + half.x()), first(middle.y() - half.y()),
+                         last(middle.y() + half.y()), turned});
+    }
+    // Headings that lead to one position follow each other; what may lie between is taken along.
+    std::int32_t low_x = 0, high_x = 0, low_y = 0, high_y = 0;
+    for (const Places& p : places_) {
+      low_x = std::min(low_x, p.first_x), high_x = std::max(high_x, p.last_x);
+      low_y = std::min(low_y, p.first_y), high_y = std::max(high_y, p.last_y);
+    }
+    const std::int32_t columns = high_x - low_x + 1;
+    turns_.assign(static_cast<std::size_t>(columns * (high_y - low_y + 1)), {1, 0});
+    for (const Places& p : places_)
+      for (std::int32_t j = p.first_y; j <= p.last_y; ++j)
+        for (std::int32_t i = p.first_x; i <= p.last_x; ++i) {
+          Turns& t = turns_[static_cast<std::size_t>((j - low_y) * columns + i - low_x)];
+          if (t.first > t.last) t.first = p.turned;
+          t.last = p.turned;
+        }
+    for (std::int32_t j = low_y; j <= high_y; ++j)
+      for (std::int32_t i = low_x; i <= high_x; ++i)
+        if (const Turns& t = turns_[static_cast<std::size_t>((j - low_y) * columns + i - low_x)]; t.first <= t.last)
+          moves.push_back({i, j, t.first, t.last});
+    return moves;
+  }
+
+  LocalSweep& sweep_;
+  Pose from_;
+  Vec2 to_;
+  double radius_;
+  std::int32_t headings_, furthest_;
+  double edge_, step_;
+  Footprint core_{};
+  std::vector<Turned> turned_steps_;
+  // By heading, once they were asked for: the body with the reference point at the origin, and the moves.
+  std::vector<std::optional<SweptRectangle>> bodies_;
+  std::vector<std::vector<Move>> moves_;
+  std::vector<Places> places_;  // memory
+  std::vector<Turns> turns_;    // likewise
+  double reach_ = 0.0;
+};
+
+// What the body may cover in the boxes about a position, of either size.
+Box place_around(const Vec2& position, const Footprint& footprint) {
+  const double boxes = kFurthest * kCoarsest * footprint.half_width;
+  const double reach = boxes + std::max(footprint.front, footprint.rear) + footprint.half_width;
+  return Box{position, position}.grown(reach);
+}
+
+}  // namespace
+
+std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
+                                     const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort,
+                                     const StopClock& clock) {
+  // Whoever drives from where it came sees the body the other way round.
+  const Pose turned{goal.x, goal.y, goal.heading + kPi};
+  const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
+  LocalSweep near_start(sweep, outlines, place_around(start.position(), footprint));
+  LocalSweep near_goal(sweep, outlines, place_around(goal.position(), footprint));
+  std::vector<std::uint32_t> memory;
+  // Smaller boxes would be even more than too many, or free as well.
+  std::array<bool, 2> is_settled{};
+  for (int level = 0; level <= effort.halvings; ++level)
+    for (const bool at_start : {true, false}) {
+      if (is_settled[at_start]) continue;
+      ForwardFlood flood(at_start ? start : turned, at_start ? goal.position() : start.position(),
+                         at_start ? footprint : swapped, radius, at_start ? near_start : near_goal, level);
+      const ForwardFlood::End end = flood.run(effort.max_checks << level, memory, clock);
+      if (end == ForwardFlood::End::kClosed) return DeadEnd{at_start, flood.reach()};
+      is_settled[at_start] = end == ForwardFlood::End::kGivenUp || end == ForwardFlood::End::kOpenAtOnce;
+    }
+  return std::nullopt;
+}
+
+}  // namespace arcway

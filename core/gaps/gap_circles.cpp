@@ -1,0 +1,217 @@
+#include "core/gaps/gap_circles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/base/executor.h"
+#include "core/geometry/angle.h"
+#include "core/geometry/predicates.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kWidestRadius = 16.0;  // of the smallest one: wider turns are hardly any
+constexpr double kMargins = 3.0;        // safety margins by which the grown body's swept annulus is wider, at most
+constexpr double kBeyond = 0.1;         // [rad] that a centre may lie beside the exterior angle
+constexpr double kSame = 1e-6;          // [m]: circles no further apart are one
+constexpr double kNear = 3.0;           // of the outer swept radius: how far a gate's circle lies from its vertices
+constexpr std::size_t kMostPlaces = 3;  // on one side of a gate, of entries or of exits
+
+// Leaves out what repeats: a place may have many gaps.
+class Known {
+ public:
+  bool add(const std::vector<TurnCircle>& circles) {
+    std::vector<long long> key;
+    for (const TurnCircle& c : circles)
+      for (const double x : {c.center.x() / kSame, c.center.y() / kSame, sign_of(c.side)})
+        key.push_back(std::llround(x));
+    return seen_.insert(std::move(key)).second;
+  }
+
+ private:
+  std::set<std::vector<long long>> seen_;
+};
+
+class GapCircles {
+ public:
+  GapCircles(const World& world, const Vehicle& vehicle, double radius)
+      : world_(world),
+        vehicle_(vehicle),
+        radius_(radius),
+        body_(vehicle.footprint(vehicle.safety_margin())),
+        swept_(swept_annulus(body_, radius)) {}
+
+  ExtraCircles find(const GapMap& gaps, const StopClock& clock) && {
+    StopTicker ticker(clock);
+    for (const Gap& gap : gaps.gaps()) {
+      end_if_over(ticker);
+      if (!(gap.width > 2.0 * body_.half_width && gap.width <= swept_.outer)) continue;
+      const Vec2 across = (gap.on_b - gap.on_a) / gap.width;
+      const VertexId a = corner_at(gap.edge_a, gap.on_a);
+      const VertexId b = corner_at(gap.edge_b, gap.on_b);
+      add_round(a, gap.width, across, b != kNone);
+      add_round(b, gap.width, -across, a != kNone);
+      for (const double sign : {1.0, -1.0}) add_gate(gap, sign * perpendicular(across));
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // The corner that a point of an edge is; kNone if it lies between two, where edges may go straight on.
+  [[nodiscard]] VertexId corner_at(VertexId edge, const Vec2& p) const {
+    for (const VertexId v : {edge, world_.next(edge)})
+      if (world_.vertex(v) == p && !is_straight(v)) return v;
+    return kNone;
+  }
+  [[nodiscard]] bool is_straight(VertexId v) const {
+    return orientation(world_.vertex(world_.previous(v)), world_.vertex(v), world_.vertex(world_.next(v))) == 0;
+  }
+  // The first corner from a vertex on along its ring, either way.
+  [[nodiscard]] VertexId corner_behind(VertexId v) const {
+    while (is_straight(v)) v = world_.previous(v);
+    return v;
+  }
+  [[nodiscard]] VertexId corner_ahead(VertexId v) const {
+    while (is_straight(v)) v = world_.next(v);
+    return v;
+  }
+
+  // @param across  from the vertex to what it faces, a vertex or an edge at a right angle to that.
+  void add_round(VertexId v, double width, const Vec2& across, bool faces_vertex) {
+    if (v == kNone || !world_.is_graph_vertex(v)) return;
+    if (width < swept_.width()) {
+      const auto radius = vehicle_.smallest_fitting_radius(width - kMargins * vehicle_.safety_margin());
+      if (!radius || *radius > kWidestRadius * radius_) return;
+      return add_round(v, -swept_annulus(body_, *radius).inner * across, *radius);
+    }
+    // Of the angle at the vertex between what it faces and the centre.
+    const double cosine = faces_vertex ? (swept_.inner * swept_.inner + width * width - swept_.outer * swept_.outer) /
+                                             (2.0 * swept_.inner * width)
+                                       : (width - swept_.outer) / swept_.inner;
+    if (!(std::abs(cosine) < 1.0)) return;
+    const double sine = std::sqrt(1.0 - cosine * cosine);
+    for (const double sign : {1.0, -1.0})
+      add_round(v, swept_.inner * (cosine * across + sign * sine * perpendicular(across)), radius_);
+  }
+
+  void add_round(VertexId v, const Vec2& to_center, double radius) {
+    const Vec2& corner = world_.vertex(v);
+    const Vec2 back = (world_.vertex(world_.previous(v)) - corner).normalized();
+    const Vec2 ahead = (world_.vertex(world_.next(v)) - corner).normalized();
+    const double exterior = kPi - std::abs(std::atan2(cross(ahead, back), ahead.dot(back)));
+    const Vec2 bisector = turn_circle(world_, v, radius, Side::kLeft, body_).center - corner;
+    const double shift = std::atan2(std::abs(cross(bisector, to_center)), bisector.dot(to_center));
+    if (shift > 0.5 * exterior + kBeyond) return;
+    const TurnCircle circle{corner + to_center, radius, Side::kLeft, v};
+    if (!known_.add({circle})) return;
+    found_.round.push_back(circle);
+  }
+
+  // A vertex beside a gate, in the frame of its line: x ahead of the gap's middle, y to the left.
+  struct Beside {
+    VertexId vertex;
+    double x, y;
+    bool at_gap;  // one end of the gap, or of the edge that this lies on
+  };
+
+  void add_gate(const Gap& gap, const Vec2& along) {
+    const Vec2 middle = 0.5 * (gap.on_a + gap.on_b);
+    std::vector<Beside> beside;
+    const auto add = [&](VertexId v, bool at_gap) {
+      const Vec2 d = world_.vertex(v) - middle;
+      beside.push_back({v, d.dot(along), cross(along, d), at_gap});
+    };
+    for (const auto& [edge, end] : {std::pair(gap.edge_a, gap.on_a), std::pair(gap.edge_b, gap.on_b)}) {
+      const VertexId v = corner_at(edge, end);
+      if (v == kNone) {
+        add(corner_behind(edge), true);
+        add(corner_ahead(world_.next(edge)), true);
+      } else {
+        add(v, true);
+        add(corner_behind(world_.previous(v)), false);
+        add(corner_ahead(world_.next(v)), false);
+      }
+    }
+    Gate gate;
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      add_places(beside, side, 1.0, middle, along, gate.exits);
+      add_places(beside, side, -1.0, middle, along, gate.entries);
+    }
+    if (gate.entries.empty() || gate.exits.empty()) return;
+    std::vector<TurnCircle> all = gate.entries;
+    all.insert(all.end(), gate.exits.begin(), gate.exits.end());
+    if (!known_.add(all)) return;
+    found_.gates.push_back(std::move(gate));
+  }
+
+  // Circles tangent to a gate's line, in the order of the turn's begin. Seen backwards a path turns off where it turned
+  // on.
+  // @param forwards  1 for exits, -1 for entries.
+  void add_places(const std::vector<Beside>& beside, Side side, double forwards, const Vec2& middle, const Vec2& along,
+                  std::vector<TurnCircle>& circles) const {
+    struct Place {
+      double x;
+      const Beside* contact;
+    };
+    const double corner = std::hypot(forwards > 0.0 ? body_.rear : body_.front, radius_ + body_.half_width);
+    double first = -INFINITY;
+    std::vector<Place> places;
+    for (const Beside& b : beside) {
+      const double x = forwards * b.x, y = sign_of(side) * b.y;
+      const double lag = y > 0.0 ? swept_.inner * swept_.inner - (radius_ - y) * (radius_ - y)
+                                 : corner * corner - (radius_ - y) * (radius_ - y);
+      if (lag <= 0.0) continue;
+      places.push_back({x - std::copysign(std::sqrt(lag), y), &b});
+      if (b.at_gap && y > 0.0) first = std::max(first, places.back().x);
+    }
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.x < b.x; });
+    std::size_t count = 0;
+    double last = -INFINITY;
+    for (const Place& place : places) {
+      if (place.x < first || place.x <= last + kSame || count == kMostPlaces) continue;
+      const Vec2 center = middle + forwards * place.x * along + sign_of(side) * radius_ * perpendicular(along);
+      const auto near = [&](VertexId v) {
+        return v != kNone && world_.is_graph_vertex(v) && (world_.vertex(v) - center).norm() < kNear * swept_.outer
+                   ? v
+                   : kNone;
+      };
+      const VertexId own = near(place.contact->vertex);
+      const VertexId other = near(vertex_across(beside, *place.contact));
+      if (own == kNone && other == kNone) continue;
+      last = place.x;
+      ++count;
+      circles.push_back({center, radius_, side, own != kNone ? own : other, own != kNone ? other : kNone});
+    }
+  }
+
+  // The vertex on the other side that is nearest along the line; kNone if there is none that has circles.
+  [[nodiscard]] VertexId vertex_across(const std::vector<Beside>& beside, const Beside& contact) const {
+    const Beside* nearest = nullptr;
+    for (const Beside& b : beside)
+      if (b.y * contact.y <= 0.0 && world_.is_graph_vertex(b.vertex) &&
+          (!nearest || std::abs(b.x - contact.x) < std::abs(nearest->x - contact.x)))
+        nearest = &b;
+    return nearest ? nearest->vertex : kNone;
+  }
+
+  const World& world_;
+  const Vehicle& vehicle_;
+  double radius_;
+  Footprint body_;
+  SweptAnnulus swept_;
+  Known known_;
+  ExtraCircles found_;
+};
+
+}  // namespace
+
+ExtraCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
+                              const StopClock& clock) {
+  return GapCircles(world, vehicle, radius).find(gaps, clock);
+}
+
+}  // namespace arcway

@@ -1,0 +1,63 @@
+#include "core/gaps/local_sweep.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/geometry/predicates.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr std::size_t kMostEdges = 256;  // beyond, looking for the one in the way would take longer than asking
+constexpr std::size_t kLately = 6;
+
+}  // namespace
+
+LocalSweep::LocalSweep(const SweepQuery& sweep, const Outlines& outlines, const Box& place)
+    : sweep_(sweep), place_(place) {
+  has_all_edges_ = outlines.visit_if([&](const Box& box) { return box.overlaps(place); },
+                                     [&](const Outlines::Piece& piece) {
+                                       for (std::size_t i = 0; i < piece.edge_count(); ++i) {
+                                         const LineSegment edge{piece.points[i], piece.points[i + 1]};
+                                         const Box box = box_of(edge);
+                                         if (box.overlaps(place)) edges_.push_back({edge, box});
+                                       }
+                                       return edges_.size() < kMostEdges;
+                                     });
+}
+
+bool LocalSweep::straight_free(const SweptRectangle& rectangle) {
+  Box box;
+  for (const Vec2& corner : rectangle) box.extend(corner);
+  const auto lately = edges_.begin() + static_cast<std::ptrdiff_t>(std::min(kLately, edges_.size()));
+  // Whether one of them is in the way. It comes first then.
+  const auto meets_one = [&](auto first, auto last) {
+    const auto met = std::find_if(
+        first, last, [&](const Edge& edge) { return edge.box.overlaps(box) && intersects(edge.segment, rectangle); });
+    if (met == last) return false;
+    std::rotate(edges_.begin(), met, met + 1);
+    return true;
+  };
+  if (meets_one(edges_.begin(), lately)) return false;
+  if (!has_all_edges_ || !(place_.contains(box.min) && place_.contains(box.max))) {
+    if (sweep_.straight_free(rectangle)) return true;
+    meets_one(lately, edges_.end());
+    return false;
+  }
+  if (meets_one(lately, edges_.end())) return false;
+  // It meets no edge: an obstacle holds all of it, or nothing is in its way.
+  const bool is_beside_free = free_ && sees({*free_, rectangle[0]});
+  if (!is_beside_free && !sweep_.straight_free(rectangle)) return false;
+  free_ = rectangle[0];
+  return true;
+}
+
+bool LocalSweep::sees(const LineSegment& sight) const {
+  const Box box = box_of(sight);
+  return std::none_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+    return edge.box.overlaps(box) && relate(edge.segment, sight) != SegmentRelation::kDisjoint;
+  });
+}
+
+}  // namespace arcway

@@ -1,0 +1,30 @@
+#include "core/gaps/vehicle_gaps.h"
+
+#include <algorithm>
+
+#include "core/collision/sweep_query.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kProved = 1.0 - 0x1p-10;  // share of the safety margin that a proof counts on
+
+}  // namespace
+
+double widest_hopeless_gap(const Vehicle& vehicle) {
+  const VehicleParameters& p = vehicle.parameters();
+  return std::min(p.length, p.width) + kProved * p.safety_margin;
+}
+
+// A turn at a right angle to a wall takes the outer radius of the swept annulus, which is more than its width.
+VehicleGaps::VehicleGaps(const World& world, const Vehicle& vehicle, double radius)
+    : world_(world),
+      widest_(std::max(widest_hopeless_gap(vehicle),
+                       swept_annulus(vehicle.footprint(vehicle.safety_margin()), radius).outer)) {}
+
+const GapMap* VehicleGaps::map(const StopClock& clock) const {
+  return map_.get(clock, [&] { return GapMap(world_, widest_, clock); });
+}
+
+}  // namespace arcway

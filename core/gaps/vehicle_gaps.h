@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/base/late_value.h"
+#include "core/base/stop_clock.h"
+#include "core/gaps/gap_map.h"
+#include "core/model/vehicle.h"
+#include "core/model/world.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// The gaps of a map that are not too wide to matter to a vehicle: what BottleneckFinder and find_gap_circles look at.
+/// Found when first asked for. Thread-safe.
+class VehicleGaps {
+ public:
+  /// @param radius  the smallest turning radius of the paths.
+  VehicleGaps(const World& world, const Vehicle& vehicle, double radius);
+
+  /// The first call takes as long as GapMap.
+  [[nodiscard]] const GapMap& map() const { return *map(StopClock()); }
+  /// Nothing if the clock is over before the gaps are known.
+  [[nodiscard]] const GapMap* map(const StopClock& clock) const;
+
+ private:
+  World world_;
+  double widest_;
+  LateValue<GapMap> map_;
+};
+
+/// No motion of the vehicle, forwards or backwards, leads through a gap that is not wider: the body grown by half of
+/// the safety margin, less a thousandth for rounding, has a disc of this diameter in its middle [m].
+double widest_hopeless_gap(const Vehicle& vehicle);
+
+}  // namespace arcway

@@ -1,0 +1,191 @@
+#include "core/model/vehicle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "core/base/shortest_text.h"
+
+namespace arcway {
+namespace {
+
+void require(bool holds, std::string_view name, double value, std::string_view limit) {
+  if (holds) return;
+  throw std::invalid_argument("vehicle: " + std::string(name) + " is " + shortest_text(value) + ", must be " +
+                              std::string(limit));
+}
+
+void require_positive(double value, std::string_view name) {
+  require(value >= kSmallestVehicleNumber && value <= kLargestVehicleNumber, name, value,
+          "from " + shortest_text(kSmallestVehicleNumber) + " to " + shortest_text(kLargestVehicleNumber));
+}
+
+void check(const ConstantTurnSpeed& law) { require_positive(law.speed, "turn_speed.speed"); }
+
+void check(const LateralAccelerationLimit& law) {
+  require_positive(law.lateral_acceleration, "turn_speed.lateral_acceleration");
+}
+
+void check(const TurnSpeedTable& law) {
+  if (law.entries.empty()) throw std::invalid_argument("vehicle: turn_speed.entries has 0 entries, must have >= 1");
+  double previous = 0.0;
+  for (std::size_t i = 0; i < law.entries.size(); ++i) {
+    const auto& [radius, speed] = law.entries[i];
+    const std::string entry = "turn_speed.entries[" + std::to_string(i) + "]";
+    require(std::isfinite(radius) && radius > previous, entry + ".radius", radius,
+            "finite and > " + shortest_text(previous));
+    require_positive(speed, entry + ".speed");
+    previous = radius;
+  }
+}
+
+double speed_by(const ConstantTurnSpeed& law, double /*radius*/) { return law.speed; }
+
+double speed_by(const LateralAccelerationLimit& law, double radius) {
+  return std::sqrt(law.lateral_acceleration) * std::sqrt(radius);
+}
+
+double speed_by(const TurnSpeedTable& law, double radius) {
+  const auto& entries = law.entries;
+  if (radius <= entries.front().first) return entries.front().second;
+  if (radius >= entries.back().first) return entries.back().second;
+  const auto above = std::upper_bound(entries.begin(), entries.end(), radius,
+                                      [](double r, const auto& entry) { return r < entry.first; });
+  const auto below = above - 1;
+  return std::lerp(below->second, above->second, (radius - below->first) / (above->first - below->first));
+}
+
+double speed_by(const TurnSpeedLaw& law, double radius) {
+  return std::visit([radius](const auto& kind) { return speed_by(kind, radius); }, law);
+}
+
+/// Reaches of a body from F along its axis as turning sees them.
+struct Reach {
+  double far;  ///< to the farther end
+  double gap;  ///< from F to the nearer end; 0 while F lies on the body
+};
+Reach reach_of(const Footprint& body) {
+  return {std::max(body.front, body.rear), std::max(0.0, -std::min(body.front, body.rear))};
+}
+
+/// The radius from which on the swept width falls. Below, the nearest point of the body is not the inner corner or
+/// side that recedes with the radius.
+double widest_radius(const Reach& reach, double half_width) {
+  return half_width * ((reach.far + reach.gap) / (reach.far - reach.gap));
+}
+
+/// w_s(radius) - 2b. The differences are rationalised: they cancel at large radii.
+double excess_width(const Footprint& body, double radius) {
+  const double b = body.half_width;
+  if (radius < b) return swept_annulus(body, radius).width() - 2.0 * b;
+  const auto [far, gap] = reach_of(body);
+  const double outer = far * (far / (std::hypot(far, radius + b) + (radius + b)));
+  return gap == 0.0 ? outer : outer - gap * (gap / (std::hypot(gap, radius - b) + (radius - b)));
+}
+
+}  // namespace
+
+std::optional<Vec2> rotation_center(double wheelbase, double front_angle, double rear_angle) {
+  const double front = std::tan(front_angle);
+  const double rear = std::tan(rear_angle);
+  const double t = front - rear;
+  if (t == 0.0) return std::nullopt;
+  return Vec2{-0.5 * wheelbase * ((front + rear) / t), wheelbase / t};
+}
+
+Vehicle::Vehicle(VehicleParameters parameters) : parameters_(std::move(parameters)) {
+  const VehicleParameters& p = parameters_;
+  require_positive(p.length, "length");
+  require_positive(p.width, "width");
+  require_positive(p.wheelbase, "wheelbase");
+  require(p.max_steering_angle >= kSmallestVehicleNumber && p.max_steering_angle < 0.5 * std::numbers::pi,
+          "max_steering_angle", p.max_steering_angle,
+          ">= " + shortest_text(kSmallestVehicleNumber) + " and < pi/2 rad");
+  require_positive(p.max_speed, "max_speed");
+  std::visit([](const auto& law) { check(law); }, p.turn_speed);
+  if (p.max_reverse_speed) require_positive(*p.max_reverse_speed, "max_reverse_speed");
+  require_positive(p.max_acceleration, "max_acceleration");
+  require_positive(p.safety_margin, "safety_margin");
+}
+
+double Vehicle::reference_offset() const {
+  switch (parameters_.steering) {
+    case Steering::kFront:
+      return -0.5 * parameters_.wheelbase;
+    case Steering::kRear:
+      return 0.5 * parameters_.wheelbase;
+    case Steering::kSymmetric:
+      break;
+  }
+  return 0.0;
+}
+
+double Vehicle::min_turning_radius() const {
+  const double radius = parameters_.wheelbase / std::tan(parameters_.max_steering_angle);
+  return parameters_.steering == Steering::kSymmetric ? 0.5 * radius : radius;
+}
+
+Footprint Vehicle::footprint(double growth) const {
+  const double a = 0.5 * parameters_.length;
+  const double offset = reference_offset();
+  return {a - offset + growth, a + offset + growth, 0.5 * parameters_.width + growth};
+}
+
+double Vehicle::turn_speed(double radius) const {
+  return std::min(speed_by(parameters_.turn_speed, radius), max_speed());
+}
+
+double Vehicle::reverse_turn_speed(double radius) const {
+  return std::min(speed_by(parameters_.turn_speed, radius), max_reverse_speed());
+}
+
+Vehicle Vehicle::with_gears_swapped() const {
+  VehicleParameters swapped = parameters_;
+  swapped.max_speed = max_reverse_speed();
+  swapped.max_reverse_speed = max_speed();
+  return Vehicle(std::move(swapped));
+}
+
+bool Vehicle::fits_straight(double passage_width) const { return passage_width > parameters_.width; }
+
+bool Vehicle::fits_turn(double passage_width, double radius) const {
+  return passage_width - parameters_.width > excess_width(footprint(), radius);
+}
+
+std::optional<double> Vehicle::smallest_fitting_radius(double passage_width) const {
+  if (!fits_straight(passage_width)) return std::nullopt;
+  const Footprint body = footprint();
+  const Reach reach = reach_of(body);
+  const double b = body.half_width;
+  const double lowest = min_turning_radius();
+  const double widest = std::max(lowest, widest_radius(reach, b));
+  if (fits_turn(passage_width, widest)) return lowest;
+  // hypot(A, r + b) - hypot(g, r - b) = D, squared twice; the larger root is the one beyond the widest radius.
+  const double d = passage_width;
+  const double spare = d - parameters_.width;
+  double radius = 0.0;
+  if (reach.gap == 0.0) {
+    radius = 0.5 * (reach.far * (reach.far / spare) - d);
+  } else {
+    const double g = reach.gap;
+    const double squares = (reach.far - g) * (reach.far + g);
+    const double half_k = 0.5 * (squares - d * d);
+    const double square_coefficient = spare * (d + parameters_.width);
+    const double linear = b * squares;
+    const double constant = (d * std::hypot(g, b) - half_k) * (d * std::hypot(g, b) + half_k);
+    const double discriminant = linear * linear - square_coefficient * constant;
+    radius = (linear + std::sqrt(std::max(0.0, discriminant))) / square_coefficient;
+  }
+  return std::max(radius, widest);
+}
+
+SweptAnnulus swept_annulus(const Footprint& footprint, double radius) {
+  const auto [far, gap] = reach_of(footprint);
+  const double side = std::max(0.0, radius - footprint.half_width);
+  return {gap == 0.0 ? side : std::hypot(gap, side), std::hypot(far, radius + footprint.half_width)};
+}
+
+}  // namespace arcway

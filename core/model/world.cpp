@@ -1,0 +1,475 @@
+#include "core/model/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "core/base/huge_pages.h"
+#include "core/geometry/box_tree.h"
+#include "core/geometry/ray_parity.h"
+#include "core/model/world_checks.h"
+#include "core/model/world_coverage.h"
+
+namespace arcway {
+namespace {
+
+// Below this number of vertices a scan of all edges beats a tree over them.
+constexpr std::size_t kScanVertices = 64;
+// Edges to be looked at for each vertex, until one sweep over all edges takes the place of region by region.
+constexpr std::size_t kPatience = 128;
+
+}  // namespace
+
+struct World::Data {
+  HugeVector<Vec2> vertices;
+  HugeVector<LineSegment> edges;
+  HugeVector<VertexId> next;
+  HugeVector<VertexId> previous;
+  HugeVector<ObstacleId> obstacle_of;
+  std::vector<bool> convex;
+  std::vector<bool> covered;
+  HugeVector<VertexId> convex_vertices;
+  std::vector<SelfContact> contacts;            // ascending by edge
+  std::vector<SelfContact> contacts_by_vertex;  // the same
+  std::vector<VertexId> region_starts{0};       // one more than regions
+  std::vector<VertexId> ring_starts;
+  std::vector<std::size_t> region_rings{0};  // into ring_starts, one more than regions
+  std::vector<Box> boxes;
+  Box box;
+  bool has_bounds = false;
+
+  // Vertices inside an edge of their own region, whichever of its sides their ring is on.
+  struct Touches {
+    std::vector<SelfContact> on_left;
+    std::vector<VertexId> on_right;  // the vertices; ascending
+  };
+
+  void add_region(const Polygon& polygon, std::span<const RingContact> ring_contacts, bool is_bounds,
+                  Touches& touches) {
+    const std::size_t first_ring = ring_starts.size();
+    add_ring(polygon.outer, is_bounds ? -1 : 1);
+    for (const Ring& hole : polygon.holes) add_ring(hole, -1);
+    for (const RingContact& contact : ring_contacts) {
+      const VertexId start = ring_starts[first_ring + contact.edge_ring] + static_cast<VertexId>(contact.edge);
+      const Ring& ring = contact.edge_ring == 0 ? polygon.outer : polygon.holes[contact.edge_ring - 1];
+      const VertexId ahead = contact.edge + 1 == ring.size() ? ring_starts[first_ring + contact.edge_ring] : start + 1;
+      const VertexId edge = next[start] == ahead ? start : ahead;
+      const VertexId v = ring_starts[first_ring + contact.vertex_ring] + static_cast<VertexId>(contact.vertex);
+      // No edge runs along another one: both neighbors lie on one side.
+      if (orientation(vertices[edge], vertices[next[edge]], vertices[next[v]]) > 0)
+        touches.on_left.push_back({edge, v});
+      else
+        touches.on_right.push_back(v);
+    }
+    Box region_box;
+    for (const Vec2& p : polygon.outer) region_box.extend(p);
+    close_region(region_box);
+  }
+
+  void add_ring(const Ring& ring, int wanted_winding) {
+    const auto first = static_cast<VertexId>(vertices.size());
+    const auto n = static_cast<VertexId>(ring.size());
+    ring_starts.push_back(first);
+    const bool as_given = winding(ring) == wanted_winding;
+    for (VertexId i = 0; i < n; ++i) {
+      const VertexId ahead = first + (i + 1 == n ? 0 : i + 1);
+      const VertexId behind = first + (i == 0 ? n - 1 : i - 1);
+      vertices.push_back(ring[i]);
+      next.push_back(as_given ? ahead : behind);
+      previous.push_back(as_given ? behind : ahead);
+    }
+  }
+
+  // A region of another world, after the last one of this one.
+  void copy_region(const Data& from, ObstacleId old) {
+    const VertexId first = from.region_starts[old], last = from.region_starts[old + 1];
+    const auto to = static_cast<VertexId>(vertices.size());
+    const auto moved = [&](VertexId v) { return v - first + to; };
+    vertices.insert(vertices.end(), from.vertices.begin() + first, from.vertices.begin() + last);
+    covered.insert(covered.end(), from.covered.begin() + first, from.covered.begin() + last);
+    for (VertexId v = first; v < last; ++v) {
+      next.push_back(moved(from.next[v]));
+      previous.push_back(moved(from.previous[v]));
+    }
+    for (std::size_t r = from.region_rings[old]; r < from.region_rings[old + 1]; ++r)
+      ring_starts.push_back(moved(from.ring_starts[r]));
+    for (auto c = std::ranges::lower_bound(from.contacts, first, {}, &SelfContact::edge);
+         c != from.contacts.end() && c->edge < last; ++c)
+      contacts.push_back({moved(c->edge), moved(c->vertex)});
+    close_region(from.boxes[old]);
+  }
+
+  // All vertices and rings since the last region are one.
+  void close_region(const Box& region_box) {
+    obstacle_of.resize(vertices.size(), static_cast<ObstacleId>(boxes.size()));
+    boxes.push_back(region_box);
+    region_starts.push_back(static_cast<VertexId>(vertices.size()));
+    region_rings.push_back(ring_starts.size());
+    box.extend(region_box);
+  }
+
+  // What follows from vertices and links at once.
+  void derive_edges() {
+    const auto n = static_cast<VertexId>(vertices.size());
+    edges.reserve(n);
+    convex.resize(n);
+    for (VertexId v = 0; v < n; ++v) {
+      edges.push_back({vertices[v], vertices[next[v]]});
+      convex[v] = orientation(vertices[previous[v]], vertices[v], vertices[next[v]]) > 0;
+    }
+  }
+
+  [[nodiscard]] bool is_graph_vertex(VertexId v) const { return convex[v] && !covered[v]; }
+
+  void list_convex_vertices() {
+    for (VertexId v = 0; v < vertices.size(); ++v)
+      if (is_graph_vertex(v)) convex_vertices.push_back(v);
+  }
+
+  [[nodiscard]] bool is_bounds(ObstacleId region) const { return has_bounds && region + 1 == boxes.size(); }
+
+  // The place among a region's rings, as seen from the region's side of them.
+  [[nodiscard]] PointLocation side_of(PointLocation in_rings, ObstacleId region) const {
+    if (!is_bounds(region) || in_rings == PointLocation::kBoundary) return in_rings;
+    return in_rings == PointLocation::kInside ? PointLocation::kOutside : PointLocation::kInside;
+  }
+
+  [[nodiscard]] PointLocation locate(const Vec2& p, ObstacleId region) const {
+    if (!boxes[region].contains(p)) return side_of(PointLocation::kOutside, region);
+    RayParity parity(p);
+    for (VertexId v = region_starts[region]; v < region_starts[region + 1]; ++v) {
+      parity.add(vertices[v], vertices[next[v]]);
+    }
+    return side_of(parity.location(), region);
+  }
+
+  // Where rings touch in a vertex, an edge that ends there goes on with the edge that bounds the same wedge of the
+  // interior, the first one clockwise from it: so each of the coincident vertices has a wedge of its own, and all of
+  // them are disjoint. Where an edge passes between them, those on its two sides have nothing to do with each other.
+  void relink_pinches(VertexId first_vertex, std::span<const VertexId> on_right_of_edges) {
+    HugeVector<VertexId> order(vertices.size() - first_vertex);
+    std::iota(order.begin(), order.end(), first_vertex);
+    const auto key = [this](VertexId v) { return std::tuple(obstacle_of[v], vertices[v].x(), vertices[v].y()); };
+    std::sort(order.begin(), order.end(), [&](VertexId v, VertexId w) { return key(v) < key(w); });
+    std::vector<std::pair<VertexId, VertexId>> links;  // made in the end: the search needs the old ones
+    for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+      while (last < order.size() && key(order[first]) == key(order[last])) ++last;
+      if (last - first < 2) continue;
+      const auto on_right = std::partition(order.begin() + first, order.begin() + last, [&](VertexId v) {
+        return !std::binary_search(on_right_of_edges.begin(), on_right_of_edges.end(), v);
+      });
+      append_links({order.begin() + first, on_right}, links);
+      append_links({on_right, order.begin() + last}, links);
+    }
+    for (const auto& [u, v] : links) {
+      next[u] = v;
+      previous[v] = u;
+    }
+  }
+
+  // Of coincident vertices: (previous, vertex).
+  void append_links(std::span<const VertexId> pinch, std::vector<std::pair<VertexId, VertexId>>& links) const {
+    for (const VertexId v : pinch) {
+      VertexId nearest = previous[v];
+      for (const VertexId w : pinch) {
+        const VertexId u = previous[w];
+        if (in_open_cone(vertices[nearest], vertices[v], vertices[next[v]], vertices[u])) nearest = u;
+      }
+      links.emplace_back(nearest, v);
+    }
+  }
+
+  // Links coincident vertices of new regions, and lists contacts.
+  void connect(VertexId first_vertex, Touches touches) {
+    std::sort(touches.on_right.begin(), touches.on_right.end());
+    relink_pinches(first_vertex, touches.on_right);
+    contacts.insert(contacts.end(), touches.on_left.begin(), touches.on_left.end());
+    sort_contacts();
+  }
+
+  void sort_contacts() {
+    const auto by_edge = [](const SelfContact& c) { return std::pair(c.edge, c.vertex); };
+    std::ranges::sort(contacts, {}, by_edge);
+    contacts_by_vertex = contacts;
+    std::ranges::sort(contacts_by_vertex, {}, &SelfContact::vertex);
+  }
+
+  // The vertices asked about, in stretches of some that follow each other in a region.
+  struct Stretches {
+    std::vector<std::size_t> starts;  // in what is asked, one more than stretches
+    HugeVector<Box> boxes;
+  };
+  // Of vertices near each other, as boxes around them are to be about as small as points.
+  [[nodiscard]] Stretches stretches_of(std::span<const VertexId> which) const {
+    constexpr std::size_t kMostVertices = 16;
+    const double widest = 4.0 * (box.max - box.min).maxCoeff() / std::sqrt(static_cast<double>(vertices.size()));
+    Stretches stretches;
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      const VertexId v = which[i];
+      Box extended;
+      if (i > 0) extended = stretches.boxes.back();
+      extended.extend(vertices[v]);
+      if (i > 0 && obstacle_of[v] == obstacle_of[which[i - 1]] && i - stretches.starts.back() < kMostVertices &&
+          (extended.max - extended.min).maxCoeff() <= widest) {
+        stretches.boxes.back() = extended;
+        continue;
+      }
+      stretches.starts.push_back(i);
+      stretches.boxes.emplace_back().extend(vertices[v]);
+    }
+    stretches.starts.push_back(which.size());
+    return stretches;
+  }
+
+  // Decides which of these vertices are covered.
+  void mark_covered(std::span<const VertexId> which) {
+    covered.resize(vertices.size());
+    for (const VertexId v : which) covered[v] = false;
+    std::vector<ObstacleId> regions(boxes.size());
+    std::iota(regions.begin(), regions.end(), ObstacleId{0});
+    if (mark_inside(regions, which, kPatience * vertices.size())) return;
+    Coverage coverage = sweep_coverage(edges, obstacle_of, has_bounds ? regions.back() : kNone);
+    covered = std::move(coverage.covered);
+    HugeVector<VertexId> all(vertices.size());
+    std::iota(all.begin(), all.end(), VertexId{0});
+    mark_inside(coverage.left_over, all, std::numeric_limits<std::size_t>::max());
+  }
+
+  // Marks those of the vertices that lie strictly inside one of the regions.
+  // @param most  how many edges may be looked at, about; then it ends and returns false.
+  bool mark_inside(std::span<const ObstacleId> regions, std::span<const VertexId> which, std::size_t most) {
+    const Stretches stretches = stretches_of(which);
+    const BoxTree stretch_tree(stretches.boxes);
+    // Region by region, so that the tree over the edges of a large one lives only for its turn.
+    for (const ObstacleId region : regions) {
+      RegionSearch search(*this, region);
+      const Box& around = is_bounds(region) ? box : boxes[region];  // what is outside of the bounds is covered
+      const bool is_done = stretch_tree.visit_overlaps(around, [&](std::uint32_t i) {
+        ++search.looks;
+        const auto stretch = which.subspan(stretches.starts[i], stretches.starts[i + 1] - stretches.starts[i]);
+        if (obstacle_of[stretch.front()] == region) return true;
+        for (const VertexId v : stretch)
+          if (!covered[v] && around.contains(vertices[v])) covered[v] = search.locate(v) == PointLocation::kInside;
+        return search.looks <= most;
+      });
+      if (!is_done) return false;
+      most -= std::min(most, search.looks);
+    }
+    return true;
+  }
+
+  // Where points lie in one region, many of them.
+  struct RegionSearch {
+    RegionSearch(const Data& the_data, ObstacleId the_region) : data(the_data), region(the_region) {}
+
+    PointLocation locate(VertexId v) {
+      const Vec2& p = data.vertices[v];
+      const VertexId first = data.region_starts[region], last = data.region_starts[region + 1];
+      if (!data.boxes[region].contains(p)) return data.locate(p, region);
+      if (last - first <= kScanVertices) {
+        looks += last - first;
+        return data.locate(p, region);
+      }
+      if (edge_tree.size() == 0) build_edge_tree(first, last);
+      RayParity parity(p);
+      edge_tree.visit_overlaps(parity.ray_box(), [&](std::uint32_t e) {
+        ++looks;
+        parity.add(data.edges[first + e].a, data.edges[first + e].b);
+        return true;
+      });
+      return data.side_of(parity.location(), region);
+    }
+
+    void build_edge_tree(VertexId first, VertexId last) {
+      std::vector<Box> edge_boxes;
+      edge_boxes.reserve(last - first);
+      for (VertexId v = first; v < last; ++v) edge_boxes.push_back(arcway::box_of(data.edges[v]));
+      edge_tree = BoxTree(edge_boxes);
+    }
+
+    const Data& data;
+    ObstacleId region;
+    BoxTree edge_tree;
+    std::size_t looks = 0;  // at edges, about
+  };
+};
+
+World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
+  auto data = std::make_shared<Data>();
+  std::size_t vertex_count = bounds ? bounds->size() : 0;
+  for (const Polygon& polygon : obstacles) {
+    vertex_count += polygon.outer.size();
+    for (const Ring& hole : polygon.holes) vertex_count += hole.size();
+  }
+  const auto obstacle_count = static_cast<ObstacleId>(obstacles.size());
+  require_vertex_count(vertex_count, obstacle_count);
+  data->vertices.reserve(vertex_count);
+  data->next.reserve(vertex_count);
+  data->previous.reserve(vertex_count);
+  data->obstacle_of.reserve(vertex_count);
+  Data::Touches touches;
+  for (ObstacleId o = 0; o < obstacle_count; ++o) {
+    data->add_region(obstacles[o], require_region(obstacles[o], o, false), false, touches);
+    obstacles[o] = {};
+  }
+  if (bounds) {
+    const Polygon polygon{std::move(*bounds), {}};
+    data->has_bounds = true;
+    data->add_region(polygon, require_region(polygon, obstacle_count, true), true, touches);
+  }
+  data->connect(0, std::move(touches));
+  data->derive_edges();
+  HugeVector<VertexId> all(data->vertices.size());
+  std::iota(all.begin(), all.end(), VertexId{0});
+  data->mark_covered(all);
+  data->list_convex_vertices();
+  data_ = std::move(data);
+}
+
+World World::from_tables(WorldTables tables) {
+  require_world(tables);
+  auto data = std::make_shared<Data>();
+  const auto n = static_cast<VertexId>(tables.vertices.size());
+  data->previous.resize(n);
+  for (VertexId v = 0; v < n; ++v) data->previous[tables.next[v]] = v;
+  data->has_bounds = tables.has_bounds;
+  data->obstacle_of.reserve(n);
+  const std::size_t regions = tables.region_rings.size() - 1;
+  for (std::size_t region = 0; region < regions; ++region) {
+    const std::size_t end_ring = tables.region_rings[region + 1];
+    const VertexId first = tables.ring_starts[tables.region_rings[region]];
+    const VertexId last = end_ring < tables.ring_starts.size() ? tables.ring_starts[end_ring] : n;
+    Box region_box;
+    for (VertexId v = first; v < last; ++v) region_box.extend(tables.vertices[v]);
+    data->obstacle_of.resize(last, static_cast<ObstacleId>(region));
+    data->region_starts.push_back(last);
+    data->region_rings.push_back(end_ring);
+    data->boxes.push_back(region_box);
+    data->box.extend(region_box);
+  }
+  data->vertices.assign(tables.vertices.begin(), tables.vertices.end());
+  tables.vertices = {};
+  data->next.assign(tables.next.begin(), tables.next.end());
+  data->ring_starts = std::move(tables.ring_starts);
+  data->covered.assign(tables.covered.begin(), tables.covered.end());
+  data->contacts = std::move(tables.self_contacts);
+  data->sort_contacts();
+  data->derive_edges();
+  data->list_convex_vertices();
+  World world(std::vector<Polygon>{});
+  world.data_ = std::move(data);
+  return world;
+}
+
+WorldTables World::tables() const {
+  WorldTables tables;
+  tables.vertices.assign(data_->vertices.begin(), data_->vertices.end());
+  tables.next.assign(data_->next.begin(), data_->next.end());
+  tables.covered.assign(data_->covered.begin(), data_->covered.end());
+  tables.ring_starts = data_->ring_starts;
+  tables.region_rings.assign(data_->region_rings.begin(), data_->region_rings.end());
+  tables.self_contacts = data_->contacts;
+  tables.has_bounds = data_->has_bounds;
+  return tables;
+}
+
+World World::changed(std::span<const ObstacleId> removed, const std::vector<Polygon>& added) const {
+  const Data& old = *data_;
+  const auto obstacles = static_cast<ObstacleId>(obstacle_count());
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    if (removed[i] >= obstacles)
+      throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + ": the world has " +
+                                  std::to_string(obstacles));
+    if (i > 0 && removed[i] <= removed[i - 1])
+      throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + " follows " +
+                                  std::to_string(removed[i - 1]) + ": they must ascend");
+  }
+  auto data = std::make_shared<Data>();
+  std::vector<Box> places;
+  for (ObstacleId o = 0, next_removed = 0; o < obstacles; ++o) {
+    if (next_removed < removed.size() && removed[next_removed] == o) {
+      places.push_back(old.boxes[o]);
+      ++next_removed;
+    } else {
+      data->copy_region(old, o);
+    }
+  }
+  const auto first_added = static_cast<VertexId>(data->vertices.size());
+  Data::Touches touches;
+  for (const Polygon& polygon : added) {
+    const auto id = static_cast<ObstacleId>(data->boxes.size());
+    data->add_region(polygon, require_region(polygon, id, false), false, touches);
+    places.push_back(data->boxes.back());
+  }
+  const auto end_added = static_cast<VertexId>(data->vertices.size());
+  data->connect(first_added, std::move(touches));
+  data->covered.resize(end_added);
+  if (old.has_bounds) {
+    data->has_bounds = true;
+    data->copy_region(old, obstacles);
+    data->sort_contacts();
+  }
+  require_vertex_count(data->vertices.size(), static_cast<ObstacleId>(data->boxes.size()));
+  data->derive_edges();
+
+  const BoxTree changed_places(places);
+  std::vector<VertexId> doubtful;
+  for (VertexId v = 0; v < data->vertices.size(); ++v) {
+    Box at;
+    at.extend(data->vertices[v]);
+    const bool is_new = first_added <= v && v < end_added;
+    if (is_new || !changed_places.visit_overlaps(at, [](std::uint32_t) { return false; })) doubtful.push_back(v);
+  }
+  data->mark_covered(doubtful);
+  data->list_convex_vertices();
+  World world = *this;
+  world.data_ = std::move(data);
+  return world;
+}
+
+std::span<const Vec2> World::vertices() const { return data_->vertices; }
+std::span<const LineSegment> World::edges() const { return data_->edges; }
+VertexId World::next(VertexId v) const { return data_->next[v]; }
+VertexId World::previous(VertexId v) const { return data_->previous[v]; }
+std::span<const SelfContact> World::self_contacts() const { return data_->contacts; }
+
+std::span<const SelfContact> World::self_contacts_on(VertexId edge) const {
+  if (data_->contacts.empty()) return {};
+  const auto& all = data_->contacts;
+  const auto first = std::ranges::lower_bound(all, edge, {}, &SelfContact::edge);
+  return {first, std::ranges::upper_bound(first, all.end(), edge, {}, &SelfContact::edge)};
+}
+
+VertexId World::edge_touched_by(VertexId v) const {
+  const auto& contacts = data_->contacts_by_vertex;
+  if (contacts.empty()) return kNone;
+  const auto at = std::ranges::lower_bound(contacts, v, {}, &SelfContact::vertex);
+  return at != contacts.end() && at->vertex == v ? at->edge : kNone;
+}
+
+ObstacleId World::obstacle_of(VertexId v) const { return data_->obstacle_of[v]; }
+bool World::is_convex(VertexId v) const { return data_->convex[v]; }
+bool World::is_covered(VertexId v) const { return data_->covered[v]; }
+bool World::is_graph_vertex(VertexId v) const { return data_->is_graph_vertex(v); }
+std::span<const VertexId> World::convex_vertices() const { return data_->convex_vertices; }
+std::size_t World::obstacle_count() const { return data_->boxes.size() - (data_->has_bounds ? 1 : 0); }
+bool World::has_bounds() const { return data_->has_bounds; }
+
+World::VertexRange World::vertices_of(ObstacleId o) const {
+  return {data_->region_starts[o], data_->region_starts[o + 1]};
+}
+
+std::span<const VertexId> World::ring_starts(ObstacleId o) const {
+  const std::size_t first = data_->region_rings[o];
+  return std::span(data_->ring_starts).subspan(first, data_->region_rings[o + 1] - first);
+}
+
+const Box& World::box_of(ObstacleId o) const { return data_->boxes[o]; }
+const Box& World::box() const { return data_->box; }
+PointLocation World::locate(const Vec2& p, ObstacleId o) const { return data_->locate(p, o); }
+
+}  // namespace arcway

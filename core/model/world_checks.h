@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/geometry/polygon.h"
+#include "core/model/tables.h"
+#include "core/model/world.h"
+
+/// What World demands of a map.
+namespace arcway {
+
+/// @param obstacles  their number, that of the bounds in the error.
+/// @throws WorldError if there are more vertices than ids.
+void require_vertex_count(std::size_t count, ObstacleId obstacles);
+
+/// @param id  the number of obstacles for the bounds.
+/// @return the polygon's contacts with itself.
+/// @throws WorldError as World says.
+std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, bool is_bounds);
+
+/// Everything that memory safety and the predicates rely on.
+/// @throws TableError if the tables are those of no world.
+void require_world(const WorldTables& tables);
+
+}  // namespace arcway

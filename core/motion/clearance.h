@@ -1,0 +1,30 @@
+#pragma once
+
+#include <limits>
+
+#include "core/model/outlines.h"
+#include "core/model/path.h"
+#include "core/model/vehicle.h"
+#include "core/model/world.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Where a body comes nearest to the obstacles.
+struct Clearance {
+  double distance = std::numeric_limits<double>::infinity();  ///< [m]; 0 in contact, infinity without edges
+  double arc_length = 0.0;                                    ///< of the reference point from the segment's start [m]
+  VertexId edge = kNone;                                      ///< the nearest edge
+};
+
+/// The smallest distance between a body and the edges of the world while it drives along a segment, in closed form.
+/// Straight: from the swept rectangle. Turning: the nearest pair is a body corner on its circle and an edge, an
+/// obstacle vertex on its circle in the body's frame and a side of the body, or occurs at one of the two ends.
+/// Rounding: a few units in the last place of the largest of coordinates and turning radius. The body inside of an
+/// obstacle without touching its boundary is not noticed.
+/// O(regions + edges of regions near by), no allocation; thread-safe.
+Clearance clearance_along(const PathSegment& segment, const Footprint& body, const World& world);
+
+/// The same distance if it is below a limit, else the limit. Looks only at outlines nearer than that.
+double clearance_below(double limit, const PathSegment& segment, const Footprint& body, const Outlines& outlines);
+
+}  // namespace arcway

@@ -1,0 +1,135 @@
+#include "core/motion/dubins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+namespace {
+
+constexpr double kUlps = 16.0 * std::numeric_limits<double>::epsilon();
+
+/// Turn in [0, 2 pi); one that misses a full turn by rounding is none.
+double turn_of(double angle, double tolerance) {
+  const double turn = wrap_positive(angle);
+  return turn >= kTwoPi - tolerance ? 0.0 : turn;
+}
+
+struct Parts {
+  double first;   ///< angle of the first arc
+  double middle;  ///< length of the line, angle of the middle arc
+  double last;    ///< angle of the last arc
+};
+
+/// Start and last circles of a word, relative to the start.
+struct Circles {
+  double s0, s1;  ///< their sides
+  Vec2 between;   ///< from the first centre to the last
+  double distance;
+  double direction;
+  double place_error;    ///< rounding of a position
+  double heading_error;  ///< rounding of a heading
+  double h0, h1;
+};
+
+Circles circles_of(const Pose& start, const Pose& goal, double radius, double s0, double s1) {
+  const Vec2 between =
+      goal.position() - start.position() +
+      radius * (s1 * perpendicular(direction_of(goal.heading)) - s0 * perpendicular(direction_of(start.heading)));
+  // Of a heading of many turns little is known of the direction, and of where the centre is.
+  const double turned = std::abs(start.heading) + std::abs(goal.heading);
+  const double scale = std::max({start.position().cwiseAbs().maxCoeff(), goal.position().cwiseAbs().maxCoeff(), radius,
+                                 radius * turned / kTwoPi});
+  return {.s0 = s0,
+          .s1 = s1,
+          .between = between,
+          .distance = between.norm(),
+          .direction = std::atan2(between.y(), between.x()),
+          .place_error = kUlps * scale,
+          .heading_error = kUlps * (1.0 + turned),
+          .h0 = start.heading,
+          .h1 = goal.heading};
+}
+
+/// LSL, RSR: the line is parallel to the centres' one.
+Parts same_side(const Circles& c) {
+  const double whole = turn_of(c.s0 * (c.h1 - c.h0), c.heading_error);
+  if (c.distance <= c.place_error) return {whole, 0.0, 0.0};  // one circle: its direction is noise
+  // Where an arc vanishes up to rounding, its neighbour's heading is taken for the line's.
+  const double noise = c.heading_error + c.place_error / c.distance;
+  const double first = turn_of(c.s0 * (c.direction - c.h0), noise);
+  if (first == 0.0) return {0.0, c.distance, whole};
+  const double last = turn_of(c.s0 * (c.h1 - c.direction), noise);
+  if (last == 0.0) return {whole, c.distance, 0.0};
+  return {first, c.distance, last};
+}
+
+/// LSR, RSL: the line crosses the centres' one.
+std::optional<Parts> opposite_sides(const Circles& c, double radius) {
+  const double excess = c.distance - 2.0 * radius;
+  if (excess < -c.place_error) return std::nullopt;
+  const double line = excess <= c.place_error ? 0.0 : std::sqrt(excess) * std::sqrt(c.distance + 2.0 * radius);
+  const double heading = c.direction + c.s0 * std::atan2(2.0 * radius, line);
+  const double noise = c.heading_error + c.place_error / c.distance;
+  return Parts{turn_of(c.s0 * (heading - c.h0), noise), line, turn_of(c.s1 * (c.h1 - heading), noise)};
+}
+
+/// LRL, RLR: the middle circle on the side that gives its arc at least half a turn (the other is never shortest).
+std::optional<Parts> three_arcs(const Circles& c, double radius) {
+  if (c.distance > 4.0 * radius + c.place_error) return std::nullopt;
+  const double half_angle = std::asin(std::min(1.0, c.distance / (4.0 * radius)));
+  const bool one_circle = c.distance <= c.place_error;  // any middle circle will do: the one without a first arc
+  const double heading = one_circle ? c.h0 : c.direction + c.s0 * (kPi - half_angle);
+  const double noise = c.heading_error + c.place_error / std::max(c.distance, radius);
+  const double middle = kTwoPi - 2.0 * half_angle;
+  return Parts{turn_of(c.s0 * (heading - c.h0), noise), middle,
+               turn_of(c.s0 * (c.h1 - heading) - 2.0 * half_angle, noise)};
+}
+
+}  // namespace
+
+std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const Pose& goal, double radius) {
+  if (!(radius > 0.0) || !std::isfinite(radius)) {
+    throw std::invalid_argument("dubins_path: radius must be finite and > 0");
+  }
+  const bool starts_left = word == DubinsWord::kLSL || word == DubinsWord::kLSR || word == DubinsWord::kLRL;
+  const bool ends_left = word == DubinsWord::kLSL || word == DubinsWord::kRSL || word == DubinsWord::kLRL;
+  const bool turns_thrice = word == DubinsWord::kLRL || word == DubinsWord::kRLR;
+  const Circles circles = circles_of(start, goal, radius, starts_left ? 1.0 : -1.0, ends_left ? 1.0 : -1.0);
+
+  std::optional<Parts> parts;
+  if (turns_thrice) {
+    parts = three_arcs(circles, radius);
+  } else if (starts_left == ends_left) {
+    parts = same_side(circles);
+  } else {
+    parts = opposite_sides(circles, radius);
+  }
+  if (!parts) return std::nullopt;
+
+  DubinsPath path;
+  const auto append = [&path, &start](double length, double curvature) {
+    if (!(length > 0.0)) return;
+    path.parts[path.count] = {path.count == 0 ? start : path.parts[path.count - 1].end(), length, curvature};
+    ++path.count;
+  };
+  append(parts->first * radius, circles.s0 / radius);
+  if (turns_thrice) {
+    append(parts->middle * radius, -circles.s0 / radius);
+  } else {
+    append(parts->middle, 0.0);
+  }
+  append(parts->last * radius, circles.s1 / radius);
+  return path;
+}
+
+std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, double radius) {
+  const auto path = dubins_word(word, start, goal, radius);
+  if (!path) return std::nullopt;
+  return Path(path->segments().begin(), path->segments().end());
+}
+
+}  // namespace arcway

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "core/model/path.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+enum class DubinsWord { kLSL, kRSR, kLSR, kRSL, kRLR, kLRL };
+inline constexpr std::array<DubinsWord, 6> kDubinsWords = {DubinsWord::kLSL, DubinsWord::kRSR, DubinsWord::kLSR,
+                                                           DubinsWord::kRSL, DubinsWord::kRLR, DubinsWord::kLRL};
+
+/// The segments of a Dubins word, three at most.
+struct DubinsPath {
+  std::array<PathSegment, 3> parts;
+  std::size_t count = 0;
+  [[nodiscard]] std::span<const PathSegment> segments() const { return std::span(parts).first(count); }
+};
+
+/// The path of one Dubins word between two poses, arcs of the given radius [Dubins 1957; closed
+/// forms of Shkel and Lumelsky 2001], or nothing where the word does not exist. Segments of zero
+/// length are left out; start == goal gives an empty path for LSL and RSR. Constant time.
+/// Absolute error of the end pose: a few units in the last place of the coordinates involved.
+/// @throws std::invalid_argument if the radius is not finite and > 0.
+std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const Pose& goal, double radius);
+/// The same as a path.
+std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, double radius);
+
+}  // namespace arcway

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/model/path.h"
+#include "core/motion/dubins.h"
+#include "core/motion/reeds_shepp.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Words in both gears between two poses: those of Reeds and Shepp; then those of Dubins, driven forwards and driven
+/// backwards, which never change gear.
+inline constexpr std::size_t kGearWords = kReedsSheppWords + 2 * kDubinsWords.size();
+
+/// Length of the path of one word [m]; infinity where it does not exist.
+/// @param word  less than kGearWords.
+/// @throws std::invalid_argument if the radius is not finite and > 0, as the next.
+double gear_word_length(std::size_t word, const Pose& start, const Pose& goal, double radius);
+
+/// The path of one word, arcs of the given radius; nothing where the word does not exist. Constant time.
+std::optional<Path> gear_word_path(std::size_t word, const Pose& start, const Pose& goal, double radius);
+
+}  // namespace arcway

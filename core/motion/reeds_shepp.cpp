@@ -1,0 +1,258 @@
+#include "core/motion/reeds_shepp.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+#include "core/geometry/angle.h"
+
+namespace arcway {
+namespace {
+
+constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kMostRounding =
+    1e-9;  // of the direction of a line between circles to either side: the end moves by that
+constexpr double kQuarter = 0.5 * kPi;
+
+/// The goal seen from the start, lengths in radii.
+struct Target {
+  double x, y, heading;
+};
+
+/// Signed lengths of the letters, backwards negative; arcs as angles.
+using Parts = std::optional<std::array<double, 5>>;
+
+/// An angle as a turn within [0, pi]; nothing if it is none. Rounding may have put it on the other side of either end.
+/// @param rounding  at 0.
+std::optional<double> ahead(double angle, double rounding = kRounding) {
+  const double turn = wrap_signed(angle);
+  if (turn >= 0.0) return turn;
+  if (turn >= -rounding) return 0.0;
+  if (turn <= -kPi + kRounding) return kPi;
+  return std::nullopt;
+}
+/// The rounding of a line's direction, which the shorter it is the less is known of: up to `most`.
+double rounding_of_line(double length, double most) { return kRounding / std::clamp(length, kRounding / most, 1.0); }
+/// The same within [-pi, 0].
+std::optional<double> back(double angle) {
+  const auto turn = ahead(-angle);
+  return turn ? std::optional(-*turn) : std::nullopt;
+}
+
+Parts parts_of(std::optional<double> first, double second, double third, double fourth, std::optional<double> last) {
+  if (!first || !last) return std::nullopt;
+  return std::array{*first, second, third, fourth, *last};
+}
+
+/// From the first circle's centre to the last one's: both to the left, or the last one to the right.
+Vec2 to_left(const Target& g) { return {g.x - std::sin(g.heading), g.y - 1.0 + std::cos(g.heading)}; }
+Vec2 to_right(const Target& g) { return {g.x + std::sin(g.heading), g.y - 1.0 - std::cos(g.heading)}; }
+double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
+
+/// (8.1). Where an arc vanishes up to rounding, the other one makes the whole turn; so in (8.2).
+Parts left_straight_left(const Target& g) {
+  const Vec2 c = to_left(g);
+  const double u = c.norm();
+  if (c.isZero(kRounding)) return parts_of(0.0, u, 0.0, 0.0, ahead(g.heading));
+  const double rounding = rounding_of_line(u, 1.0);
+  const auto first = ahead(angle_of(c), rounding);
+  if (!first || *first == 0.0) return parts_of(first, u, 0.0, 0.0, ahead(g.heading));
+  const auto last = ahead(g.heading - *first, rounding);
+  return last == 0.0 ? parts_of(ahead(g.heading), u, 0.0, 0.0, 0.0) : parts_of(first, u, 0.0, 0.0, last);
+}
+
+/// (8.2)
+Parts left_straight_right(const Target& g) {
+  const Vec2 c = to_right(g);
+  const double square = c.squaredNorm() - 4.0;
+  if (square < -kRounding) return std::nullopt;
+  const double u = std::sqrt(std::max(0.0, square));
+  const double rounding = rounding_of_line(u, kMostRounding);
+  const auto first = ahead(angle_of(c) + std::atan2(2.0, u), rounding);
+  if (!first || *first == 0.0) return parts_of(first, u, 0.0, 0.0, ahead(-g.heading));
+  const auto last = ahead(*first - g.heading, rounding);
+  return last == 0.0 ? parts_of(ahead(g.heading), u, 0.0, 0.0, 0.0) : parts_of(first, u, 0.0, 0.0, last);
+}
+
+/// (8.3), (8.4): the last arc forwards or backwards.
+Parts left_right_left(const Target& g, bool last_ahead) {
+  const Vec2 c = to_left(g);
+  const double distance = c.norm();
+  if (distance > 4.0 * (1.0 + kRounding)) return std::nullopt;
+  const double u = -2.0 * std::asin(std::min(1.0, 0.25 * distance));
+  const auto first = ahead(angle_of(c) + 0.5 * u + kPi);
+  if (!first) return std::nullopt;
+  const double last = g.heading - *first + u;
+  return parts_of(first, u, 0.0, 0.0, last_ahead ? ahead(last) : back(last));
+}
+
+/// First and last angle of the words of four arcs, the middle ones being u and v.
+std::array<double, 2> outer_arcs(double u, double v, const Vec2& c, double heading) {
+  const double delta = u - v;
+  const double a = std::sin(u) - std::sin(delta);
+  const double b = std::cos(u) - std::cos(delta) - 1.0;
+  const double t = std::atan2(c.y() * a - c.x() * b, c.x() * a + c.y() * b);
+  const bool turned = 2.0 * (std::cos(delta) - std::cos(v) - std::cos(u)) + 3.0 < 0.0;
+  const double first = turned ? t + kPi : t;
+  return {first, first - u + v - heading};
+}
+
+/// (8.7)
+Parts left_right_cusp_left_right(const Target& g) {
+  const Vec2 c = to_right(g);
+  const double rho = 0.25 * (2.0 + c.norm());
+  if (rho > 1.0 + kRounding) return std::nullopt;
+  const double u = std::acos(std::min(1.0, rho));
+  const auto [first, last] = outer_arcs(u, -u, c, g.heading);
+  return parts_of(ahead(first), u, -u, 0.0, back(last));
+}
+
+/// (8.8)
+Parts left_cusp_right_left_cusp_right(const Target& g) {
+  const Vec2 c = to_right(g);
+  const double rho = (20.0 - c.squaredNorm()) / 16.0;
+  if (rho < -kRounding || rho > 1.0 + kRounding) return std::nullopt;
+  const double u = -std::acos(std::clamp(rho, 0.0, 1.0));
+  const auto [first, last] = outer_arcs(u, u, c, g.heading);
+  return parts_of(ahead(first), u, u, 0.0, ahead(last));
+}
+
+/// (8.9), the last arc to the left
+Parts left_right_straight_left(const Target& g) {
+  const Vec2 c = to_left(g);
+  const double square = c.squaredNorm() - 4.0;
+  if (square < -kRounding) return std::nullopt;
+  const double r = std::sqrt(std::max(0.0, square));
+  if (2.0 - r > kRounding) return std::nullopt;
+  const auto first = ahead(angle_of(c) + std::atan2(r, -2.0));
+  return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - r), 0.0, back(g.heading - kQuarter - *first))
+               : std::nullopt;
+}
+
+/// (8.10), the last arc to the right
+Parts left_right_straight_right(const Target& g) {
+  const Vec2 c = to_right(g);
+  const double rho = c.norm();
+  if (rho < 2.0 - kRounding) return std::nullopt;
+  const auto first = ahead(std::atan2(c.x(), -c.y()));
+  return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - rho), 0.0, back(*first + kQuarter - g.heading))
+               : std::nullopt;
+}
+
+/// (8.11)
+Parts left_right_straight_left_right(const Target& g) {
+  const Vec2 c = to_right(g);
+  const double square = c.squaredNorm() - 4.0;
+  if (square < 0.0) return std::nullopt;
+  const double u = 4.0 - std::sqrt(square);
+  if (u > kRounding) return std::nullopt;
+  const auto first = ahead(std::atan2((4.0 - u) * c.x() - 2.0 * c.y(), -2.0 * c.x() + (u - 4.0) * c.y()));
+  return first ? parts_of(first, -kQuarter, std::min(0.0, u), -kQuarter, ahead(*first - g.heading)) : std::nullopt;
+}
+
+/// A word to the left and forwards at its beginning; its last letter is that of the last part.
+struct Form {
+  Parts (*solve)(const Target&);
+  std::string_view letters;
+};
+constexpr std::array<Form, 6> kSymmetric = {{{left_straight_left, "LSL"},
+                                             {left_straight_right, "LSR"},
+                                             {[](const Target& g) { return left_right_left(g, true); }, "LRL"},
+                                             {left_right_cusp_left_right, "LRLR"},
+                                             {left_cusp_right_left_cusp_right, "LRLR"},
+                                             {left_right_straight_left_right, "LRSLR"}}};
+/// Those that differ from themselves read from the end.
+constexpr std::array<Form, 3> kDirected = {{{[](const Target& g) { return left_right_left(g, false); }, "LRL"},
+                                            {left_right_straight_left, "LRSL"},
+                                            {left_right_straight_right, "LRSR"}}};
+static_assert(4 * kSymmetric.size() + 8 * kDirected.size() == kReedsSheppWords);
+
+/// A word is a form, driven the other way (flip), in a mirror, or from its last letter to its first.
+struct Word {
+  Form form;
+  bool flip, mirror, from_end;
+};
+Word word_of(std::size_t index) {
+  const std::size_t symmetric = 4 * kSymmetric.size();
+  const std::size_t code = index < symmetric ? index % 4 : (index - symmetric) % 8;
+  const Form& form = index < symmetric ? kSymmetric[index / 4] : kDirected[(index - symmetric) / 8];
+  return {form, (code & 1) != 0, (code & 2) != 0, (code & 4) != 0};
+}
+
+struct Letter {
+  char kind;
+  double length;  // signed, in radii
+};
+struct Solution {
+  std::array<Letter, 5> letters;
+  std::size_t count;
+};
+
+std::optional<Solution> solve(std::size_t index, Target g) {
+  const Word word = word_of(index);
+  if (word.from_end) {
+    const double c = std::cos(g.heading), s = std::sin(g.heading);
+    g = {g.x * c + g.y * s, g.x * s - g.y * c, g.heading};
+  }
+  if (word.flip) g = {-g.x, g.y, -g.heading};
+  if (word.mirror) g = {g.x, -g.y, -g.heading};
+  const Parts parts = word.form.solve(g);
+  if (!parts) return std::nullopt;
+  Solution solution{{}, word.form.letters.size()};
+  for (std::size_t i = 0; i < solution.count; ++i) {
+    const double length = i + 1 < solution.count ? (*parts)[i] : parts->back();
+    char kind = word.form.letters[i];
+    if (word.mirror && kind != 'S') kind = kind == 'L' ? 'R' : 'L';
+    solution.letters[word.from_end ? solution.count - 1 - i : i] = {kind, word.flip ? -length : length};
+  }
+  return solution;
+}
+
+Target target_of(const Pose& start, const Pose& goal, double radius) {
+  if (!(radius > 0.0) || !std::isfinite(radius)) {
+    throw std::invalid_argument("reeds_shepp: radius must be finite and > 0");
+  }
+  const Vec2 d = (goal.position() - start.position()) / radius;
+  const Vec2 axis = direction_of(start.heading);
+  return {axis.dot(d), cross(axis, d), wrap_signed(goal.heading - start.heading)};
+}
+
+double length_of(const std::optional<Solution>& solution, double radius) {
+  if (!solution) return std::numeric_limits<double>::infinity();
+  double length = 0.0;
+  for (std::size_t i = 0; i < solution->count; ++i) length += std::abs(solution->letters[i].length);
+  return radius * length;
+}
+
+}  // namespace
+
+std::optional<Path> reeds_shepp_path(std::size_t word, const Pose& start, const Pose& goal, double radius) {
+  const auto solution = solve(word, target_of(start, goal, radius));
+  if (!solution) return std::nullopt;
+  Path path;
+  for (std::size_t i = 0; i < solution->count; ++i) {
+    const auto [kind, length] = solution->letters[i];
+    if (std::abs(length) <= kRounding) continue;
+    const double curvature = kind == 'S' ? 0.0 : (kind == 'L' ? 1.0 : -1.0) / radius;
+    path.push_back({path.empty() ? start : path.back().end(), radius * std::abs(length), curvature,
+                    length > 0.0 ? Gear::kForward : Gear::kReverse});
+  }
+  return path;
+}
+
+double reeds_shepp_length(std::size_t word, const Pose& start, const Pose& goal, double radius) {
+  return length_of(solve(word, target_of(start, goal, radius)), radius);
+}
+
+double reeds_shepp_distance(const Pose& start, const Pose& goal, double radius) {
+  const Target target = target_of(start, goal, radius);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t word = 0; word < kReedsSheppWords; ++word)
+    shortest = std::min(shortest, length_of(solve(word, target), radius));
+  return shortest;
+}
+
+}  // namespace arcway

@@ -1,0 +1,143 @@
+#include "core/motion/speed_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/base/shortest_text.h"
+
+namespace arcway {
+namespace {
+
+/// An end speed may miss what is reachable by rounding: it is then the reachable speed itself that was asked for.
+constexpr double kRounding = 1e-12;
+
+double reachable(double speed, double acceleration, double length) {
+  return std::sqrt(speed * speed + 2.0 * acceleration * length);
+}
+
+void check_limit(const char* name, double speed, double limit) {
+  if (speed >= 0.0 && speed <= limit) return;
+  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + shortest_text(speed) +
+                              " m/s, must be >= 0 and <= " + shortest_text(limit));
+}
+
+void check_reached(const char* name, double speed, double bound) {
+  if (speed <= bound * (1.0 + kRounding)) return;
+  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + shortest_text(speed) +
+                              " m/s, but the path is long enough for " + shortest_text(bound) + " only");
+}
+
+/// Inlined into segment_time, as an exported function could not be: search and refinement call that one all the time.
+inline SegmentPhases phases_of(double length, double v1, double v2, double v3, double a) {
+  const double to_top = (2.0 * v2 * v2 - v1 * v1 - v3 * v3) / (2.0 * a);
+  if (to_top <= length) {
+    return {.peak = v2,
+            .accelerating = 0.5 * (v2 - v1) * (v2 + v1) / a,
+            .holding = length - to_top,
+            .braking = 0.5 * (v2 - v3) * (v2 + v3) / a};
+  }
+  const double half_change = 0.5 * (v3 - v1) * (v3 + v1) / a;
+  return {.peak = std::sqrt(0.5 * (2.0 * a * length + v1 * v1 + v3 * v3)),
+          .accelerating = 0.5 * std::max(0.0, length + half_change),
+          .holding = 0.0,
+          .braking = 0.5 * std::max(0.0, length - half_change)};
+}
+
+}  // namespace
+
+SegmentPhases segment_phases(double length, double v1, double v2, double v3, double acceleration) {
+  return phases_of(length, v1, v2, v3, acceleration);
+}
+
+double segment_time(double length, double v1, double v2, double v3, double acceleration) {
+  const auto [peak, accelerating, holding, braking] = phases_of(length, v1, v2, v3, acceleration);
+  if (holding > 0.0) return (2.0 * peak - v1 - v3) / acceleration + holding / peak;  // (9)
+  // (10), with peak - v1 and peak - v3 rationalised: they cancel on short segments.
+  return 2.0 * accelerating / (peak + v1) + 2.0 * braking / (peak + v3);
+}
+
+double relaxed_segment_time(double length, double v1, double v2, double v3, double acceleration) {
+  if (!(length > 0.0)) return 0.0;
+  const double change = 2.0 * acceleration * length;
+  const double entry = std::min(v1, std::sqrt(v3 * v3 + change));
+  const double exit = std::min(v3, std::sqrt(entry * entry + change));
+  // Rounding of the roots may leave the change a unit in the last place too large for (9) and (10).
+  if (std::abs(entry * entry - exit * exit) >= change) return 2.0 * length / (entry + exit);
+  return segment_time(length, entry, v2, exit, acceleration);
+}
+
+double speed_limit(const PathSegment& segment, const Vehicle& vehicle) {
+  const bool forward = segment.gear == Gear::kForward;
+  if (segment.is_line()) return forward ? vehicle.max_speed() : vehicle.max_reverse_speed();
+  const double radius = 1.0 / std::abs(segment.curvature);
+  return forward ? vehicle.turn_speed(radius) : vehicle.reverse_turn_speed(radius);
+}
+
+namespace {
+
+void fill(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed, double end_speed,
+          SpeedProfile& profile) {
+  const std::size_t n = path.size();
+  const double a = vehicle.max_acceleration();
+  const auto limit_of = [&vehicle](const PathSegment& segment) { return speed_limit(segment, vehicle); };
+  check_limit("start_speed", start_speed, n == 0 ? vehicle.max_speed() : limit_of(path.front()));
+  check_limit("end_speed", end_speed, n == 0 ? vehicle.max_speed() : limit_of(path.back()));
+  if (n == 0) {
+    check_reached("start_speed", start_speed, end_speed);
+    check_reached("end_speed", end_speed, start_speed);
+    profile.speeds.assign(1, start_speed);
+    profile.durations.clear();
+    profile.total_time = 0.0;
+    return;
+  }
+
+  std::vector<double>& v = profile.speeds;
+  v.resize(n + 1);
+  profile.durations.clear();
+  profile.total_time = 0.0;
+  v[n] = end_speed;
+  for (std::size_t i = n; i-- > 0;) {
+    double limit = i == 0 ? limit_of(path[0]) : std::min(limit_of(path[i - 1]), limit_of(path[i]));
+    if (i > 0 && path[i - 1].gear != path[i].gear) limit = 0.0;
+    v[i] = std::min(limit, reachable(v[i + 1], a, path[i].length));
+  }
+  check_reached("start_speed", start_speed, v[0]);
+  v[0] = start_speed;
+  for (std::size_t i = 0; i + 1 < n; ++i) v[i + 1] = std::min(v[i + 1], reachable(v[i], a, path[i].length));
+  check_reached("end_speed", end_speed, reachable(v[n - 1], a, path[n - 1].length));
+
+  profile.durations.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double duration =
+        path[i].length > 0.0 ? segment_time(path[i].length, v[i], limit_of(path[i]), v[i + 1], a) : 0.0;
+    profile.durations.push_back(duration);
+    profile.total_time += duration;
+  }
+}
+
+}  // namespace
+
+SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed,
+                           double end_speed) {
+  SpeedProfile profile;
+  fill(path, vehicle, start_speed, end_speed, profile);
+  return profile;
+}
+
+void speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, SpeedProfile& profile) {
+  fill(path, vehicle, 0.0, 0.0, profile);
+}
+
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost) {
+  SpeedProfile profile;
+  return travel_cost(path, vehicle, cusp_cost, profile);
+}
+
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost, SpeedProfile& profile) {
+  speed_profile(path, vehicle, profile);
+  return profile.total_time + cusp_cost * static_cast<double>(cusps_of(path));
+}
+
+}  // namespace arcway

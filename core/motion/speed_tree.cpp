@@ -1,0 +1,136 @@
+#include "core/motion/speed_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/motion/speed_profile.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr int kSamples = 5;          // speeds at which two joints are compared
+constexpr int kHalvings = 8;         // of the ranges between them where that does not decide
+constexpr double kRounding = 1e-12;  // of times, relative
+
+}  // namespace
+
+void SpeedTree::reset(double acceleration, TimeModel time_model) {
+  acceleration_ = acceleration;
+  time_model_ = time_model;
+  top_limit_ = 0.0;
+  joints_.assign(1, Joint{});
+}
+
+SpeedTree::Joint SpeedTree::extend(const Joint& from, double length, double limit, double next_limit) const {
+  Joint joint{kNoJoint, length, limit, 0.0, 0.0};
+  if (time_model_ == TimeModel::kSegments) {
+    joint.speed = std::min(limit, next_limit);
+    joint.time = from.time + relaxed_segment_time(length, from.speed, limit, joint.speed, acceleration_);
+    return joint;
+  }
+  const double change = 2.0 * acceleration_ * length;
+  joint.speed = std::min({limit, next_limit, std::sqrt(from.speed * from.speed + change)});
+  if (!(length > 0.0)) {
+    joint.time = joint.speed < from.speed ? time_at(from, joint.speed) : from.time;
+  } else if (from.speed == limit && joint.speed == limit) {
+    joint.time = from.time + length / limit;
+  } else if (const double entry = std::sqrt(joint.speed * joint.speed + change); entry < from.speed) {
+    joint.time = time_at(from, entry) + 2.0 * length / (entry + joint.speed);
+  } else {
+    joint.time = from.time + segment_time(length, from.speed, limit, joint.speed, acceleration_);
+  }
+  return joint;
+}
+
+SpeedTree::Joint SpeedTree::extend(std::uint32_t from, double length, double limit, double next_limit) const {
+  Joint joint = extend(joints_[from], length, limit, next_limit);
+  joint.before = from;
+  return joint;
+}
+
+std::uint32_t SpeedTree::add(std::uint32_t from, double length, double limit, double next_limit) {
+  top_limit_ = std::max(top_limit_, limit);
+  joints_.push_back(extend(from, length, limit, next_limit));
+  return static_cast<std::uint32_t>(joints_.size() - 1);
+}
+
+std::uint32_t SpeedTree::add_stop(std::uint32_t from, double wait) {
+  const double time = time_at(joints_[from], 0.0) + wait;
+  joints_.push_back({kNoJoint, 0.0, 0.0, 0.0, time});
+  return static_cast<std::uint32_t>(joints_.size() - 1);
+}
+
+SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
+  if (time_model_ == TimeModel::kSegments) return {joint.time, joint.speed};
+  const double a = acceleration_;
+  double braking = 0.0;
+  const Joint* at = &joint;
+  while (at->before != kNoJoint) {
+    const Joint& before = joints_[at->before];
+    const double length = at->length;
+    if (length > 0.0) {
+      const double entry = std::sqrt(speed * speed + 2.0 * a * length);
+      if (entry >= before.speed) {
+        const double peak = std::sqrt(0.5 * (2.0 * a * length + before.speed * before.speed + speed * speed));
+        return {before.time + segment_time(length, before.speed, at->limit, speed, a) + braking,
+                std::min(peak, at->limit)};
+      }
+      braking += 2.0 * length / (entry + speed);
+      speed = entry;
+    } else if (speed >= before.speed) {
+      return {before.time + braking, before.speed};
+    }
+    at = &before;
+  }
+  return {at->time + braking, at->speed};
+}
+
+bool SpeedTree::dominates(const Joint& a, const Joint& b, double slack) const {
+  if (time_model_ == TimeModel::kSegments) return a.time - slack <= b.time;
+  // A path that arrives slower by d makes up for it by accelerating, and loses d / a_max at most.
+  const auto upper = [&](double speed) {
+    return (speed > a.speed ? a.time + (speed - a.speed) / acceleration_ : time_at(a, speed)) - slack -
+           kRounding * b.time;
+  };
+  const double at_top = upper(b.speed);
+  if (at_top > b.time) return false;
+  const double at_rest = upper(0.0);
+  if (at_rest <= b.time) return true;
+
+  // T is convex: chords of a above it, tangents of b below it. And braking begins at no more than the top speed: what T
+  // falls by is at most what this rises by, and as much where a path was at the top speed.
+  const double top = std::max({top_limit_, a.limit, b.limit});
+  const auto gain = [&](double speed) { return (1.0 - 0.5 * speed / top) * speed / acceleration_; };
+  struct Sample {
+    double speed, above, below, slope;
+  };
+  const auto sample = [&](double speed) {
+    const Passing passing = pass(b, speed);
+    const double slope = passing.peak > 0.0 ? -(1.0 - speed / passing.peak) / acceleration_ : 0.0;
+    return Sample{speed, upper(speed), passing.time, std::min(slope, 0.0)};
+  };
+  const auto is_above = [&](auto&& self, const Sample& low, const Sample& high, int halvings) -> bool {
+    if (high.above > high.below) return false;
+    if (high.above + gain(high.speed) <= low.below + gain(low.speed)) return true;
+    if (!(high.slope > low.slope)) return true;
+    const double width = high.speed - low.speed;
+    const double crossing = std::clamp((low.below - high.below + high.slope * width) / (high.slope - low.slope), 0.0,
+                                       width);  // of the two tangents
+    if (low.above + (high.above - low.above) * crossing / width <= low.below + low.slope * crossing) return true;
+    if (halvings == 0) return false;
+    const Sample middle = sample(0.5 * (low.speed + high.speed));
+    return self(self, low, middle, halvings - 1) && self(self, middle, high, halvings - 1);
+  };
+  Sample low = sample(0.0);
+  if (low.above > low.below) return false;
+  for (int i = 1; i < kSamples; ++i) {
+    const Sample high = sample(b.speed * i / (kSamples - 1));
+    if (!is_above(is_above, low, high, kHalvings)) return false;
+    low = high;
+  }
+  return true;
+}
+
+}  // namespace arcway

@@ -1,0 +1,86 @@
+#include "core/motion/travel_time_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "core/geometry/angle.h"
+#include "core/motion/dubins.h"
+#include "core/motion/reeds_shepp.h"
+#include "core/motion/speed_profile.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kRounding = 1e-12;
+// Units in the last place of the largest coordinate that the segments of a path may be apart in all; and of headings.
+constexpr double kUlps = 64.0 * std::numeric_limits<double>::epsilon();
+
+double shortest_word(const Pose& start, const Pose& goal, double radius) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const DubinsWord word : kDubinsWords)
+    if (const auto path = dubins_word(word, start, goal, radius))
+      shortest = std::min(shortest, length_of(path->segments()));
+  return shortest;
+}
+
+double least_turn(const Pose& start, const Pose& goal, double place_error) {
+  const double direct = std::abs(wrap_signed(goal.heading - start.heading));
+  const Vec2 d = goal.position() - start.position();
+  if (d.isZero(0.0)) return direct;
+  const double phi = std::atan2(d.y(), d.x());
+  const double by_phi = std::abs(wrap_signed(phi - start.heading)) + std::abs(wrap_signed(goal.heading - phi));
+  return std::max(direct, std::min(kPi, by_phi) - 2.0 * place_error / d.norm());
+}
+
+double highest_turn_speed(const Vehicle& vehicle) {
+  const double top = vehicle.max_speed();
+  struct Highest {
+    double top;
+    double operator()(const ConstantTurnSpeed& law) const { return law.speed; }
+    double operator()(const LateralAccelerationLimit&) const { return top; }
+    double operator()(const TurnSpeedTable& law) const {
+      double highest = 0.0;
+      for (const auto& entry : law.entries) highest = std::max(highest, entry.second);
+      return highest;
+    }
+  };
+  return std::min(top, std::visit(Highest{top}, vehicle.parameters().turn_speed));
+}
+
+// The integral of max(0, 1 / turn_speed - 1 / w) over the first `length` metres from an end.
+double time_lost_on_arcs(double length, double turn_speed, const Vehicle& vehicle) {
+  const double a = vehicle.max_acceleration();
+  const double top = vehicle.max_speed();
+  const double from =
+      0.5 * turn_speed * turn_speed / a;  // where w passes turn_speed, and below where it gets to the top
+  if (length <= from) return 0.0;
+  const double until = std::min(length, 0.5 * top * top / a);
+  const double rising = (until - from) / turn_speed - (std::sqrt(2.0 * until / a) - turn_speed / a);
+  return std::max(0.0, rising) + (length - until) * (1.0 / turn_speed - 1.0 / top);
+}
+
+}  // namespace
+
+double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle, bool reverse) {
+  if (reverse && vehicle.max_reverse_speed() > vehicle.max_speed())
+    return travel_time_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse);
+  const double radius = vehicle.min_turning_radius();
+  const double heading_error = kUlps * (1.0 + std::abs(start.heading) + std::abs(goal.heading));
+  const double place_error = radius * heading_error + kUlps * std::max(start.position().cwiseAbs().maxCoeff(),
+                                                                       goal.position().cwiseAbs().maxCoeff());
+  const double turn =
+      reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal, place_error);
+  // In both gears a place beside a pose is reached by two arcs there and a line back, of four times this in all.
+  const double word = reverse ? reeds_shepp_distance(start, goal, radius) - 5.0 * std::sqrt(radius * place_error)
+                              : shortest_word(start, goal, radius);
+  const double arcs = std::max(0.0, radius * turn - place_error);
+  const double length = std::max({0.0, std::max(distance, word) - place_error, arcs});
+  if (!(length > 0.0) || std::isinf(length)) return length;
+  const double straight = segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());
+  return (1.0 - kRounding) * (straight + 2.0 * time_lost_on_arcs(0.5 * arcs, highest_turn_speed(vehicle), vehicle));
+}
+
+}  // namespace arcway

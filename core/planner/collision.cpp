@@ -1,0 +1,130 @@
+#include "core/planner/collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/gaps/bottleneck.h"
+#include "core/geometry/angle.h"
+#include "core/model/pose_text.h"
+
+namespace arcway {
+namespace {
+
+constexpr int kTurns = 24, kDirections = 24, kCircles = 16;
+constexpr int kHalvings = 15;  // of the step between two circles: to a 30,000th
+
+// The part of the segment a + t (b - a) inside the box |x| <= half.x, |y| <= half.y: the two values of t.
+std::optional<std::pair<double, double>> clip(const Vec2& a, const Vec2& b, const Vec2& half) {
+  double first = 0.0, last = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double from = a[axis], along = b[axis] - a[axis];
+    if (along == 0.0) {
+      if (std::abs(from) > half[axis]) return std::nullopt;
+      continue;
+    }
+    const double low = (-half[axis] - from) / along, high = (half[axis] - from) / along;
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
+  }
+  if (first > last) return std::nullopt;
+  return std::pair(first, last);
+}
+
+bool is_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+  return sweep.straight_free(swept_rectangle(pose, 0.0, body));
+}
+
+// The same place with the smallest turn, to the left before the right.
+std::optional<FreePose> free_turn(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+  const double reach = std::hypot(std::max(body.front, body.rear), body.half_width);
+  for (int turn = 1; turn < kTurns; ++turn) {
+    const double angle = (turn % 2 == 1 ? 1.0 : -1.0) * ((turn + 1) / 2) * (kTwoPi / kTurns);
+    const Pose turned{pose.x, pose.y, wrap_signed(pose.heading + angle)};
+    if (is_free(sweep, body, turned)) return FreePose{turned, 0.0, reach * std::abs(angle)};
+  }
+  return std::nullopt;
+}
+
+// The same heading on the smallest circle with a free place, each of them drawn in by bisection: the nearest of them.
+std::optional<FreePose> free_move(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+  const double step = free_pose_reach(body) / kCircles;
+  std::optional<FreePose> nearest;
+  for (int circle = 1; circle <= kCircles && !nearest; ++circle) {
+    for (int i = 0; i < kDirections; ++i) {
+      const Vec2 direction = direction_of(pose.heading + i * (kTwoPi / kDirections));
+      const auto at = [&](double distance) {
+        const Vec2 p = pose.position() + distance * direction;
+        return Pose{p.x(), p.y(), pose.heading};
+      };
+      double near = (circle - 1) * step, far = circle * step;
+      if (!is_free(sweep, body, at(far))) continue;
+      for (int k = 0; k < kHalvings; ++k) {
+        const double middle = 0.5 * (near + far);
+        (is_free(sweep, body, at(middle)) ? far : near) = middle;
+      }
+      if (!nearest || far < nearest->distance) nearest = FreePose{at(far), far, far};
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::optional<BodyContact> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
+                                      const Footprint& body, const Pose& pose) {
+  const Vec2 middle = middle_of(body, pose), ahead = direction_of(pose.heading), aside = perpendicular(ahead);
+  const Vec2 half(0.5 * (body.front + body.rear), body.half_width);
+  const auto in_body = [&](const Vec2& p) { return Vec2((p - middle).dot(ahead), (p - middle).dot(aside)); };
+  VertexId nearest = kNone;
+  double least = std::numeric_limits<double>::infinity();
+  Vec2 point = middle;
+  const auto look_at = [&](VertexId v, const Vec2& from, const Vec2& to) {
+    const Vec2 a = in_body(from), b = in_body(to), along = b - a;
+    const auto part = clip(a, b, half);
+    if (!part) return;
+    const double length2 = along.squaredNorm();
+    const double t = length2 > 0.0 ? std::clamp(-a.dot(along) / length2, part->first, part->second) : part->first;
+    const double away = (a + t * along).norm();
+    if (away > least || (away == least && v > nearest)) return;
+    least = away;
+    nearest = v;
+    point = from + t * (to - from);
+  };
+  // Twice as far as the body reaches, so that rounding leaves no edge out.
+  const Vec2 far = Vec2::Constant(2.0 * half.norm());
+  const Box near{middle - far, middle + far};
+  outlines.visit_if([&](const Box& box) { return box.overlaps(near); },
+                    [&](const Outlines::Piece& piece) {
+                      for (std::size_t i = 0; i < piece.edge_count(); ++i)
+                        look_at(piece.first + static_cast<VertexId>(i), piece.points[i], piece.points[i + 1]);
+                      return true;
+                    });
+  if (nearest != kNone) return BodyContact{world.obstacle_of(nearest), point};
+  const ObstacleId inside = distance.containing(middle);
+  return inside == kNone ? std::nullopt : std::optional(BodyContact{inside, middle});
+}
+
+double free_pose_reach(const Footprint& body) {
+  return 2.0 * std::hypot(body.front + body.rear, 2.0 * body.half_width);
+}
+
+std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+  const auto turned = free_turn(sweep, body, pose), moved = free_move(sweep, body, pose);
+  return !turned || (moved && moved->travel < turned->travel) ? moved : turned;
+}
+
+std::string collision_text(const World& world, const Outlines& outlines, const QuerySet& queries, const Footprint& body,
+                           const Pose& pose) {
+  std::string text = "collides";
+  if (const auto contact = contact_of(world, outlines, *queries.distance, body, pose))
+    text += " with " + region_text(world, contact->region) + " at (" + rounded_text(contact->point.x()) + ", " +
+            rounded_text(contact->point.y()) + ")";
+  if (const auto free = nearest_free_pose(*queries.sweep, body, pose))
+    return text + "; the nearest free pose found is " + shortest_text(free->pose) +
+           (free->distance > 0.0 ? ", " + rounded_text(free->distance) + " m away" : ", in the same place");
+  return text + "; no free pose was found within " + rounded_text(free_pose_reach(body)) + " m";
+}
+
+}  // namespace arcway

@@ -1,0 +1,133 @@
+#include "core/planner/no_path.h"
+
+#include <string>
+
+#include "core/gaps/bottleneck.h"
+#include "core/model/pose_text.h"
+#include "core/planner/collision.h"
+
+namespace arcway {
+
+namespace {
+
+// The region around the pose, else the one nearest to it.
+std::string nearest_region(const SearchMap& map, const Pose& pose) {
+  const ObstacleId inside = map.queries.distance->containing(pose.position());
+  const VertexId edge = map.queries.distance->closest(pose.position()).edge;
+  if (inside == kNone && edge == kNone) return "nothing";
+  return region_text(map.world, inside != kNone ? inside : map.world.obstacle_of(edge));
+}
+
+std::string start_text(const PlanResult& result) { return "the start " + shortest_text(result.start); }
+std::string goal_text(const PlanResult& result) { return "the goal " + shortest_text(result.goal); }
+
+void explain_dead_end(const SearchMap& map, const DeadEnd& dead_end, PlanResult& result) {
+  result.status = dead_end.at_start ? PlanStatus::kStartBlocked : PlanStatus::kGoalBlocked;
+  result.reason =
+      (dead_end.at_start ? start_text(result) : goal_text(result)) + " is a dead end: every forward motion " +
+      (dead_end.at_start ? "from it collides less than " : "to it begins less than ") + rounded_text(dead_end.reach) +
+      " m away; nearest is " + nearest_region(map, dead_end.at_start ? result.start : result.goal);
+  result.bottleneck.reset();
+}
+
+void explain_enclosure(const SearchMap& map, const Enclosure& enclosure, PlanResult& result) {
+  result.status = PlanStatus::kNoPassage;
+  result.reason = "no passage is wide enough: however the body is moved and turned, its middle gets less than " +
+                  rounded_text(enclosure.reach) + " m away from " +
+                  (enclosure.at_start ? start_text(result) : goal_text(result)) + "; nearest is " +
+                  nearest_region(map, enclosure.at_start ? result.start : result.goal);
+}
+
+// Nothing is proved. Trees know best which end is hemmed in: they looked at both, on the finest grid.
+void explain_failure(const SearchMap& map, const NoPath& why, PlanResult& result) {
+  const bool start = why.trees ? why.trees->start_hemmed_in : why.obstruction == Obstruction::kStart;
+  const bool goal = why.trees ? why.trees->goal_hemmed_in : why.obstruction == Obstruction::kGoal;
+  const std::string motion = std::string("no ") + (why.reverse ? "" : "forward ") + "motion that was tried leads ";
+  const std::string at_start = "; nearest is " + nearest_region(map, result.start);
+  const std::string at_goal = "; nearest is " + nearest_region(map, result.goal);
+  if (start && goal) {
+    result.status = PlanStatus::kStartBlocked;
+    result.reason = start_text(result) + " and " + goal_text(result) + " are hemmed in: " + motion +
+                    "out from the one" + at_start + ", or in to the other" + at_goal;
+  } else if (start) {
+    result.status = PlanStatus::kStartBlocked;
+    result.reason = start_text(result) + " is hemmed in: " + motion + "out from it" + at_start;
+  } else if (goal) {
+    result.status = PlanStatus::kGoalBlocked;
+    result.reason = goal_text(result) + " is hemmed in: " + motion + "in to it" + at_goal;
+  } else {
+    result.status = PlanStatus::kNoPath;
+    result.reason = "neither the feasible visibility graph nor any motion that was tried joins start and goal";
+  }
+  // A body gets out of any room that its diagonal fits, by enough changes of gear.
+  if (why.reverse) result.status = PlanStatus::kNoPath;
+}
+
+// What was tried, and whether a limit ended it.
+std::string tried_text(const NoPath& why, const PlanResult& result) {
+  std::string text;
+  if (result.statistics.manoeuvre_poses > 0)
+    text += "; tried " + std::to_string(result.statistics.manoeuvre_poses) + " poses of manoeuvres" +
+            (why.reverse && result.certainty == Certainty::kGaveUp ? ", the limit, so that there may be a path" : "");
+  if (why.max_gear_changes)
+    text += "; at most " + std::to_string(*why.max_gear_changes) + " changes of gear were allowed";
+  if (why.trees) {
+    text += "; trees of forward motions grew " + std::to_string(why.trees->poses) + " poses, " +
+            (why.trees->ran_dry ? "and found no more from one end" : "the limit, so that there may be a path");
+  }
+  return text;
+}
+
+}  // namespace
+
+bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult& result) {
+  if (map.queries.sweep->straight_free(swept_rectangle(pose, 0.0, map.body))) return true;
+  const auto outside = static_cast<ObstacleId>(map.world.obstacle_count());
+  const bool out = map.world.has_bounds() && map.world.locate(pose.position(), outside) == PointLocation::kInside;
+  if (out) {
+    result.status = start ? PlanStatus::kStartOutsideBounds : PlanStatus::kGoalOutsideBounds;
+  } else {
+    result.status = start ? PlanStatus::kStartInCollision : PlanStatus::kGoalInCollision;
+  }
+  result.certainty = Certainty::kProved;
+  result.reason = std::string(start ? "the start " : "the goal ") + shortest_text(pose) +
+                  (out ? " lies outside the bounds" : "") + ": the body, grown by half of the safety margin, " +
+                  collision_text(map.world, *map.outlines, map.queries, map.body, pose);
+  return false;
+}
+
+std::string time_limit_reason(const PlanLimits& limits) {
+  return "no path was found within the time limit of " + shortest_text(limits.time) + " s";
+}
+
+void explain_interruption(const PlanLimits& limits, PlanResult& result) {
+  const bool cancelled = limits.stop.stop_requested();
+  result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
+  result.reason = cancelled ? "the search was cancelled before it found a path" : time_limit_reason(limits);
+  result.bottleneck.reset();
+}
+
+void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result) {
+  if (result.interrupted) return explain_interruption(limits, result);
+  result.certainty = Certainty::kProved;
+  if (why.dead_end) return explain_dead_end(map, *why.dead_end, result);
+  if (why.obstruction == Obstruction::kPassage) {
+    result.status = PlanStatus::kNoPassage;
+    result.reason = "no passage is wide enough: " + result.bottleneck->text(map.world) + "; the body takes more than " +
+                    rounded_text(result.bottleneck->needed) + " m";
+    return;
+  }
+  if (why.enclosure) {
+    explain_enclosure(map, *why.enclosure, result);
+  } else {
+    result.certainty = Certainty::kGaveUp;
+    explain_failure(map, why, result);
+  }
+  result.reason += tried_text(why, result);
+  if (result.bottleneck)
+    result.reason += "; " + result.bottleneck->text(map.world) + ", the body takes " +
+                     rounded_text(result.bottleneck->needed) + " m, in its tightest turn " +
+                     rounded_text(result.bottleneck->needed_to_turn) + " m";
+}
+
+}  // namespace arcway

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/attach/search_map.h"
+#include "core/gaps/dead_end.h"
+#include "core/gaps/enclosure.h"
+#include "core/planner/planner.h"
+#include "core/search/find_path.h"
+#include "core/search/tree_search.h"
+
+namespace arcway {
+
+/// What searches and proofs found out about a query that has no path.
+struct NoPath {
+  Obstruction obstruction = Obstruction::kNothing;
+  std::optional<DeadEnd> dead_end = {};
+  std::optional<Enclosure> enclosure = {};
+  std::optional<TreesEnd> trees = {};
+  bool reverse = false;  ///< whether reversing was allowed
+  std::optional<std::uint32_t> max_gear_changes = {};
+};
+
+/// Whether the body is free at the start, or at the goal; else fills status and reason.
+bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult& result);
+
+/// Why there is no path where the time was up; `limits` as the caller gave them.
+std::string time_limit_reason(const PlanLimits& limits);
+
+/// Fills status and reason of a plan that was ended before it found a path; `limits` as the caller gave them.
+void explain_interruption(const PlanLimits& limits, PlanResult& result);
+
+/// Fills status and reason of a plan without a path, from what its result has so far.
+void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result);
+
+}  // namespace arcway

@@ -1,0 +1,430 @@
+#include "core/planner/planner.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <list>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/attach/search_map.h"
+#include "core/base/shortest_text.h"
+#include "core/base/stop_clock.h"
+#include "core/base/stopwatch.h"
+#include "core/base/workspace_pool.h"
+#include "core/geometry/angle.h"
+#include "core/motion/clearance.h"
+#include "core/motion/speed_profile.h"
+#include "core/motion/travel_time_bound.h"
+#include "core/planner/no_path.h"
+#include "core/planner/plan_maps.h"
+#include "core/planner/plan_run.h"
+#include "core/planner/planner_inputs.h"
+#include "core/roadmap/turning_radii.h"
+#include "core/search/point_distance.h"
+
+namespace arcway {
+
+namespace {
+
+// Where wider turns are faster, the paths of several maps are refined as far as tells which is the best, and that one
+// then at length: in trials, of what the options say.
+constexpr double kQuickEffort = 0.75, kLastEffort = 24.0;
+// Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
+constexpr std::size_t kEnclosureBoxes = 15000;
+// The same of the proof that one which may not gets nowhere: before manoeuvres are tried, and again before trees are.
+// The second one takes 2 to 30 ms, the trees that it saves 150 to 1,000: it proves 8 of the 21 queries without a path
+// of the regression worlds that reach it. With 30,000 checks it proves 6, with a third halving 9 in 170 ms.
+constexpr DeadEndEffort kQuickDeadEnd{.halvings = 1, .max_checks = 8500};
+constexpr DeadEndEffort kThoroughDeadEnd{.halvings = 2, .max_checks = 75'000};
+
+// Checks the feasible graph anew.
+auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
+  return [&](const std::shared_ptr<const VisibilityRows>& rows, const PlannerOptions& options) {
+    const SoloTeam alone;
+    return FeasibleGraph(world, vehicle, rows, queries, options.radii, executor, options.graph_mode,
+                         options.team ? *options.team : alone);
+  };
+}
+
+// The graph and the outlines do not depend on each other. But a team talks on the thread that it was made on.
+template <class MakeGraph>
+SearchMap make_map(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
+                   const MakeGraph& make_graph, const Executor& many) {
+  const SerialExecutor one;
+  const Executor& executor = options.team && options.team->size() > 1 ? static_cast<const Executor&>(one) : many;
+  std::optional<FeasibleGraph> graph;
+  std::shared_ptr<const Outlines> outlines;
+  executor.begin_stage("feasible graph");
+  run_both(
+      executor, [&] { graph = make_graph(); }, [&] { outlines = std::make_shared<const Outlines>(world); });
+  return {world, vehicle, queries, options.radii, std::move(*graph), std::move(outlines)};
+}
+
+}  // namespace
+
+struct Planner::Data {
+  struct Workspace {
+    PlanWorkspace run;
+    PointDistance::Workspace point;
+  };
+
+  /// @param make_feasible  gives the feasible graph for the rows of the reduced graph and the radii.
+  template <class MakeFeasible>
+  Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, VisibilityGraph graph,
+       std::shared_ptr<const VisibilityRows> r, MakeFeasible&& make_feasible, const Executor& executor)
+      : options(std::move(o)),
+        visibility_graph(std::move(graph)),
+        rows(std::move(r)),
+        maps(make_map(
+                 world, vehicle, queries, options, [&] { return make_feasible(rows, options); }, executor),
+             options.gap_circles),
+        bottleneck(world, vehicle, map().gaps) {
+    end_if_over(executor);
+    const std::size_t tightest_count = tightest_radii(vehicle.footprint(vehicle.safety_margin()), options.radii);
+    if (tightest_count < options.radii.size()) {
+      const std::vector<double> smallest(options.radii.begin(),
+                                         options.radii.begin() + static_cast<std::ptrdiff_t>(tightest_count));
+      FeasibleGraph lazy(world, vehicle, rows, queries, smallest, executor, GraphMode::kLazy);
+      tightest.emplace(map().with_graph(std::move(lazy), smallest), options.gap_circles);
+      other_ways = maps_of_other_ways(maps.plain, tightest->plain, rows, executor);
+    }
+    const Footprint bare = vehicle.footprint();
+    if (options.point_robot_bound && std::min(bare.front, bare.rear) >= 0.0)
+      point_distance.emplace(world, rows, map().outlines);
+    prepare_statistics.feasible_seconds = watch.seconds();
+    prepare_statistics.counts = map().graph.counts();
+    options.team = nullptr;  // need not outlive the construction
+  }
+
+  [[nodiscard]] const SearchMap& map() const { return maps.plain; }
+
+  // The lower bound with the way round the obstacles, if that is wanted, and the length that no path falls below [m].
+  // A clock that is over sooner leaves the largest that is proved by then.
+  double raise_bound(const PlanRequest& request, const StopClock& clock, PointDistance::Workspace& workspace,
+                     PlanResult& result) const {
+    const Stopwatch bounding;
+    const Vec2 start = request.start.position(), goal = request.goal.position();
+    if (!point_distance) return (goal - start).norm();
+    const double distance = (*point_distance)(start, goal, *map().queries.visibility, workspace, clock);
+    result.lower_bound = travel_time_bound(request.start, request.goal, distance, map().vehicle, request.reverse);
+    result.statistics.bound_seconds = bounding.seconds();
+    return distance;
+  }
+
+  // Speeds, clearance and all that follows from a path.
+  void complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const;
+
+  Stopwatch watch;
+  PlannerOptions options;
+  VisibilityGraph visibility_graph;
+  std::shared_ptr<const VisibilityRows> rows;
+  PlanMaps maps;
+  std::optional<PlanMaps> tightest;   // of the tightest radii only, where there are wider ones
+  std::vector<SearchMap> other_ways;  // of several radii, beside those of `maps`
+  std::optional<PointDistance> point_distance;
+  BottleneckFinder bottleneck;
+  PrepareStatistics prepare_statistics;
+  mutable WorkspacePool<Workspace> workspaces;
+};
+
+void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const {
+  const Stopwatch finishing;
+  const Vehicle& vehicle = map().vehicle;
+  result.status = PlanStatus::kSolved;
+  result.bottleneck.reset();
+  speed_profile(path, vehicle, profile);
+  const Footprint bare = vehicle.footprint();
+  // The middle of the body is further from the obstacles than the body.
+  result.min_clearance = map().queries.distance->closest(middle_of(bare, result.start)).distance;
+  const auto look_along = [&](const PathSegment& segment) {
+    return clearance_below(result.min_clearance, segment, bare, *map().outlines);
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const PathSegment& segment = path[i];
+    result.segments.push_back({segment, profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
+    if (result.clearance_is_bound) continue;
+    if (grace.is_over()) {
+      result.clearance_is_bound = result.interrupted = true;
+      result.min_clearance = std::min(result.min_clearance, 0.5 * vehicle.safety_margin());
+      continue;
+    }
+    const double clearance = look_along(segment);
+    if (clearance < result.min_clearance) {
+      result.min_clearance = clearance;
+      result.clearance_index = i;
+      result.clearance_segment = segment;
+    }
+  }
+  if (path.empty()) result.min_clearance = look_along({result.start, 0.0, 0.0});
+  result.travel_time = profile.total_time;
+  result.length = length_of(path);
+  // Rounding is taken off the bound: a plan below it is a defect.
+  assert(result.travel_time >= result.lower_bound);
+  result.statistics.profile_seconds += finishing.seconds();
+}
+
+const char* name_of(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kSolved:
+      return "solved";
+    case PlanStatus::kStartInCollision:
+      return "start in collision";
+    case PlanStatus::kGoalInCollision:
+      return "goal in collision";
+    case PlanStatus::kStartOutsideBounds:
+      return "start outside bounds";
+    case PlanStatus::kGoalOutsideBounds:
+      return "goal outside bounds";
+    case PlanStatus::kStartBlocked:
+      return "start blocked";
+    case PlanStatus::kGoalBlocked:
+      return "goal blocked";
+    case PlanStatus::kPlaceInCollision:
+      return "place on the way in collision";
+    case PlanStatus::kPlaceOutsideBounds:
+      return "place on the way outside bounds";
+    case PlanStatus::kPlaceBlocked:
+      return "place on the way blocked";
+    case PlanStatus::kNoPassage:
+      return "no passage";
+    case PlanStatus::kNoPath:
+      return "no path";
+    case PlanStatus::kTimeLimit:
+      return "time limit";
+    case PlanStatus::kCancelled:
+      return "cancelled";
+  }
+  return "unknown";
+}
+
+const char* name_of(Certainty certainty) { return certainty == Certainty::kProved ? "proved" : "gave up"; }
+
+PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
+  nodes_expanded += other.nodes_expanded;
+  nodes_pushed += other.nodes_pushed;
+  straights_checked += other.straights_checked;
+  turns_checked += other.turns_checked;
+  manoeuvre_poses += other.manoeuvre_poses;
+  tree_poses += other.tree_poses;
+  refine_trials += other.refine_trials;
+  refine_improvements += other.refine_improvements;
+  suboptimality = std::max(suboptimality, other.suboptimality);
+  search_seconds += other.search_seconds;
+  refine_seconds += other.refine_seconds;
+  bound_seconds += other.bound_seconds;
+  profile_seconds += other.profile_seconds;
+  return *this;
+}
+
+Path PlanResult::path() const {
+  Path path;
+  path.reserve(segments.size());
+  for (const TimedSegment& s : segments) path.push_back(s.segment);
+  return path;
+}
+
+TimedPath PlanResult::timed_path() const {
+  TimedPath path;
+  for (const TimedSegment& s : segments) {
+    path.segments.push_back(s.segment);
+    path.speed_in.push_back(s.speed_in);
+    path.speed_out.push_back(s.speed_out);
+    path.durations.push_back(s.duration);
+  }
+  return path;
+}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options)
+    : Planner(world, vehicle, make_reference_queries(world), options, SerialExecutor()) {}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
+                 const Executor& executor) {
+  const PlannerOptions checked = checked_options(world, vehicle, options);
+  require_queries(queries);
+  const Stopwatch watch;
+  VisibilityGraph graph = checked.reduced_graph(world, *queries.visibility, executor);
+  const double seconds = watch.seconds();
+  auto rows = rows_of(world, graph);
+  auto data = std::make_shared<Data>(world, vehicle, queries, checked, std::move(graph), std::move(rows),
+                                     feasible_maker(world, vehicle, queries, executor), executor);
+  data->prepare_statistics.visibility_seconds = seconds;
+  data_ = std::move(data);
+}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
+                 const PlannerOptions& options, const Executor& executor) {
+  require_queries(queries);
+  auto rows = rows_of(world, visibility_graph);
+  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
+                                 std::move(visibility_graph), std::move(rows),
+                                 feasible_maker(world, vehicle, queries, executor), executor);
+}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries,
+                 std::shared_ptr<const VisibilityRows> rows, const PlannerOptions& options, const Executor& executor) {
+  require_queries(queries);
+  if (!rows) throw std::invalid_argument("rows: none are given");
+  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options), VisibilityGraph(),
+                                 std::move(rows), feasible_maker(world, vehicle, queries, executor), executor);
+}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, PreparedGraph graphs,
+                 const PlannerOptions& options) {
+  PlannerOptions taken = options;
+  taken.radii = graphs.radii;
+  taken.graph_mode = GraphMode::kEager;
+  taken = checked_options(world, vehicle, std::move(taken));
+  require_queries(queries);
+  auto rows = rows_of(world, graphs.reduced_graph);
+  data_ = std::make_shared<Data>(
+      world, vehicle, queries, std::move(taken), std::move(graphs.reduced_graph), std::move(rows),
+      [&](const auto& all_rows, const PlannerOptions& o) {
+        return FeasibleGraph(world, vehicle, all_rows, queries, o.radii, std::move(graphs.feasible));
+      },
+      SerialExecutor());
+}
+
+Planner::Planner(const Planner& before, const World& world, const WorldChange& change, const QuerySet& queries,
+                 VisibilityGraph visibility_graph, const PlannerOptions& options, const Executor& executor) {
+  const std::size_t old_vertices = before.world().vertices().size(), vertices = world.vertices().size();
+  const auto stayed = std::ranges::count_if(change.moved, [](VertexId v) { return v != kNone; });
+  if (change.moved.size() != old_vertices || change.end_come < change.first_come ||
+      static_cast<std::size_t>(stayed) + (change.end_come - change.first_come) != vertices)
+    throw std::invalid_argument("the change leads from " + std::to_string(change.moved.size()) + " vertices to " +
+                                std::to_string(static_cast<std::size_t>(stayed) + change.end_come - change.first_come) +
+                                ", the worlds have " + std::to_string(old_vertices) + " and " +
+                                std::to_string(vertices));
+  require_queries(queries);
+  PlannerOptions alone = options;
+  alone.team = nullptr;
+  const Vehicle& vehicle = before.vehicle();
+  const auto make_feasible = [&](const auto& rows, const PlannerOptions& o) {
+    if (o.radii != before.options().radii)
+      return FeasibleGraph(world, vehicle, rows, queries, o.radii, executor, o.graph_mode);
+    return FeasibleGraph(before.feasible_graph(), world, change, vehicle, rows, queries, o.radii, executor,
+                         o.graph_mode);
+  };
+  auto rows = rows_of(world, visibility_graph);
+  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, std::move(alone)),
+                                 std::move(visibility_graph), std::move(rows), make_feasible, executor);
+}
+
+PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) const {
+  PlanResult result;
+  plan(request, limits, result);
+  return result;
+}
+
+void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResult& result) const {
+  require_pose("start pose", asked.start, vehicle());
+  require_pose("goal pose", asked.goal, vehicle());
+  if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
+  if (!(asked.cusp_cost >= 0.0 && std::isfinite(asked.cusp_cost)))
+    throw std::invalid_argument("cusp cost: " + shortest_text(asked.cusp_cost) + " s, must be finite and >= 0");
+  const Stopwatch total;
+  const StopClock clock(limits.time, limits.stop);
+  const Data& d = *data_;
+  std::vector<TimedSegment> segments = std::move(result.segments);
+  Path first_path = std::move(result.first_path);
+  segments.clear();
+  first_path.clear();
+  result = {};
+  result.segments = std::move(segments);
+  result.first_path = std::move(first_path);
+  result.start = asked.start;
+  result.goal = asked.goal;
+  double distance = (asked.goal.position() - asked.start.position()).norm();
+  PlanRequest request = asked;
+  request.start = without_many_turns(asked.start, distance);
+  request.goal = without_many_turns(asked.goal, distance);
+  result.statistics.suboptimality = d.options.suboptimality.value_or(0.0);
+  result.lower_bound = travel_time_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse);
+  if (!pose_is_free(d.map(), request.start, true, result) || !pose_is_free(d.map(), request.goal, false, result)) {
+    result.statistics.total_seconds = total.seconds();
+    return;
+  }
+
+  WorkspacePool<Data::Workspace>::Lease workspace(d.workspaces);
+  PlanRun run(d.options, d.map(), request, limits, clock, workspace->run, result);
+  NoPath why{.reverse = request.reverse, .max_gear_changes = request.max_gear_changes};
+  const auto find_end = [&](const DeadEndEffort& effort) {
+    return find_dead_end(request.start, request.goal, d.map().body, d.map().vehicle.min_turning_radius(),
+                         *d.map().queries.sweep, *d.map().outlines, effort, clock);
+  };
+  const auto no_passage = [&] {
+    result.bottleneck = d.bottleneck(request.start, request.goal, clock);
+    if (result.bottleneck && result.bottleneck->too_narrow()) return true;
+    if (!request.reverse) why.dead_end = find_end(kQuickDeadEnd);
+    return why.dead_end.has_value();
+  };
+  why.obstruction = run.find_forwards(d.maps, d.tightest ? kQuickEffort : 1.0, std::cref(no_passage));
+  const auto grow_trees = [&] {
+    if (run.found() || result.interrupted || !run.grows_trees()) return;
+    if (!request.reverse) why.dead_end = find_end(kThoroughDeadEnd);
+    if (!why.dead_end) why.trees = run.find_by_trees(d.maps, d.tightest ? kQuickEffort : 1.0);
+  };
+  // Who may reverse finds most ways out of narrow places sooner in both gears.
+  if (!request.reverse && why.obstruction != Obstruction::kPassage) grow_trees();
+  const bool has_forwards = run.found();
+  if (has_forwards) {
+    distance = d.raise_bound(request, clock, workspace->point, result);
+    if (d.tightest && !result.interrupted) run.find_forwards(*d.tightest, 1.0, [] { return false; });
+    // Who refines has time for more; but where other maps are searched as well, those find the faster ways.
+    run.improve_forwards(d.options.refinement.max_trials > 0 && !d.tightest);
+    if (d.tightest) {
+      run.find_other_way(d.maps.faster_turns, kQuickEffort);
+      for (const SearchMap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
+      run.refine_best(kLastEffort);
+    }
+  }
+  bool hopeless = why.obstruction == Obstruction::kPassage;
+  if (request.reverse && !run.found() && !result.interrupted && !hopeless) {
+    why.enclosure =
+        find_enclosure(request.start, request.goal, d.map().body, *d.map().queries.sweep, kEnclosureBoxes, clock);
+    hopeless = why.enclosure.has_value();
+  }
+  const bool is_there = run.found() && run.best().empty();
+  if (request.reverse && !result.interrupted && !hopeless && !is_there) run.find_in_both_gears(d.map(), distance);
+  if (request.reverse && !hopeless) grow_trees();
+  if (!run.found()) {
+    // What ended early is no reason, unless a proof came before.
+    result.interrupted = result.interrupted || (!hopeless && !why.dead_end && clock.is_over());
+    explain(d.map(), why, limits, result);
+  } else {
+    if (!has_forwards) d.raise_bound(request, clock, workspace->point, result);
+    d.complete(run.best(), Grace(clock, limits.time), workspace->run.profile, result);
+  }
+  result.statistics.total_seconds = total.seconds();
+}
+
+void Planner::warm_up(std::size_t queries_at_once) const {
+  const Data& d = *data_;
+  std::size_t most_circles = d.map().graph.circles().size();
+  for (const PlanMaps* maps : {&d.maps, d.tightest ? &*d.tightest : nullptr})
+    if (maps && maps->narrow) most_circles = std::max(most_circles, maps->narrow->map().graph.circles().size());
+  std::list<WorkspacePool<Data::Workspace>::Lease> leases;
+  for (std::size_t i = 0; i < queries_at_once; ++i)
+    leases.emplace_back(d.workspaces)->run.find.search.warm_up(most_circles);
+}
+
+const World& Planner::world() const { return data_->map().world; }
+const Vehicle& Planner::vehicle() const { return data_->map().vehicle; }
+const QuerySet& Planner::queries() const { return data_->map().queries; }
+const PlannerOptions& Planner::options() const { return data_->options; }
+const VisibilityGraph& Planner::visibility_graph() const { return data_->visibility_graph; }
+std::shared_ptr<const VisibilityRows> Planner::visibility_rows() const { return data_->rows; }
+const FeasibleGraph& Planner::feasible_graph() const { return data_->map().graph; }
+PreparedGraph Planner::prepared_graph() const {
+  if (feasible_graph().mode() == GraphMode::kLazy || visibility_graph().vertex_count() != world().vertices().size())
+    throw std::logic_error(
+        "prepared graph: only of a planner with an eager graph, made with a reduced graph or a "
+        "builder of one, not from rows");
+  return {data_->visibility_graph, data_->options.radii, data_->map().graph.tables()};
+}
+const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }
+
+}  // namespace arcway

@@ -1,0 +1,96 @@
+#include "core/planner/planner_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/geometry/angle.h"
+#include "core/model/pose_text.h"
+#include "core/roadmap/turning_radii.h"
+
+namespace arcway {
+
+namespace {
+
+// Of times, so that none overflows.
+constexpr double kLargestSuboptimality = 1e6;
+// Units in the last place of the largest coordinate that the safety margin must span: corners, centres and critical
+// angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
+constexpr double kMarginUnits = 1048576.0;
+// Of a heading times the distance to the goal [rad m]: up to here rounding moves the end of a path by some 1e-8 m.
+constexpr double kMostTurned = 4e7;
+// Of what poses say, unless it is 0: far enough from what queries refuse, whatever is computed of it.
+constexpr double kSmallestPoseNumber = 1e-50, kLargestPoseNumber = 1e9;
+
+void require_margin(const Vehicle& vehicle, double largest, const char* what, const std::string& whose = "",
+                    const char* advice = "") {
+  const double needed = kMarginUnits * (std::nextafter(largest, INFINITY) - largest);
+  if (vehicle.safety_margin() < needed)
+    throw std::invalid_argument("safety margin " + shortest_text(vehicle.safety_margin()) + " m is too small for " +
+                                what + whose + " " + shortest_text(largest) + ": doubles need at least " +
+                                shortest_text(needed) + " m there" + advice);
+}
+
+std::vector<double> checked_radii(const World& world, const Vehicle& vehicle, std::vector<double> radii) {
+  if (radii.empty()) return turning_radii(vehicle, world);
+  for (const double radius : radii)
+    if (!(radius >= vehicle.min_turning_radius() && radius <= kLargestVehicleNumber))
+      throw std::invalid_argument(
+          "radius " + shortest_text(radius) + " m: must be from the vehicle's smallest turning radius, " +
+          shortest_text(vehicle.min_turning_radius()) + ", to " + shortest_text(kLargestVehicleNumber));
+  require_margin(vehicle, *std::max_element(radii.begin(), radii.end()), "a turning radius of");
+  std::sort(radii.begin(), radii.end());
+  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
+  return radii;
+}
+
+void require_margin(const World& world, const Vehicle& vehicle) {
+  const VehicleParameters& body = vehicle.parameters();
+  require_margin(vehicle, std::max({body.length, body.width, body.wheelbase}), "a body of");
+  require_margin(vehicle, vehicle.min_turning_radius(), "a smallest turning radius of");
+  if (world.box().empty()) return;
+  require_margin(vehicle, std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff()),
+                 "coordinates up to", "", "; move the map to the origin");
+}
+
+}  // namespace
+
+PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
+  options.radii = checked_radii(world, vehicle, std::move(options.radii));
+  const bool is_large = world.convex_vertices().size() > PlannerOptions::kExactVertices;
+  const double suboptimality = options.suboptimality.value_or(is_large ? PlannerOptions::kLargeMapSuboptimality : 0.0);
+  if (!(suboptimality >= 0.0 && suboptimality <= kLargestSuboptimality))
+    throw std::invalid_argument("suboptimality: " + shortest_text(suboptimality) + ", must be from 0 to " +
+                                shortest_text(kLargestSuboptimality));
+  options.suboptimality = suboptimality;
+  if (options.manoeuvre_poses > PlannerOptions::kMostManoeuvrePoses)
+    throw std::invalid_argument("manoeuvre poses: " + std::to_string(options.manoeuvre_poses) + ", at most " +
+                                std::to_string(PlannerOptions::kMostManoeuvrePoses));
+  if (!options.reduced_graph) throw std::invalid_argument("reduced graph: no builder");
+  require_refinement(options.refinement);
+  require_margin(world, vehicle);
+  return options;
+}
+
+void require_pose(const std::string& name, const Pose& pose, const Vehicle& vehicle) {
+  for (const double value : {pose.x, pose.y, pose.heading})
+    if (value != 0.0 && !(std::abs(value) >= kSmallestPoseNumber && std::abs(value) <= kLargestPoseNumber))
+      throw std::invalid_argument(name + " " + shortest_text(pose) + ": " + shortest_text(value) +
+                                  " is neither 0 nor of magnitude " + shortest_text(kSmallestPoseNumber) + " to " +
+                                  shortest_text(kLargestPoseNumber));
+  require_margin(vehicle, pose.position().cwiseAbs().maxCoeff(), "the coordinate of the ", name);
+}
+
+Pose without_many_turns(const Pose& pose, double distance) {
+  const bool has_many = std::abs(pose.heading) * distance > kMostTurned;
+  return {pose.x, pose.y, has_many ? wrap_signed(pose.heading) : pose.heading};
+}
+
+void require_queries(const QuerySet& queries) {
+  if (!queries.visibility || !queries.distance || !queries.sweep)
+    throw std::invalid_argument("queries: one of visibility, distance and sweep is missing");
+}
+
+}  // namespace arcway

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "core/collision/query_set.h"
+#include "core/model/path.h"
+#include "core/model/vehicle.h"
+#include "core/model/world.h"
+#include "core/planner/planner.h"
+
+namespace arcway {
+
+/// The options with their radii: those given, ascending, or those of turning_radii; and with their suboptimality.
+/// @throws std::invalid_argument as Planner's constructors do.
+PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options);
+
+/// @throws std::invalid_argument if one is missing.
+void require_queries(const QuerySet& queries);
+
+/// @param name  of the pose, for the error.
+/// @throws std::invalid_argument naming the pose, the value and the limits of what this vehicle can be planned for.
+void require_pose(const std::string& name, const Pose& pose, const Vehicle& vehicle);
+
+/// The same pose with its heading within a turn of 0 if it has so many that its rounding would show at the end of a
+/// path. With fewer it stays as it is, since its size tells how far it is rounded.
+/// @param distance  from start to goal [m].
+Pose without_many_turns(const Pose& pose, double distance);
+
+}  // namespace arcway

@@ -1,0 +1,139 @@
+#include "core/reversing/gear_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/collision/motion_free.h"
+#include "core/motion/reeds_shepp.h"
+#include "core/motion/speed_profile.h"
+#include "core/reversing/gear_tree.h"
+
+namespace arcway {
+
+namespace {
+
+// The estimate from a pose on counts a little more than a bound on it, to get anywhere soon.
+constexpr double kGreed = 1.5;
+constexpr double kCells = 4.0;  // of the trees' grids in a turning radius
+constexpr double kMostCells = 4096.0;
+constexpr double kFiner = 4.0;
+constexpr std::size_t kWordsTried = 8;     // of a pose, the cheapest ones
+constexpr std::size_t kPosesAfter = 1000;  // tried beyond as many as the first path took
+
+class GearSearch {
+ public:
+  GearSearch(const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
+             const GearSearchOptions& options, GearSearchResult& result)
+      : vehicle_(vehicle),
+        sweep_(sweep),
+        options_(options),
+        result_(result),
+        body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
+        radius_(vehicle.min_turning_radius()),
+        roots_{start, goal},
+        trees_{tree(0), tree(1)} {
+    result_.cost = options.cutoff;
+  }
+
+  void run() {
+    std::size_t limit = options_.max_poses;
+    for (std::size_t turn = 0; result_.poses < limit; ++turn) {
+      if (options_.clock.is_over()) {
+        result_.interrupted = true;
+        break;
+      }
+      const double least = std::min(trees_[0].least_estimate(), trees_[1].least_estimate());
+      if (std::isfinite(result_.cost) && least >= kGreed * result_.cost) break;
+      const std::size_t side = turn % 2;
+      const auto node = trees_[side].expand();
+      if (!node) {
+        if (cells_[side] >= kMostCells) break;
+        // So narrow that what little the vehicle can move is lost between the cells.
+        cells_[side] *= kFiner;
+        count_checks(trees_[side]);
+        trees_[side] = tree(side);
+        continue;
+      }
+      ++result_.poses;
+      const bool first = !result_.path;
+      join(side, *node);
+      if (first && result_.path) limit = std::min(limit, 2 * result_.poses + kPosesAfter);
+    }
+    for (const GearTree& tree : trees_) count_checks(tree);
+  }
+
+ private:
+  [[nodiscard]] GearTree tree(std::size_t side) const {
+    return {roots_[side],
+            side == 0 ? vehicle_ : vehicle_.with_gears_swapped(),
+            sweep_,
+            options_.cusp_cost,
+            {cells_[side], cells_[side] == kCells, options_.max_cusps},
+            [this, to = roots_[1 - side]](const Pose& from) { return far(from, to); }};
+  }
+
+  void count_checks(const GearTree& tree) {
+    result_.straights_checked += tree.straights_checked();
+    result_.turns_checked += tree.turns_checked();
+  }
+
+  [[nodiscard]] double far(const Pose& from, const Pose& to) const {
+    return kGreed * reeds_shepp_distance(from, to, radius_) / vehicle_.top_speed();
+  }
+
+  struct Shot {
+    double estimate;
+    std::size_t word;
+  };
+
+  void join(std::size_t side, std::uint32_t node) {
+    const Pose& pose = trees_[side][node].pose;
+    const Pose& root = roots_[1 - side];
+    const Pose& from = side == 0 ? pose : root;
+    const Pose& to = side == 0 ? root : pose;
+    std::array<Shot, kReedsSheppWords> shots{};
+    for (std::size_t word = 0; word < kReedsSheppWords; ++word)
+      shots[word] = {trees_[side][node].cost + reeds_shepp_length(word, from, to, radius_) / vehicle_.top_speed(),
+                     word};
+    std::sort(shots.begin(), shots.end(), [](const Shot& a, const Shot& b) {
+      return a.estimate != b.estimate ? a.estimate < b.estimate : a.word < b.word;
+    });
+    for (std::size_t i = 0; i < kWordsTried && shots[i].estimate < result_.cost; ++i) {
+      const auto middle = reeds_shepp_path(shots[i].word, from, to, radius_);
+      Path path = side == 0 ? trees_[0].path_from_root(node) : *middle;
+      if (side == 0) {
+        path.insert(path.end(), middle->begin(), middle->end());
+      } else {
+        const Path rest = trees_[1].path_to_root(node);
+        path.insert(path.end(), rest.begin(), rest.end());
+      }
+      if (cusps_of(path) > options_.max_cusps) continue;
+      const double cost = travel_cost(path, vehicle_, options_.cusp_cost);
+      if (cost >= result_.cost || !motion_free(sweep_, body_, *middle)) continue;
+      result_.cost = cost;
+      result_.path = std::move(path);
+    }
+  }
+
+  const Vehicle& vehicle_;
+  const SweepQuery& sweep_;
+  const GearSearchOptions& options_;
+  GearSearchResult& result_;
+  Footprint body_;
+  double radius_;
+  std::array<Pose, 2> roots_;
+  std::array<double, 2> cells_{kCells, kCells};
+  std::array<GearTree, 2> trees_;
+};
+
+}  // namespace
+
+GearSearchResult search_gears(const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
+                              const GearSearchOptions& options) {
+  GearSearchResult result;
+  GearSearch(start, goal, vehicle, sweep, options, result).run();
+  return result;
+}
+
+}  // namespace arcway

@@ -1,0 +1,180 @@
+#include "core/reversing/narrow_gear_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/collision/motion_free.h"
+#include "core/geometry/angle.h"
+#include "core/motion/gear_words.h"
+#include "core/motion/speed_profile.h"
+#include "core/reversing/narrow_gear_tree.h"
+#include "core/search/near_poses.h"
+#include "core/search/route_field.h"
+
+namespace arcway {
+
+namespace {
+
+// One pass: what is tried where the passes before found nothing.
+struct Pass {
+  double fineness;  // of the trees' cells
+  double share;     // of all poses that have their turn at most
+};
+constexpr std::array<Pass, 3> kPasses{{{1.0, 0.4}, {0.5, 0.3}, {0.25, 0.3}}};
+constexpr double kGreed = 2.0;               // what the estimate of the way that remains counts
+constexpr std::size_t kFieldCells = 50'000;  // of the grid for that estimate
+constexpr double kNear = 1.0;                // how far poses of the other tree are looked for, in lengths of the body
+constexpr std::size_t kNearest = 2;          // of them that are tried
+constexpr std::size_t kWordsTried = 6;       // to each, the shortest of those that have room at the new pose
+constexpr std::size_t kPosesAfter = 500;     // that have their turn beyond as many as the first path took
+
+class NarrowGearSearch {
+ public:
+  NarrowGearSearch(const SearchMap& map, const Pose& start, const Pose& goal, const GearSearchOptions& options,
+                   GearSearchResult& result)
+      : map_(map),
+        roots_{start, goal},
+        options_(options),
+        result_(result),
+        radius_(map.vehicle.min_turning_radius()),
+        fields_{field(1), field(0)} {
+    result_.cost = options.cutoff;
+  }
+
+  void run() {
+    for (const Pass& pass : kPasses) {
+      grow(pass);
+      if (result_.path || result_.interrupted) return;
+    }
+  }
+
+ private:
+  struct Side {
+    NarrowGearTree tree;
+    NearPoses near;
+  };
+
+  [[nodiscard]] RouteField field(std::size_t to) const {
+    return {map_, roots_[0], roots_[to], kFieldCells, options_.clock};
+  }
+
+  [[nodiscard]] Side side(std::size_t i, double fineness) const {
+    const Vehicle& vehicle = map_.vehicle;
+    const double stopping = vehicle.top_speed() / vehicle.max_acceleration();
+    const auto remaining = [this, i](const Pose& from) {
+      const double way = std::max(fields_[i](from), reeds_shepp_distance(from, roots_[1 - i], radius_));
+      return kGreed * way / map_.vehicle.top_speed();
+    };
+    return {{map_,
+             i == 0 ? vehicle : vehicle.with_gears_swapped(),
+             roots_[i],
+             {options_.cusp_cost + stopping, options_.max_cusps},
+             fineness,
+             remaining},
+            NearPoses(kNear * vehicle.parameters().length)};
+  }
+
+  bool interrupted() {
+    result_.interrupted = result_.interrupted || options_.clock.is_over();
+    return result_.interrupted;
+  }
+
+  void grow(const Pass& pass) {
+    std::array<Side, 2> sides{side(0, pass.fineness), side(1, pass.fineness)};
+    auto most = static_cast<std::size_t>(pass.share * static_cast<double>(options_.max_poses));
+    for (std::size_t i = 0; i < most && !interrupted(); ++i) {
+      const std::size_t at = i % 2;
+      const auto node = sides[at].tree.expand();
+      if (!node) return;  // finer cells may lead further
+      ++result_.poses;
+      const bool first = !result_.path;
+      join(sides, at, *node);
+      if (first && result_.path) most = std::min(most, 2 * (i + 1) + kPosesAfter);
+    }
+  }
+
+  struct Near {
+    double distance;
+    std::uint32_t node;
+    friend bool operator<(const Near& a, const Near& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
+    }
+  };
+
+  // A new pose to the root of the other tree and the poses near by.
+  void join(std::array<Side, 2>& sides, std::size_t at, std::uint32_t node) {
+    const Pose pose = sides[at].tree[node].pose;
+    near_.clear();
+    sides[1 - at].near.visit(pose, [&](const NearPoses::Entry& entry) {
+      near_.push_back({(entry.pose.position() - pose.position()).norm() +
+                           radius_ * std::abs(wrap_signed(entry.pose.heading - pose.heading)),
+                       entry.node});
+    });
+    const std::size_t few = std::min(near_.size(), kNearest);
+    std::partial_sort(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(few), near_.end());
+    near_.resize(few);
+    near_.push_back({0.0, NarrowGearTree::kRoot});
+    for (const Near& n : near_) connect(sides, at, node, n.node);
+    sides[at].near.add(node, pose);
+  }
+
+  // @param node   of the tree `at`, whose pose had its turn last.
+  // @param other  of the other one.
+  void connect(const std::array<Side, 2>& sides, std::size_t at, std::uint32_t node, std::uint32_t other) {
+    const Pose& from = sides[0].tree[at == 0 ? node : other].pose;
+    const Pose& to = sides[1].tree[at == 0 ? other : node].pose;
+    const double ends = sides[at].tree[node].cost + sides[1 - at].tree[other].cost;
+    words_.clear();
+    for (std::size_t word = 0; word < kGearWords; ++word) {
+      const double length = gear_word_length(word, from, to, radius_);
+      if (std::isfinite(length) && ends + length / map_.vehicle.top_speed() < result_.cost)
+        words_.emplace_back(length, word);
+    }
+    std::sort(words_.begin(), words_.end());
+    std::size_t tried = 0;
+    for (const auto& [length, word] : words_) {
+      const Path between = *gear_word_path(word, from, to, radius_);
+      if (between.empty()) continue;
+      if (!sides[at].tree.has_room(at == 0 ? between.front() : between.back().reversed())) continue;
+      if (++tried > kWordsTried) return;
+      if (!motion_free(*map_.queries.sweep, map_.body, between)) continue;
+      Path path = sides[0].tree.path_from_root(at == 0 ? node : other);
+      path.insert(path.end(), between.begin(), between.end());
+      const Path rest = sides[1].tree.path_to_root(at == 0 ? other : node);
+      path.insert(path.end(), rest.begin(), rest.end());
+      if (take(std::move(path))) return;
+    }
+  }
+
+  bool take(Path&& path) {
+    if (cusps_of(path) > options_.max_cusps) return false;
+    const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost);
+    if (cost >= result_.cost || !motion_free(*map_.queries.sweep, map_.body, path)) return false;
+    result_.cost = cost;
+    result_.path = std::move(path);
+    return true;
+  }
+
+  const SearchMap& map_;
+  std::array<Pose, 2> roots_;
+  const GearSearchOptions& options_;
+  GearSearchResult& result_;
+  double radius_;
+  std::array<RouteField, 2> fields_;                   // to the other end
+  std::vector<Near> near_;                             // memory
+  std::vector<std::pair<double, std::size_t>> words_;  // memory
+};
+
+}  // namespace
+
+GearSearchResult search_narrow_gears(const SearchMap& map, const Pose& start, const Pose& goal,
+                                     const GearSearchOptions& options) {
+  GearSearchResult result;
+  NarrowGearSearch(map, start, goal, options, result).run();
+  return result;
+}
+
+}  // namespace arcway

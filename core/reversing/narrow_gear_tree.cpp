@@ -1,0 +1,153 @@
+#include "core/reversing/narrow_gear_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/geometry/angle.h"
+#include "core/motion/speed_profile.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr std::array kBends{-1.0, -0.5, 0.0, 0.5, 1.0};  // times the largest curvature
+constexpr double kFarLine = 1.0;  // longest line, in lengths of the body or turning radii, whichever is larger
+constexpr double kFarTurn = 3.0 * kPi / 8.0;  // longest arc [rad]
+constexpr double kStep = 1.0 / 3.0;           // of the longest motion: where free ones end as well
+constexpr double kHalf = 0.5;                 // of the way to a contact
+constexpr double kLeast = 1e-3;               // shortest motion, in lengths of the body
+constexpr double kSlack = 1e-6;               // by which motions end before a contact, likewise: more than rounding
+constexpr double kLargestCell = 0.125;        // in lengths of the body or turning radii, whichever is larger
+constexpr double kLargestTurn = 0.25;         // [rad]
+constexpr double kShare = 0.25;               // of what a move to and fro can do, in a cell
+constexpr double kVisit = 0.5;                // cost of a turn in a coarse cell, in times to cross it
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t part) {
+  hash = (hash ^ part) * 0x9E3779B97F4A7C15u;
+  return hash ^ (hash >> 29);
+}
+
+// The largest power of two times `largest` that is no larger than `wanted`, at most `largest`.
+double quantized(double largest, double wanted) {
+  return wanted >= largest ? largest : std::exp2(std::floor(std::log2(wanted / largest))) * largest;
+}
+
+}  // namespace
+
+NarrowGearTree::NarrowGearTree(const SearchMap& map, const Vehicle& vehicle, const Pose& root, const TreeGears& gears,
+                               double fineness, std::function<double(const Pose&)> remaining)
+    : vehicle_(vehicle),
+      gears_(gears),
+      fineness_(fineness),
+      remaining_(std::move(remaining)),
+      radius_(vehicle.min_turning_radius()),
+      size_(std::max(radius_, vehicle.parameters().length)),
+      far_line_(kFarLine * size_),
+      far_turn_(kFarTurn),
+      largest_{kLargestCell * size_, kLargestCell * size_, kLargestTurn},
+      visit_cost_(kVisit * kLargestCell * size_ / vehicle.top_speed()),
+      contact_(*map.outlines, map.body) {
+  nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0, 0.0});
+  open_.push({remaining_(root), kRoot, 0});
+}
+
+std::optional<std::uint32_t> NarrowGearTree::expand() {
+  const std::optional<std::uint32_t> next = pop();
+  if (!next) return std::nullopt;
+  const Pose pose = nodes_[*next].pose;
+  contact_.begin(pose, std::max(far_line_, far_turn_ * radius_ / std::abs(kBends[1])));
+  const double slack = kSlack * vehicle_.parameters().length;
+  std::array<std::array<double, 2>, kBends.size()> reach{};
+  double way = 0.0, turn = 0.0;
+  for (std::size_t i = 0; i < kBends.size(); ++i) {
+    const double curvature = kBends[i] / radius_;
+    const double most = curvature == 0.0 ? far_line_ : far_turn_ / std::abs(curvature);
+    for (const Gear gear : {Gear::kForward, Gear::kReverse})
+      reach[i][gear == Gear::kForward ? 0 : 1] = std::min(most, contact_(curvature, gear) - slack);
+    const double to_and_fro = reach[i][0] + reach[i][1];
+    way = std::max(way, to_and_fro);
+    turn = std::max(turn, to_and_fro * std::abs(curvature));
+  }
+  const Cell cell = cell_where(way, turn);
+  for (std::size_t i = 0; i < kBends.size(); ++i) {
+    const double curvature = kBends[i] / radius_;
+    const double step = kStep * (curvature == 0.0 ? far_line_ : far_turn_ / std::abs(curvature));
+    for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+      const double room = reach[i][gear == Gear::kForward ? 0 : 1];
+      const double first = room > step ? step : kHalf * room;
+      for (const double length : {first, room})
+        if (length >= kLeast * vehicle_.parameters().length) add(*next, cell, {pose, length, curvature, gear});
+    }
+  }
+  return next;
+}
+
+// The most promising pose, where those in places that had many turns promise less.
+std::optional<std::uint32_t> NarrowGearTree::pop() {
+  while (!open_.empty()) {
+    Waiting next = open_.pop();
+    std::uint32_t& visits = visits_[key_of(nodes_[next.node].pose, largest_)];
+    if (visits == next.visits) {
+      ++visits;
+      return next.node;
+    }
+    next.estimate += visit_cost_ * (visits - next.visits);
+    next.visits = visits;
+    open_.push(next);
+  }
+  return std::nullopt;
+}
+
+bool NarrowGearTree::has_room(const PathSegment& motion) const {
+  return contact_(motion.curvature, motion.gear) >= std::min(motion.length, far_line_);
+}
+
+void NarrowGearTree::add(std::uint32_t from, const Cell& cell, const PathSegment& motion) {
+  const Node& parent = nodes_[from];
+  const bool cusp = from != kRoot && parent.motion.gear != motion.gear;
+  const std::uint32_t cusps = parent.cusps + (cusp ? 1 : 0);
+  if (cusps > gears_.max_cusps) return;
+  const Pose end = motion.end();
+  const auto node = static_cast<std::uint32_t>(nodes_.size());
+  const std::uint64_t key = mixed(key_of(end, cell), motion.gear == Gear::kForward ? 1 : 2);
+  if (!cells_.try_emplace(key, node).second) return;
+  const double cost = parent.cost + motion.length / speed_limit(motion, vehicle_) + (cusp ? gears_.change : 0.0);
+  nodes_.push_back({end, motion, from, cusps, cost});
+  open_.push({cost + remaining_(end), node, 0});
+}
+
+// Where the longest way and the largest turn to and fro are these.
+NarrowGearTree::Cell NarrowGearTree::cell_where(double way, double turn) const {
+  const double share = kShare * fineness_;
+  const double q = std::max(way, kLeast * vehicle_.parameters().length), t = std::clamp(turn, kLeast, 1.0);
+  return {quantized(largest_.along, share * q), quantized(largest_.aside, share * q * t),
+          quantized(largest_.turn, share * t)};
+}
+
+std::uint64_t NarrowGearTree::key_of(const Pose& pose, const Cell& cell) const {
+  const Pose& root = nodes_[kRoot].pose;
+  const double turned = std::round(wrap_positive(pose.heading - root.heading) / cell.turn);
+  const Vec2 ahead = direction_of(root.heading + turned * cell.turn), d = pose.position() - root.position();
+  const auto index = [](double value) { return static_cast<std::uint64_t>(std::llround(value)); };
+  std::uint64_t hash = mixed(0, index(turned));
+  for (const double part : {ahead.dot(d) / cell.along, cross(ahead, d) / cell.aside,
+                            std::log2(largest_.aside / cell.aside), std::log2(largest_.turn / cell.turn)})
+    hash = mixed(hash, index(part));
+  return hash;
+}
+
+Path NarrowGearTree::path_from_root(std::uint32_t node) const {
+  Path path;
+  for (; node != kRoot; node = nodes_[node].parent) path.push_back(nodes_[node].motion);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+Path NarrowGearTree::path_to_root(std::uint32_t node) const {
+  Path path;
+  for (; node != kRoot; node = nodes_[node].parent) path.push_back(nodes_[node].motion.reversed());
+  return path;
+}
+
+}  // namespace arcway

@@ -1,0 +1,337 @@
+#include "core/reversing/refine_reversing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/collision/motion_free.h"
+#include "core/geometry/angle.h"
+#include "core/motion/dubins.h"
+#include "core/motion/gear_words.h"
+#include "core/motion/speed_profile.h"
+
+namespace arcway {
+
+namespace {
+
+// Less than this part of the cost is not worth a step.
+constexpr double kSmallestGain = 1e-6;
+constexpr int kMostRounds = 4;
+// Of the trials; the rest is for words after the last cusp has moved.
+constexpr double kShareBeforeLastWords = 0.8;
+// Words lead between places up to so many places apart, further on each span is shorter by this part of it: of n places
+// some n log n pairs.
+constexpr std::size_t kEverySpan = 16, kSpanRatio = 8;
+// Of words, in smallest turning radii: wider ones only where they may save a change of gear.
+constexpr std::array<double, 3> kWordRadii{1.0, 2.0, 4.0};
+constexpr double kFirstStep = 0.5;             // of a cusp that moves, in turning radii
+constexpr std::ptrdiff_t kSegmentsBeside = 4;  // of a cusp that moves, which may give way to others
+constexpr std::size_t kLinksTried = 4;         // to either side of it
+
+void append(Path& path, const PathSegment& segment) {
+  if (segment.length > 0.0) path.push_back(segment);
+}
+void append(Path& path, std::span<const PathSegment> more) { path.insert(path.end(), more.begin(), more.end()); }
+
+class ReversingRefiner {
+ public:
+  ReversingRefiner(const Vehicle& vehicle, const SweepQuery& sweep, const GearChanges& changes,
+                   const RefineOptions& options, const std::function<bool()>& stop, RefinedPath& result)
+      : vehicle_(vehicle),
+        sweep_(sweep),
+        changes_(changes),
+        options_(options),
+        stop_(stop),
+        result_(result),
+        body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
+        most_cusps_(std::max(changes.most, cusps_of(result.path))),
+        most_trials_(options.max_trials),
+        cost_(cost_of(result.path)) {}
+
+  void run() {
+    // Some trials are kept for the words that the last moves of cusps make room for.
+    most_trials_ = static_cast<std::uint32_t>(kShareBeforeLastWords * options_.max_trials);
+    for (int round = 0; round < kMostRounds && !done(); ++round) {
+      bool changed = insert_words();
+      const bool runs = refine_runs();
+      changed = slide_cusps() || changed;
+      if (!changed && (!runs || round > 0)) break;
+    }
+    most_trials_ = options_.max_trials;
+    insert_words();
+    result_.travel_time = speed_profile(result_.path, vehicle_).total_time;
+  }
+
+ private:
+  // A place on the path.
+  struct Station {
+    std::size_t segment;
+    double part;  // of the segment's length
+    Pose pose;
+    double time;        // when the path gets there, roughly within a segment [s]
+    std::size_t cusps;  // before it
+  };
+
+  [[nodiscard]] bool done() {
+    if (stop_ && !result_.interrupted) result_.interrupted = stop_();
+    return result_.interrupted || result_.trials >= most_trials_;
+  }
+
+  [[nodiscard]] double cost_of(const Path& path) const { return travel_cost(path, vehicle_, changes_.cost); }
+
+  [[nodiscard]] bool is_cheaper(double cost) const { return cost < cost_ * (1.0 - kSmallestGain); }
+
+  // Takes a free path if it is cheaper.
+  bool accept(const Path& path) {
+    const double cost = cost_of(path);
+    if (!is_cheaper(cost) || cusps_of(path) > most_cusps_) return false;
+    cost_ = cost;
+    result_.path = merged(path);
+    ++result_.improvements;
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Station> stations() const {
+    const Path& path = result_.path;
+    const SpeedProfile profile = speed_profile(path, vehicle_);
+    std::vector<Station> stations;
+    double time = 0.0;
+    std::size_t cusps = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      cusps += i > 0 && path[i].gear != path[i - 1].gear ? 1 : 0;
+      stations.push_back({i, 0.0, path[i].start, time, cusps});
+      if (path[i].length > 0.5 * vehicle_.min_turning_radius())
+        stations.push_back({i, 0.5, path[i].at(0.5 * path[i].length), time + 0.5 * profile.durations[i], cusps});
+      time += profile.durations[i];
+    }
+    if (!path.empty()) stations.push_back({path.size() - 1, 1.0, path.back().end(), time, cusps});
+    return stations;
+  }
+
+  // Puts words between places of the path until none makes it cheaper.
+  bool insert_words() {
+    bool changed = false;
+    while (!done() && sweep_words()) changed = true;
+    return changed;
+  }
+
+  // Tries words between places far apart first; a word that is taken changes the places for all that is tried after it.
+  bool sweep_words() {
+    bool changed = false;
+    std::vector<Station> places = stations();
+    for (std::size_t span = places.empty() ? 0 : places.size() - 1; span > 0 && !done(); span = next_span(span)) {
+      for (std::size_t i = 0; i + span < places.size() && !done(); ++i) {
+        if (!insert_word(places[i], places[i + span])) continue;
+        changed = true;
+        places = stations();
+      }
+    }
+    return changed;
+  }
+
+  [[nodiscard]] static std::size_t next_span(std::size_t span) {
+    return span <= kEverySpan ? span - 1 : std::max(kEverySpan, span - span / kSpanRatio - 1);
+  }
+
+  struct Word {
+    double fastest;  // it can be driven, but for its changes of gear [s]
+    std::size_t word;
+    double radius;
+  };
+
+  bool insert_word(const Station& from, const Station& to) {
+    for (const Word& word : words_between(from, to)) {
+      if (done()) return false;
+      ++result_.trials;
+      const auto middle = gear_word_path(word.word, from.pose, to.pose, word.radius);
+      const Path path = spliced(from, *middle, to);
+      if (is_cheaper(cost_of(path)) && is_free(*middle) && accept(path)) return true;
+    }
+    return false;
+  }
+
+  // Those that may make the path cheaper, the fastest first.
+  [[nodiscard]] std::vector<Word> words_between(const Station& from, const Station& to) const {
+    const double budget = to.time - from.time + changes_.cost * static_cast<double>(to.cusps - from.cusps);
+    std::vector<Word> words;
+    for (const double turn : kWordRadii) {
+      const double radius = turn * vehicle_.min_turning_radius();
+      for (std::size_t word = 0; word < kGearWords; ++word) {
+        const double fastest = gear_word_length(word, from.pose, to.pose, radius) / vehicle_.top_speed();
+        if (fastest < budget) words.push_back({fastest, word, radius});
+      }
+      if (from.cusps == to.cusps) break;
+    }
+    std::ranges::sort(words, {}, &Word::fastest);
+    return words;
+  }
+
+  // Moves the poses at which the gear changes, by steps that are halved, as long as that makes the path cheaper.
+  bool slide_cusps() {
+    const double radius = vehicle_.min_turning_radius();
+    bool slid = false;
+    for (double step = kFirstStep; step >= options_.smallest_step && !done(); step *= 0.5)
+      for (std::size_t cusp = 0; cusp < cusps_of(result_.path); ++cusp)
+        // Where the body nearly touches something, only one direction of these may be free.
+        for (const int ahead : {1, -1, 0})
+          for (const int aside : {1, -1, 0})
+            for (const int turn : {1, -1, 0}) {
+              const Pose by{step * radius * ahead, step * radius * aside, step * turn};
+              while (!done() && slide_cusp(cusp, by)) slid = true;
+            }
+    return slid;
+  }
+
+  // The first segments after all changes of gear.
+  [[nodiscard]] std::vector<std::size_t> cusps() const {
+    const Path& path = result_.path;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 1; i < path.size(); ++i)
+      if (path[i].gear != path[i - 1].gear) found.push_back(i);
+    return found;
+  }
+
+  // A way between a place of the path and a cusp that has moved.
+  struct Link {
+    Station place;
+    Path motion;
+    double longer;  // than the way so far [m]
+    std::optional<bool> free = {};
+  };
+
+  // Moves one cusp by so much ahead, aside and in heading, if that makes the path cheaper.
+  bool slide_cusp(std::size_t number, const Pose& by) {
+    const std::vector<std::size_t> all = cusps();
+    if (number >= all.size()) return false;
+    const Path& path = result_.path;
+    const Pose& old = path[all[number]].start;
+    const Vec2 ahead = direction_of(old.heading);
+    const Vec2 position = old.position() + by.x * ahead + by.y * perpendicular(ahead);
+    const Pose cusp{position.x(), position.y(), old.heading + by.heading};
+    const auto at = static_cast<std::ptrdiff_t>(all[number]), end = static_cast<std::ptrdiff_t>(path.size());
+    const auto first = std::max(at - kSegmentsBeside, number > 0 ? static_cast<std::ptrdiff_t>(all[number - 1]) : 0);
+    const auto last =
+        std::min(at + kSegmentsBeside, number + 1 < all.size() ? static_cast<std::ptrdiff_t>(all[number + 1]) : end);
+    return replace_beside(links(first, at, cusp, false), links(at, last, cusp, true));
+  }
+
+  // The shortest ways between a moved cusp and the far ends of so many segments before or after it, in their gear.
+  std::vector<Link> links(std::ptrdiff_t first, std::ptrdiff_t last, const Pose& cusp, bool after) const {
+    std::vector<Link> found;
+    double length = 0.0;
+    for (std::ptrdiff_t i = 0; i < last - first; ++i) {
+      const auto segment = static_cast<std::size_t>(after ? first + i : last - 1 - i);
+      const PathSegment& s = result_.path[segment];
+      const Pose place = after ? s.end() : s.start;
+      const bool towards_cusp = after != (s.gear == Gear::kForward);
+      length += s.length;
+      for (const DubinsWord word : kDubinsWords) {
+        const auto forwards =
+            dubins_path(word, towards_cusp ? place : cusp, towards_cusp ? cusp : place, vehicle_.min_turning_radius());
+        if (!forwards) continue;
+        found.push_back({{segment, after ? 1.0 : 0.0, place, 0.0, 0},
+                         s.gear == Gear::kForward ? *forwards : reversed(*forwards),
+                         length_of(*forwards) - length});
+      }
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Link& a, const Link& b) { return a.longer < b.longer; });
+    if (found.size() > kLinksTried) found.resize(kLinksTried);
+    return found;
+  }
+
+  // Replaces what lies before and after a cusp, if that makes the path cheaper.
+  bool replace_beside(std::vector<Link> before, std::vector<Link> after) {
+    const auto may_be_free = [](const Link& link) { return link.free.value_or(true); };
+    const auto check = [this](Link& link) {
+      if (!link.free) link.free = is_free(link.motion);
+      return *link.free;
+    };
+    for (Link& to : before)
+      for (Link& from : after) {
+        if (done()) return false;
+        if (!may_be_free(to) || !may_be_free(from)) continue;
+        ++result_.trials;
+        Path middle = to.motion;
+        append(middle, from.motion);
+        const Path changed = spliced(to.place, middle, from.place);
+        if (is_cheaper(cost_of(changed)) && check(to) && check(from)) return accept(changed);
+      }
+    return false;
+  }
+
+  [[nodiscard]] Path spliced(const Station& from, const Path& middle, const Station& to) const {
+    const Path& old = result_.path;
+    Path path(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(from.segment));
+    PathSegment head = old[from.segment];
+    head.length *= from.part;
+    append(path, head);
+    append(path, middle);
+    PathSegment tail = old[to.segment];
+    tail.start = to.pose;
+    tail.length *= 1.0 - to.part;
+    append(path, tail);
+    append(path, std::span(old).subspan(to.segment + 1));
+    return path;
+  }
+
+  bool is_free(const Path& motion) {
+    for (const PathSegment& s : motion) ++(s.is_line() ? result_.straights_checked : result_.turns_checked);
+    return motion_free(sweep_, body_, motion);
+  }
+
+  // Refines what lies between two cusps as if it were driven forwards.
+  bool refine_runs() {
+    Path path;
+    const Path& old = result_.path;
+    for (std::size_t first = 0; first < old.size();) {
+      std::size_t last = first + 1;
+      while (last < old.size() && old[last].gear == old[first].gear) ++last;
+      const auto run = std::span(old).subspan(first, last - first);
+      const bool forward = run.front().gear == Gear::kForward;
+      Path driven = forward ? Path(run.begin(), run.end()) : reversed(run);
+      if (!done()) driven = refined(driven, forward ? vehicle_ : vehicle_.with_gears_swapped());
+      append(path, forward ? driven : reversed(driven));
+      first = last;
+    }
+    return accept(path);
+  }
+
+  Path refined(const Path& run, const Vehicle& vehicle) {
+    RefineOptions rest = options_;
+    rest.max_trials -= static_cast<std::uint32_t>(result_.trials);
+    RefinedPath refined = refine_path(run, run.front().start, run.back().end(), vehicle, sweep_, rest, stop_);
+    result_.trials += refined.trials;
+    result_.straights_checked += refined.straights_checked;
+    result_.turns_checked += refined.turns_checked;
+    return std::move(refined.path);
+  }
+
+  const Vehicle& vehicle_;
+  const SweepQuery& sweep_;
+  GearChanges changes_;
+  const RefineOptions& options_;
+  const std::function<bool()>& stop_;
+  RefinedPath& result_;
+  Footprint body_;
+  std::size_t most_cusps_;
+  std::uint64_t most_trials_;  // until the next stage
+  double cost_;
+};
+
+}  // namespace
+
+RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep,
+                                  const GearChanges& changes, const RefineOptions& options,
+                                  const std::function<bool()>& stop) {
+  require_refinement(options);
+  RefinedPath result;
+  result.path = path;
+  ReversingRefiner(vehicle, sweep, changes, options, stop, result).run();
+  return result;
+}
+
+}  // namespace arcway

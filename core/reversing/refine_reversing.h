@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+#include "core/collision/sweep_query.h"
+#include "core/model/path.h"
+#include "core/model/vehicle.h"
+#include "core/refine/refine_path.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+struct GearChanges {
+  double cost = 0.0;                                           ///< of each, beside the time for it [s]
+  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< of a path
+};
+
+/// Makes a free path in both gears cheaper, its cost being its travel time and that of its changes of gear:
+/// - words of Reeds and Shepp, and of Dubins in either gear, replace what lies between two places of the path, the ends
+///   of segments and the middles of long ones: words of the smallest radius, and wider ones where gear changes between
+///   the places. Tried are all pairs of places that are up to 16 places apart, and further ones less densely, until
+///   none makes the path cheaper, so that no change of gear is left that one of these words saves;
+/// - what lies between two cusps is refined by refine_path, which knows nothing of gears and need not: from rest to
+///   rest it takes the same time either way;
+/// - cusps move and turn, by steps that are halved down to the smallest, and Dubins words of the smallest radius lead
+///   there from the path before them and on to the path behind.
+/// A change is accepted only if the cost falls and the swept area of the body grown by half of the safety margin is
+/// free by `sweep`. A local optimum of these changes, not the cheapest path. Deterministic.
+/// @param changes  of gear; paths of more than the most are not taken, but for the given one.
+/// @param stop  asked before each trial; true ends the refinement with the best path so far.
+/// @throws std::invalid_argument as require_refinement does.
+RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep,
+                                  const GearChanges& changes, const RefineOptions& options,
+                                  const std::function<bool()>& stop);
+
+}  // namespace arcway

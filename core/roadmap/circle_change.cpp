@@ -1,0 +1,85 @@
+#include "core/roadmap/circle_change.h"
+
+#include <algorithm>
+
+namespace arcway {
+
+namespace {
+
+// How far from its vertex a body reaches on a circle round it. Half of the margin is more than what is checked covers,
+// and more than rounding.
+double largest_reach(const CircleChange::Circles& of, const Footprint& grown_body) {
+  double largest = 0.0;
+  for (const TurnCircle& circle : of.circles.all())
+    largest = std::max(largest, (circle.center - of.world.vertex(circle.vertex)).norm() +
+                                    swept_annulus(grown_body, circle.radius).outer);
+  return largest;
+}
+
+NearBoxes places_of(const WorldChange& change, double reach) {
+  std::vector<Box> boxes = change.gone;
+  boxes.insert(boxes.end(), change.come.begin(), change.come.end());
+  return NearBoxes(boxes, reach);
+}
+
+bool same_row(std::span<const VertexId> before, std::span<const VertexId> after, const std::vector<VertexId>& moved) {
+  return std::ranges::equal(before, after, [&](VertexId v, VertexId now) { return moved[v] == now; });
+}
+
+}  // namespace
+
+CircleChange::CircleChange(const Circles& before, const Circles& after, const WorldChange& change,
+                           const Footprint& grown_body, std::uint32_t steps)
+    : world_(after.world),
+      before_(after.circles.all().size(), kNone),
+      after_(before.circles.all().size(), kNone),
+      places_(places_of(change, largest_reach(after, grown_body))),
+      quiet_(after.world.vertices().size(), kNotQuiet),
+      still_(quiet_.size(), 0) {
+  match(before, after, change.moved);
+  for (const VertexId v : world_.convex_vertices())
+    if (!places_.may_meet(world_.vertex(v), world_.vertex(v))) quiet_[v] = kQuiet;
+  for (const VertexId v : before.world.convex_vertices()) {
+    const VertexId now = change.moved[v];
+    if (now == kNone || quiet_[now] == kNotQuiet) continue;
+    if (same_row(before.rows.of(v), after.rows.of(now), change.moved)) quiet_[now] = kKeepsRow;
+  }
+  find_still(after.rows, steps);
+}
+
+void CircleChange::find_still(const VisibilityRows& rows, std::uint32_t steps) {
+  std::vector<Box> around(still_.size());
+  for (const VertexId v : world_.convex_vertices()) {
+    around[v].extend(world_.vertex(v));
+    still_[v] = keeps_row(v) ? 1 : 0;
+  }
+  for (std::uint32_t step = 0; step < steps; ++step) {
+    const std::vector<Box> nearer = around;
+    const std::vector<std::uint8_t> still_nearer = still_;
+    for (const VertexId v : world_.convex_vertices())
+      for (const VertexId w : rows.of(v)) {
+        around[v].extend(nearer[w]);
+        still_[v] &= still_nearer[w];
+      }
+  }
+  for (const VertexId v : world_.convex_vertices())
+    if (still_[v] && places_.may_meet(around[v])) still_[v] = 0;
+}
+
+void CircleChange::match(const Circles& before, const Circles& after, const std::vector<VertexId>& moved) {
+  const auto old = before.circles.all();
+  const auto all = after.circles.all();
+  for (std::uint32_t c = 0; c < old.size(); ++c) {
+    const VertexId v = moved[old[c].vertex];
+    const VertexId second = old[c].second == kNone ? kNone : moved[old[c].second];
+    if (v == kNone || !after.circles.has(v) || (second == kNone) != (old[c].second == kNone)) continue;
+    after.circles.visit_round(v, old[c].side, [&](std::uint32_t now) {
+      const TurnCircle& circle = all[now];
+      if (circle.vertex != v || circle.second != second || circle.radius != old[c].radius) return;
+      before_[now] = c;
+      after_[c] = now;
+    });
+  }
+}
+
+}  // namespace arcway

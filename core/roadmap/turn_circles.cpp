@@ -1,0 +1,91 @@
+#include "core/roadmap/turn_circles.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/roadmap/turning_radii.h"
+
+namespace arcway {
+
+TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
+                         const Footprint& grown_body, const Executor& executor)
+    : radius_count_(radii.size()), first_(world.vertices().size(), kNone) {
+  constexpr std::size_t kGrain = 256;
+  const std::span<const VertexId> convex = world.convex_vertices();
+  const std::size_t own = 2 * radius_count_ * convex.size();
+  circles_.reserve(own + own / 8);  // for those of two vertices
+  circles_.resize(own);
+  executor.begin_stage("turn circles");
+  executor.for_ranges(convex.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      auto c = static_cast<std::uint32_t>(2 * radius_count_ * i);
+      first_[convex[i]] = c;
+      for (const double radius : radii)
+        for (const Side side : {Side::kLeft, Side::kRight})
+          circles_[c++] = turn_circle(world, convex[i], radius, side, grown_body);
+    }
+  });
+
+  const std::size_t tightest = tightest_radii(grown_body, radii) - 1;
+  const double radius = radii[tightest];
+  const auto leads_back = [&](VertexId u, VertexId w) {
+    const Vec2 between = circles_[first_[w] + 2 * tightest].center - circles_[first_[u] + 2 * tightest].center;
+    return between.dot(world.vertex(w) - world.vertex(u)) <= 0.0;
+  };
+  // No circle goes round two vertices that are further apart.
+  const double reach = 2.0 * inner_side_radius(grown_body, radius) * (1.0 + 1e-9);
+  for (const auto& [u, w] : rows.pairs_within(reach, leads_back, executor)) {
+    const Side side = obstacle_side(world, w, world.vertex(u));  // travelling from u to w
+    if (obstacle_side(world, u, world.vertex(w)) == side) continue;
+    const auto circle = turn_circle(world, u, w, radius, side, grown_body);
+    if (!circle) continue;
+    for (const Side turn : {Side::kLeft, Side::kRight}) {
+      circles_.push_back(*circle);
+      circles_.back().side = turn;
+    }
+  }
+  usual_count_ = first_of_gates_ = circles_.size();
+  more_ = by_vertex(own, circles_.size(), 2);
+}
+
+TurnCircles::TurnCircles(const TurnCircles& usual, const ExtraCircles& extra)
+    : radius_count_(usual.radius_count_), first_(usual.first_), usual_count_(usual.usual_count_) {
+  const auto own = static_cast<std::size_t>(std::ranges::count_if(first_, [](auto f) { return f != kNone; }));
+  std::size_t count = usual_count_ + 2 * extra.round.size();
+  for (const Gate& gate : extra.gates) count += gate.entries.size() + gate.exits.size();
+  circles_.reserve(count);
+  circles_ = usual.circles_;
+  for (TurnCircle circle : extra.round)
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      circle.side = side;
+      circles_.push_back(circle);
+    }
+  first_of_gates_ = circles_.size();
+  for (const Gate& gate : extra.gates) {
+    circles_.insert(circles_.end(), gate.entries.begin(), gate.entries.end());
+    const auto exits = static_cast<std::uint32_t>(circles_.size());
+    circles_.insert(circles_.end(), gate.exits.begin(), gate.exits.end());
+    gate_.resize(circles_.size() - first_of_gates_, static_cast<std::uint32_t>(gates_.size()));
+    gates_.push_back({exits, static_cast<std::uint32_t>(circles_.size())});
+  }
+  more_ = by_vertex(2 * radius_count_ * own, first_of_gates_, 2);
+  beside_ = by_vertex(first_of_gates_, circles_.size(), 1);
+}
+
+TurnCircles::ByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last, std::uint32_t step) const {
+  ByVertex result;
+  result.starts.assign(first_.size() + 1, 0);
+  const auto visit = [&](auto&& see) {
+    for (auto c = static_cast<std::uint32_t>(first); c < last; c += step)
+      for (const VertexId v : {circles_[c].vertex, circles_[c].second})
+        if (v != kNone) see(v, c);
+  };
+  visit([&](VertexId v, std::uint32_t) { ++result.starts[v + 1]; });
+  std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
+  result.circles.resize(result.starts.back());
+  HugeVector<std::uint64_t> next(result.starts.begin(), result.starts.end() - 1);
+  visit([&](VertexId v, std::uint32_t c) { result.circles[next[v]++] = c; });
+  return result;
+}
+
+}  // namespace arcway

@@ -1,0 +1,67 @@
+#include "core/roadmap/turning_radii.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "core/roadmap/turn_circle.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kLeastRatio = 2.0;      // of a radius to the one before
+constexpr double kMostRatios = 4.0;      // radii but the smallest, and one that leads round vertices
+constexpr double kLeastLastRatio = 1.4;  // the last radius is left out if it is nearer than that to the one before
+constexpr double kWidest = 1e6;          // [m]
+constexpr double kRoundVertex = 1.5;     // of the body's half width: a turn that leads round a vertex
+
+// The smallest radius with the speed of the fastest turns. Between its table's radii, or all along, v_mc rises or
+// falls.
+double fastest_radius(const Vehicle& vehicle, double smallest) {
+  std::vector<double> radii{smallest};
+  if (const auto* table = std::get_if<TurnSpeedTable>(&vehicle.parameters().turn_speed)) {
+    for (const auto& [radius, speed] : table->entries)
+      if (radius > smallest) radii.push_back(radius);
+  } else {
+    radii.push_back(kWidest);
+  }
+  const auto fastest =
+      std::ranges::max_element(radii, {}, [&](double radius) { return vehicle.turn_speed(radius); });  // the first one
+  if (fastest == radii.begin()) return smallest;
+  const double top = vehicle.turn_speed(*fastest);
+  double slower = *(fastest - 1);
+  double radius = *fastest;
+  while (radius > slower * (1.0 + 1e-9)) {
+    const double middle = 0.5 * (slower + radius);
+    (vehicle.turn_speed(middle) >= top ? radius : slower) = middle;
+  }
+  return radius;
+}
+
+bool leads_round_vertices(const Footprint& grown_body, double radius) {
+  return inner_side_radius(grown_body, radius) > 0.0;
+}
+
+}  // namespace
+
+std::vector<double> turning_radii(const Vehicle& vehicle, const World& world) {
+  const double smallest = vehicle.min_turning_radius();
+  const double extent = world.box().empty() ? smallest : 0.5 * (world.box().max - world.box().min).norm();
+  const double largest = std::min(fastest_radius(vehicle, smallest), extent);
+  const double factor = std::max(kLeastRatio, std::pow(largest / smallest, 1.0 / kMostRatios));
+  std::vector<double> radii{smallest};
+  while (radii.back() * factor * kLeastLastRatio < largest) radii.push_back(radii.back() * factor);
+  if (radii.back() * kLeastLastRatio < largest) radii.push_back(largest);
+  const Footprint grown_body = vehicle.footprint(vehicle.safety_margin());
+  if (!leads_round_vertices(grown_body, radii.back())) radii.push_back(kRoundVertex * grown_body.half_width);
+  return radii;
+}
+
+std::size_t tightest_radii(const Footprint& grown_body, std::span<const double> radii) {
+  std::size_t count = 1;
+  while (count < radii.size() && !leads_round_vertices(grown_body, radii[count - 1])) ++count;
+  return count;
+}
+
+}  // namespace arcway

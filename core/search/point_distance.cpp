@@ -1,0 +1,144 @@
+#include "core/search/point_distance.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "core/attach/horizon.h"
+#include "core/base/prefetch.h"
+#include "core/geometry/angle.h"
+#include "core/geometry/predicates.h"
+#include "core/roadmap/visibility_graph.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr std::size_t kNext = 5;  // entries at the top of the open list: its first two levels
+// Vertices that may see the goal: to find what hides it takes as long as to ask for so many of them.
+constexpr std::size_t kManyAsked = 64;
+
+// A shortest path is taut: where it turns at a vertex, it turns around the obstacle there. Of the edges that leave a
+// vertex those that do not lead on like this from the shortest way to it are on no shortest path.
+class TautTurn {
+ public:
+  /// @param from  a place that `vertex` is tangent to.
+  TautTurn(const World& world, VertexId vertex, const Vec2& from) : from_(from), at_(world.vertex(vertex)) {
+    const Vec2& next = world.vertex(world.next(vertex));
+    const Vec2& previous = world.vertex(world.previous(vertex));
+    const int side = from == previous ? 0 : orientation(from, at_, previous);  // 0 is the slow answer
+    left_ = (side != 0 ? side : orientation(from, at_, next)) > 0;
+    last_ = left_ ? &next : &previous;
+  }
+
+  // Whether a path may go on to a place that the vertex is tangent to.
+  [[nodiscard]] bool leads_to(const Vec2& to) const {
+    const int wrong = left_ ? -1 : 1;
+    return orientation(from_, at_, to) != wrong && (to == *last_ || orientation(at_, to, *last_) != wrong);
+  }
+
+ private:
+  const Vec2& from_;
+  const Vec2& at_;
+  bool left_;         // the obstacle's side
+  const Vec2* last_;  // its vertex that a turn gets to at most
+};
+
+}  // namespace
+
+void PointDistance::Workspace::reset(std::size_t vertices) {
+  open_.clear();
+  if (reached_.size() < vertices) reached_.resize(vertices, {0.0, kNone, 0});
+  search_ += 2;
+  if (search_ == 0) {
+    std::fill(reached_.begin(), reached_.end(), Reached{0.0, kNone, 0});
+    search_ = 2;
+  }
+}
+
+PointDistance::Workspace::Reached& PointDistance::Workspace::at(VertexId vertex) {
+  Reached& reached = reached_[vertex];
+  if (reached.mark < search_) reached = {std::numeric_limits<double>::infinity(), kNone, search_};
+  return reached;
+}
+
+PointDistance::PointDistance(const World& world, std::shared_ptr<const VisibilityRows> rows,
+                             std::shared_ptr<const Outlines> outlines)
+    : world_(world), rows_(std::move(rows)), outlines_(std::move(outlines)) {}
+
+Horizon PointDistance::horizon_of(const Vec2& place) const {
+  Horizon horizon({place, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+  horizon.shorten(*outlines_);
+  return horizon;
+}
+
+double PointDistance::operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility, Workspace& w,
+                                 const StopClock& clock) const {
+  using Step = Workspace::Step;
+  w.reset(world_.vertices().size());
+  const auto to_goal = [&](const Vec2& p) { return (goal - p).norm(); };
+  const std::span<const Vec2> places = world_.vertices();
+  double proved = to_goal(start);  // of the path's length, whatever comes
+  if (clock.is_over()) return proved;
+  const Horizon from_start = horizon_of(start);
+  std::optional<Horizon> from_goal;
+  std::size_t asked = 0;
+  const auto goal_may_see = [&](const Vec2& p) {
+    if (++asked == kManyAsked) from_goal = horizon_of(goal);
+    return !from_goal || !from_goal->hides(Box{p, p});
+  };
+  w.open_.push({to_goal(start), kNone, Step::kToGoal});
+  outlines_->visit_if([&](const Box& box) { return !from_start.hides(box); },
+                      [&](const Outlines::Piece& piece) {
+                        for (std::size_t i = 0; i < piece.edge_count(); ++i) {
+                          const auto v = static_cast<VertexId>(piece.first + i);
+                          if (!world_.is_graph_vertex(v)) continue;
+                          w.open_.push({(places[v] - start).norm() + to_goal(places[v]), v, Step::kFromStart});
+                        }
+                        return true;
+                      });
+
+  while (!w.open_.empty()) {
+    const Workspace::Entry entry = w.open_.pop();
+    proved = std::max(proved, entry.estimate);
+    if (clock.is_over()) return proved;
+    for (const Workspace::Entry& next : w.open_.first_few(kNext)) {
+      if (next.vertex == kNone) continue;
+      will_need(&places[next.vertex]);
+      will_need(&w.reached_[next.vertex]);
+      rows_->prefetch(next.vertex);
+    }
+    const Vec2& here = entry.vertex == kNone ? start : places[entry.vertex];
+    if (entry.step == Step::kToGoal) {
+      if (visibility.visible({here, goal})) return entry.estimate;
+      continue;
+    }
+    Workspace::Reached& reached = w.at(entry.vertex);
+    if (reached.mark != w.search_) continue;
+    if (entry.step == Step::kFromStart) {
+      if (!(is_tangent(world_, entry.vertex, start) && visibility.visible({start, here}))) continue;
+      reached = {(here - start).norm(), kNone, w.search_};
+    }
+    ++reached.mark;
+    const double length = reached.length;
+    const TautTurn turn(world_, entry.vertex, reached.parent == kNone ? start : places[reached.parent]);
+    if (turn.leads_to(goal) && is_tangent(world_, entry.vertex, goal) && goal_may_see(here))
+      w.open_.push({length + to_goal(here), entry.vertex, Step::kToGoal});
+    const std::span<const VertexId> row = rows_->of(entry.vertex);
+    for (const VertexId v : row) will_need(&places[v]);
+    for (const VertexId v : row) {
+      const Vec2& there = places[v];
+      if (!turn.leads_to(there)) continue;
+      const double length_there = length + (there - here).norm();
+      Workspace::Reached& next = w.at(v);
+      if (next.length <= length_there) continue;
+      next.length = length_there;
+      next.parent = entry.vertex;
+      w.open_.push({length_there + to_goal(there), v, Step::kEdge});
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace arcway

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/attach/horizon.h"
+#include "core/base/huge_pages.h"
+#include "core/base/open_list.h"
+#include "core/base/stop_clock.h"
+#include "core/collision/visibility_query.h"
+#include "core/geometry/vec2.h"
+#include "core/model/outlines.h"
+#include "core/model/world.h"
+#include "core/roadmap/visibility_rows.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Shortest paths of a point among the obstacles: how far at least the reference point of any body drives that covers
+/// it. A point may touch obstacles and pass between two that touch.
+///
+///     const PointDistance distance(world, rows_of(graph), std::make_shared<const Outlines>(world));
+///     distance(start, goal, visibility, workspace);
+///
+/// Immutable, thread-safe.
+class PointDistance {
+ public:
+  /// Memory of a search, kept for the next one: for one search at a time.
+  class Workspace {
+   private:
+    friend class PointDistance;
+    enum class Step : std::uint8_t {
+      kFromStart,  ///< a segment from the start to a vertex, not yet asked for
+      kEdge,       ///< an edge of the graph to a vertex
+      kToGoal      ///< a segment from a vertex, or from the start, to the goal, not yet asked for
+    };
+    struct Entry {
+      double estimate;  ///< of the whole path
+      VertexId vertex;  ///< kNone: the start itself
+      Step step;
+      friend bool before(const Entry& a, const Entry& b) { return a.estimate < b.estimate; }
+    };
+    struct Reached {
+      double length;       ///< of the shortest path known
+      VertexId parent;     ///< on it; kNone: the start itself
+      std::uint32_t mark;  ///< the last search that came here, one more once that path is the shortest of all
+    };
+    void reset(std::size_t vertices);
+    Reached& at(VertexId vertex);
+
+    OpenList<Entry> open_;
+    HugeVector<Reached> reached_;  // by vertex
+    std::uint32_t search_ = 0;     // even
+  };
+
+  /// @param rows      of the reduced visibility graph of `world`.
+  /// @param outlines  of `world`.
+  PointDistance(const World& world, std::shared_ptr<const VisibilityRows> rows,
+                std::shared_ptr<const Outlines> outlines);
+
+  /// Length of the shortest path, up to the rounding of its sum [m]; infinity if there is none. Neither point may lie
+  /// inside an obstacle. A* over the graph with the distance to the goal, from the vertices that the outlines near by
+  /// do not hide, along edges that a taut string would take; segments from the start and to the goal are asked of
+  /// `visibility` when their turn comes.
+  /// @param clock  ends the search, with the largest length that the path is then known to have at least.
+  [[nodiscard]] double operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility,
+                                  Workspace& workspace, const StopClock& clock = {}) const;
+
+ private:
+  [[nodiscard]] Horizon horizon_of(const Vec2& place) const;
+
+  World world_;
+  std::shared_ptr<const VisibilityRows> rows_;
+  std::shared_ptr<const Outlines> outlines_;
+};
+
+}  // namespace arcway

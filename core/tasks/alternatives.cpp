@@ -1,0 +1,299 @@
+#include "core/tasks/alternatives.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "core/base/stop_clock.h"
+#include "core/collision/memoized_sweep.h"
+#include "core/collision/walled_sweep.h"
+#include "core/geometry/angle.h"
+#include "core/geometry/distance.h"
+#include "core/geometry/predicates.h"
+#include "core/motion/speed_profile.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPieceTurn = 1.5;         // of the pieces that arcs are taken in, less than half a circle [rad]
+constexpr std::size_t kMostPassages = 10;  // of a path, the narrowest ones
+constexpr double kSamplesPerSegment = 8.0;
+
+// Where a path goes through between two obstacles.
+struct Passage {
+  ObstacleId left, right;  // kNone: nothing on that side
+  double width;
+  std::array<LineSegment, 2> walls;  // from the path to either side
+};
+
+// What is nearest to a point on one side of a line through it.
+struct Nearest {
+  double distance = kInfinity;
+  Vec2 point{0.0, 0.0};
+  ObstacleId region = kNone;
+};
+
+Nearest nearest_on_side(const World& world, const Vec2& from, const Vec2& normal) {
+  Nearest nearest;
+  for (VertexId e = 0; e < world.edges().size(); ++e) {
+    LineSegment edge = world.edges()[e];
+    const double a = normal.dot(edge.a - from);
+    const double b = normal.dot(edge.b - from);
+    if (a <= 0.0 && b <= 0.0) continue;
+    if (a < 0.0) edge.a += a / (a - b) * (edge.b - edge.a);
+    if (b < 0.0) edge.b += b / (b - a) * (edge.a - edge.b);
+    const Vec2 point = closest_point(from, edge);
+    const double distance = (point - from).norm();
+    if (distance < nearest.distance) nearest = {distance, point, world.obstacle_of(e)};
+  }
+  if (nearest.region != kNone) return nearest;
+  const Box& box = world.box();
+  const double far = box.empty() ? 0.0 : 4.0 * (box.max - box.min).norm() + (from - box.min).norm();
+  return {far, from + far * normal, kNone};
+}
+
+// None if the clock is over before they are found.
+std::vector<Passage> passages_of(const PlanResult& plan, const Planner& planner, const StopClock& clock) {
+  const World& world = planner.world();
+  const Footprint body = planner.vehicle().footprint(planner.vehicle().safety_margin());
+  const std::array<SweptRectangle, 2> ends = {swept_rectangle(plan.start, 0.0, body),
+                                              swept_rectangle(plan.goal, 0.0, body)};
+  std::vector<Passage> passages;
+  for (const TimedSegment& timed : plan.segments) {
+    const PathSegment& s = timed.segment;
+    for (double i = 1.0; i <= kSamplesPerSegment; ++i) {
+      if (clock.is_over()) return {};
+      const Pose pose = s.at(s.length * (i / kSamplesPerSegment));
+      const Vec2 side = perpendicular(direction_of(pose.heading));
+      const Nearest left = nearest_on_side(world, pose.position(), side);
+      const Nearest right = nearest_on_side(world, pose.position(), -side);
+      if (left.region == right.region) continue;
+      const Passage passage{left.region,
+                            right.region,
+                            left.distance + right.distance,
+                            {LineSegment{pose.position(), left.point}, LineSegment{pose.position(), right.point}}};
+      const bool at_an_end = std::any_of(passage.walls.begin(), passage.walls.end(), [&](const LineSegment& wall) {
+        return intersects(wall, ends[0]) || intersects(wall, ends[1]);
+      });
+      if (at_an_end) continue;
+      const auto known = std::find_if(passages.begin(), passages.end(), [&](const Passage& p) {
+        return p.left == passage.left && p.right == passage.right;
+      });
+      if (known == passages.end()) {
+        passages.push_back(passage);
+      } else if (passage.width < known->width) {
+        *known = passage;
+      }
+    }
+  }
+  std::stable_sort(passages.begin(), passages.end(),
+                   [](const Passage& a, const Passage& b) { return a.width < b.width; });
+  if (passages.size() > kMostPassages) passages.resize(kMostPassages);
+  return passages;
+}
+
+// Whether a point lies between an arc of less than half a circle and its chord.
+bool is_cut_off(const PathSegment& arc, const Vec2& from, const Vec2& to, const Vec2& point) {
+  const double side = sign_of(arc.gear) * arc.curvature;  // > 0: the arc lies to the right of its chord
+  if (orientation(from, to, point) * side >= 0.0) return false;
+  const Vec2 center = arc.start.position() + perpendicular(direction_of(arc.start.heading)) / arc.curvature;
+  return (point - center).norm() * std::abs(arc.curvature) < 1.0;
+}
+
+// How far a path turns about a point, seen from there [rad]: an arc as its chord does, but the other way round what
+// lies between the two.
+double turn_about(std::span<const PathSegment> path, const Vec2& point) {
+  double turn = 0.0;
+  for (const PathSegment& s : path) {
+    const double pieces = std::max(1.0, std::ceil(s.length * std::abs(s.curvature) / kPieceTurn));
+    Vec2 from = s.start.position();
+    for (double i = 1.0; i <= pieces; ++i) {
+      const Vec2 to = s.at(s.length * (i / pieces)).position();
+      const Vec2 a = from - point, b = to - point;
+      turn += std::atan2(cross(a, b), a.dot(b));
+      if (!s.is_line() && is_cut_off(s, from, to, point)) turn += std::copysign(kTwoPi, sign_of(s.gear) * s.curvature);
+      from = to;
+    }
+  }
+  return turn;
+}
+
+// How far a path turns about each obstacle, by a corner of it [rad]. Nothing if the clock is over before that is known.
+std::optional<std::vector<double>> turns_of(std::span<const PathSegment> path, const World& world,
+                                            const StopClock& clock) {
+  std::vector<double> turns;
+  turns.reserve(world.obstacle_count());
+  for (ObstacleId o = 0; o < world.obstacle_count(); ++o) {
+    if (clock.is_over()) return std::nullopt;
+    turns.push_back(turn_about(path, world.vertex(world.vertices_of(o).first)));
+  }
+  return turns;
+}
+
+// Whether two paths pass every obstacle on the same side, told by their turns.
+bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kPi; });
+}
+
+class AlternativeSearch {
+ public:
+  AlternativeSearch(const Planner& planner, const PlanRequest& request, const PlanLimits& limits)
+      : planner_(planner),
+        request_(request),
+        limits_(limits),
+        clock_(limits.time, limits.stop),
+        remembered_(std::make_shared<MemoizedSweep>(planner.queries().sweep)) {}
+
+  std::vector<PlanResult> run(std::size_t count) {
+    const PlanResult fastest = planner_.plan(request_, limits_);
+    if (count > 1 && fastest.solved()) choose_quick_options(fastest);
+    std::optional<Way> first = way_of(fastest, {});
+    if (!first) return {fastest};
+    taken_.push_back(std::move(*first));
+    while (taken_.back().plan.solved() && taken_.size() < count && !interrupted()) {
+      branch(taken_.back());
+      if (!take_next()) break;
+    }
+    std::vector<PlanResult> plans;
+    for (Way& way : taken_) plans.push_back(std::move(way.plan));
+    std::stable_sort(plans.begin(), plans.end(),
+                     [&](const PlanResult& a, const PlanResult& b) { return cost_of(a) < cost_of(b); });
+    return plans;
+  }
+
+ private:
+  struct Way {
+    PlanResult plan;
+    double cost;                     // that the plan has, or will have once it is refined
+    std::vector<double> turns;       // about the obstacles
+    std::vector<LineSegment> walls;  // it was planned with
+  };
+
+  [[nodiscard]] PlanLimits rest() const {
+    PlanLimits rest = limits_;
+    rest.time = clock_.seconds_left();
+    return rest;
+  }
+  [[nodiscard]] bool interrupted() const { return clock_.is_over(); }
+  [[nodiscard]] double cost_of(const PlanResult& plan) const {
+    return travel_cost(plan.path(), planner_.vehicle(), request_.cusp_cost);
+  }
+
+  // Nothing if the time is over before it can be told from others.
+  [[nodiscard]] std::optional<Way> way_of(PlanResult plan, std::vector<LineSegment> walls) const {
+    std::optional<std::vector<double>> turns = turns_of(plan.path(), planner_.world(), clock_);
+    if (!turns) return std::nullopt;
+    const double cost = cost_of(plan);
+    return Way{std::move(plan), cost, std::move(*turns), std::move(walls)};
+  }
+
+  // Ways are compared by plans from one search, and refined: without other searches and, where the first way does
+  // without, without reversing, manoeuvres and circles in narrow places.
+  void choose_quick_options(const PlanResult& first) {
+    const auto is_backward = [](const TimedSegment& s) { return s.segment.gear == Gear::kReverse; };
+    quick_request_.reverse = std::any_of(first.segments.begin(), first.segments.end(), is_backward);
+    quick_ = planner_.options();
+    quick_.refinement.max_trials = 0;
+    quick_.point_robot_bound = false;
+    PlannerOptions single_arcs = quick_;
+    single_arcs.manoeuvre_poses = 0;
+    single_arcs.gap_circles = false;
+    if (plan_with({}, single_arcs, quick_request_).solved()) quick_ = single_arcs;
+  }
+
+  // Adds the ways that do without one of the passages of a way.
+  void branch(const Way& way) {
+    const std::vector<LineSegment> walls = way.walls;
+    for (const Passage& passage : passages_of(way.plan, planner_, clock_)) {
+      if (interrupted()) return;
+      std::vector<LineSegment> more = walls;
+      more.insert(more.end(), passage.walls.begin(), passage.walls.end());
+      PlanResult plan = plan_with(more, quick_, quick_request_);
+      if (!plan.solved()) continue;
+      std::optional<Way> other = way_of(std::move(plan), std::move(more));
+      if (!other || !is_new(*other, taken_) || !is_new(*other, open_)) continue;
+      other->cost = std::min(other->cost, refined_cost(*other));
+      open_.push_back(std::move(*other));
+    }
+  }
+
+  // What the path of a quick plan costs once refined. One with changes of gear is taken as it is.
+  [[nodiscard]] double refined_cost(const Way& way) const {
+    if (quick_request_.reverse) return way.cost;
+    const WalledSweep sweep(remembered_, way.walls);
+    const auto stop = [this] { return interrupted(); };
+    return refine_path(way.plan.path(), request_.start, request_.goal, planner_.vehicle(), sweep,
+                       planner_.options().refinement, stop)
+        .travel_time;
+  }
+
+  // Plans the cheapest of the open ways as well as the planner can, and takes it; false if there is none.
+  bool take_next() {
+    while (!open_.empty()) {
+      const auto best = std::ranges::min_element(open_, {}, &Way::cost);
+      Way way = std::move(*best);
+      open_.erase(best);
+      PlanResult better = plan_with(way.walls, planner_.options(), request_);
+      if (better.solved() && cost_of(better) < cost_of(way.plan)) {
+        std::optional<Way> other = way_of(std::move(better), way.walls);
+        if (other) way = std::move(*other);
+      }
+      if (!is_new(way, taken_)) continue;
+      taken_.push_back(std::move(way));
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] PlanResult plan_with(const std::vector<LineSegment>& walls, PlannerOptions options,
+                                     const PlanRequest& request) const {
+    QuerySet queries = planner_.queries();
+    queries.sweep = std::make_shared<WalledSweep>(remembered_, walls);
+    options.graph_mode = GraphMode::kLazy;
+    const SerialExecutor serial;
+    try {
+      const Planner walled(planner_.world(), planner_.vehicle(), queries, planner_.visibility_rows(), options,
+                           StoppableExecutor(serial, clock_));
+      PlanLimits limits = rest();
+      limits.tree_poses = 0;  // most have no path
+      return walled.plan(request, limits);
+    } catch (const Cancelled&) {
+      return {};
+    }
+  }
+
+  static bool is_new(const Way& way, const std::vector<Way>& known) {
+    return std::ranges::none_of(known, [&](const Way& other) { return are_same(other.turns, way.turns); });
+  }
+
+  const Planner& planner_;
+  const PlanRequest& request_;
+  const PlanLimits& limits_;
+  StopClock clock_;
+  std::shared_ptr<const SweepQuery> remembered_;  // of the world without walls
+  PlannerOptions quick_;
+  PlanRequest quick_request_ = request_;
+  std::vector<Way> taken_, open_;
+};
+
+}  // namespace
+
+std::vector<PlanResult> plan_alternatives(const Planner& planner, const PlanRequest& request, std::size_t count,
+                                          const PlanLimits& limits) {
+  if (count == 0) throw std::invalid_argument("alternatives: at least one must be asked for");
+  return AlternativeSearch(planner, request, limits).run(count);
+}
+
+bool same_way(std::span<const PathSegment> a, std::span<const PathSegment> b, const World& world) {
+  const StopClock never;
+  return are_same(*turns_of(a, world, never), *turns_of(b, world, never));
+}
+
+}  // namespace arcway

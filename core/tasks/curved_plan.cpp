@@ -1,0 +1,195 @@
+#include "core/tasks/curved_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/collision/motion_free.h"
+#include "core/motion/clearance.h"
+#include "core/motion/speed_profile.h"
+#include "core/planner/no_path.h"
+
+namespace arcway {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Of the safety margin: the finest tolerance. The body is checked grown by half of the margin, so that all that is free
+// among the curves when it is grown by 9/16 of it is free among such rings.
+constexpr double kFinestShare = 1.0 / 16.0;
+
+// Poses along the path, no two neighbours farther apart.
+std::vector<Vec2> samples_of(const PlanResult& result, double spacing) {
+  std::vector<Vec2> samples;
+  for (const TimedSegment& timed : result.segments) {
+    const double steps = std::ceil(timed.segment.length / spacing);
+    for (double k = 0.0; k < steps; ++k)
+      samples.push_back(timed.segment.at(timed.segment.length * k / steps).position());
+  }
+  samples.push_back(result.goal.position());
+  return samples;
+}
+
+class CurvedPlanner {
+ public:
+  CurvedPlanner(const CurvedWorld& world, const CurveTolerances& tolerances)
+      : world_(world), limits_(tolerances), level_(tolerances.first) {
+    for (std::size_t i = 0; i < world.curves.size(); ++i) {
+      const CurvedRing& curve = world.curves[i];
+      const bool there =
+          curve.polygon == CurvedRing::kBounds
+              ? world.bounds.has_value() && curve.ring == 0
+              : curve.polygon < world.polygons.size() && curve.ring <= world.polygons[curve.polygon].holes.size();
+      if (!there) throw std::invalid_argument("curve " + std::to_string(i) + ": there is no such ring");
+      tolerances_.emplace_back(curve.pieces.size(), limits_.first);
+    }
+  }
+
+  [[nodiscard]] World make_world() const {
+    std::vector<Polygon> obstacles = world_.polygons;
+    std::optional<Ring> bounds = world_.bounds;
+    for (std::size_t i = 0; i < tolerances_.size(); ++i) {
+      const CurvedRing& curve = world_.curves[i];
+      Ring ring = circumscribed_ring(curve.pieces, tolerances_[i]);
+      if (curve.polygon == CurvedRing::kBounds) {
+        bounds = std::move(ring);
+      } else {
+        Polygon& polygon = obstacles[curve.polygon];
+        (curve.ring == 0 ? polygon.outer : polygon.holes[curve.ring - 1]) = std::move(ring);
+      }
+    }
+    return World(std::move(obstacles), std::move(bounds));
+  }
+  /// The smallest tolerance of all pieces.
+  [[nodiscard]] double level() const { return level_; }
+  /// Brings the pieces near the path to the level, without a path every piece; once all of those are there, to the next
+  /// level. So which rings are planned on at a level does not depend on the levels to come.
+  /// @returns whether anything was left to refine.
+  bool refine(const PlanResult& plan, const Vehicle& vehicle) {
+    const double finest = std::max(limits_.last, kFinestShare * vehicle.safety_margin());
+    const std::vector<double*> near = near_pieces(plan, vehicle.footprint());
+    if (std::ranges::all_of(near, [&](const double* tolerance) { return *tolerance <= level_; })) {
+      if (near.empty() || level_ <= finest) return false;
+      level_ = std::max(finest, level_ * limits_.factor);
+    }
+    for (double* tolerance : near) *tolerance = level_;
+    return true;
+  }
+
+ private:
+  // Their tolerances.
+  std::vector<double*> near_pieces(const PlanResult& plan, const Footprint& body) {
+    const double reach = 2.0 * (body.front + body.rear);
+    const std::vector<Vec2> samples = samples_of(plan, 0.5 * reach);
+    std::vector<double*> near;
+    for (std::size_t i = 0; i < tolerances_.size(); ++i) {
+      for (std::size_t k = 0; k < tolerances_[i].size(); ++k) {
+        double& tolerance = tolerances_[i][k];
+        Box hull;
+        for (const Vec2& p : world_.curves[i].pieces[k].p) hull.extend(p);
+        const auto is_near = [&](const Vec2& p) { return hull.distance_to(p) <= reach + tolerance; };
+        if (!plan.solved() || std::ranges::any_of(samples, is_near)) near.push_back(&tolerance);
+      }
+    }
+    return near;
+  }
+
+  const CurvedWorld& world_;
+  CurveTolerances limits_;
+  double level_;
+  std::vector<std::vector<double>> tolerances_;  // of each curve and piece
+};
+
+double cost_of(const PlanResult& plan, const Vehicle& vehicle, double cusp_cost) {
+  return plan.solved() ? travel_cost(plan.path(), vehicle, cusp_cost) : kInfinity;
+}
+
+// Finer rings lie inside of coarser ones but for what both are moved by, see circumscribed_ring: what was free among
+// these is so as well, unless it was free by less than that.
+bool is_free(const Planner& planner, const PlanResult& plan) {
+  const Vehicle& vehicle = planner.vehicle();
+  return motion_free(*planner.queries().sweep, vehicle.footprint(0.5 * vehicle.safety_margin()), plan.path());
+}
+
+// Looks anew how near a plan made on other rings comes to those of this planner.
+void measure_clearance(const Planner& planner, PlanResult& plan) {
+  const Footprint bare = planner.vehicle().footprint();
+  for (std::size_t i = 0; i < plan.segments.size(); ++i) {
+    const PathSegment& segment = plan.segments[i].segment;
+    const double clearance = clearance_along(segment, bare, planner.world()).distance;
+    if (i > 0 && clearance >= plan.min_clearance) continue;
+    plan.min_clearance = clearance;
+    plan.clearance_segment = segment;
+    plan.clearance_index = i;
+  }
+}
+
+// Replaces a plan made on coarser rings by the one that the planner has found, unless that one is dearer.
+void keep_cheaper(const Planner& planner, double cusp_cost, PlanResult&& found, PlanResult& plan) {
+  const Vehicle& vehicle = planner.vehicle();
+  if (cost_of(found, vehicle, cusp_cost) <= cost_of(plan, vehicle, cusp_cost) || !is_free(planner, plan)) {
+    plan = std::move(found);
+    return;
+  }
+  measure_clearance(planner, plan);
+  plan.lower_bound = std::min(plan.lower_bound, found.lower_bound);  // among finer rings there may be shorter ways
+  plan.interrupted = found.interrupted;
+}
+
+}  // namespace
+
+CurvedPlan plan_among_curves(const CurvedWorld& world, const PlanRequest& request, const CurveTolerances& tolerances,
+                             const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits) {
+  if (!(tolerances.last > 0.0 && tolerances.last <= tolerances.first && std::isfinite(tolerances.first)))
+    throw std::invalid_argument("curve tolerances: need 0 < last <= first, finite");
+  if (!(tolerances.factor > 0.0 && tolerances.factor < 1.0))
+    throw std::invalid_argument("curve tolerances: factor must be in (0, 1)");
+  if (tolerances.max_rounds < 1) throw std::invalid_argument("curve tolerances: max_rounds must be at least 1");
+  const Stopwatch watch;
+  const auto rest = [&] {
+    PlanLimits left = limits;
+    left.time -= watch.seconds();
+    return left;
+  };
+  CurvedPlanner curved(world, tolerances);
+  CurvedPlan plan{make_planner(curved.make_world()), {}, {}};
+  const auto plan_round = [&] {
+    PlanResult found = plan.planner.plan(request, rest());
+    plan.rounds.push_back({curved.level(), plan.planner.world().vertices().size(), found.status,
+                           found.solved() ? found.travel_time : kInfinity});
+    return found;
+  };
+  plan.result = plan_round();
+  for (std::size_t round = 1; round < tolerances.max_rounds && !plan.result.interrupted; ++round) {
+    if (!curved.refine(plan.result, plan.planner.vehicle())) break;
+    const World rings = curved.make_world();
+    if (std::ranges::equal(rings.vertices(), plan.planner.world().vertices())) {
+      plan.rounds.back().tolerance = curved.level();  // the rings lie within that as well
+      continue;
+    }
+    if (limits.stop.stop_requested() || rest().time <= 0.0) {
+      plan.result.interrupted = true;
+      break;
+    }
+    try {
+      plan.planner = make_planner(rings);
+    } catch (const Cancelled&) {
+      plan.result.interrupted = true;
+      break;
+    }
+    keep_cheaper(plan.planner, request.cusp_cost, plan_round(), plan.result);
+  }
+  if (plan.result.interrupted && !plan.result.solved()) explain_interruption(limits, plan.result);
+  return plan;
+}
+
+CurvedPlan plan_among_curves(const CurvedWorld& world, const Vehicle& vehicle, const PlanRequest& request,
+                             const CurveTolerances& tolerances, const PlannerOptions& options) {
+  return plan_among_curves(world, request, tolerances,
+                           [&](const World& rings) { return Planner(rings, vehicle, options); });
+}
+
+}  // namespace arcway

@@ -1,0 +1,324 @@
+#include "core/tasks/tour.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/geometry/angle.h"
+#include "core/model/pose_text.h"
+#include "core/motion/speed_profile.h"
+#include "core/motion/travel_time_bound.h"
+#include "core/planner/no_path.h"
+#include "core/planner/planner_inputs.h"
+
+namespace arcway {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kHeadings = 24;         // tried where the heading is open
+constexpr double kFinestStep = 2e-3;  // of an open heading [rad]
+constexpr double kLeastGain = 1e-6;   // that is worth another heading, of the cost
+
+// A pose in which a place may be passed, and the best way to it.
+struct Stop {
+  Pose pose;
+  std::size_t place;        // among those of its stage
+  double cost = kInfinity;  // of the way from the start, which ends here at rest
+  std::size_t from = 0;     // stop of the stage before
+  PlanResult leg = {};      // from there
+  Path way = {};            // from the start
+};
+using Stage = std::vector<Stop>;
+
+class TourPlanner {
+ public:
+  TourPlanner(const Planner& planner, const TourRequest& request, const PlanLimits& limits)
+      : planner_(planner), request_(request), limits_(limits) {
+    stages_.push_back({{request.start, 0, 0.0}});
+  }
+
+  Tour run() {
+    for (const Place& place : request_.via) {
+      add_stage({&place, 1});
+      reach_all();
+      if (!any_reached()) return finish(nullptr);
+    }
+    add_stage(request_.goals);
+    Stop* best = reach_one();
+    if (best != nullptr && !request_.goals[best->place].heading) turn_goal(*best);
+    return finish(best);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+  void add_stage(std::span<const Place> places) {
+    Stage stage;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Vec2& p = places[i].position;
+      if (places[i].heading) {
+        stage.push_back({{p.x(), p.y(), *places[i].heading}, i});
+        continue;
+      }
+      const Vec2 ahead = p - stages_.back().front().pose.position();
+      const double straight = ahead.isZero(0.0) ? 0.0 : std::atan2(ahead.y(), ahead.x());
+      for (int k = 0; k < kHeadings; ++k)
+        stage.push_back({{p.x(), p.y(), wrap_signed(straight + kTwoPi * k / kHeadings)}, i});
+    }
+    stages_.push_back(std::move(stage));
+  }
+
+  PlanResult plan_leg(const Pose& from, const Pose& to) {
+    PlanLimits rest = limits_;
+    rest.time -= elapsed();
+    if (has_choice()) rest.tree_poses = 0;  // most headings that are tried have no path
+    PlanResult leg = planner_.plan({.start = from,
+                                    .goal = to,
+                                    .reverse = request_.reverse,
+                                    .cusp_cost = request_.cusp_cost,
+                                    .max_gear_changes = request_.max_gear_changes},
+                                   rest);
+    statistics_ += leg.statistics;
+    interrupted_ = interrupted_ || leg.interrupted;
+    return leg;
+  }
+
+  // Whether there are several poses from which the leg now looked for may begin, or at which it may end.
+  [[nodiscard]] bool has_choice() const { return stages_.back().size() > 1 || stages_[stages_.size() - 2].size() > 1; }
+
+  [[nodiscard]] double bound(const Pose& from, const Pose& to) const {
+    return travel_time_bound(from, to, (to.position() - from.position()).norm(), planner_.vehicle(), request_.reverse);
+  }
+  // At most what a stop there takes longer than driving on [s]; the start is one.
+  [[nodiscard]] double cost_of_a_stop(std::size_t stage) const {
+    return stage == 0 ? 0.0 : planner_.vehicle().top_speed() / planner_.vehicle().max_acceleration();
+  }
+
+  // The best way to a stop of the last stage, if it costs less than `cutoff`.
+  void reach(Stop& stop, double cutoff) {
+    const Stage& before = stages_[stages_.size() - 2];
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i].cost < kInfinity)
+        order.emplace_back(before[i].cost - cost_of_a_stop(stages_.size() - 2) + bound(before[i].pose, stop.pose), i);
+    std::sort(order.begin(), order.end());
+    for (const auto& [least, i] : order) {
+      // Infinite where the planner refuses a pose, and says why.
+      if (least >= std::min(cutoff, stop.cost) && least < kInfinity) return;
+      PlanResult leg = plan_leg(before[i].pose, stop.pose);
+      if (!leg.solved()) {
+        // One that was interrupted might have been the way.
+        if (!failure_ || failure_stage_ != stages_.size() || (leg.interrupted && !failure_->interrupted))
+          failure_ = as_requested(std::move(leg), before[i], stop);
+        failure_stage_ = stages_.size();
+        continue;
+      }
+      Path way = before[i].way;
+      const Path on = leg.path();
+      way.insert(way.end(), on.begin(), on.end());
+      const double cost = travel_cost(way, planner_.vehicle(), request_.cusp_cost);
+      if (cost >= stop.cost) continue;
+      stop.cost = cost;
+      stop.from = i;
+      stop.leg = std::move(leg);
+      stop.way = std::move(way);
+    }
+  }
+
+  // A leg without a path, with places named as the request has them: the planner knows poses only.
+  [[nodiscard]] PlanResult as_requested(PlanResult leg, const Stop& from, const Stop& to) const {
+    const auto rename = [&](const std::string& name, const std::string& place) {
+      const std::size_t at = leg.reason.find(name);
+      if (at != std::string::npos) leg.reason.replace(at, name.size(), place);
+    };
+    rename("the start " + shortest_text(leg.start), name_of(from, stages_.size() - 2));
+    rename("the goal " + shortest_text(leg.goal), name_of(to, stages_.size() - 1));
+    if (is_on_the_way(stages_.size() - 2) && leg.status == PlanStatus::kStartBlocked)
+      leg.status = PlanStatus::kPlaceBlocked;
+    if (is_on_the_way(stages_.size() - 1)) {
+      if (leg.status == PlanStatus::kGoalInCollision) leg.status = PlanStatus::kPlaceInCollision;
+      if (leg.status == PlanStatus::kGoalOutsideBounds) leg.status = PlanStatus::kPlaceOutsideBounds;
+      if (leg.status == PlanStatus::kGoalBlocked) leg.status = PlanStatus::kPlaceBlocked;
+      leg.goal = first_goal();
+    }
+    // Another pose may have a path.
+    if (has_choice() && leg.status != PlanStatus::kStartInCollision && leg.status != PlanStatus::kStartOutsideBounds)
+      leg.certainty = Certainty::kGaveUp;
+    return leg;
+  }
+  [[nodiscard]] bool is_on_the_way(std::size_t stage) const { return stage > 0 && stage <= request_.via.size(); }
+  [[nodiscard]] Pose first_goal() const {
+    const Place& goal = request_.goals.front();
+    return {goal.position.x(), goal.position.y(), goal.heading.value_or(0.0)};
+  }
+  [[nodiscard]] std::string name_of(const Stop& stop, std::size_t stage) const {
+    if (stage == 0) return "the start " + shortest_text(stop.pose);
+    const bool on_the_way = is_on_the_way(stage);
+    const Place& place = on_the_way ? request_.via[stage - 1] : request_.goals[stop.place];
+    return (on_the_way ? "the place on the way " : "the goal ") +
+           (place.heading ? shortest_text(stop.pose) : shortest_text(place.position));
+  }
+
+  void reach_all() {
+    for (Stop& stop : stages_.back()) reach(stop, kInfinity);
+  }
+  [[nodiscard]] bool any_reached() const {
+    return std::any_of(stages_.back().begin(), stages_.back().end(), [](const Stop& s) { return s.cost < kInfinity; });
+  }
+
+  // The stop of the last stage that costs least, nothing if there is none.
+  Stop* reach_one() {
+    Stop* best = nullptr;
+    for (Stop& stop : stages_.back()) {
+      reach(stop, best != nullptr ? best->cost : kInfinity);
+      if (stop.cost < (best != nullptr ? best->cost : kInfinity)) best = &stop;
+    }
+    return best;
+  }
+
+  // Improves the open heading of the goal.
+  void turn_goal(Stop& best) {
+    const auto improve = [&](double heading) {
+      Stop other{{best.pose.x, best.pose.y, wrap_signed(heading)}, best.place};
+      reach(other, best.cost);
+      if (!(other.cost < (1.0 - kLeastGain) * best.cost)) return false;
+      best = std::move(other);
+      return true;
+    };
+    for (double step = 0.5 * kTwoPi / kHeadings; step >= kFinestStep;) {
+      const double heading = best.pose.heading;
+      const bool better = improve(heading_of_last_line(best)) || improve(heading + step) || improve(heading - step);
+      if (!better) step *= 0.5;
+    }
+  }
+
+  // Where the last line of the way would have to point to lead to the goal by
+  // itself.
+  [[nodiscard]] static double heading_of_last_line(const Stop& stop) {
+    const std::vector<TimedSegment>& segments = stop.leg.segments;
+    for (std::size_t i = segments.size(); i-- > 0;) {
+      const PathSegment& s = segments[i].segment;
+      if (!s.is_line()) continue;
+      const Vec2 ahead = sign_of(s.gear) * (stop.pose.position() - s.start.position());
+      return std::atan2(ahead.y(), ahead.x());
+    }
+    return stop.pose.heading;
+  }
+
+  Tour finish(const Stop* last) {
+    Tour tour;
+    PlanResult& plan = tour.plan;
+    if (last == nullptr) {
+      plan = std::move(failure_.value());
+      // A leg had only the time that those before left.
+      if (plan.status == PlanStatus::kTimeLimit) plan.reason = time_limit_reason(limits_);
+      if (!request_.via.empty())
+        plan.reason = "leg " + std::to_string(stages_.size() - 1) + " of " + std::to_string(request_.via.size() + 1) +
+                      ": " + plan.reason;
+    } else {
+      tour.goal = last->place;
+      join(legs_to(*last), tour);
+    }
+    plan.start = request_.start;
+    plan.interrupted = interrupted_;
+    statistics_.unrefined_travel_time = plan.statistics.unrefined_travel_time;
+    statistics_.total_seconds = elapsed();
+    plan.statistics = statistics_;
+    return tour;
+  }
+
+  [[nodiscard]] std::vector<const PlanResult*> legs_to(const Stop& last) const {
+    std::vector<const PlanResult*> legs;
+    const Stop* stop = &last;
+    for (std::size_t stage = stages_.size() - 1; stage > 0; --stage) {
+      legs.insert(legs.begin(), &stop->leg);
+      stop = &stages_[stage - 1][stop->from];
+    }
+    return legs;
+  }
+
+  void join(const std::vector<const PlanResult*>& legs, Tour& tour) const {
+    PlanResult& plan = tour.plan;
+    plan.status = PlanStatus::kSolved;
+    plan.goal = legs.back()->goal;
+    plan.min_clearance = kInfinity;
+    for (const PlanResult* leg : legs) {
+      if (leg != legs.front()) tour.passed.push_back(plan.segments.size());
+      plan.clearance_is_bound = plan.clearance_is_bound || leg->clearance_is_bound;
+      if (leg->min_clearance < plan.min_clearance) {
+        plan.min_clearance = leg->min_clearance;
+        plan.clearance_segment = leg->clearance_segment;
+        plan.clearance_index = plan.segments.size() + leg->clearance_index;
+      }
+      plan.segments.insert(plan.segments.end(), leg->segments.begin(), leg->segments.end());
+      plan.length += leg->length;
+      plan.statistics.unrefined_travel_time += leg->statistics.unrefined_travel_time;
+    }
+    const Path path = plan.path();
+    const SpeedProfile profile = speed_profile(path, planner_.vehicle());
+    for (std::size_t i = 0; i < path.size(); ++i)
+      plan.segments[i] = {path[i], profile.speeds[i], profile.speeds[i + 1], profile.durations[i]};
+    plan.travel_time = profile.total_time;
+    const bool one_plan = legs.size() == 1 && request_.goals.size() == 1 && request_.goals[0].heading;
+    if (one_plan) {
+      plan.lower_bound = legs.front()->lower_bound;
+    } else {
+      plan.lower_bound = line_bound();
+    }
+  }
+
+  // Along straight lines by all places to the nearest goal, from rest to rest. Inside of an obstacle is none that can
+  // be reached, unless the body lies beside the reference point.
+  [[nodiscard]] double line_bound() const {
+    Vec2 at = request_.start.position();
+    double length = 0.0;
+    for (const Place& place : request_.via) {
+      length += (place.position - at).norm();
+      at = place.position;
+    }
+    const Vehicle& vehicle = planner_.vehicle();
+    const Footprint body = vehicle.footprint();
+    const bool covers_reference = std::min(body.front, body.rear) >= 0.0;
+    double nearest = kInfinity;
+    for (const Place& goal : request_.goals)
+      if (!covers_reference || planner_.queries().distance->containing(goal.position) == kNone)
+        nearest = std::min(nearest, (goal.position - at).norm());
+    if (!(length + nearest > 0.0)) return 0.0;
+    const double top_speed = request_.reverse ? vehicle.top_speed() : vehicle.max_speed();
+    return (1.0 - 1e-12) * segment_time(length + nearest, 0.0, top_speed, 0.0, vehicle.max_acceleration());
+  }
+
+  const Planner& planner_;
+  const TourRequest& request_;
+  const PlanLimits& limits_;
+  Clock::time_point begin_ = Clock::now();
+  std::vector<Stage> stages_;
+  PlanStatistics statistics_;
+  bool interrupted_ = false;
+  std::optional<PlanResult> failure_;  // the first of its stage, or the first one interrupted
+  std::size_t failure_stage_ = 0;
+};
+
+void require_places(const std::string& name, std::span<const Place> places, const Vehicle& vehicle) {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    require_pose(places.size() == 1 ? name : name + " " + std::to_string(i + 1),
+                 {places[i].position.x(), places[i].position.y(), places[i].heading.value_or(0.0)}, vehicle);
+}
+
+}  // namespace
+
+Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits) {
+  if (request.goals.empty()) throw std::invalid_argument("tour: no goal");
+  require_places("place on the way", request.via, planner.vehicle());
+  require_places("goal", request.goals, planner.vehicle());
+  return TourPlanner(planner, request, limits).run();
+}
+
+}  // namespace arcway

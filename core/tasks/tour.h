@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+#include "core/model/path.h"
+#include "core/planner/planner.h"
+
+namespace [[gnu::visibility("default")]] arcway {
+
+/// Where to: a pose or, without a heading, a position at which any heading will do.
+struct Place {
+  Vec2 position;
+  std::optional<double> heading = std::nullopt;  ///< [rad]
+};
+
+struct TourRequest {
+  Pose start;
+  std::vector<Place> via = {};  ///< passed in this order, without a stop
+  std::vector<Place> goals;     ///< to one of them, whichever is reached first; at least one
+  bool reverse = false;         ///< as in PlanRequest
+  double cusp_cost = 0.0;       ///< as in PlanRequest [s]
+  /// As in PlanRequest, of each leg; at each place on the way there may be one more.
+  std::optional<std::uint32_t> max_gear_changes = std::nullopt;
+};
+
+struct Tour {
+  /// From the start to the goal reached, by way of all places. Counters and stage times are those of all plans that
+  /// were tried. With several goals, places on the way or an open heading the lower bound is that of the straight
+  /// lines to the nearest goal outside of all obstacles. Without a path its goal is the one that the reason is about,
+  /// else the first, an open heading being 0.
+  PlanResult plan;
+  std::size_t goal = 0;             ///< index of the goal reached
+  std::vector<std::size_t> passed;  ///< for each place on the way, how many segments lead to it
+};
+
+/// The fastest way found by places to one of several goals.
+///
+/// Legs between two poses are plans of `planner`, from rest to rest; the whole is driven without a stop at the places
+/// on its way but where the gear changes, and is what is compared. One leg to several poses is the least of the plans
+/// to each, those left out that cannot be it by their lower bounds. An open heading is chosen from 24 that are tried
+/// and, at the goal, improved from the best of them on, by halving steps and by going straight there: no slower than
+/// with any heading tried. Of each pose at a place on the way the way there is kept that costs least if it ends there.
+/// A place on the way with an open heading takes up to 25 plans for each heading of the next place.
+///
+/// One goal with a heading and nothing on the way gives the plan that Planner::plan gives. Never throws for want of a
+/// path: see PlanResult::status; status and reason name leg and places as they were asked for.
+/// @param limits  for all plans together.
+/// @throws std::invalid_argument without a goal, and as Planner::plan does.
+Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits = {});
+
+}  // namespace arcway

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/base/huge_pages.h"
+#include "core/geometry/vec2.h"
+#include "core/model/world.h"
+
+namespace arcway {
+
+/// The edges of a world by place, for the validator, which shares no tree with the planner: cells of one size, two
+/// edges each if they lie all over the map. Edges that span many cells are looked at whatever is asked for. Immutable
+/// and thread-safe. O(n).
+class EdgeGrid {
+ public:
+  /// @param edges  which must outlive this.
+  explicit EdgeGrid(std::span<const LineSegment> edges);
+
+  [[nodiscard]] std::span<const LineSegment> edges() const { return edges_; }
+  /// Of all edges; empty without any.
+  [[nodiscard]] const Box& box() const { return box_; }
+  /// Side of a cell.
+  [[nodiscard]] double cell() const { return cell_; }
+
+  /// Calls visit(edge) once for each edge that meets a box, and for some others.
+  template <class Visit>
+  void visit_near(const Box& box, Visit&& visit) const {
+    for (const VertexId e : long_) visit(e);
+    if (edges_.empty() || !box.overlaps(box_)) return;
+    const Cells asked = cells_of(box);
+    for (std::uint32_t y = asked.y0; y <= asked.y1; ++y)
+      for (std::uint32_t x = asked.x0; x <= asked.x1; ++x) {
+        const std::size_t c = index_of(x, y);
+        for (std::uint64_t i = starts_[c]; i < starts_[c + 1]; ++i) {
+          const Cells own = cells_of(box_of(edges_[items_[i]]));
+          if (x == std::max(own.x0, asked.x0) && y == std::max(own.y0, asked.y0)) visit(items_[i]);
+        }
+      }
+  }
+
+ private:
+  struct Cells {
+    std::uint32_t x0, y0, x1, y1;
+  };
+  [[nodiscard]] Cells cells_of(const Box& box) const {
+    return {column(box.min.x()), row(box.min.y()), column(box.max.x()), row(box.max.y())};
+  }
+  [[nodiscard]] std::uint32_t column(double x) const { return place((x - box_.min.x()) / cell_, columns_); }
+  [[nodiscard]] std::uint32_t row(double y) const { return place((y - box_.min.y()) / cell_, rows_); }
+  [[nodiscard]] static std::uint32_t place(double cells, std::uint32_t count) {
+    if (!(cells > 0.0)) return 0;
+    return cells < count - 1 ? static_cast<std::uint32_t>(cells) : count - 1;
+  }
+  [[nodiscard]] std::size_t index_of(std::uint32_t x, std::uint32_t y) const { return std::size_t{y} * columns_ + x; }
+  template <class Visit>
+  void visit_cells(const LineSegment& edge, Visit&& visit) const;
+
+  std::span<const LineSegment> edges_;
+  Box box_;
+  double cell_ = 1.0;
+  std::uint32_t columns_ = 1, rows_ = 1;
+  HugeVector<std::uint64_t> starts_;  // by cell, one more
+  HugeVector<VertexId> items_;
+  HugeVector<VertexId> long_;
+};
+
+}  // namespace arcway

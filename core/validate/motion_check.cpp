@@ -1,0 +1,322 @@
+#include "core/validate/motion_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <utility>
+
+namespace arcway {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Of the body's reach: an interval in which every body point travels less, and which is not proved free, is a
+/// collision.
+constexpr double kShortestTravel = 1e-9;
+/// Of an arc's length: intervals that are shorter cannot be halved reliably.
+constexpr double kShortestInterval = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double kClearanceTolerance = 1e-6, kClearanceShare = 1e-7;  ///< [m]; of the body's reach
+
+using Rectangle = MotionCheck::Rectangle;
+
+double point_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 u = b - a;
+  const double square = u.squaredNorm();
+  const double t = square > 0.0 ? std::clamp((p - a).dot(u) / square, 0.0, 1.0) : 0.0;
+  return (a + t * u - p).norm();
+}
+
+/// The part [t0, t1] of a -> b inside the rectangle, by clipping at its four sides; nothing if t0 > t1.
+std::pair<double, double> clip(const Rectangle& r, const Vec2& a, const Vec2& b) {
+  double t0 = 0.0;
+  double t1 = 1.0;
+  const auto side = [&t0, &t1](double from, double to) {  // keeps where from + t (to - from) >= 0
+    if (from < 0.0 && to < 0.0) {
+      t1 = -1.0;
+    } else if (from < 0.0) {
+      t0 = std::max(t0, from / (from - to));
+    } else if (to < 0.0) {
+      t1 = std::min(t1, from / (from - to));
+    }
+  };
+  side(a.x() - r.x0, b.x() - r.x0);
+  side(r.x1 - a.x(), r.x1 - b.x());
+  side(a.y() - r.y0, b.y() - r.y0);
+  side(r.y1 - a.y(), r.y1 - b.y());
+  return {t0, t1};
+}
+
+double segment_to_rectangle(const Rectangle& r, const Vec2& a, const Vec2& b) {
+  const auto [t0, t1] = clip(r, a, b);
+  if (t0 <= t1) return 0.0;
+  double distance = std::min(r.distance_to(a), r.distance_to(b));
+  for (const Vec2& corner : {Vec2(r.x0, r.y0), Vec2(r.x1, r.y0), Vec2(r.x1, r.y1), Vec2(r.x0, r.y1)}) {
+    distance = std::min(distance, point_to_segment(corner, a, b));
+  }
+  return distance;
+}
+
+bool in_triangle(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double u = cross(b - a, p - a);
+  const double v = cross(c - b, p - b);
+  const double w = cross(a - c, p - c);
+  return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
+}
+
+/// Distance of a rectangle to the convex hull of four points.
+double hull_to_rectangle(const Rectangle& r, const std::array<Vec2, 4>& q) {
+  const Vec2 corner(r.x0, r.y0);
+  if (in_triangle(corner, q[0], q[1], q[2]) || in_triangle(corner, q[0], q[1], q[3]) ||
+      in_triangle(corner, q[0], q[2], q[3]) || in_triangle(corner, q[1], q[2], q[3])) {
+    return 0.0;
+  }
+  double distance = kInfinity;  // the six joins contain the hull's sides
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) distance = std::min(distance, segment_to_rectangle(r, q[i], q[j]));
+  }
+  return distance;
+}
+
+/// World coordinates seen from a pose.
+struct Frame {
+  explicit Frame(const Pose& pose) : origin(pose.position()), axis(direction_of(pose.heading)) {}
+  [[nodiscard]] Vec2 operator()(const Vec2& p) const {
+    const Vec2 d = p - origin;
+    return {axis.dot(d), cross(axis, d)};
+  }
+  Vec2 origin;
+  Vec2 axis;
+};
+
+/// An interval of an arc and an edge that is not proved to keep away from the body during it.
+struct Node {
+  double lower;  ///< bound on their distance
+  double s0, s1;
+  VertexId edge;
+  bool operator<(const Node& other) const { return lower > other.lower; }  // the lowest on top of the queue
+};
+
+}  // namespace
+
+double MotionCheck::Rectangle::distance_to(const Vec2& p) const {
+  const double dx = std::max({x0 - p.x(), 0.0, p.x() - x1});
+  const double dy = std::max({y0 - p.y(), 0.0, p.y() - y1});
+  return std::hypot(dx, dy);
+}
+
+MotionCheck::MotionCheck(const World& world, const EdgeGrid& grid, const Vehicle& vehicle)
+    : world_(world), grid_(grid), upper_(kInfinity), lower_(kInfinity) {
+  const VehicleParameters& p = vehicle.parameters();
+  const double shift = p.steering == Steering::kSymmetric ? 0.0 : 0.5 * p.wheelbase;
+  const double ahead = p.steering == Steering::kRear ? -shift : shift;  // from F to the body's centre
+  body_ = {ahead - 0.5 * p.length, ahead + 0.5 * p.length, -0.5 * p.width, 0.5 * p.width};
+  reach_ = std::hypot(std::max(std::abs(body_.x0), std::abs(body_.x1)), body_.y1);
+  if (!world.box().empty())
+    largest_ = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
+  set_precision();
+}
+
+void MotionCheck::set_precision() {
+  rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * (largest_ + std::max(1.0, largest_heading_) * reach_);
+  shortest_travel_ = std::max(kShortestTravel * reach_, rounding_);
+  tolerance_ = std::max({kClearanceTolerance, kClearanceShare * reach_, 2.0 * rounding_});
+}
+
+std::vector<MotionCheck::Hit> MotionCheck::check(const PathSegment& segment) {
+  for (const Pose& pose : {segment.start, segment.end()}) {
+    largest_ = std::max(largest_, pose.position().cwiseAbs().maxCoeff());
+    largest_heading_ = std::max(largest_heading_, std::abs(pose.heading));
+  }
+  set_precision();
+  std::vector<Hit> hits;
+  if (!is_near_last_end(segment.start))
+    if (const auto region = swallowing(segment.start)) hits.push_back({*region, 0.0, kNone});
+  last_end_ = segment.end();
+  if (upper_ == kInfinity) upper_ = body_distance(segment.start);
+  if (segment.is_line()) {
+    check_line(segment, hits);
+  } else {
+    check_arc(segment, hits);
+  }
+  if (!hits.empty()) upper_ = lower_ = 0.0;
+  return hits;
+}
+
+double MotionCheck::clearance() const { return std::max(0.0, lower_); }
+
+/// From the edges near by, in wider and wider surroundings.
+double MotionCheck::body_distance(const Pose& pose) const {
+  const Frame frame(pose);
+  const Box around = Box{frame.origin, frame.origin}.grown(reach_);
+  double distance = kInfinity;
+  double wide = std::max(grid_.cell(), reach_);
+  if (!grid_.edges().empty()) wide = std::max(wide, grid_.box().distance_to(around));
+  for (; !grid_.edges().empty(); wide *= 4.0) {
+    const Box looked_at = around.grown(wide);
+    grid_.visit_near(looked_at, [&](VertexId e) {
+      const LineSegment& edge = world_.edges()[e];
+      distance = std::min(distance, segment_to_rectangle(body_, frame(edge.a), frame(edge.b)));
+    });
+    if (distance <= wide || (looked_at.contains(grid_.box().min) && looked_at.contains(grid_.box().max))) break;
+  }
+  return distance;
+}
+
+/// Whether the body, moved on from the end of the segment before to a pose, keeps clear of all edges by what was proved
+/// there: then it is in no region that it was not in.
+bool MotionCheck::is_near_last_end(const Pose& pose) const {
+  if (!last_end_) return false;
+  const double turn = std::abs(std::remainder(pose.heading - last_end_->heading, 2.0 * std::numbers::pi));
+  return (pose.position() - last_end_->position()).norm() + turn * reach_ + rounding_ < lower_;
+}
+
+/// The obstacle around a body point by ray crossings of all its rings, or the bounds if it is not in them.
+std::optional<ObstacleId> MotionCheck::swallowing(const Pose& pose) const {
+  const Vec2 p = pose.position() + 0.5 * (body_.x0 + body_.x1) * direction_of(pose.heading);
+  for (ObstacleId o = 0; o < world_.region_count(); ++o) {
+    const bool is_bounds = o == world_.obstacle_count();
+    if (!world_.box_of(o).contains(p)) {
+      if (is_bounds) return o;
+      continue;
+    }
+    bool inside = false;
+    const auto [first, last] = world_.vertices_of(o);
+    for (VertexId v = first; v < last; ++v) {
+      const auto& [a, b] = world_.edges()[v];
+      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+        inside = !inside;
+      }
+    }
+    if (inside != is_bounds) return o;
+  }
+  return std::nullopt;
+}
+
+/// Calls visit(edge) for all edges that can come nearer to the box than the clearance so far.
+template <typename Visit>
+void MotionCheck::for_near(const Box& swept, const Visit& visit) const {
+  grid_.visit_near(swept.grown(upper_ + rounding_), [&](VertexId e) {
+    if (box_of(world_.edges()[e]).overlaps(swept.grown(upper_ + rounding_))) visit(e);
+  });
+}
+
+void MotionCheck::add_hit(std::vector<Hit>& hits, const Hit& hit) const {
+  const auto same_kind = [&](const Hit& h) {
+    return (h.region == world_.obstacle_count()) == (hit.region == world_.obstacle_count());
+  };
+  const auto known = std::find_if(hits.begin(), hits.end(), same_kind);
+  if (known == hits.end()) {
+    hits.push_back(hit);
+  } else if (hit.arc_length < known->arc_length) {
+    *known = hit;
+  }
+}
+
+void MotionCheck::check_line(const PathSegment& line, std::vector<Hit>& hits) {
+  const Frame frame(line.start);
+  const bool backwards = line.gear == Gear::kReverse;
+  const Rectangle swept{body_.x0 - (backwards ? line.length : 0.0), body_.x1 + (backwards ? 0.0 : line.length),
+                        body_.y0, body_.y1};
+  Box box;
+  for (const double x : {swept.x0, swept.x1}) {
+    for (const double y : {swept.y0, swept.y1}) {
+      box.extend(Vec2(frame.origin + x * frame.axis + y * perpendicular(frame.axis)));
+    }
+  }
+  for_near(box, [&](VertexId e) {
+    const Vec2 a = frame(world_.edges()[e].a);
+    const Vec2 b = frame(world_.edges()[e].b);
+    const double distance = segment_to_rectangle(swept, a, b);
+    lower_ = std::min(lower_, distance - rounding_);
+    upper_ = std::min(upper_, distance);
+    if (distance > rounding_) return;
+    const auto [t0, t1] = clip(swept, a, b);
+    const double x0 = t0 <= t1 ? a.x() + t0 * (b.x() - a.x()) : a.x();
+    const double x1 = t0 <= t1 ? a.x() + t1 * (b.x() - a.x()) : a.x();
+    const double driven = backwards ? body_.x0 - std::max(x0, x1) : std::min(x0, x1) - body_.x1;
+    add_hit(hits, {world_.obstacle_of(e), std::clamp(driven, 0.0, line.length), e});
+  });
+}
+
+/// The furthest that any body point travels along the arc, for each metre of F: the corner that is furthest from the
+/// rotation centre, which lies 1 / curvature to the left of F.
+double MotionCheck::travel_per_metre(double curvature) const {
+  double most = 0.0;
+  for (const double x : {body_.x0, body_.x1})
+    for (const double y : {body_.y0, body_.y1}) most = std::max(most, std::hypot(curvature * x, 1.0 - curvature * y));
+  return most;
+}
+
+/// The edge during an interval of the arc: lowers the upper bound, gives the lower one.
+/// First order: no body point moves further than `travel` from its place at the middle. Second order: seen from the
+/// body the edge's ends move on arcs about the rotation centre, so that the edge keeps to the hull of its two extreme
+/// places, grown by those arcs' height.
+double MotionCheck::bound(const PathSegment& arc, double s0, double s1, double travel, VertexId e, bool& contact) {
+  const auto& [a, b] = world_.edges()[e];
+  const double curvature = std::abs(arc.curvature);
+  const double half = 0.5 * (s1 - s0);
+  const Frame middle(arc.at(0.5 * (s0 + s1)));
+  const Vec2 am = middle(a);
+  const Vec2 bm = middle(b);
+  const double distance = segment_to_rectangle(body_, am, bm);
+  upper_ = std::min(upper_, distance);
+  contact = distance <= rounding_;
+  const double first_order = distance - travel - rounding_;
+  if (contact || proved(first_order) || curvature * half > 0.25 * std::numbers::pi) return first_order;
+  const Frame before(arc.at(s0));
+  const Frame after(arc.at(s1));
+  const double sine = std::sin(0.5 * curvature * half);
+  const double height = (1.0 / curvature + std::max(am.norm(), bm.norm())) * 2.0 * sine * sine;
+  const double hull = hull_to_rectangle(body_, {before(a), before(b), after(a), after(b)});
+  return std::max(first_order, hull - height - rounding_);
+}
+
+bool MotionCheck::proved(double lower) const { return lower > 0.0 && lower >= upper_ - tolerance_; }
+
+void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
+  // A second lap sweeps nothing new.
+  const double length = std::min(arc.length, 2.0 * std::numbers::pi / std::abs(arc.curvature));
+  const Vec2 middle = arc.at(0.5 * length).position();
+  const Vec2 margin = Vec2::Constant(0.5 * length + reach_);
+  // Long intervals of little turn and short ones of much turn are told apart by what the body sweeps, not by what F
+  // does.
+  const double swing = travel_per_metre(arc.curvature);
+  std::priority_queue<Node> queue;
+  const auto consider = [&](double s0, double s1, VertexId e) {
+    bool contact = false;
+    const double travel = swing * (s1 - s0);
+    const double lower = bound(arc, s0, s1, 0.5 * travel, e, contact);
+    const bool is_shortest = travel < shortest_travel_ || s1 - s0 < kShortestInterval * length;
+    if (contact || (is_shortest && !(lower > 0.0))) {
+      add_hit(hits, {world_.obstacle_of(e), 0.5 * (s0 + s1), e});
+      return;
+    }
+    if (is_shortest) {
+      lower_ = std::min(lower_, lower);
+    } else {
+      queue.push({lower, s0, s1, e});
+    }
+  };
+  for_near({middle - margin, middle + margin}, [&](VertexId e) { consider(0.0, length, e); });
+  while (!queue.empty()) {
+    const Node node = queue.top();
+    if (proved(node.lower)) {  // then all others are as well
+      lower_ = std::min(lower_, node.lower);
+      return;
+    }
+    queue.pop();
+    // Known to collide: of this kind of region only an earlier contact is of interest, and not worth the search.
+    if (!hits.empty() && std::any_of(hits.begin(), hits.end(), [&](const Hit& h) {
+          return (h.region == world_.obstacle_count()) == (world_.obstacle_of(node.edge) == world_.obstacle_count());
+        })) {
+      continue;
+    }
+    const double s = 0.5 * (node.s0 + node.s1);
+    consider(node.s0, s, node.edge);
+    consider(s, node.s1, node.edge);
+  }
+}
+
+}  // namespace arcway

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/model/path.h"
+#include "core/model/vehicle.h"
+#include "core/model/world.h"
+#include "core/validate/edge_grid.h"
+
+namespace arcway {
+
+/// Collision and clearance of a motion for the validator, segment by segment. Lines: by the rectangle that they sweep;
+/// arcs: bisected until bounds on the distance between body and edges prove them free. Shares no decision with the
+/// planner. O(edges near by) a segment, more near contact. World and grid must outlive the use.
+class MotionCheck {
+ public:
+  /// @param grid  of the world's edges.
+  MotionCheck(const World& world, const EdgeGrid& grid, const Vehicle& vehicle);
+
+  struct Hit {
+    ObstacleId region;
+    double arc_length;
+    VertexId edge;  ///< none: the body is inside
+  };
+
+  /// The first contact found with an obstacle, and with the bounds, if any; lowers `clearance`.
+  std::vector<Hit> check(const PathSegment& segment);
+
+  [[nodiscard]] double clearance() const;
+
+  /// An axis-parallel rectangle in a frame of the body.
+  struct Rectangle {
+    double x0, x1, y0, y1;
+    [[nodiscard]] double distance_to(const Vec2& p) const;
+  };
+
+ private:
+  void set_precision();
+  [[nodiscard]] double body_distance(const Pose& pose) const;
+  [[nodiscard]] std::optional<ObstacleId> swallowing(const Pose& pose) const;
+  [[nodiscard]] bool is_near_last_end(const Pose& pose) const;
+  template <typename Visit>
+  void for_near(const Box& swept, const Visit& visit) const;
+  void add_hit(std::vector<Hit>& hits, const Hit& hit) const;
+  void check_line(const PathSegment& line, std::vector<Hit>& hits);
+  [[nodiscard]] double travel_per_metre(double curvature) const;
+  double bound(const PathSegment& arc, double s0, double s1, double travel, VertexId e, bool& contact);
+  [[nodiscard]] bool proved(double lower) const;
+  void check_arc(const PathSegment& arc, std::vector<Hit>& hits);
+
+  const World& world_;
+  const EdgeGrid& grid_;
+  Rectangle body_{};
+  double reach_ = 0.0;            ///< of the body from F
+  std::optional<Pose> last_end_;  ///< of the segment before
+  double largest_ = 0.0;          ///< coordinate of the map, and of the path so far
+  double largest_heading_ = 0.0;  ///< of the path so far
+  double rounding_ = 0.0;         ///< of a distance
+  double shortest_travel_ = 0.0, tolerance_ = 0.0;
+  double upper_;  ///< a clearance that occurs on the path
+  double lower_;  ///< a proved bound so far
+};
+
+}  // namespace arcway

@@ -1,0 +1,357 @@
+#include "datasets/formats/plan_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/base/shortest_text.h"
+#include "core/geometry/angle.h"
+#include "core/motion/speed_profile.h"
+#include "datasets/formats/robot.h"
+#include "datasets/io/json_text.h"
+
+namespace arcway {
+namespace {
+
+using detail::append_number;
+using detail::append_pose;
+using detail::JsonPlace;
+
+void append_key(std::string& out, std::string_view key) {
+  out += ",\"";
+  out += key;
+  out += "\":";
+}
+void append_member(std::string& out, std::string_view key, double value) {
+  append_key(out, key);
+  append_number(out, value);
+}
+void append_member(std::string& out, std::string_view key, std::uint64_t value) {
+  append_key(out, key);
+  out += std::to_string(value);
+}
+
+void append_segment(std::string& out, const TimedSegment& timed) {
+  out += timed.segment.is_line() ? R"({"type":"line","start":)" : R"({"type":"arc","start":)";
+  append_pose(out, timed.segment.start);
+  append_member(out, "length", timed.segment.length);
+  append_member(out, "curvature", timed.segment.curvature);
+  out += timed.segment.gear == Gear::kForward ? R"(,"direction":1)" : R"(,"direction":-1)";
+  append_member(out, "speed_in", timed.speed_in);
+  append_member(out, "speed_out", timed.speed_out);
+  append_member(out, "duration", timed.duration);
+  out += '}';
+}
+
+void append_bottleneck(std::string& out, const Bottleneck& bottleneck) {
+  append_key(out, "bottleneck");
+  out += R"({"width":)";
+  append_number(out, bottleneck.width);
+  append_member(out, "needed", bottleneck.needed);
+  append_member(out, "needed_to_turn", bottleneck.needed_to_turn);
+  out += R"(,"between":[)";
+  const auto side = [&](ObstacleId obstacle, const Vec2& point) {
+    out += R"({"obstacle":)" + std::to_string(obstacle) + R"(,"point":[)";
+    append_number(out, point.x());
+    out += ',';
+    append_number(out, point.y());
+    out += "]}";
+  };
+  side(bottleneck.obstacle_a, bottleneck.on_a);
+  out += ',';
+  side(bottleneck.obstacle_b, bottleneck.on_b);
+  out += "]}";
+}
+
+// A part of a segment that is driven at constant acceleration.
+struct Phase {
+  double length;    // > 0
+  double speed_in;  // not both 0
+  double speed_out;
+  // Within the phase, s from its start.
+  [[nodiscard]] double speed(double s) const {
+    return std::sqrt(std::lerp(speed_in * speed_in, speed_out * speed_out, s / length));
+  }
+  [[nodiscard]] double time(double s) const { return 2.0 * s / (speed_in + speed(s)); }
+};
+
+// None of a segment without length.
+std::vector<Phase> phases_of(const TimedSegment& timed, const Vehicle& vehicle) {
+  const double length = timed.segment.length, v1 = timed.speed_in, v3 = timed.speed_out;
+  if (!(length > 0.0)) return {};
+  const double a = vehicle.max_acceleration();
+  const auto [peak, accelerating, holding, braking] =
+      segment_phases(length, v1, speed_limit(timed.segment, vehicle), v3, a);
+  // What is shorter comes of rounding: of speeds near the peak, of which a unit in the last place makes up to 2e-16 of
+  // the way from rest to the peak and back.
+  const double rounding = 1e-14 * peak * peak / a;
+  std::vector<Phase> phases;
+  for (const Phase& phase : {Phase{accelerating, v1, peak}, Phase{holding, peak, peak}, Phase{braking, peak, v3}})
+    if (phase.length > rounding) phases.push_back(phase);
+  if (phases.empty()) return {{length, v1, v3}};
+  phases.front().speed_in = v1;
+  phases.back().speed_out = v3;
+  return phases;
+}
+
+double steering_angle(double curvature, const VehicleParameters& vehicle) {
+  switch (vehicle.steering) {
+    case Steering::kFront:
+      return std::atan(vehicle.wheelbase * curvature);
+    case Steering::kRear:
+      return -std::atan(vehicle.wheelbase * curvature);
+    case Steering::kSymmetric:
+      return std::atan(0.5 * vehicle.wheelbase * curvature);
+  }
+  return 0.0;
+}
+
+double steps_of(const Phase& phase, double curvature, const PathSampling& sampling) {
+  return std::ceil(
+      std::max(phase.length / sampling.max_length, phase.length * std::abs(curvature) / sampling.max_angle));
+}
+
+void check(const PathSampling& sampling, std::span<const TimedSegment> segments, const Vehicle& vehicle) {
+  const auto require_positive = [](double value, const char* name) {
+    if (!(value > 0.0)) {
+      throw std::invalid_argument("sample_path: " + std::string(name) + " is " + shortest_text(value) +
+                                  ", must be > 0");
+    }
+  };
+  require_positive(sampling.max_length, "max_length");
+  require_positive(sampling.max_angle, "max_angle");
+  double steps = 0.0;
+  for (const TimedSegment& timed : segments)
+    for (const Phase& phase : phases_of(timed, vehicle)) steps += steps_of(phase, timed.segment.curvature, sampling);
+  if (!(steps <= kMostSamplingSteps)) {
+    throw std::invalid_argument("sample_path: the path has " + shortest_text(steps) + " steps of at most " +
+                                shortest_text(sampling.max_length) + " m and " + shortest_text(sampling.max_angle) +
+                                " rad, must be at most " + shortest_text(kMostSamplingSteps));
+  }
+}
+
+}  // namespace
+
+std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::optional<VehicleParameters>& robot) {
+  std::string out = R"({"format":"arcway-plan","version":1)";
+  append_member(out, "q", q);
+  append_key(out, "status");
+  detail::append_string(out, name_of(result.status));
+  if (!result.solved()) {
+    append_key(out, "reason");
+    detail::append_string(out, result.reason);
+    append_key(out, "certainty");
+    detail::append_string(out, name_of(result.certainty));
+  }
+  if (result.bottleneck) append_bottleneck(out, *result.bottleneck);
+  if (result.interrupted) out += R"(,"interrupted":true)";
+  if (robot) out += R"(,"robot":)" + to_json(*robot);
+  append_key(out, "start");
+  append_pose(out, result.start);
+  append_key(out, "goal");
+  append_pose(out, result.goal);
+  if (result.solved()) {
+    append_member(out, "travel_time", result.travel_time);
+    append_member(out, "length", result.length);
+    append_member(out, "gear_changes", static_cast<std::uint64_t>(cusps_of(result.path())));
+  }
+  append_member(out, "lower_bound", result.lower_bound);
+  if (result.solved()) append_member(out, "min_clearance", result.min_clearance);
+  append_key(out, "path");
+  out += '[';
+  for (const TimedSegment& segment : result.segments) {
+    if (out.back() != '[') out += ',';
+    append_segment(out, segment);
+  }
+  out += R"(],"statistics":{"nodes_expanded":)" + std::to_string(result.statistics.nodes_expanded);
+  append_member(out, "nodes_pushed", result.statistics.nodes_pushed);
+  append_member(out, "straights_checked", result.statistics.straights_checked);
+  append_member(out, "turns_checked", result.statistics.turns_checked);
+  append_member(out, "manoeuvre_poses", result.statistics.manoeuvre_poses);
+  append_member(out, "tree_poses", result.statistics.tree_poses);
+  append_member(out, "unrefined_travel_time", result.statistics.unrefined_travel_time);
+  append_member(out, "first_travel_time", result.statistics.first_travel_time);
+  append_member(out, "first_path_seconds", result.statistics.first_path_seconds);
+  append_member(out, "refine_trials", result.statistics.refine_trials);
+  append_member(out, "refine_improvements", result.statistics.refine_improvements);
+  append_member(out, "suboptimality", result.statistics.suboptimality);
+  append_member(out, "refine_seconds", result.statistics.refine_seconds);
+  append_member(out, "bound_seconds", result.statistics.bound_seconds);
+  append_member(out, "search_seconds", result.statistics.search_seconds);
+  append_member(out, "profile_seconds", result.statistics.profile_seconds);
+  append_member(out, "total_seconds", result.statistics.total_seconds);
+  out += "}}";
+  return out;
+}
+
+std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
+                                    const PathSampling& sampling) {
+  check(sampling, segments, vehicle);
+  std::vector<PathSample> samples;
+  double distance = 0.0, time = 0.0;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const TimedSegment& timed = segments[k];
+    const double length = timed.segment.length;
+    const auto add = [&](double s, double t, double v) {
+      samples.push_back({distance + s, timed.segment.at(s), timed.segment.curvature, timed.segment.gear, time + t, v});
+    };
+    const bool joined = k > 0 && segments[k - 1].segment.curvature == timed.segment.curvature &&
+                        segments[k - 1].segment.gear == timed.segment.gear;
+    if (!joined) add(0.0, 0.0, timed.speed_in);
+    double from = 0.0, begun = 0.0;  // of the phase, within the segment
+    for (const Phase& phase : phases_of(timed, vehicle)) {
+      if (from > 0.0) add(from, begun, phase.speed_in);
+      const double steps = steps_of(phase, timed.segment.curvature, sampling);
+      for (double i = 1.0; i < steps; ++i) {
+        const double s = phase.length * (i / steps);
+        add(from + s, begun + phase.time(s), phase.speed(s));
+      }
+      // Rounding may not lead past the segment's end.
+      from = std::min(from + phase.length, length);
+      begun = std::min(begun + phase.time(phase.length), timed.duration);
+    }
+    // The segment's end; its duration is the plan's, not ours, so that errors do not add up.
+    if (length > 0.0) add(length, timed.duration, timed.speed_out);
+    distance += length;
+    time += timed.duration;
+  }
+  return samples;
+}
+
+std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle, const PathSampling& sampling) {
+  std::string out = "s,x,y,yaw,curvature,direction,t,v,steer\n";
+  for (const PathSample& sample : sample_path(segments, vehicle, sampling)) {
+    for (const double value :
+         {sample.s, sample.pose.x, sample.pose.y, wrap_signed(sample.pose.heading), sample.curvature,
+          sign_of(sample.gear), sample.t, sample.v, steering_angle(sample.curvature, vehicle.parameters())}) {
+      append_number(out, value == 0.0 ? 0.0 : value);
+      out += ',';
+    }
+    out.back() = '\n';
+  }
+  return out;
+}
+
+std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehicle& vehicle, std::string_view frame,
+                             const PathSampling& sampling) {
+  const auto append_header = [&](std::string& out, double t) {
+    const double seconds = std::floor(t);
+    out += R"({"stamp":{"sec":)";
+    append_number(out, seconds);
+    out += R"(,"nanosec":)";
+    append_number(out, std::min(std::floor((t - seconds) * 1e9), 999999999.0));
+    out += R"(},"frame_id":)";
+    detail::append_string(out, frame);
+    out += '}';
+  };
+  std::string out = R"({"header":)";
+  append_header(out, 0.0);
+  out += R"(,"poses":[)";
+  const PathSample* last = nullptr;
+  const std::vector<PathSample> samples = sample_path(segments, vehicle, sampling);
+  for (const PathSample& sample : samples) {
+    // A joint is sampled once for each of its curvatures, which a pose does not show.
+    if (last != nullptr && last->s == sample.s) continue;
+    out += last == nullptr ? R"({"header":)" : R"(,{"header":)";
+    last = &sample;
+    append_header(out, sample.t);
+    out += R"(,"pose":{"position":{"x":)";
+    append_number(out, sample.pose.x);
+    append_member(out, "y", sample.pose.y);
+    append_member(out, "z", 0.0);
+    const double half = 0.5 * wrap_signed(sample.pose.heading);
+    out += R"(},"orientation":{"x":0,"y":0)";
+    append_member(out, "z", std::sin(half));
+    append_member(out, "w", std::cos(half));
+    out += "}}}";
+  }
+  out += "]}";
+  return out;
+}
+
+namespace {
+
+PlanFile plan_of(const JsonPlace& plan) {
+  plan.allow_keys({"format",      "version",       "q",     "status",     "reason",      "certainty", "bottleneck",
+                   "interrupted", "robot",         "start", "goal",       "travel_time", "length",    "gear_changes",
+                   "lower_bound", "min_clearance", "path",  "statistics", "goal_index",  "passed"});
+  plan.require_format("arcway-plan", 1);
+  PlanFile file;
+  if (plan.has("q")) {
+    const JsonPlace q = plan.at("q");
+    if (!q.value.is_number_unsigned()) q.expected("a whole number >= 0");
+    file.q = q.value.get<std::uint64_t>();
+  }
+  file.status = plan.has("status") ? plan.at("status").string() : "";
+  if (plan.has("robot")) {
+    const JsonPlace robot = plan.at("robot");
+    file.robot = read_robot(robot.value.dump(), robot.path);
+  }
+  if (plan.has("travel_time")) file.travel_time = plan.at("travel_time").number();
+  if (plan.has("length")) file.length = plan.at("length").number();
+  if (plan.has("gear_changes")) file.gear_changes = plan.at("gear_changes").number();
+  file.start = plan.at("start").pose();
+  file.goal = plan.at("goal").pose();
+  const JsonPlace path = plan.at("path");
+  path.require_array();
+  for (std::size_t i = 0; i < path.value.size(); ++i) {
+    const JsonPlace place = path.at(i);
+    place.allow_keys({"type", "start", "length", "curvature", "direction", "speed_in", "speed_out", "duration"});
+    PathSegment segment{place.at("start").pose(), place.at("length").number(), place.at("curvature").number()};
+    const std::string type = place.at("type").string();
+    if (type != "line" && type != "arc") place.at("type").expected("\"line\" or \"arc\"");
+    if ((type == "line") != segment.is_line()) place.at("curvature").expected(type == "line" ? "0 on a line" : "not 0");
+    if (place.has("direction")) {
+      const double direction = place.at("direction").number();
+      if (std::abs(direction) != 1.0) place.at("direction").expected("1 (forwards) or -1 (backwards)");
+      segment.gear = direction > 0.0 ? Gear::kForward : Gear::kReverse;
+    }
+    const bool timed = place.has("speed_in") || place.has("speed_out") || place.has("duration");
+    if (timed) {
+      if (file.path.speed_in.size() != i) place.fail("speeds must be on all segments or on none");
+      file.path.speed_in.push_back(place.at("speed_in").number());
+      file.path.speed_out.push_back(place.at("speed_out").number());
+      file.path.durations.push_back(place.at("duration").number());
+    } else if (!file.path.speed_in.empty()) {
+      place.fail("speeds must be on all segments or on none");
+    }
+    file.path.segments.push_back(segment);
+  }
+  return file;
+}
+
+// Length of the first of several values. Within one, no line that begins with { follows one that ends with }.
+std::size_t length_of_first(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  std::size_t next = 0;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', next)) {
+    const std::size_t last = text.find_last_not_of(kBlanks, end);
+    next = text.find_first_not_of(kBlanks, end);
+    if (next == std::string_view::npos) break;
+    if (last != std::string_view::npos && text[last] == '}' && text[next] == '{') return text.rfind('\n', next) + 1;
+  }
+  return text.size();
+}
+
+}  // namespace
+
+PlanFile read_plan(std::string_view text, std::string_view name) {
+  const nlohmann::json value = detail::parse_json(text, name);
+  return plan_of({value, std::string(name)});
+}
+
+std::vector<PlanOnLine> read_plans(std::string_view text, std::string_view name) {
+  const bool several = length_of_first(text) < text.size();
+  std::vector<PlanOnLine> plans;
+  std::size_t line = 1;
+  do {
+    const std::string_view one = text.substr(0, length_of_first(text));
+    const nlohmann::json value = detail::parse_json(one, name, nullptr, line);
+    plans.push_back({line, plan_of({value, std::string(name) + (several ? ":" + std::to_string(line) : "")})});
+    line += static_cast<std::size_t>(std::count(one.begin(), one.end(), '\n'));
+    text.remove_prefix(one.size());
+  } while (!text.empty());
+  return plans;
+}
+
+}  // namespace arcway

@@ -1,0 +1,184 @@
+#include "datasets/formats/robot.h"
+
+#include <set>
+
+#include "datasets/io/json_text.h"
+
+namespace arcway {
+namespace {
+
+using detail::JsonPlace;
+
+constexpr std::pair<std::string_view, Steering> kSteerings[] = {
+    {"front", Steering::kFront}, {"rear", Steering::kRear}, {"symmetric", Steering::kSymmetric}};
+
+nlohmann::json parse(std::string_view text, std::string_view name) {
+  return detail::parse_json(text, name, nullptr, 1, detail::RepeatedKeys::kRefused);
+}
+
+TurnSpeedLaw turn_speed_of(const JsonPlace& place) {
+  if (place.value.is_number()) return ConstantTurnSpeed{place.number()};
+  if (!place.value.is_object())
+    place.expected("a speed, {\"lateral_acceleration\": ...} or {\"table\": [[radius, speed], ...]}");
+  place.allow_keys({"lateral_acceleration", "table"});
+  if (place.value.size() != 1) place.fail("expected one of \"lateral_acceleration\" and \"table\"");
+  if (place.has("lateral_acceleration")) return LateralAccelerationLimit{place.at("lateral_acceleration").number()};
+  const JsonPlace table = place.at("table");
+  table.require_array();
+  TurnSpeedTable result;
+  for (std::size_t i = 0; i < table.value.size(); ++i) {
+    const JsonPlace entry = table.at(i);
+    if (!entry.value.is_array() || entry.value.size() != 2) entry.expected("[radius, speed]");
+    result.entries.emplace_back(entry.at(0).number(), entry.at(1).number());
+  }
+  return result;
+}
+
+VehicleParameters robot_of(const JsonPlace& place) {
+  place.allow_keys({"format", "version", "length", "width", "wheelbase", "steering", "max_steering_angle", "max_speed",
+                    "turn_speed", "max_reverse_speed", "max_acceleration", "safety_margin"});
+  place.require_format("arcway-robot", 1);
+  VehicleParameters robot;
+  const auto number = [&](std::string_view key, double& value) {
+    if (place.has(key)) value = place.at(key).number();
+  };
+  number("length", robot.length);
+  number("width", robot.width);
+  number("wheelbase", robot.wheelbase);
+  number("max_steering_angle", robot.max_steering_angle);
+  number("max_speed", robot.max_speed);
+  number("max_acceleration", robot.max_acceleration);
+  number("safety_margin", robot.safety_margin);
+  if (place.has("steering")) {
+    const JsonPlace steering = place.at("steering");
+    bool known = false;
+    for (const auto& [word, value] : kSteerings) {
+      if (steering.value != word) continue;
+      robot.steering = value;
+      known = true;
+    }
+    if (!known) steering.expected("\"front\", \"rear\" or \"symmetric\"");
+  }
+  if (place.has("turn_speed")) robot.turn_speed = turn_speed_of(place.at("turn_speed"));
+  if (place.has("max_reverse_speed")) robot.max_reverse_speed = place.at("max_reverse_speed").number();
+  return robot;
+}
+
+std::string turn_speed_text(const TurnSpeedLaw& law) {
+  std::string out;
+  if (const auto* constant = std::get_if<ConstantTurnSpeed>(&law)) {
+    detail::append_number(out, constant->speed);
+  } else if (const auto* limit = std::get_if<LateralAccelerationLimit>(&law)) {
+    out += R"({"lateral_acceleration":)";
+    detail::append_number(out, limit->lateral_acceleration);
+    out += '}';
+  } else {
+    out += R"({"table":[)";
+    for (const auto& [radius, speed] : std::get<TurnSpeedTable>(law).entries) {
+      out += out.back() == '[' ? "[" : ",[";
+      detail::append_number(out, radius);
+      out += ',';
+      detail::append_number(out, speed);
+      out += ']';
+    }
+    out += "]}";
+  }
+  return out;
+}
+
+}  // namespace
+
+VehicleParameters read_robot(std::string_view text, std::string_view name) {
+  const nlohmann::json value = parse(text, name);
+  return robot_of({value, std::string(name)});
+}
+
+VehicleParameters read_robot_file(const std::filesystem::path& path) {
+  return read_robot(read_file(path), path.string());
+}
+
+std::string to_json(const VehicleParameters& robot) {
+  std::string out = R"({"format":"arcway-robot","version":1)";
+  const auto number = [&](std::string_view key, double value) {
+    out += ",\"";
+    out += key;
+    out += "\":";
+    detail::append_number(out, value);
+  };
+  number("length", robot.length);
+  number("width", robot.width);
+  number("wheelbase", robot.wheelbase);
+  for (const auto& [word, value] : kSteerings)
+    if (value == robot.steering) out += ",\"steering\":\"" + std::string(word) + '"';
+  number("max_steering_angle", robot.max_steering_angle);
+  number("max_speed", robot.max_speed);
+  out += ",\"turn_speed\":" + turn_speed_text(robot.turn_speed);
+  if (robot.max_reverse_speed) number("max_reverse_speed", *robot.max_reverse_speed);
+  number("max_acceleration", robot.max_acceleration);
+  number("safety_margin", robot.safety_margin);
+  out += '}';
+  return out;
+}
+
+Scenario read_scenario(std::string_view text, std::string_view name) {
+  const nlohmann::json value = parse(text, name);
+  const JsonPlace place{value, std::string(name)};
+  place.allow_keys({"format", "version", "world", "robot", "tasks"});
+  place.require_format("arcway-scenario", 1);
+  Scenario scenario;
+  scenario.world = place.at("world").string();
+  if (place.has("robot")) {
+    const JsonPlace robot = place.at("robot");
+    if (robot.value.is_string()) {
+      scenario.robot = robot.string();
+    } else if (robot.value.is_object()) {
+      scenario.robot = robot_of(robot);
+    } else {
+      robot.expected("a robot or the name of its file");
+    }
+  }
+  const JsonPlace tasks = place.at("tasks");
+  tasks.require_array();
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < tasks.value.size(); ++i) {
+    const JsonPlace task = tasks.at(i);
+    task.allow_keys({"id", "start", "goal"});
+    const std::string id = task.has("id") ? task.at("id").string() : "t" + std::to_string(i);
+    if (!ids.insert(id).second) task.fail("second task with the id " + detail::shown(id));
+    scenario.tasks.push_back({id, task.at("start").pose(), task.at("goal").pose()});
+  }
+  return scenario;
+}
+
+Scenario read_scenario_file(const std::filesystem::path& path) {
+  Scenario scenario = read_scenario(read_file(path), path.string());
+  const std::filesystem::path folder = path.parent_path();
+  scenario.world = (folder / scenario.world).string();
+  if (const auto* robot = std::get_if<std::string>(&scenario.robot)) scenario.robot = read_robot_file(folder / *robot);
+  return scenario;
+}
+
+std::string to_json(const Scenario& scenario) {
+  std::string out = R"({"format":"arcway-scenario","version":1,"world":)";
+  detail::append_string(out, scenario.world);
+  out += ",\"robot\":";
+  if (const auto* file = std::get_if<std::string>(&scenario.robot)) {
+    detail::append_string(out, *file);
+  } else {
+    out += to_json(std::get<VehicleParameters>(scenario.robot));
+  }
+  out += ",\"tasks\":[";
+  for (const Task& task : scenario.tasks) {
+    out += out.back() == '[' ? "\n{\"id\":" : ",\n{\"id\":";
+    detail::append_string(out, task.id);
+    out += ",\"start\":";
+    detail::append_pose(out, task.start);
+    out += ",\"goal\":";
+    detail::append_pose(out, task.goal);
+    out += '}';
+  }
+  out += "\n]}\n";
+  return out;
+}
+
+}  // namespace arcway

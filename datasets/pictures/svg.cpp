@@ -1,0 +1,386 @@
+#include "datasets/pictures/svg.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/model/pose_text.h"
+#include "datasets/io/markup_text.h"
+
+namespace arcway {
+namespace {
+
+constexpr double kBorder = 16.0;      // around the map [px]
+constexpr double kLineHeight = 22.0;  // of a caption [px]
+constexpr std::size_t kMostEdges = 50'000;
+constexpr double kMinOutline = 14.0;  // below this the body cannot be made out [px]
+constexpr double kTallest = 1.5;      // height of a map by its width
+constexpr const char* kOutlineColor = "#2b3340";
+constexpr const char* kFreeColor = "#fbfcfe";
+constexpr const char* kOutsideColor = "#aeb7c4";
+constexpr const char* kPathColor = "#e4572e";
+constexpr const char* kReverseColor = "#1f6fd1";
+// Of Okabe and Ito's palette, what stands out from paths and from white.
+constexpr std::string_view kAlternativeColors[] = {"#0072b2", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
+constexpr const char* kGapColor = "#d00000";
+constexpr const char* kStartColor = "#1b9e5a";
+constexpr const char* kGoalColor = "#7b3fc4";
+constexpr const char* kPlaceColor = "#0b7285";
+
+// Rounded to 1 / parts: "12.3", "12".
+void append(std::string& out, double value, double parts = 10.0) {
+  const double rounded = std::round(value * parts);
+  char buffer[32];
+  const char* end = std::to_chars(buffer, buffer + sizeof buffer, rounded == 0.0 ? 0.0 : rounded / parts).ptr;
+  out.append(static_cast<const char*>(buffer), end);
+}
+
+// In the picture [px].
+void append(std::string& out, const Vec2& p) {
+  append(out, p.x());
+  out += ' ';
+  append(out, p.y());
+}
+
+// A group that Inkscape shows as a layer.
+std::string open_layer(const std::string& id, const std::string& attributes) {
+  return "<g id=\"" + id + "\" " + attributes + R"( inkscape:groupmode="layer" inkscape:label=")" + id + "\">\n";
+}
+
+// In a caption.
+std::string square(std::string_view color) { return "<tspan fill=\"" + std::string(color) + "\">\u25A0</tspan> "; }
+
+Box region_of(const World& world) {
+  if (!world.box().empty()) return world.box();
+  Box box;
+  box.extend(Vec2(0.0, 0.0));
+  box.extend(Vec2(1.0, 1.0));
+  return box;
+}
+
+}  // namespace
+
+SvgPicture::SvgPicture(const World& world, double width) : SvgPicture(world, region_of(world), width) {}
+
+SvgPicture::SvgPicture(const World& world, const Box& view, double width) : view_(view) {
+  // A view without extent would have no scale.
+  const Vec2 extent = (view.max - view.min).cwiseMax(1e-9 * std::max(1.0, (view.max - view.min).maxCoeff()));
+  scale_ = width / extent.x();
+  if (extent.y() * scale_ > kTallest * width) scale_ = kTallest * width / extent.y();
+  width_ = extent.x() * scale_ + 2.0 * kBorder;
+  height_ = extent.y() * scale_ + 2.0 * kBorder;
+  // Readers compute in floats: far from the origin the map's own coordinates would be too coarse for them.
+  const double far = 1024.0 * extent.maxCoeff();
+  if (view.min.cwiseAbs().maxCoeff() > far) origin_ = view.min.array().round();
+  parts_ = std::pow(10.0, std::clamp(std::ceil(std::log10(10.0 * scale_)), 0.0, 12.0));
+  add_map(world);
+}
+
+void SvgPicture::append_point(std::string& out, const Vec2& p) const {
+  append(out, p.x() - origin_.x(), parts_);
+  out += ' ';
+  append(out, p.y() - origin_.y(), parts_);
+}
+
+std::string SvgPicture::stroke(std::string_view color, double pixels) const {
+  char buffer[32];
+  const char* end = std::to_chars(buffer, buffer + sizeof buffer, pixels / scale_, std::chars_format::general, 4).ptr;
+  return "stroke=\"" + std::string(color) + "\" stroke-width=\"" + std::string(static_cast<const char*>(buffer), end) +
+         '"';
+}
+
+Vec2 SvgPicture::to_picture(const Vec2& p) const {
+  return {kBorder + (p.x() - view_.min.x()) * scale_, kBorder + (view_.max.y() - p.y()) * scale_};
+}
+
+void SvgPicture::add_map(const World& world) {
+  const auto vertices = world.vertices();
+  for (ObstacleId o = 0; o < world.region_count(); ++o) {
+    const bool bounds = o == world.obstacle_count();
+    if (!bounds && !world.box_of(o).overlaps(view_)) continue;
+    std::string& out = bounds ? bounds_ : obstacles_;
+    const auto starts = world.ring_starts(o);
+    out += "<path d=\"";
+    for (std::size_t r = 0; r < starts.size(); ++r) {
+      const VertexId end = r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(o).last;
+      for (VertexId v = starts[r]; v < end; ++v) {
+        out += v == starts[r] ? 'M' : 'L';
+        append_point(out, vertices[v]);
+      }
+      out += 'Z';
+    }
+    out += "\"/>\n";
+  }
+}
+
+std::size_t SvgPicture::add_edges(std::span<const LineSegment> edges, const EdgeStyle& style, std::string_view id) {
+  graph_ += open_layer(escaped(id), "fill=\"none\" " + stroke(escaped(style.color), style.width) +
+                                        " stroke-opacity=\"" + shortest_text(style.opacity) + "\"") +
+            "<path d=\"";
+  const std::size_t stride = std::max<std::size_t>(1, (edges.size() + kMostEdges - 1) / kMostEdges);
+  for (std::size_t i = 0; i < edges.size(); i += stride) {
+    const LineSegment& edge = edges[i];
+    graph_ += 'M';
+    append_point(graph_, edge.a);
+    graph_ += 'L';
+    append_point(graph_, edge.b);
+  }
+  graph_ += "\"/>\n</g>\n";
+  return stride;
+}
+
+void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies, const Colors& colors) {
+  std::string line = "M";
+  append_point(line, run.front().start.position());
+  for (const PathSegment& segment : run) {
+    // By chords: the arc of an SVG path is ambiguous at half a turn and jumps when its ends are rounded.
+    const double turn = std::abs(segment.length * segment.curvature);
+    const double pixels = segment.is_line() ? 0.0 : scale_ / std::abs(segment.curvature);
+    // A chord leaves its arc by radius * angle^2 / 8: at most 0.05 px.
+    const double steps = std::clamp(std::ceil(turn * std::sqrt(pixels / 0.4)), 1.0, 1000.0);
+    for (double i = 1.0; i <= steps; ++i) {
+      line += 'L';
+      append_point(line, segment.at(segment.length * (i / steps)).position());
+    }
+  }
+  // Bodies that can be seen lie above a thin line; a light edge sets off the line where they cannot.
+  if (!bodies) path_ += "<path d=\"" + line + "\" " + stroke("#ffffff", 5.0) + " stroke-opacity=\"0.85\"/>\n";
+  const bool forward = run.front().gear == Gear::kForward;
+  backwards_ = backwards_ || !forward;
+  path_ += "<path d=\"" + line + "\" " + stroke(forward ? colors.forward : colors.reverse, bodies ? 1.8 : 2.6);
+  if (!forward) path_ += " stroke-dasharray=\"" + shortest_text(7.0 / scale_) + ' ' + shortest_text(4.0 / scale_) + '"';
+  path_ += "/>\n";
+}
+
+void SvgPicture::add_line(std::span<const PathSegment> path, const Footprint& body, const Colors& colors) {
+  for (std::size_t first = 0; first < path.size();) {
+    std::size_t last = first + 1;
+    while (last < path.size() && path[last].gear == path[first].gear) ++last;
+    add_run(path.subspan(first, last - first), 2.0 * body.half_width * scale_ >= 5.0, colors);
+    first = last;
+  }
+}
+
+void SvgPicture::add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text) {
+  const std::string_view color = kAlternativeColors[alternatives_++ % std::size(kAlternativeColors)];
+  add_line(path, body, {color, color});
+  captions_.push_back(square(color) + escaped(text));
+}
+
+void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, std::string_view text) {
+  if (path.empty()) return;
+  const bool alone = alternatives_ == 0;
+  add_line(path, body, {kPathColor, alone ? kReverseColor : kPathColor});
+  if (!text.empty()) captions_.insert(captions_.begin(), (alone ? "" : square(kPathColor)) + escaped(text));
+  const double spacing = std::max(2.0 * (body.front + body.rear), 40.0 / scale_);
+  std::vector<Pose> poses{path.front().start};
+  double next = spacing;  // from the segment's start to the next outline
+  std::size_t left = 20000;
+  Gear gear = path.front().gear;
+  for (const PathSegment& segment : path) {
+    if (segment.gear != gear && left > 0) {
+      --left;
+      poses.push_back(segment.start);
+      add_dot(to_picture(segment.start.position()), kReverseColor, 3.0);
+    }
+    gear = segment.gear;
+    for (; next < segment.length && left > 0; next += spacing, --left) poses.push_back(segment.at(next));
+    next -= segment.length;
+  }
+  poses.push_back(path.back().end());
+  add_bodies(poses, body);
+  add_poses(path.front().start, path.back().end(), body);
+}
+
+void SvgPicture::add_bodies(std::span<const Pose> poses, const Footprint& body) {
+  robot_ += "<path d=\"";
+  for (const Pose& pose : poses) add_outline(robot_, pose, body, 0.0);
+  robot_ += "\"/>\n";
+}
+
+void SvgPicture::add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const {
+  const Vec2 u = direction_of(pose.heading), n = perpendicular(u);
+  const Vec2 f = pose.position();
+  out += 'M';
+  append_point(out, f - body.rear * u - body.half_width * n);
+  out += 'L';
+  append_point(out, f + (body.front + ahead) * u - body.half_width * n);
+  out += 'L';
+  append_point(out, f + (body.front + ahead) * u + body.half_width * n);
+  out += 'L';
+  append_point(out, f - body.rear * u + body.half_width * n);
+  out += 'Z';
+}
+
+void SvgPicture::add_swept_area(std::span<const PathSegment> path, const Footprint& body) {
+  swept_ += "<path d=\"";
+  for (const PathSegment& segment : path) {
+    if (segment.is_line()) {
+      add_outline(swept_, segment.forwards().start, body, segment.length);
+      continue;
+    }
+    // Outlines a pixel apart at the farthest corner: the notches between them are at most half of that deep.
+    const double radius = 1.0 / std::abs(segment.curvature);
+    const double reach = std::hypot(std::max(body.front, body.rear), radius + body.half_width);
+    const double turn = segment.length / radius;
+    const double steps = std::clamp(std::ceil(turn * reach * scale_), 1.0, 2000.0);
+    for (double i = 0.0; i <= steps; ++i) add_outline(swept_, segment.at(segment.length * (i / steps)), body, 0.0);
+  }
+  swept_ += "\"/>\n";
+}
+
+void SvgPicture::add_poses(const Pose& start, const Pose& goal, const Footprint& body) {
+  add_marker(start, body, kStartColor, "start");
+  add_marker(goal, body, kGoalColor, "goal");
+}
+
+void SvgPicture::add_gap(const Vec2& a, const Vec2& b, std::string_view text) {
+  const Vec2 p = to_picture(a), q = to_picture(b);
+  for (const auto& [color, width] : {std::pair("#ffffff", "7"), std::pair(kGapColor, "3.5")}) {
+    markers_ += "<path d=\"M";
+    append(markers_, p);
+    markers_ += 'L';
+    append(markers_, q);
+    markers_ += "\" stroke=\"" + std::string(color) + "\" stroke-width=\"" + width + "\" stroke-linecap=\"round\"/>\n";
+  }
+  const Vec2 middle = 0.5 * (p + q);
+  markers_ += "<circle cx=\"";
+  append(markers_, middle.x());
+  markers_ += "\" cy=\"";
+  append(markers_, middle.y());
+  markers_ += "\" r=\"12\" fill=\"none\" stroke=\"" + std::string(kGapColor) + "\" stroke-width=\"1.5\"/>\n";
+  add_label(middle + Vec2(0.0, -8.0), kGapColor, text);
+}
+
+void SvgPicture::add_label(const Vec2& beside, std::string_view color, std::string_view text) {
+  const bool right = beside.x() + 60.0 < width_;
+  markers_ += "<text x=\"";
+  append(markers_, beside.x() + (right ? 12.0 : -12.0));
+  markers_ += "\" y=\"";
+  append(markers_, std::clamp(beside.y(), 16.0, height_ - 6.0));
+  markers_ += right ? "\"" : "\" text-anchor=\"end\"";
+  markers_ += " fill=\"" + std::string(color) + R"(" stroke="#ffffff" stroke-width="3" paint-order="stroke">)";
+  markers_ += escaped(text) + "</text>\n";
+}
+
+void SvgPicture::add_place(const Vec2& place, std::string_view text) {
+  const Vec2 p = to_picture(place);
+  add_dot(p, kPlaceColor, 6.0);
+  add_label(p + Vec2(0.0, -10.0), kPlaceColor, text);
+}
+
+void SvgPicture::add_dot(const Vec2& at, std::string_view color, double radius) {
+  markers_ += "<circle cx=\"";
+  append(markers_, at.x());
+  markers_ += "\" cy=\"";
+  append(markers_, at.y());
+  markers_ += "\" r=\"" + shortest_text(radius) + "\" fill=\"" + std::string(color) +
+              R"(" stroke="#ffffff" stroke-width="1.5"/>)" + "\n";
+}
+
+void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label) {
+  const Vec2 p = to_picture(pose.position());
+  // Picture coordinates: y down.
+  const Vec2 u(std::cos(pose.heading), -std::sin(pose.heading)), n(-u.y(), u.x());
+  const double size = std::clamp(body.front * scale_, kMinOutline, 40.0);
+  add_dot(p, color, 6.0);
+  markers_ += "<path d=\"M";
+  append(markers_, p + u * (size + 8.0));
+  markers_ += 'L';
+  append(markers_, p + u * size * 0.6 + n * 5.0);
+  markers_ += 'L';
+  append(markers_, p + u * size * 0.6 - n * 5.0);
+  markers_ += "Z\" fill=\"" + std::string(color) + R"(" stroke="#ffffff" stroke-width="1"/>)" + "\n";
+  // Below where the arrow points up, and would lie under the label.
+  add_label(p + Vec2(0.0, u.y() < 0.0 ? 18.0 : -10.0), color, label);
+}
+
+std::span<const std::string_view> SvgPicture::layers() {
+  static constexpr std::string_view kLayers[] = {"bounds", "obstacles", "graph", "swept", "robot", "path", "markers"};
+  return kLayers;
+}
+
+void SvgPicture::show(std::span<const std::string> layers) {
+  for (const std::string& layer : layers)
+    if (std::ranges::find(SvgPicture::layers(), layer) == SvgPicture::layers().end())
+      throw std::invalid_argument("there is no layer \"" + layer + "\" in a picture");
+  const auto hide = [&](std::string_view layer, std::string& content) {
+    if (std::ranges::find(layers, layer) == layers.end()) content.clear();
+  };
+  hide("bounds", bounds_);
+  hide("obstacles", obstacles_);
+  hide("graph", graph_);
+  hide("swept", swept_);
+  hide("path", path_);
+  hide("robot", robot_);
+  hide("markers", markers_);
+}
+
+void SvgPicture::add_caption(std::string_view text) { captions_.push_back(escaped(text)); }
+
+void SvgPicture::set_title(std::string_view title, std::string_view description) {
+  title_ = escaped(title);
+  description_ = escaped(description);
+}
+
+std::string SvgPicture::str() const {
+  std::vector<std::string> captions = captions_;
+  if (backwards_ && !path_.empty())
+    captions.push_back(alternatives_ == 0 ? square(kPathColor) + "forwards, " + square(kReverseColor) + "backwards"
+                                          : "dashed: backwards");
+  const double height = height_ + kLineHeight * static_cast<double>(captions.size());
+  std::string w, h;
+  append(w, width_);
+  append(h, height);
+  std::string out =
+      R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" viewBox="0 0 )" +
+      w + ' ' + h + "\" width=\"" + w + "\" height=\"" + h +
+      "\" role=\"img\" font-family=\"'DejaVu Sans',Helvetica,Arial,sans-serif\" font-size=\"14\">\n";
+  out += "<title>" + (title_.empty() ? "Map" : title_) + "</title>\n";
+  if (!description_.empty()) out += "<desc>" + description_ + "</desc>\n";
+  out += R"(<rect width="100%" height="100%" fill="#ffffff"/>)";
+  out += '\n';
+  // Layers may reach beyond the view, the caption's ground may not be drawn on.
+  std::string map_w, map_h, border;
+  append(map_w, width_ - kBorder);
+  append(map_h, height_ - kBorder);
+  append(border, 0.5 * kBorder);
+  const std::string area = "x=\"" + border + "\" y=\"" + border + "\" width=\"" + map_w + "\" height=\"" + map_h + '"';
+  out += "<clipPath id=\"view\"><rect " + area + "/></clipPath>\n<g clip-path=\"url(#view)\">\n";
+  // Beyond the bounds nothing is free.
+  out += "<rect " + area + " fill=\"" + (bounds_.empty() ? kFreeColor : kOutsideColor) + "\"/>\n";
+  // Metres, y up.
+  const Vec2 corner = to_picture(origin_);
+  const std::string scale = shortest_text(scale_);
+  out += "<g id=\"map\" transform=\"matrix(" + scale + " 0 0 -" + scale + ' ' + shortest_text(corner.x()) + ' ' +
+         shortest_text(corner.y()) + ")\">\n";
+  const auto add_layer = [&](const char* id, const std::string& attributes, const std::string& content) {
+    if (!content.empty()) out += open_layer(id, attributes) + content + "</g>\n";
+  };
+  const std::string fill = "fill=\"", joined = " stroke-linejoin=\"round\"";
+  add_layer("bounds", fill + kFreeColor + "\" " + stroke(kOutlineColor, 2.0) + joined, bounds_);
+  add_layer("obstacles", "fill-rule=\"evenodd\" fill=\"#3d4757\" " + stroke(kOutlineColor, 0.8) + joined, obstacles_);
+  out += graph_;
+  add_layer("swept", R"(fill="#f6d9a8" fill-opacity="0.6" stroke="none")", swept_);
+  add_layer("robot", "fill=\"#f6b26b\" fill-opacity=\"0.45\" " + stroke("#a8441c", 0.8), robot_);
+  add_layer("path", R"(fill="none" stroke-linejoin="round" stroke-linecap="round")", path_);
+  out += "</g>\n";
+  add_layer("markers", R"(font-weight="bold")", markers_);
+  out += "</g>\n";
+  if (!captions.empty()) {
+    out += "<g id=\"caption\" fill=\"#2b3340\">\n";
+    for (std::size_t i = 0; i < captions.size(); ++i) {
+      out += "<text x=\"";
+      append(out, kBorder);
+      out += "\" y=\"";
+      append(out, height_ + kLineHeight * static_cast<double>(i) + 8.0);
+      out += "\">" + captions[i] + "</text>\n";
+    }
+    out += "</g>\n";
+  }
+  out += "</svg>\n";
+  return out;
+}
+
+}  // namespace arcway

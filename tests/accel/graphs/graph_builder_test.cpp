@@ -1,0 +1,30 @@
+#include "accel/graphs/graph_builder.h"
+
+#include <gtest/gtest.h>
+
+#include "datasets/generators/clutter.h"
+
+namespace arcway {
+namespace {
+
+GraphBuilder choice(ClutterKind kind, std::size_t obstacles, std::size_t vertices) {
+  return faster_graph_builder(
+      random_world({.kind = kind, .obstacles = obstacles, .vertices = vertices, .fill = 0.2, .seed = 1}));
+}
+
+TEST(GraphBuilderChoice, WedgesForAnyShape) {
+  EXPECT_EQ(faster_graph_builder(World({})), GraphBuilder::kWedge);
+  EXPECT_EQ(choice(ClutterKind::kConvex, 2, 4), GraphBuilder::kWedge);
+  EXPECT_EQ(choice(ClutterKind::kConvex, 1000, 10), GraphBuilder::kWedge);
+  EXPECT_EQ(choice(ClutterKind::kConvex, 10, 1000), GraphBuilder::kWedge);
+  EXPECT_EQ(choice(ClutterKind::kConvex, 5, 3000), GraphBuilder::kWedge);
+  EXPECT_EQ(choice(ClutterKind::kStar, 5, 3000), GraphBuilder::kWedge);
+}
+
+TEST(GraphBuilderChoice, HasNames) {
+  EXPECT_STREQ(name_of(GraphBuilder::kPairwise), "pairwise");
+  EXPECT_STREQ(name_of(GraphBuilder::kWedge), "wedge");
+}
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,29 @@
+#include "accel/triangulation/short_diagonals.h"
+
+#include <gtest/gtest.h>
+
+#include "accel/expansion/sight_map.h"
+#include "datasets/generators/clutter.h"
+#include "tests/support/random_inputs.h"
+#include "tests/support/thread_executor.h"
+
+namespace arcway {
+namespace {
+
+// Large enough for several blocks of triangles that are flipped at the same time.
+TEST(ShortDiagonals, AreTheSameForAnyNumberOfThreads) {
+  const World world = random_world({.obstacles = 3000, .vertices = 10, .fill = 0.3, .seed = 1});
+  const test::ThreadExecutor threads(4);
+  for (const Diagonals which : {Diagonals::kLong, Diagonals::kAll}) {
+    const SightMap one(world, SerialExecutor(), which), many(world, threads, which);
+    ASSERT_EQ(one.doors().size(), many.doors().size());
+    for (std::size_t d = 0; d < one.doors().size(); ++d) {
+      EXPECT_EQ(one.doors()[d].left, many.doors()[d].left);
+      EXPECT_EQ(one.doors()[d].right, many.doors()[d].right);
+      EXPECT_EQ(one.doors()[d].site, many.doors()[d].site);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace arcway

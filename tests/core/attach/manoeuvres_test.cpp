@@ -1,0 +1,128 @@
+#include "core/attach/manoeuvres.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/collision/query_set.h"
+#include "core/planner/planner.h"
+#include "datasets/generators/catalogue.h"
+#include "tests/support/plans.h"
+
+namespace arcway {
+namespace {
+
+// Goals that are entered through a narrow range of headings only: between a wall and a corner, and along the bounds.
+TEST(Manoeuvres, ReachGoalsBesideAWall) {
+  const Planner planner(catalogue_world("clutter/convex/n100/m10/f45"), Vehicle());
+  const PlanRequest requests[] = {
+      {{7.390247560079878, 71.2415520058915, -0.3152196150963773},
+       {92.07973811590975, 106.02145761459767, -1.131966038614141}},
+      {{14.129946945134208, 51.599898635543376, 1.7445171392715775},
+       {0.552278813532845, 105.24671320632633, 1.475693762743628}},
+  };
+  for (const PlanRequest& request : requests) {
+    const PlanResult result = planner.plan(request);
+    ASSERT_TRUE(result.solved()) << result.reason;
+    EXPECT_EQ(result.start.position(), request.start.position());
+    EXPECT_EQ(result.goal.position(), request.goal.position());
+    test::expect_valid(planner, result);
+  }
+}
+
+// Goals that are entered after turning back in the open, round no vertex.
+TEST(Manoeuvres, TurnBackWhereThereIsRoom) {
+  struct Case {
+    const char* world;
+    std::size_t query;
+  };
+  for (const Case& c : {Case{"corridor/v300/s1", 5}, Case{"maze/v300/s2", 45}}) {
+    const Planner planner(catalogue_world(c.world), Vehicle());
+    const PlanResult result = planner.plan(catalogue_queries(c.world, c.query + 1, 1).back());
+    ASSERT_TRUE(result.solved()) << c.world << ": " << result.reason;
+    test::expect_valid(planner, result);
+  }
+}
+
+// A circle that a pose shares is looked at once, from where most of it lies ahead.
+TEST(Manoeuvres, ShareCirclesWithPosesThatTurnOnThemEarlier) {
+  const World world = catalogue_world("clutter/star/n100/m10/f30");
+  const Vehicle vehicle;
+  const QuerySet queries = make_reference_queries(world);
+  const double radius = vehicle.min_turning_radius();
+  const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
+  std::size_t shared = 0;
+  for (const PlanRequest& request : catalogue_queries("clutter/star/n100/m10/f30", 6, 1))
+    for (const Direction direction : {Direction::kFromStart, Direction::kToGoal}) {
+      const bool forwards = direction == Direction::kFromStart;
+      const auto terminals =
+          find_manoeuvres(forwards ? request.start : request.goal, direction, vehicle, radius, *queries.sweep, 60);
+      for (const Terminal& terminal : terminals) {
+        if (!terminal.shared) continue;
+        ++shared;
+        const Side side = *terminal.shared;
+        const TurnCircle circle = turn_circle(terminal.pose, radius, side);
+        const HeadingSet free = queries.sweep->free_headings({circle.center, radius, side, body});
+        EXPECT_TRUE(std::ranges::any_of(terminals, [&](const Terminal& other) {
+          const Vec2 center = turn_circle(other.pose, radius, side).center;
+          const double turn = forwards ? turn_between(other.pose.heading, terminal.pose.heading, side)
+                                       : turn_between(terminal.pose.heading, other.pose.heading, side);
+          return other.shared != side && (center - circle.center).norm() < 1e-9 &&
+                 turn <= free.reach(other.pose.heading, forwards ? side : opposite(side)) + 1e-9;
+        }));
+      }
+    }
+  EXPECT_GT(shared, 50u);
+}
+
+// Poses that face away from their way, with room to turn beside them.
+TEST(Manoeuvres, MakePathsFaster) {
+  const std::string name = "clutter/star/n100/m10/f15";
+  const World world = catalogue_world(name);
+  const Planner planner(world, Vehicle());
+  const Planner without(world, Vehicle(), {.manoeuvre_poses = 0});
+  const auto queries = catalogue_queries(name, 40, 1);
+  for (const std::size_t q : {1, 2, 3, 11, 35, 39}) {
+    const PlanResult result = planner.plan(queries[q]);
+    const PlanResult plain = without.plan(queries[q]);
+    ASSERT_TRUE(result.solved() && plain.solved());
+    test::expect_valid(planner, result);
+    EXPECT_LE(result.travel_time, plain.travel_time);
+    if (q > 10) {
+      EXPECT_LT(result.travel_time, 0.95 * plain.travel_time) << q;
+    }
+  }
+}
+
+TEST(Manoeuvres, AreFurtherApartWhereSparse) {
+  const World world = catalogue_world("corridor/v300/s1");
+  const Vehicle vehicle;
+  const QuerySet queries = make_reference_queries(world);
+  const auto count_near = [&](Spread spread) {
+    const auto found = find_manoeuvres({5.0, 2.5, 0.0}, Direction::kFromStart, vehicle, vehicle.min_turning_radius(),
+                                       *queries.sweep, 400, spread);
+    return std::count_if(found.begin(), found.end(), [](const Terminal& t) { return length_of(t.connection) < 3.0; });
+  };
+  EXPECT_GT(count_near(Spread::kSparse), 10);
+  EXPECT_LT(2 * count_near(Spread::kSparse), count_near(Spread::kDense));
+}
+
+// The corner of the nose that swings outwards meets a wall ahead before the turn is whole.
+TEST(Manoeuvres, EndATurnWhereAnObstacleDoes) {
+  const Vehicle vehicle;
+  const double wall = vehicle.footprint().front + 0.2;
+  const World world({{{{wall, -50}, {wall + 1, -50}, {wall + 1, 50}, {wall, 50}}, {}}});
+  const Pose pose{0.0, 0.0, 0.0};
+  const QuerySet queries = make_reference_queries(world);
+  const auto found =
+      find_manoeuvres(pose, Direction::kFromStart, vehicle, vehicle.min_turning_radius(), *queries.sweep, 50);
+  bool partial = false;
+  for (const Terminal& terminal : found)
+    for (const PathSegment& segment : terminal.connection)
+      partial |= segment.curvature > 0.0 && segment.length * segment.curvature < 0.39;
+  EXPECT_TRUE(partial);
+}
+
+}  // namespace
+}  // namespace arcway

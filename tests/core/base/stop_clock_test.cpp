@@ -1,0 +1,113 @@
+#include "core/base/stop_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <limits>
+#include <stop_token>
+#include <thread>
+
+#include "core/base/executor.h"
+#include "core/base/late_value.h"
+
+namespace arcway {
+namespace {
+
+TEST(StopClock, IsOverAtItsDeadlineOrWhenStopped) {
+  EXPECT_FALSE(StopClock().is_over());
+  EXPECT_EQ(StopClock().seconds_left(), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(StopClock(0.0).is_over());
+  EXPECT_TRUE(StopClock(-1.0).is_over());
+  EXPECT_LE(StopClock(0.0).seconds_left(), 0.0);
+  EXPECT_FALSE(StopClock(1e300).is_over());
+  std::stop_source stop;
+  const StopClock clock(1e300, stop.get_token());
+  EXPECT_FALSE(clock.is_over());
+  stop.request_stop();
+  EXPECT_TRUE(clock.is_over());
+  EXPECT_FALSE(clock.with_stop({}).is_over());
+}
+
+TEST(StopTicker, AsksAtOnceAndThenOnceInAWhile) {
+  std::stop_source stop;
+  const StopClock clock(1e300, stop.get_token());
+  StopTicker ticker(clock);
+  EXPECT_FALSE(ticker.is_over());
+  stop.request_stop();
+  int rounds = 1;
+  while (!ticker.is_over()) ++rounds;
+  EXPECT_EQ(rounds, StopTicker::kEvery);
+  EXPECT_TRUE(StopTicker(clock).is_over());
+}
+
+TEST(Grace, BeginsWhenTheClockIsOver) {
+  std::stop_source stop;
+  const StopClock clock(std::numeric_limits<double>::infinity(), stop.get_token());
+  Grace grace(clock, 1e9);
+  EXPECT_FALSE(grace.is_over());
+  stop.request_stop();
+  EXPECT_FALSE(grace.is_over());  // a share of the limit is left
+}
+
+TEST(StoppableExecutor, EndsAtItsClock) {
+  const SerialExecutor serial;
+  std::stop_source stop;
+  const StoppableExecutor executor(serial, StopClock(1e300, stop.get_token()));
+  EXPECT_FALSE(executor.clock().is_over());
+  std::size_t done = 0;
+  const auto stop_at_once = [&](std::size_t begin, std::size_t end) {
+    done += end - begin;
+    stop.request_stop();
+  };
+  EXPECT_THROW(executor.for_ranges(1000000, 16, stop_at_once), Cancelled);
+  EXPECT_EQ(done, 16u);  // a single piece of one grain
+  EXPECT_TRUE(executor.clock().is_over());
+  EXPECT_THROW(end_if_over(executor), Cancelled);
+}
+
+TEST(StoppableExecutor, CoversAllOnceInGrowingPieces) {
+  const SerialExecutor serial;
+  const StoppableExecutor executor(serial, StopClock());
+  std::size_t next = 0, pieces = 0;
+  executor.for_ranges(100000, 1, [&](std::size_t begin, std::size_t end) {
+    EXPECT_EQ(begin, next);
+    next = end;
+    ++pieces;
+  });
+  EXPECT_EQ(next, 100000u);
+  EXPECT_LT(pieces, 10000u);
+}
+
+TEST(LateValue, IsMadeOnceAndNotAtAllWhereThatWasEnded) {
+  const LateValue<int> value;
+  EXPECT_EQ(value.get(StopClock(), []() -> int { throw Cancelled("cancelled"); }), nullptr);
+  int made = 0;
+  const auto make = [&] { return ++made; };
+  const int* first = value.get(StopClock(), make);
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(*first, 1);
+  EXPECT_EQ(value.get(StopClock(0.0), make), first);
+  EXPECT_EQ(made, 1);
+}
+
+TEST(LateValue, IsNotWaitedForBeyondTheClock) {
+  const LateValue<int> value;
+  std::atomic<bool> under_way = false, go_on = false;
+  std::thread maker([&] {
+    EXPECT_EQ(*value.get(StopClock(),
+                         [&] {
+                           under_way = true;
+                           while (!go_on) std::this_thread::yield();
+                           return 7;
+                         }),
+              7);
+  });
+  while (!under_way) std::this_thread::yield();
+  EXPECT_EQ(value.get(StopClock(0.0), [] { return 8; }), nullptr);
+  go_on = true;
+  EXPECT_EQ(*value.get(StopClock(), [] { return 8; }), 7);
+  maker.join();
+}
+
+}  // namespace
+}  // namespace arcway

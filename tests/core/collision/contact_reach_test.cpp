@@ -1,0 +1,95 @@
+#include "core/collision/contact_reach.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/collision/query_set.h"
+#include "core/geometry/angle.h"
+#include "core/roadmap/turn_circle.h"
+#include "datasets/generators/catalogue.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+class ContactReachOnClutter : public testing::Test {
+ protected:
+  // Calls visit(pose) for some poses at which the body is free, most of them near obstacles.
+  template <class Visit>
+  void for_free_poses(Visit&& visit) {
+    test::Random random(7);
+    for (int i = 0; i < 3000; ++i) {
+      const Pose pose{random.uniform(0.0, 120.0), random.uniform(0.0, 120.0), random.uniform(0.0, kTwoPi)};
+      if (queries_.sweep->straight_free(swept_rectangle(pose, 0.0, body_))) visit(pose);
+    }
+  }
+
+  const World world_ = catalogue_world("clutter/star/n100/m10/f30");
+  const QuerySet queries_ = make_reference_queries(world_);
+  const Outlines outlines_{world_};
+  const Footprint body_{1.4, 0.1, 0.4};
+};
+
+TEST_F(ContactReachOnClutter, IsThatOfFreeHeadingsOnArcs) {
+  constexpr double kMost = 6.0;
+  ContactReach contact(outlines_, body_);
+  int early = 0;
+  for_free_poses([&](const Pose& pose) {
+    contact.begin(pose, kMost);
+    for (const double radius : {0.3, 1.3, 20.0})
+      for (const Side side : {Side::kLeft, Side::kRight})
+        for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+          const TurnCircle circle = turn_circle(pose, radius, side);
+          const double reach = queries_.sweep->free_headings({circle.center, radius, side, body_})
+                                   .reach(pose.heading, gear == Gear::kForward ? side : opposite(side));
+          const double expected = std::min(radius * reach, kMost);
+          EXPECT_NEAR(contact(sign_of(side) / radius, gear), expected, 1e-6);
+          if (expected < kMost) ++early;
+        }
+  });
+  EXPECT_GT(early, 1000);
+}
+
+TEST_F(ContactReachOnClutter, IsThatOfSweptRectanglesOnLines) {
+  constexpr double kMost = 6.0, kSlack = 1e-9;
+  ContactReach contact(outlines_, body_);
+  int early = 0;
+  for_free_poses([&](const Pose& pose) {
+    contact.begin(pose, kMost);
+    for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+      const double reach = contact(0.0, gear);
+      const auto is_free = [&](double length) {
+        return queries_.sweep->straight_free(
+            swept_rectangle(PathSegment{pose, length, 0.0, gear}.forwards().start, length, body_));
+      };
+      EXPECT_TRUE(is_free(reach - kSlack));
+      if (reach >= kMost) continue;
+      EXPECT_FALSE(is_free(reach + kSlack));
+      ++early;
+    }
+  });
+  EXPECT_GT(early, 100);
+}
+
+// What a motion costs: an edge in the way ends it before those further away are looked at.
+TEST(ContactReach, CountsTheEdgesThatItCompares) {
+  const Footprint body{1.4, 0.1, 0.4};
+  std::vector<Polygon> walls;
+  for (const double x : {3.0, 6.0, 9.0, 12.0})
+    walls.push_back({{{x, -1.0}, {x + 0.5, -1.0}, {x + 0.5, 1.0}, {x, 1.0}}, {}});
+  const Outlines outlines{World(std::move(walls))};
+  ContactReach contact(outlines, body);
+  contact.begin({0.0, 0.0, 0.0}, 15.0);
+  EXPECT_EQ(contact.edges_compared(), 0u);
+  EXPECT_NEAR(contact(0.0, Gear::kForward), 1.6, 1e-12);
+  const std::uint64_t ahead = contact.edges_compared();
+  EXPECT_GT(ahead, 0u);
+  EXPECT_LT(ahead, 8u);
+  EXPECT_NEAR(contact(0.0, Gear::kReverse), 15.0, 1e-12);
+  EXPECT_EQ(contact.edges_compared(), ahead + 16u);
+}
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,116 @@
+#include "core/gaps/gap_circles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/collision/query_set.h"
+#include "core/gaps/vehicle_gaps.h"
+#include "core/geometry/angle.h"
+#include "tests/support/boxes.h"
+
+namespace arcway {
+namespace {
+
+const Vehicle kVehicle;
+const double kRadius = kVehicle.min_turning_radius();
+const Footprint kGrown = kVehicle.footprint(kVehicle.safety_margin());
+
+// A door between two walls that reach far up and down.
+World door(double width, double thickness) {
+  return World({test::box(0, -20, thickness, 0), test::box(0, width, thickness, 20 + width)});
+}
+
+ExtraCircles circles_of(const World& world) {
+  return find_gap_circles(world, VehicleGaps(world, kVehicle, kRadius).map(), kVehicle, kRadius);
+}
+
+// How far a path may turn on a circle that leaves a gate at a heading, or comes onto it.
+double turn_at(const World& world, const TurnCircle& circle, double heading, bool exit) {
+  const QuerySet queries = make_reference_queries(world);
+  const HeadingSet free = queries.sweep->free_headings(
+      {circle.center, circle.radius, circle.side, kVehicle.footprint(0.5 * kVehicle.safety_margin())});
+  return free.reach(heading, exit ? circle.side : opposite(circle.side));
+}
+
+TEST(GapCircles, LeadThroughADoorThatIsTooNarrowToTurnIn) {
+  const World world = door(0.85, 1.0);
+  const ExtraCircles extra = circles_of(world);
+  for (const double ahead : {0.0, kPi})
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      double most_off = -1.0, most_onto = -1.0;
+      const auto widest = [&](const std::vector<TurnCircle>& circles, bool exit, double& most) {
+        for (const TurnCircle& c : circles) {
+          EXPECT_EQ(c.radius, kRadius);
+          // The door's middle line touches the circle.
+          const double heading = std::abs(pose_on(c, 0.0).y - 0.425) < 1e-9 ? 0.0 : kPi;
+          EXPECT_NEAR(pose_on(c, heading).y, 0.425, 1e-9);
+          if (c.side == side && heading == ahead) most = std::max(most, turn_at(world, c, heading, exit));
+        }
+      };
+      for (const Gate& gate : extra.gates) {
+        widest(gate.exits, true, most_off);
+        widest(gate.entries, false, most_onto);
+      }
+      EXPECT_GE(most_off, 0.5 * kPi);
+      EXPECT_GE(most_onto, 0.5 * kPi);
+    }
+}
+
+TEST(GapCircles, HaveTheRadiusThatANarrowPlaceDemands) {
+  // A corner faces a long wall: too near for the tightest turn.
+  const double width = 1.1;
+  ASSERT_LT(width, swept_annulus(kGrown, kRadius).width());
+  const World world({test::box(-40, -41, 40, -40), {{{0, -40 + width}, {10, -20}, {-10, -20}}, {}}});
+  const ExtraCircles extra = circles_of(world);
+  ASSERT_EQ(extra.round.size(), 1u);
+  const TurnCircle& circle = extra.round.front();
+  EXPECT_GT(circle.radius, kRadius);
+  const SweptAnnulus swept = swept_annulus(kGrown, circle.radius);
+  EXPECT_LE(swept.width(), width);
+  EXPECT_GT(swept.width(), width - 0.01);
+  EXPECT_NEAR((circle.center - Vec2(0, -40 + width)).norm(), swept.inner, 1e-9);
+  EXPECT_GE(circle.center.y() + 40.0, swept.outer);
+}
+
+TEST(GapCircles, TouchWhatTheirVertexFaces) {
+  // The bisector of the corner points at 45 degrees, and the circle there would collide with the wall below.
+  const SweptAnnulus swept = swept_annulus(kGrown, kRadius);
+  const double width = 0.5 * (swept.width() + swept.outer - swept.inner * std::sqrt(0.5));
+  const World world({test::box(-40, -41, 40, -40), test::box(0, -40 + width, 30, 0)});
+  const ExtraCircles extra = circles_of(world);
+  const auto touching = std::ranges::find_if(extra.round, [](const TurnCircle& c) { return c.center.x() < 15.0; });
+  ASSERT_NE(touching, extra.round.end());
+  EXPECT_NEAR((touching->center - Vec2(0, -40 + width)).norm(), swept.inner, 1e-9);
+  EXPECT_NEAR(touching->center.y() + 40.0, swept.outer, 1e-9);
+  EXPECT_GT(touching->center.x(), 0.0);
+}
+
+TEST(GapCircles, AreNotMadeWhereTheBodyDoesNotFitOrHasRoom) {
+  for (const double width : {0.0, 0.5, 0.8, 2.0 * kGrown.half_width, 2.3}) {
+    const ExtraCircles extra = circles_of(door(width, 1.0));
+    EXPECT_TRUE(extra.round.empty()) << width;
+    EXPECT_TRUE(extra.gates.empty()) << width;
+  }
+  const double most = swept_annulus(kGrown, kRadius).outer;
+  EXPECT_FALSE(circles_of(door(0.99 * most, 1.0)).gates.empty());
+  EXPECT_TRUE(circles_of(door(1.01 * most, 1.0)).gates.empty());
+  EXPECT_TRUE(circles_of(World({})).gates.empty());
+}
+
+TEST(GapCircles, KnowVerticesNearBy) {
+  const ExtraCircles extra = circles_of(door(0.9, 30.0));
+  ASSERT_FALSE(extra.gates.empty());
+  const World world = door(0.9, 30.0);
+  for (const Gate& gate : extra.gates)
+    for (const auto& circles : {gate.entries, gate.exits})
+      for (const TurnCircle& c : circles) {
+        ASSERT_NE(c.vertex, kNone);
+        EXPECT_LT((c.center - world.vertex(c.vertex)).norm(), 7.0);
+      }
+}
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "core/model/world.h"
+#include "datasets/map/map_file.h"
+#include "tests/support/nasty_worlds.h"
+#include "tests/support/touching_worlds.h"
+
+namespace arcway {
+namespace {
+
+void expect_same(const World& a, const World& b) {
+  ASSERT_EQ(a.vertices().size(), b.vertices().size());
+  ASSERT_EQ(a.obstacle_count(), b.obstacle_count());
+  ASSERT_EQ(a.has_bounds(), b.has_bounds());
+  for (VertexId v = 0; v < a.vertices().size(); ++v) {
+    ASSERT_EQ(a.vertex(v), b.vertex(v)) << v;
+    ASSERT_EQ(a.next(v), b.next(v)) << v;
+    ASSERT_EQ(a.previous(v), b.previous(v)) << v;
+    ASSERT_EQ(a.obstacle_of(v), b.obstacle_of(v)) << v;
+    ASSERT_EQ(a.is_convex(v), b.is_convex(v)) << v;
+    ASSERT_EQ(a.is_covered(v), b.is_covered(v)) << v;
+    ASSERT_EQ(a.edges()[v].b, b.edges()[v].b) << v;
+  }
+  ASSERT_TRUE(std::equal(a.convex_vertices().begin(), a.convex_vertices().end(), b.convex_vertices().begin(),
+                         b.convex_vertices().end()));
+  for (ObstacleId o = 0; o < a.region_count(); ++o) {
+    ASSERT_EQ(a.vertices_of(o).first, b.vertices_of(o).first);
+    ASSERT_EQ(a.vertices_of(o).last, b.vertices_of(o).last);
+    ASSERT_TRUE(
+        std::equal(a.ring_starts(o).begin(), a.ring_starts(o).end(), b.ring_starts(o).begin(), b.ring_starts(o).end()));
+    ASSERT_EQ(a.box_of(o).min, b.box_of(o).min);
+    ASSERT_EQ(a.box_of(o).max, b.box_of(o).max);
+  }
+  ASSERT_TRUE(std::ranges::equal(a.self_contacts(), b.self_contacts()));
+  if (a.vertices().empty()) return;
+  ASSERT_EQ(a.box().min, b.box().min);
+  ASSERT_EQ(a.box().max, b.box().max);
+}
+
+TEST(WorldTables, GiveTheSameWorldAgain) {
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    SCOPED_TRACE(seed);
+    const World world = test::nasty_world(seed, 9);
+    expect_same(World::from_tables(world.tables()), world);
+    const World touching = test::touching_world(seed, 3);
+    expect_same(World::from_tables(touching.tables()), touching);
+  }
+}
+
+TEST(WorldTables, ThoseOfNoWorldAreRefusedWithTheEntryAtFault) {
+  const World world({{test::square(0, 0, 4), {test::reversed(test::square(1, 1, 1))}}, {test::square(9, 9, 2), {}}},
+                    test::square(-5, -5, 30));
+  struct Case {
+    Table table;
+    std::size_t index;
+    std::function<void(WorldTables&)> spoil;
+  };
+  const Case cases[] = {
+      {Table::kVertices, 5, [](WorldTables& t) { t.vertices[5].x() = std::numeric_limits<double>::quiet_NaN(); }},
+      {Table::kVertices, 0, [](WorldTables& t) { t.vertices[0].y() = 1e300; }},
+      {Table::kNext, 3, [](WorldTables& t) { t.next[3] = 99; }},
+      {Table::kNext, 3, [](WorldTables& t) { t.next[3] = 8; }},  // of the next obstacle
+      {Table::kNext, 3, [](WorldTables& t) { t.next[3] = t.next[2]; }},
+      {Table::kNext, 3, [](WorldTables& t) { t.next[3] = t.next[0]; }},
+      {Table::kNext, 6, [](WorldTables& t) { t.vertices[6] = t.vertices[t.next[6]]; }},
+      {Table::kNext, 2, [](WorldTables& t) { t.next.resize(2); }},
+      {Table::kCovered, 7, [](WorldTables& t) { t.covered[7] = 2; }},
+      {Table::kRingStarts, 0, [](WorldTables& t) { t.ring_starts[0] = 1; }},
+      {Table::kRingStarts, 2, [](WorldTables& t) { t.ring_starts[1] = 6; }},  // leaves two vertices
+      {Table::kRingStarts, 2, [](WorldTables& t) { t.ring_starts[2] = 4000000000u; }},
+      {Table::kRegionRings, 1, [](WorldTables& t) { t.region_rings[1] = 0; }},
+      {Table::kRegionRings, 3, [](WorldTables& t) { t.region_rings.back() = 9; }},
+      {Table::kRegionRings, 0, [](WorldTables& t) { t.region_rings.clear(); }},
+      {Table::kRegionRings, 0,
+       [](WorldTables& t) {
+         t = {};
+         t.region_rings = {0};
+         t.has_bounds = true;
+       }},
+  };
+  for (const Case& c : cases) {
+    WorldTables tables = world.tables();
+    c.spoil(tables);
+    try {
+      static_cast<void>(World::from_tables(std::move(tables)));
+      ADD_FAILURE() << "took " << name_of(c.table) << " " << c.index;
+    } catch (const TableError& error) {
+      EXPECT_EQ(error.table(), c.table) << error.what();
+      EXPECT_EQ(error.index(), c.index) << error.what();
+    }
+  }
+}
+
+TEST(WorldTables, ContactsThatAreNoneAreRefused) {
+  const World world({{test::square(0, 0, 8), {{{4, 0}, {6, 4}, {2, 4}}, {{4, 8}, {3, 6}, {5, 6}}}}});
+  ASSERT_EQ(world.tables().self_contacts, (std::vector<SelfContact>{{0, 4}, {2, 7}}));
+  const std::vector<std::vector<SelfContact>> wrong{{{0, 4}, {2, 99}}, {{0, 4}, {99, 7}}, {{0, 4}, {0, 4}},
+                                                    {{2, 7}, {0, 4}},  {{0, 4}, {2, 6}},  {{0, 4}, {6, 7}}};
+  for (const std::vector<SelfContact>& contacts : wrong) {
+    WorldTables tables = world.tables();
+    tables.self_contacts = contacts;
+    try {
+      static_cast<void>(World::from_tables(std::move(tables)));
+      ADD_FAILURE() << "took " << contacts[1].edge << " " << contacts[1].vertex;
+    } catch (const TableError& error) {
+      EXPECT_EQ(error.table(), Table::kSelfContacts) << error.what();
+      EXPECT_EQ(error.index(), 1u) << error.what();
+    }
+  }
+}
+
+TEST(ChangedWorld, IsTheOneMadeOfItsPolygons) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    World world = test::nasty_world(seed, 12);
+    for (int step = 0; step < 8; ++step) {
+      MapFile map = to_map_file(world);
+      std::vector<ObstacleId> removed;
+      for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+        if (random.integer(0, 3) == 0) removed.push_back(o);
+      std::vector<Polygon> added = to_map_file(test::nasty_world(random.bits(), 4)).obstacles;
+      for (auto o = removed.rbegin(); o != removed.rend(); ++o) map.obstacles.erase(map.obstacles.begin() + *o);
+      map.obstacles.insert(map.obstacles.end(), added.begin(), added.end());
+      world = world.changed(removed, added);
+      expect_same(world, World(map.obstacles, map.bounds));
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(ChangedWorld, RefusesWhatItCannotRemoveOrAdd) {
+  const World world({{test::square(0, 0, 4), {}}, {test::square(9, 9, 2), {}}});
+  EXPECT_THROW(static_cast<void>(world.changed(std::vector<ObstacleId>{2}, {})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(world.changed(std::vector<ObstacleId>{1, 0}, {})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(world.changed(std::vector<ObstacleId>{1, 1}, {})), std::invalid_argument);
+  try {
+    static_cast<void>(world.changed(std::vector<ObstacleId>{0}, {{{{0, 0}, {1, 1}}, {}}}));
+    ADD_FAILURE() << "took a ring of two vertices";
+  } catch (const WorldError& error) {
+    EXPECT_EQ(error.obstacle(), 1u);
+  }
+}
+
+}  // namespace
+}  // namespace arcway

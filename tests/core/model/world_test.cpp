@@ -1,0 +1,242 @@
+#include "core/model/world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+using test::Random;
+using test::square;
+
+struct Refusal {
+  std::string message;
+  ObstacleId obstacle = kNone;
+};
+Refusal refusal_of(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt) {
+  try {
+    World(std::move(obstacles), std::move(bounds));
+  } catch (const WorldError& error) {
+    return {error.what(), error.obstacle()};
+  }
+  return {"accepted"};
+}
+std::string message_for(Ring ring) { return refusal_of({{std::move(ring), {}}}).message; }
+
+TEST(WorldErrors, NameObstacleRingVertexAndValue) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(message_for({{0, 0}, {1, nan}, {1, 1}}), "obstacle 0, ring 0, vertex 1: y is nan");
+  EXPECT_EQ(message_for({{0, 0}, {1, 0}, {-infinity, 1}}), "obstacle 0, ring 0, vertex 2: x is -inf");
+  EXPECT_EQ(message_for({{0, 0}, {1e200, 0}, {1, 1}}),
+            "obstacle 0, ring 0, vertex 1: x is 1e+200, its magnitude must be 0 or from 1e-100 to 1e+100");
+  EXPECT_EQ(message_for({{0, 0}, {1, -1e-200}, {1, 1}}),
+            "obstacle 0, ring 0, vertex 1: y is -1e-200, its magnitude must be 0 or from 1e-100 to 1e+100");
+  EXPECT_EQ(message_for({{0, 0}, {1, 1}}), "obstacle 0, ring 0: a ring needs at least 3 vertices, this one has 2");
+  EXPECT_EQ(message_for({}), "obstacle 0, ring 0: a ring needs at least 3 vertices, this one has 0");
+  EXPECT_EQ(message_for({{0, 0}, {1.5, 0}, {1.5, 0}, {1, 1}}),
+            "obstacle 0, ring 0, vertex 2: repeats vertex 1 at (1.5, 0)");
+  EXPECT_EQ(message_for({{0, 0}, {1, 0}, {1, 1}, {0, 0}}), "obstacle 0, ring 0, vertex 0: repeats vertex 3 at (0, 0)");
+  EXPECT_EQ(message_for({{0, 0}, {1, 1}, {2, 2}}), "obstacle 0, ring 0: the ring has zero area");
+  EXPECT_EQ(message_for({{0, 0}, {3, 3}, {3, 0}, {0, 3}}), "obstacle 0, ring 0: edges 0 and 2 cross at (1.5, 1.5)");
+  EXPECT_EQ(message_for({{0, 0}, {4, 0}, {2, 0}, {2, 3}}), "obstacle 0, ring 0: edges 0 and 1 overlap at (4, 0)");
+}
+
+TEST(WorldErrors, NameTheObstacleOrTheBounds) {
+  const Polygon good{square(0, 0, 1), {}};
+  const Ring bow_tie{{0, 0}, {3, 3}, {3, 0}, {0, 3}};
+  const Refusal of_obstacle = refusal_of({good, good, {bow_tie, {}}});
+  EXPECT_EQ(of_obstacle.message, "obstacle 2, ring 0: edges 0 and 2 cross at (1.5, 1.5)");
+  EXPECT_EQ(of_obstacle.obstacle, 2u);
+  const Refusal of_bounds = refusal_of({good, good}, bow_tie);
+  EXPECT_EQ(of_bounds.message, "bounds, ring 0: edges 0 and 2 cross at (1.5, 1.5)");
+  EXPECT_EQ(of_bounds.obstacle, 2u);
+}
+
+TEST(WorldErrors, NameHolesThatLeaveTheirRing) {
+  const auto message = [](std::vector<Ring> holes) { return refusal_of({{square(0, 0, 8), holes}}).message; };
+  EXPECT_EQ(message({square(1, 1, 1), square(9, 1, 1)}),
+            "obstacle 0, ring 2: the hole lies outside of its outer ring, vertex 0 at (9, 1)");
+  EXPECT_EQ(message({square(7, 1, 2)}), "obstacle 0: ring 0 edge 1 and ring 1 edge 0 cross at (8, 1)");
+  EXPECT_EQ(message({square(8, 1, 2)}), "obstacle 0: ring 0 edge 1 and ring 1 edge 3 overlap at (8, 3)");
+  EXPECT_EQ(message({square(1, 1, 5), square(2, 2, 1)}), "obstacle 0, ring 2: the hole lies inside the hole of ring 1");
+  // Holes whose corners all lie on the outer ring, within and without.
+  EXPECT_EQ(message({{{4, 0}, {8, 4}, {4, 8}, {0, 4}}}), "accepted");
+  EXPECT_EQ(refusal_of({{{{0, 0}, {4, 1}, {8, 0}, {8, 8}, {0, 8}}, {{{2, 0.5}, {6, 0.5}, {4, 0.75}}}}}).message,
+            "obstacle 0, ring 1: the hole lies outside of its outer ring, vertex 0 at (2, 0.5)");
+}
+
+TEST(World, KeepsVerticesAndTurnsTheObstacleToTheLeft) {
+  for (const bool flip : {false, true}) {
+    const auto ring = [flip](Ring r) { return flip ? test::reversed(std::move(r)) : r; };
+    const Polygon frame{ring(square(0, 0, 9)), {ring(square(2, 2, 3))}};
+    const World world({frame, {ring(square(20, 0, 1)), {}}}, ring(square(-5, -5, 50)));
+    ASSERT_EQ(world.vertices().size(), 16u);
+    EXPECT_EQ(world.vertex(0), frame.outer[0]);
+    EXPECT_EQ(world.vertex(5), frame.holes[0][1]);
+    EXPECT_EQ(world.obstacle_count(), 2u);
+    EXPECT_EQ(world.region_count(), 3u);
+    EXPECT_EQ(world.vertices_of(0).first, 0u);
+    EXPECT_EQ(world.vertices_of(0).last, 8u);
+    EXPECT_EQ(world.vertices_of(2).last, 16u);
+    ASSERT_EQ(world.ring_starts(0).size(), 2u);
+    EXPECT_EQ(world.ring_starts(0)[1], 4u);
+    EXPECT_EQ(world.ring_starts(2)[0], 12u);
+    EXPECT_EQ(world.obstacle_of(7), 0u);
+    EXPECT_EQ(world.obstacle_of(8), 1u);
+    EXPECT_EQ(world.obstacle_of(15), 2u);
+    EXPECT_EQ(world.box_of(1).min, Vec2(20, 0));
+    EXPECT_EQ(world.box().max, Vec2(45, 45));
+    const double step = 0.25;
+    for (VertexId v = 0; v < 16; ++v) {
+      EXPECT_EQ(world.previous(world.next(v)), v);
+      const LineSegment& edge = world.edges()[v];
+      EXPECT_EQ(edge.a, world.vertex(v));
+      EXPECT_EQ(edge.b, world.vertex(world.next(v)));
+      const Vec2 left = 0.5 * (edge.a + edge.b) + step * perpendicular(edge.b - edge.a).normalized();
+      EXPECT_EQ(world.locate(left, world.obstacle_of(v)), PointLocation::kInside) << "vertex " << v;
+      EXPECT_EQ(world.is_convex(v), v < 4 || (v >= 8 && v < 12)) << "vertex " << v;
+    }
+  }
+}
+
+TEST(World, LocatesWithHolesAndBounds) {
+  const World world({{square(0, 0, 9), {square(2, 2, 3)}}}, square(-5, -5, 50));
+  using enum PointLocation;
+  EXPECT_EQ(world.locate({1, 1}, 0), kInside);
+  EXPECT_EQ(world.locate({3, 3}, 0), kOutside);
+  EXPECT_EQ(world.locate({2, 3}, 0), kBoundary);
+  EXPECT_EQ(world.locate({9, 3}, 0), kBoundary);
+  EXPECT_EQ(world.locate({10, 3}, 0), kOutside);
+  EXPECT_EQ(world.locate({1, 1}, 1), kOutside);
+  EXPECT_EQ(world.locate({-5, 1}, 1), kBoundary);
+  EXPECT_EQ(world.locate({-6, 1}, 1), kInside);
+  EXPECT_EQ(world.locate({40, 46}, 1), kInside);
+}
+
+TEST(World, TouchingDoesNotCover) {
+  // Equal obstacles, a shared corner, a common edge, a corner on an edge: only overlap covers.
+  const World world({{square(0, 0, 2), {}}, {square(0, 0, 2), {}}, {square(2, 2, 1), {}}, {square(2, 0, 2), {}}});
+  EXPECT_EQ(world.convex_vertices().size(), 16u);
+  const World overlapping({{square(0, 0, 2), {}}, {square(1, 1, 2), {}}}, square(0, 0, 2));
+  EXPECT_TRUE(overlapping.is_covered(2));   // of the first, in the second
+  EXPECT_TRUE(overlapping.is_covered(4));   // of the second, in the first
+  EXPECT_TRUE(overlapping.is_covered(5));   // beyond the bounds
+  EXPECT_FALSE(overlapping.is_covered(0));  // in a corner of the bounds
+  EXPECT_TRUE(overlapping.is_covered(10));  // of the bounds, in the second
+  EXPECT_EQ(overlapping.convex_vertices().size(), 3u);
+}
+
+TEST(World, CoversWhatAScanCovers) {
+  Random random(1);
+  for (int round = 0; round < 40; ++round) {
+    std::vector<Polygon> obstacles;
+    for (int k = 0; k < 15; ++k) {
+      const Vec2 corner = random.grid_point(0, 20);
+      obstacles.push_back({square(corner.x(), corner.y(), static_cast<double>(random.integer(1, 6))), {}});
+    }
+    // More vertices than a scan is used for.
+    obstacles.push_back(
+        {test::random_star(random, {10, 10}, 4, 9, 100), {test::random_star(random, {10, 10}, 1, 3, 80)}});
+    std::optional<Ring> bounds;
+    if (round % 2 == 0) bounds = test::random_star(random, {10, 10}, 8, 16, round % 4 == 0 ? 10 : 90);
+    const World world(obstacles, bounds);
+    std::vector<VertexId> expected;
+    for (VertexId v = 0; v < world.vertices().size(); ++v) {
+      bool covered = false;
+      for (ObstacleId o = 0; o < world.region_count(); ++o) {
+        covered |= o != world.obstacle_of(v) && world.locate(world.vertex(v), o) == PointLocation::kInside;
+      }
+      ASSERT_EQ(world.is_covered(v), covered) << "round " << round << " vertex " << v;
+      ASSERT_EQ(world.is_graph_vertex(v), world.is_convex(v) && !covered) << "round " << round << " vertex " << v;
+      if (world.is_graph_vertex(v)) expected.push_back(v);
+    }
+    const auto convex = world.convex_vertices();
+    EXPECT_EQ(std::vector<VertexId>(convex.begin(), convex.end()), expected);
+  }
+}
+
+TEST(World, CollinearVerticesAreNotConvex) {
+  const World world({{{{0, 0}, {1e7, 0}, {2e7, 0}, {2e7, 1}, {0, 1}}, {}}});
+  EXPECT_FALSE(world.is_convex(1));
+  EXPECT_EQ(world.convex_vertices().size(), 4u);
+}
+
+TEST(World, AcceptsPinchedRings) {
+  // Two lobes that meet in (1, 1): each has a convex tip there.
+  const World world({{{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}, {}}});
+  EXPECT_EQ(world.locate({1, 1}, 0), PointLocation::kBoundary);
+  EXPECT_EQ(world.locate({0.5, 1}, 0), PointLocation::kInside);
+  EXPECT_EQ(world.locate({1.5, 1}, 0), PointLocation::kInside);
+  EXPECT_EQ(world.locate({1, 0.5}, 0), PointLocation::kOutside);
+  EXPECT_TRUE(world.is_convex(1));
+  EXPECT_TRUE(world.is_convex(4));
+  for (const VertexId v : {1u, 4u}) {
+    EXPECT_EQ(world.previous(world.next(v)), v);
+    EXPECT_EQ(world.next(world.previous(v)), v);
+    // Both neighbours belong to the lobe of the wedge.
+    EXPECT_EQ(world.vertex(world.previous(v)).x(), world.vertex(world.next(v)).x());
+  }
+}
+
+TEST(World, AHoleThatTouchesItsRingSplitsTheWedge) {
+  const World world({{{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}}, {{{0, 4}, {3, 3}, {3, 5}}}}});
+  EXPECT_TRUE(world.is_convex(4));
+  EXPECT_TRUE(world.is_convex(5));
+}
+
+TEST(World, ListsVerticesInsideEdgesOfTheirRegion) {
+  // Two holes touch the lower edge in one point, from inside; a spike of the outer ring touches the upper edge of a
+  // notch from its free side.
+  const World world({{{{0, 0}, {16, 0}, {16, 8}, {0, 8}}, {{{8, 0}, {6, 4}, {4, 4}}, {{8, 0}, {12, 4}, {10, 4}}}},
+                     {{{20, 0}, {30, 0}, {30, 8}, {20, 8}, {20, 6}, {26, 6}, {26, 4}, {24, 6}, {22, 2}, {20, 2}}, {}}});
+  ASSERT_EQ(world.self_contacts().size(), 2u);
+  EXPECT_EQ(world.self_contacts_on(0).size(), 2u);
+  EXPECT_TRUE(world.self_contacts_on(1).empty());
+  EXPECT_EQ(world.edge_touched_by(4), 0u);
+  EXPECT_EQ(world.edge_touched_by(7), 0u);
+  EXPECT_EQ(world.edge_touched_by(17), kNone);
+  EXPECT_EQ(static_cast<int>(world.is_convex(4)) + static_cast<int>(world.is_convex(7)), 1);  // between the holes
+  EXPECT_TRUE(world.is_convex(17));
+  for (VertexId v = 0; v < world.vertices().size(); ++v) EXPECT_EQ(world.previous(world.next(v)), v);
+}
+
+// A hole touches the lower edge of the upper arm from inside, a spike of the lower arm from outside, in one point.
+TEST(World, KeepsTheSidesOfATouchedEdgeApart) {
+  const World world(
+      {{{{0, 0}, {14, 0}, {14, -4}, {9, -4}, {8, 0}, {7, -4}, {0, -4}, {0, -8}, {16, -8}, {16, 8}, {0, 8}},
+        {{{8, 0}, {10, 4}, {6, 4}}}}});
+  ASSERT_EQ(world.self_contacts().size(), 1u);
+  EXPECT_EQ(world.edge_touched_by(11), 0u);
+  EXPECT_TRUE(world.is_convex(4));
+  EXPECT_EQ(world.next(4), 5u);
+  EXPECT_EQ(world.previous(4), 3u);
+  EXPECT_FALSE(world.is_convex(11));
+}
+
+TEST(World, MayBeEmpty) {
+  const World world({});
+  EXPECT_TRUE(world.vertices().empty());
+  EXPECT_TRUE(world.box().empty());
+  EXPECT_EQ(world.region_count(), 0u);
+  const World bounded({}, square(0, 0, 1));
+  EXPECT_EQ(bounded.region_count(), 1u);
+  EXPECT_TRUE(bounded.convex_vertices().empty());
+}
+
+TEST(World, TakesManyObstacles) {
+  std::vector<Polygon> obstacles;
+  for (int i = 0; i < 100; ++i) {
+    for (int j = 0; j < 100; ++j) obstacles.push_back({square(i, j, i % 2 == 0 ? 0.5 : 1.0), {}});
+  }
+  const World world(std::move(obstacles), square(0, 0, 100));
+  EXPECT_EQ(world.vertices().size(), 40004u);
+  EXPECT_EQ(world.convex_vertices().size(), 40000u);
+}
+
+}  // namespace
+}  // namespace arcway

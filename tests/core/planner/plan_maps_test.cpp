@@ -1,0 +1,188 @@
+#include "core/planner/plan_maps.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/motion/speed_profile.h"
+#include "core/planner/planner.h"
+#include "core/refine/refine_path.h"
+#include "core/roadmap/visibility_graph.h"
+#include "core/search/arrival_search.h"
+#include "datasets/generators/clutter.h"
+#include "datasets/generators/random_queries.h"
+#include "tests/support/plans.h"
+
+namespace arcway {
+namespace {
+
+Vehicle driven_by(const TurnSpeedLaw& law, double max_speed = VehicleParameters().max_speed) {
+  VehicleParameters parameters;
+  parameters.max_speed = max_speed;
+  parameters.turn_speed = law;
+  parameters.max_acceleration = 2.0;
+  return Vehicle(parameters);
+}
+
+TEST(WithOtherTurns, TakesTurnsWithSoManyTimesTheLateralAcceleration) {
+  for (const TurnSpeedLaw& law : {TurnSpeedLaw(ConstantTurnSpeed{5.0}), TurnSpeedLaw(LateralAccelerationLimit{2.0}),
+                                  TurnSpeedLaw(TurnSpeedTable{{{1.5, 2.0}, {6.0, 5.0}, {40.0, 11.0}}})}) {
+    const Vehicle vehicle = driven_by(law), unlimited = driven_by(law, 1000.0);
+    for (const double factor : {0.5, 1.0, 2.0, 16.0}) {
+      const Vehicle other = with_other_turns(vehicle, factor);
+      for (const double radius : {1.3, 2.0, 7.0, 30.0, 300.0})
+        EXPECT_NEAR(other.turn_speed(radius),
+                    std::min(vehicle.max_speed(), std::sqrt(factor) * unlimited.turn_speed(radius)), 1e-12);
+      EXPECT_EQ(other.min_turning_radius(), vehicle.min_turning_radius());
+      EXPECT_EQ(other.max_speed(), vehicle.max_speed());
+    }
+  }
+}
+
+SearchMap lazy_map(const Planner& planner, const std::vector<double>& radii) {
+  return {planner.world(),
+          planner.vehicle(),
+          planner.queries(),
+          radii,
+          FeasibleGraph(planner.world(), planner.vehicle(), planner.visibility_rows(), planner.queries(), radii,
+                        SerialExecutor(), GraphMode::kLazy),
+          std::make_shared<const Outlines>(planner.world())};
+}
+
+class SeveralRadii : public testing::TestWithParam<ClutterKind> {
+ protected:
+  World world_ = random_world({.kind = GetParam(), .obstacles = 30, .vertices = 8, .fill = 0.2, .seed = 4});
+  Vehicle vehicle_ = driven_by(LateralAccelerationLimit{2.0});
+  QuerySet queries_ = make_reference_queries(world_);
+  Planner planner_{world_, vehicle_, queries_, {}, SerialExecutor()};
+  std::vector<PlanRequest> requests_ = random_queries(world_, queries_, vehicle_, {.count = 12, .seed = 5});
+
+  [[nodiscard]] Planner with_radii(std::vector<double> radii, const PlannerOptions& options = {}) const {
+    PlannerOptions o = options;
+    o.radii = std::move(radii);
+    return {world_, vehicle_, queries_, planner_.visibility_rows(), o, SerialExecutor()};
+  }
+};
+
+TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
+  ASSERT_GT(planner_.options().radii.size(), 3u);
+  const Planner smallest = with_radii({vehicle_.min_turning_radius()});
+  int solved = 0, faster = 0;
+  for (const PlanRequest& request : requests_) {
+    const PlanResult plan = planner_.plan(request);
+    const PlanResult tight = smallest.plan(request);
+    EXPECT_TRUE(plan.solved() || !tight.solved());
+    if (!plan.solved()) continue;
+    test::expect_valid(planner_, plan);
+    ++solved;
+    if (!tight.solved()) continue;
+    EXPECT_LE(plan.travel_time, tight.travel_time);
+    faster += plan.travel_time < 0.98 * tight.travel_time ? 1 : 0;
+  }
+  EXPECT_GT(solved, 6);
+  EXPECT_GT(faster, 0);
+}
+
+TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
+  const std::vector<double>& radii = planner_.options().radii;
+  const SearchMap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
+  const std::vector<SearchMap> maps = maps_of_other_ways(all, smallest, planner_.visibility_rows(), SerialExecutor());
+  EXPECT_GT(maps.size(), 3u);
+  SearchWorkspace workspace;
+  int other = 0;
+  for (const PlanRequest& request : requests_) {
+    const PlanResult plan = planner_.plan(request);
+    if (!plan.solved()) continue;
+    const std::vector<Terminal> starts{{request.start, {}}}, goals{{request.goal, {}}};
+    const auto usual = search_arrivals(all, starts, goals, {}, workspace).path;
+    for (const SearchMap& map : maps) {
+      EXPECT_TRUE(std::ranges::includes(radii, map.radii));
+      EXPECT_GE(map.vehicle.turn_speed(radii.front()), vehicle_.turn_speed(radii.front()));
+      const auto path = search_arrivals(map, starts, goals, {}, workspace).path;
+      if (!path || !usual) continue;
+      // None is faster before refinement, as the graph of all radii holds them all.
+      const double time = speed_profile(*path, vehicle_).total_time;
+      EXPECT_GE(time, speed_profile(*usual, vehicle_).total_time * (1.0 - 1e-12));
+      other += time > speed_profile(*usual, vehicle_).total_time ? 1 : 0;
+      EXPECT_LE(plan.travel_time, time);
+    }
+  }
+  EXPECT_GT(other, 0);
+}
+
+TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
+  const std::vector<double>& radii = planner_.options().radii;
+  for (const std::size_t count : {std::size_t{2}, radii.size()}) {
+    const PlanMaps all(lazy_map(planner_, {radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count)}), false);
+    const PlanMaps smallest(lazy_map(planner_, {radii.front()}), false);
+    const std::vector<SearchMap> more =
+        maps_of_other_ways(all.plain, smallest.plain, planner_.visibility_rows(), SerialExecutor());
+    std::vector<std::pair<std::vector<double>, double>> ways;
+    const auto add = [&](const SearchMap& map) {
+      const double limit = std::get<LateralAccelerationLimit>(map.vehicle.parameters().turn_speed).lateral_acceleration;
+      ways.emplace_back(map.radii, limit);
+    };
+    for (const PlanMaps* maps : {&all, &smallest}) {
+      add(maps->plain);
+      add(maps->faster_turns);
+      add(maps->slower_turns);
+    }
+    std::ranges::for_each(more, add);
+    std::ranges::sort(ways);
+    EXPECT_EQ(std::ranges::adjacent_find(ways), ways.end()) << count << " radii";
+  }
+}
+
+TEST_P(SeveralRadii, WithoutRefinementTheGraphsFastestPathIsThePlan) {
+  const Planner plain = with_radii({}, {.manoeuvre_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}});
+  int solved = 0;
+  for (const PlanRequest& request : requests_) {
+    const PlanResult plan = plain.plan(request);
+    if (!plan.solved()) continue;
+    ++solved;
+    EXPECT_EQ(plan.travel_time, plan.statistics.first_travel_time);
+    EXPECT_EQ(plan.statistics.refine_trials, 0u);
+  }
+  EXPECT_GE(solved, 3);
+}
+
+class OneRadius : public testing::TestWithParam<ClutterKind> {};
+
+TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
+  const World world = random_world({.kind = GetParam(), .obstacles = 40, .vertices = 8, .fill = 0.25, .seed = 11});
+  const Vehicle vehicle;
+  const QuerySet queries = make_reference_queries(world);
+  const Planner planner(world, vehicle, queries, {}, SerialExecutor());
+  const std::vector<double> radii = planner.options().radii;
+  ASSERT_EQ(radii.size(), 1u);
+  const PlanMaps maps(lazy_map(planner, radii), false);
+  EXPECT_GT(maps.faster_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
+  EXPECT_LT(maps.slower_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
+  SearchWorkspace workspace;
+  int other = 0;
+  for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 40, .seed = 5})) {
+    const PlanResult plan = planner.plan(request);
+    if (!plan.solved()) continue;
+    test::expect_valid(planner, plan);
+    const std::vector<Terminal> starts{{request.start, {}}}, goals{{request.goal, {}}};
+    for (const SearchMap* map : {&maps.faster_turns, &maps.slower_turns}) {
+      const auto path = search_arrivals(*map, starts, goals, {}, workspace).path;
+      if (!path || plan.travel_time <= 1.01 * plan.lower_bound) continue;
+      const RefinedPath refined = refine_path(*path, request.start, request.goal, vehicle, *queries.sweep);
+      EXPECT_LE(plan.travel_time, refined.travel_time * (1.0 + 1e-12));
+      other += speed_profile(*path, vehicle).total_time > plan.statistics.first_travel_time ? 1 : 0;
+    }
+  }
+  EXPECT_GT(other, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, OneRadius, testing::Values(ClutterKind::kConvex, ClutterKind::kStar));
+INSTANTIATE_TEST_SUITE_P(Kinds, SeveralRadii, testing::Values(ClutterKind::kConvex, ClutterKind::kStar));
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,114 @@
+#include "core/reversing/refine_reversing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/collision/query_set.h"
+#include "core/motion/dubins.h"
+#include "core/motion/speed_profile.h"
+#include "core/planner/planner.h"
+#include "core/reversing/gear_search.h"
+#include "tests/support/boxes.h"
+#include "tests/support/plans.h"
+
+namespace arcway {
+namespace {
+
+using test::box;
+using test::expect_valid;
+
+// Into gaps between two boxes, along a lane that leaves little room to swing out. The paper's robot is 1.5 x 0.8 m.
+TEST(RefineReversing, CuspsMoveToWhereParkingTakesLessTime) {
+  const Vehicle vehicle({.max_acceleration = 2.0});
+  double gain = 0.0;
+  for (const double length : {1.9, 2.2, 2.6, 3.0}) {
+    const World world({box(-6.0, -1.2, 0.0, 0.0), box(length, -1.2, length + 6.0, 0.0),
+                       box(-6.0, -3.0, length + 6.0, -1.3), box(-6.0, 2.2, length + 6.0, 3.0)},
+                      box(-8.0, -5.0, length + 8.0, 6.0).outer);
+    const QuerySet queries = make_reference_queries(world);
+    const Pose start{-4.0, 1.2, 0.0}, goal{0.5 * length - 0.65, -0.6, 0.0};
+    const GearSearchResult found = search_gears(start, goal, vehicle, *queries.sweep, {.max_poses = 20000});
+    ASSERT_TRUE(found.path) << length;
+    RefineOptions options;
+    options.max_trials = 100000;
+    const RefinedPath fine = refine_reversing_path(*found.path, vehicle, *queries.sweep, {}, options, {});
+    options.smallest_step = 1.0;  // so large that nothing moves
+    const RefinedPath words = refine_reversing_path(*found.path, vehicle, *queries.sweep, {}, options, {});
+    expect_valid(world, vehicle, start, goal, fine.path);
+    expect_valid(world, vehicle, start, goal, words.path);
+    EXPECT_LE(fine.travel_time, words.travel_time);
+    EXPECT_LE(words.travel_time, found.cost);
+    EXPECT_EQ(fine.travel_time, travel_cost(fine.path, vehicle, 0.0));
+    gain += 1.0 - fine.travel_time / words.travel_time;
+  }
+  EXPECT_GT(gain, 0.015);
+}
+
+// Back and forth along a lane too narrow to turn in: all of it is one line.
+TEST(RefineReversing, LeavesNoChangeOfGearThatAWordSaves) {
+  const Vehicle vehicle;
+  const World world({box(-5.0, 0.8, 60.0, 1.8), box(-5.0, -1.8, 60.0, -0.8)});
+  const QuerySet queries = make_reference_queries(world);
+  Path zigzag;
+  Pose pose{0.0, 0.0, 0.0};
+  for (int i = 0; i < 120; ++i) {
+    const Gear gear = i % 2 == 0 ? Gear::kForward : Gear::kReverse;
+    zigzag.push_back({pose, i % 2 == 0 ? 1.0 : 0.6, 0.02 * (i % 3 - 1), gear});
+    pose = zigzag.back().end();
+  }
+  const RefinedPath refined = refine_reversing_path(zigzag, vehicle, *queries.sweep, {.cost = 10.0}, {}, {});
+  expect_valid(world, vehicle, zigzag.front().start, pose, refined.path);
+  EXPECT_EQ(cusps_of(refined.path), 0u);
+  EXPECT_LE(refined.trials, RefineOptions{}.max_trials);
+}
+
+// Aside on an open field two changes of gear are faster than a loop without any.
+TEST(RefineReversing, TakesNoMoreChangesOfGearThanAllowed) {
+  const Vehicle vehicle({.max_acceleration = 50.0});
+  const World world({});
+  const QuerySet queries = make_reference_queries(world);
+  const Pose start{0.0, 0.0, 0.0}, goal{0.0, 2.0, 0.0};
+  const Path loop = *dubins_path(DubinsWord::kLSL, start, goal, 3.0);
+  const auto refined_with = [&](std::size_t most) {
+    const RefinedPath refined = refine_reversing_path(loop, vehicle, *queries.sweep, {.most = most}, {}, {});
+    expect_valid(world, vehicle, start, goal, refined.path);
+    return refined;
+  };
+  const RefinedPath none = refined_with(0), any = refined_with(10);
+  EXPECT_EQ(cusps_of(none.path), 0u);
+  EXPECT_GT(cusps_of(any.path), 0u);
+  EXPECT_LT(any.travel_time, none.travel_time);
+}
+
+TEST(RefineReversing, RefusesStepsThatNeverEnd) {
+  const QuerySet queries = make_reference_queries(World({}));
+  const Path path{{{0, 0, 0}, 2.0, 0.0}};
+  for (const double step : {0.0, -0.01, std::nan(""), HUGE_VAL}) {
+    RefineOptions options;
+    options.smallest_step = step;
+    EXPECT_THROW((void)refine_reversing_path(path, Vehicle{}, *queries.sweep, {}, options, {}), std::invalid_argument);
+    EXPECT_THROW((void)refine_path(path, {0, 0, 0}, {2, 0, 0}, Vehicle{}, *queries.sweep, options),
+                 std::invalid_argument);
+    EXPECT_THROW(Planner(World({}), Vehicle{}, {.refinement = options}), std::invalid_argument);
+  }
+}
+
+TEST(RefineReversing, StopsWhenItIsAsked) {
+  const Vehicle vehicle;
+  const World world({});
+  const QuerySet queries = make_reference_queries(world);
+  const Path there_and_back{{{0.0, 0.0, 0.0}, 5.0, 0.0, Gear::kForward}, {{5.0, 0.0, 0.0}, 4.0, 0.0, Gear::kReverse}};
+  const RefinedPath stopped =
+      refine_reversing_path(there_and_back, vehicle, *queries.sweep, {}, {}, [] { return true; });
+  EXPECT_TRUE(stopped.interrupted);
+  EXPECT_EQ(stopped.trials, 0u);
+  EXPECT_EQ(stopped.path.size(), 2u);
+  const RefinedPath refined = refine_reversing_path(there_and_back, vehicle, *queries.sweep, {}, {}, {});
+  EXPECT_FALSE(refined.interrupted);
+  EXPECT_EQ(cusps_of(refined.path), 0u);
+  EXPECT_NEAR(length_of(refined.path), 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,83 @@
+#include "core/validate/edge_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "tests/support/random_inputs.h"
+
+namespace arcway {
+namespace {
+
+// Once each, and none that meets the box is missing.
+void expect_all_that_meet(const EdgeGrid& grid, const Box& asked) {
+  std::vector<VertexId> visited;
+  grid.visit_near(asked, [&](VertexId e) { visited.push_back(e); });
+  std::sort(visited.begin(), visited.end());
+  EXPECT_TRUE(std::adjacent_find(visited.begin(), visited.end()) == visited.end());
+  for (VertexId e = 0; e < grid.edges().size(); ++e) {
+    if (!box_of(grid.edges()[e]).overlaps(asked)) continue;
+    ASSERT_TRUE(std::binary_search(visited.begin(), visited.end(), e)) << "edge " << e;
+  }
+}
+
+std::vector<LineSegment> random_edges(test::Random& random, std::size_t count, double width, double height) {
+  std::vector<LineSegment> edges(count);
+  for (LineSegment& edge : edges) {
+    edge.a = Vec2(random.uniform(0.0, width), random.uniform(0.0, height));
+    const double length = random.integer(0, 9) == 0 ? 1.0 : 0.01;  // some cross the map
+    edge.b = edge.a + Vec2(random.uniform(0.0, length * width), random.uniform(0.0, length * height));
+  }
+  return edges;
+}
+
+TEST(EdgeGrid, VisitsEachEdgeThatMeetsABoxOnce) {
+  test::Random random(1);
+  struct Size {
+    double width, height;
+  };
+  for (const auto& [width, height] : {Size{100, 100}, {1e6, 1}, {1, 1e-9}, {0, 50}, {50, 0}, {0, 0}})
+    for (const std::size_t count : {1u, 2u, 30u, 2000u}) {
+      const std::vector<LineSegment> edges = random_edges(random, count, width, height);
+      const EdgeGrid grid(edges);
+      for (int i = 0; i < 100; ++i) {
+        const Vec2 corner(random.uniform(-0.5, 1.5) * width, random.uniform(-0.5, 1.5) * height);
+        const double part = i % 2 == 0 ? 0.02 : 0.5;
+        const Vec2 size(random.uniform(0.0, part) * width, random.uniform(0.0, part) * height);
+        expect_all_that_meet(grid, {corner, corner + size});
+        expect_all_that_meet(grid, box_of(edges[static_cast<std::size_t>(random.bits() % count)]));
+      }
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
+      expect_all_that_meet(grid, Box{edges[0].a, edges[0].a}.grown(kInfinity));
+      expect_all_that_meet(grid, Box{edges[0].a, edges[0].a}.grown(1e300));
+    }
+}
+
+TEST(EdgeGrid, VisitsLittleBesideThat) {
+  test::Random random(2);
+  std::vector<LineSegment> edges(100'000);
+  for (LineSegment& edge : edges) {
+    edge.a = random.point(0.0, 1000.0);
+    edge.b = edge.a + random.point(-1.0, 1.0);
+  }
+  const EdgeGrid grid(edges);
+  std::size_t visited = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Vec2 corner = random.point(0.0, 990.0);
+    grid.visit_near({corner, corner + Vec2(10.0, 10.0)}, [&](VertexId) { ++visited; });
+  }
+  EXPECT_GT(visited, 500u);    // a thousandth of the map at a time
+  EXPECT_LT(visited, 10000u);  // which has ten edges a time
+}
+
+TEST(EdgeGrid, HasNothingWithoutEdges) {
+  const EdgeGrid grid({});
+  grid.visit_near({{-1, -1}, {1, 1}}, [](VertexId e) { ADD_FAILURE() << e; });
+  EXPECT_TRUE(grid.box().empty());
+}
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,191 @@
+#include "datasets/formats/prepared_map.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "core/planner/planner.h"
+#include "datasets/generators/catalogue.h"
+#include "datasets/generators/clutter.h"
+#include "datasets/map/map_file.h"
+#include "tests/support/nasty_worlds.h"
+#include "tests/support/prepared_bytes.h"
+#include "tests/support/thread_executor.h"
+
+namespace arcway {
+namespace {
+
+PreparedMap prepare(const World& world, const Executor& executor) {
+  return prepared_map_of(Planner(world, Vehicle{}, make_reference_queries(world), {}, executor), Pose{1, 2, 3});
+}
+
+World small_world();
+
+TEST(PreparedMap, IsNoneOfWhatIsNotAllThere) {
+  const World world = small_world();
+  const QuerySet queries = make_reference_queries(world);
+  const Planner lazy(world, Vehicle{}, queries, {.graph_mode = GraphMode::kLazy}, SerialExecutor());
+  EXPECT_THROW((void)prepared_map_of(lazy), std::logic_error);
+  const Planner eager(world, Vehicle{}, queries, {}, SerialExecutor());
+  const Planner from_rows(world, Vehicle{}, queries, eager.visibility_rows(), {}, SerialExecutor());
+  EXPECT_THROW((void)prepared_map_of(from_rows), std::logic_error);
+}
+
+World small_world() {
+  return World({{test::square(0, 0, 4), {test::reversed(test::square(1, 1, 1))}}, {test::square(9, 9, 2), {}}},
+               test::square(-5, -5, 30));
+}
+
+std::string complaint_about(const std::string& bytes) {
+  try {
+    static_cast<void>(read_prepared_map(bytes, "m.arcway"));
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PreparedMap, ReadsBackToTheSameBytes) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const World world = test::nasty_world(seed, 8);
+    PreparedMap map{world, build_reduced_visibility_graph(world, *make_reference_queries(world).visibility), {}, {}, {},
+                    {}};
+    const std::string bytes = to_bytes(map);
+    EXPECT_EQ(to_bytes(read_prepared_map(bytes, "m")), bytes) << seed;
+  }
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  const PreparedMap map = read_prepared_map(bytes, "m");
+  EXPECT_EQ(to_bytes(map), bytes);
+  EXPECT_EQ(map.start->heading, 3.0);
+  EXPECT_FALSE(map.goal);
+  ASSERT_TRUE(map.robot);
+  EXPECT_EQ(map.robot->parameters.max_speed, Vehicle{}.max_speed());
+}
+
+TEST(PreparedMap, HasTheSameBytesForAnyNumberOfThreadsAndEveryTime) {
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 15, .vertices = 6, .fill = 0.2, .seed = 8});
+  const std::string expected = to_bytes(prepare(world, SerialExecutor()));
+  for (const std::size_t threads : {1u, 2u, 3u, 8u})
+    EXPECT_EQ(to_bytes(prepare(world, test::ThreadExecutor(threads))), expected) << threads;
+}
+
+TEST(PreparedMap, PlansAsAMapThatIsPreparedAnew) {
+  const World world = random_world({.obstacles = 15, .vertices = 6, .fill = 0.2, .seed = 8});
+  PreparedMap map = read_prepared_map(to_bytes(prepare(world, SerialExecutor())), "m");
+  const Planner built(world, Vehicle{});
+  const Planner taken(map.world, Vehicle(map.robot->parameters), make_reference_queries(map.world),
+                      {std::move(map.reduced_graph), map.robot->radii, std::move(map.robot->feasible)});
+  const PlanRequest request{{0.5, 0.5, 0}, {40, 40, 1}};
+  const PlanResult a = built.plan(request), b = taken.plan(request);
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.travel_time, b.travel_time);
+  EXPECT_EQ(a.lower_bound, b.lower_bound);
+}
+
+TEST(PreparedMap, IsRefusedWhenCutOffAnywhere) {
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_EQ(complaint_about(bytes.substr(0, size)).rfind("m.arcway: byte ", 0), 0u) << size;
+}
+
+TEST(PreparedMap, IsRefusedWhenAnyByteIsAnother) {
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 0x10);
+    EXPECT_EQ(complaint_about(changed).rfind("m.arcway: byte ", 0), 0u) << at;
+  }
+  EXPECT_NE(complaint_about(bytes + '\0'), "");
+}
+
+TEST(PreparedMap, SaysWhatIsWrongAndWhere) {
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  EXPECT_EQ(complaint_about("{\"type\": 1}"), "m.arcway: byte 0: this is no prepared map");
+  EXPECT_EQ(complaint_about(bytes.substr(0, 20)), "m.arcway: byte 20: the file ends in its header of 40 bytes");
+
+  std::string other = bytes;
+  other[12] = 9;
+  EXPECT_EQ(complaint_about(other),
+            "m.arcway: byte 12: version 9, this program reads version 1; prepare the map again");
+  other = bytes;
+  std::swap(other[8], other[11]);
+  std::swap(other[9], other[10]);
+  EXPECT_EQ(complaint_about(other), "m.arcway: byte 8: written by a machine of another byte order: 0x04030201");
+
+  other = bytes.substr(0, bytes.size() - 1);
+  EXPECT_NE(complaint_about(other).find(": the file has " + std::to_string(other.size()) + " bytes, its header says " +
+                                        std::to_string(bytes.size())),
+            std::string::npos);
+
+  // A file that somebody made with care: the checksums are right, the content is not.
+  other = bytes;
+  const test::PreparedSection targets = test::section_of(other, static_cast<std::uint32_t>(Table::kTargets));
+  const std::uint32_t nowhere = 4711;
+  std::memcpy(other.data() + targets.offset + 8, &nowhere, sizeof nowhere);
+  test::mend_checksums(other);
+  EXPECT_EQ(
+      complaint_about(other).rfind("m.arcway: byte " + std::to_string(targets.offset + 8) + ": targets, entry 2", 0),
+      0u)
+      << complaint_about(other);
+  EXPECT_NE(complaint_about(other).find("4711"), std::string::npos);
+}
+
+TEST(PreparedMap, IsRefusedWhenItsLayoutIsAnother) {
+  const std::string bytes = to_bytes(prepare(small_world(), SerialExecutor()));
+  const auto complaint_after = [&](const auto& change) {
+    std::string other = bytes;
+    change(other);
+    test::mend_checksums(other);
+    return complaint_about(other);
+  };
+  const auto put = [](std::string& text, std::size_t place, std::uint32_t value) {
+    std::memcpy(&text[place], &value, sizeof value);
+  };
+  const std::size_t first = 40, last = 40 + 32 * (test::number_at<std::uint32_t>(bytes, 20) - 1);  // entries
+  EXPECT_EQ(complaint_after([](std::string& b) { b[16] = 3; }), "m.arcway: byte 16: unknown flags 0x00000003");
+  EXPECT_EQ(complaint_after([](std::string& b) { b += std::string(64, '\0'); }),
+            "m.arcway: byte " + std::to_string(bytes.size()) + ": bytes after the last section");
+  EXPECT_EQ(complaint_after([&](std::string& b) { put(b, last + 28, 1); }),
+            "m.arcway: byte " + std::to_string(last + 28) + ": section 13 has 0x00000001 where 0 is expected");
+  const auto count = test::number_at<std::uint64_t>(bytes, first + 16);
+  EXPECT_EQ(complaint_after([&](std::string& b) {
+              put(b, first + 16, static_cast<std::uint32_t>(2 * count));
+              put(b, first + 24, 8);
+            }),
+            "m.arcway: byte 64: section 1 has elements of 8 bytes, expected 16");
+  EXPECT_EQ(complaint_after([&](std::string& b) { put(b, last, 1); }),
+            "m.arcway: byte " + std::to_string(last) + ": section 1 comes twice");
+  EXPECT_EQ(complaint_after([&](std::string& b) { put(b, last, 999); }), "m.arcway: byte 40: section 13 is missing");
+  EXPECT_EQ(complaint_after([&](std::string& b) { put(b, 40 + 32 * 7, 999); }),
+            "m.arcway: byte 264: unknown section 999");  // in place of the start
+}
+
+// The same map has one file: what may be missing is not there if it is empty.
+TEST(PreparedMap, IsRefusedWithAnEmptySectionOfContacts) {
+  std::string bytes = to_bytes(prepare(World({}), SerialExecutor()));
+  const std::size_t targets = 40 + 32 * 6;  // entry of the targets, of which there are none
+  ASSERT_EQ(test::number_at<std::uint32_t>(bytes, targets), static_cast<std::uint32_t>(Table::kTargets));
+  bytes[targets] = static_cast<char>(Table::kSelfContacts);
+  test::mend_checksums(bytes);
+  EXPECT_EQ(complaint_about(bytes),
+            "m.arcway: byte " + std::to_string(targets + 16) + ": section 14 is empty, not left out");
+}
+
+TEST(PreparedMap, IsWrittenWholeOrNotAtAll) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "arcway_prepared_map";
+  std::filesystem::create_directories(folder);
+  const PreparedMap map = prepare(small_world(), SerialExecutor());
+  write_prepared_map(folder / "m.arcway", map);
+  EXPECT_TRUE(is_prepared_map_file(folder / "m.arcway"));
+  EXPECT_EQ(to_bytes(read_prepared_map_file(folder / "m.arcway")), to_bytes(map));
+  EXPECT_THROW(write_prepared_map(folder / "none" / "m.arcway", map), FileError);
+  EXPECT_THROW(static_cast<void>(read_prepared_map_file(folder / "other.arcway")), FileError);
+  EXPECT_FALSE(is_prepared_map_file(folder / "other.arcway"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,33 @@
+#include "datasets/io/nearest_word.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace arcway {
+namespace {
+
+const std::vector<std::string_view> kWords{"length", "width", "wheelbase", "max_speed", "s"};
+
+TEST(NearestWord, FindsWhatWasMeant) {
+  EXPECT_EQ(nearest_word("widht", kWords), "width");
+  EXPECT_EQ(nearest_word("wheel_base", kWords), "wheelbase");
+  EXPECT_EQ(nearest_word("Length", kWords), "length");
+  EXPECT_EQ(nearest_word("speed", kWords), "max_speed");
+  EXPECT_EQ(nearest_word("max_speed_mps", kWords), "max_speed");
+  EXPECT_EQ(nearest_word("colour", kWords), "");
+  EXPECT_EQ(nearest_word("", kWords), "");
+  EXPECT_EQ(nearest_word("x", kWords), "");
+  EXPECT_EQ(nearest_word("width", {}), "");
+}
+
+TEST(NearestWord, MessagesAreShort) {
+  EXPECT_EQ(unknown_word("key", "widht", kWords),
+            "unknown key \"widht\", did you mean \"width\"? There are length, width, wheelbase, max_speed, s");
+  EXPECT_EQ(unknown_word("key", "\x01q", kWords),
+            "unknown key \"?q\"; there are length, width, wheelbase, max_speed, s");
+  EXPECT_LT(unknown_word("key", std::string(1 << 20, 'w'), kWords).size(), 200u);
+}
+
+}  // namespace
+}  // namespace arcway

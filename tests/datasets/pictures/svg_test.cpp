@@ -1,0 +1,163 @@
+#include "datasets/pictures/svg.h"
+
+#include <gtest/gtest.h>
+
+#include "datasets/generators/paper_example.h"
+
+namespace arcway {
+namespace {
+
+std::size_t count(const std::string& text, std::string_view part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(Svg, DrawsLayersWithYUp) {
+  const World world({{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{2, 2}, {2, 3}, {3, 3}}}}},
+                    Ring{{-10, -10}, {90, -10}, {90, 40}, {-10, 40}});
+  SvgPicture picture(world, 1000.0);
+  const std::vector<LineSegment> edges{{{0, 0}, {10, 10}}, {{0, 10}, {20, 20}}};
+  picture.add_edges(edges);
+  const Path path{{{20, 20, 0}, 10, 0}, {{30, 20, 0}, 3, 0.5}};
+  picture.add_path(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+  picture.add_caption("a < b & \"c\"");
+  picture.set_title("T<1>", "D");
+  const std::string svg = picture.str();
+  for (const char* part : {"<g id=\"bounds\"", "<g id=\"obstacles\" fill-rule=\"evenodd\"", "<g id=\"graph\"",
+                           "<g id=\"path\"", "<g id=\"robot\"", "<g id=\"markers\"", "<title>T&lt;1&gt;</title>",
+                           "<desc>D</desc>", "a &lt; b &amp; &quot;c&quot;"})
+    EXPECT_EQ(count(svg, part), 1u) << part;
+  // 10 px a metre below a border of 16 px: (0, 0) is 40 m below the top.
+  EXPECT_NE(svg.find("<g id=\"map\" transform=\"matrix(10 0 0 -10 116 416)\">"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("M0 0L10 0L10 10L0 10ZM2 2"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("M0 0L10 10M0 10L20 20"), std::string::npos);
+  EXPECT_EQ(count(svg, "<g"), count(svg, "</g>"));
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST(Svg, DrawsTheSweptArea) {
+  SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}}), 1000.0);
+  EXPECT_EQ(count(picture.str(), "id=\"swept\""), 0u);
+  const Footprint body{.front = 2, .rear = 1, .half_width = 1};
+  picture.add_swept_area(Path{{{20, 20, 0}, 10, 0}}, body);
+  // One rectangle for a line.
+  EXPECT_NE(picture.str().find("M19 19L32 19L32 21L19 21Z"), std::string::npos) << picture.str();
+  picture.add_swept_area(Path{{{20, 20, 0}, 5, 0.2}}, body);
+  // The farthest corner is hypot(2, 6) from the turning centre: outlines a pixel apart over one radian.
+  EXPECT_GE(count(picture.str(), "Z"), 63u);
+}
+
+TEST(Svg, DrawsReverseDashed) {
+  SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}}), 1000.0);
+  const Footprint body{.front = 2, .rear = 1, .half_width = 1};
+  const PathSegment ahead{{20, 20, 0}, 10, 0};
+  const Path path{ahead, {ahead.end(), 5, 0, Gear::kReverse}, {ahead.at(5), 5, 0}};
+  picture.add_path(path, body, "a text");
+  EXPECT_EQ(count(picture.str(), "stroke-dasharray"), 1u);
+  EXPECT_NE(picture.str().find("forwards, <tspan fill=\"#1f6fd1\">\u25A0</tspan> backwards</text>"), std::string::npos);
+  EXPECT_LT(picture.str().find(">a text</text>"), picture.str().find("forwards"));
+  EXPECT_NE(picture.str().find("M30 20L25 20\" stroke=\"#1f6fd1\""), std::string::npos) << picture.str();
+  picture.add_swept_area(Path{path[1]}, body);  // x from 24 to 32
+  EXPECT_NE(picture.str().find("M24 19L32 19L32 21L24 21Z"), std::string::npos);
+}
+
+TEST(Svg, AlternativesDifferInColorAndHaveALegend) {
+  const Path path{{{1, 1, 0}, 4.0, 0.0}}, back{{{1, 2, 0}, 4.0, 0.0, Gear::kReverse}};
+  SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  svg.add_alternative(path, {1.0, 0.5, 0.4}, "second & so on");
+  svg.add_alternative(back, {1.0, 0.5, 0.4}, "third");
+  svg.add_path(path, {1.0, 0.5, 0.4}, "first");
+  const std::string text = svg.str();
+  EXPECT_LT(text.find("first</text>"), text.find("second &amp;"));
+  EXPECT_NE(text.find(">dashed: backwards</text>"), std::string::npos);
+  for (const char* color : {"#e4572e", "#0072b2", "#009e73"}) {
+    EXPECT_NE(text.find(std::string("stroke=\"") + color), std::string::npos) << color;
+    EXPECT_NE(text.find(std::string("<tspan fill=\"") + color), std::string::npos) << color;
+  }
+  EXPECT_NE(text.find("second &amp; so on"), std::string::npos);
+  EXPECT_NE(text.find("stroke-dasharray"), std::string::npos);
+}
+
+TEST(Svg, ExplainsGearsOnlyWhereBothAreDriven) {
+  SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  svg.add_path(Path{{{1, 1, 0}, 4.0, 0.0}}, {1.0, 0.5, 0.4}, "text");
+  EXPECT_EQ(svg.str().find("backwards"), std::string::npos);
+  EXPECT_EQ(svg.str().find("tspan"), std::string::npos);
+}
+
+TEST(Svg, MarksPlacesOnTheWay) {
+  SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 100.0);
+  svg.add_place({5, 5}, "via 1");
+  EXPECT_NE(svg.str().find("<circle cx=\"66\" cy=\"66\""), std::string::npos) << svg.str();
+  EXPECT_NE(svg.str().find(">via 1</text>"), std::string::npos);
+}
+
+TEST(Svg, LabelsLieBesideTheArrows) {
+  const auto label_of = [](double heading) {
+    SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+    svg.add_poses({5, 5, heading}, {1, 1, 0}, {.front = 1.0, .rear = 0.5, .half_width = 0.4});
+    const std::string text = svg.str();
+    const std::size_t at = text.find(" y=\"", text.find("<text x="));
+    return std::stod(text.substr(at + 4));
+  };
+  const double middle = 608.0;  // of the picture
+  EXPECT_LT(label_of(0.0), middle);
+  EXPECT_LT(label_of(-0.4), middle);
+  EXPECT_GT(label_of(0.4), middle);
+  EXPECT_GT(label_of(1.57), middle);
+}
+
+TEST(Svg, MarksAGap) {
+  SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  svg.add_gap({5, 4}, {5, 4.5}, "0.5 m");
+  EXPECT_NE(svg.str().find(">0.5 m</text>"), std::string::npos);
+  EXPECT_NE(svg.str().find("<g id=\"markers\""), std::string::npos);
+}
+
+TEST(Svg, ShowsTheLayersAskedFor) {
+  const World world({{{{0, 0}, {10, 0}, {10, 10}}, {}}}, Ring{{-10, -10}, {90, -10}, {90, 40}});
+  const auto drawn = [&](const std::vector<std::string>& layers) {
+    SvgPicture picture(world);
+    picture.add_edges(std::vector<LineSegment>{{{0, 0}, {10, 10}}});
+    const Path path{{{20, 20, 0}, 10, 0}};
+    picture.add_path(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+    picture.add_swept_area(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+    picture.show(layers);
+    return picture.str();
+  };
+  for (const std::string_view layer : SvgPicture::layers()) {
+    const std::string svg = drawn({std::string(layer)});
+    for (const std::string_view other : SvgPicture::layers())
+      EXPECT_EQ(count(svg, "id=\"" + std::string(other) + "\""), layer == other ? 1u : 0u) << layer << ' ' << other;
+  }
+  EXPECT_THROW(drawn({"paths"}), std::invalid_argument);
+}
+
+TEST(Svg, KeepsDigitsFarFromTheOrigin) {
+  const Vec2 far(5e6, -4e6);
+  Ring box{{0.25, 0}, {10, 0}, {10, 10}, {0.25, 10}};
+  for (Vec2& p : box) p += far;
+  const std::string svg = SvgPicture(World({{box, {}}})).str();
+  EXPECT_NE(svg.find("M0.25 0L10 0L10 10"), std::string::npos) << svg;
+}
+
+TEST(Svg, DrawsWorldsWithoutExtent) {
+  EXPECT_EQ(SvgPicture(World({})).str().find("nan"), std::string::npos);
+  Box point;
+  point.extend(Vec2(3, 3));
+  EXPECT_EQ(SvgPicture(World({}), point).str().find("inf"), std::string::npos);
+}
+
+TEST(PaperExample, HasEightObstaclesClearOfBothEnds) {
+  const PaperExample example = paper_example();
+  EXPECT_EQ(example.world.obstacle_count(), 8u);
+  ASSERT_TRUE(example.world.has_bounds());
+  EXPECT_EQ(example.world.box().max, Vec2(900, 600));
+  for (ObstacleId o = 0; o < example.world.region_count(); ++o)
+    for (const Pose& pose : {example.start, example.goal})
+      EXPECT_EQ(example.world.locate(pose.position(), o), PointLocation::kOutside);
+}
+
+}  // namespace
+}  // namespace arcway
