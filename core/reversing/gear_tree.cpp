@@ -125,19 +125,6 @@ void GearTree::add(std::uint32_t from, const PathSegment& motion) {
   open_.push({cost + remaining_(end), static_cast<std::uint32_t>(nodes_.size() - 1)});
 }
 
-Path GearTree::path_from_root(std::uint32_t node) const {
-  Path path;
-  for (; node != kRoot; node = nodes_[node].parent) path.push_back(nodes_[node].motion);
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
-Path GearTree::path_to_root(std::uint32_t node) const {
-  Path path;
-  for (; node != kRoot; node = nodes_[node].parent) path.push_back(nodes_[node].motion.reversed());
-  return path;
-}
-
 std::uint64_t GearTree::cell_of(const Pose& pose, Gear gear, std::uint32_t cusps) const {
   const Vec2 d = (pose.position() - nodes_[kRoot].pose.position()) * (grid_.cells / radius_);
   const auto index = [](double value) { return static_cast<std::uint64_t>(std::llround(value)) & 0xFFFFFFu; };

@@ -13,6 +13,7 @@
 #include "core/model/path.h"
 #include "core/model/vehicle.h"
 #include "core/motion/speed_tree.h"
+#include "core/search/tree_path.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -54,9 +55,9 @@ class GearTree {
   /// Least estimate of what has not had its turn [s]; infinity if there is nothing.
   [[nodiscard]] double least_estimate() const;
   /// The way from the root to a node.
-  [[nodiscard]] Path path_from_root(std::uint32_t node) const;
+  [[nodiscard]] Path path_from_root(std::uint32_t node) const { return arcway::path_from_root(nodes_, node); }
   /// The same way back.
-  [[nodiscard]] Path path_to_root(std::uint32_t node) const;
+  [[nodiscard]] Path path_to_root(std::uint32_t node) const { return arcway::path_to_root(nodes_, node); }
   [[nodiscard]] std::uint64_t straights_checked() const { return straights_checked_; }
   [[nodiscard]] std::uint64_t turns_checked() const { return turns_checked_; }
 

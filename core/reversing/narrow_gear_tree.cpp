@@ -1,9 +1,11 @@
 #include "core/reversing/narrow_gear_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "core/base/hash_of.h"
 #include "core/geometry/angle.h"
 #include "core/motion/speed_profile.h"
 
@@ -23,11 +25,6 @@ constexpr double kLargestTurn = 0.25;         // [rad]
 constexpr double kShare = 0.25;               // of what a move to and fro can do, in a cell
 constexpr double kVisit = 0.5;                // cost of a turn in a coarse cell, in times to cross it
 
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t part) {
-  hash = (hash ^ part) * 0x9E3779B97F4A7C15u;
-  return hash ^ (hash >> 29);
-}
-
 // The largest power of two times `largest` that is no larger than `wanted`, at most `largest`.
 double quantized(double largest, double wanted) {
   return wanted >= largest ? largest : std::exp2(std::floor(std::log2(wanted / largest))) * largest;
@@ -44,25 +41,25 @@ NarrowGearTree::NarrowGearTree(const SearchMap& map, const Vehicle& vehicle, con
       radius_(vehicle.min_turning_radius()),
       size_(std::max(radius_, vehicle.parameters().length)),
       far_line_(kFarLine * size_),
-      far_turn_(kFarTurn),
       largest_{kLargestCell * size_, kLargestCell * size_, kLargestTurn},
-      visit_cost_(kVisit * kLargestCell * size_ / vehicle.top_speed()),
-      contact_(*map.outlines, map.body) {
+      contact_(*map.outlines, map.body),
+      open_(kVisit * kLargestCell * size_ / vehicle.top_speed()) {
   nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0, 0.0});
-  open_.push({remaining_(root), kRoot, 0});
+  open_.push(remaining_(root), kRoot);
 }
 
 std::optional<std::uint32_t> NarrowGearTree::expand() {
-  const std::optional<std::uint32_t> next = pop();
+  const std::optional<std::uint32_t> next =
+      open_.pop([this](std::uint32_t node) { return key_of(nodes_[node].pose, largest_); });
   if (!next) return std::nullopt;
   const Pose pose = nodes_[*next].pose;
-  contact_.begin(pose, std::max(far_line_, far_turn_ * radius_ / std::abs(kBends[1])));
+  contact_.begin(pose, std::max(far_line_, kFarTurn * radius_ / std::abs(kBends[1])));
   const double slack = kSlack * vehicle_.parameters().length;
   std::array<std::array<double, 2>, kBends.size()> reach{};
   double way = 0.0, turn = 0.0;
   for (std::size_t i = 0; i < kBends.size(); ++i) {
     const double curvature = kBends[i] / radius_;
-    const double most = curvature == 0.0 ? far_line_ : far_turn_ / std::abs(curvature);
+    const double most = curvature == 0.0 ? far_line_ : kFarTurn / std::abs(curvature);
     for (const Gear gear : {Gear::kForward, Gear::kReverse})
       reach[i][gear == Gear::kForward ? 0 : 1] = std::min(most, contact_(curvature, gear) - slack);
     const double to_and_fro = reach[i][0] + reach[i][1];
@@ -72,7 +69,7 @@ std::optional<std::uint32_t> NarrowGearTree::expand() {
   const Cell cell = cell_where(way, turn);
   for (std::size_t i = 0; i < kBends.size(); ++i) {
     const double curvature = kBends[i] / radius_;
-    const double step = kStep * (curvature == 0.0 ? far_line_ : far_turn_ / std::abs(curvature));
+    const double step = kStep * (curvature == 0.0 ? far_line_ : kFarTurn / std::abs(curvature));
     for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
       const double room = reach[i][gear == Gear::kForward ? 0 : 1];
       const double first = room > step ? step : kHalf * room;
@@ -81,22 +78,6 @@ std::optional<std::uint32_t> NarrowGearTree::expand() {
     }
   }
   return next;
-}
-
-// The most promising pose, where those in places that had many turns promise less.
-std::optional<std::uint32_t> NarrowGearTree::pop() {
-  while (!open_.empty()) {
-    Waiting next = open_.pop();
-    std::uint32_t& visits = visits_[key_of(nodes_[next.node].pose, largest_)];
-    if (visits == next.visits) {
-      ++visits;
-      return next.node;
-    }
-    next.estimate += visit_cost_ * (visits - next.visits);
-    next.visits = visits;
-    open_.push(next);
-  }
-  return std::nullopt;
 }
 
 bool NarrowGearTree::has_room(const PathSegment& motion) const {
@@ -110,11 +91,11 @@ void NarrowGearTree::add(std::uint32_t from, const Cell& cell, const PathSegment
   if (cusps > gears_.max_cusps) return;
   const Pose end = motion.end();
   const auto node = static_cast<std::uint32_t>(nodes_.size());
-  const std::uint64_t key = mixed(key_of(end, cell), motion.gear == Gear::kForward ? 1 : 2);
-  if (!cells_.try_emplace(key, node).second) return;
+  const std::array<std::uint64_t, 2> key{key_of(end, cell), motion.gear == Gear::kForward ? 1u : 2u};
+  if (!cells_.insert(hash_of(key)).second) return;
   const double cost = parent.cost + motion.length / speed_limit(motion, vehicle_) + (cusp ? gears_.change : 0.0);
   nodes_.push_back({end, motion, from, cusps, cost});
-  open_.push({cost + remaining_(end), node, 0});
+  open_.push(cost + remaining_(end), node);
 }
 
 // Where the longest way and the largest turn to and fro are these.
@@ -130,24 +111,10 @@ std::uint64_t NarrowGearTree::key_of(const Pose& pose, const Cell& cell) const {
   const double turned = std::round(wrap_positive(pose.heading - root.heading) / cell.turn);
   const Vec2 ahead = direction_of(root.heading + turned * cell.turn), d = pose.position() - root.position();
   const auto index = [](double value) { return static_cast<std::uint64_t>(std::llround(value)); };
-  std::uint64_t hash = mixed(0, index(turned));
-  for (const double part : {ahead.dot(d) / cell.along, cross(ahead, d) / cell.aside,
-                            std::log2(largest_.aside / cell.aside), std::log2(largest_.turn / cell.turn)})
-    hash = mixed(hash, index(part));
-  return hash;
-}
-
-Path NarrowGearTree::path_from_root(std::uint32_t node) const {
-  Path path;
-  for (; node != kRoot; node = nodes_[node].parent) path.push_back(nodes_[node].motion);
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
-Path NarrowGearTree::path_to_root(std::uint32_t node) const {
-  Path path;
-  for (; node != kRoot; node = nodes_[node].parent) path.push_back(nodes_[node].motion.reversed());
-  return path;
+  const std::array<std::uint64_t, 5> parts{
+      index(turned), index(ahead.dot(d) / cell.along), index(cross(ahead, d) / cell.aside),
+      index(std::log2(largest_.aside / cell.aside)), index(std::log2(largest_.turn / cell.turn))};
+  return hash_of(parts);
 }
 
 }  // namespace arcway

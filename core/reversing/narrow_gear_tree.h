@@ -5,14 +5,15 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "core/attach/search_map.h"
-#include "core/base/open_list.h"
 #include "core/collision/contact_reach.h"
 #include "core/model/path.h"
 #include "core/model/vehicle.h"
+#include "core/search/tree_open_list.h"
+#include "core/search/tree_path.h"
 
 namespace arcway {
 
@@ -58,25 +59,15 @@ class NarrowGearTree {
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
   /// The way from the root to a node.
-  [[nodiscard]] Path path_from_root(std::uint32_t node) const;
+  [[nodiscard]] Path path_from_root(std::uint32_t node) const { return arcway::path_from_root(nodes_, node); }
   /// The same way back.
-  [[nodiscard]] Path path_to_root(std::uint32_t node) const;
+  [[nodiscard]] Path path_to_root(std::uint32_t node) const { return arcway::path_to_root(nodes_, node); }
 
  private:
   // Sizes of a cell; powers of two of the largest.
   struct Cell {
     double along, aside, turn;  // [m], [m], [rad]
   };
-  struct Waiting {
-    double estimate;
-    std::uint32_t node;
-    std::uint32_t visits;  // of its coarse cell that the estimate counts
-    friend bool before(const Waiting& a, const Waiting& b) {
-      return a.estimate != b.estimate ? a.estimate < b.estimate : a.node < b.node;
-    }
-  };
-
-  std::optional<std::uint32_t> pop();
   void add(std::uint32_t from, const Cell& cell, const PathSegment& motion);
   [[nodiscard]] Cell cell_where(double way, double turn) const;
   [[nodiscard]] std::uint64_t key_of(const Pose& pose, const Cell& cell) const;
@@ -85,15 +76,13 @@ class NarrowGearTree {
   TreeGears gears_;
   double fineness_;
   std::function<double(const Pose&)> remaining_;
-  double radius_, size_;        // size_: of the body or the turn, whichever is larger [m]
-  double far_line_, far_turn_;  // longest motions [m], [rad]
+  double radius_, size_;  // size_: of the body or the turn, whichever is larger [m]
+  double far_line_;       // the longest line [m]
   Cell largest_;
-  double visit_cost_;  // of a turn that a pose of the same place had [s]
   ContactReach contact_;
   std::vector<Node> nodes_;
-  std::unordered_map<std::uint64_t, std::uint32_t> cells_;   // the node of each
-  std::unordered_map<std::uint64_t, std::uint32_t> visits_;  // of coarse cells
-  OpenList<Waiting> open_;
+  std::unordered_set<std::uint64_t> cells_;
+  TreeOpenList open_;  // by largest cells
 };
 
 }  // namespace arcway

@@ -7,6 +7,7 @@
 
 #include "core/base/hash_of.h"
 #include "core/geometry/angle.h"
+#include "core/search/tree_path.h"
 
 namespace arcway {
 
@@ -22,14 +23,16 @@ ForwardTree::ForwardTree(const SearchMap& map, const Pose& root, Direction direc
       coarsest_(kTree.coarsest * std::max(radius_, body_length_)),
       halvings_(pass.halvings),
       levels_(std::max(0, static_cast<int>(std::ceil(std::log2(coarsest_ / (pass.finest * body_length_)))))),
-      contact_(*map.outlines, map.body) {
+      contact_(*map.outlines, map.body),
+      open_(kTree.visit * coarsest_) {
   nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0.0});
-  open_.push({0.0, kRoot, 0});
+  open_.push(0.0, kRoot);
   cells_.insert(cell_of(root, level_of(root)));
 }
 
 std::optional<std::uint32_t> ForwardTree::expand() {
-  std::optional<std::uint32_t> next = pop();
+  const std::optional<std::uint32_t> next =
+      open_.pop([this](std::uint32_t node) { return cell_of(nodes_[node].pose, 0); });
   if (!next) return std::nullopt;
   const std::uint32_t at = *next;
   look_around(nodes_[at].pose);
@@ -40,22 +43,6 @@ std::optional<std::uint32_t> ForwardTree::expand() {
         if (length >= kTree.least * body_length_) add(at, rays_[i].curvature, length);
       }
   return at;
-}
-
-// The most promising pose, where those in places that had many turns promise less.
-std::optional<std::uint32_t> ForwardTree::pop() {
-  while (!open_.empty()) {
-    Waiting next = open_.pop();
-    std::uint32_t& visits = visits_[cell_of(nodes_[next.node].pose, 0)];
-    if (visits == next.visits) {
-      ++visits;
-      return next.node;
-    }
-    next.estimate += kTree.visit * coarsest_ * (visits - next.visits);
-    next.visits = visits;
-    open_.push(next);
-  }
-  return std::nullopt;
 }
 
 // Finds the rays from a pose.
@@ -95,14 +82,11 @@ void ForwardTree::add(std::uint32_t from, double curvature, double length) {
   extent_ = std::max(extent_, (end.position() - nodes_[kRoot].pose.position()).norm());
   const double way = nodes_[from].length + length;
   nodes_.push_back({end, away.forwards(), from, way});
-  open_.push({way + remaining_(end), static_cast<std::uint32_t>(nodes_.size() - 1), 0});
+  open_.push(way + remaining_(end), static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
 Path ForwardTree::connection(std::uint32_t node) const {
-  Path path;
-  for (; node != kRoot; node = nodes_[node].parent) path.push_back(nodes_[node].motion);
-  if (direction_ == Direction::kFromStart) std::reverse(path.begin(), path.end());
-  return path;
+  return direction_ == Direction::kFromStart ? path_from_root(nodes_, node) : motions_up(nodes_, node);
 }
 
 // Cells are as large as the room beside the body, so that narrow places are told apart finely, and open ones coarsely.

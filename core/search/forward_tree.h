@@ -4,16 +4,15 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include "core/attach/search_map.h"
 #include "core/attach/terminal_links.h"
-#include "core/base/open_list.h"
 #include "core/collision/contact_reach.h"
 #include "core/model/path.h"
 #include "core/search/effort.h"
+#include "core/search/tree_open_list.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -64,16 +63,7 @@ class ForwardTree {
     double reach;
     bool first;  // looked at from every pose
   };
-  struct Waiting {
-    double estimate;
-    std::uint32_t node;
-    std::uint32_t visits;  // of its coarse cell that the estimate counts
-    friend bool before(const Waiting& a, const Waiting& b) {
-      return a.estimate != b.estimate ? a.estimate < b.estimate : a.node < b.node;
-    }
-  };
 
-  std::optional<std::uint32_t> pop();
   void look_around(const Pose& pose);
   void halve_steps();
   [[nodiscard]] bool leads_furthest(std::size_t ray) const;
@@ -96,8 +86,7 @@ class ForwardTree {
   std::vector<Ray> rays_, halved_;  // by curvature
   std::vector<Node> nodes_;
   std::unordered_set<std::uint64_t> cells_;
-  std::unordered_map<std::uint64_t, std::uint32_t> visits_;  // of coarse cells
-  OpenList<Waiting> open_;
+  TreeOpenList open_;  // by coarse cells
 };
 
 }  // namespace arcway

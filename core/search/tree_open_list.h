@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+
+#include "core/base/open_list.h"
+
+namespace arcway {
+
+/// Nodes of a tree that wait for their turn, the most promising one first. Each turn of a node makes those of the same
+/// place promise less, so that a tree does not stay where it got nowhere.
+class TreeOpenList {
+ public:
+  /// @param visit_cost  what each turn in a place adds to the estimates of the nodes there.
+  explicit TreeOpenList(double visit_cost) : visit_cost_(visit_cost) {}
+
+  void push(double estimate, std::uint32_t node) { open_.push({estimate, node, 0}); }
+
+  /// Takes the most promising node; none if no node waits.
+  /// @param place_of  gives the key of a node's place.
+  template <class PlaceOf>
+  std::optional<std::uint32_t> pop(PlaceOf&& place_of) {
+    while (!open_.empty()) {
+      Waiting next = open_.pop();
+      std::uint32_t& visits = visits_[place_of(next.node)];
+      if (visits == next.visits) {
+        ++visits;
+        return next.node;
+      }
+      next.estimate += visit_cost_ * (visits - next.visits);
+      next.visits = visits;
+      open_.push(next);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Waiting {
+    double estimate;
+    std::uint32_t node;
+    std::uint32_t visits;  // of its place that the estimate counts
+    friend bool before(const Waiting& a, const Waiting& b) {
+      return a.estimate != b.estimate ? a.estimate < b.estimate : a.node < b.node;
+    }
+  };
+
+  double visit_cost_;
+  OpenList<Waiting> open_;
+  std::unordered_map<std::uint64_t, std::uint32_t> visits_;  // by place
+};
+
+}  // namespace arcway

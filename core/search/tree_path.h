@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core/model/path.h"
+
+namespace arcway {
+
+/// The motions between a node of a tree and its root, which is node 0, that of the node first. O(depth).
+/// @param nodes  each with a `motion` and the index of its `parent`.
+template <class Node>
+Path motions_up(const std::vector<Node>& nodes, std::uint32_t node) {
+  Path path;
+  for (; node != 0; node = nodes[node].parent) path.push_back(nodes[node].motion);
+  return path;
+}
+
+/// The way from the root of a tree to a node, where motions lead away from the root. O(depth).
+template <class Node>
+Path path_from_root(const std::vector<Node>& nodes, std::uint32_t node) {
+  Path path = motions_up(nodes, node);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+/// The same way back. O(depth).
+template <class Node>
+Path path_to_root(const std::vector<Node>& nodes, std::uint32_t node) {
+  Path path = motions_up(nodes, node);
+  for (PathSegment& motion : path) motion = motion.reversed();
+  return path;
+}
+
+}  // namespace arcway
