@@ -96,14 +96,6 @@ class NarrowGearSearch {
     }
   }
 
-  struct Near {
-    double distance;
-    std::uint32_t node;
-    friend bool operator<(const Near& a, const Near& b) {
-      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
-    }
-  };
-
   // A new pose to the root of the other tree and the poses near by.
   void join(std::array<Side, 2>& sides, std::size_t at, std::uint32_t node) {
     const Pose pose = sides[at].tree[node].pose;
@@ -117,7 +109,7 @@ class NarrowGearSearch {
     std::partial_sort(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(few), near_.end());
     near_.resize(few);
     near_.push_back({0.0, NarrowGearTree::kRoot});
-    for (const Near& n : near_) connect(sides, at, node, n.node);
+    for (const NearPose& n : near_) connect(sides, at, node, n.node);
     sides[at].near.add(node, pose);
   }
 
@@ -164,7 +156,7 @@ class NarrowGearSearch {
   GearSearchResult& result_;
   double radius_;
   std::array<RouteField, 2> fields_;                   // to the other end
-  std::vector<Near> near_;                             // memory
+  std::vector<NearPose> near_;                         // memory
   std::vector<std::pair<double, std::size_t>> words_;  // memory
 };
 

@@ -1,14 +1,25 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/hash_of.h"
 #include "core/geometry/vec2.h"
 #include "core/model/path.h"
 
 namespace arcway {
+
+/// A pose of a tree that is near another.
+struct NearPose {
+  double distance;  ///< some measure of it [m]
+  std::uint32_t node;
+  friend bool operator<(const NearPose& a, const NearPose& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
+  }
+};
 
 /// Poses of a tree by place, for those near another.
 class NearPoses {
@@ -38,7 +49,8 @@ class NearPoses {
  private:
   [[nodiscard]] std::int64_t index(double x) const { return std::llround(x / cell_); }
   static std::uint64_t key(std::int64_t x, std::int64_t y) {
-    return static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(y);
+    const std::array<std::uint64_t, 2> parts{static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y)};
+    return hash_of(parts);
   }
   double cell_;
   std::unordered_map<std::uint64_t, std::vector<Entry>> cells_;

@@ -129,14 +129,6 @@ class TreeSearch {
     if (!interrupted()) join_roadmap(sides);
   }
 
-  struct Near {
-    double distance;
-    std::uint32_t node;
-    friend bool operator<(const Near& a, const Near& b) {
-      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
-    }
-  };
-
   // The nearest poses of a tree that lie ahead, or behind for the tree of the goal.
   void find_near(const Side& other, const Pose& pose, double forwards) {
     const Vec2 ahead = direction_of(pose.heading);
@@ -146,8 +138,8 @@ class TreeSearch {
       const bool is_full = near_.size() == kTreeJoints.nearest;
       if (is_full && way.norm() >= near_.back().distance) return;
       if (way.dot(ahead) < 0.0 || way.dot(entry.ahead) < 0.0) return;
-      const Near found{way.norm() + body_length_ * std::abs(wrap_signed(entry.pose.heading - pose.heading)),
-                       entry.node};
+      const NearPose found{way.norm() + body_length_ * std::abs(wrap_signed(entry.pose.heading - pose.heading)),
+                           entry.node};
       if (is_full && !(found < near_.back())) return;
       if (is_full) near_.pop_back();
       near_.insert(std::upper_bound(near_.begin(), near_.end(), found), found);
@@ -159,7 +151,7 @@ class TreeSearch {
     const Pose pose = sides[at].tree[node].pose;
     find_near(sides[1 - at], pose, at == 0 ? 1.0 : -1.0);
     near_.push_back({0.0, ForwardTree::kRoot});
-    for (const Near& n : near_)
+    for (const NearPose& n : near_)
       if (connect(sides, at, at == 0 ? node : n.node, at == 0 ? n.node : node)) return;
     sides[at].near.add(node, pose);
     add_terminal(sides[at], node);
@@ -251,7 +243,7 @@ class TreeSearch {
   std::vector<RouteField> fields_;  // to the other end
   bool heed_turns_ = false;
   std::size_t terminals_joined_ = 0;  // to the roadmap, of this pass
-  std::vector<Near> near_;            // memory
+  std::vector<NearPose> near_;        // memory
 };
 
 }  // namespace
