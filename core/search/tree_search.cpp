@@ -40,7 +40,7 @@ class TreeSearch {
     std::span<const TreePass> passes = std::span(kTreePasses).first(std::min(limits_.passes, kTreePasses.size()));
     if (passes.size() == kTreePasses.size()) {
       const Surroundings surroundings = look_around();
-      if (surroundings == Surroundings::kClosed || result_.interrupted) return;
+      if (surroundings == Surroundings::kClosed || interrupted()) return;
       if (surroundings == Surroundings::kPocket) passes = kPocketPasses;
     }
     fields_ = {field(1), field(0)};
@@ -67,8 +67,8 @@ class TreeSearch {
   Surroundings look_around() {
     Surroundings worst = Surroundings::kOpen;
     for (const std::size_t at : {0, 1}) {
-      const WayOut way = look_for_way_out(map_, roots_[at], at == 0 ? Direction::kFromStart : Direction::kToGoal,
-                                          [this] { return interrupted(); });
+      const WayOut way =
+          look_for_way_out(map_, roots_[at], at == 0 ? Direction::kFromStart : Direction::kToGoal, options_.clock);
       end_.poses += way.poses;
       worst = std::max(worst, way.surroundings);
       if (way.surroundings != Surroundings::kClosed) continue;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
 #include "core/attach/search_map.h"
 #include "core/attach/terminal_links.h"
+#include "core/base/stop_clock.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -26,7 +26,7 @@ double pocket_radius(const SearchMap& map);
 /// Grows a tree of forward motions from one end alone until it leaves the neighborhood or finds no more poses. This is
 /// far cheaper than growing trees from both ends with an estimate of the way between them. It proves nothing.
 /// Deterministic unless stopped.
-/// @param stop  asked before each pose; true ends the search, as if there were a way out.
-WayOut look_for_way_out(const SearchMap& map, const Pose& root, Direction direction, const std::function<bool()>& stop);
+/// @param clock  ends the search, as if there were a way out.
+WayOut look_for_way_out(const SearchMap& map, const Pose& root, Direction direction, const StopClock& clock);
 
 }  // namespace arcway

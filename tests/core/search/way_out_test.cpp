@@ -23,7 +23,7 @@ WayOut way_out(const World& world, const Pose& root, Direction direction) {
   FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
                       queries, radii, SerialExecutor(), GraphMode::kLazy);
   const SearchMap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
-  return look_for_way_out(map, root, direction, [] { return false; });
+  return look_for_way_out(map, root, direction, {});
 }
 
 // What the tightest turn takes ahead of the reference point, with the safety margin.
