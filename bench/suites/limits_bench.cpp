@@ -97,9 +97,7 @@ Ended ended(const World& world, const Vehicle& vehicle, const Planner* made, Tas
     const SerialExecutor serial;
     const StoppableExecutor executor(serial, clock);
     std::optional<Planner> own;
-    if (!made)
-      own.emplace(world, vehicle, fastest_queries(world), graph_builders().back().build(world, executor),
-                  PlannerOptions{.graph_mode = GraphMode::kLazy}, executor);
+    if (!made) own.emplace(make_planner(world, vehicle, {.graph_mode = GraphMode::kLazy}, executor));
     end.answers = answers_of(made ? *made : *own, task, query, {.time = clock.seconds_left()});
   } catch (const Cancelled&) {
   }

@@ -18,8 +18,8 @@ bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResu
 
 QuerySet fastest_queries(const World& world) { return query_backends().back().make(world); }
 
-Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options) {
-  const SerialExecutor executor;
+Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options,
+                     const Executor& executor) {
   return {world, vehicle, fastest_queries(world), graph_builders().back().build(world, executor), options, executor};
 }
 

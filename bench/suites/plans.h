@@ -12,8 +12,9 @@ namespace arcway::bench {
 /// The fastest queries of this build.
 QuerySet fastest_queries(const World& world);
 
-/// A planner on the fastest builder's graph; one thread.
-Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options);
+/// A planner on the fastest builder's graph.
+Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options,
+                     const Executor& executor = SerialExecutor());
 /// The same for the paper's robot, made once for each name and heuristic and kept.
 const Planner& shared_planner(const std::string& world_name, Heuristic heuristic = Heuristic::kTravelTime);
 

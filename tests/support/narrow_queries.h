@@ -9,6 +9,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/planner/planner.h"
+#include "tests/support/boxes.h"
 
 namespace arcway::test {
 
@@ -45,7 +46,7 @@ struct NarrowQuery {
   Pose start, goal;
 };
 
-inline Ring ring_of_box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+inline Ring ring_of_box(double x0, double y0, double x1, double y1) { return box(x0, y0, x1, y1).outer; }
 
 inline VehicleParameters car() {
   return {.length = 4.5,
