@@ -9,12 +9,6 @@
 
 namespace arcway {
 
-namespace {
-
-constexpr std::uint32_t kCirclesUnasked = 16;  // between two questions whether to end; a lazy row takes microseconds
-
-}  // namespace
-
 CircleTable::CircleTable(const FeasibleGraph& graph) : graph_(graph) {
   if (graph.mode() != GraphMode::kEager || graph.links().size() > std::numeric_limits<std::uint32_t>::max()) return;
   links_ = graph.links();
@@ -54,15 +48,16 @@ std::span<const CircleTable::LinkOf> CircleTable::links_to(std::uint32_t c) cons
 CircleTable::Incoming CircleTable::find_incoming(const StopClock& clock) const {
   Incoming incoming;
   incoming.starts.assign(size() + 1, 0);
+  StopTicker ticker(clock);
   for (std::uint32_t c = 0; c < size(); ++c) {
-    if (c % kCirclesUnasked == 0 && clock.is_over()) throw Cancelled("cancelled");
+    end_if_over(ticker);
     for (const FeasibleGraph::Link& link : links_from(c, clock)) ++incoming.starts[link.to + 1];
   }
   std::partial_sum(incoming.starts.begin(), incoming.starts.end(), incoming.starts.begin());
   incoming.links.resize(incoming.starts.back());
   std::vector<std::uint64_t> next(incoming.starts.begin(), incoming.starts.end() - 1);
   for (std::uint32_t c = 0; c < size(); ++c) {
-    if (c % kCirclesUnasked == 0 && clock.is_over()) throw Cancelled("cancelled");
+    end_if_over(ticker);
     for (std::uint32_t index = 0; const FeasibleGraph::Link& link : links_from(c))
       incoming.links[next[link.to]++] = {c, index++};
   }

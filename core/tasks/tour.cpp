@@ -1,7 +1,6 @@
 #include "core/tasks/tour.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -9,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/stopwatch.h"
 #include "core/geometry/angle.h"
 #include "core/model/pose_text.h"
 #include "core/motion/speed_profile.h"
@@ -56,9 +56,6 @@ class TourPlanner {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  [[nodiscard]] double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
-
   void add_stage(std::span<const Place> places) {
     Stage stage;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -77,7 +74,7 @@ class TourPlanner {
 
   PlanResult plan_leg(const Pose& from, const Pose& to) {
     PlanLimits rest = limits_;
-    rest.time -= elapsed();
+    rest.time -= watch_.seconds();
     if (has_choice()) rest.tree_poses = 0;  // most headings that are tried have no path
     PlanResult leg = planner_.plan({.start = from,
                                     .goal = to,
@@ -229,7 +226,7 @@ class TourPlanner {
     plan.start = request_.start;
     plan.interrupted = interrupted_;
     statistics_.unrefined_travel_time = plan.statistics.unrefined_travel_time;
-    statistics_.total_seconds = elapsed();
+    statistics_.total_seconds = watch_.seconds();
     plan.statistics = statistics_;
     return tour;
   }
@@ -298,7 +295,7 @@ class TourPlanner {
   const Planner& planner_;
   const TourRequest& request_;
   const PlanLimits& limits_;
-  Clock::time_point begin_ = Clock::now();
+  Stopwatch watch_;
   std::vector<Stage> stages_;
   PlanStatistics statistics_;
   bool interrupted_ = false;
