@@ -83,7 +83,7 @@ void add_end(const Vec2& p, const TurnedBody& b, TurnContacts& contacts) {
 }  // namespace
 
 ContactReach::ContactReach(const Outlines& outlines, const Footprint& body)
-    : outlines_(outlines),
+    : outlines_(&outlines),
       body_(body),
       around_(std::hypot(std::max(std::abs(body.front), std::abs(body.rear)), body.half_width)) {}
 
@@ -102,11 +102,11 @@ void ContactReach::begin(const Pose& pose, double most) {
     if (distance > far) return;
     edges_.push_back({distance, {{ahead.dot(a), cross(ahead, a)}, {ahead.dot(b), cross(ahead, b)}}});
   };
-  outlines_.visit_if([&](const Box& box) { return box.overlaps(near); },
-                     [&](const Outlines::Piece& piece) {
-                       for (std::size_t i = 0; i < piece.edge_count(); ++i) add(piece.points[i], piece.points[i + 1]);
-                       return true;
-                     });
+  outlines_->visit_if([&](const Box& box) { return box.overlaps(near); },
+                      [&](const Outlines::Piece& piece) {
+                        for (std::size_t i = 0; i < piece.edge_count(); ++i) add(piece.points[i], piece.points[i + 1]);
+                        return true;
+                      });
   std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.distance < b.distance; });
 }
 

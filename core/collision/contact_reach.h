@@ -37,7 +37,7 @@ class ContactReach {
     LineSegment segment;
   };
 
-  const Outlines& outlines_;
+  const Outlines* outlines_;
   Footprint body_;
   double around_;  // the body lies within, of its reference point
   double most_ = 0.0;

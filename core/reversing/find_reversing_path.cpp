@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/collision/motion_free.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_bound.h"
 #include "core/reversing/gear_search.h"
@@ -91,7 +92,7 @@ class Finder {
     const bool from_start = direction == Direction::kFromStart;
     const bool swapped = from_start != (gear == Gear::kForward);  // a goal's tree is driven the other way
     const Vehicle& vehicle = map_.vehicle;
-    GearTree tree(end, swapped ? vehicle.with_gears_swapped() : vehicle, *map_.queries.sweep, options_.cusp_cost,
+    GearTree tree(end, swapped ? vehicle.with_gears_swapped() : vehicle, *map_.outlines, options_.cusp_cost,
                   {wanted.cells, true}, [](const Pose&) { return 0.0; });
     const Pose& other = from_start == (gear == Gear::kForward) ? query_.goal : query_.start;
     for (std::size_t i = 0; i < wanted.most_expansions && found.size() <= wanted.most; ++i) {
@@ -105,6 +106,7 @@ class Finder {
       // The vehicle stops there, and what it has come is all that the way on is shorter by.
       const double way = query_.distance - length_of(connection);
       if (reached.cost + options_.cusp_cost + least_cost(reached.pose, other, way) >= cost_) continue;
+      if (!motion_free(*map_.queries.sweep, map_.body, connection)) continue;
       found.push_back({reached.pose, std::move(connection)});
     }
     return found;
@@ -126,7 +128,8 @@ class Finder {
 
   void search_gears_with(std::size_t poses) {
     if (search_.interrupted) return;
-    offer(search_gears(query_.start, query_.goal, map_.vehicle, *map_.queries.sweep, gear_options(poses)));
+    offer(search_gears(query_.start, query_.goal, map_.vehicle, *map_.queries.sweep, *map_.outlines,
+                       gear_options(poses)));
   }
 
   [[nodiscard]] GearSearchOptions gear_options(std::size_t poses) const {

@@ -18,15 +18,16 @@ constexpr double kGreed = 1.5;
 constexpr double kCells = 4.0;  // of the trees' grids in a turning radius
 constexpr double kMostCells = 4096.0;
 constexpr double kFiner = 4.0;
-constexpr std::size_t kWordsTried = 8;     // of a pose, the cheapest ones
+constexpr std::size_t kWordsTried = 8;     // of a pose, the cheapest ones that have room there
 constexpr std::size_t kPosesAfter = 1000;  // tried beyond as many as the first path took
 
 class GearSearch {
  public:
   GearSearch(const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-             const GearSearchOptions& options, GearSearchResult& result)
+             const Outlines& outlines, const GearSearchOptions& options, GearSearchResult& result)
       : vehicle_(vehicle),
         sweep_(sweep),
+        outlines_(outlines),
         options_(options),
         result_(result),
         body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
@@ -51,7 +52,6 @@ class GearSearch {
         if (cells_[side] >= kMostCells) break;
         // So narrow that what little the vehicle can move is lost between the cells.
         cells_[side] *= kFiner;
-        count_checks(trees_[side]);
         trees_[side] = tree(side);
         continue;
       }
@@ -60,22 +60,16 @@ class GearSearch {
       join(side, *node);
       if (first && result_.path) limit = std::min(limit, 2 * result_.poses + kPosesAfter);
     }
-    for (const GearTree& tree : trees_) count_checks(tree);
   }
 
  private:
   [[nodiscard]] GearTree tree(std::size_t side) const {
     return {roots_[side],
             side == 0 ? vehicle_ : vehicle_.with_gears_swapped(),
-            sweep_,
+            outlines_,
             options_.cusp_cost,
             {cells_[side], cells_[side] == kCells, options_.max_cusps},
             [this, to = roots_[1 - side]](const Pose& from) { return far(from, to); }};
-  }
-
-  void count_checks(const GearTree& tree) {
-    result_.straights_checked += tree.straights_checked();
-    result_.turns_checked += tree.turns_checked();
   }
 
   [[nodiscard]] double far(const Pose& from, const Pose& to) const {
@@ -99,25 +93,36 @@ class GearSearch {
     std::sort(shots.begin(), shots.end(), [](const Shot& a, const Shot& b) {
       return a.estimate != b.estimate ? a.estimate < b.estimate : a.word < b.word;
     });
-    for (std::size_t i = 0; i < kWordsTried && shots[i].estimate < result_.cost; ++i) {
-      const auto middle = reeds_shepp_path(shots[i].word, from, to, radius_);
-      Path path = side == 0 ? trees_[0].path_from_root(node) : *middle;
-      if (side == 0) {
-        path.insert(path.end(), middle->begin(), middle->end());
-      } else {
-        const Path rest = trees_[1].path_to_root(node);
-        path.insert(path.end(), rest.begin(), rest.end());
-      }
-      if (cusps_of(path) > options_.max_cusps) continue;
-      const double cost = travel_cost(path, vehicle_, options_.cusp_cost);
-      if (cost >= result_.cost || !motion_free(sweep_, body_, *middle)) continue;
-      result_.cost = cost;
-      result_.path = std::move(path);
+    std::size_t tried = 0;
+    for (const auto& [estimate, word] : shots) {
+      if (estimate >= result_.cost) return;
+      const auto middle = reeds_shepp_path(word, from, to, radius_);
+      if (!middle->empty() && !trees_[side].has_room(side == 0 ? middle->front() : middle->back().reversed())) continue;
+      if (++tried > kWordsTried) return;
+      take(side, node, *middle);
     }
+  }
+
+  // Keeps the path by way of a word between a node of one tree and the other root, if it is cheaper and free.
+  void take(std::size_t side, std::uint32_t node, const Path& word) {
+    Path path = side == 0 ? trees_[0].path_from_root(node) : word;
+    const Path rest = side == 0 ? word : trees_[1].path_to_root(node);
+    path.insert(path.end(), rest.begin(), rest.end());
+    if (cusps_of(path) > options_.max_cusps) return;
+    const double cost = travel_cost(path, vehicle_, options_.cusp_cost);
+    if (cost >= result_.cost || !is_free(word) || !is_free(path)) return;
+    result_.cost = cost;
+    result_.path = std::move(path);
+  }
+
+  bool is_free(const Path& motion) {
+    for (const PathSegment& s : motion) ++(s.is_line() ? result_.straights_checked : result_.turns_checked);
+    return motion_free(sweep_, body_, motion);
   }
 
   const Vehicle& vehicle_;
   const SweepQuery& sweep_;
+  const Outlines& outlines_;
   const GearSearchOptions& options_;
   GearSearchResult& result_;
   Footprint body_;
@@ -130,9 +135,9 @@ class GearSearch {
 }  // namespace
 
 GearSearchResult search_gears(const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-                              const GearSearchOptions& options) {
+                              const Outlines& outlines, const GearSearchOptions& options) {
   GearSearchResult result;
-  GearSearch(start, goal, vehicle, sweep, options, result).run();
+  GearSearch(start, goal, vehicle, sweep, outlines, options, result).run();
   return result;
 }
 

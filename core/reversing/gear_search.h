@@ -7,6 +7,7 @@
 
 #include "core/base/stop_clock.h"
 #include "core/collision/sweep_query.h"
+#include "core/model/outlines.h"
 #include "core/model/path.h"
 #include "core/model/vehicle.h"
 
@@ -32,9 +33,9 @@ struct GearSearchResult {
 /// A path of arcs of the smallest radius and lines in both gears, for ends that are close to each other or parked: two
 /// trees of poses grow from start and goal, by turns, and every pose of one is joined to the root of the other by a
 /// free Reeds-Shepp word, if there is one. Ends some time after the first path that is found, with the best one, or
-/// when all that is left costs more. Motions are checked exactly; their number is limited, so that no path proves
+/// when all that is left costs more. Paths are checked exactly; their number is limited, so that no path proves
 /// nothing. Deterministic.
 GearSearchResult search_gears(const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-                              const GearSearchOptions& options);
+                              const Outlines& outlines, const GearSearchOptions& options);
 
 }  // namespace arcway

@@ -7,31 +7,31 @@
 
 #include "core/geometry/angle.h"
 #include "core/motion/speed_profile.h"
-#include "core/roadmap/turn_circle.h"
 
 namespace arcway {
 
 namespace {
 
 constexpr double kStepTurn = kPi / 8.0;
-constexpr double kFarTurns = 3.0;       // motions up to contact are worth a pose within so many steps
-constexpr double kLeastTurn = 1e-3;     // shorter motions lead nowhere [rad]
-constexpr double kContactSlack = 1e-6;  // how far motions up to a contact stay away from it [rad], for rounding
+constexpr double kFarTurn = 3.0 * kStepTurn;  // motions up to contact are worth a pose within so far
+constexpr double kLeastTurn = 1e-3;           // shorter motions lead nowhere [rad]
+constexpr double kContactSlack = 1e-6;        // by which motions end before a contact [rad]: more than rounding
 // Spreads the number of cusps over the bits of a cell's key: an odd number, 2^64 over the golden ratio.
 constexpr std::uint64_t kLayer = 0x9E3779B97F4A7C15u;
-constexpr int kHalvings = 10;  // when looking for the length of a line up to contact
+
+std::size_t index_of(double curvature) { return curvature == 0.0 ? 0 : curvature > 0.0 ? 1 : 2; }
+std::size_t index_of(Gear gear) { return gear == Gear::kForward ? 0 : 1; }
 
 }  // namespace
 
-GearTree::GearTree(const Pose& root, const Vehicle& vehicle, const SweepQuery& sweep, double cusp_cost,
+GearTree::GearTree(const Pose& root, const Vehicle& vehicle, const Outlines& outlines, double cusp_cost,
                    const GearTreeGrid& grid, std::function<double(const Pose&)> remaining)
     : vehicle_(vehicle),
-      sweep_(&sweep),
       cusp_cost_(cusp_cost),
       grid_(grid),
       remaining_(std::move(remaining)),
-      body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
-      radius_(vehicle.min_turning_radius()) {
+      radius_(vehicle.min_turning_radius()),
+      contact_(outlines, vehicle.footprint(0.5 * vehicle.safety_margin())) {
   speeds_.reset(vehicle.max_acceleration());
   nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0, 0, 0.0});
   open_.push({remaining_(root), kRoot});
@@ -48,55 +48,48 @@ std::optional<std::uint32_t> GearTree::expand() {
     const Node& node = nodes_[at];
     if (at != kRoot && cells_.at(cell_of(node.pose, node.motion.gear, node.cusps)) != at)
       continue;  // there is a cheaper one
-    for (const Gear gear : {Gear::kForward, Gear::kReverse}) add_lines(at, gear);
-    for (const Side side : {Side::kLeft, Side::kRight}) add_arcs(at, side);
+    contact_.begin(node.pose, radius_ * kFarTurn);
+    for (const double curvature : {0.0, 1.0 / radius_, -1.0 / radius_})
+      for (const Gear gear : {Gear::kForward, Gear::kReverse})
+        rooms_[index_of(curvature)][index_of(gear)] = contact_(curvature, gear);
+    for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+      add_line(at, gear);
+      for (const Side side : {Side::kLeft, Side::kRight}) add_arcs(at, side, gear);
+    }
     return at;
   }
   return std::nullopt;
 }
 
-void GearTree::add_lines(std::uint32_t from, Gear gear) {
+double GearTree::room(double curvature, Gear gear) const { return rooms_[index_of(curvature)][index_of(gear)]; }
+
+bool GearTree::has_room(const PathSegment& motion) const {
+  return room(motion.curvature, motion.gear) >= std::min(motion.length, radius_ * kFarTurn);
+}
+
+void GearTree::add_line(std::uint32_t from, Gear gear) {
   const Pose pose = nodes_[from].pose;
   const double step = radius_ * kStepTurn;
-  const double far = kFarTurns * step;
-  const double length = free_length(pose, gear, far);
+  const double length = room(0.0, gear) - radius_ * kContactSlack;
   if (length < radius_ * kLeastTurn) return;
   add(from, {pose, std::min(length, step), 0.0, gear});
   if (length > step) add(from, {pose, length, 0.0, gear});
   if (grid_.halves && length < step) add(from, {pose, 0.5 * length, 0.0, gear});
 }
 
-// How far the line is free, at most `most`; short of a contact by some thousandth of that.
-double GearTree::free_length(const Pose& from, Gear gear, double most) {
-  const auto is_free = [&](double length) {
-    ++straights_checked_;
-    const PathSegment line{from, length, 0.0, gear};
-    return sweep_->straight_free(swept_rectangle(line.forwards().start, length, body_));
-  };
-  if (is_free(most)) return most;
-  double free = 0.0, blocked = most;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (free + blocked);
-    (is_free(middle) ? free : blocked) = middle;
-  }
-  return free;
-}
-
-void GearTree::add_arcs(std::uint32_t from, Side side) {
+void GearTree::add_arcs(std::uint32_t from, Side side, Gear gear) {
   const Pose pose = nodes_[from].pose;
-  ++turns_checked_;
-  const HeadingSet free = sweep_->free_headings({turn_circle(pose, radius_, side).center, radius_, side, body_});
-  for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
-    const double room = free.reach(pose.heading, gear == Gear::kForward ? side : opposite(side)) - kContactSlack;
-    const auto add_arc = [&](double turn) {
-      if (turn >= kLeastTurn) add(from, {pose, radius_ * turn, sign_of(side) / radius_, gear});
-    };
-    add_arc(std::min(room, kStepTurn));
-    if (room < kStepTurn) {
-      if (grid_.halves) add_arc(0.5 * room);
-    } else if (room <= kFarTurns * kStepTurn) {
-      add_arc(room);
-    }
+  const double curvature = sign_of(side) / radius_;
+  const double far = room(curvature, gear) / radius_;
+  const double turn = far - kContactSlack;
+  const auto add_arc = [&](double by) {
+    if (by >= kLeastTurn) add(from, {pose, radius_ * by, curvature, gear});
+  };
+  add_arc(std::min(turn, kStepTurn));
+  if (turn < kStepTurn) {
+    if (grid_.halves) add_arc(0.5 * turn);
+  } else if (far < kFarTurn) {
+    add_arc(turn);
   }
 }
 

@@ -32,7 +32,8 @@ TEST(GearSearch, InAnEmptyWorldIsAtLeastAsGoodAsEveryWord) {
       return Pose{random.uniform(0.0, 6.0), random.uniform(0.0, 6.0), random.uniform(-kPi, kPi)};
     };
     const Pose start = pose(), goal = pose();
-    const GearSearchResult found = search_gears(start, goal, vehicle, *queries.sweep, {.max_poses = 40});
+    const GearSearchResult found =
+        search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.max_poses = 40});
     ASSERT_TRUE(found.path);
     EXPECT_EQ(found.cost, travel_cost(*found.path, vehicle, 0.0));
     expect_valid(world, vehicle, start, goal, *found.path);
@@ -56,16 +57,18 @@ TEST(GearSearch, ParksInGapsThatAreHardlyLongerThanTheBody) {
     const QuerySet queries = make_reference_queries(world);
     const Pose start{-4.0, 1.2, 0.0};
     const Pose goal{0.5 * length - 0.65, -0.6, 0.0};
-    const GearSearchResult in = search_gears(start, goal, vehicle, *queries.sweep, {.max_poses = 30000});
+    const GearSearchResult in =
+        search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.max_poses = 30000});
     ASSERT_TRUE(in.path) << length;
     expect_valid(world, vehicle, start, goal, *in.path);
     EXPECT_GE(cusps_of(*in.path), cusps) << length;
     cusps = cusps_of(*in.path);
     // Out again, and the same every time.
-    const GearSearchResult out = search_gears(goal, start, vehicle, *queries.sweep, {.max_poses = 30000});
+    const GearSearchResult out =
+        search_gears(goal, start, vehicle, *queries.sweep, Outlines(world), {.max_poses = 30000});
     ASSERT_TRUE(out.path) << length;
     expect_valid(world, vehicle, goal, start, *out.path);
-    EXPECT_EQ(search_gears(goal, start, vehicle, *queries.sweep, {.max_poses = 30000}).cost, out.cost);
+    EXPECT_EQ(search_gears(goal, start, vehicle, *queries.sweep, Outlines(world), {.max_poses = 30000}).cost, out.cost);
   }
   EXPECT_GT(cusps, 1u);
 }
@@ -74,7 +77,8 @@ TEST(GearSearch, FindsNothingWhereThereIsNothing) {
   const World world = parking_gap(1.55);
   const QuerySet queries = make_reference_queries(world);
   const Pose start{-4.0, 1.2, 0.0}, goal{0.1 + 0.025, -0.6, 0.0};
-  const GearSearchResult found = search_gears(start, goal, Vehicle{}, *queries.sweep, {.max_poses = 3000});
+  const GearSearchResult found =
+      search_gears(start, goal, Vehicle{}, *queries.sweep, Outlines(world), {.max_poses = 3000});
   EXPECT_FALSE(found.path);
   EXPECT_FALSE(found.interrupted);
   EXPECT_LE(found.poses, 3000u);
@@ -85,14 +89,16 @@ TEST(GearSearch, KeepsItsLimits) {
   const QuerySet queries = make_reference_queries(world);
   const Vehicle vehicle;
   const Pose start{-4.0, 1.2, 0.0}, goal{0.45, -0.6, 0.0};
-  const GearSearchResult all = search_gears(start, goal, vehicle, *queries.sweep, {});
+  const GearSearchResult all = search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {});
   ASSERT_TRUE(all.path);
-  EXPECT_FALSE(search_gears(start, goal, vehicle, *queries.sweep, {.cutoff = 0.5 * all.cost}).path);
-  const GearSearchResult stopped = search_gears(start, goal, vehicle, *queries.sweep, {.clock = StopClock(0.0)});
+  EXPECT_FALSE(search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.cutoff = 0.5 * all.cost}).path);
+  const GearSearchResult stopped =
+      search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.clock = StopClock(0.0)});
   EXPECT_TRUE(stopped.interrupted);
   EXPECT_FALSE(stopped.path);
   // A cusp that costs enough is avoided where it can be.
-  const GearSearchResult dear = search_gears(start, goal, vehicle, *queries.sweep, {.cusp_cost = 10.0});
+  const GearSearchResult dear =
+      search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.cusp_cost = 10.0});
   ASSERT_TRUE(dear.path);
   EXPECT_LE(cusps_of(*dear.path), cusps_of(*all.path));
 }

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/collision/query_set.h"
 #include "core/geometry/angle.h"
+#include "core/model/outlines.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "datasets/generators/clutter.h"
@@ -17,10 +17,10 @@ double nothing_ahead(const Pose&) { return 0.0; }
 
 TEST(GearTree, WaysAreFreeJoinedAndAsDearAsTheyTake) {
   const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.3, .seed = 4});
-  const QuerySet queries = make_reference_queries(world);
+  const Outlines outlines(world);
   const Vehicle vehicle;
   const double cusp_cost = 0.02;
-  GearTree tree({2.0, 2.0, 0.7}, vehicle, *queries.sweep, cusp_cost, {8.0, true}, nothing_ahead);
+  GearTree tree({2.0, 2.0, 0.7}, vehicle, outlines, cusp_cost, {8.0, true}, nothing_ahead);
   double last = 0.0;
   for (int i = 0; i < 300; ++i) {
     const auto node = tree.expand();
@@ -46,10 +46,14 @@ TEST(GearTree, WaysAreFreeJoinedAndAsDearAsTheyTake) {
 
 TEST(GearTree, CountsTheCostOfCusps) {
   const Vehicle vehicle;
-  const QuerySet queries = make_reference_queries(World({}));
+  const Outlines outlines(World({}));
   constexpr double kCuspCost = 20.0;  // more than the drives take
-  GearTree tree({2.0, 2.0, 0.7}, vehicle, *queries.sweep, kCuspCost, {8.0, true}, nothing_ahead);
-  for (int i = 0; i < 20; ++i) ASSERT_TRUE(tree.expand());
+  GearTree tree({2.0, 2.0, 0.7}, vehicle, outlines, kCuspCost, {8.0, true}, nothing_ahead);
+  for (int i = 0; i < 20; ++i) {
+    const auto node = tree.expand();
+    ASSERT_TRUE(node);
+    EXPECT_TRUE(tree.has_room({tree[*node].pose, 100.0, 1.0 / vehicle.min_turning_radius(), Gear::kReverse}));
+  }
   int cusps = 0;
   for (std::uint32_t node = 1; node < tree.size(); ++node) {
     const int count = static_cast<int>(cusps_of(tree.path_from_root(node)));
@@ -66,9 +70,10 @@ TEST(GearTree, HasNoMotionWhereThereIsNoRoom) {
                             {body.front, -body.half_width},
                             {body.front, body.half_width},
                             {-body.rear, body.half_width}});
-  const QuerySet queries = make_reference_queries(cell);
-  GearTree tree({0.0, 0.0, 0.0}, vehicle, *queries.sweep, 0.0, {64.0, true}, nothing_ahead);
+  const Outlines outlines(cell);
+  GearTree tree({0.0, 0.0, 0.0}, vehicle, outlines, 0.0, {64.0, true}, nothing_ahead);
   EXPECT_EQ(tree.expand(), GearTree::kRoot);
+  EXPECT_FALSE(tree.has_room({{0.0, 0.0, 0.0}, 0.01, 0.0, Gear::kForward}));
   EXPECT_EQ(tree.expand(), std::nullopt);
   EXPECT_EQ(tree.size(), 1u);
   EXPECT_EQ(tree.least_estimate(), std::numeric_limits<double>::infinity());

@@ -28,7 +28,8 @@ TEST(RefineReversing, CuspsMoveToWhereParkingTakesLessTime) {
                       box(-8.0, -5.0, length + 8.0, 6.0).outer);
     const QuerySet queries = make_reference_queries(world);
     const Pose start{-4.0, 1.2, 0.0}, goal{0.5 * length - 0.65, -0.6, 0.0};
-    const GearSearchResult found = search_gears(start, goal, vehicle, *queries.sweep, {.max_poses = 20000});
+    const GearSearchResult found =
+        search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.max_poses = 20000});
     ASSERT_TRUE(found.path) << length;
     RefineOptions options;
     options.max_trials = 100000;
