@@ -111,12 +111,12 @@ void PlanRun::refine(const Path& path, double effort, bool reverse) {
     refined.path = path;
     return;
   }
-  const auto stop = [this] { return search_options_.interrupted(); };
   if (reverse) {
-    refined = refine_reversing_path(path, map_.vehicle, *map_.queries.sweep, gear_changes_, refinement, stop);
+    refined = refine_reversing_path(path, map_.vehicle, *map_.queries.sweep, gear_changes_, refinement,
+                                    search_options_.clock);
   } else {
-    refine_path(path, request_.start, request_.goal, map_.vehicle, *map_.queries.sweep, refinement, stop,
-                workspace_.refine, refined);
+    refine_path(path, request_.start, request_.goal, map_.vehicle, *map_.queries.sweep, refinement,
+                search_options_.clock, workspace_.refine, refined);
   }
   PlanStatistics& s = result_.statistics;
   result_.interrupted = result_.interrupted || refined.interrupted;
@@ -187,8 +187,7 @@ TreesEnd PlanRun::grow_trees(const PlanMaps& maps, const TreeLimits& limits, dou
   const bool first = !found_;
   if (options_.refinement.max_trials > 0) {
     grown.search.path = shorten_path(std::move(*grown.search.path), map_.vehicle, *map_.queries.sweep,
-                                     kShorteningEffort * options_.refinement.max_trials,
-                                     [this] { return search_options_.interrupted(); });
+                                     kShorteningEffort * options_.refinement.max_trials, search_options_.clock);
   }
   const Times times = keep(std::move(*grown.search.path), effort, false);
   if (!first && times.cost >= fastest_.times.cost) return end;

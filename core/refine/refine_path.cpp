@@ -90,12 +90,12 @@ namespace {
 
 class Refiner {
  public:
-  Refiner(const Vehicle& vehicle, const SweepQuery& sweep, const RefineOptions& options,
-          const std::function<bool()>& stop, RefineWorkspace::Data& workspace, RefinedPath& result)
+  Refiner(const Vehicle& vehicle, const SweepQuery& sweep, const RefineOptions& options, const StopClock& clock,
+          RefineWorkspace::Data& workspace, RefinedPath& result)
       : vehicle_(vehicle),
         sweep_(sweep),
         options_(options),
-        stop_(stop),
+        clock_(clock),
         result_(result),
         body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
         smallest_(vehicle.min_turning_radius()),
@@ -139,7 +139,7 @@ class Refiner {
   }
 
   [[nodiscard]] bool done() {
-    if (stop_ && !result_.interrupted) result_.interrupted = stop_();
+    result_.interrupted = result_.interrupted || clock_.is_over();
     return is_over();
   }
   // Whether that is known, without asking: in loops that ask by their trials. Those over the circles of a long path
@@ -452,7 +452,7 @@ class Refiner {
   const Vehicle& vehicle_;
   const SweepQuery& sweep_;
   const RefineOptions& options_;
-  const std::function<bool()>& stop_;
+  const StopClock& clock_;
   RefinedPath& result_;
   Footprint body_;
   double smallest_;
@@ -473,7 +473,7 @@ void require_refinement(const RefineOptions& options) {
 }
 
 void refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-                 const RefineOptions& options, const std::function<bool()>& stop, RefineWorkspace& workspace,
+                 const RefineOptions& options, const StopClock& clock, RefineWorkspace& workspace,
                  RefinedPath& result) {
   require_refinement(options);
   RefineWorkspace::Data& w = *workspace;
@@ -482,14 +482,14 @@ void refine_path(const Path& path, const Pose& start, const Pose& goal, const Ve
   result.interrupted = false;
   speed_profile(path, vehicle, w.profile);
   result.travel_time = w.profile.total_time;
-  if (chain_of(path, start, goal, w.first_chain)) Refiner(vehicle, sweep, options, stop, w, result).run(w.first_chain);
+  if (chain_of(path, start, goal, w.first_chain)) Refiner(vehicle, sweep, options, clock, w, result).run(w.first_chain);
 }
 
 RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
-                        const SweepQuery& sweep, const RefineOptions& options, const std::function<bool()>& stop) {
+                        const SweepQuery& sweep, const RefineOptions& options, const StopClock& clock) {
   RefineWorkspace workspace;
   RefinedPath result;
-  refine_path(path, start, goal, vehicle, sweep, options, stop, workspace, result);
+  refine_path(path, start, goal, vehicle, sweep, options, clock, workspace, result);
   return result;
 }
 

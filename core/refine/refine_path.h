@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 
+#include "core/base/stop_clock.h"
 #include "core/collision/sweep_query.h"
 #include "core/model/path.h"
 #include "core/model/vehicle.h"
@@ -27,7 +27,7 @@ struct RefinedPath {
   std::uint64_t improvements = 0;       ///< of them, accepted: faster and free
   std::uint64_t straights_checked = 0;  ///< swept rectangles decided
   std::uint64_t turns_checked = 0;      ///< heading sets computed
-  bool interrupted = false;             ///< `stop` ended it: more trials might have made the path faster
+  bool interrupted = false;             ///< the clock ended it: more trials might have made the path faster
 };
 
 /// Memory of a refinement, kept for the next one: for one at a time, of any path.
@@ -55,15 +55,14 @@ class RefineWorkspace {
 /// A change is accepted only if the travel time under the speed profile falls and the swept area of the body grown by
 /// half of the safety margin is free by `sweep`. So the result is as free as the input and never slower; a path that
 /// turns on fewer than two circles is returned as it is. A local optimum of these changes, not the fastest path.
-/// Deterministic unless stopped: `stop` is asked before each trial, and while pairs are told apart, and ends refinement
-/// with the best path so far. Thread-safe.
+/// Deterministic unless stopped. Thread-safe.
+/// @param clock  asked before each trial, and while pairs are told apart; once over, refinement ends with the best path
+///               so far.
 /// @throws std::invalid_argument as require_refinement does.
 RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
-                        const SweepQuery& sweep, const RefineOptions& options = {},
-                        const std::function<bool()>& stop = {});
+                        const SweepQuery& sweep, const RefineOptions& options = {}, const StopClock& clock = {});
 /// The same with memory that is used again, that of `result` included.
 void refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-                 const RefineOptions& options, const std::function<bool()>& stop, RefineWorkspace& workspace,
-                 RefinedPath& result);
+                 const RefineOptions& options, const StopClock& clock, RefineWorkspace& workspace, RefinedPath& result);
 
 }  // namespace arcway

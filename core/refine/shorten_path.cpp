@@ -20,14 +20,13 @@ constexpr double kSmallestGain = 1e-4;        // of the travel time, that is wor
 
 class Shortener {
  public:
-  Shortener(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
-            const std::function<bool()>& stop)
+  Shortener(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials, const StopClock& clock)
       : path_(std::move(path)),
         vehicle_(vehicle),
         sweep_(sweep),
         body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
         trials_left_(max_trials),
-        stop_(stop) {
+        clock_(clock) {
     time_ = time_of(path_);
   }
 
@@ -50,7 +49,7 @@ class Shortener {
     Pose pose;
   };
 
-  [[nodiscard]] bool done() const { return trials_left_ == 0 || (stop_ && stop_()); }
+  [[nodiscard]] bool done() const { return trials_left_ == 0 || clock_.is_over(); }
 
   double time_of(const Path& path) {
     speed_profile(path, vehicle_, profile_);
@@ -106,7 +105,7 @@ class Shortener {
   const SweepQuery& sweep_;
   Footprint body_;
   std::size_t trials_left_;
-  const std::function<bool()>& stop_;
+  const StopClock& clock_;
   double time_ = 0.0;
   std::vector<Place> places_;
   SpeedProfile profile_;
@@ -115,8 +114,8 @@ class Shortener {
 }  // namespace
 
 Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
-                  const std::function<bool()>& stop) {
-  return Shortener(std::move(path), vehicle, sweep, max_trials, stop).run();
+                  const StopClock& clock) {
+  return Shortener(std::move(path), vehicle, sweep, max_trials, clock).run();
 }
 
 }  // namespace arcway

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
+#include "core/base/stop_clock.h"
 #include "core/collision/sweep_query.h"
 #include "core/model/path.h"
 #include "core/model/vehicle.h"
@@ -13,8 +13,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// middles of its segments, becomes a Dubins word or a biarc that is free by `sweep`. For paths of many short motions,
 /// which refine_path, that moves one turn at a time, leaves as they are. As free as the input and never slower.
 /// @param max_trials  paths whose travel time is computed, at most; some microseconds each.
-/// @param stop  asked before each trial; true ends it with the path so far.
+/// @param clock  asked before each trial; once over, the path so far is the result.
 Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
-                  const std::function<bool()>& stop);
+                  const StopClock& clock);
 
 }  // namespace arcway

@@ -40,12 +40,12 @@ void append(Path& path, std::span<const PathSegment> more) { path.insert(path.en
 class ReversingRefiner {
  public:
   ReversingRefiner(const Vehicle& vehicle, const SweepQuery& sweep, const GearChanges& changes,
-                   const RefineOptions& options, const std::function<bool()>& stop, RefinedPath& result)
+                   const RefineOptions& options, const StopClock& clock, RefinedPath& result)
       : vehicle_(vehicle),
         sweep_(sweep),
         changes_(changes),
         options_(options),
-        stop_(stop),
+        clock_(clock),
         result_(result),
         body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
         most_cusps_(std::max(changes.most, cusps_of(result.path))),
@@ -77,7 +77,7 @@ class ReversingRefiner {
   };
 
   [[nodiscard]] bool done() {
-    if (stop_ && !result_.interrupted) result_.interrupted = stop_();
+    result_.interrupted = result_.interrupted || clock_.is_over();
     return result_.interrupted || result_.trials >= most_trials_;
   }
 
@@ -303,7 +303,7 @@ class ReversingRefiner {
   Path refined(const Path& run, const Vehicle& vehicle) {
     RefineOptions rest = options_;
     rest.max_trials -= static_cast<std::uint32_t>(result_.trials);
-    RefinedPath refined = refine_path(run, run.front().start, run.back().end(), vehicle, sweep_, rest, stop_);
+    RefinedPath refined = refine_path(run, run.front().start, run.back().end(), vehicle, sweep_, rest, clock_);
     result_.trials += refined.trials;
     result_.straights_checked += refined.straights_checked;
     result_.turns_checked += refined.turns_checked;
@@ -314,7 +314,7 @@ class ReversingRefiner {
   const SweepQuery& sweep_;
   GearChanges changes_;
   const RefineOptions& options_;
-  const std::function<bool()>& stop_;
+  const StopClock& clock_;
   RefinedPath& result_;
   Footprint body_;
   std::size_t most_cusps_;
@@ -325,12 +325,11 @@ class ReversingRefiner {
 }  // namespace
 
 RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep,
-                                  const GearChanges& changes, const RefineOptions& options,
-                                  const std::function<bool()>& stop) {
+                                  const GearChanges& changes, const RefineOptions& options, const StopClock& clock) {
   require_refinement(options);
   RefinedPath result;
   result.path = path;
-  ReversingRefiner(vehicle, sweep, changes, options, stop, result).run();
+  ReversingRefiner(vehicle, sweep, changes, options, clock, result).run();
   return result;
 }
 

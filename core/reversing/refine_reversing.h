@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 
+#include "core/base/stop_clock.h"
 #include "core/collision/sweep_query.h"
 #include "core/model/path.h"
 #include "core/model/vehicle.h"
@@ -28,10 +28,9 @@ struct GearChanges {
 /// A change is accepted only if the cost falls and the swept area of the body grown by half of the safety margin is
 /// free by `sweep`. A local optimum of these changes, not the cheapest path. Deterministic.
 /// @param changes  of gear; paths of more than the most are not taken, but for the given one.
-/// @param stop  asked before each trial; true ends the refinement with the best path so far.
+/// @param clock  asked before each trial; once over, the refinement ends with the best path so far.
 /// @throws std::invalid_argument as require_refinement does.
 RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep,
-                                  const GearChanges& changes, const RefineOptions& options,
-                                  const std::function<bool()>& stop);
+                                  const GearChanges& changes, const RefineOptions& options, const StopClock& clock);
 
 }  // namespace arcway

@@ -228,9 +228,8 @@ class AlternativeSearch {
   [[nodiscard]] double refined_cost(const Way& way) const {
     if (quick_request_.reverse) return way.cost;
     const WalledSweep sweep(remembered_, way.walls);
-    const auto stop = [this] { return interrupted(); };
     return refine_path(way.plan.path(), request_.start, request_.goal, planner_.vehicle(), sweep,
-                       planner_.options().refinement, stop)
+                       planner_.options().refinement, clock_)
         .travel_time;
   }
 

@@ -37,8 +37,8 @@ void expect_valid(const World& world, const Vehicle& vehicle, const PlanRequest&
 }
 
 RefinedPath refined(const World& world, const Vehicle& vehicle, const PlanRequest& request, const Path& path,
-                    const RefineOptions& options = {}, const std::function<bool()>& stop = {}) {
-  return refine_path(path, request.start, request.goal, vehicle, *make_reference_queries(world).sweep, options, stop);
+                    const RefineOptions& options = {}, const StopClock& clock = {}) {
+  return refine_path(path, request.start, request.goal, vehicle, *make_reference_queries(world).sweep, options, clock);
 }
 
 class RefinePathInClutter : public testing::TestWithParam<std::tuple<ClutterKind, double, bool>> {};
@@ -148,11 +148,11 @@ TEST(RefinePath, StopsWhenAskedAndAtItsLimit) {
   const RefinedPath limited = refined(World({}), vehicle, request, path, {.max_trials = 0});
   expect_untouched(limited);
   EXPECT_FALSE(limited.interrupted);
-  const RefinedPath stopped = refined(World({}), vehicle, request, path, {}, [] { return true; });
+  const RefinedPath stopped = refined(World({}), vehicle, request, path, {}, StopClock(0.0));
   expect_untouched(stopped);
   EXPECT_TRUE(stopped.interrupted);
   EXPECT_LE(refined(World({}), vehicle, request, path, {.max_trials = 7}).trials, 7u);
-  EXPECT_FALSE(refined(World({}), vehicle, request, path, {}, [] { return false; }).interrupted);
+  EXPECT_FALSE(refined(World({}), vehicle, request, path, {}, StopClock(1e300)).interrupted);
 }
 
 TEST(RefinePath, LeavesBarePathsAlone) {

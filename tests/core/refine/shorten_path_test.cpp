@@ -53,7 +53,7 @@ TEST(ShortenPath, CanBeStopped) {
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
   const Path path = weaving(2.0, 16);
-  EXPECT_EQ(shorten_path(path, vehicle, *queries.sweep, 1000, [] { return true; }).size(), path.size());
+  EXPECT_EQ(shorten_path(path, vehicle, *queries.sweep, 1000, StopClock(0.0)).size(), path.size());
 }
 
 }  // namespace

@@ -100,8 +100,7 @@ TEST(RefineReversing, StopsWhenItIsAsked) {
   const World world({});
   const QuerySet queries = make_reference_queries(world);
   const Path there_and_back{{{0.0, 0.0, 0.0}, 5.0, 0.0, Gear::kForward}, {{5.0, 0.0, 0.0}, 4.0, 0.0, Gear::kReverse}};
-  const RefinedPath stopped =
-      refine_reversing_path(there_and_back, vehicle, *queries.sweep, {}, {}, [] { return true; });
+  const RefinedPath stopped = refine_reversing_path(there_and_back, vehicle, *queries.sweep, {}, {}, StopClock(0.0));
   EXPECT_TRUE(stopped.interrupted);
   EXPECT_EQ(stopped.trials, 0u);
   EXPECT_EQ(stopped.path.size(), 2u);
