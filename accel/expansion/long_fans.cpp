@@ -1,16 +1,21 @@
 #include "accel/expansion/long_fans.h"
 
+#include "core/base/executor.h"
 #include "core/geometry/predicates.h"
 
 namespace arcway {
 
-LongFans::LongFans(const SightMap& map, std::uint32_t least) {
+LongFans::LongFans(const SightMap& map, std::uint32_t least, const StopClock& clock) {
+  StopTicker ticker(clock);
   const std::span<const SightMap::Door> doors = map.doors();
   const auto count = static_cast<std::uint32_t>(doors.size());
   const auto left_end = [&](std::uint32_t door) { return doors[Triangulation::next(door)].site; };
   const auto right_end = [&](std::uint32_t door) { return doors[Triangulation::previous(door)].site; };
   std::vector<std::uint32_t> degree(map.sites().size(), 0);
-  for (std::uint32_t door = 0; door < count; ++door) ++degree[left_end(door)];
+  for (std::uint32_t door = 0; door < count; ++door) {
+    end_if_over(ticker);
+    ++degree[left_end(door)];
+  }
 
   std::vector<bool> is_taken(count, false);
   std::vector<std::uint32_t> fan;
@@ -20,15 +25,19 @@ LongFans::LongFans(const SightMap& map, std::uint32_t least) {
       const std::uint32_t pivot = left_end(door), first_site = right_end(door);
       fan.clear();
       for (; door != kNone && !is_taken[door]; door = doors[door].left) {
+        end_if_over(ticker);
         if (orientation(map.sites()[pivot], map.sites()[first_site], doors[door].apex) <= 0) break;
         is_taken[door] = true;
         fan.push_back(door);
       }
       if (fan.empty()) return;
-      if (fan.size() >= least) add_fan(map, fan);
+      if (fan.size() >= least) add_fan(map, fan, ticker);
     }
   };
-  const auto is_long = [&](std::uint32_t door) { return degree[left_end(door)] >= least; };
+  const auto is_long = [&](std::uint32_t door) {
+    end_if_over(ticker);
+    return degree[left_end(door)] >= least;
+  };
   for (std::uint32_t door = 0; door < count; ++door)  // behind walls first
     if (is_long(door) && doors[Triangulation::next(door)].left == kNone) follow(door);
   for (std::uint32_t door = 0; door < count; ++door)
@@ -38,7 +47,7 @@ LongFans::LongFans(const SightMap& map, std::uint32_t least) {
   for (std::uint32_t i = 0; i < doors_.size(); ++i) place_[doors_[i]] = i;
 }
 
-void LongFans::add_fan(const SightMap& map, std::span<const std::uint32_t> doors) {
+void LongFans::add_fan(const SightMap& map, std::span<const std::uint32_t> doors, StopTicker& ticker) {
   const Fan fan{map.doors()[Triangulation::next(doors.front())].site, static_cast<std::uint32_t>(doors_.size()),
                 static_cast<std::uint32_t>(doors.size()), static_cast<std::uint32_t>(hull_starts_.size() - 1)};
   doors_.insert(doors_.end(), doors.begin(), doors.end());
@@ -46,12 +55,12 @@ void LongFans::add_fan(const SightMap& map, std::span<const std::uint32_t> doors
   rim_.push_back(map.doors()[Triangulation::previous(doors.front())].site);
   for (const std::uint32_t door : doors) rim_.push_back(map.doors()[door].site);
   fans_.push_back(fan);
-  add_hulls(map, fans_.back());
+  add_hulls(map, fans_.back(), ticker);
 }
 
 // A corner is on the side of a hull that faces the pivot if it is on the pivot's side of the line between its
 // neighbors.
-void LongFans::add_hulls(const SightMap& map, const Fan& fan) {
+void LongFans::add_hulls(const SightMap& map, const Fan& fan, StopTicker& ticker) {
   const std::span<const Vec2> sites = map.sites();
   std::vector<std::uint32_t> chain;
   const auto append = [&](std::uint32_t site) {
@@ -61,6 +70,7 @@ void LongFans::add_hulls(const SightMap& map, const Fan& fan) {
   };
   for (std::uint32_t level = 0; level < levels(fan); ++level) {
     for (std::uint32_t block = 0; block < blocks(fan, level); ++block) {
+      end_if_over(ticker);
       chain.clear();
       if (level == 0) {
         for (std::uint32_t i = 0; i < kLeaf; ++i) append(site(fan, block * kLeaf + i));

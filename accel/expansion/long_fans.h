@@ -9,6 +9,7 @@
 
 #include "accel/base/big_vector.h"
 #include "accel/expansion/sight_map.h"
+#include "core/base/stop_clock.h"
 
 namespace [[gnu::visibility("default")]] arcway {
 
@@ -38,7 +39,8 @@ class LongFans {
   LongFans() = default;
   /// Those of at least so many triangles. O(n log n) for n triangles; about 24 bytes a vertex and 12 a triangle of a
   /// long fan.
-  LongFans(const SightMap& map, std::uint32_t least);
+  /// @throws Cancelled once the clock is over.
+  LongFans(const SightMap& map, std::uint32_t least, const StopClock& clock = {});
 
   [[nodiscard]] bool empty() const { return fans_.empty(); }
   [[nodiscard]] std::size_t size() const { return fans_.size(); }
@@ -102,8 +104,8 @@ class LongFans {
   template <class Rises>
   [[nodiscard]] static std::uint32_t nearest(std::span<const std::uint32_t> hull, const Rises& rises);
 
-  void add_fan(const SightMap& map, std::span<const std::uint32_t> doors);
-  void add_hulls(const SightMap& map, const Fan& fan);
+  void add_fan(const SightMap& map, std::span<const std::uint32_t> doors, StopTicker& ticker);
+  void add_hulls(const SightMap& map, const Fan& fan, StopTicker& ticker);
 
   std::vector<Fan> fans_;
   BigVector<std::uint32_t> place_;    ///< by door with a pivot at its left end: index of the triangle; else kNone

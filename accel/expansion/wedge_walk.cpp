@@ -567,7 +567,7 @@ LongFans worthwhile_fans(const SightMap& map, const Executor& executor) {
   constexpr std::uint32_t kLeastTriangles = 64;
   const double steps = steps_a_node(map, executor);
   if (steps < kVeryManySteps) return {};
-  LongFans fans(map, kLeastTriangles);
+  LongFans fans(map, kLeastTriangles, executor.clock());
   return steps_a_node(map, executor, &fans) < kMuchLess * steps ? std::move(fans) : LongFans();
 }
 

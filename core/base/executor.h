@@ -62,8 +62,8 @@ void run_both(const Executor& executor, First&& first, Second&& second) {
   });
 }
 
-/// Another executor's loops, ended by a stop token or a deadline. Asks before each piece of a range; pieces grow and
-/// shrink so that each takes about kPieceSeconds.
+/// Another executor's loops, ended by a stop token or a deadline, and by the other executor's clock. Asks before each
+/// piece of a range; pieces grow and shrink so that each takes about kPieceSeconds.
 class StoppableExecutor final : public Executor {
  public:
   /// What a stop waits for on each thread, unless a single grain takes longer [s]. Smaller pieces cost time: each asks
@@ -76,8 +76,8 @@ class StoppableExecutor final : public Executor {
   StoppableExecutor(const Executor& executor, StopClock clock) : executor_(executor), clock_(std::move(clock)) {}
 
   void begin_stage(const char* name) const override { executor_.begin_stage(name); }
-  [[nodiscard]] StopClock clock() const override { return clock_; }
-  /// @throws Cancelled once the clock is over, when all pieces under way have ended.
+  [[nodiscard]] StopClock clock() const override { return clock_.first_of(executor_.clock()); }
+  /// @throws Cancelled once its own clock is over, when all pieces under way have ended.
   void for_ranges(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) const override {
     using Clock = StopClock::Clock;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <utility>
@@ -23,26 +25,46 @@ class StopClock {
   explicit StopClock(double seconds, std::stop_token stop = {}) : stop_(std::move(stop)) {
     const auto now = Clock::now();
     const std::chrono::duration<double> limit(seconds > 0.0 ? seconds : 0.0);
-    if (limit < Clock::time_point::max() - now) deadline_ = now + std::chrono::duration_cast<Clock::duration>(limit);
+    if (limit < kNever - now) deadline_ = now + std::chrono::duration_cast<Clock::duration>(limit);
   }
 
-  [[nodiscard]] bool is_over() const { return stop_.stop_requested() || (deadline_ && Clock::now() >= *deadline_); }
+  [[nodiscard]] bool is_over() const {
+    return stop_.stop_requested() || (deadline_ != kNever && Clock::now() >= deadline_) ||
+           (beside_ && beside_->is_over());
+  }
   /// Until the deadline [s], negative behind it; infinity where there is none.
   [[nodiscard]] double seconds_left() const {
-    if (!deadline_) return std::numeric_limits<double>::infinity();
-    return std::chrono::duration<double>(*deadline_ - Clock::now()).count();
+    if (deadline_ == kNever) return std::numeric_limits<double>::infinity();
+    return std::chrono::duration<double>(deadline_ - Clock::now()).count();
   }
-  [[nodiscard]] const std::stop_token& stop() const { return stop_; }
   /// The same deadline, with another stop.
   [[nodiscard]] StopClock with_stop(std::stop_token stop) const {
-    StopClock other = *this;
+    StopClock other;
+    other.deadline_ = deadline_;
     other.stop_ = std::move(stop);
     return other;
   }
+  /// Over as soon as this one or another one is.
+  [[nodiscard]] StopClock first_of(const StopClock& other) const {
+    StopClock first = *this;
+    first.deadline_ = std::min(deadline_, other.deadline_);
+    if (!can_be_stopped()) {
+      first.stop_ = other.stop_;
+      first.beside_ = other.beside_;
+    } else if (other.can_be_stopped()) {
+      first.beside_ = std::make_shared<const StopClock>(beside_ ? beside_->first_of(other) : other);
+    }
+    return first;
+  }
 
  private:
+  [[nodiscard]] bool can_be_stopped() const { return stop_.stop_possible() || beside_; }
+
+  static constexpr Clock::time_point kNever = Clock::time_point::max();
+
   std::stop_token stop_;
-  std::optional<Clock::time_point> deadline_;
+  Clock::time_point deadline_ = kNever;
+  std::shared_ptr<const StopClock> beside_;  // may be null: another stop, where there are two
 };
 
 /// Asks a clock once in kEvery rounds of a loop: below a nanosecond a round. For rounds of at most some microseconds.

@@ -227,6 +227,13 @@ TEST(WedgeGraph, LongFansAroundSaws) {
   EXPECT_GT(fans, 30u);
 }
 
+TEST(WedgeGraph, LongFansEndAtTheirClock) {
+  test::Random random(7);
+  const SightMap map(World({{saw(random, 200, 400.0, 50.0, false), {}}}));
+  EXPECT_FALSE(LongFans(map, 32).empty());
+  EXPECT_THROW((void)LongFans(map, 32, StopClock(0.0)), Cancelled);
+}
+
 // Needles side by side, each with a vertex on the next one's long edge: boxes of all edges overlap, so that contacts
 // are found by a sweep; with a box across them, edges cross, and they are not.
 TEST(WedgeGraph, ContactsOfLongEdges) {

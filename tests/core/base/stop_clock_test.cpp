@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <limits>
 #include <stop_token>
@@ -26,6 +27,28 @@ TEST(StopClock, IsOverAtItsDeadlineOrWhenStopped) {
   stop.request_stop();
   EXPECT_TRUE(clock.is_over());
   EXPECT_FALSE(clock.with_stop({}).is_over());
+}
+
+TEST(StopClock, OfSeveralIsOverWithTheFirstOfThem) {
+  EXPECT_FALSE(StopClock().first_of({}).is_over());
+  EXPECT_TRUE(StopClock(0.0).first_of({}).is_over());
+  EXPECT_TRUE(StopClock().first_of(StopClock(0.0)).is_over());
+  EXPECT_LE(StopClock(1e9).first_of(StopClock(0.0)).seconds_left(), 0.0);
+  EXPECT_LE(StopClock(0.0).first_of(StopClock(1e9)).seconds_left(), 0.0);
+  constexpr std::size_t kCount = 3;
+  for (std::size_t stopped = 0; stopped < kCount; ++stopped)
+    for (const bool nested : {false, true}) {
+      std::array<std::stop_source, kCount> stops;
+      std::array<StopClock, kCount> clocks;
+      for (std::size_t i = 0; i < kCount; ++i) clocks[i] = StopClock(1e300, stops[i].get_token());
+      const StopClock first = nested ? clocks[0].first_of(clocks[1].first_of(clocks[2]))
+                                     : clocks[0].first_of(clocks[1]).first_of(clocks[2]);
+      EXPECT_FALSE(first.is_over());
+      stops[stopped].request_stop();
+      EXPECT_TRUE(first.is_over()) << stopped;
+      EXPECT_TRUE(StopClock().first_of(first).is_over()) << stopped;
+      EXPECT_FALSE(first.with_stop({}).is_over());
+    }
 }
 
 TEST(StopTicker, AsksAtOnceAndThenOnceInAWhile) {
@@ -63,6 +86,19 @@ TEST(StoppableExecutor, EndsAtItsClock) {
   EXPECT_EQ(done, 16u);  // a single piece of one grain
   EXPECT_TRUE(executor.clock().is_over());
   EXPECT_THROW(end_if_over(executor), Cancelled);
+}
+
+TEST(StoppableExecutor, HearsTheClockOfTheOneInside) {
+  const SerialExecutor serial;
+  std::stop_source inner_stop, outer_stop;
+  const StoppableExecutor inner(serial, inner_stop.get_token());
+  const StoppableExecutor outer(inner, outer_stop.get_token());
+  EXPECT_FALSE(outer.clock().is_over());
+  inner_stop.request_stop();
+  EXPECT_TRUE(outer.clock().is_over());
+  EXPECT_THROW(end_if_over(outer), Cancelled);
+  const StoppableExecutor late(serial, StopClock(0.0));
+  EXPECT_LE(StoppableExecutor(late, StopClock(1e9)).clock().seconds_left(), 0.0);
 }
 
 TEST(StoppableExecutor, CoversAllOnceInGrowingPieces) {
