@@ -1,5 +1,6 @@
 #include "core/validate/edge_grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -9,7 +10,19 @@ namespace {
 
 constexpr double kEdgesPerCell = 2.0;
 constexpr double kMostColumns = 16384.0;
-constexpr std::uint64_t kMostCells = 16;  // of an edge that is not long
+constexpr std::uint64_t kMostEntries = 16;  // in cells, for each edge of the map
+constexpr double kMargin = 1e-6;            // of a cell: an edge is listed where it passes this near, rounding included
+
+// So many cells of an edge that the lists of all cells stay within their limit. Edges that pass more are long.
+std::uint64_t most_cells(std::vector<std::uint64_t> counts) {
+  std::sort(counts.begin(), counts.end());
+  std::uint64_t left = kMostEntries * counts.size();
+  for (const std::uint64_t count : counts) {
+    if (count > left) return count - 1;
+    left -= count;
+  }
+  return counts.back();
+}
 
 }  // namespace
 
@@ -23,28 +36,40 @@ EdgeGrid::EdgeGrid(std::span<const LineSegment> edges) : edges_(edges) {
   columns_ = place(size.x() / cell_, 1u << 15) + 1;
   rows_ = place(size.y() / cell_, 1u << 15) + 1;
 
+  std::vector<std::uint64_t> counts(edges.size(), 0);
+  for (VertexId e = 0; e < edges.size(); ++e) visit_cells(edges[e], [&](std::size_t) { ++counts[e]; });
+  const std::uint64_t most = most_cells(counts);
   starts_.assign(std::size_t{columns_} * rows_ + 1, 0);
-  for (const LineSegment& edge : edges) visit_cells(edge, [&](std::size_t c) { ++starts_[c]; });
+  for (VertexId e = 0; e < edges.size(); ++e) {
+    if (counts[e] > most) {
+      long_.push_back(e);
+    } else {
+      visit_cells(edges[e], [&](std::size_t c) { ++starts_[c]; });
+    }
+  }
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
   items_.resize(starts_.back());
-  for (VertexId e = static_cast<VertexId>(edges.size()); e-- > 0;) {
-    bool is_short = false;
-    visit_cells(edges[e], [&](std::size_t c) {
-      items_[--starts_[c]] = e;
-      is_short = true;
-    });
-    if (!is_short) long_.push_back(e);
-  }
+  for (VertexId e = static_cast<VertexId>(edges.size()); e-- > 0;)
+    if (counts[e] <= most) visit_cells(edges[e], [&](std::size_t c) { items_[--starts_[c]] = e; });
 }
 
-// None of a long edge.
+// Row by row those between the places where the edge comes and goes, none twice.
 template <class Visit>
 void EdgeGrid::visit_cells(const LineSegment& edge, Visit&& visit) const {
   const Cells own = cells_of(arcway::box_of(edge));
-  const std::uint64_t count = std::uint64_t{own.x1 - own.x0 + 1} * (own.y1 - own.y0 + 1);
-  if (count > kMostCells) return;
-  for (std::uint32_t y = own.y0; y <= own.y1; ++y)
-    for (std::uint32_t x = own.x0; x <= own.x1; ++x) visit(index_of(x, y));
+  const Vec2 a = (edge.a - box_.min) / cell_, along = (edge.b - edge.a) / cell_;
+  for (std::uint32_t y = own.y0; y <= own.y1; ++y) {
+    double t0 = 0.0, t1 = 1.0;
+    if (along.y() != 0.0) {
+      t0 = (y - kMargin - a.y()) / along.y();
+      t1 = (y + 1.0 + kMargin - a.y()) / along.y();
+    }
+    const double x0 = a.x() + std::clamp(std::min(t0, t1), 0.0, 1.0) * along.x();
+    const double x1 = a.x() + std::clamp(std::max(t0, t1), 0.0, 1.0) * along.x();
+    const std::uint32_t first = std::max(own.x0, place(std::min(x0, x1) - kMargin, columns_));
+    const std::uint32_t last = std::min(own.x1, place(std::max(x0, x1) + kMargin, columns_));
+    for (std::uint32_t x = first; x <= last; ++x) visit(index_of(x, y));
+  }
 }
 
 }  // namespace arcway

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/base/huge_pages.h"
 #include "core/geometry/vec2.h"
@@ -12,8 +13,9 @@
 namespace arcway {
 
 /// The edges of a world by place, for the validator, which shares no tree with the planner: cells of one size, two
-/// edges each if they lie all over the map. Edges that span many cells are looked at whatever is asked for. Immutable
-/// and thread-safe. O(n).
+/// edges each if they lie all over the map. An edge is listed in each cell that it passes. Where these lists would take
+/// more than 16 entries an edge, the edges that pass most cells are looked at whatever is asked for. Immutable and
+/// thread-safe. O(n log n).
 class EdgeGrid {
  public:
   /// @param edges  which must outlive this.
@@ -31,14 +33,15 @@ class EdgeGrid {
     for (const VertexId e : long_) visit(e);
     if (edges_.empty() || !box.overlaps(box_)) return;
     const Cells asked = cells_of(box);
-    for (std::uint32_t y = asked.y0; y <= asked.y1; ++y)
-      for (std::uint32_t x = asked.x0; x <= asked.x1; ++x) {
-        const std::size_t c = index_of(x, y);
-        for (std::uint64_t i = starts_[c]; i < starts_[c + 1]; ++i) {
-          const Cells own = cells_of(box_of(edges_[items_[i]]));
-          if (x == std::max(own.x0, asked.x0) && y == std::max(own.y0, asked.y0)) visit(items_[i]);
-        }
-      }
+    std::vector<VertexId> near;
+    for (std::uint32_t y = asked.y0; y <= asked.y1; ++y) {
+      const auto first = items_.begin() + static_cast<std::ptrdiff_t>(starts_[index_of(asked.x0, y)]);
+      const auto last = items_.begin() + static_cast<std::ptrdiff_t>(starts_[index_of(asked.x1, y) + 1]);
+      near.insert(near.end(), first, last);
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const VertexId e : near) visit(e);
   }
 
  private:

@@ -20,6 +20,7 @@ constexpr double kShortestInterval = 4.0 * std::numeric_limits<double>::epsilon(
 constexpr double kClearanceTolerance = 1e-6, kClearanceShare = 1e-7;  ///< [m]; of the body's reach
 
 using Rectangle = MotionCheck::Rectangle;
+using Ends = MotionCheck::Ends;
 
 double point_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 u = b - a;
@@ -86,17 +87,16 @@ struct Frame {
     const Vec2 d = p - origin;
     return {axis.dot(d), cross(axis, d)};
   }
+  [[nodiscard]] Ends operator()(const LineSegment& edge) const { return {(*this)(edge.a), (*this)(edge.b)}; }
   Vec2 origin;
   Vec2 axis;
 };
 
-/// An interval of an arc and an edge that is not proved to keep away from the body during it.
-struct Node {
-  double lower;  ///< bound on their distance
-  double s0, s1;
-  VertexId edge;
-  bool operator<(const Node& other) const { return lower > other.lower; }  // the lowest on top of the queue
-};
+Box box_of(const Ends& ends) { return {ends.a.cwiseMin(ends.b), ends.a.cwiseMax(ends.b)}; }
+Box box_of(const Ends& first, const Ends& second) {
+  const Box one = box_of(first), two = box_of(second);
+  return {one.min.cwiseMin(two.min), one.max.cwiseMax(two.max)};
+}
 
 }  // namespace
 
@@ -104,6 +104,10 @@ double MotionCheck::Rectangle::distance_to(const Vec2& p) const {
   const double dx = std::max({x0 - p.x(), 0.0, p.x() - x1});
   const double dy = std::max({y0 - p.y(), 0.0, p.y() - y1});
   return std::hypot(dx, dy);
+}
+
+double MotionCheck::Rectangle::gap_to(const Box& box) const {
+  return std::max({x0 - box.max.x(), box.min.x() - x1, y0 - box.max.y(), box.min.y() - y1, 0.0});
 }
 
 MotionCheck::MotionCheck(const World& world, const EdgeGrid& grid, const Vehicle& vehicle)
@@ -226,8 +230,9 @@ void MotionCheck::check_line(const PathSegment& line, std::vector<Hit>& hits) {
     }
   }
   for_near(box, [&](VertexId e) {
-    const Vec2 a = frame(world_.edges()[e].a);
-    const Vec2 b = frame(world_.edges()[e].b);
+    const Ends ends = frame(world_.edges()[e]);
+    if (swept.gap_to(box_of(ends)) > upper_ + rounding_) return;  // as those that are not visited
+    const auto& [a, b] = ends;
     const double distance = segment_to_rectangle(swept, a, b);
     lower_ = std::min(lower_, distance - rounding_);
     upper_ = std::min(upper_, distance);
@@ -249,27 +254,26 @@ double MotionCheck::travel_per_metre(double curvature) const {
   return most;
 }
 
-/// The edge during an interval of the arc: lowers the upper bound, gives the lower one.
+/// The edge during an interval of an arc: lowers the upper bound, gives the lower one.
 /// First order: no body point moves further than `travel` from its place at the middle. Second order: seen from the
 /// body the edge's ends move on arcs about the rotation centre, so that the edge keeps to the hull of its two extreme
-/// places, grown by those arcs' height.
-double MotionCheck::bound(const PathSegment& arc, double s0, double s1, double travel, VertexId e, bool& contact) {
-  const auto& [a, b] = world_.edges()[e];
-  const double curvature = std::abs(arc.curvature);
-  const double half = 0.5 * (s1 - s0);
-  const Frame middle(arc.at(0.5 * (s0 + s1)));
-  const Vec2 am = middle(a);
-  const Vec2 bm = middle(b);
-  const double distance = segment_to_rectangle(body_, am, bm);
+/// places, grown by those arcs' height. Boxes around these places decide most of it.
+double MotionCheck::bound(double curvature, const Interval& interval, double travel, bool& contact) {
+  const auto& [before, middle, after] = std::tie(interval.before, interval.middle, interval.after);
+  contact = false;
+  const double beside = body_.gap_to(box_of(middle)) - travel - rounding_;
+  if (proved(beside)) return beside;
+  const double distance = segment_to_rectangle(body_, middle.a, middle.b);
   upper_ = std::min(upper_, distance);
   contact = distance <= rounding_;
   const double first_order = distance - travel - rounding_;
+  const double half = 0.5 * (interval.s1 - interval.s0);
   if (contact || proved(first_order) || curvature * half > 0.25 * std::numbers::pi) return first_order;
-  const Frame before(arc.at(s0));
-  const Frame after(arc.at(s1));
   const double sine = std::sin(0.5 * curvature * half);
-  const double height = (1.0 / curvature + std::max(am.norm(), bm.norm())) * 2.0 * sine * sine;
-  const double hull = hull_to_rectangle(body_, {before(a), before(b), after(a), after(b)});
+  const double height = (1.0 / curvature + std::max(middle.a.norm(), middle.b.norm())) * 2.0 * sine * sine;
+  const double box = body_.gap_to(box_of(before, after)) - height - rounding_;
+  if (proved(box)) return box;
+  const double hull = hull_to_rectangle(body_, {before.a, before.b, after.a, after.b});
   return std::max(first_order, hull - height - rounding_);
 }
 
@@ -283,25 +287,30 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
   // Long intervals of little turn and short ones of much turn are told apart by what the body sweeps, not by what F
   // does.
   const double swing = travel_per_metre(arc.curvature);
-  std::priority_queue<Node> queue;
-  const auto consider = [&](double s0, double s1, VertexId e) {
+  const double curvature = std::abs(arc.curvature);
+  const auto seen_at = [&](double s, VertexId e) { return Frame(arc.at(s))(world_.edges()[e]); };
+  std::priority_queue<Interval> queue;
+  const auto consider = [&](Interval interval) {
+    const auto [s0, s1] = std::pair(interval.s0, interval.s1);
     bool contact = false;
     const double travel = swing * (s1 - s0);
-    const double lower = bound(arc, s0, s1, 0.5 * travel, e, contact);
+    interval.lower = bound(curvature, interval, 0.5 * travel, contact);
     const bool is_shortest = travel < shortest_travel_ || s1 - s0 < kShortestInterval * length;
-    if (contact || (is_shortest && !(lower > 0.0))) {
-      add_hit(hits, {world_.obstacle_of(e), 0.5 * (s0 + s1), e});
-      return;
-    }
-    if (is_shortest) {
-      lower_ = std::min(lower_, lower);
+    if (contact || (is_shortest && !(interval.lower > 0.0))) {
+      add_hit(hits, {world_.obstacle_of(interval.edge), 0.5 * (s0 + s1), interval.edge});
+    } else if (is_shortest) {
+      lower_ = std::min(lower_, interval.lower);
     } else {
-      queue.push({lower, s0, s1, e});
+      queue.push(interval);
     }
   };
-  for_near({middle - margin, middle + margin}, [&](VertexId e) { consider(0.0, length, e); });
+  const Frame at_start(arc.start), at_middle(arc.at(0.5 * length)), at_end(arc.at(length));
+  for_near({middle - margin, middle + margin}, [&](VertexId e) {
+    const LineSegment& edge = world_.edges()[e];
+    consider({0.0, 0.0, length, e, at_start(edge), at_middle(edge), at_end(edge)});
+  });
   while (!queue.empty()) {
-    const Node node = queue.top();
+    const Interval node = queue.top();
     if (proved(node.lower)) {  // then all others are as well
       lower_ = std::min(lower_, node.lower);
       return;
@@ -314,8 +323,8 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
       continue;
     }
     const double s = 0.5 * (node.s0 + node.s1);
-    consider(node.s0, s, node.edge);
-    consider(s, node.s1, node.edge);
+    consider({0.0, node.s0, s, node.edge, node.before, seen_at(0.5 * (node.s0 + s), node.edge), node.middle});
+    consider({0.0, s, node.s1, node.edge, node.middle, seen_at(0.5 * (s + node.s1), node.edge), node.after});
   }
 }
 

@@ -33,6 +33,20 @@ class MotionCheck {
   struct Rectangle {
     double x0, x1, y0, y1;
     [[nodiscard]] double distance_to(const Vec2& p) const;
+    /// At most the distance to an axis-parallel box: that along one axis.
+    [[nodiscard]] double gap_to(const Box& box) const;
+  };
+  /// The ends of an edge in a frame of the body.
+  struct Ends {
+    Vec2 a, b;
+  };
+  /// An interval of an arc and an edge that is not proved to keep away from the body during it.
+  struct Interval {
+    double lower;  ///< bound on their distance
+    double s0, s1;
+    VertexId edge;
+    Ends before, middle, after;  ///< where the edge is, seen from the body
+    bool operator<(const Interval& other) const { return lower > other.lower; }  ///< the lowest on top of a queue
   };
 
  private:
@@ -45,7 +59,7 @@ class MotionCheck {
   void add_hit(std::vector<Hit>& hits, const Hit& hit) const;
   void check_line(const PathSegment& line, std::vector<Hit>& hits);
   [[nodiscard]] double travel_per_metre(double curvature) const;
-  double bound(const PathSegment& arc, double s0, double s1, double travel, VertexId e, bool& contact);
+  double bound(double curvature, const Interval& interval, double travel, bool& contact);
   [[nodiscard]] bool proved(double lower) const;
   void check_arc(const PathSegment& arc, std::vector<Hit>& hits);
 

@@ -7,10 +7,20 @@
 #include <limits>
 #include <vector>
 
+#include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway {
 namespace {
+
+bool meets(const LineSegment& edge, const Box& box) {
+  if (box.contains(edge.a) || box.contains(edge.b)) return true;
+  const Vec2 right_low(box.max.x(), box.min.y()), left_high(box.min.x(), box.max.y());
+  for (const LineSegment& side :
+       {LineSegment{box.min, right_low}, {right_low, box.max}, {box.max, left_high}, {left_high, box.min}})
+    if (relate(edge, side) != SegmentRelation::kDisjoint) return true;
+  return false;
+}
 
 // Once each, and none that meets the box is missing.
 void expect_all_that_meet(const EdgeGrid& grid, const Box& asked) {
@@ -19,7 +29,7 @@ void expect_all_that_meet(const EdgeGrid& grid, const Box& asked) {
   std::sort(visited.begin(), visited.end());
   EXPECT_TRUE(std::adjacent_find(visited.begin(), visited.end()) == visited.end());
   for (VertexId e = 0; e < grid.edges().size(); ++e) {
-    if (!box_of(grid.edges()[e]).overlaps(asked)) continue;
+    if (!box_of(grid.edges()[e]).overlaps(asked) || !meets(grid.edges()[e], asked)) continue;
     ASSERT_TRUE(std::binary_search(visited.begin(), visited.end(), e)) << "edge " << e;
   }
 }
@@ -71,6 +81,26 @@ TEST(EdgeGrid, VisitsLittleBesideThat) {
   }
   EXPECT_GT(visited, 500u);    // a thousandth of the map at a time
   EXPECT_LT(visited, 10000u);  // which has ten edges a time
+}
+
+// Slanted walls side by side, all of whose boxes overlap.
+TEST(EdgeGrid, VisitsFewOfManyLongEdges) {
+  for (const double slope : {1.0, -0.3}) {
+    std::vector<LineSegment> edges;
+    for (int i = 0; i < 400; ++i)
+      for (int piece = 0; piece < 20; ++piece) {
+        const Vec2 start(i + 10.0 * piece, slope * 10.0 * piece);
+        edges.push_back({start, start + 10.0 * Vec2(1.0, slope)});
+      }
+    const EdgeGrid grid(edges);
+    for (int i = 10; i < 390; i += 10) {
+      std::size_t visited = 0;
+      const Vec2 corner(i + 100.0, slope * 100.0);
+      grid.visit_near({corner, corner + Vec2(2.0, 2.0)}, [&](VertexId) { ++visited; });
+      EXPECT_GE(visited, 2u);
+      EXPECT_LE(visited, 100u);
+    }
+  }
 }
 
 TEST(EdgeGrid, HasNothingWithoutEdges) {
