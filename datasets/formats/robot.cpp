@@ -12,6 +12,48 @@ using detail::JsonPlace;
 constexpr std::pair<std::string_view, Steering> kSteerings[] = {
     {"front", Steering::kFront}, {"rear", Steering::kRear}, {"symmetric", Steering::kSymmetric}};
 
+// What others call the keys of a robot. A turning radius is set by the steering angle, a lateral acceleration is one
+// way to give the speed in turns.
+constexpr Synonym kSynonyms[] = {
+    {"breadth", "width"},
+    {"axledistance", "wheelbase"},
+    {"axlespacing", "wheelbase"},
+    {"steeringangle", "max_steering_angle"},
+    {"maxsteering", "max_steering_angle"},
+    {"maxsteer", "max_steering_angle"},
+    {"maxsteerangle", "max_steering_angle"},
+    {"steeringlimit", "max_steering_angle"},
+    {"turningradius", "max_steering_angle"},
+    {"minturningradius", "max_steering_angle"},
+    {"turnradius", "max_steering_angle"},
+    {"velocity", "max_speed"},
+    {"maxvelocity", "max_speed"},
+    {"maxlinearvelocity", "max_speed"},
+    {"maxvel", "max_speed"},
+    {"vmax", "max_speed"},
+    {"topspeed", "max_speed"},
+    {"speedlimit", "max_speed"},
+    {"turnvelocity", "turn_speed"},
+    {"corneringspeed", "turn_speed"},
+    {"lateralacceleration", "turn_speed"},
+    {"maxlateralacceleration", "turn_speed"},
+    {"reversevelocity", "max_reverse_speed"},
+    {"maxreversevelocity", "max_reverse_speed"},
+    {"backwardspeed", "max_reverse_speed"},
+    {"maxbackwardspeed", "max_reverse_speed"},
+    {"accel", "max_acceleration"},
+    {"maxaccel", "max_acceleration"},
+    {"amax", "max_acceleration"},
+    {"deceleration", "max_acceleration"},
+    {"maxdeceleration", "max_acceleration"},
+    {"clearance", "safety_margin"},
+    {"minclearance", "safety_margin"},
+    {"safetydistance", "safety_margin"},
+    {"padding", "safety_margin"},
+    {"inflation", "safety_margin"},
+    {"inflationradius", "safety_margin"},
+};
+
 nlohmann::json parse(std::string_view text, std::string_view name) {
   return detail::parse_json(text, name, nullptr, 1, detail::RepeatedKeys::kRefused);
 }
@@ -36,7 +78,8 @@ TurnSpeedLaw turn_speed_of(const JsonPlace& place) {
 
 VehicleParameters robot_of(const JsonPlace& place) {
   place.allow_keys({"format", "version", "length", "width", "wheelbase", "steering", "max_steering_angle", "max_speed",
-                    "turn_speed", "max_reverse_speed", "max_acceleration", "safety_margin"});
+                    "turn_speed", "max_reverse_speed", "max_acceleration", "safety_margin"},
+                   kSynonyms);
   place.require_format("arcway-robot", 1);
   VehicleParameters robot;
   const auto number = [&](std::string_view key, double& value) {

@@ -223,11 +223,11 @@ void JsonPlace::require_array() const {
   if (!value.is_array()) expected("an array");
 }
 
-void JsonPlace::allow_keys(std::initializer_list<std::string_view> keys) const {
+void JsonPlace::allow_keys(std::initializer_list<std::string_view> keys, std::span<const Synonym> synonyms) const {
   require_object();
   for (const auto& [key, unused] : value.items())
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      fail(unknown_word("key", key, std::span(keys.begin(), keys.size())));
+      fail(unknown_word("key", key, std::span(keys.begin(), keys.size()), synonyms));
 }
 
 void JsonPlace::require_format(std::string_view format, int version) const {

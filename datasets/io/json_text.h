@@ -5,11 +5,13 @@
 #include <functional>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "core/model/path.h"
 #include "datasets/io/file_io.h"
+#include "datasets/io/nearest_word.h"
 
 namespace arcway::detail {
 
@@ -53,7 +55,8 @@ struct JsonPlace {
   void require_object() const;
   void require_array() const;
   /// Refuses any other key.
-  void allow_keys(std::initializer_list<std::string_view> keys) const;
+  /// @param synonyms  of the keys, for the message.
+  void allow_keys(std::initializer_list<std::string_view> keys, std::span<const Synonym> synonyms = {}) const;
   /// Refuses any other "format" and "version".
   void require_format(std::string_view format, int version) const;
 };

@@ -1,6 +1,7 @@
 #include "datasets/io/nearest_word.h"
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
 #include "datasets/io/lowercase.h"
@@ -29,6 +30,14 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+std::string_view meant_by(std::string_view word, std::span<const std::string_view> known,
+                          std::span<const Synonym> synonyms) {
+  std::string letters = compared(word);
+  std::erase_if(letters, [](unsigned char c) { return std::isalnum(c) == 0; });
+  const auto synonym = std::ranges::find(synonyms, letters, &Synonym::word);
+  return synonym != synonyms.end() ? synonym->known : nearest_word(word, known);
+}
+
 }  // namespace
 
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known) {
@@ -48,12 +57,13 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
   return nearest;
 }
 
-std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> known) {
+std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> known,
+                         std::span<const Synonym> synonyms) {
   std::string text = "unknown " + std::string(what) + " \"";
   for (const char c : word.substr(0, kLongest))
     text += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E ? '?' : c;
   text += word.size() > kLongest ? "...\"" : "\"";
-  if (const std::string_view nearest = nearest_word(word, known); !nearest.empty())
+  if (const std::string_view nearest = meant_by(word, known, synonyms); !nearest.empty())
     text.append(", did you mean \"").append(nearest).append("\"?").append(" There are ");
   else
     text += "; there are ";

@@ -10,7 +10,15 @@ namespace [[gnu::visibility("default")]] arcway {
 /// the next one, or one word part of the other; empty if there is none so near. Case does not count.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known);
 
+/// Another word for a known one.
+struct Synonym {
+  std::string_view word;   ///< in lower case, letters and digits alone: "maxvelocity"
+  std::string_view known;  ///< "max_speed"
+};
+
 /// Says that a word is not known: `unknown key "widht", did you mean "width"? There are length, width`.
-std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> known);
+/// @param synonyms  looked up before the nearest word is; case, and signs such as `_`, do not count.
+std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> known,
+                         std::span<const Synonym> synonyms = {});
 
 }  // namespace arcway

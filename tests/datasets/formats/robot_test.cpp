@@ -55,6 +55,19 @@ TEST(RobotJson, RoundTripIsExact) {
   EXPECT_EQ(to_json(read_robot(to_json(parameters), "r")), to_json(parameters));
 }
 
+TEST(RobotJson, KeysOfOthersAreUnderstood) {
+  for (const auto& [key, meant] : {std::pair{"max_velocity", "max_speed"},
+                                   {"steeringAngle", "max_steering_angle"},
+                                   {"min_turning_radius", "max_steering_angle"},
+                                   {"lateral_acceleration", "turn_speed"},
+                                   {"max_deceleration", "max_acceleration"},
+                                   {"inflation_radius", "safety_margin"}})
+    EXPECT_NE(
+        robot_error(robot(",\"" + std::string(key) + "\":2")).find(", did you mean \"" + std::string(meant) + "\"?"),
+        std::string::npos)
+        << key;
+}
+
 TEST(RobotJson, ErrorsNameKeyAndValue) {
   EXPECT_EQ(robot_error(robot(R"(,"lenght":2)")),
             "robot.json: unknown key \"lenght\", did you mean \"length\"? There are format, version, length, width, "

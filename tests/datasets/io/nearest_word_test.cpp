@@ -29,5 +29,14 @@ TEST(NearestWord, MessagesAreShort) {
   EXPECT_LT(unknown_word("key", std::string(1 << 20, 'w'), kWords).size(), 200u);
 }
 
+TEST(NearestWord, SynonymsComeBeforeWordsThatLookAlike) {
+  constexpr Synonym kSynonyms[] = {{"maxvelocity", "max_speed"}, {"wheels", "width"}};
+  for (const char* word : {"max_velocity", "maxVelocity", "MAX-VELOCITY"})
+    EXPECT_NE(unknown_word("key", word, kWords, kSynonyms).find("did you mean \"max_speed\"?"), std::string::npos)
+        << word;
+  EXPECT_NE(unknown_word("key", "wheels", kWords, kSynonyms).find("did you mean \"width\"?"), std::string::npos);
+  EXPECT_NE(unknown_word("key", "wheelbas", kWords, kSynonyms).find("did you mean \"wheelbase\"?"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace arcway
