@@ -216,9 +216,11 @@ Vehicle load_vehicle(const std::string& file) {
   }
 }
 
-Vehicle load_vehicle(const std::string& file, const LoadedMap& map) {
-  if (file.empty() && map.prepared && map.prepared->robot) return Vehicle(map.prepared->robot->parameters);
-  return load_vehicle(file);
+Vehicle load_vehicle(const std::string& file, LoadedMap& map) {
+  const bool of_map = file.empty() && map.prepared && map.prepared->robot;
+  Vehicle vehicle = of_map ? Vehicle(map.prepared->robot->parameters) : load_vehicle(file);
+  warn_of(vehicle, map);
+  return vehicle;
 }
 
 std::string warning_rows(const LoadedMap& map) {
@@ -269,6 +271,11 @@ std::vector<std::string> vehicle_warnings(const Vehicle& vehicle) {
                        " m, which reaches " + shortest_text(0.5 * (p.length - p.wheelbase)) +
                        " m beyond each axle; are both given, in meters?");
   return warnings;
+}
+
+void warn_of(const Vehicle& vehicle, LoadedMap& map) {
+  for (std::string& warning : vehicle_warnings(vehicle))
+    if (std::ranges::find(map.warnings, warning) == map.warnings.end()) map.warnings.push_back(std::move(warning));
 }
 
 std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<std::string>& warnings) {

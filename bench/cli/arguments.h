@@ -138,8 +138,9 @@ MapFile read_named_map(const std::string& name, const MapOptions& options, bool 
 LoadedMap load_map(const std::string& name, const MapOptions& options);
 /// From a robot file; the paper's robot if the name is empty.
 Vehicle load_vehicle(const std::string& file);
-/// The same, but if the name is empty the robot that the map was prepared for, if it was for one.
-Vehicle load_vehicle(const std::string& file, const LoadedMap& map);
+/// The same, but if the name is empty the robot that the map was prepared for, if it was for one. What is odd of its
+/// measures becomes a warning of the map.
+Vehicle load_vehicle(const std::string& file, LoadedMap& map);
 /// What `load_vehicle` does, for the help of `--robot`.
 inline constexpr const char* kRobotHelp = "Robot (JSON); default: that of a prepared map, else the paper's";
 /// One line a note, one line a warning.
@@ -154,6 +155,8 @@ std::string world_rows(const World& world);
 std::string heading_warning(std::string_view what, double heading);
 /// What is odd of a robot's measures, one sentence each.
 std::vector<std::string> vehicle_warnings(const Vehicle& vehicle);
+/// The same as warnings of a map, each once.
+void warn_of(const Vehicle& vehicle, LoadedMap& map);
 
 struct NumberedRequest {
   std::uint64_t q;

@@ -106,10 +106,11 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
   // What was prepared, taken up as it is; its time is none of the change.
   std::optional<Planner> before;
   if (prepared.robot) {
+    const Vehicle vehicle(prepared.robot->parameters);
+    warn_of(vehicle, map);
     PreparedGraph graphs{prepared.reduced_graph, prepared.robot->radii, std::move(prepared.robot->feasible)};
     try {
-      before.emplace(map.world, Vehicle(prepared.robot->parameters), arguments.build.queries(map.world, *threads),
-                     std::move(graphs));
+      before.emplace(map.world, vehicle, arguments.build.queries(map.world, *threads), std::move(graphs));
     } catch (const TableError& error) {
       throw FormatError(prepared.source.complaint(error));
     }

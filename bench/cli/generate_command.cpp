@@ -82,9 +82,11 @@ MapFile make_map(const GenerateArguments& arguments, std::string& out) {
   return catalogue_map(arguments.world);
 }
 
-std::string queries_csv(const GenerateArguments& arguments, const World& world) {
+std::string queries_csv(const GenerateArguments& arguments, const World& world, std::string& warnings) {
+  const Vehicle vehicle = load_vehicle(arguments.robot);
+  for (const std::string& warning : vehicle_warnings(vehicle)) warnings += row("warning", warning);
   const std::vector<PlanRequest> queries = random_queries(
-      world, make_reference_queries(world), load_vehicle(arguments.robot),
+      world, make_reference_queries(world), vehicle,
       {.count = parse_count(arguments.count, "--count"), .seed = parse_count(arguments.query_seed, "--query-seed")});
   std::string csv = "# random poses in " + arguments.world + ", seed " + arguments.query_seed + "\n";
   csv += "q,sx,sy,stheta,gx,gy,gtheta\n";
@@ -109,7 +111,7 @@ int run_generate(const GenerateArguments& arguments, std::string& out) {
   const MapFile map = make_map(arguments, details);
   const World world = to_world(map, arguments.world);
   if (!arguments.out.empty()) files.add(arguments.out, to_geojson(map));
-  if (!arguments.queries.empty()) files.add(arguments.queries, queries_csv(arguments, world));
+  if (!arguments.queries.empty()) files.add(arguments.queries, queries_csv(arguments, world, details));
   add_drive(files, arguments);
   out += arguments.world + "\n" + world_rows(world) + details;
   files.write();

@@ -62,7 +62,7 @@ BuiltGraph build_visibility_graph(const GraphArguments& arguments, const World& 
 }
 
 /// That of the tightest turn, by a planner, which refuses what plans would be refused for.
-BuiltGraph build_feasible_graph(const GraphArguments& arguments, const LoadedMap& map) {
+BuiltGraph build_feasible_graph(const GraphArguments& arguments, LoadedMap& map) {
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
   const std::unique_ptr<const Executor> executor = arguments.build.executor();
   const bool with_csv = !arguments.edges.empty(), with_lines = !arguments.svg.empty();
@@ -133,7 +133,7 @@ int run_graph(const GraphArguments& arguments, std::string& out) {
     throw UsageError("--robot: only with --kind feasible; the other graphs are those of any robot");
   arguments.build.check();
   OutputFiles files({arguments.edges, arguments.svg, arguments.json}, {arguments.map, arguments.robot});
-  const LoadedMap map = load_map(arguments.map, arguments.reading);
+  LoadedMap map = load_map(arguments.map, arguments.reading);
   files.protect(map.files);
   const bool feasible = arguments.kind == "feasible";
   BuiltGraph built = feasible ? build_feasible_graph(arguments, map) : build_visibility_graph(arguments, map.world);

@@ -96,8 +96,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   files.protect(map.files);
   arguments.build.prepared = map.prepared.has_value();
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
-  for (const auto& warnings : {query_warnings, vehicle_warnings(vehicle)})
-    map.warnings.insert(map.warnings.end(), warnings.begin(), warnings.end());
+  map.warnings.insert(map.warnings.end(), query_warnings.begin(), query_warnings.end());
   if (!batch) {
     if (!start) start = map.start;
     if (request.goals.empty() && map.goal) request.goals.push_back({map.goal->position(), map.goal->heading});

@@ -31,9 +31,8 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   LoadedMap map = load_map(arguments.map, arguments.reading);
   files.protect(map.files);
   arguments.build.prepared = map.prepared.has_value();
-  const Vehicle vehicle = load_vehicle(arguments.robot, map);
-  if (arguments.kind == "feasible")
-    for (std::string& warning : vehicle_warnings(vehicle)) map.warnings.push_back(std::move(warning));
+  std::optional<Vehicle> vehicle;  // of a feasible graph
+  if (arguments.kind == "feasible") vehicle = load_vehicle(arguments.robot, map);
 
   const Stopwatch watch;
   const auto threads = arguments.build.executor();
@@ -46,8 +45,8 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   const double reduced_seconds = watch.seconds();
   std::string rows = row("reduced graph", count_text(reduced.edge_count()) + " edges");
   PreparedMap prepared{map.world, {}, map.start, map.goal, std::nullopt, {}};
-  if (arguments.kind == "feasible") {
-    const Planner planner(map.world, vehicle, queries, std::move(reduced), {.team = &team}, executor);
+  if (vehicle) {
+    const Planner planner(map.world, *vehicle, queries, std::move(reduced), {.team = &team}, executor);
     rows += feasible_row(planner);
     prepared = prepared_map_of(planner, map.start, map.goal);
   } else {

@@ -24,8 +24,8 @@ struct ValidateArguments {
 };
 
 /// Where a plan's robot is from, in words, and the robot.
-std::pair<std::string, Vehicle> robot_of(const ValidateArguments& arguments, const LoadedMap& map,
-                                         const std::string& name, const PlanFile& plan) {
+std::pair<std::string, Vehicle> robot_of(const ValidateArguments& arguments, LoadedMap& map, const std::string& name,
+                                         const PlanFile& plan) {
   if (!arguments.robot.empty()) return {arguments.robot, load_vehicle(arguments.robot)};
   try {
     if (plan.robot) return {"that of the plan", Vehicle(*plan.robot)};
@@ -46,13 +46,14 @@ void compare(const char* what, const char* unit, std::optional<double> said, dou
 }
 
 /// What the validator says of one plan; none if it has no path and says why. An empty path stays at the start.
-std::optional<bool> validate_plan(const ValidateArguments& arguments, const LoadedMap& map, const Validator& validator,
+std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap& map, const Validator& validator,
                                   const std::string& name, const PlanFile& plan, std::string& out) {
   if (plan.path.segments.empty() && !plan.status.empty() && plan.status != name_of(PlanStatus::kSolved)) {
     out += name + ": no path to check (" + shortened(plan.status) + ")\n";
     return std::nullopt;
   }
   const auto [origin, vehicle] = robot_of(arguments, map, name, plan);
+  warn_of(vehicle, map);
   const Stopwatch watch;
   const ValidationReport report = validator(vehicle, plan.start, plan.goal, plan.path);
   const double seconds = watch.seconds();
@@ -84,7 +85,7 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, const Load
 }
 
 int run_validate(const ValidateArguments& arguments, std::string& out) {
-  const LoadedMap map = load_map(arguments.map, arguments.reading);
+  LoadedMap map = load_map(arguments.map, arguments.reading);
   const std::vector<PlanOnLine> plans = read_plans(read_file(arguments.path), arguments.path);
   const Validator validator(map.world);
   std::size_t paths = 0;

@@ -465,6 +465,21 @@ TEST_F(Tool, AsksWhetherARobotsMeasuresAreMeant) {
   EXPECT_EQ(out_of(R"("length":4.5,"width":1.8,"wheelbase":2.7)").find("wheelbase"), std::string::npos);
 }
 
+TEST_F(Tool, AsksAboutARobotsMeasuresInEachCommandThatReadsIt) {
+  const std::string robot =
+      put("r.json", R"({"format":"arcway-robot","version":1,"length":1,"width":0.5,"wheelbase":2})");
+  const std::string with = " --robot " + robot;
+  for (const std::string& command :
+       {"plan " + map_ + kAround + with + " --json " + file("p.json"), "validate " + map_ + " --path " + file("p.json"),
+        "validate " + map_ + " --path " + file("p.json") + with, "graph " + map_ + " --kind feasible" + with,
+        "prepare " + map_ + with + " --out " + file("p.arcway"),
+        "change " + file("p.arcway") + " --remove 0 --out " + file("q.arcway"),
+        "generate convex --queries " + file("q.csv") + with})
+    EXPECT_NE(run(command).out.find("are length and wheelbase swapped?"), std::string::npos) << command;
+  EXPECT_EQ(run("prepare " + map_ + " --kind reduced --out " + file("p.arcway")).out.find("swapped"),
+            std::string::npos);
+}
+
 TEST_F(Tool, APoseInCollisionNamesObstaclePlaceAndTheNearestFreePose) {
   const Run start = run("plan " + map_ + " --start 19.5,30,0 --goal 50,50,0");
   EXPECT_EQ(start.code, 1);
