@@ -561,6 +561,36 @@ TEST_F(Tool, WarnsOfDegrees) {
                    "projects each map around its own middle");
 }
 
+// Two buildings at the equator, 1.800 m apart on WGS 84 and 1.8101 m on a sphere of the same radius: too narrow for a
+// body of 1.8 m. Where nothing bounds the map, the way leads around them; between walls there is none.
+TEST_F(Tool, ProjectsGapsOnTheEllipsoid) {
+  const auto box = [](const std::string& left, const std::string& low, const std::string& right,
+                      const std::string& high) {
+    const std::string first = "[" + left + "," + low + "]";
+    return "[[" + first + ",[" + right + "," + low + "],[" + right + "," + high + "],[" + left + "," + high + "]," +
+           first + "]]";
+  };
+  const auto feature = [](const std::string& role, const std::string& rings) {
+    return R"({"type":"Feature","properties":{"role":")" + role + R"("},"geometry":{"type":"Polygon","coordinates":)" +
+           rings + "}}";
+  };
+  const std::string west = "99.99991016847159", east = "100.00008983152841", gap = "0.000008139325293829634",
+                    far = "0.00036174779083687265";
+  const std::string buildings =
+      feature("obstacle", box(west, gap, east, far)) + "," + feature("obstacle", box(west, "-" + far, east, "-" + gap));
+  const std::string walls = feature("boundary", box("99.9995", "-0.0003", "100.0005", "0.0003"));
+  const auto planned = [&](const std::string& features) {
+    const std::string map = put("equator.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
+    const std::string car = put("car.json", R"({"format":"arcway-robot","version":1,"length":4.5,"width":1.8,)"
+                                            R"("wheelbase":2.7,"max_steering_angle":0.55,"safety_margin":0.01})");
+    return run("plan " + map + " --lonlat --robot " + car + " --start=-20,0,0 --goal 20,0,0").out;
+  };
+  const std::string around = planned(buildings);
+  EXPECT_NE(around.find(": solved"), std::string::npos) << around;
+  EXPECT_EQ(around.find("in 1 segments"), std::string::npos) << around;
+  EXPECT_NE(planned(buildings + "," + walls).find(": no passage"), std::string::npos);
+}
+
 TEST_F(Tool, MapsOfWallsAloneAreNotEmpty) {
   const std::string walls = put("walls.geojson", R"({"type":"LineString","coordinates":[[30,0],[30,60]]})");
   expect_bad_input("plan " + walls + kAround, "line strings are walls (--wall-width)");
