@@ -8,6 +8,9 @@
 namespace arcway {
 namespace {
 
+// Sweeps with regions that do not cross, at most: each takes those that cross none of its own.
+constexpr int kMostSweeps = 8;
+
 // Of the regions just below a point the ones with an edge there have the point on their boundary; all others hold it.
 class Sweeper final : public EdgeSweep::Visitor {
  public:
@@ -19,12 +22,26 @@ class Sweeper final : public EdgeSweep::Visitor {
         seen_at_(is_left_out_.size(), 0) {}
 
   Coverage run() {
-    // What crosses is left out while the sweep goes on. Then nothing that is left crosses.
-    sweep();
-    if (has_crossings_) sweep();
-    Coverage coverage{std::move(covered_), {}};
-    for (ObstacleId region = 0; region < is_left_out_.size(); ++region)
-      if (is_left_out_[region]) coverage.left_over.push_back(region);
+    Coverage coverage{std::vector<bool>(edges_.size(), false), {}};
+    std::vector<bool> waits(is_left_out_.size(), true);
+    bool any = true;
+    for (int i = 0; i < kMostSweeps && any; ++i) {
+      is_left_out_ = waits;
+      is_left_out_.flip();
+      // Of two that cross one is left out while the sweep goes on. Then nothing that is left crosses.
+      has_crossings_ = false;
+      has_come_before_.assign(waits.size(), false);
+      sweep();
+      if (has_crossings_) sweep();
+      any = false;
+      for (std::size_t region = 0; region < waits.size(); ++region) {
+        waits[region] = waits[region] && is_left_out_[region];
+        any = any || waits[region];
+      }
+      for (std::size_t v = 0; v < covered_.size(); ++v) coverage.covered[v] = coverage.covered[v] || covered_[v];
+    }
+    for (ObstacleId region = 0; region < waits.size(); ++region)
+      if (waits[region]) coverage.left_over.push_back(region);
     return coverage;
   }
 
@@ -36,7 +53,11 @@ class Sweeper final : public EdgeSweep::Visitor {
   }
 
   bool crosses(std::uint32_t e, std::uint32_t f) override {
-    is_left_out_[region_of_[e]] = is_left_out_[region_of_[f]] = true;
+    // What was left out before leaves the other one in. Who has come before another stays, if it can: else in a row of
+    // regions, each of which crosses the next, all but one might go.
+    ObstacleId stays = region_of_[e], goes = region_of_[f];
+    if (has_come_before_[goes]) std::swap(stays, goes);
+    if (!is_left_out_[stays] && !is_left_out_[goes]) is_left_out_[goes] = has_come_before_[stays] = true;
     return has_crossings_ = true;
   }
   [[nodiscard]] bool is_left_out(std::uint32_t edge) const override { return is_left_out_[region_of_[edge]]; }
@@ -65,6 +86,7 @@ class Sweeper final : public EdgeSweep::Visitor {
   std::span<const ObstacleId> region_of_;
   ObstacleId bounds_;
   std::vector<bool> is_left_out_;       // by region
+  std::vector<bool> has_come_before_;   // by region: another one was left out on its account
   std::vector<std::uint64_t> seen_at_;  // by region, the last event with an edge of it
   std::optional<SweptDepths> depths_;
   std::vector<bool> covered_;

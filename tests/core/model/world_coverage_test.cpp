@@ -34,7 +34,7 @@ bool crosses_others(const World& world, ObstacleId o) {
 }
 
 TEST(Coverage, IsWhatEveryRegionSays) {
-  std::size_t covered = 0, free = 0, left_over = 0;
+  std::size_t covered = 0, free = 0, crossing = 0;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     const World world = test::nasty_world(seed, 14);
     const Coverage coverage = swept(world);
@@ -47,11 +47,42 @@ TEST(Coverage, IsWhatEveryRegionSays) {
       ASSERT_EQ(coverage.covered[v], is_in_one_of(world, v, is_taken)) << "seed " << seed << " vertex " << v;
       ++(coverage.covered[v] ? covered : free);
     }
-    left_over += coverage.left_over.size();
+    for (ObstacleId o = 0; o < world.region_count(); ++o) crossing += crosses_others(world, o) ? 1 : 0;
   }
   EXPECT_GT(covered, 5000u);
   EXPECT_GT(free, 5000u);
-  EXPECT_GT(left_over, 500u);
+  EXPECT_GT(crossing, 500u);
+}
+
+// Frames in frames, each of which crosses the next one, so that no box tells them apart.
+TEST(Coverage, LeavesNothingOverWhereEachRingCrossesFewOthers) {
+  std::vector<Polygon> obstacles;
+  for (int k = 1; k <= 200; ++k) {
+    const double r = 4.0 * k;
+    obstacles.push_back({{{-r, -r}, {r, -r}, {r, 0.1 * r}, {r + 3.0, 0.1 * r + 0.1}, {r, 0.2 * r}, {r, r}, {-r, r}},
+                         {test::square(-r + 2.0, -r + 2.0, 2.0 * r - 4.0)}});
+  }
+  const World world(obstacles);
+  const Coverage coverage = swept(world);
+  EXPECT_TRUE(coverage.left_over.empty());
+  std::size_t covered = 0;
+  for (VertexId v = 0; v < world.vertices().size(); ++v) {
+    ASSERT_EQ(coverage.covered[v], is_in_one_of(world, v, [](ObstacleId) { return true; })) << "vertex " << v;
+    covered += coverage.covered[v] ? 1 : 0;
+  }
+  EXPECT_GE(covered, 199u);
+}
+
+// Boxes of which each crosses all others.
+TEST(Coverage, LeavesOverWhatCrossesMany) {
+  std::vector<Polygon> obstacles;
+  for (int k = 0; k < 12; ++k) {
+    const double w = 1.0 + k, h = 12.0 - k;
+    obstacles.push_back({{{-w, -h}, {w, -h}, {w, h}, {-w, h}}, {}});
+  }
+  const Coverage coverage = swept(World(obstacles));
+  EXPECT_FALSE(coverage.left_over.empty());
+  EXPECT_LT(coverage.left_over.size(), 12u);
 }
 
 // Rings in rings, so many that the world is swept: full ones and ones with holes, and some that cross.
