@@ -20,6 +20,10 @@ namespace {
 // asks for.
 constexpr double kFar = 0x1p23;
 
+// Pairs of obstacles that are listed, at most, and how many more for each obstacle: some 100 MB where 10^5 obstacles
+// lie in each other, which have 5 * 10^9 pairs.
+constexpr std::size_t kMostPairs = 100'000, kMostPairsOfEach = 8;
+
 Ring cleaned(const Ring& ring) {
   Ring result = ring;
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -167,7 +171,9 @@ class Examiner {
 
   void compare() {
     std::vector<bool> meets_bounds(polygons_.size(), false);
-    for (const RegionContact& contact : find_contacts(polygons_)) {
+    const std::size_t most = kMostPairs + kMostPairsOfEach * polygons_.size();
+    const std::vector<RegionContact> contacts = find_contacts(polygons_, most);
+    for (const RegionContact& contact : contacts) {
       const std::string pair = places_[contact.first] + " and " + places_[contact.second];
       if (has_bounds_ && contact.second == bounds_) {
         meets_bounds[contact.first] = contact.relation != RegionRelation::kTouching;
@@ -192,6 +198,11 @@ class Examiner {
           find(FindingKind::kDuplicate, pair, contact.place, "are the same region");
           break;
       }
+    }
+    if (contacts.size() >= most) {
+      find(FindingKind::kUnlistedPairs, "", std::nullopt,
+           "after " + std::to_string(most) + " pairs obstacles were compared no further");
+      return;
     }
     if (!has_bounds_) return;
     for (std::size_t i = 0; i < bounds_; ++i)
@@ -257,6 +268,8 @@ const char* name_of(FindingKind kind) {
       return "touching";
     case FindingKind::kCrossesBounds:
       return "crosses the bounds";
+    case FindingKind::kUnlistedPairs:
+      return "unlisted pairs";
     case FindingKind::kOutsideBounds:
       return "outside the bounds";
     case FindingKind::kDegrees:
@@ -295,6 +308,8 @@ const char* consequence_of(FindingKind kind) {
       return "a line of sight may pass where they touch, a body cannot";
     case FindingKind::kCrossesBounds:
       return "cut off at the bounds; vertices strictly outside take no part";
+    case FindingKind::kUnlistedPairs:
+      return "planning takes all of them; --repair joins them";
     case FindingKind::kOutsideBounds:
       return "blocks nothing, as nothing is free outside";
     case FindingKind::kDegrees:

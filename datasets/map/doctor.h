@@ -28,6 +28,7 @@ enum class FindingKind {
   kTouching,         ///< obstacles that touch
   kCrossesBounds,    ///< an obstacle that sticks out of the bounds
   kOutsideBounds,    ///< an obstacle that lies outside of them
+  kUnlistedPairs,    ///< more pairs that touch, overlap or lie in each other than are listed
   kDegrees,          ///< coordinates that are degrees by the file, or look like degrees
   kFarFromOrigin     ///< coordinates so large that doubles are coarse
 };
@@ -55,7 +56,8 @@ struct DoctorReport {
 
 /// What is unusual or wrong in a map, with its place and what planning does with it. Works on maps that World refuses;
 /// polygons that it would refuse are not compared with others. All decisions are exact but kDegrees and
-/// kFarFromOrigin, which are thresholds. O(n log n) on maps of short edges, and in the number of findings.
+/// kFarFromOrigin, which are thresholds. O(n log n) where few edges cross, and in the number of findings. Of n
+/// obstacles 100,000 + 8 n pairs are listed at most.
 /// @param map  rings as written: see VectorOptions::as_written.
 DoctorReport examine(const MapFile& map);
 

@@ -135,6 +135,69 @@ TEST(Contacts, AreWhereSidesCrossHoweverNearlyParallel) {
   EXPECT_LE(distance(contacts[0].place, s) + distance(contacts[0].place, t), 1e-13);
 }
 
+// Pairs as they are found two by two, whichever way many are looked through.
+void expect_pairs_of_two(const std::vector<Polygon>& polygons) {
+  std::vector<RegionContact> expected;
+  for (std::uint32_t a = 0; a < polygons.size(); ++a)
+    for (std::uint32_t b = a + 1; b < polygons.size(); ++b)
+      for (RegionContact contact : find_contacts(std::vector<Polygon>{polygons[a], polygons[b]})) {
+        contact.first = a;
+        contact.second = b;
+        expected.push_back(contact);
+      }
+  const std::vector<RegionContact> found = find_contacts(polygons);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(std::pair(found[i].first, found[i].second), std::pair(expected[i].first, expected[i].second));
+    EXPECT_EQ(found[i].relation, expected[i].relation) << found[i].first << ' ' << found[i].second;
+    EXPECT_EQ(found[i].boundaries_meet, expected[i].boundaries_meet) << found[i].first << ' ' << found[i].second;
+  }
+}
+
+Ring diamond(const Vec2& center, double size) {
+  return {center + Vec2(size, 0), center + Vec2(0, size), center - Vec2(size, 0), center - Vec2(0, size)};
+}
+
+// Frames, and full ones, around one point: the boxes of all edges overlap. Beside them lie regions that touch some,
+// fill their holes, cross some, or lie inside of many.
+TEST(Contacts, OfPolygonsInEachOtherAreThoseOfEachPair) {
+  for (const bool full : {false, true})
+    for (const bool troubled : {false, true}) {
+      const Vec2 middle(3.0, -7.0);
+      std::vector<Polygon> polygons;
+      for (int k = 1; k <= 70; ++k) {
+        polygons.push_back({diamond(middle, 4.0 * k), {}});
+        if (!full || k % 7 == 0) polygons.back().holes.push_back(diamond(middle, 4.0 * k - 2.0));
+      }
+      polygons.push_back(box(290, -10, 300, 10));     // beside all
+      polygons.push_back(box(-300, -300, 299, 300));  // around nearly all
+      polygons.push_back(box(4, -8, 5, -7));
+      if (troubled) {
+        polygons.push_back({diamond(middle + Vec2(0.0, 400.0), 60.0), {diamond(middle + Vec2(-30.0, 400.0), 30.0)}});
+        polygons.push_back({diamond(middle + Vec2(-30.0, 400.0), 2.0), {}});  // in a hole that touches its ring
+        polygons.push_back({diamond(middle + Vec2(-20.0, 435.0), 1.0), {}});  // beside the hole above
+        polygons.push_back({diamond(middle + Vec2(20.0, 400.0), 1.0), {}});
+        polygons.push_back({diamond(middle, 42.0), {}});                    // fills a hole
+        polygons.push_back({diamond(middle + Vec2(100.0, 0.0), 6.0), {}});  // crosses some
+        polygons.push_back({diamond(middle + Vec2(0.0, 101.0), 1.0), {}});  // touches one
+        polygons.push_back(polygons[20]);                                   // twice
+        polygons.push_back({diamond(middle, 90.0),
+                            {
+                                diamond(middle, 70.0),
+                            }});  // over several
+      }
+      expect_pairs_of_two(polygons);
+    }
+}
+
+TEST(Contacts, AreNoMoreThanAsked) {
+  std::vector<Polygon> polygons;
+  for (int k = 1; k <= 20'000; ++k) polygons.push_back({diamond({0.0, 0.0}, k), {}});
+  const std::vector<RegionContact> found = find_contacts(polygons, 1000);  // of 200 million
+  EXPECT_EQ(found.size(), 1000u);
+  for (const RegionContact& contact : found) ASSERT_EQ(contact.relation, RegionRelation::kFirstInside);
+}
+
 TEST(Contacts, OfManyPolygons) {
   std::vector<Polygon> boxes;
   for (int i = 0; i < 30; ++i)

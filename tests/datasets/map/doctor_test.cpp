@@ -104,6 +104,20 @@ TEST(Doctor, FindsObstaclesBeyondTheBounds) {
   EXPECT_TRUE(examine(map).plans());
 }
 
+// 800 squares in each other are 319,600 pairs.
+TEST(Doctor, SaysWhereItStopsToListPairs) {
+  MapFile map;
+  for (int k = 1; k <= 800; ++k) map.obstacles.push_back({box(-k, -k, k, k), {}});
+  map.bounds = box(-1e4, -1e4, 1e4, 1e4);
+  const auto found = examine(map).findings;
+  const auto count = [&](FindingKind kind) { return std::ranges::count(found, kind, &Finding::kind); };
+  EXPECT_EQ(count(FindingKind::kUnlistedPairs), 1);
+  EXPECT_EQ(count(FindingKind::kOutsideBounds), 0);
+  EXPECT_GT(count(FindingKind::kContainment), 100'000);
+  EXPECT_LT(count(FindingKind::kContainment), 110'000);
+  EXPECT_TRUE(examine(map).plans());
+}
+
 TEST(Doctor, FindsCoordinatesThatAreDegreesOrFar) {
   EXPECT_EQ(kinds(of({{box(13.4, 52.5, 13.41, 52.51), {}}})), Kinds{FindingKind::kDegrees});
   EXPECT_TRUE(kinds(of({{box(0, 0, 0.2, 0.15), {}}})).empty());
