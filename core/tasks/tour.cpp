@@ -24,6 +24,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kHeadings = 24;         // tried where the heading is open
 constexpr double kFinestStep = 2e-3;  // of an open heading [rad]
 constexpr double kLeastGain = 1e-6;   // that is worth another heading, of the cost
+// Poses of trees where a place has a choice of poses and no leg was found without trees, in those of one plan: of a
+// leg, and of all legs to a place. Most poses that are tried have no path; more legs are tried with fewer poses each.
+constexpr double kTreesOfALeg = 0.25, kTreesOfAPlace = 2.0;
 
 // A pose in which a place may be passed, and the best way to it.
 struct Stop {
@@ -47,10 +50,11 @@ class TourPlanner {
     for (const Place& place : request_.via) {
       add_stage({&place, 1});
       reach_all();
-      if (!any_reached()) return finish(nullptr);
+      if (!any_reached() && reach_by_trees() == nullptr) return finish(nullptr);
     }
     add_stage(request_.goals);
     Stop* best = reach_one();
+    if (best == nullptr) best = reach_by_trees();
     if (best != nullptr && !request_.goals[best->place].heading) turn_goal(*best);
     return finish(best);
   }
@@ -70,12 +74,13 @@ class TourPlanner {
         stage.push_back({{p.x(), p.y(), wrap_signed(straight + kTwoPi * k / kHeadings)}, i});
     }
     stages_.push_back(std::move(stage));
+    undecided_.clear();
   }
 
-  PlanResult plan_leg(const Pose& from, const Pose& to) {
+  PlanResult plan_leg(const Pose& from, const Pose& to, std::uint32_t tree_poses) {
     PlanLimits rest = limits_;
     rest.time -= watch_.seconds();
-    if (has_choice()) rest.tree_poses = 0;  // most headings that are tried have no path
+    rest.tree_poses = tree_poses;
     PlanResult leg = planner_.plan({.start = from,
                                     .goal = to,
                                     .reverse = request_.reverse,
@@ -109,24 +114,48 @@ class TourPlanner {
     for (const auto& [least, i] : order) {
       // Infinite where the planner refuses a pose, and says why.
       if (least >= std::min(cutoff, stop.cost) && least < kInfinity) return;
-      PlanResult leg = plan_leg(before[i].pose, stop.pose);
-      if (!leg.solved()) {
-        // One that was interrupted might have been the way.
-        if (!failure_ || failure_stage_ != stages_.size() || (leg.interrupted && !failure_->interrupted))
-          failure_ = as_requested(std::move(leg), before[i], stop);
-        failure_stage_ = stages_.size();
-        continue;
-      }
-      Path way = before[i].way;
-      const Path on = leg.path();
-      way.insert(way.end(), on.begin(), on.end());
-      const double cost = travel_cost(way, planner_.vehicle(), request_.cusp_cost);
-      if (cost >= stop.cost) continue;
-      stop.cost = cost;
-      stop.from = i;
-      stop.leg = std::move(leg);
-      stop.way = std::move(way);
+      const Certainty certainty = reach_from(i, stop, has_choice() ? 0 : limits_.tree_poses);
+      if (has_choice() && certainty == Certainty::kGaveUp) undecided_.push_back({least, i, &stop});
     }
+  }
+
+  // Looks for a leg from a stop of the stage before, and takes it if it makes the way to the stop cheaper.
+  // @return whether it was proved that there is none; that, too, if there is one.
+  Certainty reach_from(std::size_t from, Stop& stop, std::uint32_t tree_poses) {
+    const Stop& before = stages_[stages_.size() - 2][from];
+    PlanResult leg = plan_leg(before.pose, stop.pose, tree_poses);
+    const Certainty certainty = leg.certainty;
+    if (!leg.solved()) {
+      // One that was interrupted might have been the way.
+      if (!failure_ || failure_stage_ != stages_.size() || (leg.interrupted && !failure_->interrupted))
+        failure_ = as_requested(std::move(leg), before, stop);
+      failure_stage_ = stages_.size();
+      return certainty;
+    }
+    Path way = before.way;
+    const Path on = leg.path();
+    way.insert(way.end(), on.begin(), on.end());
+    const double cost = travel_cost(way, planner_.vehicle(), request_.cusp_cost);
+    if (cost >= stop.cost) return certainty;
+    stop.cost = cost;
+    stop.from = from;
+    stop.leg = std::move(leg);
+    stop.way = std::move(way);
+    return certainty;
+  }
+
+  // Where no stop of the last stage was reached: the first one that trees find a leg to, nearest legs first. Null if
+  // there is none.
+  Stop* reach_by_trees() {
+    std::ranges::stable_sort(undecided_, {}, &Undecided::least);
+    const auto share = [&](double part) { return static_cast<std::uint64_t>(part * limits_.tree_poses); };
+    const std::uint64_t most = statistics_.tree_poses + share(kTreesOfAPlace);
+    for (const Undecided& leg : undecided_) {
+      if (statistics_.tree_poses >= most || interrupted_) break;
+      reach_from(leg.from, *leg.stop, static_cast<std::uint32_t>(share(kTreesOfALeg)));
+      if (leg.stop->cost < kInfinity) return leg.stop;
+    }
+    return nullptr;
   }
 
   // A leg without a path, with places named as the request has them: the planner knows poses only.
@@ -292,11 +321,19 @@ class TourPlanner {
     return (1.0 - 1e-12) * segment_time(length + nearest, 0.0, top_speed, 0.0, vehicle.max_acceleration());
   }
 
+  // A leg to the last stage that was looked for without trees, not found, and not proved to be none.
+  struct Undecided {
+    double least;      // that the way by it costs, at least
+    std::size_t from;  // stop of the stage before
+    Stop* stop;
+  };
+
   const Planner& planner_;
   const TourRequest& request_;
   const PlanLimits& limits_;
   Stopwatch watch_;
   std::vector<Stage> stages_;
+  std::vector<Undecided> undecided_;
   PlanStatistics statistics_;
   bool interrupted_ = false;
   std::optional<PlanResult> failure_;  // the first of its stage, or the first one interrupted

@@ -44,6 +44,9 @@ struct Tour {
 /// and, at the goal, improved from the best of them on, by halving steps and by going straight there: no slower than
 /// with any heading tried. Of each pose at a place on the way the way there is kept that costs least if it ends there.
 /// A place on the way with an open heading takes up to 25 plans for each heading of the next place.
+/// Where there is a choice of poses, plans grow no trees, as most have no path. If that leads to none of the poses,
+/// legs that are not proved to be none are looked for with trees of twice the poses of one plan in all, until one is
+/// found.
 ///
 /// One goal with a heading and nothing on the way gives the plan that Planner::plan gives. Never throws for want of a
 /// path: see PlanResult::status; status and reason name leg and places as they were asked for.

@@ -8,6 +8,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/motion/speed_profile.h"
+#include "datasets/generators/catalogue.h"
 #include "datasets/generators/clutter.h"
 #include "datasets/generators/random_queries.h"
 #include "tests/support/boxes.h"
@@ -272,6 +273,30 @@ TEST(Tour, CallsWhatIsWrongWithAPlaceOnTheWayByItsName) {
   EXPECT_EQ(refusal({.start = {0, 0, 0}, .via = {far}, .goals = {free}}).rfind("place on the way (1e+10, 0, 0): ", 0),
             0u);
   EXPECT_EQ(refusal({.start = {0, 0, 0}, .goals = {free, far}}).rfind("goal 2 (1e+10, 0, 0): ", 0), 0u);
+}
+
+// A start and goal between obstacles that only trees join, and another goal in an obstacle, so that there is a choice.
+TEST(Tour, GrowsTreesWhereNoPoseOfAChoiceIsReachedWithout) {
+  std::size_t needed = 0;
+  for (const char* name : {"driven/hugging/r6/g1/c50/s1", "driven/hugging/r8/g1/c50/s1", "driven/rooms/r6/g1/c50/s2"}) {
+    SCOPED_TRACE(name);
+    const DrivenWorld driven = *catalogue_driven_world(name);
+    const World world = to_world(driven.map, name);
+    const Planner planner(world, Vehicle(driven.robot));
+    const Pose start = *driven.map.start, goal = *driven.map.goal;
+    if (planner.plan({.start = start, .goal = goal}, {.tree_poses = 0}).solved()) continue;
+    ++needed;
+    const TourRequest request{.start = start, .goals = {{world.vertex(0), 0.0}, place_of(goal)}};
+    EXPECT_FALSE(plan_tour(planner, request, {.tree_poses = 0}).plan.solved());
+    const PlanLimits limits{.tree_poses = 20'000};
+    const Tour tour = plan_tour(planner, request, limits);
+    ASSERT_TRUE(tour.plan.solved()) << tour.plan.reason;
+    EXPECT_EQ(tour.goal, 1u);
+    EXPECT_GT(tour.plan.statistics.tree_poses, 0u);
+    EXPECT_LE(tour.plan.statistics.tree_poses, 9u * limits.tree_poses / 4);  // twice, and those of one leg more
+    expect_valid(planner, tour.plan);
+  }
+  EXPECT_GT(needed, 0u);
 }
 
 TEST(Tour, KeepsItsLimits) {
