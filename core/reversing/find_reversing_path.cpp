@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kPosesBeside = 1500;   // tried all the way where a path is known
 constexpr std::size_t kPosesAlone = 2000;    // and where none is
 constexpr std::size_t kNarrowPoses = 24000;  // then, by trees for narrow places
-constexpr std::size_t kPosesLast = 40000;    // and last
+constexpr std::size_t kPosesLast = 10000;    // and last: of 216 driven worlds none is left that 40,000 solve
 
 // Poses by which one end joins the graph, beside its own.
 struct Terminals {
@@ -28,7 +28,7 @@ struct Terminals {
   std::size_t most, most_expansions;
 };
 // The way out of a narrow place, and places to turn further away.
-constexpr Terminals kDense{8.0, 47, 200}, kSparse{2.0, 99, 1000};
+constexpr Terminals kDense{8.0, 24, 100}, kSparse{2.0, 99, 1000};
 // Those are tried where a path may be dearer than the cheapest one by more than this share.
 constexpr double kSparseGap = 0.2;
 

@@ -18,8 +18,8 @@ constexpr double kGreed = 1.5;
 constexpr double kCells = 4.0;  // of the trees' grids in a turning radius
 constexpr double kMostCells = 4096.0;
 constexpr double kFiner = 4.0;
-constexpr std::size_t kWordsTried = 8;     // of a pose, the cheapest ones that have room there
-constexpr std::size_t kPosesAfter = 1000;  // tried beyond as many as the first path took
+constexpr std::size_t kWordsTried = 8;    // of a pose, the cheapest ones that have room there
+constexpr std::size_t kPosesAfter = 300;  // tried beyond as many as the first path took
 
 class GearSearch {
  public:

@@ -24,7 +24,9 @@ struct Pass {
   double share;     // of all poses that have their turn at most
 };
 constexpr std::array<Pass, 3> kPasses{{{1.0, 0.4}, {0.5, 0.3}, {0.25, 0.3}}};
-constexpr double kGreed = 2.0;               // what the estimate of the way that remains counts
+// What the estimate of the way that remains counts. Of 46 driven worlds that need these trees, 42 are solved with 2, 44
+// with 3 and 41 with 4.
+constexpr double kGreed = 3.0;
 constexpr std::size_t kFieldCells = 50'000;  // of the grid for that estimate
 constexpr double kNear = 1.0;                // how far poses of the other tree are looked for, in lengths of the body
 constexpr std::size_t kNearest = 2;          // of them that are tried

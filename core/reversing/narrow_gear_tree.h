@@ -23,8 +23,8 @@ struct TreeGears {
   std::size_t max_cusps;  ///< of the way to a pose
 };
 
-/// Poses that a vehicle reaches from a pose in both gears: a tree of lines and of arcs of the smallest and twice the
-/// smallest radius, each up to contact, half of that, or a step.
+/// Poses that a vehicle reaches from a pose in both gears: a tree of lines and of arcs of several radii, each up to
+/// contact, half of that, or a step.
 ///
 /// At most one pose for each cell over position, heading and gear is kept, the first that comes. Cells are as large as
 /// what the vehicle can do where the motion to the pose began. With q the longest way to and fro on one line or circle
@@ -53,7 +53,8 @@ class NarrowGearTree {
   /// Adds the poses reached from the most promising one that had no turn yet; none if all had. O(edges near by).
   std::optional<std::uint32_t> expand();
 
-  /// Whether the pose that had its turn last leads as far as this motion, which starts there.
+  /// Whether the pose that had its turn last leads as far as this motion, which starts there: a line or an arc of the
+  /// smallest radius. Constant time.
   [[nodiscard]] bool has_room(const PathSegment& motion) const;
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
@@ -69,6 +70,7 @@ class NarrowGearTree {
     double along, aside, turn;  // [m], [m], [rad]
   };
   void add(std::uint32_t from, const Cell& cell, const PathSegment& motion);
+  [[nodiscard]] double longest(double curvature) const;
   [[nodiscard]] Cell cell_where(double way, double turn) const;
   [[nodiscard]] std::uint64_t key_of(const Pose& pose, const Cell& cell) const;
 
@@ -80,6 +82,7 @@ class NarrowGearTree {
   double far_line_;       // the longest line [m]
   Cell largest_;
   ContactReach contact_;
+  std::array<std::array<double, 2>, 3> rooms_{};  // of motions from the last pose: right, straight, left, by gear [m]
   std::vector<Node> nodes_;
   std::unordered_set<std::uint64_t> cells_;
   TreeOpenList open_;  // by largest cells

@@ -10,6 +10,7 @@
 
 #include "core/collision/motion_free.h"
 #include "core/geometry/angle.h"
+#include "core/motion/biarc.h"
 #include "core/motion/dubins.h"
 #include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
@@ -28,6 +29,8 @@ constexpr double kShareBeforeLastWords = 0.8;
 constexpr std::size_t kEverySpan = 16, kSpanRatio = 8;
 // Of words, in smallest turning radii: wider ones only where they may save a change of gear.
 constexpr std::array<double, 3> kWordRadii{1.0, 2.0, 4.0};
+// Of tangent lengths of biarcs between places.
+constexpr std::array<double, 3> kRatios{1.0, 0.5, 2.0};
 constexpr double kFirstStep = 0.5;             // of a cusp that moves, in turning radii
 constexpr std::ptrdiff_t kSegmentsBeside = 4;  // of a cusp that moves, which may give way to others
 constexpr std::size_t kLinksTried = 4;         // to either side of it
@@ -139,17 +142,15 @@ class ReversingRefiner {
 
   struct Word {
     double fastest;  // it can be driven, but for its changes of gear [s]
-    std::size_t word;
-    double radius;
+    Path motion;
   };
 
   bool insert_word(const Station& from, const Station& to) {
     for (const Word& word : words_between(from, to)) {
       if (done()) return false;
       ++result_.trials;
-      const auto middle = gear_word_path(word.word, from.pose, to.pose, word.radius);
-      const Path path = spliced(from, *middle, to);
-      if (is_cheaper(cost_of(path)) && is_free(*middle) && accept(path)) return true;
+      const Path path = spliced(from, word.motion, to);
+      if (is_cheaper(cost_of(path)) && is_free(word.motion) && accept(path)) return true;
     }
     return false;
   }
@@ -162,9 +163,19 @@ class ReversingRefiner {
       const double radius = turn * vehicle_.min_turning_radius();
       for (std::size_t word = 0; word < kGearWords; ++word) {
         const double fastest = gear_word_length(word, from.pose, to.pose, radius) / vehicle_.top_speed();
-        if (fastest < budget) words.push_back({fastest, word, radius});
+        if (fastest < budget) words.push_back({fastest, *gear_word_path(word, from.pose, to.pose, radius)});
       }
       if (from.cusps == to.cusps) break;
+    }
+    for (const double ratio : kRatios) {
+      const auto add = [&](const auto& arcs, Gear gear) {
+        if (!arcs) return;
+        const double fastest = length_of(*arcs) / vehicle_.top_speed();
+        if (fastest < budget)
+          words.push_back({fastest, gear == Gear::kForward ? Path(arcs->begin(), arcs->end()) : reversed(*arcs)});
+      };
+      add(biarc(from.pose, to.pose, ratio, vehicle_.min_turning_radius()), Gear::kForward);
+      add(biarc(to.pose, from.pose, ratio, vehicle_.min_turning_radius()), Gear::kReverse);
     }
     std::ranges::sort(words, {}, &Word::fastest);
     return words;
