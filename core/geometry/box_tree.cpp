@@ -6,6 +6,10 @@ namespace arcway {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
+// Boxes whose middles spread so many times as far along the shorter side of all are divided along that. Of boxes around
+// one place, as the long edges of nested squares have, the middles may all be equal along the longer side: halves then
+// overlap wholly, and a query visits all of them.
+constexpr double kMuchFurther = 4.0;
 
 }  // namespace
 
@@ -17,15 +21,20 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
 }
 
 void BoxTree::build(std::uint32_t first, std::uint32_t last) {
-  Box box;
-  for (std::uint32_t i = first; i < last; ++i) box.extend(items_[i].box);
+  Box box, middles;  // the latter doubled
+  for (std::uint32_t i = first; i < last; ++i) {
+    box.extend(items_[i].box);
+    middles.extend(Vec2(items_[i].box.min + items_[i].box.max));
+  }
   const std::size_t node = nodes_.size();
   if (last - first <= kLeafSize) {
     nodes_.push_back({box, first, last, static_cast<std::uint32_t>(node + 1)});
     return;
   }
   nodes_.push_back({box, 0, 0, 0});
-  const Eigen::Index axis = box.max.x() - box.min.x() >= box.max.y() - box.min.y() ? 0 : 1;
+  Eigen::Index axis = box.max.x() - box.min.x() >= box.max.y() - box.min.y() ? 0 : 1;
+  const Vec2 spread = middles.max - middles.min;
+  if (spread[1 - axis] > kMuchFurther * spread[axis]) axis = 1 - axis;
   const auto before = [axis](const Item& a, const Item& b) {
     const double center_a = a.box.min[axis] + a.box.max[axis];
     const double center_b = b.box.min[axis] + b.box.max[axis];

@@ -15,7 +15,8 @@ namespace [[gnu::visibility("default")]] arcway {
 ///     const BoxTree tree(boxes);
 ///     tree.visit_overlaps(query, [&](std::uint32_t i) { hits.push_back(i); return true; });
 ///
-/// Split at the median of the longer side, nodes packed in preorder. Build O(n log n); a query is
+/// Split at the median of the longer side, or of the other one where the middles of boxes spread much further along it.
+/// Nodes are packed in preorder. Build O(n log n); a query is
 /// O(log n + hits) for boxes that are small beside their spread. Immutable and thread-safe.
 class BoxTree {
  public:

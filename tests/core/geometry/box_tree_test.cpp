@@ -78,6 +78,33 @@ TEST(BoxTree, FindsOtherBoxesAsWell) {
   }
 }
 
+// Upper and lower edges of squares in each other: their middles are spread along y alone, while their boxes are as wide
+// as high in all.
+TEST(BoxTree, LooksAtFewOfBoxesAroundOnePlace) {
+  constexpr int kCount = 10'000;
+  for (const double jitter : {0.0, 0.1}) {
+    test::Random random(3);
+    std::vector<Box> boxes;
+    for (int i = 1; i <= kCount; ++i)
+      for (const double y : {-1.0 * i, 1.0 * i}) {
+        const double middle = random.uniform(-jitter, jitter) * i;
+        boxes.push_back({Vec2(middle - i, y), Vec2(middle + i, y)});
+      }
+    const BoxTree tree(boxes);
+    for (const double side : {10.0, 1000.0, 9000.0}) {
+      const Box asked{Vec2(side, side - 0.5), Vec2(side, side + 0.5)};
+      std::size_t looks = 0;
+      tree.visit_if(
+          [&](const Box& box) {
+            ++looks;
+            return box.overlaps(asked);
+          },
+          [](std::uint32_t) { return true; });
+      EXPECT_LT(looks, 300u) << side;
+    }
+  }
+}
+
 TEST(BoxTree, StopsWhenTold) {
   const std::vector<Box> boxes(20, Box{{0, 0}, {1, 1}});
   int visits = 0;
