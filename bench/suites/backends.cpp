@@ -12,7 +12,9 @@
 
 namespace arcway::bench {
 
-QuerySet QueryBackend::queries(const World& world) const { return corrupting() ? corrupted(make(world)) : make(world); }
+QuerySet QueryBackend::queries(const World& world) const {
+  return corrupting() ? corrupted(make(world, {})) : make(world, {});
+}
 
 VisibilityGraph GraphBuilder::graph(const World& world, const Executor& executor) const {
   return corrupting() ? corrupted(build(world, executor)) : build(world, executor);
@@ -20,9 +22,10 @@ VisibilityGraph GraphBuilder::graph(const World& world, const Executor& executor
 
 const std::vector<QueryBackend>& query_backends() {
   static const std::vector<QueryBackend> backends = {
-      {"reference", make_reference_queries},
+      {"reference", [](const World& world, const StopClock& /*clock*/) { return make_reference_queries(world); }},
 #ifdef ARCWAY_BENCH_ACCEL
-      {"embree", [](const World& world) { return make_embree_queries(world); }},
+      {"embree",
+       [](const World& world, const StopClock& clock) { return make_embree_queries(world, {.clock = clock}); }},
 #endif
   };
   return backends;

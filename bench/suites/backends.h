@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/executor.h"
+#include "core/base/stop_clock.h"
 #include "core/collision/query_set.h"
 #include "core/roadmap/visibility_graph.h"
 
@@ -14,7 +15,8 @@ namespace arcway::bench {
 /// An implementation of the queries.
 struct QueryBackend {
   std::string name;
-  std::function<QuerySet(const World&)> make;
+  /// Ends at the clock where making them takes long: Cancelled is thrown.
+  std::function<QuerySet(const World&, const StopClock&)> make;
   /// What benchmarks use: `make`, or with one answer wrong if that is asked for.
   [[nodiscard]] QuerySet queries(const World& world) const;
 };

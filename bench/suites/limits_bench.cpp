@@ -1,27 +1,34 @@
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/robots.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/plans.h"
+#include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
 #include "core/base/stop_clock.h"
 #include "core/base/stopwatch.h"
 #include "core/tasks/alternatives.h"
 #include "core/tasks/tour.h"
+#include "datasets/formats/read_map.h"
 #include "datasets/generators/random_queries.h"
 
-// How far behind a time limit a plan ends, from map to plan and on a planner that is made already, one thread. A limit
-// holds where `worst_of_allowed` is at most 1: then every query ended within 10 % and 5 ms of its limit.
+// How far behind a time limit a plan ends, from map to plan, on a planner that is made already, and on a map that is
+// prepared for its vehicle, one thread. A limit holds where `worst_of_allowed` is at most 1: then every query ended
+// within 10 % and 5 ms of its limit. The map of a coast is from the folder that ARCWAY_SHARED_DATA names.
 namespace arcway::bench {
 namespace {
 
 constexpr double kAllowedShare = 0.1;     // behind the limit, of the limit
 constexpr double kAllowedSeconds = 5e-3;  // and beside that
 constexpr std::size_t kQueries = 4;       // of each world
+constexpr double kLongest = 20.0;         // of a query that is only checked [s]
 
 enum class Task { kPlan, kReverse, kAlternatives, kTour };
 struct TaskName {
@@ -33,15 +40,38 @@ constexpr std::array<TaskName, 4> kTasks{{{Task::kPlan, "forwards"},
                                           {Task::kAlternatives, "alternatives"},
                                           {Task::kTour, "tour"}}};
 
+// What is made before the time runs.
+enum class Made { kNothing, kPlanner, kPrepared };
+struct MadeName {
+  Made made;
+  const char* name;
+};
+constexpr std::array<MadeName, 3> kMade{
+    {{Made::kNothing, "from_map"}, {Made::kPlanner, "on_planner"}, {Made::kPrepared, "on_prepared"}}};
+
 struct Robot {
   const char* name;
-  double lateral;  // acceleration [m/s^2]; 0: the paper's robot
+  Vehicle (*vehicle)();
 };
-constexpr std::array<Robot, 2> kRobots{{{"paper", 0.0}, {"lateral2", 2.0}}};
+const Robot kPaper{"paper", [] { return Vehicle(); }};
+const Robot kLateral{"lateral2",
+                     [] { return Vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0}); }};
+const Robot kBoat{"boat", boat};
 
-Vehicle vehicle_of(const Robot& robot) {
-  if (robot.lateral == 0.0) return Vehicle();
-  return Vehicle({.turn_speed = LateralAccelerationLimit{robot.lateral}, .max_acceleration = 2.0});
+constexpr const char* kCoast = "coast/chile.geojson.gz";  // in the shared folder
+
+// Null if the shared folder does not have the map, which then is left out.
+const World* world_of(benchmark::State& state, const std::string& name) {
+  if (name != kCoast) return &shared_world(name);
+  static std::optional<World> coast;
+  const char* folder = std::getenv("ARCWAY_SHARED_DATA");
+  const std::filesystem::path file = std::filesystem::path(folder ? folder : "") / name;
+  if (folder == nullptr || !std::filesystem::exists(file)) {
+    leave_out(state, "ARCWAY_SHARED_DATA names no folder with " + name);
+    return nullptr;
+  }
+  if (!coast) coast = to_world(read_map(file), name);
+  return &*coast;
 }
 
 struct Query {
@@ -105,11 +135,14 @@ Ended ended(const World& world, const Vehicle& vehicle, const Planner* made, Tas
   return end;
 }
 
-void time_limit(benchmark::State& state, const std::string& name, const Robot& robot, Task task, bool build,
+void time_limit(benchmark::State& state, const std::string& name, const Robot& robot, Task task, Made made,
                 double limit) {
-  const World& world = shared_world(name);
-  const Vehicle vehicle = vehicle_of(robot);
-  const Planner planner = make_planner(world, vehicle, {.graph_mode = GraphMode::kLazy});
+  const World* const found = world_of(state, name);
+  if (found == nullptr) return;
+  const World& world = *found;
+  const Vehicle vehicle = robot.vehicle();
+  const GraphMode mode = made == Made::kPrepared ? GraphMode::kEager : GraphMode::kLazy;
+  const Planner planner = make_planner(world, vehicle, {.graph_mode = mode});
   const std::vector<Query> queries = queries_of(world, vehicle);
   const Validator validator(world);
   const auto are_valid = [&](const std::vector<PlanResult>& answers) {
@@ -120,7 +153,7 @@ void time_limit(benchmark::State& state, const std::string& name, const Robot& r
   const auto is_right = [&] {
     std::vector<PlanResult> all;
     for (const Query& query : queries)
-      for (PlanResult& answer : answers_of(planner, task, query, {})) all.push_back(std::move(answer));
+      for (PlanResult& answer : answers_of(planner, task, query, {.time = kLongest})) all.push_back(std::move(answer));
     return std::ranges::any_of(all, &PlanResult::solved) && are_valid(all);
   };
   if (!require_once(state, key, is_right, "the validator refuses a path, or there is none")) return;
@@ -128,7 +161,7 @@ void time_limit(benchmark::State& state, const std::string& name, const Robot& r
   std::size_t solved = 0, asked = 0;
   for (auto _ : state) {
     for (const Query& query : queries) {
-      const Ended end = ended(world, vehicle, build ? nullptr : &planner, task, query, limit);
+      const Ended end = ended(world, vehicle, made == Made::kNothing ? nullptr : &planner, task, query, limit);
       worst_behind = std::max(worst_behind, end.behind);
       worst = std::max(worst, end.behind / (kAllowedShare * limit + kAllowedSeconds));
       ++asked;
@@ -144,32 +177,42 @@ void time_limit(benchmark::State& state, const std::string& name, const Robot& r
   state.counters["solved_share"] = static_cast<double>(solved) / static_cast<double>(asked);
 }
 
+void add_world(Study study, const std::string& world, const Robot& robot) {
+  std::string label = world.substr(0, world.find('.'));
+  std::ranges::replace(label, '/', '_');
+  for (const auto& [task, task_name] : kTasks)
+    for (const auto& [made, made_name] : kMade)
+      for (const int milliseconds : {10, 100, 1000}) {
+        if (study == Study::kCheck && (milliseconds != 100 || made != Made::kPlanner)) continue;
+        add_benchmark("TimeLimit/" + label + "/" + robot.name + "/" + task_name + "/" + made_name +
+                          "/limit_ms:" + std::to_string(milliseconds),
+                      [world, robot, task = task, made = made, milliseconds](benchmark::State& state) {
+                        time_limit(state, world, robot, task, made, 1e-3 * milliseconds);
+                      })
+            ->Iterations(1)
+            ->Repetitions(1);
+      }
+}
+
 void add(Study study) {
-  std::vector<std::string> worlds{clutter_name("convex", 100, 8, 30)};
-  if (study != Study::kCheck)
-    for (const char* name : {"maze/v1000/s1", "parking/v2000/s1", "corridor/v5000/s1", "adversarial/comb/v4000/s1",
-                             "adversarial/contacts/v8000/s1", "city/v20000/s1"})
-      worlds.emplace_back(name);
+  const std::string clutter = clutter_name("convex", 100, 8, 30);
+  add_world(study, clutter, kLateral);
+  if (study == Study::kCheck) return;
+  add_world(study, clutter, kPaper);
+  std::vector<std::string> worlds{"maze/v1000/s1",
+                                  "parking/v2000/s1",
+                                  "corridor/v5000/s1",
+                                  "adversarial/comb/v4000/s1",
+                                  "adversarial/contacts/v8000/s1",
+                                  "adversarial/touching/v20000/s1",  // cells that touch at corners
+                                  "city/v20000/s1"};
   if (study == Study::kFull) {
     worlds.push_back(clutter_name("star", 10'000, 10, 30));
     worlds.emplace_back("islands/v100000/s1");
+    add_world(study, kCoast, kBoat);
   }
   for (const std::string& world : worlds)
-    for (const Robot& robot : kRobots)
-      for (const auto& [task, task_name] : kTasks)
-        for (const bool build : {true, false})
-          for (const int milliseconds : {10, 100, 1000}) {
-            if (study == Study::kCheck && (milliseconds != 100 || robot.lateral == 0.0 || build)) continue;
-            std::string label = world;
-            std::ranges::replace(label, '/', '_');
-            add_benchmark("TimeLimit/" + label + "/" + robot.name + "/" + task_name + "/" +
-                              (build ? "from_map" : "on_planner") + "/limit_ms:" + std::to_string(milliseconds),
-                          [world, robot, task = task, build, milliseconds](benchmark::State& state) {
-                            time_limit(state, world, robot, task, build, 1e-3 * milliseconds);
-                          })
-                ->Iterations(1)
-                ->Repetitions(1);
-          }
+    for (const Robot& robot : {kPaper, kLateral}) add_world(study, world, robot);
 }
 
 const Suite suite(add);

@@ -16,11 +16,14 @@ bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResu
   return validator(vehicle, result.start, result.goal, path).valid();
 }
 
-QuerySet fastest_queries(const World& world) { return query_backends().back().make(world); }
+QuerySet fastest_queries(const World& world, const StopClock& clock) {
+  return query_backends().back().make(world, clock);
+}
 
 Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options,
                      const Executor& executor) {
-  return {world, vehicle, fastest_queries(world), graph_builders().back().build(world, executor), options, executor};
+  return {world,   vehicle, fastest_queries(world, executor.clock()), graph_builders().back().build(world, executor),
+          options, executor};
 }
 
 const Planner& shared_planner(const std::string& world_name, Heuristic heuristic) {
