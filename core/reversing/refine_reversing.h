@@ -17,10 +17,11 @@ struct GearChanges {
 };
 
 /// Makes a free path in both gears cheaper, its cost being its travel time and that of its changes of gear:
-/// - words of Reeds and Shepp, and of Dubins in either gear, replace what lies between two places of the path, the ends
-///   of segments and the middles of long ones: words of the smallest radius, and wider ones where gear changes between
-///   the places. Tried are all pairs of places that are up to 16 places apart, and further ones less densely, until
-///   none makes the path cheaper, so that no change of gear is left that one of these words saves;
+/// - words of Reeds and Shepp, and of Dubins in either gear, and biarcs in either gear replace what lies between two
+///   places of the path, the ends of segments and the middles of long ones: words of the smallest radius, and wider
+///   ones where gear changes between the places. Tried are all pairs of places that are up to 16 places apart, and
+///   further ones less densely, until none makes the path cheaper, so that no change of gear is left that one of these
+///   saves;
 /// - what lies between two cusps is refined by refine_path, which knows nothing of gears and need not: from rest to
 ///   rest it takes the same time either way;
 /// - cusps move and turn, by steps that are halved down to the smallest, and Dubins words of the smallest radius lead

@@ -28,6 +28,11 @@ TEST_P(ParkingCase, IsSolvedInBothGears) {
   const PlanResult both = planner.plan({.start = *map.start, .goal = *map.goal, .reverse = true});
   ASSERT_TRUE(both.solved()) << both.reason;
   test::expect_valid(planner, both, true);
+  const PlanResult seldom =
+      planner.plan({.start = *map.start, .goal = *map.goal, .reverse = true, .max_gear_changes = 1});
+  if (seldom.solved()) {
+    EXPECT_LE(both.travel_time, seldom.travel_time * (1.0 + 1e-9));
+  }
   const PlanResult forwards = planner.plan({.start = *map.start, .goal = *map.goal});
   EXPECT_EQ(forwards.solved(), kSolvedForwards.contains(GetParam())) << forwards.reason;
   if (!forwards.solved()) return;
