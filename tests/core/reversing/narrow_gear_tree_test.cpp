@@ -70,6 +70,27 @@ TEST(NarrowGearTree, WaysAreJoinedFreeAndCounted) {
   EXPECT_GT(most_cusps, 1u);
 }
 
+TEST(NarrowGearTree, KnowsHowFarItsLastPoseLeads) {
+  const World world(recess(0.2));
+  const Vehicle vehicle(robot());
+  const SearchMap map = map_of(world, vehicle);
+  NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit}, 1.0, [](const Pose&) { return 0.0; });
+  int free = 0, blocked = 0;
+  for (int i = 0; i < 100; ++i) {
+    const auto node = tree.expand();
+    ASSERT_TRUE(node);
+    for (const double curvature : {-1.0, 0.0, 1.0})
+      for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+        const PathSegment motion{tree[*node].pose, 0.3, curvature / vehicle.min_turning_radius(), gear};
+        const bool room = tree.has_room(motion);
+        EXPECT_EQ(room, clearance_along(motion, map.body, world).distance > 0.0);
+        ++(room ? free : blocked);
+      }
+  }
+  EXPECT_GT(free, 30);
+  EXPECT_GT(blocked, 50);
+}
+
 TEST(NarrowGearTree, KeepsToTheLimitOfCusps) {
   const World world(recess(0.2));
   const Vehicle vehicle(robot());

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/collision/query_set.h"
+#include "core/geometry/angle.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
 #include "core/planner/planner.h"
@@ -62,6 +64,33 @@ TEST(RefineReversing, LeavesNoChangeOfGearThatAWordSaves) {
   expect_valid(world, vehicle, zigzag.front().start, pose, refined.path);
   EXPECT_EQ(cusps_of(refined.path), 0u);
   EXPECT_LE(refined.trials, RefineOptions{}.max_trials);
+}
+
+// In a ring that leaves 2 cm beside a turn that is wider than those of words, to and fro along it.
+TEST(RefineReversing, BendsAsALaneDoes) {
+  const Vehicle vehicle;
+  const double radius = 3.0 * vehicle.min_turning_radius();
+  const Footprint body = vehicle.footprint(vehicle.safety_margin());
+  const SweptAnnulus swept = swept_annulus(body, radius);
+  constexpr int kCorners = 256;
+  const auto circle = [&](double r) {
+    Ring ring;
+    for (int i = 0; i < kCorners; ++i) ring.push_back(Vec2(0.0, radius) + r * direction_of(i * kTwoPi / kCorners));
+    return ring;
+  };
+  const World world({Polygon{circle(swept.inner - 0.02), {}}}, circle((swept.outer + 0.02) / std::cos(kPi / kCorners)));
+  const QuerySet queries = make_reference_queries(world);
+  Path to_and_fro;
+  Pose pose{0.0, 0.0, 0.0};
+  for (const auto& [turn, gear] :
+       {std::pair{1.2, Gear::kForward}, std::pair{0.4, Gear::kReverse}, std::pair{1.2, Gear::kForward}}) {
+    to_and_fro.push_back({pose, turn * radius, 1.0 / radius, gear});
+    pose = to_and_fro.back().end();
+  }
+  expect_valid(world, vehicle, to_and_fro.front().start, pose, to_and_fro);
+  const RefinedPath refined = refine_reversing_path(to_and_fro, vehicle, *queries.sweep, {}, {}, {});
+  expect_valid(world, vehicle, to_and_fro.front().start, pose, refined.path);
+  EXPECT_EQ(cusps_of(refined.path), 0u);
 }
 
 // Aside on an open field two changes of gear are faster than a loop without any.
