@@ -18,9 +18,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// obstacles are nearest on both of its sides, a wall is put across, and the whole is planned again [Lawler 1972].
 /// Up to ten such ways for each alternative are compared by one search and its refinement; the cheapest is planned as
 /// Planner::plan does. There may be other ways that are faster than the last ones. Takes some two to three plans for
-/// each alternative, and a dozen lazy feasible graphs, whose checks are shared. These plans grow no trees, as most have
-/// no path; where only trees find the first way and no other one is found without, another one is looked for with trees
-/// of twice the poses of one plan, in all.
+/// each alternative, and a dozen lazy feasible graphs, whose checks are shared. These plans grow no trees, so that
+/// ways that only trees find are not among them, but for the first.
 /// @param limits  for all plans together; plans found by then are given.
 /// @throws std::invalid_argument if `count` is 0, and as Planner::plan does.
 std::vector<PlanResult> plan_alternatives(const Planner& planner, const PlanRequest& request, std::size_t count,
