@@ -20,8 +20,8 @@ double widest_hopeless_gap(const Vehicle& vehicle) {
 // A turn at a right angle to a wall takes the outer radius of the swept annulus, which is more than its width.
 VehicleGaps::VehicleGaps(const World& world, const Vehicle& vehicle, double radius)
     : world_(world),
-      widest_(std::max(widest_hopeless_gap(vehicle),
-                       swept_annulus(vehicle.footprint(vehicle.safety_margin()), radius).outer)) {}
+      hopeless_(widest_hopeless_gap(vehicle)),
+      widest_(std::max(hopeless_, swept_annulus(vehicle.footprint(vehicle.safety_margin()), radius).outer)) {}
 
 const GapMap* VehicleGaps::map(const StopClock& clock) const {
   return map_.get(clock, [&] { return GapMap(world_, widest_, clock); });

@@ -19,10 +19,12 @@ class VehicleGaps {
   [[nodiscard]] const GapMap& map() const { return *map(StopClock()); }
   /// Nothing if the clock is over before the gaps are known.
   [[nodiscard]] const GapMap* map(const StopClock& clock) const;
+  /// Of the vehicle, see widest_hopeless_gap [m].
+  [[nodiscard]] double widest_hopeless() const { return hopeless_; }
 
  private:
   World world_;
-  double widest_;
+  double hopeless_, widest_;
   LateValue<GapMap> map_;
 };
 

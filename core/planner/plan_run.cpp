@@ -14,6 +14,7 @@
 #include "core/refine/shorten_path.h"
 #include "core/reversing/find_reversing_path.h"
 #include "core/roadmap/turn_circle.h"
+#include "core/search/push_free.h"
 
 namespace arcway {
 
@@ -42,6 +43,12 @@ constexpr double kTreesShare = 0.05;
 // Trials of shortening a path of a tree, of those that the options say for refinement: each takes some microseconds.
 // With as many as these, such paths are slower by up to 14 % than a known drive.
 constexpr std::size_t kShorteningEffort = 10;
+// Passes of finer trees where paths of slimmer bodies could not be made free: as many poses as those bodies take leave
+// the last one out.
+constexpr std::size_t kFinerPasses = 2;
+// Of a path of a slimmer body, before it is pushed off what the real one touches: a path of fewer motions is made free
+// more often, and is faster then.
+constexpr std::size_t kSlimShortening = 2000;
 // By this share at least that has to be faster: the ways on from where a manoeuvre saves next to nothing are known.
 constexpr double kLeastGain = 0.001;
 // No other way is looked for where it cannot be faster by more than this share.
@@ -174,7 +181,35 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
   return forwards.obstruction;
 }
 
-TreesEnd PlanRun::find_by_trees(const PlanMaps& maps, double effort) { return grow_trees(maps, {tree_poses_}, effort); }
+TreesEnd PlanRun::find_by_trees(const PlanMaps& maps, const SlimMaps& slim, double effort) {
+  TreesEnd end = grow_trees(maps, {.poses = tree_poses_, .passes = 1}, effort);
+  if (end.surroundings == Surroundings::kClosed) return end;
+  for (std::size_t i = 0; i < SlimMaps::kSlimmer.size() && !found_; ++i) {
+    const SearchMap* slimmer = search_options_.interrupted() ? nullptr : slim(i, search_options_.clock);
+    if (!slimmer || !find_by_slimmer(maps, *slimmer, effort)) return end;
+  }
+  if (found_ || result_.interrupted || end.surroundings != Surroundings::kOpen) return end;
+  return grow_trees(maps, {.poses = tree_poses_, .first_pass = 1, .passes = kFinerPasses, .looks_around = false},
+                    effort);
+}
+
+bool PlanRun::find_by_slimmer(const PlanMaps& maps, const SearchMap& slim, double effort) {
+  const auto widened = [&](const Path& path) -> std::optional<Path> {
+    if (path.empty()) return std::nullopt;
+    const Path shorter = shorten_path(path, slim.vehicle, *map_.queries.sweep, kSlimShortening, search_options_.clock);
+    auto free = push_free(shorter, request_.goal, map_.body, map_, search_options_.clock);
+    return free ? free : push_free(path, request_.goal, map_.body, map_, search_options_.clock);
+  };
+  TreesEnd end;
+  FoundPath grown = search([&] {
+    return search_trees(slim, request_.start, request_.goal, {.poses = tree_poses_, .passes = 1, .accept = widened},
+                        search_options_, workspace_.find.search, end);
+  });
+  result_.statistics.tree_poses += end.poses;
+  if (grown.search.path) keep_narrow(maps, std::move(*grown.search.path), effort);
+  const bool is_hopeless = end.surroundings != Surroundings::kOpen || end.ran_dry;
+  return found_ || end.refused > 0 || !is_hopeless;
+}
 
 TreesEnd PlanRun::grow_trees(const PlanMaps& maps, const TreeLimits& limits, double effort) {
   const SearchMap& map = maps.narrow ? maps.narrow->map(search_options_.clock) : maps.plain;
@@ -183,17 +218,21 @@ TreesEnd PlanRun::grow_trees(const PlanMaps& maps, const TreeLimits& limits, dou
     return search_trees(map, request_.start, request_.goal, limits, search_options_, workspace_.find.search, end);
   });
   result_.statistics.tree_poses += end.poses;
-  if (!grown.search.path) return end;
+  if (grown.search.path) keep_narrow(maps, std::move(*grown.search.path), effort);
+  return end;
+}
+
+// A path of many short motions.
+void PlanRun::keep_narrow(const PlanMaps& maps, Path&& path, double effort) {
   const bool first = !found_;
   if (options_.refinement.max_trials > 0) {
-    grown.search.path = shorten_path(std::move(*grown.search.path), map_.vehicle, *map_.queries.sweep,
-                                     kShorteningEffort * options_.refinement.max_trials, search_options_.clock);
+    path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep,
+                        kShorteningEffort * options_.refinement.max_trials, search_options_.clock);
   }
-  const Times times = keep(std::move(*grown.search.path), effort, false);
-  if (!first && times.cost >= fastest_.times.cost) return end;
+  const Times times = keep(std::move(path), effort, false);
+  if (!first && times.cost >= fastest_.times.cost) return;
   maps_ = &maps;
   fastest_ = {times, &maps.plain, 0, kNone, kNone};
-  return end;
 }
 
 // Whether obstacles end the tightest turns to both sides early.
@@ -221,7 +260,11 @@ void PlanRun::improve_forwards(bool thorough) {
   if (thorough && is_doubtful(kOtherEndsGap)) try_other_ends();
   if (grows_trees() && is_doubtful(kTreesGap) &&
       (is_hemmed_in(request_.start, Direction::kFromStart) || is_hemmed_in(request_.goal, Direction::kToGoal)))
-    grow_trees(*maps_, {static_cast<std::size_t>(kTreesShare * static_cast<double>(tree_poses_)), 1}, 1.0);
+    grow_trees(*maps_,
+               {.poses = static_cast<std::size_t>(kTreesShare * static_cast<double>(tree_poses_)),
+                .passes = 1,
+                .looks_around = false},
+               1.0);
   for (const SearchMap* other : {&maps_->faster_turns, &maps_->slower_turns})
     find_other_way(*other, 1.0, fastest_.poses);
 }

@@ -10,6 +10,7 @@
 #include "core/motion/speed_profile.h"
 #include "core/planner/plan_maps.h"
 #include "core/planner/planner.h"
+#include "core/planner/slim_maps.h"
 #include "core/refine/refine_path.h"
 #include "core/reversing/refine_reversing.h"
 #include "core/search/find_path.h"
@@ -48,9 +49,11 @@ class PlanRun {
   Obstruction find_forwards(const PlanMaps& maps, double effort, const std::function<bool()>& no_passage);
   /// Whether trees of forward motions are wanted.
   [[nodiscard]] bool grows_trees() const { return tree_poses_ > 0; }
-  /// Looks for a path by trees of forward motions, for what find_forwards finds none on these maps.
-  /// @returns how the trees ended.
-  TreesEnd find_by_trees(const PlanMaps& maps, double effort);
+  /// Looks for a path by trees of forward motions, for what find_forwards finds none on these maps. Where those that
+  /// tell poses apart roughly find none, looks for paths of slimmer bodies, and pushes them off what the real one
+  /// touches; then for more by finer trees, unless a slimmer body has no path either.
+  /// @returns how the trees of the real body ended.
+  TreesEnd find_by_trees(const PlanMaps& maps, const SlimMaps& slim, double effort);
   /// Where the lower bound says that the path which was found forwards last may be far from the best one: looks
   /// for faster ones on the same maps with manoeuvres at both ends, with circles in narrow places, and by other ways.
   /// @param thorough  sooner, and with more manoeuvres.
@@ -83,6 +86,9 @@ class PlanRun {
   Times keep(Path&& path, double effort, bool reverse);
   void refine(const Path& path, double effort, bool reverse);
   TreesEnd grow_trees(const PlanMaps& maps, const TreeLimits& limits, double effort);
+  // False if the slimmer body has no path either, as far as its trees tell.
+  bool find_by_slimmer(const PlanMaps& maps, const SearchMap& slim, double effort);
+  void keep_narrow(const PlanMaps& maps, Path&& path, double effort);
   [[nodiscard]] bool is_hemmed_in(const Pose& pose, Direction direction) const;
   void try_faster(const SearchMap& map, std::size_t poses);
   // Ways that join the graph, or leave it, by another circle than the fastest path.

@@ -23,6 +23,7 @@
 #include "core/planner/plan_maps.h"
 #include "core/planner/plan_run.h"
 #include "core/planner/planner_inputs.h"
+#include "core/planner/slim_maps.h"
 #include "core/roadmap/turning_radii.h"
 #include "core/search/point_distance.h"
 
@@ -82,6 +83,7 @@ struct Planner::Data {
         maps(make_map(
                  world, vehicle, queries, options, [&] { return make_feasible(rows, options); }, executor),
              options.gap_circles),
+        slim(map(), rows),
         bottleneck(world, vehicle, map().gaps) {
     end_if_over(executor);
     const std::size_t tightest_count = tightest_radii(vehicle.footprint(vehicle.safety_margin()), options.radii);
@@ -123,6 +125,7 @@ struct Planner::Data {
   VisibilityGraph visibility_graph;
   std::shared_ptr<const VisibilityRows> rows;
   PlanMaps maps;
+  SlimMaps slim;
   std::optional<PlanMaps> tightest;   // of the tightest radii only, where there are wider ones
   std::vector<SearchMap> other_ways;  // of several radii, beside those of `maps`
   std::optional<PointDistance> point_distance;
@@ -365,7 +368,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   const auto grow_trees = [&] {
     if (run.found() || result.interrupted || !run.grows_trees()) return;
     if (!request.reverse) why.dead_end = find_end(kThoroughDeadEnd);
-    if (!why.dead_end) why.trees = run.find_by_trees(d.maps, d.tightest ? kQuickEffort : 1.0);
+    if (!why.dead_end) why.trees = run.find_by_trees(d.maps, d.slim, d.tightest ? kQuickEffort : 1.0);
   };
   // Who may reverse finds most ways out of narrow places sooner in both gears.
   if (!request.reverse && why.obstruction != Obstruction::kPassage) grow_trees();

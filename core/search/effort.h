@@ -72,6 +72,8 @@ struct TreeJoints {
   std::uint64_t edges;           ///< that motions are compared with, for each pose of the limit: some 60 ns each
   std::size_t after_dry;         ///< times as many turns are taken in all where one tree has run dry
   std::size_t terminals;         ///< of each tree that are joined to it, at most
+  std::size_t most_refused;      ///< paths that are found, before the search gives up
+  std::size_t refused_poses;     ///< grown after a path that was refused; after the second one twice as many, ...
 };
 inline constexpr TreeJoints kTreeJoints{
     .greed = 2.0,
@@ -84,6 +86,8 @@ inline constexpr TreeJoints kTreeJoints{
     .edges = 3000,
     .after_dry = 4,
     .terminals = 200,
+    .most_refused = 6,
+    .refused_poses = 32,
 };
 
 }  // namespace arcway

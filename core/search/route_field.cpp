@@ -104,7 +104,7 @@ void RouteField::add_walls(const SearchMap& map, const StopClock& clock) {
     const Outlines::Piece piece = (*map.outlines)[i];
     for (std::size_t k = 0; k < piece.edge_count(); ++k) add_wall(piece.points[k], piece.points[k + 1]);
   }
-  const double hopeless = widest_hopeless_gap(map.vehicle);
+  const double hopeless = map.gaps->widest_hopeless();
   const GapMap* gaps = map.gaps->map(clock);
   if (!gaps) return;
   for (const Gap& gap : gaps->gaps()) {

@@ -37,11 +37,11 @@ class TreeSearch {
         contact_(*map.outlines, map.body) {}
 
   void run() {
-    std::span<const TreePass> passes = std::span(kTreePasses).first(std::min(limits_.passes, kTreePasses.size()));
-    if (passes.size() == kTreePasses.size()) {
-      const Surroundings surroundings = look_around();
-      if (surroundings == Surroundings::kClosed || interrupted()) return;
-      if (surroundings == Surroundings::kPocket) passes = kPocketPasses;
+    std::span<const TreePass> passes = std::span(kTreePasses).subspan(limits_.first_pass, limits_.passes);
+    if (limits_.looks_around) {
+      end_.surroundings = look_around();
+      if (end_.surroundings == Surroundings::kClosed || interrupted()) return;
+      if (end_.surroundings == Surroundings::kPocket) passes = kPocketPasses;
     }
     fields_ = {field(1), field(0)};
     for (const TreePass& pass : passes) {
@@ -104,7 +104,9 @@ class TreeSearch {
     auto most = static_cast<std::size_t>(pass.share * static_cast<double>(limits_.poses));
     const std::uint64_t most_edges = kTreeJoints.edges * most;
     const auto edges = [&] { return sides[0].tree.edges_compared() + sides[1].tree.edges_compared(); };
-    for (std::size_t i = 0; i < most && edges() < most_edges && !(dry[0] && dry[1]) && !interrupted(); ++i) {
+    for (std::size_t i = 0; i < most && edges() < most_edges && end_.refused < kTreeJoints.most_refused &&
+                            !(dry[0] && dry[1]) && !interrupted();
+         ++i) {
       const std::size_t at = i % 2;
       if (dry[at]) continue;
       const auto node = sides[at].tree.expand();
@@ -169,8 +171,7 @@ class TreeSearch {
       const Path rest = sides[1].tree.connection(to);
       path.insert(path.end(), rest.begin(), rest.end());
       if (!motion_free(*map_.queries.sweep, map_.body, path)) return false;
-      result_.path = merged(path);
-      return true;
+      return take_path(merged(path));
     };
     for (const double ratio : kTreeJoints.ratios) {
       const auto arcs = biarc(start, goal, ratio, radius_);
@@ -181,6 +182,18 @@ class TreeSearch {
       if (path && take(path->segments())) return true;
     }
     return false;
+  }
+
+  // Paths that are found one after the other are much alike: some are left out after each that is refused.
+  bool take_path(Path path) {
+    if (!limits_.accept) {
+      result_.path = std::move(path);
+      return true;
+    }
+    if (end_.poses < next_asked_) return false;
+    result_.path = limits_.accept(path);
+    if (!result_.path) next_asked_ = end_.poses + kTreeJoints.refused_poses * ++end_.refused;
+    return result_.path.has_value();
   }
 
   static bool has_room(const ForwardTree& tree, const PathSegment& motion) {
@@ -228,7 +241,7 @@ class TreeSearch {
     result_.straights_checked += joined.straights_checked;
     result_.turns_checked += joined.turns_checked;
     result_.interrupted = result_.interrupted || joined.interrupted;
-    if (joined.path) result_.path = std::move(joined.path);
+    if (joined.path) take_path(std::move(*joined.path));
   }
 
   const SearchMap& map_;
@@ -239,6 +252,7 @@ class TreeSearch {
   TreesEnd& end_;
   SearchResult& result_;
   double radius_, body_length_;
+  std::size_t next_asked_ = 0;  // when so many poses are grown
   ContactReach contact_;
   std::vector<RouteField> fields_;  // to the other end
   bool heed_turns_ = false;

@@ -1,0 +1,179 @@
+#include "core/search/push_free.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/collision/motion_free.h"
+#include "core/geometry/angle.h"
+#include "core/motion/biarc.h"
+#include "core/search/hinge_step.h"
+#include "core/search/path_contacts.h"
+
+namespace arcway {
+
+namespace {
+
+// Lengths are in lengths of the body. A path of some tens of parts takes some milliseconds.
+constexpr double kLongestPart = 1.0;  // that bends as one; twice as long and so on where there would be too many
+constexpr std::size_t kMostParts = 48;
+constexpr double kRoom = 2e-4;         // beside the body that is asked for, as contacts are found by rounding numbers
+constexpr double kMostDepth = 1.5e-4;  // of contacts with the body and that room that are none with the body
+constexpr double kEndError = 1e-9;     // [body lengths or rad]
+constexpr int kEndRounds = 4;          // of Newton's method, to end at the goal
+constexpr int kMostRounds = 80;
+constexpr int kPatience = 8;     // rounds in which the sum of squares is halved at least, or it ends
+constexpr int kStepRounds = 30;  // for one step
+constexpr double kFirstDamping = 1e-5, kLeastDamping = 1e-8, kMostDamping = 1.0;
+constexpr double kSofter = 0.1, kHarder = 10.0;  // after a step that was better, or worse
+
+class Pusher {
+ public:
+  Pusher(const Path& path, const Pose& goal, const Outlines& outlines, Footprint body, double radius)
+      : start_(path.front().start), goal_(goal), contacts_(outlines, with_room(body)), radius_(radius) {
+    for (double longest = kLongestPart * contacts_.unit(); parts_.empty(); longest *= 2.0) {
+      for (const PathSegment& s : path) {
+        const int count = std::max(1, static_cast<int>(std::ceil(s.length / longest)));
+        for (int i = 0; i < count; ++i) parts_.push_back({s.curvature, s.length / count, false});
+      }
+      if (parts_.size() > std::max(kMostParts, path.size())) parts_.clear();
+    }
+  }
+
+  // Levenberg-Marquardt: steps are damped more until they make the path better.
+  std::optional<Path> run(const StopClock& clock) {
+    if (parts_.size() > 2 * kMostParts) return std::nullopt;
+    double damping = kFirstDamping, before_patience = std::numeric_limits<double>::infinity();
+    double square_sum = look(parts_);
+    for (int round = 0; round < kMostRounds && damping <= kMostDamping && !clock.is_over(); ++round) {
+      if (is_free()) {
+        if (!straighten()) return path();
+        square_sum = look(parts_);
+      }
+      if (round % kPatience == 0) {
+        if (square_sum > 0.5 * before_patience) break;
+        before_patience = square_sum;
+      }
+      const LinearResiduals residuals = contacts_.residuals();
+      std::vector<Part> tried = parts_;
+      change(tried, hinge_step(residuals, limits(), damping, kStepRounds));
+      end_at_goal(tried);
+      const double now = look(tried);
+      const bool is_better = now < square_sum;
+      damping = is_better ? std::max(kLeastDamping, kSofter * damping) : kHarder * damping;
+      if (is_better) {
+        std::swap(parts_, tried);
+        square_sum = now;
+      } else {
+        look(parts_);
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Part {
+    double curvature, length;
+    bool is_line;  // for good
+  };
+
+  static Footprint with_room(const Footprint& body) {
+    const double room = kRoom * (body.front + body.rear);
+    return {body.front + room, body.rear + room, body.half_width + room};
+  }
+
+  [[nodiscard]] std::vector<PathSegment> motions_of(const std::vector<Part>& parts) const {
+    std::vector<PathSegment> motions;
+    Pose pose = start_;
+    for (const Part& p : parts) {
+      motions.push_back({pose, p.length, p.curvature});
+      pose = motions.back().end();
+    }
+    return motions;
+  }
+
+  double look(const std::vector<Part>& parts) {
+    contacts_.look_along(motions_of(parts), goal_);
+    return contacts_.square_sum();
+  }
+  [[nodiscard]] bool is_free() const { return contacts_.deepest() < kMostDepth && contacts_.off_goal() <= kEndError; }
+
+  [[nodiscard]] StepLimits limits() const {
+    const auto n = static_cast<Eigen::Index>(2 * parts_.size());
+    StepLimits limits{Eigen::VectorXd(n), Eigen::VectorXd(n)};
+    const double tightest = contacts_.unit() / radius_;
+    for (Eigen::Index k = 0; k < n; k += 2) {
+      const Part& part = parts_[static_cast<std::size_t>(k / 2)];
+      const double bend = part.curvature * contacts_.unit();
+      limits.low(k) = part.is_line ? 0.0 : std::min(0.0, -tightest - bend);
+      limits.high(k) = part.is_line ? 0.0 : std::max(0.0, tightest - bend);
+      limits.low(k + 1) = -part.length / contacts_.unit();
+      limits.high(k + 1) = std::numeric_limits<double>::infinity();
+    }
+    return limits;
+  }
+
+  void change(std::vector<Part>& parts, const Eigen::VectorXd& step) const {
+    const double tightest = 1.0 / radius_;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(2 * i);
+      Part& part = parts[i];
+      if (!part.is_line) part.curvature = std::clamp(part.curvature + step(k) / contacts_.unit(), -tightest, tightest);
+      part.length = std::max(0.0, part.length + step(k + 1) * contacts_.unit());
+    }
+  }
+
+  // The least change after which a path ends at the goal.
+  void end_at_goal(std::vector<Part>& parts) const {
+    for (int round = 0; round < kEndRounds; ++round) {
+      const std::vector<PathSegment> motions = motions_of(parts);
+      const Pose end = motions.back().end();
+      const Vec2 off = (goal_.position() - end.position()) / contacts_.unit();
+      const Eigen::Vector3d rest(off.x(), off.y(), wrap_signed(goal_.heading - end.heading));
+      auto by = contacts_.end_gradients(motions);
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto k = static_cast<Eigen::Index>(2 * i);
+        if (parts[i].is_line || std::abs(parts[i].curvature) * radius_ >= 1.0) by.col(k).setZero();
+        if (parts[i].length <= 0.0) by.col(k + 1).setZero();
+      }
+      const Eigen::Matrix3d square = by * by.transpose();
+      change(parts, by.transpose() * square.ldlt().solve(rest));
+    }
+  }
+
+  // Arcs that are too wide for their centers become lines; false if there is none.
+  bool straighten() {
+    bool any = false;
+    for (Part& part : parts_) {
+      if (part.is_line || std::abs(part.curvature) * radius_ * kWidestTurn >= 1.0) continue;
+      any = any || part.curvature != 0.0;
+      part = {0.0, part.length, true};
+    }
+    return any;
+  }
+
+  [[nodiscard]] Path path() const {
+    Path path = motions_of(parts_);
+    std::erase_if(path, [](const PathSegment& s) { return s.length <= 0.0; });
+    return merged(path);
+  }
+
+  Pose start_, goal_;
+  PathContacts contacts_;
+  double radius_;  // the smallest
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+std::optional<Path> push_free(const Path& path, const Pose& goal, const Footprint& body, const SearchMap& map,
+                              const StopClock& clock) {
+  std::optional<Path> free = Pusher(path, goal, *map.outlines, body, map.vehicle.min_turning_radius()).run(clock);
+  if (free && !motion_free(*map.queries.sweep, body, *free)) free.reset();
+  return free;
+}
+
+}  // namespace arcway

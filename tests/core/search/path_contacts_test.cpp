@@ -1,0 +1,99 @@
+#include "core/search/path_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "core/model/outlines.h"
+#include "core/model/world.h"
+#include "tests/support/boxes.h"
+
+namespace arcway {
+namespace {
+
+using test::box;
+
+constexpr Footprint kBody{1.5, 0.5, 0.5};
+
+std::vector<PathSegment> chain(const Pose& start, const std::vector<PathSegment>& motions) {
+  std::vector<PathSegment> path;
+  Pose pose = start;
+  for (const PathSegment& m : motions) {
+    path.push_back({pose, m.length, m.curvature});
+    pose = path.back().end();
+  }
+  return path;
+}
+
+const std::vector<PathSegment> kMotions{{{}, 1.7, 0.1}, {{}, 2.2, 0.4}, {{}, 1.3, -0.7}, {{}, 2.0, 1e-6}};
+
+// Against the change of the end as each part changes a little.
+TEST(PathContacts, EndGradientsAreThoseOfTheEnd) {
+  const World world({box(30.0, 0.3, 31.0, 1.0)});
+  const Outlines outlines(world);
+  const PathContacts contacts(outlines, kBody);
+  const std::vector<PathSegment> path = chain({1.0, 2.0, 0.5}, kMotions);
+  const auto gradients = contacts.end_gradients(path);
+  const Pose end = path.back().end();
+  constexpr double kChange = 1e-7;
+  for (std::size_t i = 0; i < 2 * kMotions.size(); ++i) {
+    std::vector<PathSegment> changed = kMotions;
+    if (i % 2 == 0) changed[i / 2].curvature += kChange / contacts.unit();
+    if (i % 2 == 1) changed[i / 2].length += kChange * contacts.unit();
+    const Pose now = chain({1.0, 2.0, 0.5}, changed).back().end();
+    const auto column = gradients.col(static_cast<Eigen::Index>(i));
+    EXPECT_NEAR((now.x - end.x) / (kChange * contacts.unit()), column(0), 1e-5) << i;
+    EXPECT_NEAR((now.y - end.y) / (kChange * contacts.unit()), column(1), 1e-5) << i;
+    EXPECT_NEAR((now.heading - end.heading) / kChange, column(2), 1e-5) << i;
+  }
+}
+
+// A post that a side touches in the middle of an arc: its depth changes with what comes before, as its gradient says.
+TEST(PathContacts, GradientsAreThoseOfTheDeepestContact) {
+  const std::vector<PathSegment> motions{{{}, 2.0, 0.3}, {{}, 3.0, -0.2}};
+  const std::vector<PathSegment> path = chain({0.0, 0.0, 0.0}, motions);
+  const Pose middle = path[1].at(1.5);
+  const Vec2 left = perpendicular(direction_of(middle.heading));
+  const Vec2 tip = middle.position() + 0.48 * left;
+  const World world({{{tip, tip + left + 0.1 * direction_of(middle.heading), tip + left}, {}}});
+  const Outlines outlines(world);
+  PathContacts contacts(outlines, kBody);
+  const auto deepest_of = [&](const std::vector<PathSegment>& of) {
+    contacts.look_along(chain({0.0, 0.0, 0.0}, of), path.back().end());
+    Eigen::Index row = 0;
+    contacts.residuals().values.head(contacts.residuals().values.size() - 3).maxCoeff(&row);
+    return row;
+  };
+  const Eigen::Index row = deepest_of(motions);
+  const LinearResiduals at = contacts.residuals();
+  ASSERT_GT(at.values(row), 0.0);
+  constexpr double kChange = 1e-4;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::vector<PathSegment> changed = motions;
+    if (i % 2 == 0) changed[i / 2].curvature += kChange / contacts.unit();
+    if (i % 2 == 1) changed[i / 2].length += kChange * contacts.unit();
+    const double now = contacts.residuals().values(deepest_of(changed));
+    EXPECT_NEAR((now - at.values(row)) / kChange, at.gradients(row, static_cast<Eigen::Index>(i)), 0.05) << i;
+  }
+}
+
+TEST(PathContacts, TellsHowDeepABodyLiesOverAPost) {
+  const World world({box(3.0, 0.3, 3.1, 1.0)});
+  const Outlines outlines(world);
+  PathContacts contacts(outlines, kBody);
+  const std::vector<PathSegment> line{{{0.0, 0.0, 0.0}, 8.0, 0.0}};
+  contacts.look_along(line, line.back().end());
+  EXPECT_NEAR(contacts.deepest() * contacts.unit(), 0.2, 1e-9);
+}
+
+TEST(PathContacts, KnowsTheWayFromTheGoal) {
+  const World world({box(30.0, 0.3, 31.0, 1.0)});
+  const Outlines outlines(world);
+  PathContacts contacts(outlines, kBody);
+  contacts.look_along({{{0.0, 0.0, 0.0}, 8.0, 0.0}}, {8.0, 0.5, 0.125});
+  EXPECT_NEAR(contacts.off_goal(), 0.25, 1e-12);
+  EXPECT_EQ(contacts.deepest(), 0.0);
+}
+
+}  // namespace
+}  // namespace arcway

@@ -1,0 +1,83 @@
+#include "core/search/push_free.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "core/collision/motion_free.h"
+#include "core/collision/query_set.h"
+#include "core/geometry/angle.h"
+#include "tests/support/boxes.h"
+
+namespace arcway {
+namespace {
+
+Ring turned(Ring ring, double by, const Vec2& moved) {
+  const Vec2 ahead = direction_of(by);
+  for (Vec2& p : ring) p = moved + Vec2(p.x() * ahead + p.y() * perpendicular(ahead));
+  return ring;
+}
+
+Pose turned(const Pose& pose, double by, const Vec2& moved) {
+  const Vec2 ahead = direction_of(by), p = moved + Vec2(pose.x * ahead + pose.y * perpendicular(ahead));
+  return {p.x(), p.y(), pose.heading + by};
+}
+
+SearchMap map_of(const World& world, const Vehicle& vehicle) {
+  const QuerySet queries = make_reference_queries(world);
+  const std::vector<double> radii{vehicle.min_turning_radius()};
+  FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
+                      queries, radii, SerialExecutor(), GraphMode::kLazy);
+  return {world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world)};
+}
+
+// Two posts, a little to the left of a straight line, with 2 mm beside the body and its margin on either side.
+World gate(double aside, double by, const Vec2& moved) {
+  const Vehicle vehicle;
+  const double half = vehicle.footprint(0.5 * vehicle.safety_margin()).half_width + 0.002;
+  return World({{turned(test::box(6.0, aside + half, 6.4, aside + half + 2.0).outer, by, moved), {}},
+                {turned(test::box(6.1, aside - half - 2.0, 6.5, aside - half).outer, by, moved), {}}});
+}
+
+TEST(PushFree, LeadsThroughAGateBesideThePath) {
+  const Vehicle vehicle;
+  for (const double aside : {0.05, -0.1})
+    for (const double by : {0.0, 37.0 * std::numbers::pi / 180.0}) {
+      const Vec2 moved(by == 0.0 ? 0.0 : 1000.0, -by);
+      const SearchMap map = map_of(gate(aside, by, moved), vehicle);
+      const Pose start = turned({0.0, 0.0, 0.0}, by, moved), goal = turned({12.0, 0.0, 0.0}, by, moved);
+      const Path line{{start, 12.0, 0.0}};
+      ASSERT_FALSE(motion_free(*map.queries.sweep, map.body, line));
+      const auto path = push_free(line, goal, map.body, map, {});
+      ASSERT_TRUE(path) << aside << " turned by " << by;
+      EXPECT_TRUE(motion_free(*map.queries.sweep, map.body, *path));
+      const Pose end = path->back().end();
+      EXPECT_EQ(path->front().start.position(), start.position());
+      EXPECT_LT((end.position() - goal.position()).norm(), 1e-8);
+      EXPECT_LT(std::abs(wrap_signed(end.heading - goal.heading)), 1e-8);
+      for (const PathSegment& s : *path) EXPECT_LE(std::abs(s.curvature), (1.0 + 1e-12) / vehicle.min_turning_radius());
+    }
+}
+
+TEST(PushFree, GivesUpWhereTheBodyDoesNotFit) {
+  const Vehicle vehicle;
+  const double half = vehicle.footprint().half_width - 0.02;
+  const SearchMap map = map_of(World({test::box(6.0, half, 6.4, 3.0), test::box(6.0, -3.0, 6.4, -half)}), vehicle);
+  EXPECT_FALSE(push_free({{{0.0, 0.0, 0.0}, 12.0, 0.0}}, {12.0, 0.0, 0.0}, map.body, map, {}));
+}
+
+TEST(PushFree, LeavesAFreePathAsItIs) {
+  const Vehicle vehicle;
+  const SearchMap map = map_of(World({test::box(6.0, 3.0, 6.4, 4.0)}), vehicle);
+  const Path line{{{0.0, 0.0, 0.0}, 12.0, 0.0}};
+  const auto path = push_free(line, {12.0, 0.0, 0.0}, map.body, map, {});
+  ASSERT_TRUE(path);
+  ASSERT_EQ(path->size(), 1u);
+  EXPECT_DOUBLE_EQ(path->front().length, 12.0);
+}
+
+}  // namespace
+}  // namespace arcway
