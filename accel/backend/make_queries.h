@@ -9,7 +9,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// All queries of core on Embree. Embree proposes obstacle edges in single precision, core's exact tests decide: every
 /// answer is that of make_reference_queries, bit for bit.
 ///
-///     const Planner planner(world, vehicle, make_embree_queries(world), {}, TbbExecutor());
+/// accel_backend makes its planners with them.
 ///
 /// Builds two scenes of the world's edges, O(n log n) on the threads of the caller's arena. They keep about 250 bytes
 /// an edge, 50 to 80 in worlds of more than 100,000 edges. Queries are then about O(log n + edges near by), from any

@@ -11,7 +11,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// Runs loops in parallel on oneTBB. Nothing global is set: no thread count, no scheduler.
 ///
 ///     const TbbExecutor two_threads(2);
-///     const Planner planner(world, vehicle, make_embree_queries(world), {}, two_threads);
+///     const Planner planner(world, vehicle, accel_backend(world, two_threads));
 ///
 /// Every builder that takes an executor gives the same bits for any number of threads. Thread-safe.
 class TbbExecutor final : public Executor {

@@ -11,8 +11,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// The rows of the reduced visibility graph, each found by walks through its vertex's tangent wedges when it is first
 /// asked for: what a first query on a large map needs of it.
 ///
-///     const Planner planner(world, vehicle, queries, make_lazy_rows(world), {.graph_mode = GraphMode::kLazy},
-///     executor);
+/// accel_backend makes its planners with them.
 ///
 /// Triangulates free space, see TangentNeighbours for cost and limits. Rows are kept as long as the result lives, and
 /// there is one for a vertex at most: all of them take 8 bytes an edge of the graph and about 60 a vertex. Thread-safe.

@@ -9,7 +9,8 @@ namespace arcway {
 /// it.
 ///
 ///     const MpiTeam team;
-///     const Planner planner(world, vehicle, queries, {.team = &team}, TbbExecutor());
+///     const Planner planner(world, vehicle, accel_backend(world, threads, {.team = &team}), {.graph_mode =
+///     GraphMode::kEager, .team = &team});
 class MpiTeam final : public Team {
  public:
   /// Starts MPI. @throws std::runtime_error if it has been started before.

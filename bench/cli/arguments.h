@@ -75,21 +75,15 @@ struct BuildOptions {
   ///   sensible.
   void check() const;
 
-  /// Made on the executor's threads. @throws Cancelled if the clock is over before
-  [[nodiscard]] QuerySet queries(const World& world, const Executor& executor, const StopClock& clock = {}) const;
+  /// Made on the executor's threads. @throws Cancelled if its clock is over before
+  [[nodiscard]] QuerySet queries(const World& world, const Executor& executor) const;
   [[nodiscard]] std::unique_ptr<const Executor> executor() const;
-  /// Builds the reduced graph, for PlannerOptions::reduced_graph.
-  /// @param team  must outlive the builder.
-  [[nodiscard]] ReducedGraphBuilder reduced_graph(const Team& team) const;
-  /// Builds it at once, with queries only where the builder asks any.
-  [[nodiscard]] VisibilityGraph reduced_graph_of(const World& world, const Executor& executor) const;
+  /// What planners are made with. All arguments but the world must outlive their construction.
+  [[nodiscard]] Backend backend_for(const World& world, const Executor& executor, const Team& team) const;
+  /// Builds the reduced graph, with queries only where the builder asks any.
+  [[nodiscard]] VisibilityGraph reduced_graph_of(const World& world, const Executor& executor,
+                                                 const Team& team = kSoloTeam) const;
   [[nodiscard]] VisibilityGraph full_graph_of(const World& world, const Executor& executor) const;
-  /// Its rows, found as a search asks for them; none where the builder gives whole graphs only.
-  [[nodiscard]] std::shared_ptr<const VisibilityRows> lazy_rows(const World& world, const Executor& executor) const;
-  /// The reduced graph of a world after a change, from the one before where this backend and builder can do that.
-  [[nodiscard]] VisibilityGraph changed_graph(const VisibilityGraph& before, const World& after,
-                                              const WorldChange& change, const QuerySet& queries,
-                                              const Executor& executor) const;
 
   /// "wedge" or "pairwise": what was asked for, or what suits the world; or "prepared".
   [[nodiscard]] std::string builder_name(const World& world) const;

@@ -4,14 +4,10 @@
 
 #include "bench/cli/arguments.h"
 #ifdef ARCWAY_WITH_ACCEL
-#include "accel/backend/make_queries.h"
+#include "accel/backend/accel_backend.h"
 #include "accel/base/parallel.h"
-#include "accel/graphs/changed_graph.h"
 #include "accel/graphs/graph_builder.h"
-#include "accel/graphs/lazy_rows.h"
-#include "accel/graphs/pairwise_graph.h"
 #include "accel/graphs/visibility_map.h"
-#include "accel/graphs/wedge_graph.h"
 #endif
 
 namespace arcway::cli {
@@ -72,25 +68,12 @@ std::string BuildOptions::summary(const World& world) const {
 
 std::size_t BuildOptions::thread_count() const { return TbbExecutor(threads_asked_for()).threads(); }
 
-QuerySet BuildOptions::queries(const World& world, const Executor& executor, const StopClock& clock) const {
-  QuerySet queries;
-  // Embree takes the threads of the arena that it is called in.
-  executor.for_ranges(1, 1, [&](std::size_t, std::size_t) {
-    queries = backend == "embree" ? make_embree_queries(world, {.clock = clock}) : make_reference_queries(world);
-  });
-  return queries;
+QuerySet BuildOptions::queries(const World& world, const Executor& executor) const {
+  return backend_for(world, executor, kSoloTeam).queries();
 }
 
 std::unique_ptr<const Executor> BuildOptions::executor() const {
   return std::make_unique<const TbbExecutor>(threads_asked_for());
-}
-
-VisibilityGraph BuildOptions::changed_graph(const VisibilityGraph& before, const World& after,
-                                            const WorldChange& change, const QuerySet& queries,
-                                            const Executor& executor) const {
-  if (backend == "reference" || builder == "pairwise")
-    return reduced_graph(SoloTeam())(after, *queries.visibility, executor);
-  return change_reduced_visibility_graph(before, after, change, executor);
 }
 
 std::string BuildOptions::builder_name(const World& world) const {
@@ -99,18 +82,12 @@ std::string BuildOptions::builder_name(const World& world) const {
   return name_of(backend == "reference" ? GraphBuilder::kPairwise : faster_graph_builder(world));
 }
 
-ReducedGraphBuilder BuildOptions::reduced_graph(const Team& team) const {
-  return [options = *this, &team](const World& world, const VisibilityQuery& visibility, const Executor& executor) {
-    if (options.builder_name(world) == "wedge")
-      return build_reduced_visibility_graph_by_wedges(world, executor, nullptr, team);
-    if (options.backend == "reference") return build_reduced_visibility_graph(world, visibility, executor);
-    return build_pairwise_visibility_graph(world, visibility, executor);
-  };
-}
-
-VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor) const {
-  if (builder_name(world) == "wedge") return build_reduced_visibility_graph_by_wedges(world, executor);
-  return reduced_graph(SoloTeam())(world, *queries(world, executor).visibility, executor);
+Backend BuildOptions::backend_for(const World& world, const Executor& executor, const Team& team) const {
+  const bool reference = backend == "reference";
+  if (reference && builder != "wedge") return backend_of(world, make_reference_queries(world), executor);
+  AccelOptions options{.reference_queries = reference, .team = &team};
+  if (builder != "auto") options.builder = builder == "wedge" ? GraphBuilder::kWedge : GraphBuilder::kPairwise;
+  return accel_backend(world, executor, options);
 }
 
 VisibilityGraph BuildOptions::full_graph_of(const World& world, const Executor& executor) const {
@@ -118,32 +95,24 @@ VisibilityGraph BuildOptions::full_graph_of(const World& world, const Executor& 
   return build_full_visibility_graph(world, *queries(world, executor).visibility, executor);
 }
 
-std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World& world, const Executor& executor) const {
-  return builder_name(world) == "wedge" ? make_lazy_rows(world, executor) : nullptr;
-}
-
 #else
 
 std::size_t BuildOptions::thread_count() const { return 1; }
-VisibilityGraph BuildOptions::changed_graph(const VisibilityGraph&, const World& after, const WorldChange&,
-                                            const QuerySet& queries, const Executor& executor) const {
-  return build_reduced_visibility_graph(after, *queries.visibility, executor);
-}
 std::string BuildOptions::builder_name(const World&) const { return prepared ? "prepared" : "pairwise"; }
 
-QuerySet BuildOptions::queries(const World& world, const Executor&, const StopClock&) const {
-  return make_reference_queries(world);
-}
+QuerySet BuildOptions::queries(const World& world, const Executor&) const { return make_reference_queries(world); }
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }
-ReducedGraphBuilder BuildOptions::reduced_graph(const Team&) const { return build_reduced_visibility_graph; }
-VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor) const {
-  return build_reduced_visibility_graph(world, *queries(world, executor).visibility, executor);
+Backend BuildOptions::backend_for(const World& world, const Executor& executor, const Team&) const {
+  return backend_of(world, make_reference_queries(world), executor);
 }
 VisibilityGraph BuildOptions::full_graph_of(const World& world, const Executor& executor) const {
   return build_full_visibility_graph(world, *queries(world, executor).visibility, executor);
 }
-std::shared_ptr<const VisibilityRows> BuildOptions::lazy_rows(const World&, const Executor&) const { return nullptr; }
 
 #endif
+
+VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor, const Team& team) const {
+  return *backend_for(world, executor, team).reduced_graph();
+}
 
 }  // namespace arcway::cli

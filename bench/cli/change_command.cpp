@@ -110,7 +110,8 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
     warn_of(vehicle, map);
     PreparedGraph graphs{prepared.reduced_graph, prepared.robot->radii, std::move(prepared.robot->feasible)};
     try {
-      before.emplace(map.world, vehicle, arguments.build.queries(map.world, *threads), std::move(graphs));
+      before = Planner::restored(map.world, vehicle, arguments.build.backend_for(map.world, *threads, kSoloTeam),
+                                 std::move(graphs));
     } catch (const TableError& error) {
       throw FormatError(prepared.source.complaint(error));
     }
@@ -119,17 +120,17 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
   const Stopwatch watch;
   const World after = map.world.changed(removed, added);
   const WorldChange change(map.world, after, removed);
-  const QuerySet queries = arguments.build.queries(after, *threads);
-  VisibilityGraph reduced = arguments.build.changed_graph(prepared.reduced_graph, after, change, queries, executor);
-  std::string rows = row("reduced graph", count_text(reduced.edge_count()) + " edges");
+  const Backend backend = arguments.build.backend_for(after, executor, kSoloTeam);
+  std::string rows;
   PreparedMap result{after, {}, map.start, map.goal, std::nullopt, {}};
   if (before) {
-    const Planner planner(*before, after, change, queries, std::move(reduced), {}, executor);
-    rows += feasible_row(planner);
+    const Planner planner = Planner::changed(*before, change, backend);
+    rows = feasible_row(planner);
     result = prepared_map_of(planner, map.start, map.goal);
   } else {
-    result.reduced_graph = std::move(reduced);
+    result.reduced_graph = *backend.changed_graph(prepared.reduced_graph, change);
   }
+  rows = row("reduced graph", count_text(result.reduced_graph.edge_count()) + " edges") + rows;
   const double seconds = watch.seconds();
   std::string bytes = to_bytes(result);
 

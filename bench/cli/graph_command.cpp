@@ -66,10 +66,8 @@ BuiltGraph build_feasible_graph(const GraphArguments& arguments, LoadedMap& map)
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
   const std::unique_ptr<const Executor> executor = arguments.build.executor();
   const bool with_csv = !arguments.edges.empty(), with_lines = !arguments.svg.empty();
-  const SoloTeam alone;
-  PlannerOptions options{.graph_mode = GraphMode::kEager, .radii = {vehicle.min_turning_radius()}};
-  options.reduced_graph = arguments.build.reduced_graph(alone);
-  const Planner planner(map.world, vehicle, arguments.build.queries(map.world, *executor), options, *executor);
+  const Planner planner(map.world, vehicle, arguments.build.backend_for(map.world, *executor, kSoloTeam),
+                        {.graph_mode = GraphMode::kEager, .radii = {vehicle.min_turning_radius()}});
   const FeasibleGraph& feasible = planner.feasible_graph();
 
   BuiltGraph built;

@@ -128,7 +128,6 @@ PlannerOptions PlanArguments::planner_options(const Team& team) const {
   if (options.suboptimality && *options.suboptimality < 0.0)
     throw UsageError("--suboptimality: at least 0, got " + in_quotes(suboptimality));
   options.graph_mode = graph_mode_of(graph, batch());
-  options.reduced_graph = build.reduced_graph(team);
   constexpr std::uint64_t kMostTrials = std::numeric_limits<std::uint32_t>::max();
   const std::uint64_t trials = parse_count(refine_trials, "--refine-trials");
   if (trials > kMostTrials)

@@ -23,28 +23,20 @@ namespace {
 /// From the map's file what it has of this vehicle; the rest is built, or found as a search asks for it.
 /// @throws Cancelled if the clock is over before that is done.
 Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
-                     const PlannerOptions& options, const StopClock& clock) {
+                     const PlannerOptions& options, const Team& team, const StopClock& clock) {
   const auto arena = arguments.build.executor();
   const StoppableExecutor threads(*arena, clock);
   ProgressBar bar;
   const ReportingExecutor executor(threads, bar.callback());
-  QuerySet queries;
-  std::shared_ptr<const VisibilityRows> rows;
-  const bool lazy = !map.prepared && options.graph_mode == GraphMode::kLazy;
-  run_both(
-      threads, [&] { queries = arguments.build.queries(map.world, threads, clock); },
-      [&] {
-        if (lazy) rows = arguments.build.lazy_rows(map.world, executor);
-      });
-  if (rows) return {map.world, vehicle, queries, rows, options, executor};
-  if (!map.prepared) return {map.world, vehicle, queries, options, executor};
+  const Backend backend = arguments.build.backend_for(map.world, executor, team);
+  if (!map.prepared) return {map.world, vehicle, backend, options};
   VisibilityGraph& reduced = map.prepared->reduced_graph;
   auto& robot = map.prepared->robot;
   if (!robot || to_json(robot->parameters) != to_json(vehicle.parameters()))
-    return {map.world, vehicle, queries, std::move(reduced), options, executor};
+    return {map.world, vehicle, backend_of(map.world, backend.queries(), std::move(reduced), executor), options};
   try {
     PreparedGraph graphs{std::move(reduced), std::move(robot->radii), std::move(robot->feasible)};
-    return {map.world, vehicle, queries, std::move(graphs), options};
+    return Planner::restored(map.world, vehicle, backend, std::move(graphs), options);
   } catch (const TableError& error) {
     throw FormatError(map.prepared->source.complaint(error));
   }
@@ -110,7 +102,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   const auto arena = arguments.build.executor();
   const StoppableExecutor executor(*arena, clock);
   const auto plan_on = [&](const World& world) {
-    return Planner(world, vehicle, arguments.build.queries(world, executor, clock), options, executor);
+    return Planner(world, vehicle, arguments.build.backend_for(world, executor, team), options);
   };
   if (!batch) request.start = *start;
   // Tours and alternatives keep to the rings of the map.
@@ -119,7 +111,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   try {
     if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, files, out);
     const Stopwatch watch;
-    const Planner planner = make_planner(arguments, map, vehicle, options, clock);
+    const Planner planner = make_planner(arguments, map, vehicle, options, team, clock);
     if (batch && map.prepared) planner.warm_up(std::min(arguments.build.thread_count(), queries.size()));
     const double build_seconds = watch.seconds();
     if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, team, files, out);

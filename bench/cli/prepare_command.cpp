@@ -38,15 +38,15 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   const auto threads = arguments.build.executor();
   ProgressBar bar;
   const ReportingExecutor executor(*threads, bar.callback());
-  const QuerySet queries = arguments.build.queries(map.world, *threads);
-  VisibilityGraph reduced = map.prepared
-                                ? std::move(map.prepared->reduced_graph)
-                                : arguments.build.reduced_graph(team)(map.world, *queries.visibility, executor);
+  const Backend backend = arguments.build.backend_for(map.world, executor, team);
+  VisibilityGraph reduced =
+      map.prepared ? std::move(map.prepared->reduced_graph) : VisibilityGraph(*backend.reduced_graph());
   const double reduced_seconds = watch.seconds();
   std::string rows = row("reduced graph", count_text(reduced.edge_count()) + " edges");
   PreparedMap prepared{map.world, {}, map.start, map.goal, std::nullopt, {}};
   if (vehicle) {
-    const Planner planner(map.world, *vehicle, queries, std::move(reduced), {.team = &team}, executor);
+    const Planner planner(map.world, *vehicle, backend_of(map.world, backend.queries(), std::move(reduced), executor),
+                          {.graph_mode = GraphMode::kEager, .team = &team});
     rows += feasible_row(planner);
     prepared = prepared_map_of(planner, map.start, map.goal);
   } else {

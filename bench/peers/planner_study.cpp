@@ -22,7 +22,7 @@ using report::PlannerAnswer;
 using report::PlannerQuery;
 
 Planner make_planner(const World& world, const Vehicle& vehicle, GraphMode mode) {
-  return {world, vehicle, our_queries(world), our_reduced_graph(world), {.graph_mode = mode}, SerialExecutor()};
+  return {world, vehicle, backend_of(world, our_queries(world), our_reduced_graph(world)), {.graph_mode = mode}};
 }
 
 std::string text_of(const char* format, double value) {

@@ -27,8 +27,8 @@ namespace {
 constexpr std::size_t kPlans = 20;
 
 Planner build(const World& world, const PlannerOptions& options) {
-  return {world,   Vehicle(),       make_embree_queries(world), build_reduced_visibility_graph_by_wedges(world),
-          options, SerialExecutor()};
+  return {world, Vehicle(),
+          backend_of(world, make_embree_queries(world), build_reduced_visibility_graph_by_wedges(world)), options};
 }
 
 Planner change(const Planner& before, const World& after, const std::vector<ObstacleId>& moved,
@@ -36,7 +36,7 @@ Planner change(const Planner& before, const World& after, const std::vector<Obst
   const WorldChange what(before.world(), after, moved);
   VisibilityGraph graph = change_reduced_visibility_graph(before.visibility_graph(), after, what);
   if (corrupting()) graph = corrupted(graph);
-  return {before, after, what, make_embree_queries(after), std::move(graph), options, SerialExecutor()};
+  return Planner::changed(before, what, backend_of(after, make_embree_queries(after), std::move(graph)), options);
 }
 
 bool same(const Planner& a, const Planner& b) {

@@ -22,8 +22,10 @@ QuerySet fastest_queries(const World& world, const StopClock& clock) {
 
 Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options,
                      const Executor& executor) {
-  return {world,   vehicle, fastest_queries(world, executor.clock()), graph_builders().back().build(world, executor),
-          options, executor};
+  return {world, vehicle,
+          backend_of(world, fastest_queries(world, executor.clock()), graph_builders().back().build(world, executor),
+                     executor),
+          options};
 }
 
 const Planner& shared_planner(const std::string& world_name, Heuristic heuristic) {

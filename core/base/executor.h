@@ -39,6 +39,9 @@ class SerialExecutor final : public Executor {
   }
 };
 
+/// For whoever keeps a reference for longer than a call.
+inline const SerialExecutor kSerialExecutor;
+
 /// Thrown by work that was cancelled.
 class Cancelled : public std::runtime_error {
  public:

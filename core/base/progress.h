@@ -27,7 +27,7 @@ using ProgressCallback = std::function<void(const Progress&)>;
 ///
 ///     const TbbExecutor threads;
 ///     const ReportingExecutor watched(threads, [](const Progress& p) { bar.show(p.stage, p.done, p.total); });
-///     const Planner planner(world, vehicle, make_embree_queries(world), {}, watched);
+///     const Planner planner(world, vehicle, accel_backend(world, watched));
 ///
 /// For one build at a time. Goes with StoppableExecutor, either around the other.
 class ReportingExecutor final : public Executor {

@@ -41,4 +41,6 @@ class SoloTeam final : public Team {
   }
 };
 
+inline const SoloTeam kSoloTeam;
+
 }  // namespace arcway

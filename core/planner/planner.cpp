@@ -46,7 +46,7 @@ constexpr DeadEndEffort kThoroughDeadEnd{.halvings = 2, .max_checks = 75'000};
 auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
   return [&](const std::shared_ptr<const VisibilityRows>& rows, const PlannerOptions& options) {
     const SoloTeam alone;
-    return FeasibleGraph(world, vehicle, rows, queries, options.radii, executor, options.graph_mode,
+    return FeasibleGraph(world, vehicle, rows, queries, options.radii, executor, *options.graph_mode,
                          options.team ? *options.team : alone);
   };
 }
@@ -65,6 +65,40 @@ SearchMap make_map(const World& world, const Vehicle& vehicle, const QuerySet& q
   return {world, vehicle, queries, options.radii, std::move(*graph), std::move(outlines)};
 }
 
+// The mode that suits the backend, unless the options name one.
+PlannerOptions with_mode(PlannerOptions options, const Backend& backend) {
+  if (!options.graph_mode) options.graph_mode = backend.has_lazy_rows() ? GraphMode::kLazy : GraphMode::kEager;
+  return options;
+}
+
+struct ReducedGraph {
+  Backend::Graph whole = std::make_shared<const VisibilityGraph>();
+  std::shared_ptr<const VisibilityRows> rows;
+  double seconds = 0.0;
+};
+
+// Rows alone where no more is needed. They and the queries do not depend on each other.
+ReducedGraph reduced_graph_of(const Backend& backend, GraphMode mode) {
+  ReducedGraph graph;
+  backend.executor().begin_stage("queries");
+  if (backend.has_lazy_rows() && (mode == GraphMode::kLazy || !backend.has_graphs())) {
+    run_both(
+        backend.executor(), [&] { static_cast<void>(backend.queries()); },
+        [&] {
+          const Stopwatch watch;
+          graph.rows = backend.lazy_rows();
+          graph.seconds = watch.seconds();
+        });
+    return graph;
+  }
+  static_cast<void>(backend.queries());  // made before the clock begins
+  const Stopwatch watch;
+  graph.whole = backend.reduced_graph();
+  graph.seconds = watch.seconds();
+  graph.rows = rows_of(backend.world(), *graph.whole);
+  return graph;
+}
+
 }  // namespace
 
 struct Planner::Data {
@@ -75,7 +109,7 @@ struct Planner::Data {
 
   /// @param make_feasible  gives the feasible graph for the rows of the reduced graph and the radii.
   template <class MakeFeasible>
-  Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, VisibilityGraph graph,
+  Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, Backend::Graph graph,
        std::shared_ptr<const VisibilityRows> r, MakeFeasible&& make_feasible, const Executor& executor)
       : options(std::move(o)),
         visibility_graph(std::move(graph)),
@@ -122,7 +156,7 @@ struct Planner::Data {
 
   Stopwatch watch;
   PlannerOptions options;
-  VisibilityGraph visibility_graph;
+  Backend::Graph visibility_graph;  // without vertices if there are only rows
   std::shared_ptr<const VisibilityRows> rows;
   PlanMaps maps;
   SlimMaps slim;
@@ -241,79 +275,67 @@ TimedPath PlanResult::timed_path() const {
   return path;
 }
 
-Planner::Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options)
-    : Planner(world, vehicle, make_reference_queries(world), options, SerialExecutor()) {}
+Planner::Planner(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
-Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
-                 const Executor& executor) {
-  const PlannerOptions checked = checked_options(world, vehicle, options);
-  require_queries(queries);
-  const Stopwatch watch;
-  VisibilityGraph graph = checked.reduced_graph(world, *queries.visibility, executor);
-  const double seconds = watch.seconds();
-  auto rows = rows_of(world, graph);
-  auto data = std::make_shared<Data>(world, vehicle, queries, checked, std::move(graph), std::move(rows),
-                                     feasible_maker(world, vehicle, queries, executor), executor);
-  data->prepare_statistics.visibility_seconds = seconds;
+Planner::Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options)
+    : Planner(world, vehicle, reference_backend(world), options) {}
+
+Planner::Planner(const World& world, const Vehicle& vehicle, const Backend& backend, const PlannerOptions& options) {
+  require_world(world, backend);
+  const PlannerOptions checked = checked_options(world, vehicle, with_mode(options, backend));
+  ReducedGraph reduced = reduced_graph_of(backend, *checked.graph_mode);
+  const QuerySet& queries = backend.queries();
+  auto data =
+      std::make_shared<Data>(world, vehicle, queries, checked, std::move(reduced.whole), std::move(reduced.rows),
+                             feasible_maker(world, vehicle, queries, backend.executor()), backend.executor());
+  data->prepare_statistics.visibility_seconds = reduced.seconds;
   data_ = std::move(data);
 }
 
-Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
-                 const PlannerOptions& options, const Executor& executor) {
-  require_queries(queries);
-  auto rows = rows_of(world, visibility_graph);
-  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options),
-                                 std::move(visibility_graph), std::move(rows),
-                                 feasible_maker(world, vehicle, queries, executor), executor);
-}
-
-Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries,
-                 std::shared_ptr<const VisibilityRows> rows, const PlannerOptions& options, const Executor& executor) {
-  require_queries(queries);
-  if (!rows) throw std::invalid_argument("rows: none are given");
-  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, options), VisibilityGraph(),
-                                 std::move(rows), feasible_maker(world, vehicle, queries, executor), executor);
-}
-
-Planner::Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, PreparedGraph graphs,
-                 const PlannerOptions& options) {
+Planner Planner::restored(const World& world, const Vehicle& vehicle, const Backend& backend, PreparedGraph graphs,
+                          const PlannerOptions& options) {
+  require_world(world, backend);
   PlannerOptions taken = options;
   taken.radii = graphs.radii;
   taken.graph_mode = GraphMode::kEager;
   taken = checked_options(world, vehicle, std::move(taken));
-  require_queries(queries);
+  const QuerySet& queries = backend.queries();
   auto rows = rows_of(world, graphs.reduced_graph);
-  data_ = std::make_shared<Data>(
-      world, vehicle, queries, std::move(taken), std::move(graphs.reduced_graph), std::move(rows),
+  return Planner(std::make_shared<const Data>(
+      world, vehicle, queries, std::move(taken),
+      std::make_shared<const VisibilityGraph>(std::move(graphs.reduced_graph)), std::move(rows),
       [&](const auto& all_rows, const PlannerOptions& o) {
         return FeasibleGraph(world, vehicle, all_rows, queries, o.radii, std::move(graphs.feasible));
       },
-      SerialExecutor());
+      SerialExecutor()));
 }
 
-Planner::Planner(const Planner& before, const World& world, const WorldChange& change, const QuerySet& queries,
-                 VisibilityGraph visibility_graph, const PlannerOptions& options, const Executor& executor) {
-  const std::size_t old_vertices = before.world().vertices().size(), vertices = world.vertices().size();
-  const auto stayed = std::ranges::count_if(change.moved, [](VertexId v) { return v != kNone; });
-  if (change.moved.size() != old_vertices || change.end_come < change.first_come ||
-      static_cast<std::size_t>(stayed) + (change.end_come - change.first_come) != vertices)
-    throw std::invalid_argument("the change leads from " + std::to_string(change.moved.size()) + " vertices to " +
-                                std::to_string(static_cast<std::size_t>(stayed) + change.end_come - change.first_come) +
-                                ", the worlds have " + std::to_string(old_vertices) + " and " +
-                                std::to_string(vertices));
-  require_queries(queries);
+Planner Planner::changed(const Planner& before, const WorldChange& change, const Backend& backend,
+                         const PlannerOptions& options) {
+  const World& world = backend.world();
+  require_change(change, before.world(), world);
   PlannerOptions alone = options;
   alone.team = nullptr;
+  if (!alone.graph_mode) alone.graph_mode = before.options().graph_mode;
   const Vehicle& vehicle = before.vehicle();
+  const Executor& executor = backend.executor();
+  ReducedGraph reduced;
+  if (before.visibility_graph().vertex_count() == 0) {
+    reduced = reduced_graph_of(backend, *alone.graph_mode);
+  } else {
+    reduced.whole = backend.changed_graph(before.visibility_graph(), change);
+    reduced.rows = rows_of(world, *reduced.whole);
+  }
+  const QuerySet& queries = backend.queries();
   const auto make_feasible = [&](const auto& rows, const PlannerOptions& o) {
     if (o.radii != before.options().radii)
-      return FeasibleGraph(world, vehicle, rows, queries, o.radii, executor, o.graph_mode);
+      return FeasibleGraph(world, vehicle, rows, queries, o.radii, executor, *o.graph_mode);
     return FeasibleGraph(before.feasible_graph(), world, change, vehicle, rows, queries, o.radii, executor,
-                         o.graph_mode);
+                         *o.graph_mode);
   };
-  auto rows = rows_of(world, visibility_graph);
-  data_ = std::make_shared<Data>(world, vehicle, queries, checked_options(world, vehicle, std::move(alone)),
-                                 std::move(visibility_graph), std::move(rows), make_feasible, executor);
+  return Planner(
+      std::make_shared<const Data>(world, vehicle, queries, checked_options(world, vehicle, std::move(alone)),
+                                   std::move(reduced.whole), std::move(reduced.rows), make_feasible, executor));
 }
 
 PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) const {
@@ -418,15 +440,13 @@ const World& Planner::world() const { return data_->map().world; }
 const Vehicle& Planner::vehicle() const { return data_->map().vehicle; }
 const QuerySet& Planner::queries() const { return data_->map().queries; }
 const PlannerOptions& Planner::options() const { return data_->options; }
-const VisibilityGraph& Planner::visibility_graph() const { return data_->visibility_graph; }
+const VisibilityGraph& Planner::visibility_graph() const { return *data_->visibility_graph; }
 std::shared_ptr<const VisibilityRows> Planner::visibility_rows() const { return data_->rows; }
 const FeasibleGraph& Planner::feasible_graph() const { return data_->map().graph; }
 PreparedGraph Planner::prepared_graph() const {
   if (feasible_graph().mode() == GraphMode::kLazy || visibility_graph().vertex_count() != world().vertices().size())
-    throw std::logic_error(
-        "prepared graph: only of a planner with an eager graph, made with a reduced graph or a "
-        "builder of one, not from rows");
-  return {data_->visibility_graph, data_->options.radii, data_->map().graph.tables()};
+    throw std::logic_error("prepared graph: only of a planner with an eager graph, see PlannerOptions::graph_mode");
+  return {*data_->visibility_graph, data_->options.radii, data_->map().graph.tables()};
 }
 const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }
 

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -21,6 +20,7 @@
 #include "core/model/world.h"
 #include "core/model/world_change.h"
 #include "core/motion/time_model.h"
+#include "core/planner/backend.h"
 #include "core/refine/refine_path.h"
 #include "core/roadmap/feasible_graph.h"
 #include "core/roadmap/prepared_graph.h"
@@ -28,10 +28,6 @@
 #include "core/roadmap/visibility_rows.h"
 
 namespace [[gnu::visibility("default")]] arcway {
-
-/// Builds a reduced visibility graph, which is the same whoever builds it.
-using ReducedGraphBuilder =
-    std::function<VisibilityGraph(const World&, const VisibilityQuery& visibility, const Executor&)>;
 
 struct PlannerOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
@@ -43,7 +39,9 @@ struct PlannerOptions {
   std::optional<double> suboptimality = std::nullopt;
   static constexpr std::size_t kExactVertices = 250'000;
   static constexpr double kLargeMapSuboptimality = 0.025;
-  GraphMode graph_mode = GraphMode::kEager;  ///< of the feasible graph; plans are the same, bit for bit
+  /// Of the feasible graph; plans are the same, bit for bit. Empty: lazy with a backend that has lazy rows, where a
+  /// first query then need not wait for whole graphs; else eager. For many queries on one map kEager costs less in all.
+  std::optional<GraphMode> graph_mode = std::nullopt;
   /// Turning radii of the turn circles [m], each from the vehicle's smallest to kLargestVehicleNumber; empty:
   /// turning_radii(vehicle, world).
   /// If there are wider ones than those of tightest_radii, a path with these alone is looked for as well, and the
@@ -60,7 +58,6 @@ struct PlannerOptions {
   /// when the first query needs it, or by Planner::warm_up. On maps of at most 50,000 vertices: beyond that a query
   /// without a path would take seconds.
   bool gap_circles = true;
-  ReducedGraphBuilder reduced_graph = build_reduced_visibility_graph;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
   bool point_robot_bound = true;
   /// Of each path found; `max_trials = 0` turns it off. With wider radii than the tightest there are up to some
@@ -209,47 +206,37 @@ struct PrepareStatistics {
 /// threads at once.
 class Planner {
  public:
-  /// Queries by brute force, one thread.
+  /// By brute force, see reference_backend.
   Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options = {});
-  /// @param queries   about `world`.
-  /// @param executor  used during construction only. A StoppableExecutor makes that cancellable, a ReportingExecutor
-  ///   tells how far it is.
-  /// @throws std::invalid_argument if an option is out of its range, a query is missing, a graph is not one of the
-  ///   world's, as far as vertices tell, or the safety margin is too small for doubles of the size of the map's
-  ///   coordinates, the body or its smallest turning radius (below 2^20 units in the last place of the largest).
-  Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
-          const Executor& executor);
-  /// The same from a reduced visibility graph built elsewhere.
-  Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, VisibilityGraph visibility_graph,
-          const PlannerOptions& options, const Executor& executor);
-  /// The same from rows of the reduced visibility graph. With GraphMode::kLazy a query asks for those that its search
-  /// reaches only, so that the first one need not wait for a whole graph. Plans are the same, bit for bit.
-  Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries,
-          std::shared_ptr<const VisibilityRows> rows, const PlannerOptions& options, const Executor& executor);
+  /// @param backend  of `world`. Its executor is used during construction only: a StoppableExecutor makes that
+  ///   cancellable, a ReportingExecutor tells how far it is.
+  /// @throws std::invalid_argument if an option is out of its range, the backend is of another world, or the safety
+  ///   margin is too small for doubles of the size of the map's coordinates, the body or its smallest turning radius
+  ///   (below 2^20 units in the last place of the largest).
+  Planner(const World& world, const Vehicle& vehicle, const Backend& backend, const PlannerOptions& options = {});
 
-  /// The same from all graphs of another planner for an equal map and vehicle: nothing is checked again. The options'
-  /// radii and mode are those of the graphs, whatever they say.
+  /// From all graphs of another planner for an equal map and vehicle: nothing is checked again. The options' radii and
+  /// mode are those of the graphs, whatever they say.
   /// @throws TableError if the graphs are not of this map, as far as ranges and order tell.
-  Planner(const World& world, const Vehicle& vehicle, const QuerySet& queries, PreparedGraph graphs,
-          const PlannerOptions& options = {});
+  static Planner restored(const World& world, const Vehicle& vehicle, const Backend& backend, PreparedGraph graphs,
+                          const PlannerOptions& options = {});
 
   /// The planner after a change of the map, which plans as one built anew, bit for bit. What lies where nothing came or
-  /// went is taken from the planner before, what it found out lazily included; the rest is checked now with
-  /// GraphMode::kEager, and when a search first asks for it with kLazy.
+  /// went is taken from the planner before, what it found out lazily included; the rest is checked now with an eager
+  /// graph, and when a search first asks for it with a lazy one.
   ///
   ///     const World after = before.world().changed(removed, added);
-  ///     const WorldChange change(before.world(), after, removed);
-  ///     const Planner planner(before, after, change, make_embree_queries(after),
-  ///                           change_reduced_visibility_graph(before.visibility_graph(), after, change), {},
-  ///                           executor);
+  ///     const Planner planner = Planner::changed(before, WorldChange(before.world(), after, removed),
+  ///                                              accel_backend(after));
   ///
-  /// @param before  of the world before, for the same vehicle. Where the map's extent changes so much that other radii
+  /// @param before   for the same vehicle. Of one with a whole reduced graph that is changed as well. Where the map's
+  /// extent changes so much that other radii
   ///   are chosen, nothing is taken from it.
-  /// @param visibility_graph  the reduced one of `world`.
-  /// @param options  of the new planner; a team is not asked.
-  /// @throws std::invalid_argument as above, or if the change is not one from the world before to `world`.
-  Planner(const Planner& before, const World& world, const WorldChange& change, const QuerySet& queries,
-          VisibilityGraph visibility_graph, const PlannerOptions& options, const Executor& executor);
+  /// @param change   from the world of `before` to that of the backend.
+  /// @param options  of the new planner; empty ones and the mode of `before` if that says nothing. A team is not asked.
+  /// @throws std::invalid_argument as above, or if the change is not one between the two worlds.
+  static Planner changed(const Planner& before, const WorldChange& change, const Backend& backend,
+                         const PlannerOptions& options = {});
 
   /// The fastest path of the graph under the true speed profile, as far as PlannerOptions::suboptimality asks for it,
   /// refined. With `reverse` the cheapest found of that one, of paths by the graph with motions in both gears at their
@@ -287,6 +274,7 @@ class Planner {
 
  private:
   struct Data;
+  explicit Planner(std::shared_ptr<const Data> data);
   std::shared_ptr<const Data> data_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -68,7 +69,6 @@ PlannerOptions checked_options(const World& world, const Vehicle& vehicle, Plann
   if (options.manoeuvre_poses > PlannerOptions::kMostManoeuvrePoses)
     throw std::invalid_argument("manoeuvre poses: " + std::to_string(options.manoeuvre_poses) + ", at most " +
                                 std::to_string(PlannerOptions::kMostManoeuvrePoses));
-  if (!options.reduced_graph) throw std::invalid_argument("reduced graph: no builder");
   require_refinement(options.refinement);
   require_margin(world, vehicle);
   return options;
@@ -88,9 +88,23 @@ Pose without_many_turns(const Pose& pose, double distance) {
   return {pose.x, pose.y, has_many ? wrap_signed(pose.heading) : pose.heading};
 }
 
-void require_queries(const QuerySet& queries) {
-  if (!queries.visibility || !queries.distance || !queries.sweep)
-    throw std::invalid_argument("queries: one of visibility, distance and sweep is missing");
+void require_world(const World& world, const Backend& backend) {
+  const std::span<const Vec2> asked = world.vertices(), known = backend.world().vertices();
+  if (asked.data() == known.data() && asked.size() == known.size()) return;
+  if (!std::ranges::equal(asked, known))
+    throw std::invalid_argument("backend: of another world, of " + std::to_string(known.size()) +
+                                " vertices; this one has " + std::to_string(asked.size()));
+}
+
+void require_change(const WorldChange& change, const World& before, const World& after) {
+  const std::size_t old_vertices = before.vertices().size(), vertices = after.vertices().size();
+  const auto stayed =
+      static_cast<std::size_t>(std::ranges::count_if(change.moved, [](VertexId v) { return v != kNone; }));
+  const std::size_t come = change.end_come - change.first_come;
+  if (change.moved.size() != old_vertices || change.end_come < change.first_come || stayed + come != vertices)
+    throw std::invalid_argument("the change leads from " + std::to_string(change.moved.size()) + " vertices to " +
+                                std::to_string(stayed + come) + ", the worlds have " + std::to_string(old_vertices) +
+                                " and " + std::to_string(vertices));
 }
 
 }  // namespace arcway

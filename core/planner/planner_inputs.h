@@ -2,10 +2,11 @@
 
 #include <string>
 
-#include "core/collision/query_set.h"
 #include "core/model/path.h"
 #include "core/model/vehicle.h"
 #include "core/model/world.h"
+#include "core/model/world_change.h"
+#include "core/planner/backend.h"
 #include "core/planner/planner.h"
 
 namespace arcway {
@@ -14,8 +15,11 @@ namespace arcway {
 /// @throws std::invalid_argument as Planner's constructors do.
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options);
 
-/// @throws std::invalid_argument if one is missing.
-void require_queries(const QuerySet& queries);
+/// @throws std::invalid_argument if the backend is not of this world, as far as vertices tell.
+void require_world(const World& world, const Backend& backend);
+
+/// @throws std::invalid_argument if the change does not lead from one to the other, as far as numbers of vertices tell.
+void require_change(const WorldChange& change, const World& before, const World& after);
 
 /// @param name  of the pose, for the error.
 /// @throws std::invalid_argument naming the pose, the value and the limits of what this vehicle can be planned for.

@@ -258,8 +258,10 @@ class AlternativeSearch {
     options.graph_mode = GraphMode::kLazy;
     const SerialExecutor serial;
     try {
-      const Planner walled(planner_.world(), planner_.vehicle(), queries, planner_.visibility_rows(), options,
-                           StoppableExecutor(serial, clock_));
+      const StoppableExecutor executor(serial, clock_);
+      const World& world = planner_.world();
+      const Planner walled(world, planner_.vehicle(), backend_of(world, queries, planner_.visibility_rows(), executor),
+                           options);
       PlanLimits limits = rest();
       // Most have no path. Where trees found the first way and no other one was found without, 4,000 poses a plan and
       // 32,000 in all found none in eight worlds driven/..., in four to ten times as long.

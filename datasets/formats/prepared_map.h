@@ -23,8 +23,9 @@ namespace [[gnu::visibility("default")]] arcway {
 ///     write_prepared_map("yard.arcway", prepared_map_of(planner));
 ///     ...
 ///     PreparedMap map = read_prepared_map_file("yard.arcway");
-///     const Planner planner(map.world, Vehicle(map.robot->parameters), make_embree_queries(map.world),
-///                           {std::move(map.reduced_graph), map.robot->radii, std::move(map.robot->feasible)});
+///     const Planner planner = Planner::restored(
+///         map.world, Vehicle(map.robot->parameters), accel_backend(map.world),
+///         {std::move(map.reduced_graph), map.robot->radii, std::move(map.robot->feasible)});
 ///
 /// The same map gives the same bytes, whoever built its graphs with however many threads or processes.
 struct PreparedMap {

@@ -5,9 +5,9 @@
 #include <thread>
 #include <vector>
 
+#include "accel/backend/accel_backend.h"
 #include "accel/backend/make_queries.h"
 #include "accel/base/parallel.h"
-#include "accel/graphs/pairwise_graph.h"
 #include "core/planner/planner.h"
 #include "datasets/generators/catalogue.h"
 #include "tests/support/thread_executor.h"
@@ -18,20 +18,15 @@ namespace {
 constexpr const char* kWorlds[] = {"paper", "clutter/convex/n40/m8/f20/s3", "clutter/star/n40/m9/f30/s5",
                                    "clutter/rectangle/n40/f25/s2"};
 
-// All that a plan and its graphs consist of, as bits.
-std::string digest(const Planner& planner, const std::vector<PlanRequest>& requests) {
+template <class Value>
+void add_bits(const Value& value, std::string& bits) {
+  bits.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+// All that plans consist of, as bits.
+std::string plans_of(const Planner& planner, const std::vector<PlanRequest>& requests) {
   std::string bits;
-  const auto add = [&bits](const auto& value) { bits.append(reinterpret_cast<const char*>(&value), sizeof value); };
-  for (const VertexId v : planner.visibility_graph().targets()) add(v);
-  const FeasibleGraph& feasible = planner.feasible_graph();
-  for (const FeasibleGraph::Link& link : feasible.links()) {
-    add(link.from);
-    add(link.to);
-    add(link.heading);
-    add(link.length);
-  }
-  for (std::uint32_t c = 0; c < feasible.circles().size(); ++c)
-    for (const HeadingInterval& interval : feasible.free_headings(c).intervals()) add(interval);
+  const auto add = [&bits](const auto& value) { add_bits(value, bits); };
   std::size_t solved = 0;
   for (const PlanRequest& request : requests) {
     const PlanResult result = planner.plan(request);
@@ -51,6 +46,23 @@ std::string digest(const Planner& planner, const std::vector<PlanRequest>& reque
   return bits;
 }
 
+// All that plans and their graphs consist of.
+std::string digest(const Planner& planner, const std::vector<PlanRequest>& requests) {
+  std::string bits;
+  const auto add = [&bits](const auto& value) { add_bits(value, bits); };
+  for (const VertexId v : planner.visibility_graph().targets()) add(v);
+  const FeasibleGraph& feasible = planner.feasible_graph();
+  for (const FeasibleGraph::Link& link : feasible.links()) {
+    add(link.from);
+    add(link.to);
+    add(link.heading);
+    add(link.length);
+  }
+  for (std::uint32_t c = 0; c < feasible.circles().size(); ++c)
+    for (const HeadingInterval& interval : feasible.free_headings(c).intervals()) add(interval);
+  return bits + plans_of(planner, requests);
+}
+
 TEST(PlannerAgreement, BackendsAndThreadCountsGiveTheSameBits) {
   const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
   for (const std::string name : kWorlds) {
@@ -58,17 +70,20 @@ TEST(PlannerAgreement, BackendsAndThreadCountsGiveTheSameBits) {
     const World world = catalogue_world(name);
     const std::vector<PlanRequest> requests = catalogue_queries(name, 5, 1);
     const Vehicle vehicle;
-    const std::string expected = digest(Planner(world, vehicle), requests);
+    const Planner reference(world, vehicle);
+    const std::string expected = digest(reference, requests), expected_plans = plans_of(reference, requests);
     const QuerySet queries = make_embree_queries(world);
-    const auto by_pairs = [](const World& w, const VisibilityQuery& visibility, const Executor& executor) {
-      return build_pairwise_visibility_graph(w, visibility, executor);
-    };
     for (const std::size_t threads : {1u, 2u, 3u, 8u}) {
       const TbbExecutor executor(threads);
-      PlannerOptions options;
-      EXPECT_TRUE(digest(Planner(world, vehicle, queries, options, executor), requests) == expected) << threads;
-      options.reduced_graph = by_pairs;
-      EXPECT_TRUE(digest(Planner(world, vehicle, queries, options, executor), requests) == expected) << threads;
+      const Planner reference_builder(world, vehicle, backend_of(world, queries, executor));
+      EXPECT_TRUE(digest(reference_builder, requests) == expected) << threads;
+      for (const GraphBuilder builder : {GraphBuilder::kPairwise, GraphBuilder::kWedge}) {
+        const Planner planner(world, vehicle, accel_backend(world, executor, {.builder = builder}),
+                              {.graph_mode = GraphMode::kEager});
+        EXPECT_TRUE(digest(planner, requests) == expected) << threads << ", " << name_of(builder);
+      }
+      EXPECT_TRUE(plans_of(Planner(world, vehicle, accel_backend(world, executor)), requests) == expected_plans)
+          << threads;
     }
   }
 }
@@ -79,19 +94,19 @@ TEST(PlannerAgreement, BuildersShareNothingBetweenThreads) {
   const test::ThreadExecutor threads(3);
   const std::string expected = digest(Planner(world, Vehicle{}), {});
   const QuerySet queries = make_embree_queries(world);
-  EXPECT_TRUE(digest(Planner(world, Vehicle{}, queries, {}, threads), {}) == expected);
-  PlannerOptions options;
-  options.reduced_graph = [](const World& w, const VisibilityQuery& visibility, const Executor& executor) {
-    return build_pairwise_visibility_graph(w, visibility, executor);
-  };
-  EXPECT_TRUE(digest(Planner(world, Vehicle{}, queries, options, threads), {}) == expected);
+  EXPECT_TRUE(digest(Planner(world, Vehicle{}, backend_of(world, queries, threads)), {}) == expected);
+  for (const GraphBuilder builder : {GraphBuilder::kPairwise, GraphBuilder::kWedge}) {
+    const Planner planner(world, Vehicle{}, accel_backend(world, threads, {.builder = builder}),
+                          {.graph_mode = GraphMode::kEager});
+    EXPECT_TRUE(digest(planner, {}) == expected) << name_of(builder);
+  }
 }
 
 TEST(PlannerAgreement, SeveralThreadsPlanOnOnePlanner) {
   const std::string name = "clutter/convex/n40/m8/f20/s3";
   const World world = catalogue_world(name);
   const std::vector<PlanRequest> requests = catalogue_queries(name, 6, 2);
-  const Planner planner(world, Vehicle{}, make_embree_queries(world), {}, TbbExecutor());
+  const Planner planner(world, Vehicle{}, backend_of(world, make_embree_queries(world), TbbExecutor()));
   const std::string expected = digest(planner, requests);
   std::vector<std::string> found(4);
   std::vector<std::thread> threads;

@@ -62,13 +62,13 @@ TEST(Scout, FindsWhatALongSearchWillAskForAndNothingElseChanges) {
   const PlanRequest request{.start = {5, 5, 0.3}, .goal = {world.box().max.x() - 5.0, world.box().max.y() - 5.0, 1.2}};
   const PlannerOptions options{.heuristic = Heuristic::kDijkstra, .graph_mode = GraphMode::kLazy};
   const auto alone = std::make_shared<WatchedRows>(make_lazy_rows(world));
-  const PlanResult expected = Planner(world, vehicle, queries, alone, options, SerialExecutor()).plan(request);
+  const PlanResult expected = Planner(world, vehicle, backend_of(world, queries, alone), options).plan(request);
   ASSERT_TRUE(expected.solved()) << expected.reason;
   EXPECT_FALSE(alone->others_asked());
 
   const auto rows = std::make_shared<WatchedRows>(make_lazy_rows(world));
   rows->wait_after(alone->calls() / 2);
-  const Planner planner(world, vehicle, queries, rows, options, SerialExecutor());
+  const Planner planner(world, vehicle, backend_of(world, queries, rows), options);
   const PlanResult found = planner.plan(request, {.scout = true});
   EXPECT_TRUE(rows->others_asked());
   test::expect_same_plan(found, expected);
@@ -79,8 +79,8 @@ TEST(Scout, StaysWhereItIsOnAnEagerGraph) {
   const World world = catalogue_world("clutter/convex/n1000/m10/f15/s1");
   const PlanRequest request{.start = {5, 5, 0.3}, .goal = {world.box().max.x() - 5.0, world.box().max.y() - 5.0, 1.2}};
   const auto rows = std::make_shared<WatchedRows>(make_lazy_rows(world));
-  const Planner planner(world, Vehicle{}, make_embree_queries(world), rows, {.heuristic = Heuristic::kDijkstra},
-                        SerialExecutor());
+  const Planner planner(world, Vehicle{}, backend_of(world, make_embree_queries(world), rows),
+                        {.heuristic = Heuristic::kDijkstra, .graph_mode = GraphMode::kEager});
   const PlanResult found = planner.plan(request, {.scout = true});
   EXPECT_GT(found.statistics.nodes_expanded, 4000u);
   EXPECT_FALSE(rows->others_asked());

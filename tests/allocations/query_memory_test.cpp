@@ -28,8 +28,8 @@ TEST(QueryMemory, IsBoundedWhereManyPosesSeeManyObstacles) {
   if (!test::counts_memory()) GTEST_SKIP() << "a sanitizer's operator new does not count";
   constexpr int kSide = 200;
   const World world = touching_cells(kSide);
-  const Planner planner(world, Vehicle{}, make_embree_queries(world), make_lazy_rows(world),
-                        {.graph_mode = GraphMode::kLazy}, SerialExecutor());
+  const Planner planner(world, Vehicle{}, backend_of(world, make_embree_queries(world), make_lazy_rows(world)),
+                        {.graph_mode = GraphMode::kLazy});
   bench::reset_heap_peak();
   const std::int64_t before = bench::heap_use().live_bytes;
   const PlanResult result = planner.plan({{-30.0, 0.5 * kSide, kPi}, {kSide + 30.0, 0.5 * kSide, kPi}});

@@ -39,13 +39,12 @@ TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
   }
   const Vehicle vehicle(parameters);
   const QuerySet queries = make_embree_queries(world);
-  const Planner planner(world, vehicle, queries, {.refinement = {.max_trials = c.trials}}, SerialExecutor());
+  const Planner planner(world, vehicle, backend_of(world, queries), {.refinement = {.max_trials = c.trials}});
   ASSERT_EQ(planner.options().radii.size() > 1, c.lateral_acceleration > 0.0);
   std::vector<PlanRequest> requests = random_queries(world, queries, vehicle, {.count = c.queries, .seed = 3});
   // Where single arcs reach no path, the planner looks for the narrowest passage, which takes memory.
-  const Planner plain(world, vehicle, queries, planner.visibility_rows(),
-                      {.radii = {vehicle.min_turning_radius()}, .manoeuvre_poses = 0, .gap_circles = false},
-                      SerialExecutor());
+  const Planner plain(world, vehicle, backend_of(world, queries, planner.visibility_graph()),
+                      {.radii = {vehicle.min_turning_radius()}, .manoeuvre_poses = 0, .gap_circles = false});
   std::erase_if(requests, [&](const PlanRequest& request) { return !plain.plan(request).solved(); });
   ASSERT_GT(requests.size(), c.queries / 2);
 
@@ -78,8 +77,8 @@ TEST(WarmedUp, AsksTheHeapForLess) {
     EXPECT_TRUE(planner.plan(request).solved());
     return bench::heap_use().live_bytes - before;
   };
-  const Planner cold(world, Vehicle(), queries, options, SerialExecutor());
-  const Planner warm(world, Vehicle(), queries, options, SerialExecutor());
+  const Planner cold(world, Vehicle(), backend_of(world, queries), options);
+  const Planner warm(world, Vehicle(), backend_of(world, queries), options);
   warm.warm_up();
   EXPECT_LT(4 * bytes_of_first_query(warm), bytes_of_first_query(cold));
 }

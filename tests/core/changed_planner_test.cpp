@@ -32,14 +32,9 @@ std::string bits_of(const PlanResult& result) {
 
 Planner changed(const Planner& before, const World& after, std::span<const ObstacleId> removed,
                 const PlannerOptions& options) {
-  const QuerySet queries = make_reference_queries(after);
-  return {before,
-          after,
-          WorldChange(before.world(), after, removed),
-          queries,
-          build_reduced_visibility_graph(after, *queries.visibility),
-          options,
-          test::ThreadExecutor(2)};
+  const test::ThreadExecutor threads(2);
+  return Planner::changed(before, WorldChange(before.world(), after, removed),
+                          backend_of(after, make_reference_queries(after), threads), options);
 }
 
 // Free or not.
@@ -150,9 +145,7 @@ TEST(ChangedPlanner, RefusesAChangeOfAnotherWorld) {
   const World after = world.changed(std::vector<ObstacleId>{2}, {});
   const WorldChange change(world, after, std::vector<ObstacleId>{2});
   const auto take = [&](const World& from, const World& to) {
-    const QuerySet queries = make_reference_queries(to);
-    return Planner(Planner(from, Vehicle{}), to, change, queries,
-                   build_reduced_visibility_graph(to, *queries.visibility), {}, SerialExecutor());
+    return Planner::changed(Planner(from, Vehicle{}), change, reference_backend(to));
   };
   EXPECT_NO_THROW(take(world, after));
   EXPECT_THROW(take(other, after), std::invalid_argument);

@@ -82,7 +82,7 @@ TEST(Limits, AQueryEndsSoonAfterAStopWhereverThatComes) {
     SCOPED_TRACE(c.name);
     for (const GraphMode mode : {GraphMode::kEager, GraphMode::kLazy}) {
       StoppingQueries stopping(c.world);
-      const Planner planner(c.world, c.vehicle, stopping.queries(), {.graph_mode = mode}, SerialExecutor());
+      const Planner planner(c.world, c.vehicle, backend_of(c.world, stopping.queries()), {.graph_mode = mode});
       const auto plan_with = [&](std::size_t question) {
         return planner.plan(c.request, {.stop = stopping.stop_at(question)});
       };
@@ -111,7 +111,7 @@ TEST(Limits, AStoppedQueryLeavesNoTraceInThePlanner) {
     SCOPED_TRACE(c.name);
     StoppingQueries stopping(c.world);
     const auto make = [&] {
-      return Planner(c.world, c.vehicle, stopping.queries(), {.graph_mode = GraphMode::kLazy}, SerialExecutor());
+      return Planner(c.world, c.vehicle, backend_of(c.world, stopping.queries()), {.graph_mode = GraphMode::kLazy});
     };
     const Planner fresh = make();
     const PlanResult whole = fresh.plan(c.request, {.stop = stopping.stop_at(StoppingQueries::kNever)});
@@ -131,7 +131,7 @@ TEST(Limits, ToursAndAlternativesEndSoonAfterAStop) {
   const Polygon block{{{25, 20}, {35, 20}, {35, 45}, {25, 45}}, {}};
   const Case c{"hall", room({block}, 60, 60), Vehicle{}, {{10, 30, 0}, {50, 30, 0}}, PlanStatus::kSolved};
   StoppingQueries stopping(c.world);
-  const Planner planner(c.world, c.vehicle, stopping.queries(), {}, SerialExecutor());
+  const Planner planner(c.world, c.vehicle, backend_of(c.world, stopping.queries()));
   const TourRequest tour{.start = c.request.start, .goals = {{c.request.goal.position()}}};
   const auto count = [&](const auto& work) {
     work(stopping.stop_at(StoppingQueries::kNever));
@@ -154,7 +154,7 @@ TEST(Limits, ToursAndAlternativesEndSoonAfterAStop) {
 TEST(Limits, ABoundProvedByTheTimeOfAStopHolds) {
   const Case c = cases().front();
   StoppingQueries stopping(c.world);
-  const Planner planner(c.world, c.vehicle, stopping.queries(), {}, SerialExecutor());
+  const Planner planner(c.world, c.vehicle, backend_of(c.world, stopping.queries()));
   const PlanResult whole = planner.plan(c.request, {.stop = stopping.stop_at(StoppingQueries::kNever)});
   const std::size_t questions = stopping.asked();
   at_many_stops(stopping, questions, [&](const std::stop_token& stop, std::size_t) {

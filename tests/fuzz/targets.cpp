@@ -83,8 +83,9 @@ void use(PreparedMap map, const std::string& bytes) {
     throw std::logic_error("other bytes when written again");
   if (!map.robot) return;
   try {
-    const Planner planner(map.world, Vehicle(map.robot->parameters), make_reference_queries(map.world),
-                          {std::move(map.reduced_graph), map.robot->radii, std::move(map.robot->feasible)});
+    static_cast<void>(
+        Planner::restored(map.world, Vehicle(map.robot->parameters), reference_backend(map.world),
+                          {std::move(map.reduced_graph), map.robot->radii, std::move(map.robot->feasible)}));
   } catch (const std::invalid_argument&) {
   }
 }

@@ -98,9 +98,9 @@ TEST(LazyRows, GiveThePlansOfTheWholeGraph) {
     const Vehicle vehicle;
     const QuerySet queries = make_embree_queries(world);
     const auto rows = std::make_shared<const CountedRows>(make_lazy_rows(world), world.vertices().size());
-    const Planner lazy(world, vehicle, queries, rows, {.graph_mode = GraphMode::kLazy}, SerialExecutor());
+    const Planner lazy(world, vehicle, backend_of(world, queries, rows), {.graph_mode = GraphMode::kLazy});
     EXPECT_EQ(rows->asked(), 0u);
-    const Planner whole(world, vehicle, queries, build_reduced_visibility_graph_by_wedges(world), {}, SerialExecutor());
+    const Planner whole(world, vehicle, backend_of(world, queries, build_reduced_visibility_graph_by_wedges(world)));
     EXPECT_EQ(lazy.visibility_graph().vertex_count(), 0u);
     const bool large = world.convex_vertices().size() > 2500;
     std::size_t queries_done = 0;

@@ -159,7 +159,7 @@ TEST(NarrowPlaces, GiveTheSamePlanWhateverWasAskedBefore) {
   const World world = catalogue_world(name);
   const std::vector<PlanRequest> requests = catalogue_queries(name, 12, 1);
   const Planner forwards(world, Vehicle()), backwards(world, Vehicle());
-  const Planner parallel(world, Vehicle(), make_reference_queries(world), {}, test::ThreadExecutor(3));
+  const Planner parallel(world, Vehicle(), backend_of(world, make_reference_queries(world), test::ThreadExecutor(3)));
   std::vector<PlanResult> results, threaded(requests.size());
   for (const PlanRequest& request : requests) {
     results.push_back(forwards.plan(request));

@@ -72,7 +72,7 @@ TEST(Progress, BuildersNameTheirStages) {
   const ReportingExecutor executor(serial, [&](const Progress& progress) {
     if (stages.empty() || stages.back() != progress.stage) stages.emplace_back(progress.stage);
   });
-  const Planner planner(world, Vehicle{}, make_reference_queries(world), {}, executor);
+  const Planner planner(world, Vehicle{}, backend_of(world, make_reference_queries(world), executor));
   EXPECT_EQ(stages, (std::vector<std::string>{"lines of sight", "turn circles", "free headings", "bitangents",
                                               "feasible graph"}));
 }
@@ -87,7 +87,7 @@ TEST(Progress, AReporterCanStopTheBuildThatItWatches) {
     last = progress.stage;
     if (last == "turn circles") stop.request_stop();
   });
-  EXPECT_THROW(Planner(world, Vehicle{}, make_reference_queries(world), {}, executor), Cancelled);
+  EXPECT_THROW(Planner(world, Vehicle{}, backend_of(world, make_reference_queries(world), executor)), Cancelled);
   EXPECT_EQ(last, "turn circles");
 }
 

@@ -59,13 +59,13 @@ class SeveralRadii : public testing::TestWithParam<ClutterKind> {
   World world_ = random_world({.kind = GetParam(), .obstacles = 30, .vertices = 8, .fill = 0.2, .seed = 4});
   Vehicle vehicle_ = driven_by(LateralAccelerationLimit{2.0});
   QuerySet queries_ = make_reference_queries(world_);
-  Planner planner_{world_, vehicle_, queries_, {}, SerialExecutor()};
+  Planner planner_{world_, vehicle_, backend_of(world_, queries_)};
   std::vector<PlanRequest> requests_ = random_queries(world_, queries_, vehicle_, {.count = 12, .seed = 5});
 
   [[nodiscard]] Planner with_radii(std::vector<double> radii, const PlannerOptions& options = {}) const {
     PlannerOptions o = options;
     o.radii = std::move(radii);
-    return {world_, vehicle_, queries_, planner_.visibility_rows(), o, SerialExecutor()};
+    return {world_, vehicle_, backend_of(world_, queries_, planner_.visibility_graph()), o};
   }
 };
 
@@ -157,7 +157,7 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
   const World world = random_world({.kind = GetParam(), .obstacles = 40, .vertices = 8, .fill = 0.25, .seed = 11});
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
-  const Planner planner(world, vehicle, queries, {}, SerialExecutor());
+  const Planner planner(world, vehicle, backend_of(world, queries));
   const std::vector<double> radii = planner.options().radii;
   ASSERT_EQ(radii.size(), 1u);
   const PlanMaps maps(lazy_map(planner, radii), false);

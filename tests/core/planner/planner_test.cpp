@@ -317,7 +317,7 @@ TEST(Planner, SaysThatRefinementWasStopped) {
   const auto plan = [&](const StoppingSweep& sweep, std::uint32_t max_trials) {
     QuerySet queries = make_reference_queries(world);
     queries.sweep = std::shared_ptr<const SweepQuery>(std::shared_ptr<void>(), &sweep);
-    const Planner planner(world, Vehicle{}, queries, {.refinement = {.max_trials = max_trials}}, SerialExecutor());
+    const Planner planner(world, Vehicle{}, backend_of(world, queries), {.refinement = {.max_trials = max_trials}});
     return planner.plan(request, {.stop = sweep.token()});
   };
   constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
@@ -421,7 +421,7 @@ TEST(Planner, RefusesQueriesAndGraphsThatAreNotTheWorlds) {
   const QuerySet queries = make_reference_queries(world);
   const VisibilityGraph graph = build_reduced_visibility_graph(world, *queries.visibility);
   const auto make = [&](const QuerySet& q, const VisibilityGraph& g) {
-    return Planner(world, Vehicle{}, q, g, {}, SerialExecutor());
+    return Planner(world, Vehicle{}, backend_of(world, q, g));
   };
   EXPECT_NO_THROW(make(queries, graph));
   EXPECT_THROW(make({}, graph), std::invalid_argument);
@@ -430,11 +430,10 @@ TEST(Planner, RefusesQueriesAndGraphsThatAreNotTheWorlds) {
   const World square({{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}}}), dart({{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}, {}}});
   const VisibilityGraph around =
       build_reduced_visibility_graph(square, *make_reference_queries(square).visibility, SerialExecutor());
-  EXPECT_THROW(Planner(dart, Vehicle{}, make_reference_queries(dart), around, {}, SerialExecutor()),
+  EXPECT_THROW(Planner(dart, Vehicle{}, backend_of(dart, make_reference_queries(dart), around)), std::invalid_argument);
+  EXPECT_THROW(Planner(world, Vehicle{}, backend_of(world, queries, std::shared_ptr<const VisibilityRows>())),
                std::invalid_argument);
-  EXPECT_THROW(Planner(world, Vehicle{}, queries, std::shared_ptr<const VisibilityRows>(), {}, SerialExecutor()),
-               std::invalid_argument);
-  EXPECT_THROW(Planner(world, Vehicle{}, {.reduced_graph = {}}), std::invalid_argument);
+  EXPECT_THROW(Planner(dart, Vehicle{}, reference_backend(square)), std::invalid_argument);
   for (const std::vector<double>& radii : {std::vector<double>{}, {2.0, 1.0}, {1.0, 1.0}, {-1.0}, {1.0, HUGE_VAL}})
     EXPECT_THROW(FeasibleGraph(world, Vehicle{}, graph, queries, radii, SerialExecutor()), std::invalid_argument);
 }
@@ -445,7 +444,7 @@ TEST(Planner, DoesNotKeepItsTeam) {
   std::optional<Planner> planner;
   {
     const SoloTeam team;
-    planner.emplace(world, Vehicle{}, queries, PlannerOptions{.team = &team}, SerialExecutor());
+    planner.emplace(world, Vehicle{}, backend_of(world, queries), PlannerOptions{.team = &team});
   }
   EXPECT_EQ(planner->options().team, nullptr);
 }

@@ -81,12 +81,12 @@ TEST(FeasibleTables, ThoseOfNoGraphAreRefusedWithTheEntryAtFault) {
 TEST(PreparedGraph, PlansAsThePlannerThatBuiltIt) {
   const Case c;
   const Planner built(c.world, c.vehicle);
-  const Planner taken(c.world, c.vehicle, c.queries, built.prepared_graph());
+  const Planner taken = Planner::restored(c.world, c.vehicle, backend_of(c.world, c.queries), built.prepared_graph());
   test::expect_same(taken.feasible_graph(), built.feasible_graph());
   const PlanRequest request{{1, 1, 0}, {20, 20, 1}};
   EXPECT_EQ(taken.plan(request).travel_time, built.plan(request).travel_time);
   const World other = random_world({.obstacles = 7, .vertices = 5, .fill = 0.3, .seed = 5});
-  EXPECT_THROW(Planner(other, c.vehicle, make_reference_queries(other), built.prepared_graph()), TableError);
+  EXPECT_THROW(Planner::restored(other, c.vehicle, reference_backend(other), built.prepared_graph()), TableError);
 }
 
 }  // namespace

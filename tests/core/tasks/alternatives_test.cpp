@@ -101,7 +101,7 @@ TEST(Alternatives, TakeAFewPlansWorkEach) {
   for (const PlanRequest& request : requests) {
     const auto asked = [&](const auto& plan) {
       const std::size_t before = counting->asked() + counting->headings_asked();
-      plan(Planner(world, vehicle, queries, {.graph_mode = GraphMode::kLazy}, SerialExecutor()));
+      plan(Planner(world, vehicle, backend_of(world, queries), {.graph_mode = GraphMode::kLazy}));
       return counting->asked() + counting->headings_asked() - before;
     };
     once += asked([&](const Planner& planner) { (void)planner.plan(request); });

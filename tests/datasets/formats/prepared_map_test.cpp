@@ -18,7 +18,8 @@ namespace arcway {
 namespace {
 
 PreparedMap prepare(const World& world, const Executor& executor) {
-  return prepared_map_of(Planner(world, Vehicle{}, make_reference_queries(world), {}, executor), Pose{1, 2, 3});
+  return prepared_map_of(Planner(world, Vehicle{}, backend_of(world, make_reference_queries(world), executor)),
+                         Pose{1, 2, 3});
 }
 
 World small_world();
@@ -26,10 +27,10 @@ World small_world();
 TEST(PreparedMap, IsNoneOfWhatIsNotAllThere) {
   const World world = small_world();
   const QuerySet queries = make_reference_queries(world);
-  const Planner lazy(world, Vehicle{}, queries, {.graph_mode = GraphMode::kLazy}, SerialExecutor());
+  const Planner lazy(world, Vehicle{}, backend_of(world, queries), {.graph_mode = GraphMode::kLazy});
   EXPECT_THROW((void)prepared_map_of(lazy), std::logic_error);
-  const Planner eager(world, Vehicle{}, queries, {}, SerialExecutor());
-  const Planner from_rows(world, Vehicle{}, queries, eager.visibility_rows(), {}, SerialExecutor());
+  const Planner eager(world, Vehicle{}, backend_of(world, queries));
+  const Planner from_rows(world, Vehicle{}, backend_of(world, queries, eager.visibility_rows()));
   EXPECT_THROW((void)prepared_map_of(from_rows), std::logic_error);
 }
 
@@ -76,8 +77,9 @@ TEST(PreparedMap, PlansAsAMapThatIsPreparedAnew) {
   const World world = random_world({.obstacles = 15, .vertices = 6, .fill = 0.2, .seed = 8});
   PreparedMap map = read_prepared_map(to_bytes(prepare(world, SerialExecutor())), "m");
   const Planner built(world, Vehicle{});
-  const Planner taken(map.world, Vehicle(map.robot->parameters), make_reference_queries(map.world),
-                      {std::move(map.reduced_graph), map.robot->radii, std::move(map.robot->feasible)});
+  const Planner taken =
+      Planner::restored(map.world, Vehicle(map.robot->parameters), reference_backend(map.world),
+                        {std::move(map.reduced_graph), map.robot->radii, std::move(map.robot->feasible)});
   const PlanRequest request{{0.5, 0.5, 0}, {40, 40, 1}};
   const PlanResult a = built.plan(request), b = taken.plan(request);
   EXPECT_EQ(a.status, b.status);
