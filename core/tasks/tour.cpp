@@ -26,7 +26,7 @@ constexpr double kFinestStep = 2e-3;  // of an open heading [rad]
 constexpr double kLeastGain = 1e-6;   // that is worth another heading, of the cost
 // Poses of trees where a place has a choice of poses and no leg was found without trees, in those of one plan: of a
 // leg, and of all legs to a place. Most poses that are tried have no path; more legs are tried with fewer poses each.
-constexpr double kTreesOfALeg = 0.25, kTreesOfAPlace = 2.0;
+constexpr double kTreesOfALeg = 0.5, kTreesOfAPlace = 2.0;
 
 // A pose in which a place may be passed, and the best way to it.
 struct Stop {

@@ -293,7 +293,7 @@ TEST(Tour, GrowsTreesWhereNoPoseOfAChoiceIsReachedWithout) {
     ASSERT_TRUE(tour.plan.solved()) << tour.plan.reason;
     EXPECT_EQ(tour.goal, 1u);
     EXPECT_GT(tour.plan.statistics.tree_poses, 0u);
-    EXPECT_LE(tour.plan.statistics.tree_poses, 9u * limits.tree_poses / 4);  // twice, and those of one leg more
+    EXPECT_LE(tour.plan.statistics.tree_poses, 5u * limits.tree_poses / 2);  // twice, and those of one leg more
     expect_valid(planner, tour.plan);
   }
   EXPECT_GT(needed, 0u);
