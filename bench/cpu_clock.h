@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// Processor time since it was made [s]: what other programs on the machine take is nobody's.
 class CpuClock {
@@ -24,4 +24,4 @@ class CpuClock {
   double start_;
 };
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

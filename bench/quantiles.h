@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// Between the two nearest ranks. Precondition: not empty, 0 <= share <= 1.
 inline double quantile(std::vector<double> values, double share) {
@@ -18,4 +18,4 @@ inline double quantile(std::vector<double> values, double share) {
 
 inline double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

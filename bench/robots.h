@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "core/model/vehicle.h"
+#include "arcway/vehicle.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// The paper's robot with limits on its acceleration, sideways and along [m/s^2]: wider turns are faster, so that
 /// circles of several radii matter.
@@ -62,4 +62,4 @@ inline Vehicle without_faster_turns(const Vehicle& vehicle) {
   return Vehicle(parameters);
 }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -1,17 +1,19 @@
-#include "accel/backend/accel_backend.h"
+#include "arcway/accel/accel_backend.h"
 
 #include <memory>
 #include <utility>
 
 #include "accel/backend/make_queries.h"
-#include "accel/base/parallel.h"
 #include "accel/graphs/changed_graph.h"
-#include "accel/graphs/graph_builder.h"
 #include "accel/graphs/lazy_rows.h"
 #include "accel/graphs/pairwise_graph.h"
-#include "accel/graphs/wedge_graph.h"
+#include "arcway/accel/graph_builder.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/accel/wedge_graph.h"
 
 namespace arcway {
+
+using namespace internal;
 
 namespace {
 
@@ -38,8 +40,8 @@ Backend::Parts parts_of(const World& world, const AccelOptions& options) {
     };
     return parts;
   }
-  parts.reduced_graph = [team = options.team](const Backend& b) {
-    return shared(build_reduced_visibility_graph_by_wedges(b.world(), b.executor(), nullptr, team ? *team : kSoloTeam));
+  parts.reduced_graph = [process_group = options.process_group](const Backend& b) {
+    return shared(build_reduced_visibility_graph_by_wedges(b.world(), b.executor(), nullptr, process_group ? *process_group : kSingleProcess));
   };
   parts.lazy_rows = [](const Backend& b) { return make_lazy_rows(b.world(), b.executor()); };
   parts.changed_graph = [](const Backend& b, const VisibilityGraph& before, const WorldChange& change) {

@@ -8,7 +8,7 @@
 #include "accel/embree/embree_queries.h"
 #include "core/base/shortest_text.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -49,4 +49,4 @@ QuerySet make_embree_queries(const World& world, const EmbreeOptions& options) {
   return embree::make_configured_queries(world, options, "", embree::EdgeScene::kManyEdges);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "accel/embree/embree_options.h"
-#include "core/collision/query_set.h"
-#include "core/model/world.h"
+#include "arcway/query_set.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// All queries of core on Embree. Embree proposes obstacle edges in single precision, core's exact tests decide: every
 /// answer is that of make_reference_queries, bit for bit.
@@ -18,4 +18,4 @@ namespace [[gnu::visibility("default")]] arcway {
 ///   finite.
 QuerySet make_embree_queries(const World& world, const EmbreeOptions& options = {});
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "accel/backend/obstacle_distance.h"
+#include "arcway/accel/obstacle_distance.h"
 
 #include <algorithm>
 #include <mutex>
@@ -11,6 +11,8 @@
 #include "core/geometry/distance.h"
 
 namespace arcway {
+
+using namespace internal;
 
 namespace {
 

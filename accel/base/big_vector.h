@@ -6,7 +6,7 @@
 
 #include "core/base/huge_pages.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// For large arrays that are filled once, and not by being resized, and then read all over the place.
 template <class T>
@@ -29,4 +29,4 @@ class BigAllocator : public HugePageAllocator<T> {
 template <class T>
 using BigVector = std::vector<T, BigAllocator<T>>;
 
-}  // namespace arcway
+}  // namespace arcway::internal

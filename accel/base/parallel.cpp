@@ -1,4 +1,4 @@
-#include "accel/base/parallel.h"
+#include "arcway/accel/parallel.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>

@@ -3,14 +3,14 @@
 #include <cstddef>
 
 #include "accel/embree/embree_options.h"
-#include "core/collision/query_set.h"
-#include "core/model/world.h"
+#include "arcway/query_set.h"
+#include "arcway/world.h"
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 /// As make_embree_queries, on a device made with this configuration, such as "isa=sse2", and with boxes that hold
 /// several edges in worlds of more than so many: for tests.
 QuerySet make_configured_queries(const World& world, const EmbreeOptions& options, const char* device_config,
                                  std::size_t many_edges);
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 namespace {
 
@@ -56,4 +56,4 @@ void Device::commit(RTCScene scene, const StopClock& clock) const {
   check();
 }
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

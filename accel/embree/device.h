@@ -4,9 +4,9 @@
 #include <type_traits>
 
 #include "accel/embree/embree_api.h"
-#include "core/base/stop_clock.h"
+#include "arcway/stop_clock.h"
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 /// An owner of one of Embree's objects.
 template <class Object, void (*release)(Object)>
@@ -35,4 +35,4 @@ class Device {
   std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release<RTCDevice, rtcReleaseDevice>> device_;
 };
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 namespace {
 
@@ -117,4 +117,4 @@ void EdgeScene::on_bounds(const RTCBoundsFunctionArguments* arguments) {
   bounds.upper_z = 1.0f;
 }
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

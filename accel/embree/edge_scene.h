@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "accel/embree/device.h"
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 /// The edges of a world as boxes in Embree: proposes edges, in single precision, for the caller to decide on exactly.
 /// It may propose an edge that is not wanted, and never fails to propose one that is. In large worlds a box holds a few
 /// edges that follow each other, and proposes them together.
 ///
-/// Coordinates are centred and scaled by a power of two so that all boxes lie within [-1, 1]. Each box is larger by
+/// Coordinates are centered and scaled by a power of two so that all boxes lie within [-1, 1]. Each box is larger by
 /// kPad = 2^-18: traversal errs by less than 2^-19.6 on rays within that square, by the rounding of origin, direction
 /// and reciprocal direction (accel/README.md derives it). Rays are cut to the square first.
 class EdgeScene {
@@ -81,7 +81,7 @@ class EdgeScene {
   struct PointVisit {
     const EdgeScene& scene;
     Visit& visit;
-    double slack;  // of the rounded centre and of the box distance
+    double slack;  // of the rounded center and of the box distance
     double radius;
     std::exception_ptr thrown;  // by a visit: Embree would take it for an error of its own, and keep it to itself
 
@@ -164,4 +164,4 @@ class RayScene {
   EdgeScene edges_;
 };
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

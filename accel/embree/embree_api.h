@@ -9,7 +9,7 @@
 #include <embree3/rtcore.h>
 #endif
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 #if EMBREE_MAJOR >= 4
 using RayContext = RTCRayQueryContext;
@@ -26,4 +26,4 @@ inline void init(RayContext& context) { rtcInitIntersectContext(&context); }
 inline void occluded(RTCScene scene, RayContext& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
 #endif
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

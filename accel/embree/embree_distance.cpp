@@ -1,7 +1,7 @@
 #include "accel/embree/embree_queries.h"
 #include "core/geometry/distance.h"
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 void EmbreeDistance::do_closest(std::span<const Vec2> points, std::span<ClosestPoint> result) const {
   scenes_->for_batch(points.size(), [&](std::size_t begin, std::size_t end) {
@@ -42,4 +42,4 @@ void EmbreeDistance::do_containing(std::span<const Vec2> points, std::span<Obsta
   });
 }
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "core/base/executor.h"
-#include "core/base/stop_clock.h"
+#include "arcway/executor.h"
+#include "arcway/stop_clock.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// How make_embree_queries answers.
 struct EmbreeOptions {
@@ -18,4 +18,4 @@ struct EmbreeOptions {
   StopClock clock = {};
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,11 +5,11 @@
 #include "accel/embree/edge_scene.h"
 #include "accel/embree/embree_options.h"
 #include "accel/location/region_locator.h"
-#include "core/collision/distance_query.h"
-#include "core/collision/sweep_query.h"
-#include "core/collision/visibility_query.h"
+#include "arcway/distance_query.h"
+#include "arcway/sweep_query.h"
+#include "arcway/visibility_query.h"
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 /// The test of a visibility ray.
 struct BlocksSight {
@@ -90,4 +90,4 @@ void Scenes::for_batch(std::size_t count, const Body& body) const {
   }
 }
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

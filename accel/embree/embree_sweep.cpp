@@ -4,7 +4,7 @@
 #include "core/collision/turning_headings.h"
 #include "core/geometry/predicates.h"
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 namespace {
 
@@ -15,8 +15,8 @@ constexpr double kMostRays = 16.0;
 
 bool MeetsRectangle::operator()(VertexId edge) const { return intersects(world.edges()[edge], rectangle); }
 
-// The rectangle is covered by strips along its longer sides, none wider than twice the scene's inflation. Every point
-// of a strip is within half the strip's width of its middle line, and so is an edge's box that has the point; this
+// The rectangle is covered by sleeves along its longer sides, none wider than twice the scene's inflation. Every point
+// of a sleeve is within half the sleeve's width of its middle line, and so is an edge's box that has the point; this
 // holds for any convex quadrilateral, so that the rounding of the corners needs no care.
 bool EmbreeSweep::is_met(const SweptRectangle& r) const {
   const MeetsRectangle test{scenes_->world(), r};
@@ -28,10 +28,10 @@ bool EmbreeSweep::is_met(const SweptRectangle& r) const {
   const Vec2 b = edges.scaled(lengthwise ? r[3] : r[1]);
   const Vec2 c = edges.scaled(lengthwise ? r[1] : r[3]);
   const Vec2 d = edges.scaled(r[2]);
-  const double strips = std::max(1.0, std::ceil((lengthwise ? ends : sides) / (2.0 * edges.inflation())));
-  if (strips <= kMostRays) {
-    for (double k = 0.5; k < strips; k += 1.0) {
-      const double t = k / strips;
+  const double sleeves = std::max(1.0, std::ceil((lengthwise ? ends : sides) / (2.0 * edges.inflation())));
+  if (sleeves <= kMostRays) {
+    for (double k = 0.5; k < sleeves; k += 1.0) {
+      const double t = k / sleeves;
       if (scenes_->sweep.any(a + t * (b - a), c + t * (d - c), test)) return true;
     }
     return false;
@@ -79,4 +79,4 @@ void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
   });
 }
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

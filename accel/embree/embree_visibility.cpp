@@ -1,7 +1,7 @@
 #include "accel/embree/embree_queries.h"
 #include "core/collision/blocking.h"
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 
 bool BlocksSight::operator()(VertexId edge) const { return blocks(world, edge, segment); }
 
@@ -25,4 +25,4 @@ void EmbreeVisibility::do_visible(std::span<const LineSegment> segments, std::sp
   });
 }
 
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

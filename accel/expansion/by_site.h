@@ -8,7 +8,7 @@
 
 #include "core/geometry/tiles.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Items by the site that each of them belongs to.
 class BySite {
@@ -31,4 +31,4 @@ class BySite {
   std::vector<std::uint32_t> items_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
-#include "accel/expansion/expansion.h"
 #include "accel/expansion/sight_trace.h"
+#include "accel/expansion/triangular_expansion.h"
 #include "core/geometry/direction_order.h"
 #include "core/geometry/predicates.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -58,8 +59,8 @@ class ContactSights {
   const World& world_;
   const SightMap& map_;
   SightTrace trace_;
-  Expansion expansion_;
-  Expansion::Scratch scratch_;
+  TriangularExpansion expansion_;
+  TriangularExpansion::Scratch scratch_;
 };
 
 }  // namespace
@@ -123,4 +124,4 @@ void keep_tangents(const World& world, const Vec2& point, std::vector<VertexId>&
   std::sort(seen.begin(), seen.end());
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

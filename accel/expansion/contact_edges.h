@@ -5,13 +5,13 @@
 
 #include "accel/expansion/edge_list.h"
 #include "accel/expansion/sight_map.h"
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace arcway {
+namespace arcway::internal {
 
-/// Edges of the reduced visibility graph that cross an edge of a region where a vertex of the same region touches it
-/// (World::self_contacts), from the vertex's wedge of free space to the free side of the edge. Walks pass through
-/// triangles, and there is none at such a point. Each is listed once, u < v, ascending.
+/// Edges of the reduced visibility graph that cross an edge of a region where a vertex of the same region touches it:
+/// see World::self_contacts. They lead from the vertex's wedge of free space to the free side of the edge. Walks pass
+/// through triangles, and there is none at such a point. Each is listed once, u < v, ascending.
 ///
 /// O(1) without contacts; else O(n log n) and what is seen from each contact.
 /// @param map  of the world; lists left edges if there are contacts.
@@ -31,4 +31,4 @@ void add_missing(std::span<const EdgeList::value_type> both_ways, VertexId verte
 /// between; ascending.
 void keep_tangents(const World& world, const Vec2& point, std::vector<VertexId>& seen);
 
-}  // namespace arcway
+}  // namespace arcway::internal

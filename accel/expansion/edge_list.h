@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/executor.h"
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/executor.h"
+#include "arcway/visibility_graph.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 using EdgeList = std::vector<std::pair<VertexId, VertexId>>;
 
@@ -31,4 +31,4 @@ inline VisibilityGraph graph_of(std::size_t vertices, const std::vector<EdgeList
   return {std::move(starts), std::move(targets)};
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,9 +1,9 @@
 #include "accel/expansion/long_fans.h"
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 LongFans::LongFans(const SightMap& map, std::uint32_t least, const StopClock& clock) {
   StopTicker ticker(clock);
@@ -84,4 +84,4 @@ void LongFans::add_hulls(const SightMap& map, const Fan& fan, StopTicker& ticker
   }
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -9,9 +9,9 @@
 
 #include "accel/base/big_vector.h"
 #include "accel/expansion/sight_map.h"
-#include "core/base/stop_clock.h"
+#include "arcway/stop_clock.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Long fans of a free-space triangulation: many triangles in a row around one site, the *pivot*. All rays that pass
 /// such a pivot cross all of its triangles up to the first corner that is not beyond them; this finds it in
@@ -160,4 +160,4 @@ std::int64_t LongFans::first_corner(const Fan& fan, std::int64_t from, const Sto
   return end;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -8,7 +8,7 @@
 #include "accel/triangulation/free_space_sweep.h"
 #include "core/collision/blocking.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -90,4 +90,4 @@ void SightMap::list_left_edges() {
   left_edges_ = BySite(std::move(ends), static_cast<std::uint32_t>(map_.sites.size()));
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

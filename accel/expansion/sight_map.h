@@ -11,11 +11,11 @@
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/short_diagonals.h"
 #include "accel/triangulation/triangulation.h"
-#include "core/base/executor.h"
+#include "arcway/executor.h"
+#include "arcway/world.h"
 #include "core/geometry/box_tree.h"
-#include "core/model/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The triangulated free space of a world, laid out for lines of sight that start at its vertices: small records, what
 /// is near in the plane near in memory. Immutable and thread-safe.
@@ -141,4 +141,4 @@ class SightMap {
   BoxTree broken_tree_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

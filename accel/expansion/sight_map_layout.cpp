@@ -6,13 +6,13 @@
 #include "core/base/prefetch.h"
 #include "core/geometry/tiles.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
 constexpr std::size_t kTrianglesPerRange = 4096;
 constexpr std::size_t kRingsPerRange = 256;
-constexpr std::size_t kAhead = 24;  // triangles: what they need and where they go lies all over a strip of the map
+constexpr std::size_t kAhead = 24;  // triangles: what they need and where they go lies all over a sleeve of the map
 
 }  // namespace
 
@@ -51,7 +51,7 @@ SightMap::NodeOrder SightMap::number_nodes() {
   return order;
 }
 
-// Triangles are read in the order of the sweep and written to their tiles: what a strip of the sweep reads and writes
+// Triangles are read in the order of the sweep and written to their tiles: what a sleeve of the sweep reads and writes
 // stays in the cache while the sweep passes it.
 BigVector<SightMap::Wall> SightMap::lay_out_doors(Triangulation t, const Executor& executor) {
   const Tiles tiles(world_.box(), map_.sites.size());
@@ -209,4 +209,4 @@ void SightMap::find_fans() {
   for (const Start& start : starts) each_node_of(start, [&](std::uint32_t n) { fans_[next[n]++] = start.fan; });
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

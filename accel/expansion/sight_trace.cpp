@@ -6,7 +6,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 // From p towards q.
 class SightTrace::Line {
@@ -182,4 +182,4 @@ std::uint32_t SightTrace::next_along_edge(const Line& line, std::uint32_t site) 
   return kNone;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

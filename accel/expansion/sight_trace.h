@@ -9,7 +9,7 @@
 #include "accel/expansion/sight_map.h"
 #include "core/geometry/box_tree.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Follows straight lines from any point through the triangles of a sight map, exactly. Immutable and thread-safe.
 class SightTrace {
@@ -73,4 +73,4 @@ class SightTrace {
   BySite corners_;  // first door of a triangle + which corner
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -7,8 +7,9 @@
 #include "core/base/prefetch.h"
 #include "core/geometry/expansion.h"
 #include "core/geometry/predicates.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -49,9 +50,9 @@ bool is_tangent(const SightMap::Node& node, const Vec2& from) {
 
 }  // namespace
 
-WedgeWalk::WedgeWalk(const SightMap& map, const Strips* strips, const LongFans* fans)
+WedgeWalk::WedgeWalk(const SightMap& map, const Sleeves* sleeves, const LongFans* fans)
     : map_(map),
-      strips_(strips && !strips->empty() ? strips : nullptr),
+      sleeves_(sleeves && !sleeves->empty() ? sleeves : nullptr),
       fans_(fans && !fans->empty() ? fans : nullptr),
       sure_(map.sure_cross_product()) {}
 
@@ -257,17 +258,17 @@ void WedgeWalk::look_from_run(std::uint32_t first) {
     const std::uint32_t ahead = kLeft ? source->next_site : source->previous_site;
     const bool leads_right = ahead > source->site;
     const bool runs_on = leads_right && (kLeft ? source->after : source->before) != kNone;
-    const Strips::Strip* const strip = strips_ ? strips_->behind(door) : nullptr;
-    if (strip) {
-      const std::uint32_t count = kLeft ? strip->left.count : strip->right.count;
-      if (!pass_along<kHand>(*strip, runs_on ? count : 0, place, near)) return;
+    const Sleeves::Sleeve* const sleeve = sleeves_ ? sleeves_->behind(door) : nullptr;
+    if (sleeve) {
+      const std::uint32_t count = kLeft ? sleeve->left.count : sleeve->right.count;
+      if (!pass_along<kHand>(*sleeve, runs_on ? count : 0, place, near)) return;
       if (runs_on || count == 0) {
         move_on(count);
-        door = strip->exit;
+        door = sleeve->exit;
         continue;
       }
     }
-    const bool is_last = strip || onward(door) == kNone;
+    const bool is_last = sleeve || onward(door) == kNone;
     if (is_last && runs_on) {
       move_on(1);
       door = outward(door);
@@ -315,14 +316,14 @@ std::uint32_t WedgeWalk::touch(std::uint32_t low, std::uint32_t high, End from, 
 }
 
 void WedgeWalk::walk(std::uint32_t door, const Limit& low, const Limit& high) {
-  if (strips_) {
+  if (sleeves_) {
     fans_ ? walk_on<true, true>(door, low, high) : walk_on<true, false>(door, low, high);
   } else {
     fans_ ? walk_on<false, true>(door, low, high) : walk_on<false, false>(door, low, high);
   }
 }
 
-template <bool kHasStrips, bool kHasFans>
+template <bool kHasSleeves, bool kHasFans>
 void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
   const SightMap::Door* const doors = map_.doors().data();
   std::uint64_t steps = 0;
@@ -331,9 +332,9 @@ void WedgeWalk::walk_on(std::uint32_t door, Limit low, Limit high) {
   std::uint32_t left_end = kNone, right_end = kNone;
   while (true) {
     ++steps;
-    if (const Strips::Strip* strip = kHasStrips ? strips_->behind(door) : nullptr) {
-      will_need(doors + strip->exit);
-      door = pass(*strip, low, high) ? strip->exit : kNone;
+    if (const Sleeves::Sleeve* sleeve = kHasSleeves ? sleeves_->behind(door) : nullptr) {
+      will_need(doors + sleeve->exit);
+      door = pass(*sleeve, low, high) ? sleeve->exit : kNone;
       left_end = right_end = kNone;
     } else {
       const SightMap::Door& triangle = doors[door];
@@ -422,7 +423,7 @@ int WedgeWalk::turn_along(const Limit& limit, std::uint32_t from, std::uint32_t 
 // The wall is looked at from the place that the range's limit starts from, then from where the ray to the node found
 // starts, and so on: each ray leaves more of the wall behind, until one leaves all of it there.
 template <int kStep, class Passed, class From>
-WedgeWalk::Contact WedgeWalk::contact(const Strips::Wall<kStep>& wall, std::uint32_t nodes, const Limit& own,
+WedgeWalk::Contact WedgeWalk::contact(const Sleeves::Wall<kStep>& wall, std::uint32_t nodes, const Limit& own,
                                       const Limit* other, std::uint32_t guess, const Passed& passed_before,
                                       const From& touched_from) const {
   Contact found;
@@ -443,9 +444,9 @@ WedgeWalk::Contact WedgeWalk::contact(const Strips::Wall<kStep>& wall, std::uint
   }
 }
 
-bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
-  const Strips::Wall<1> left(strip.left, map_.nodes());
-  const Strips::Wall<-1> right(strip.right, map_.nodes());
+bool WedgeWalk::pass(const Sleeves::Sleeve& sleeve, Limit& low, Limit& high) {
+  const Sleeves::Wall<1> left(sleeve.left, map_.nodes());
+  const Sleeves::Wall<-1> right(sleeve.right, map_.nodes());
   const auto none = [](std::uint32_t) { return 0u; };
   const auto touched = [&](End end) {
     return [&, end](std::uint32_t, const Vec2& at) { return touch(low.from, high.from, end, at); };
@@ -473,22 +474,22 @@ bool WedgeWalk::pass(const Strips::Strip& strip, Limit& low, Limit& high) {
     report(c.ray.from, wall.index_of_node(c.index));
   };
   if (on_left.exists())
-    report_if_seen(on_left, left, high, low, right, passes ? 0 : strips_->right_before(strip, on_left.index));
+    report_if_seen(on_left, left, high, low, right, passes ? 0 : sleeves_->right_before(sleeve, on_left.index));
   if (on_right.exists())
-    report_if_seen(on_right, right, low, high, left, passes ? 0 : strips_->left_before(strip, on_right.index));
+    report_if_seen(on_right, right, low, high, left, passes ? 0 : sleeves_->left_before(sleeve, on_right.index));
   if (passes && on_left.exists()) high = on_left.ray;
   if (passes && on_right.exists()) low = on_right.ray;
   return passes;
 }
 
 // The other wall is seen from the run up to the node that a ray of the run touches. A node is touched from what was
-// passed of the run before it, and places within the strip do not see what was passed of the other wall before them.
+// passed of the run before it, and places within the sleeve do not see what was passed of the other wall before them.
 template <WedgeWalk::Hand kHand>
-bool WedgeWalk::pass_along(const Strips::Strip& strip, std::uint32_t count, std::uint32_t place, Limit& near) {
+bool WedgeWalk::pass_along(const Sleeves::Sleeve& sleeve, std::uint32_t count, std::uint32_t place, Limit& near) {
   constexpr bool kLeft = kHand == Hand::kLeft;
-  const Strips::Wall<kLeft ? -1 : 1> across(kLeft ? strip.right : strip.left, map_.nodes());
+  const Sleeves::Wall<kLeft ? -1 : 1> across(kLeft ? sleeve.right : sleeve.left, map_.nodes());
   const auto across_before = [&](std::uint32_t i) {  // of the other wall, before one of the run
-    return kLeft ? strips_->right_before(strip, i) : strips_->left_before(strip, i);
+    return kLeft ? sleeves_->right_before(sleeve, i) : sleeves_->left_before(sleeve, i);
   };
   const auto ahead = [&](std::uint32_t nodes) { return kLeft ? place + nodes : place - nodes; };
   const auto passed_before = [&](std::uint32_t from) {
@@ -496,11 +497,11 @@ bool WedgeWalk::pass_along(const Strips::Strip& strip, std::uint32_t count, std:
     return across_before(kLeft ? from - place - 1 : place - from - 1);
   };
   const auto touched_from = [&](std::uint32_t index, const Vec2& at) {
-    const std::uint32_t last = ahead(kLeft ? strips_->left_before(strip, index) : strips_->right_before(strip, index));
+    const std::uint32_t last = ahead(kLeft ? sleeves_->left_before(sleeve, index) : sleeves_->right_before(sleeve, index));
     return kLeft ? touch(near.from, last, End::kLow, at) : touch(last, near.from, End::kHigh, at);
   };
   const std::uint32_t in_sight =
-      count == (kLeft ? strip.left.count : strip.right.count) ? across.count() : across_before(0);
+      count == (kLeft ? sleeve.left.count : sleeve.right.count) ? across.count() : across_before(0);
   const Contact found =
       contact(across, in_sight, near, nullptr, across.guess(near.direction), passed_before, touched_from);
   if (!found.exists()) return true;
@@ -571,7 +572,7 @@ LongFans worthwhile_fans(const SightMap& map, const Executor& executor) {
   return steps_a_node(map, executor, &fans) < kMuchLess * steps ? std::move(fans) : LongFans();
 }
 
-std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node, const LongFans* fans) {
+std::vector<VertexId> tangent_neighbors(const SightMap& map, std::uint32_t node, const LongFans* fans) {
   if (node == kNone) return {};
   WedgeWalk walk(map, nullptr, fans);
   walk.look_around(node);
@@ -581,4 +582,4 @@ std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node
   return row;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

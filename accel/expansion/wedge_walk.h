@@ -7,10 +7,10 @@
 #include "accel/expansion/edge_list.h"
 #include "accel/expansion/long_fans.h"
 #include "accel/expansion/sight_map.h"
-#include "accel/expansion/strips.h"
-#include "core/base/executor.h"
+#include "accel/expansion/sleeves.h"
+#include "arcway/executor.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Finds the edges of the reduced visibility graph from its nodes.
 ///
@@ -26,8 +26,8 @@ namespace [[gnu::visibility("default")]] arcway {
 /// one that leaves from a single node; the vertex that splits it is seen from the node whose tangent wedge it lies in.
 class WedgeWalk {
  public:
-  /// @param strips, fans  of the map, to be passed at once; may be null.
-  explicit WedgeWalk(const SightMap& map, const Strips* strips = nullptr, const LongFans* fans = nullptr);
+  /// @param sleeves, fans  of the map, to be passed at once; may be null.
+  explicit WedgeWalk(const SightMap& map, const Sleeves* sleeves = nullptr, const LongFans* fans = nullptr);
 
   /// Edges to the right of the nodes of the runs that start at a node: after all nodes, each edge is found once.
   void look_right(std::uint32_t node);
@@ -75,7 +75,7 @@ class WedgeWalk {
   void look_right_from(std::uint32_t node);
   void look_through_wedge(std::uint32_t node, const Limit& low, const Limit& high);
   void walk(std::uint32_t door, const Limit& low, const Limit& high);
-  template <bool kHasStrips, bool kHasFans>
+  template <bool kHasSleeves, bool kHasFans>
   void walk_on(std::uint32_t door, Limit low, Limit high);
   /// @param instead_of  what has been reported and is not tangent; kNone if nothing is.
   /// @return to be replaced later on; kNone if sites may have several nodes.
@@ -91,20 +91,20 @@ class WedgeWalk {
   };
   /// @param nodes           how many of the wall are reached.
   /// @param own, other      limits of the range; `other` may be none.
-  /// @param guess           see Strips::Wall::limit_from.
+  /// @param guess           see Sleeves::Wall::limit_from.
   /// @param passed_before   how many nodes of the wall are behind a place of the run.
   /// @param touched_from    the place from which a ray to the wall's node `index`, at some place, starts.
   template <int kStep, class Passed, class From>
-  [[nodiscard]] Contact contact(const Strips::Wall<kStep>& wall, std::uint32_t nodes, const Limit& own,
+  [[nodiscard]] Contact contact(const Sleeves::Wall<kStep>& wall, std::uint32_t nodes, const Limit& own,
                                 const Limit* other, std::uint32_t guess, const Passed& passed_before,
                                 const From& touched_from) const;
-  /// Passes a strip. Returns whether anything comes through; then the limits are what does.
-  bool pass(const Strips::Strip& strip, Limit& low, Limit& high);
-  /// Passes a strip along one of its walls, from a place of the run at its entrance. Returns whether the run goes on.
+  /// Passes a sleeve. Returns whether anything comes through; then the limits are what does.
+  bool pass(const Sleeves::Sleeve& sleeve, Limit& low, Limit& high);
+  /// Passes a sleeve along one of its walls, from a place of the run at its entrance. Returns whether the run goes on.
   /// @param count  nodes to go: those of the wall; or none, where the run ends, and then the triangles around the
   /// place.
   template <Hand kHand>
-  bool pass_along(const Strips::Strip& strip, std::uint32_t count, std::uint32_t place, Limit& near);
+  bool pass_along(const Sleeves::Sleeve& sleeve, std::uint32_t count, std::uint32_t place, Limit& near);
   /// Passes the triangles of a long fan whose pivot is on one side of a door, up to the first one that the range does
   /// not pass by.
   /// @param kPivot  the side.
@@ -123,7 +123,7 @@ class WedgeWalk {
   [[nodiscard]] int exact_side(const Limit& limit, std::uint32_t site) const;
 
   const SightMap& map_;
-  const Strips* strips_;
+  const Sleeves* sleeves_;
   const LongFans* fans_;
   double sure_;  ///< SightMap::sure_cross_product
   Hand hand_ = Hand::kLeft;
@@ -141,9 +141,9 @@ class WedgeWalk {
   std::uint64_t candidates_ = 0;
 };
 
-/// The neighbours of a node in the reduced visibility graph, ascending; none for kNone. Needs a map that lists left
+/// The neighbors of a node in the reduced visibility graph, ascending; none for kNone. Needs a map that lists left
 /// edges.
-std::vector<VertexId> tangent_neighbours(const SightMap& map, std::uint32_t node, const LongFans* fans = nullptr);
+std::vector<VertexId> tangent_neighbors(const SightMap& map, std::uint32_t node, const LongFans* fans = nullptr);
 
 /// Triangles that walks to the right enter, of a node on average: from some nodes all over the map.
 /// @param executor  only asked whether to end. @throws Cancelled then
@@ -153,4 +153,4 @@ double steps_a_node(const SightMap& map, const Executor& executor, const LongFan
 /// @param executor  only asked whether to end. @throws Cancelled then
 LongFans worthwhile_fans(const SightMap& map, const Executor& executor);
 
-}  // namespace arcway
+}  // namespace arcway::internal

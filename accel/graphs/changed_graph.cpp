@@ -7,12 +7,12 @@
 
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/edge_list.h"
-#include "accel/expansion/shadow_walk.h"
+#include "accel/expansion/change_visibility.h"
 #include "accel/expansion/sight_map.h"
 #include "accel/expansion/wedge_walk.h"
 #include "core/geometry/near_boxes.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
     }
   }
   if (!change.gone.empty()) {
-    ShadowWalk shadows(map);
+    ChangeVisibility shadows(map);
     shadows.look_from(change.gone);
     for (std::size_t n = 0; n < map.nodes().size(); ++n)
       if (shadows.seen()[n]) stale[map.nodes()[n].vertex] = 1;
@@ -84,4 +84,4 @@ VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, co
   return graph_of(after.vertices().size(), lists, executor);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

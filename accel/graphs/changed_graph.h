@@ -2,12 +2,12 @@
 
 #include <cstddef>
 
-#include "core/base/executor.h"
-#include "core/model/world.h"
-#include "core/model/world_change.h"
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/executor.h"
+#include "arcway/visibility_graph.h"
+#include "arcway/world.h"
+#include "arcway/world_change.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The reduced visibility graph after a change, the same as built anew: rows of vertices that see where something was,
 /// or whose edges meet where something is now, are walked again, all others are kept. The world after it is
@@ -19,4 +19,4 @@ VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, co
                                                 const WorldChange& change, const Executor& executor = SerialExecutor(),
                                                 std::size_t* rows = nullptr);
 
-}  // namespace arcway
+}  // namespace arcway::internal

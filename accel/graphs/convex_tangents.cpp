@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace arcway {
+#include "core/geometry/predicates.h"
+
+namespace arcway::internal {
 
 namespace {
 
@@ -100,4 +102,4 @@ std::optional<std::array<ConvexTangents::VertexPair, 4>> ConvexTangents::between
   return pairs;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

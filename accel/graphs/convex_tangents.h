@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Common tangents of convex obstacles by binary search over the directions of their edges [Rohnert 1986].
 /// Immutable and thread-safe.
@@ -26,10 +26,10 @@ class ConvexTangents {
   [[nodiscard]] std::optional<std::array<VertexPair, 4>> between(ObstacleId a, ObstacleId b) const;
 
  private:
-  /// The vertex furthest in a direction, rounded: perhaps a neighbour of it.
+  /// The vertex furthest in a direction, rounded: perhaps a neighbor of it.
   [[nodiscard]] VertexId furthest(ObstacleId obstacle, const Vec2& direction) const;
   [[nodiscard]] std::optional<VertexPair> tangent(ObstacleId a, ObstacleId b, int side_a, int side_b) const;
-  /// Whether both neighbours of v lie strictly on one side of the line from p to q, which passes through v.
+  /// Whether both neighbors of v lie strictly on one side of the line from p to q, which passes through v.
   [[nodiscard]] bool is_touched(VertexId v, const Vec2& p, const Vec2& q, int side) const;
 
   World world_;
@@ -39,4 +39,4 @@ class ConvexTangents {
   std::vector<VertexId> ends_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,7 +5,7 @@
 
 #include "accel/expansion/wedge_walk.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -14,12 +14,12 @@ constexpr std::size_t kNodesPerList = 256;
 
 }  // namespace
 
-std::vector<EdgeList> walk_right(const SightMap& map, const Strips& strips, const LongFans& fans, std::size_t first,
+std::vector<EdgeList> walk_right(const SightMap& map, const Sleeves& sleeves, const LongFans& fans, std::size_t first,
                                  std::size_t last, const Executor& executor, WalkCounts* counts) {
   std::vector<EdgeList> lists((last - first + kNodesPerList - 1) / kNodesPerList);
   std::atomic<std::uint64_t> steps = 0, candidates = 0;
   executor.for_ranges(lists.size(), 1, [&](std::size_t begin, std::size_t end) {
-    WedgeWalk walk(map, &strips, &fans);
+    WedgeWalk walk(map, &sleeves, &fans);
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t behind = std::min(last, first + (i + 1) * kNodesPerList);
       for (std::size_t node = first + i * kNodesPerList; node < behind; ++node)
@@ -33,4 +33,4 @@ std::vector<EdgeList> walk_right(const SightMap& map, const Strips& strips, cons
   return lists;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -7,10 +7,10 @@
 #include "accel/expansion/edge_list.h"
 #include "accel/expansion/long_fans.h"
 #include "accel/expansion/sight_map.h"
-#include "accel/expansion/strips.h"
-#include "core/base/executor.h"
+#include "accel/expansion/sleeves.h"
+#include "arcway/executor.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// What walks did.
 struct WalkCounts {
@@ -19,9 +19,9 @@ struct WalkCounts {
 };
 
 /// Looks to the right from the nodes [first, last): after all nodes, each edge is in one list once.
-/// @param strips, fans  of the map, to be passed at once.
+/// @param sleeves, fans  of the map, to be passed at once.
 /// @return lists in the order of the nodes, the same for any executor.
-std::vector<EdgeList> walk_right(const SightMap& map, const Strips& strips, const LongFans& fans, std::size_t first,
+std::vector<EdgeList> walk_right(const SightMap& map, const Sleeves& sleeves, const LongFans& fans, std::size_t first,
                                  std::size_t last, const Executor& executor, WalkCounts* counts = nullptr);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,8 +1,10 @@
-#include "accel/graphs/graph_builder.h"
+#include "arcway/accel/graph_builder.h"
 
 #include "accel/expansion/sight_map.h"
 
 namespace arcway {
+
+using namespace internal;
 
 const char* name_of(GraphBuilder builder) { return builder == GraphBuilder::kPairwise ? "pairwise" : "wedge"; }
 

@@ -6,11 +6,12 @@
 #include <mutex>
 #include <vector>
 
-#include "accel/expansion/tangent_neighbours.h"
+#include "accel/expansion/tangent_neighbors.h"
 #include "core/base/huge_pages.h"
 #include "core/roadmap/slot_cache.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -62,10 +63,10 @@ std::vector<VisibilityRows::Pair> collect_near_pairs(const World& world, double 
 class LazyRows final : public VisibilityRows {
  public:
   LazyRows(const World& world, const Executor& executor)
-      : world_(world), neighbours_(world, executor), rows_(world.vertices().size()) {}
+      : world_(world), neighbors_(world, executor), rows_(world.vertices().size()) {}
 
   [[nodiscard]] std::span<const VertexId> of(VertexId vertex) const override {
-    return rows_.get(vertex, [&] { return std::make_unique<const std::vector<VertexId>>(neighbours_.of(vertex)); });
+    return rows_.get(vertex, [&] { return std::make_unique<const std::vector<VertexId>>(neighbors_.of(vertex)); });
   }
 
   [[nodiscard]] std::vector<Pair> pairs_within(double length, const std::function<bool(VertexId, VertexId)>& wanted,
@@ -84,7 +85,7 @@ class LazyRows final : public VisibilityRows {
 
  private:
   World world_;
-  TangentNeighbours neighbours_;
+  TangentNeighbors neighbors_;
   SlotCache<std::vector<VertexId>> rows_;
 };
 
@@ -94,4 +95,4 @@ std::shared_ptr<const VisibilityRows> make_lazy_rows(const World& world, const E
   return std::make_shared<const LazyRows>(world, executor);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

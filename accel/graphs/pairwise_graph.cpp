@@ -8,8 +8,9 @@
 
 #include "accel/graphs/convex_tangents.h"
 #include "accel/graphs/tangent_filter.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -132,4 +133,4 @@ VisibilityGraph build_pairwise_visibility_graph(const World& world, const Visibi
   return without_carried_edges(world, builder.graph(), executor);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

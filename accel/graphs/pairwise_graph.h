@@ -2,12 +2,12 @@
 
 #include <cstdint>
 
-#include "core/base/executor.h"
-#include "core/collision/visibility_query.h"
-#include "core/model/world.h"
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/executor.h"
+#include "arcway/visibility_graph.h"
+#include "arcway/visibility_query.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// How the tangent pairs of two convex obstacles are found.
 enum class TangentSearch {
@@ -34,4 +34,4 @@ VisibilityGraph build_pairwise_visibility_graph(const World& world, const Visibi
                                                 const Executor& executor, TangentSearch search = TangentSearch::kBinary,
                                                 PairwiseCounts* counts = nullptr);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/visibility_graph.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 TangentFilter::TangentFilter(const World& world)
     : world_(world), vertices_(world_.convex_vertices()), starts_(world.region_count() + 1, 0) {
@@ -67,4 +68,4 @@ bool TangentFilter::is_tangent_pair(std::size_t u, std::size_t v) const {
   return is_tangent(world_, a, world_.vertex(b)) && is_tangent(world_, b, world_.vertex(a));
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Pairs of a world's convex vertices whose line is tangent at both: many at a time in single precision, and exactly
 /// where that cannot decide.
 ///
-/// Coordinates are centred and scaled into [-1, 1], the directions of the two edges at a vertex to |x| + |y| = 1. The
+/// Coordinates are centered and scaled into [-1, 1], the directions of the two edges at a vertex to |x| + |y| = 1. The
 /// cross product of a difference of coordinates and such a direction is then off by less than 2^-21: 2^-23 each from
 /// the rounding of the difference, of the direction, of the products and of their difference.
 class TangentFilter {
@@ -56,4 +56,4 @@ class TangentFilter {
   std::vector<float> ahead_x_, ahead_y_;  // towards the next
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

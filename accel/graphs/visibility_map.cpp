@@ -1,4 +1,4 @@
-#include "accel/graphs/visibility_map.h"
+#include "arcway/accel/visibility_map.h"
 
 #include <algorithm>
 #include <span>
@@ -8,9 +8,9 @@
 #include "accel/expansion/by_site.h"
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/edge_list.h"
-#include "accel/expansion/expansion.h"
 #include "accel/expansion/sight_map.h"
 #include "accel/expansion/sight_trace.h"
+#include "accel/expansion/triangular_expansion.h"
 #include "accel/expansion/wedge_walk.h"
 #include "accel/location/region_locator.h"
 #include "core/collision/blocking.h"
@@ -20,6 +20,8 @@
 #include "core/model/pose_text.h"
 
 namespace arcway {
+
+using namespace internal;
 
 namespace {
 
@@ -109,7 +111,7 @@ struct VisibilityMap::Data {
   }
 
   // Ascending; from a point at some triangles.
-  void find_vertices_seen(const Vec2& p, std::uint32_t own, Expansion::Scratch& scratch,
+  void find_vertices_seen(const Vec2& p, std::uint32_t own, TriangularExpansion::Scratch& scratch,
                           std::vector<VertexId>& found) const {
     expansion.find_sites(p, own, scratch);
     found.clear();
@@ -120,7 +122,8 @@ struct VisibilityMap::Data {
     found.erase(std::unique(found.begin(), found.end()), found.end());
   }
 
-  void find_vertices_seen(std::uint32_t site, Expansion::Scratch& scratch, std::vector<VertexId>& found) const {
+  void find_vertices_seen(std::uint32_t site, TriangularExpansion::Scratch& scratch,
+                          std::vector<VertexId>& found) const {
     scratch.triangles.clear();
     for (const std::uint32_t corner : trace.corners_at(site)) scratch.triangles.push_back(corner - corner % 3);
     find_vertices_seen(map.sites()[site], site, scratch, found);
@@ -128,7 +131,7 @@ struct VisibilityMap::Data {
 
   [[nodiscard]] std::vector<VertexId> vertices_seen(VertexId vertex) const {
     std::vector<VertexId> found;
-    Expansion::Scratch scratch;
+    TriangularExpansion::Scratch scratch;
     if (!world.is_covered(vertex)) find_vertices_seen(map.site_at(world.vertex(vertex)), scratch, found);
     return found;
   }
@@ -136,7 +139,7 @@ struct VisibilityMap::Data {
   [[nodiscard]] std::vector<VertexId> vertices_seen(const Vec2& p) const {
     std::vector<VertexId> found;
     if (locator.containing(p) != kNone) return found;
-    Expansion::Scratch scratch;
+    TriangularExpansion::Scratch scratch;
     trace.triangles_at(p, scratch.triangles);
     if (!scratch.triangles.empty()) {
       find_vertices_seen(p, trace.site_at(p, scratch.triangles), scratch, found);
@@ -164,7 +167,7 @@ struct VisibilityMap::Data {
   SightMap map;
   SightTrace trace;
   RegionLocator locator;
-  Expansion expansion;
+  TriangularExpansion expansion;
   std::vector<std::uint32_t> node_of;  // by vertex
   BySite vertices;                     // that are not covered
   EdgeList through_contacts;           // of the reduced graph
@@ -212,7 +215,7 @@ std::vector<VertexId> VisibilityMap::visible_from(const Vec2& point) const {
 
 std::vector<VertexId> VisibilityMap::tangents_from(VertexId vertex) const {
   data_->require_vertex("tangents", vertex);
-  std::vector<VertexId> found = tangent_neighbours(data_->map, data_->node_of[vertex]);
+  std::vector<VertexId> found = tangent_neighbors(data_->map, data_->node_of[vertex]);
   add_missing(data_->through_contacts, vertex, found);
   return found;
 }
@@ -230,10 +233,10 @@ std::vector<VisibilityMap::SeenWall> VisibilityMap::visibility_polygon(const Vec
   Data::require_range("visibility polygon", point);
   d.require_near("visibility polygon", point);
   std::vector<SeenWall> walls;
-  Expansion::Scratch scratch;
+  TriangularExpansion::Scratch scratch;
   d.trace.triangles_at(point, scratch.triangles);
   d.expansion.find_walls(point, scratch);
-  for (const Expansion::View& seen : scratch.walls) {
+  for (const TriangularExpansion::View& seen : scratch.walls) {
     const LineSegment wall = d.wall_of(seen.right, seen.left);
     const Vec2 &low = d.map.sites()[seen.low], &high = d.map.sites()[seen.high];
     walls.push_back({wall, meet(point, low, wall), meet(point, high, wall), low, high,
@@ -249,7 +252,7 @@ VisibilityGraph build_full_visibility_graph_by_expansion(const World& world, con
   std::vector<EdgeList> parts((sites.size() + kSitesPerRange - 1) / kSitesPerRange);
   executor.begin_stage("lines of sight");
   executor.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-    Expansion::Scratch scratch;
+    TriangularExpansion::Scratch scratch;
     std::vector<VertexId> seen;
     for (std::size_t part = begin; part < end; ++part)
       for (std::size_t i = part * kSitesPerRange; i < std::min(sites.size(), (part + 1) * kSitesPerRange); ++i) {

@@ -1,4 +1,4 @@
-#include "accel/graphs/wedge_graph.h"
+#include "arcway/accel/wedge_graph.h"
 
 #include <array>
 #include <string>
@@ -9,17 +9,19 @@
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/edge_list.h"
 #include "accel/expansion/sight_map.h"
-#include "accel/expansion/strips.h"
+#include "accel/expansion/sleeves.h"
 #include "accel/expansion/wedge_walk.h"
 #include "accel/graphs/edge_walks.h"
 #include "core/base/bytes.h"
 
 namespace arcway {
 
+using namespace internal;
+
 namespace {
 
 // Everybody's edges, and sums of everybody's counters.
-void exchange(std::vector<EdgeList>& parts, WalkCounts& sum, const Team& team) {
+void exchange(std::vector<EdgeList>& parts, WalkCounts& sum, const ProcessGroup& process_group) {
   std::string bytes;
   append_bytes(bytes, sum.steps);
   append_bytes(bytes, sum.candidates);
@@ -27,7 +29,7 @@ void exchange(std::vector<EdgeList>& parts, WalkCounts& sum, const Team& team) {
     for (const auto& [u, v] : part) append_bytes(bytes, std::array<VertexId, 2>{u, v});
   parts.clear();
   sum = {};
-  for (std::string_view rest : team.gather(std::move(bytes))) {
+  for (std::string_view rest : process_group.gather(std::move(bytes))) {
     sum.steps += take_bytes<std::uint64_t>(rest);
     sum.candidates += take_bytes<std::uint64_t>(rest);
     EdgeList part;
@@ -57,7 +59,7 @@ Landscape landscape_of(const World& world, const Executor& executor) {
 }  // namespace
 
 VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, const Executor& executor,
-                                                         WedgeStatistics* statistics, const Team& team) {
+                                                         WedgeStatistics* statistics, const ProcessGroup& process_group) {
   std::vector<EdgeList> parts;
   WalkCounts sum;
   EdgeList through_contacts;
@@ -65,13 +67,13 @@ VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, con
     auto [map, fans] = landscape_of(world, executor);  // gone when rows are made
     if (statistics) *statistics = {map.doors().size() / 3, 0, 0, map.broken_count()};
     executor.begin_stage("lines of sight");
-    const Strips strips = worthwhile_strips(world, map, executor);
-    const auto [first, last] = team.share_of(map.nodes().size());
-    parts = walk_right(map, strips, fans, first, last, executor, &sum);
+    const Sleeves sleeves = worthwhile_sleeves(world, map, executor);
+    const auto [first, last] = process_group.share_of(map.nodes().size());
+    parts = walk_right(map, sleeves, fans, first, last, executor, &sum);
     if (!world.self_contacts().empty()) map.list_left_edges();
     through_contacts = edges_through_contacts(world, map);
   }
-  if (team.size() > 1) exchange(parts, sum, team);
+  if (process_group.size() > 1) exchange(parts, sum, process_group);
   add_missing(std::move(through_contacts), parts);
   if (statistics) {
     statistics->steps = sum.steps;

@@ -4,7 +4,7 @@
 
 #include "core/geometry/ray_parity.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -52,4 +52,4 @@ bool RegionLocator::is_inside(const Vec2& p, ObstacleId region) const {
   return parity.location() == (is_bounds ? PointLocation::kOutside : PointLocation::kInside);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

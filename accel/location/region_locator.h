@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "arcway/world.h"
 #include "core/geometry/box_tree.h"
-#include "core/model/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Which region has a point strictly inside? Exact, the same as trying all regions with World::locate, by a tree over
 /// their boxes, and for regions of many vertices one over their edges. O(log regions + vertices of small regions
@@ -27,4 +27,4 @@ class RegionLocator {
   std::vector<std::uint32_t> tree_of_;  // region -> edge_trees_, kNone for small ones
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

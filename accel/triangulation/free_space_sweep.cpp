@@ -7,7 +7,7 @@
 #include "core/base/prefetch.h"
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -106,7 +106,7 @@ class Sweep {
     }
     if (first == last) {
       merge(below, above);
-      return may_be_neighbours(below, gaps_[below].above);
+      return may_be_neighbors(below, gaps_[below].above);
     }
     set_edge(above, last - 1);
     std::int32_t depth = gaps_[below].depth;
@@ -123,11 +123,11 @@ class Sweep {
       gap = added;
     }
     assert(depth == gaps_[above].depth);
-    return may_be_neighbours(below, gaps_[below].above) && may_be_neighbours(above, gaps_[above].above);
+    return may_be_neighbors(below, gaps_[below].above) && may_be_neighbors(above, gaps_[above].above);
   }
 
-  // Whether the edges below these neighbouring gaps stay clear of each other up to the end of one of them.
-  [[nodiscard]] bool may_be_neighbours(std::uint32_t gap, std::uint32_t next) const {
+  // Whether the edges below these neighboring gaps stay clear of each other up to the end of one of them.
+  [[nodiscard]] bool may_be_neighbors(std::uint32_t gap, std::uint32_t next) const {
     const PlanarMap::Edge& lower = edge_below(gap);
     const PlanarMap::Edge& upper = edge_below(next);
     if (lower.high == upper.high) return true;
@@ -314,4 +314,4 @@ std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map, const Exec
   return Sweep(map).run(executor);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

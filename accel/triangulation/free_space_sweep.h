@@ -6,9 +6,9 @@
 
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/triangulation.h"
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The part of the frame that lies in no whole region, triangulated; and which edges lie strictly inside one.
 struct FreeSpace {
@@ -16,12 +16,12 @@ struct FreeSpace {
   std::vector<std::uint8_t> edge_is_covered;  ///< by edge of the map
 };
 
-/// One sweep from left to right over the gaps between neighbouring edges [Hertel and Mehlhorn 1985]: each gap keeps the
+/// One sweep from left to right over the gaps between neighboring edges [Hertel and Mehlhorn 1985]: each gap keeps the
 /// front of its triangles as a chain, to which every site adds the triangles that it sees. Any site may have any number
 /// of edges on either side. O(n log n), exact.
-/// @return nothing if edges of the map meet elsewhere than in common ends: neighbours are tested as they become so
+/// @return nothing if edges of the map meet elsewhere than in common ends: neighbors are tested as they become so
 ///   [Shamos and Hoey 1976].
 /// @param executor  only asked whether to end. @throws Cancelled then
 std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map, const Executor& executor);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Items in a total order that the caller knows: insertion behind an item, removal, and search by a monotone property.
 /// Blocks of up to 64 items below an array of blocks, so that each step touches a few cache lines and even a million
@@ -94,4 +94,4 @@ class GapOrder {
   std::vector<std::uint32_t> block_of_;  // by item
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -14,7 +14,7 @@
 #include "core/geometry/edge_sweep.h"
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -348,4 +348,4 @@ PlanarMap make_cut_map(const World& world) {
   return map;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "accel/base/big_vector.h"
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// A world as points and edges that meet in common ends only: what a plane sweep takes.
 ///
@@ -40,4 +40,4 @@ bool make_plain_map(const World& world, PlanarMap& map);
 /// Cuts and drops as promised, whatever the world. O(n log n + pairs of edges that meet).
 PlanarMap make_cut_map(const World& world);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,7 +6,7 @@
 
 #include "core/base/prefetch.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -163,4 +163,4 @@ void shorten_diagonals(std::span<const Vec2> sites, Triangulation& triangulation
     for (const std::uint32_t h : seam) whole.flip_around(h);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

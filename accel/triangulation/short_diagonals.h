@@ -4,9 +4,9 @@
 #include <span>
 
 #include "accel/triangulation/triangulation.h"
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Which diagonals are worth a flip.
 enum class Diagonals : std::uint8_t {
@@ -21,4 +21,4 @@ enum class Diagonals : std::uint8_t {
 void shorten_diagonals(std::span<const Vec2> sites, Triangulation& triangulation, Diagonals which,
                        const Executor& executor);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "accel/base/big_vector.h"
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Triangles over the sites of a PlanarMap. Half-edge h = 3 t + i runs from corner i of triangle t to its next corner,
 /// counter-clockwise; `corners[h]` is the site it starts at.
@@ -19,4 +19,4 @@ struct Triangulation {
   [[nodiscard]] std::size_t triangle_count() const { return corners.size() / 3; }
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

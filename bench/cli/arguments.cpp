@@ -8,17 +8,18 @@
 #include <optional>
 #include <system_error>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/file_io.h"
+#include "arcway/datasets/paper_example.h"
+#include "arcway/datasets/robot.h"
 #include "core/model/pose_text.h"
-#include "datasets/formats/robot.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/paper_example.h"
-#include "datasets/io/file_io.h"
+#include "core/roadmap/feasible_graph.h"
 #include "datasets/io/nearest_word.h"
 #include "datasets/io/number_text.h"
 #include "datasets/io/shortened.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -38,14 +39,14 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-// A name that is neither a file nor of the catalogue, but near one of its families.
+// A name that is neither a file nor of the catalog, but near one of its families.
 void refuse_family(const std::string& name) {
   if (std::filesystem::exists(name)) return;
   std::vector<std::string_view> families;
-  for (const CatalogueFamily& family : catalogue_families()) families.push_back(family.name);
+  for (const CatalogFamily& family : catalog_families()) families.push_back(family.name);
   const std::string_view first = std::string_view(name).substr(0, name.find('/'));
   if (!nearest_word(first, families).empty())
-    throw UsageError(name + ": no such file, and in the catalogue " + unknown_word("family", first, families));
+    throw UsageError(name + ": no such file, and in the catalog " + unknown_word("family", first, families));
 }
 
 }  // namespace
@@ -177,9 +178,9 @@ MapReadOptions MapOptions::read_options() const {
 MapFile read_named_map(const std::string& name, const MapOptions& options, bool as_written) {
   MapReadOptions read_options = options.read_options();
   read_options.vector.as_written = as_written;
-  const bool is_file = std::filesystem::is_regular_file(name), generated = is_catalogue_name(name) && !is_file;
+  const bool is_file = std::filesystem::is_regular_file(name), generated = is_catalog_name(name) && !is_file;
   if (!is_file && !generated && name.find('.') == std::string::npos) refuse_family(name);
-  return generated ? catalogue_map(name) : read_map(name, read_options);
+  return generated ? catalog_map(name) : read_map(name, read_options);
 }
 
 LoadedMap load_map(const std::string& name, const MapOptions& options) {
@@ -357,4 +358,4 @@ std::string row(std::string_view label, std::string_view value) {
   return text + std::string(value) + "\n";
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/prepared_map.h"
+#include "arcway/datasets/read_map.h"
+#include "arcway/planner.h"
+#include "arcway/tour.h"
+#include "arcway/world_change.h"
 #include "core/base/stopwatch.h"
-#include "core/model/world_change.h"
-#include "core/planner/planner.h"
-#include "core/tasks/tour.h"
-#include "datasets/formats/prepared_map.h"
-#include "datasets/formats/read_map.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 /// A mistake in what was typed; like every other exception it ends the tool with exit code 2.
 class UsageError : public std::runtime_error {
@@ -35,9 +35,9 @@ inline constexpr int kExitBadInput = 2;
 /// only if the action does not throw, and returns the exit code.
 using Action = std::function<int(std::string& out)>;
 
-/// @param team  of processes that do the same together; the first one prints and writes.
-void add_plan_command(CLI::App& app, Action& action, const Team& team);
-void add_prepare_command(CLI::App& app, Action& action, const Team& team);
+/// @param process group  of processes that do the same together; the first one prints and writes.
+void add_plan_command(CLI::App& app, Action& action, const ProcessGroup& process_group);
+void add_prepare_command(CLI::App& app, Action& action, const ProcessGroup& process_group);
 void add_change_command(CLI::App& app, Action& action);
 void add_graph_command(CLI::App& app, Action& action);
 void add_generate_command(CLI::App& app, Action& action);
@@ -79,10 +79,10 @@ struct BuildOptions {
   [[nodiscard]] QuerySet queries(const World& world, const Executor& executor) const;
   [[nodiscard]] std::unique_ptr<const Executor> executor() const;
   /// What planners are made with. All arguments but the world must outlive their construction.
-  [[nodiscard]] Backend backend_for(const World& world, const Executor& executor, const Team& team) const;
+  [[nodiscard]] Backend backend_for(const World& world, const Executor& executor, const ProcessGroup& process_group) const;
   /// Builds the reduced graph, with queries only where the builder asks any.
   [[nodiscard]] VisibilityGraph reduced_graph_of(const World& world, const Executor& executor,
-                                                 const Team& team = kSoloTeam) const;
+                                                 const ProcessGroup& process_group = kSingleProcess) const;
   [[nodiscard]] VisibilityGraph full_graph_of(const World& world, const Executor& executor) const;
 
   /// "wedge" or "pairwise": what was asked for, or what suits the world; or "prepared".
@@ -98,7 +98,7 @@ struct BuildOptions {
 
 /// Of the argument that names a map.
 inline constexpr const char* kMapHelp =
-    "Map file (GeoJSON, WKT, SVG, ROS, MovingAI, TPCAP, plain text, prepared), or a name of the catalogue: paper, "
+    "Map file (GeoJSON, WKT, SVG, ROS, MovingAI, TPCAP, plain text, prepared), or a name of the catalog: paper, "
     "clutter/star/n100";
 
 /// What a map says: the world and, if it has them, start and goal.
@@ -125,7 +125,7 @@ struct MapOptions {
   /// @throws UsageError
   [[nodiscard]] MapReadOptions read_options() const;
 };
-/// @param name  of a file in one of the formats of read_map, or of a world of the catalogue if there is no such file.
+/// @param name  of a file in one of the formats of read_map, or of a world of the catalog if there is no such file.
 /// @param as_written  see VectorOptions.
 MapFile read_named_map(const std::string& name, const MapOptions& options, bool as_written = false);
 /// The same, checked.
@@ -173,4 +173,4 @@ std::string place_text(const Place& place);
 /// "  label            value\n" with the values in one column.
 std::string row(std::string_view label, std::string_view value);
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

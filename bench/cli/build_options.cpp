@@ -4,13 +4,13 @@
 
 #include "bench/cli/arguments.h"
 #ifdef ARCWAY_WITH_ACCEL
-#include "accel/backend/accel_backend.h"
-#include "accel/base/parallel.h"
-#include "accel/graphs/graph_builder.h"
-#include "accel/graphs/visibility_map.h"
+#include "arcway/accel/accel_backend.h"
+#include "arcway/accel/graph_builder.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/accel/visibility_map.h"
 #endif
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 #ifdef ARCWAY_WITH_ACCEL
@@ -69,7 +69,7 @@ std::string BuildOptions::summary(const World& world) const {
 std::size_t BuildOptions::thread_count() const { return TbbExecutor(threads_asked_for()).threads(); }
 
 QuerySet BuildOptions::queries(const World& world, const Executor& executor) const {
-  return backend_for(world, executor, kSoloTeam).queries();
+  return backend_for(world, executor, kSingleProcess).queries();
 }
 
 std::unique_ptr<const Executor> BuildOptions::executor() const {
@@ -82,10 +82,10 @@ std::string BuildOptions::builder_name(const World& world) const {
   return name_of(backend == "reference" ? GraphBuilder::kPairwise : faster_graph_builder(world));
 }
 
-Backend BuildOptions::backend_for(const World& world, const Executor& executor, const Team& team) const {
+Backend BuildOptions::backend_for(const World& world, const Executor& executor, const ProcessGroup& process_group) const {
   const bool reference = backend == "reference";
   if (reference && builder != "wedge") return backend_of(world, make_reference_queries(world), executor);
-  AccelOptions options{.reference_queries = reference, .team = &team};
+  AccelOptions options{.reference_queries = reference, .process_group = &process_group};
   if (builder != "auto") options.builder = builder == "wedge" ? GraphBuilder::kWedge : GraphBuilder::kPairwise;
   return accel_backend(world, executor, options);
 }
@@ -102,7 +102,7 @@ std::string BuildOptions::builder_name(const World&) const { return prepared ? "
 
 QuerySet BuildOptions::queries(const World& world, const Executor&) const { return make_reference_queries(world); }
 std::unique_ptr<const Executor> BuildOptions::executor() const { return std::make_unique<const SerialExecutor>(); }
-Backend BuildOptions::backend_for(const World& world, const Executor& executor, const Team&) const {
+Backend BuildOptions::backend_for(const World& world, const Executor& executor, const ProcessGroup&) const {
   return backend_of(world, make_reference_queries(world), executor);
 }
 VisibilityGraph BuildOptions::full_graph_of(const World& world, const Executor& executor) const {
@@ -111,8 +111,8 @@ VisibilityGraph BuildOptions::full_graph_of(const World& world, const Executor& 
 
 #endif
 
-VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor, const Team& team) const {
-  return *backend_for(world, executor, team).reduced_graph();
+VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor, const ProcessGroup& process_group) const {
+  return *backend_for(world, executor, process_group).reduced_graph();
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

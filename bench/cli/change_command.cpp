@@ -5,17 +5,17 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/map_file.h"
+#include "arcway/datasets/prepared_map.h"
+#include "arcway/planner.h"
+#include "arcway/world_change.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/progress_bar.h"
 #include "core/model/pose_text.h"
-#include "core/model/world_change.h"
-#include "core/planner/planner.h"
-#include "datasets/formats/prepared_map.h"
 #include "datasets/io/shortened.h"
-#include "datasets/map/map_file.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 struct ChangeArguments {
@@ -110,7 +110,7 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
     warn_of(vehicle, map);
     PreparedGraph graphs{prepared.reduced_graph, prepared.robot->radii, std::move(prepared.robot->feasible)};
     try {
-      before = Planner::restored(map.world, vehicle, arguments.build.backend_for(map.world, *threads, kSoloTeam),
+      before = Planner::restored(map.world, vehicle, arguments.build.backend_for(map.world, *threads, kSingleProcess),
                                  std::move(graphs));
     } catch (const TableError& error) {
       throw FormatError(prepared.source.complaint(error));
@@ -120,7 +120,7 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
   const Stopwatch watch;
   const World after = map.world.changed(removed, added);
   const WorldChange change(map.world, after, removed);
-  const Backend backend = arguments.build.backend_for(after, executor, kSoloTeam);
+  const Backend backend = arguments.build.backend_for(after, executor, kSingleProcess);
   std::string rows;
   PreparedMap result{after, {}, map.start, map.goal, std::nullopt, {}};
   if (before) {
@@ -167,4 +167,4 @@ void add_change_command(CLI::App& app, Action& action) {
       [arguments, &action] { action = [arguments](std::string& out) { return run_change(*arguments, out); }; });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

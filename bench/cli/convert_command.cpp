@@ -2,13 +2,13 @@
 #include <memory>
 #include <string>
 
+#include "arcway/datasets/geojson.h"
+#include "arcway/datasets/svg.h"
+#include "arcway/datasets/wkt.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
-#include "datasets/formats/geojson.h"
-#include "datasets/formats/wkt.h"
-#include "datasets/pictures/svg.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 struct ConvertArguments {
@@ -69,4 +69,4 @@ void add_convert_command(CLI::App& app, Action& action) {
       [arguments, &action] { action = [arguments](std::string& out) { return run_convert(*arguments, out); }; });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

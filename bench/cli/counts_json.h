@@ -4,7 +4,7 @@
 
 #include "core/roadmap/feasible_graph.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 inline nlohmann::ordered_json json_of(const FeasibleGraphCounts& counts) {
   return {{"circles", counts.circles},
@@ -17,4 +17,4 @@ inline nlohmann::ordered_json json_of(const FeasibleGraphCounts& counts) {
           {"rejected_straight", counts.rejected_straight}};
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

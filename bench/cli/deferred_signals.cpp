@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 constexpr std::array kSignals = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU};
@@ -34,4 +34,4 @@ DeferredSignals::~DeferredSignals() {
 
 bool DeferredSignals::arrived() { return waiting != 0; }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 /// While one lives, signals that end the tool (of a terminal, of `kill`, of a pipe that nobody reads, of a limit of
 /// processor time) wait. Its end lets the one that came take its course. One at a time.
@@ -15,4 +15,4 @@ class DeferredSignals {
   static bool arrived();
 };
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/doctor.h"
+#include "arcway/datasets/geojson.h"
+#include "arcway/datasets/repair.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "core/base/shortest_text.h"
-#include "datasets/formats/geojson.h"
-#include "datasets/map/doctor.h"
-#include "datasets/map/repair.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 struct DoctorArguments {
@@ -116,4 +116,4 @@ void add_doctor_command(CLI::App& app, Action& action) {
       [arguments, &action] { action = [arguments](std::string& out) { return run_doctor(*arguments, out); }; });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

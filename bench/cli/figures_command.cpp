@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/file_io.h"
+#include "arcway/datasets/paper_example.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/figures/figures.h"
-#include "datasets/generators/paper_example.h"
-#include "datasets/io/file_io.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 int draw_figures(const std::string& folder, std::string& out) {
@@ -54,4 +54,4 @@ void add_figures_command(CLI::App& app, Action& action) {
   command->callback([&action, folder] { action = [folder](std::string& out) { return draw_figures(*folder, out); }; });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

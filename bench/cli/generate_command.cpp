@@ -6,18 +6,18 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/driven_world.h"
+#include "arcway/datasets/geojson.h"
+#include "arcway/datasets/plan_io.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/datasets/robot.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "core/model/pose_text.h"
-#include "datasets/formats/geojson.h"
-#include "datasets/formats/plan_io.h"
-#include "datasets/formats/robot.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/driven_world.h"
-#include "datasets/generators/random_queries.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 struct GenerateArguments {
@@ -57,7 +57,7 @@ MapFile clutter_map(ClutterKind kind, const GenerateArguments& arguments, std::s
 void add_drive(OutputFiles& files, const GenerateArguments& arguments) {
   if (arguments.robot_out.empty() && arguments.drive_out.empty()) return;
   const auto driven =
-      is_catalogue_name(arguments.world) ? catalogue_driven_world(arguments.world) : std::optional<DrivenWorld>();
+      is_catalog_name(arguments.world) ? catalog_driven_world(arguments.world) : std::optional<DrivenWorld>();
   if (!driven) {
     throw UsageError(std::string(arguments.robot_out.empty() ? "--drive-out" : "--robot-out") +
                      ": only worlds driven/... know a robot and its drive, got " + in_quotes(arguments.world));
@@ -75,11 +75,11 @@ MapFile make_map(const GenerateArguments& arguments, std::string& out) {
                                       {"--gap", &arguments.gap},
                                       {"--seed", &arguments.seed}}) {
     if (!value->empty()) {
-      throw UsageError(std::string(option) + ": only with convex, star, mixed or rectangle; a name of the catalogue " +
+      throw UsageError(std::string(option) + ": only with convex, star, mixed or rectangle; a name of the catalog " +
                        "says it all, got " + in_quotes(arguments.world));
     }
   }
-  return catalogue_map(arguments.world);
+  return catalog_map(arguments.world);
 }
 
 std::string queries_csv(const GenerateArguments& arguments, const World& world, std::string& warnings) {
@@ -120,8 +120,8 @@ int run_generate(const GenerateArguments& arguments, std::string& out) {
 }
 
 std::string families_text() {
-  std::string text = "Names of the catalogue (parts may be left out):\n";
-  for (const CatalogueFamily& family : catalogue_families()) {
+  std::string text = "Names of the catalog (parts may be left out):\n";
+  for (const CatalogFamily& family : catalog_families()) {
     text.append("  ").append(family.pattern).append("\n      ").append(family.what);
     for (const std::string_view& kind : family.kinds)
       text.append(&kind == &family.kinds.front() ? "; KIND: " : ", ").append(kind);
@@ -138,7 +138,7 @@ void add_generate_command(CLI::App& app, Action& action) {
   command.footer(families_text());
   const auto arguments = std::make_shared<GenerateArguments>();
   const ClutterParameters defaults;
-  command.add_option("WORLD", arguments->world, "convex, star, mixed or rectangle; or a name of the catalogue")
+  command.add_option("WORLD", arguments->world, "convex, star, mixed or rectangle; or a name of the catalog")
       ->required();
   const auto option = [&](const char* name, std::string& value, const std::string& what,
                           const std::string& default_value) {
@@ -163,4 +163,4 @@ void add_generate_command(CLI::App& app, Action& action) {
       [arguments, &action] { action = [arguments](std::string& out) { return run_generate(*arguments, out); }; });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

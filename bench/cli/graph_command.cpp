@@ -4,16 +4,16 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/svg.h"
+#include "arcway/planner.h"
+#include "arcway/process_group.h"
+#include "arcway/visibility_graph.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/counts_json.h"
 #include "bench/cli/output_files.h"
-#include "core/base/team.h"
-#include "core/planner/planner.h"
 #include "core/roadmap/feasible_graph.h"
-#include "core/roadmap/visibility_graph.h"
-#include "datasets/pictures/svg.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 struct GraphArguments {
@@ -66,7 +66,7 @@ BuiltGraph build_feasible_graph(const GraphArguments& arguments, LoadedMap& map)
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
   const std::unique_ptr<const Executor> executor = arguments.build.executor();
   const bool with_csv = !arguments.edges.empty(), with_lines = !arguments.svg.empty();
-  const Planner planner(map.world, vehicle, arguments.build.backend_for(map.world, *executor, kSoloTeam),
+  const Planner planner(map.world, vehicle, arguments.build.backend_for(map.world, *executor, kSingleProcess),
                         {.graph_mode = GraphMode::kEager, .radii = {vehicle.min_turning_radius()}});
   const FeasibleGraph& feasible = planner.feasible_graph();
 
@@ -182,4 +182,4 @@ void add_graph_command(CLI::App& app, Action& action) {
       [arguments, &action] { action = [arguments](std::string& out) { return run_graph(*arguments, out); }; });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -10,12 +10,12 @@
 #include <system_error>
 #include <vector>
 
+#include "arcway/process_group.h"
 #include "bench/cli/arguments.h"
-#include "core/base/team.h"
 #include "datasets/io/nearest_word.h"
 #include "datasets/io/shortened.h"
 #ifdef ARCWAY_WITH_MPI
-#include "accel/mpi/mpi_team.h"
+#include "accel/mpi/mpi_process_group.h"
 #endif
 
 namespace {
@@ -28,7 +28,7 @@ constexpr const char* kName = "arcway";
 constexpr std::size_t kMostOfMessage = 10'000;  ///< bytes printed of an error: two paths of the longest, and a sentence
 constexpr const char* kDescription = "Time-optimal smooth paths for car-like robots on polygon maps.";
 constexpr const char* kFooter =
-    "Units: metres, seconds, radians counter-clockwise from +x (or degrees: 90deg).\n"
+    "Units: meters, seconds, radians counter-clockwise from +x (or degrees: 90deg).\n"
     "Exit codes: 0 solved, valid or done; 1 no path, not valid or refused; 2 bad input or usage.";
 
 /// @throws std::system_error if that fails, as on a disk that is full.
@@ -38,12 +38,12 @@ void print(const std::string& text) {
 }
 
 /// An empty value is most likely that of a variable which a script has not set.
-/// @throws arcway::cli::UsageError naming the option.
+/// @throws arcway::internal::cli::UsageError naming the option.
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands())
     for (const CLI::Option* option : command->get_options())
       for (const std::string& value : option->results())
-        if (value.empty()) throw arcway::cli::UsageError(option->get_name() + ": its value is empty");
+        if (value.empty()) throw arcway::internal::cli::UsageError(option->get_name() + ": its value is empty");
 }
 
 /// What was meant by words that are neither subcommands nor options; empty if nothing near.
@@ -57,20 +57,21 @@ std::string meant_instead(const CLI::App& app) {
     for (const CLI::App* subcommand : app.get_subcommands(nullptr)) known.push_back(subcommand->get_name());
   const std::vector<std::string_view> words(known.begin(), known.end());
   for (const std::string& word : app.remaining(true))
-    if (const std::string_view nearest = arcway::nearest_word(word.substr(0, word.find('=')), words); !nearest.empty())
+    if (const std::string_view nearest = arcway::internal::nearest_word(word.substr(0, word.find('=')), words);
+        !nearest.empty())
       return "Did you mean " + std::string(nearest) + "?\n";
   return "";
 }
 
-int run(int argc, char** argv, const arcway::Team& team) {
-  using namespace arcway::cli;
+int run(int argc, char** argv, const arcway::ProcessGroup& process_group) {
+  using namespace arcway::internal::cli;
   CLI::App app(kDescription, kName);
   app.footer(kFooter);
   app.set_version_flag("--version", std::string(kName) + " " ARCWAY_VERSION);
   app.require_subcommand(0, 1);  // an unknown one is then named in the message, none at all is checked below
   Action action;
-  add_plan_command(app, action, team);
-  add_prepare_command(app, action, team);
+  add_plan_command(app, action, process_group);
+  add_prepare_command(app, action, process_group);
 #ifndef ARCWAY_WITH_MPI
   add_change_command(app, action);
   add_graph_command(app, action);
@@ -87,9 +88,9 @@ int run(int argc, char** argv, const arcway::Team& team) {
     std::ostringstream out;
     std::ostringstream err;
     const int code = app.exit(error, out, err);
-    if (team.rank() > 0) return code == 0 ? kExitSolved : kExitBadInput;
+    if (process_group.rank() > 0) return code == 0 ? kExitSolved : kExitBadInput;
     if (code != 0) {
-      std::fprintf(stderr, "%s: %s%s", kName, arcway::shortened(err.str(), kMostOfMessage).c_str(),
+      std::fprintf(stderr, "%s: %s%s", kName, arcway::internal::shortened(err.str(), kMostOfMessage).c_str(),
                    meant_instead(app).c_str());
       return kExitBadInput;
     }
@@ -100,7 +101,7 @@ int run(int argc, char** argv, const arcway::Team& team) {
   if (!action) throw UsageError("a subcommand is required; --help names them");
   std::string text;
   const int code = action(text);
-  if (team.rank() > 0) return code;
+  if (process_group.rank() > 0) return code;
   print(text);
   return code;
 }
@@ -110,20 +111,20 @@ int run(int argc, char** argv, const arcway::Team& team) {
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file above the limit of sizes is an error as any other
 #ifdef ARCWAY_WITH_MPI
-  const arcway::MpiTeam team;
+  const arcway::internal::MpiProcessGroup process_group;
 #else
-  const arcway::SoloTeam team;
+  const arcway::SingleProcess process_group;
 #endif
   try {
-    return run(argc, argv, team);
+    return run(argc, argv, process_group);
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "%s: out of memory\n", kName);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", kName, arcway::shortened(error.what(), kMostOfMessage).c_str());
+    std::fprintf(stderr, "%s: %s\n", kName, arcway::internal::shortened(error.what(), kMostOfMessage).c_str());
   }
 #ifdef ARCWAY_WITH_MPI
-  team.abort(arcway::cli::kExitBadInput);  // the others would wait for this process
+  process_group.abort(arcway::internal::cli::kExitBadInput);  // the others would wait for this process
 #else
-  return arcway::cli::kExitBadInput;
+  return arcway::internal::cli::kExitBadInput;
 #endif
 }

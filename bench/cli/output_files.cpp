@@ -5,7 +5,7 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/deferred_signals.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 OutputFiles::OutputFiles(const std::vector<std::string>& targets, const std::vector<std::string>& inputs, bool writes)
     : writes_(writes) {
@@ -39,4 +39,4 @@ std::string OutputFiles::summary() const {
   return text;
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -6,14 +6,14 @@
 
 #include "datasets/io/file_transaction.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 /// Files that a command writes: all of them whole, or none, whatever ends the tool meanwhile. Made before anything
 /// takes long, as it finds out what cannot be written.
 class OutputFiles {
  public:
   /// @param targets  of options; empty ones are not asked for.
-  /// @param inputs   files that are read and not to be replaced; names of no file, as of the catalogue, do not count.
+  /// @param inputs   files that are read and not to be replaced; names of no file, as of the catalog, do not count.
   /// @param writes   false in all but one of several processes that do the same: they leave the files alone.
   /// @throws FileError naming the target that cannot be written, is read, or is named twice.
   explicit OutputFiles(const std::vector<std::string>& targets, const std::vector<std::string>& inputs = {},
@@ -33,4 +33,4 @@ class OutputFiles {
   std::vector<std::string> added_;
 };
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "arcway/datasets/svg.h"
 #include "core/base/shortest_text.h"
-#include "datasets/pictures/svg.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 Heuristic heuristic_of(const std::string& name) {
@@ -121,7 +121,7 @@ void PlanArguments::check() const {
                        in_quotes(layer));
 }
 
-PlannerOptions PlanArguments::planner_options(const Team& team) const {
+PlannerOptions PlanArguments::planner_options(const ProcessGroup& process_group) const {
   PlannerOptions options;
   options.heuristic = heuristic_of(heuristic);
   if (!suboptimality.empty()) options.suboptimality = parse_number(suboptimality, "--suboptimality");
@@ -133,12 +133,12 @@ PlannerOptions PlanArguments::planner_options(const Team& team) const {
   if (trials > kMostTrials)
     throw UsageError("--refine-trials: at most " + std::to_string(kMostTrials) + ", got " + in_quotes(refine_trials));
   options.refinement.max_trials = static_cast<std::uint32_t>(trials);
-  options.team = &team;
+  options.process_group = &process_group;
   return options;
 }
 
 PlanLimits PlanArguments::limits() const {
-  PlanLimits limits{.scout = build.thread_count() > 1};
+  PlanLimits limits{.prefetch = build.thread_count() > 1};
   const std::string& text = time_limit;
   if (text.empty()) return limits;
   limits.time = parse_number(text, "--time-limit");
@@ -172,4 +172,4 @@ PathSampling PlanArguments::sampling() const {
   return sampling;
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/plan_io.h"
+#include "arcway/planner.h"
+#include "arcway/process_group.h"
 #include "bench/cli/arguments.h"
-#include "core/base/team.h"
-#include "core/planner/planner.h"
-#include "datasets/formats/plan_io.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 /// What `arcway plan` was asked for, as typed.
 struct PlanArguments {
@@ -43,11 +43,11 @@ struct PlanArguments {
   [[nodiscard]] std::vector<std::string> inputs() const { return {map, robot, queries}; }
   [[nodiscard]] std::vector<std::string> outputs() const { return {out, svg, json, csv, ros_path}; }
   /// @throws UsageError, as the next three.
-  [[nodiscard]] PlannerOptions planner_options(const Team& team) const;
+  [[nodiscard]] PlannerOptions planner_options(const ProcessGroup& process_group) const;
   [[nodiscard]] PlanLimits limits() const;
   [[nodiscard]] double cusp_cost_seconds() const;  ///< 0 if not given
   [[nodiscard]] std::optional<std::uint32_t> most_gear_changes() const;
   [[nodiscard]] PathSampling sampling() const;
 };
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -6,29 +6,29 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/robot.h"
+#include "arcway/planner.h"
+#include "arcway/stop_clock.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/plan_arguments.h"
 #include "bench/cli/plan_one.h"
 #include "bench/cli/plan_queries.h"
 #include "bench/cli/progress_bar.h"
-#include "core/base/stop_clock.h"
 #include "core/planner/no_path.h"
-#include "core/planner/planner.h"
-#include "datasets/formats/robot.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 /// From the map's file what it has of this vehicle; the rest is built, or found as a search asks for it.
 /// @throws Cancelled if the clock is over before that is done.
 Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
-                     const PlannerOptions& options, const Team& team, const StopClock& clock) {
+                     const PlannerOptions& options, const ProcessGroup& process_group, const StopClock& clock) {
   const auto arena = arguments.build.executor();
   const StoppableExecutor threads(*arena, clock);
   ProgressBar bar;
   const ReportingExecutor executor(threads, bar.callback());
-  const Backend backend = arguments.build.backend_for(map.world, executor, team);
+  const Backend backend = arguments.build.backend_for(map.world, executor, process_group);
   if (!map.prepared) return {map.world, vehicle, backend, options};
   VisibilityGraph& reduced = map.prepared->reduced_graph;
   auto& robot = map.prepared->robot;
@@ -57,10 +57,10 @@ void warn_of_poses(const PlanArguments& arguments, const Pose& start, const Tour
     map.notes.push_back("--start, --goal and --via are meters from there, not degrees");
 }
 
-int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
+int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::string& out) {
   const bool batch = arguments.batch();
   arguments.check();
-  const PlannerOptions options = arguments.planner_options(team);
+  const PlannerOptions options = arguments.planner_options(process_group);
   const PlanLimits limits = arguments.limits();
   const double cusp_cost = arguments.cusp_cost_seconds();
 
@@ -83,7 +83,7 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
     query.request.max_gear_changes = max_gear_changes;
   }
 
-  OutputFiles files(arguments.outputs(), arguments.inputs(), team.rank() == 0);
+  OutputFiles files(arguments.outputs(), arguments.inputs(), process_group.rank() == 0);
   LoadedMap map = load_map(arguments.map, arguments.reading);
   files.protect(map.files);
   arguments.build.prepared = map.prepared.has_value();
@@ -98,11 +98,11 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   }
 
   // A process alone that stops to build would leave the others waiting for it, and of many queries each has the limit.
-  const StopClock clock(batch || team.size() > 1 ? std::numeric_limits<double>::infinity() : limits.time);
+  const StopClock clock(batch || process_group.size() > 1 ? std::numeric_limits<double>::infinity() : limits.time);
   const auto arena = arguments.build.executor();
   const StoppableExecutor executor(*arena, clock);
   const auto plan_on = [&](const World& world) {
-    return Planner(world, vehicle, arguments.build.backend_for(world, executor, team), options);
+    return Planner(world, vehicle, arguments.build.backend_for(world, executor, process_group), options);
   };
   if (!batch) request.start = *start;
   // Tours and alternatives keep to the rings of the map.
@@ -111,10 +111,10 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
   try {
     if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, files, out);
     const Stopwatch watch;
-    const Planner planner = make_planner(arguments, map, vehicle, options, team, clock);
+    const Planner planner = make_planner(arguments, map, vehicle, options, process_group, clock);
     if (batch && map.prepared) planner.warm_up(std::min(arguments.build.thread_count(), queries.size()));
     const double build_seconds = watch.seconds();
-    if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, team, files, out);
+    if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, process_group, files, out);
     PlanLimits rest = limits;
     rest.time = std::min(limits.time, clock.seconds_left());
     std::vector<CheckedPlan> plans = plans_of(arguments, planner, request, rest);
@@ -128,13 +128,13 @@ int run_plan(PlanArguments arguments, const Team& team, std::string& out) {
 
 }  // namespace
 
-void add_plan_command(CLI::App& app, Action& action, const Team& team) {
+void add_plan_command(CLI::App& app, Action& action, const ProcessGroup& process_group) {
   CLI::App& command = *app.add_subcommand("plan", "Plan the fastest path from start to goal, or many on one map");
   const auto arguments = std::make_shared<PlanArguments>();
   arguments->add_to(command);
-  command.callback([arguments, &action, &team] {
-    action = [arguments, &team](std::string& out) { return run_plan(*arguments, team, out); };
+  command.callback([arguments, &action, &process_group] {
+    action = [arguments, &process_group](std::string& out) { return run_plan(*arguments, process_group, out); };
   });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -4,15 +4,16 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "arcway/alternatives.h"
+#include "arcway/curved_plan.h"
+#include "arcway/datasets/plan_io.h"
+#include "arcway/datasets/svg.h"
 #include "bench/cli/counts_json.h"
 #include "core/base/shortest_text.h"
-#include "core/gaps/bottleneck.h"
-#include "core/tasks/alternatives.h"
-#include "core/tasks/curved_plan.h"
-#include "datasets/formats/plan_io.h"
-#include "datasets/pictures/svg.h"
+#include "core/gaps/bottleneck_finder.h"
+#include "core/roadmap/feasible_graph.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 std::vector<LineSegment> edges_of(const Planner& planner) {
@@ -245,4 +246,4 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
   return plan_one(arguments, map, plan.planner, build_seconds, request, plans, files, out);
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

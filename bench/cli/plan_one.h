@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "arcway/planner.h"
+#include "arcway/tour.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/plan_arguments.h"
 #include "bench/cli/plan_rows.h"
-#include "core/planner/planner.h"
-#include "core/tasks/tour.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 /// Alternatives, or the one plan that leads by all places to a goal.
 /// @throws UsageError where alternatives are asked for and there is more than a start and a goal.
@@ -34,4 +34,4 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
                 const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, OutputFiles& files,
                 std::string& out);
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

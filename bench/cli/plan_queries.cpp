@@ -7,15 +7,15 @@
 #include <string_view>
 #include <utility>
 
+#include "arcway/datasets/plan_io.h"
+#include "arcway/plan_batch.h"
 #include "bench/cli/plan_rows.h"
 #include "bench/cli/progress_bar.h"
 #include "bench/quantiles.h"
 #include "core/base/bytes.h"
 #include "core/base/shortest_text.h"
-#include "core/tasks/plan_batch.h"
-#include "datasets/formats/plan_io.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 std::string batch_line(std::uint64_t q, const CheckedPlan& plan) {
@@ -95,7 +95,7 @@ std::vector<Answer> answer_share(const Planner& planner, std::span<const Numbere
 }  // namespace
 
 int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits, const Team& team,
+                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits, const ProcessGroup& process_group,
                    OutputFiles& files, std::string& out) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
@@ -112,9 +112,9 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   std::vector<double> seconds;
   const Stopwatch watch;
   const auto threads = arguments.build.executor();
-  const auto [first, last] = team.share_of(queries.size());
+  const auto [first, last] = process_group.share_of(queries.size());
   std::vector<Answer> answers;
-  for (const std::string& share : team.gather(to_bytes(answer_share(
+  for (const std::string& share : process_group.gather(to_bytes(answer_share(
            planner, std::span(queries).subspan(first, last - first), limits, !arguments.json.empty(), *threads))))
     append_answers(share, answers);
   for (const Answer& answer : answers) {
@@ -147,4 +147,4 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   return refused == 0 ? kExitSolved : kExitNoPath;
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

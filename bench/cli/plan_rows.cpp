@@ -6,7 +6,7 @@
 #include "bench/cli/arguments.h"
 #include "core/base/shortest_text.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::string validity_row(const CheckedPlan& plan) {
   return text;
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/planner/planner.h"
-#include "core/validate/validation.h"
+#include "arcway/planner.h"
+#include "arcway/validation.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 /// A plan and what the validator says of it; no report unless solved.
 struct CheckedPlan {
@@ -33,4 +33,4 @@ std::string suboptimality_row(double suboptimality);
 /// What the validator says, and a defect of the planner if there is one. Precondition: the plan is solved.
 std::string validity_row(const CheckedPlan& plan);
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -3,13 +3,13 @@
 #include <string>
 #include <utility>
 
+#include "arcway/datasets/prepared_map.h"
+#include "arcway/planner.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/progress_bar.h"
-#include "core/planner/planner.h"
-#include "datasets/formats/prepared_map.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 struct PrepareArguments {
@@ -21,13 +21,13 @@ struct PrepareArguments {
   BuildOptions build;
 };
 
-int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) {
+int run_prepare(PrepareArguments arguments, const ProcessGroup& process_group, std::string& out) {
   if (arguments.kind != "reduced" && arguments.kind != "feasible")
     throw UsageError("--kind: expected reduced or feasible, got " + in_quotes(arguments.kind));
   if (arguments.kind == "reduced" && !arguments.robot.empty())
     throw UsageError("--robot: a reduced graph is that of any robot; leave it out, or take --kind feasible");
   arguments.build.check();
-  OutputFiles files({arguments.out}, {arguments.map, arguments.robot}, team.rank() == 0);
+  OutputFiles files({arguments.out}, {arguments.map, arguments.robot}, process_group.rank() == 0);
   LoadedMap map = load_map(arguments.map, arguments.reading);
   files.protect(map.files);
   arguments.build.prepared = map.prepared.has_value();
@@ -38,7 +38,7 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   const auto threads = arguments.build.executor();
   ProgressBar bar;
   const ReportingExecutor executor(*threads, bar.callback());
-  const Backend backend = arguments.build.backend_for(map.world, executor, team);
+  const Backend backend = arguments.build.backend_for(map.world, executor, process_group);
   VisibilityGraph reduced =
       map.prepared ? std::move(map.prepared->reduced_graph) : VisibilityGraph(*backend.reduced_graph());
   const double reduced_seconds = watch.seconds();
@@ -46,7 +46,7 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
   PreparedMap prepared{map.world, {}, map.start, map.goal, std::nullopt, {}};
   if (vehicle) {
     const Planner planner(map.world, *vehicle, backend_of(map.world, backend.queries(), std::move(reduced), executor),
-                          {.graph_mode = GraphMode::kEager, .team = &team});
+                          {.graph_mode = GraphMode::kEager, .process_group = &process_group});
     rows += feasible_row(planner);
     prepared = prepared_map_of(planner, map.start, map.goal);
   } else {
@@ -67,7 +67,7 @@ int run_prepare(PrepareArguments arguments, const Team& team, std::string& out) 
 
 }  // namespace
 
-void add_prepare_command(CLI::App& app, Action& action, const Team& team) {
+void add_prepare_command(CLI::App& app, Action& action, const ProcessGroup& process_group) {
   CLI::App& command = *app.add_subcommand("prepare", "Build a map's graphs once, for plan to take up");
   const auto arguments = std::make_shared<PrepareArguments>();
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
@@ -80,9 +80,9 @@ void add_prepare_command(CLI::App& app, Action& action, const Team& team) {
   command.add_option("--robot", arguments->robot, kRobotHelp)->type_name("R.json");
   arguments->build.add_to(command);
   command.add_option("--out", arguments->out, "File to write")->type_name("F.arcway")->required();
-  command.callback([arguments, &action, &team] {
-    action = [arguments, &team](std::string& out) { return run_prepare(*arguments, team, out); };
+  command.callback([arguments, &action, &process_group] {
+    action = [arguments, &process_group](std::string& out) { return run_prepare(*arguments, process_group, out); };
   });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -42,4 +42,4 @@ void ProgressBar::show(const Progress& progress) {
   shown_ = length;
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <cstddef>
 
-#include "core/base/progress.h"
+#include "arcway/progress.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 
 /// A line on standard error, if that is a terminal, that shows how far the work is; gone when the work is done. Nothing
 /// is shown of what takes less than a fifth of a second.
@@ -27,4 +27,4 @@ class ProgressBar {
   std::size_t shown_ = 0;  // characters on the line
 };
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/file_io.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/report/document.h"
-#include "datasets/io/file_io.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 constexpr const char *kHtml = "report.html", *kMarkdown = "report.md", *kCsv = "report.csv";
@@ -79,4 +79,4 @@ void add_report_command(CLI::App& app, Action& action) {
       [&action, arguments] { action = [arguments](std::string& out) { return report(*arguments, out); }; });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/file_io.h"
+#include "arcway/datasets/plan_io.h"
+#include "arcway/validation.h"
 #include "bench/cli/arguments.h"
 #include "core/base/shortest_text.h"
-#include "core/validate/validation.h"
-#include "datasets/formats/plan_io.h"
-#include "datasets/io/file_io.h"
 #include "datasets/io/shortened.h"
 
-namespace arcway::cli {
+namespace arcway::internal::cli {
 namespace {
 
 struct ValidateArguments {
@@ -126,4 +126,4 @@ void add_validate_command(CLI::App& app, Action& action) {
       [arguments, &action] { action = [arguments](std::string& out) { return run_validate(*arguments, out); }; });
 }
 
-}  // namespace arcway::cli
+}  // namespace arcway::internal::cli

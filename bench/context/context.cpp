@@ -6,7 +6,7 @@
 
 #include "build_info.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 std::string processor() {
@@ -53,4 +53,4 @@ std::vector<std::pair<std::string, std::string>> machine_and_build() {
   };
 }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

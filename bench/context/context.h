@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// Keys and values that every file of results carries: processor, cores, instruction set, compiler, flags, build type,
 /// commit, versions of the libraries. Nothing that names the machine or its user.
 std::vector<std::pair<std::string, std::string>> machine_and_build();
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace arcway::figures {
+namespace arcway::internal::figures {
 namespace {
 
 constexpr double kBorder = 30.0;
@@ -76,4 +76,4 @@ std::string Canvas::str(std::string_view title, std::string_view caption) const 
          "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body_ + lines + "</svg>\n";
 }
 
-}  // namespace arcway::figures
+}  // namespace arcway::internal::figures

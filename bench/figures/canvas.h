@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/geometry/vec2.h"
+#include "arcway/vec2.h"
 
-namespace arcway::figures {
+namespace arcway::internal::figures {
 
 /// A drawing in its own units, y up, on white ground so that it reads the same on light and dark pages. The caption
 /// stands below, broken into lines at '\n'.
@@ -31,4 +31,4 @@ class Canvas {
   std::string body_;
 };
 
-}  // namespace arcway::figures
+}  // namespace arcway::internal::figures

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/planner/planner.h"
+#include "arcway/planner.h"
 
-namespace arcway::figures {
+namespace arcway::internal::figures {
 
 /// A figure of the paper as an SVG document, its numbers in the caption.
 struct Figure {
@@ -26,4 +26,4 @@ Figure feasible_graph_and_motion(const Planner& planner, const PlanResult& plan)
 /// A number with a fixed count of digits after the point.
 std::string digits(double value, int count);
 
-}  // namespace arcway::figures
+}  // namespace arcway::internal::figures

@@ -1,11 +1,12 @@
 #include <vector>
 
+#include "arcway/datasets/svg.h"
+#include "arcway/query_set.h"
+#include "arcway/visibility_graph.h"
 #include "bench/figures/figures.h"
-#include "core/collision/query_set.h"
-#include "core/roadmap/visibility_graph.h"
-#include "datasets/pictures/svg.h"
+#include "core/roadmap/feasible_graph.h"
 
-namespace arcway::figures {
+namespace arcway::internal::figures {
 namespace {
 
 std::vector<LineSegment> lines_of(const World& world, const VisibilityGraph& graph) {
@@ -25,7 +26,7 @@ Figure visibility_graphs(const Planner& planner) {
   picture.add_edges(lines_of(world, full), {.color = "#8a929c", .width = 0.7, .opacity = 0.5}, "full");
   picture.add_edges(lines_of(world, reduced), {.color = "#0072b2", .width = 1.6, .opacity = 0.95}, "reduced");
   const std::string caption =
-      "Full visibility graph, " + std::to_string(full.edge_count()) + " edges (grey), and reduced one, " +
+      "Full visibility graph, " + std::to_string(full.edge_count()) + " edges (gray), and reduced one, " +
       std::to_string(reduced.edge_count()) + " (blue, tangent at both ends): " +
       digits(100.0 * static_cast<double>(reduced.edge_count()) / static_cast<double>(full.edge_count()), 0) + " %.";
   picture.set_title("Full and reduced visibility graph", caption);
@@ -53,4 +54,4 @@ Figure feasible_graph_and_motion(const Planner& planner, const PlanResult& plan)
   return {"figure7", picture.str(), caption};
 }
 
-}  // namespace arcway::figures
+}  // namespace arcway::internal::figures

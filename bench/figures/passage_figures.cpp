@@ -3,11 +3,12 @@
 #include <cstdio>
 #include <vector>
 
+#include "arcway/datasets/svg.h"
 #include "bench/figures/figures.h"
 #include "core/gaps/minimum_distances.h"
-#include "datasets/pictures/svg.h"
+#include "core/roadmap/feasible_graph.h"
 
-namespace arcway::figures {
+namespace arcway::internal::figures {
 namespace {
 
 /// Start, the vertices that the graph's best path goes round, goal: before refinement, which moves turns away from the
@@ -80,7 +81,7 @@ Figure radial_sets(const Planner& planner, const PlanResult& plan) {
   const std::string caption =
       "Obstacles left (blue, " + std::to_string(distances.obstacles.left.size()) + ") and right (orange, " +
       std::to_string(distances.obstacles.right.size()) +
-      ") of the point path.\nThe bisectors of its turns (grey) part the radial sets of its segments, left + "
+      ") of the point path.\nThe bisectors of its turns (gray) part the radial sets of its segments, left + "
       "right: " +
       counts_of(distances) + ".";
   picture.set_title("Left, right and radial sets");
@@ -121,4 +122,4 @@ std::string digits(double value, int count) {
   return text;
 }
 
-}  // namespace arcway::figures
+}  // namespace arcway::internal::figures

@@ -2,7 +2,7 @@
 #include "bench/figures/figures.h"
 #include "core/motion/speed_profile.h"
 
-namespace arcway::figures {
+namespace arcway::internal::figures {
 namespace {
 
 /// Speed over time on one straight: up from v1, along v2 if it is reached, down to v3.
@@ -45,4 +45,4 @@ Figure speed_profiles(const Vehicle& vehicle) {
   return {"figure6", canvas.str("Both speed profiles", caption), caption};
 }
 
-}  // namespace arcway::figures
+}  // namespace arcway::internal::figures

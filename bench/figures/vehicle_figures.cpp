@@ -1,16 +1,16 @@
 #include <cmath>
 
+#include "arcway/angle.h"
 #include "bench/figures/canvas.h"
 #include "bench/figures/figures.h"
-#include "core/geometry/angle.h"
 
-namespace arcway::figures {
+namespace arcway::internal::figures {
 namespace {
 
 constexpr const char* kBlue = "#0072b2";
 constexpr const char* kOrange = "#d55e00";
 constexpr const char* kGreen = "#009e73";
-constexpr const char* kGrey = "#7a828c";
+constexpr const char* kGray = "#7a828c";
 
 /// A rectangle about a point, turned.
 std::string rectangle(const Canvas& canvas, const Pose& pose, double front, double rear, double half_width) {
@@ -36,18 +36,18 @@ Figure vehicle_model(const Vehicle& vehicle) {
     canvas.polygon(rectangle(canvas, {0.0, side * gauge, 0.0}, 0.14, 0.14, 0.04), "#1d2126", "#1d2126");
     const double angle = std::atan2(p.wheelbase, radius - side * gauge);
     canvas.polygon(rectangle(canvas, {p.wheelbase, side * gauge, angle}, 0.14, 0.14, 0.04), "#1d2126", "#1d2126");
-    canvas.line({p.wheelbase, side * gauge}, center, kGrey, 1.0, "4 4");
+    canvas.line({p.wheelbase, side * gauge}, center, kGray, 1.0, "4 4");
   }
-  canvas.line({0.0, -gauge}, center, kGrey, 1.0, "4 4");
+  canvas.line({0.0, -gauge}, center, kGray, 1.0, "4 4");
   canvas.line({0.0, 0.0}, center, kOrange, 2.0);
   canvas.line({0.0, -0.55}, {p.wheelbase, -0.55}, kGreen, 2.0);
-  canvas.line({p.wheelbase, 0.0}, {p.wheelbase + 0.6, 0.0}, kGrey, 1.0, "4 4");
+  canvas.line({p.wheelbase, 0.0}, {p.wheelbase + 0.6, 0.0}, kGray, 1.0, "4 4");
   const Vec2 steered = direction_of(p.max_steering_angle);
   canvas.line({p.wheelbase, 0.0}, Vec2(p.wheelbase, 0.0) + 0.6 * steered, kOrange, 2.0);
   canvas.dot({0.0, 0.0}, kOrange);
   canvas.dot(center, kOrange);
   canvas.text({-0.06, 0.06}, "F", "end");
-  canvas.text({0.06, radius + 0.04}, "ICR: centre of rotation", "start");
+  canvas.text({0.06, radius + 0.04}, "ICR: center of rotation", "start");
   canvas.text({-0.06, 0.55 * radius}, "ρ", "end", kOrange);
   canvas.text({0.5 * p.wheelbase, -0.67}, "wheelbase l", "middle", kGreen);
   canvas.text(Vec2(p.wheelbase + 0.05, 0.06) + 0.6 * steered, "γ", "start", kOrange);
@@ -88,4 +88,4 @@ Figure swept_turn(const Vehicle& vehicle) {
   return {"figure5", canvas.str("The swept area of a turn", caption), caption};
 }
 
-}  // namespace arcway::figures
+}  // namespace arcway::internal::figures

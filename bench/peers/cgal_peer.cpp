@@ -12,7 +12,7 @@
 #include <map>
 #include <utility>
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -84,4 +84,4 @@ std::string cgal_version() {
          std::to_string(kNumber / 10'000 % 10);
 }
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

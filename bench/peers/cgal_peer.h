@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 
 /// CGAL's triangular expansion visibility [Bungiu et al. 2014], the fastest of CGAL's visibility algorithms. Exact
 /// predicates and constructions, as its documentation asks for: with rounded constructions answers are wrong or the
@@ -37,4 +37,4 @@ std::size_t triangulate_by_cgal(const World& world);
 /// "5.5.1"
 std::string cgal_version();
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

@@ -2,11 +2,11 @@
 
 #include <limits>
 
+#include "arcway/validation.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
-#include "core/validate/validation.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 
 Footprint checked_body(const Vehicle& vehicle) { return vehicle.footprint(0.5 * vehicle.safety_margin()); }
 
@@ -42,4 +42,4 @@ double travel_time(std::span<const PathSegment> path, const Vehicle& vehicle) {
   return speed_profile(path, vehicle).total_time;
 }
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

@@ -2,13 +2,13 @@
 
 #include <optional>
 
+#include "arcway/path.h"
+#include "arcway/planner.h"
+#include "arcway/sweep_query.h"
+#include "arcway/vehicle.h"
 #include "core/collision/motion_free.h"
-#include "core/collision/sweep_query.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
-#include "core/planner/planner.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 
 /// What a peer gets: the same world, robot and exact collision checks as the planner.
 struct Problem {
@@ -32,4 +32,4 @@ Path shortest_dubins_path(const Pose& from, const Pose& to, double radius);
 /// Travel time from rest to rest, by the fastest speed profile [s].
 double travel_time(std::span<const PathSegment> path, const Vehicle& vehicle);
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

@@ -8,20 +8,20 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/file_io.h"
 #include "bench/context/context.h"
 #include "bench/peers/visibility_study.h"
 #include "bench/report/peer_results.h"
-#include "datasets/io/file_io.h"
 #ifdef ARCWAY_PEER_CGAL
 #include "bench/peers/cgal_peer.h"
 #endif
 #ifdef ARCWAY_PEER_OMPL
+#include "arcway/datasets/robot.h"
 #include "bench/peers/ompl_peer.h"
 #include "bench/peers/planner_study.h"
-#include "datasets/formats/robot.h"
 #endif
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 namespace {
 
 constexpr int kExitBadInput = 2;  // as of the tool
@@ -162,13 +162,13 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers
 
 int main(int argc, char** argv) {
   try {
-    return arcway::peers::run(argc, argv);
+    return arcway::internal::peers::run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "arcway_peers: %s\n", error.what());
   }
-  return arcway::peers::kExitBadInput;
+  return arcway::internal::peers::kExitBadInput;
 }

@@ -17,12 +17,12 @@
 #include <cmath>
 #include <memory>
 
+#include "arcway/angle.h"
+#include "arcway/turning_radii.h"
 #include "bench/cpu_clock.h"
 #include "bench/peers/shortcut.h"
-#include "core/geometry/angle.h"
-#include "core/roadmap/turning_radii.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 namespace {
 
 namespace ob = ompl::base;
@@ -36,7 +36,7 @@ Pose pose_of(const ob::State* state) {
   return {s->getX(), s->getY(), s->getYaw()};
 }
 
-/// OMPL's own formulas stop the process by an assertion with an absolute tolerance on maps of a hundred metres.
+/// OMPL's own formulas stop the process by an assertion with an absolute tolerance on maps of a hundred meters.
 class DubinsSpace final : public ob::DubinsStateSpace {
  public:
   explicit DubinsSpace(double radius) : ob::DubinsStateSpace(radius) {}
@@ -236,4 +236,4 @@ std::string ompl_version() {
          std::to_string(OMPL_PATCH_VERSION);
 }
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

@@ -9,7 +9,7 @@
 #include "bench/peers/exact_motion.h"
 #include "datasets/io/random.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 
 enum class OmplPlanner {
   kRrtConnect,       ///< restarted, every solution shortcut for travel time, the best one kept
@@ -43,4 +43,4 @@ void seed_ompl(std::uint64_t seed);
 /// "1.5.2"
 std::string ompl_version();
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

@@ -2,11 +2,11 @@
 
 #ifdef ARCWAY_WITH_ACCEL
 #include "accel/backend/make_queries.h"
-#include "accel/graphs/visibility_map.h"
-#include "accel/graphs/wedge_graph.h"
+#include "arcway/accel/visibility_map.h"
+#include "arcway/accel/wedge_graph.h"
 #endif
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 
 #ifdef ARCWAY_WITH_ACCEL
 const char* const kOurQueries = "embree";
@@ -28,4 +28,4 @@ VisibilityGraph our_full_graph(const World& world) {
 }
 #endif
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

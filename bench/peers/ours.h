@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/collision/query_set.h"
-#include "core/model/world.h"
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/query_set.h"
+#include "arcway/visibility_graph.h"
+#include "arcway/world.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 
 /// What arcway enters its contests with: accel where this build has it, else the reference.
 extern const char* const kOurQueries;
@@ -14,4 +14,4 @@ QuerySet our_queries(const World& world);
 VisibilityGraph our_reduced_graph(const World& world);
 VisibilityGraph our_full_graph(const World& world);
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

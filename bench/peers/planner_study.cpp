@@ -6,16 +6,16 @@
 #include <optional>
 #include <utility>
 
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/plan_io.h"
+#include "arcway/planner.h"
+#include "arcway/turning_radii.h"
 #include "bench/cpu_clock.h"
 #include "bench/peers/ompl_peer.h"
 #include "bench/peers/ours.h"
 #include "bench/robots.h"
-#include "core/planner/planner.h"
-#include "core/roadmap/turning_radii.h"
-#include "datasets/formats/plan_io.h"
-#include "datasets/generators/catalogue.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 namespace {
 
 using report::PlannerAnswer;
@@ -65,7 +65,7 @@ class Study {
 
  private:
   std::vector<PlannerQuery> run_world(const std::string& name) {
-    const World world = catalogue_world(name);
+    const World world = catalog_world(name);
     const Vehicle& vehicle = setting_.vehicle;
     const bench::CpuClock preparing(bench::CpuClock::Of::kProcess);
     const Planner planner = make_planner(world, vehicle, GraphMode::kEager);
@@ -73,7 +73,7 @@ class Study {
     std::optional<Planner> tightest;
     if (has_faster_turns(vehicle, world))
       tightest = make_planner(world, bench::without_faster_turns(vehicle), GraphMode::kEager);
-    const std::vector<PlanRequest> requests = catalogue_queries(name, setting_.queries, setting_.seed);
+    const std::vector<PlanRequest> requests = catalog_queries(name, setting_.queries, setting_.seed);
     std::vector<PlannerQuery> results;
     for (std::size_t q = 0; q < requests.size(); ++q) {
       const Problem problem{world, vehicle, *planner.queries().sweep, requests[q]};
@@ -187,4 +187,4 @@ void planner_study(const PlannerSetting& setting, const PlannerStudyProgress& pr
   Study(setting, progress).run();
 }
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

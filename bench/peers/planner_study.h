@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "arcway/vehicle.h"
 #include "bench/report/peer_results.h"
-#include "core/model/vehicle.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 
 /// What planners are compared on.
 struct PlannerSetting {
   std::string name;
-  std::vector<std::string> worlds;  ///< of the catalogue
+  std::vector<std::string> worlds;  ///< of the catalog
   Vehicle vehicle;
   std::size_t queries = 50;        ///< a world
   std::vector<double> times{1.0};  ///< when to look at the peers' best path [s]
@@ -47,4 +47,4 @@ struct PlannerStudyProgress {
 /// tightly as it can.
 void planner_study(const PlannerSetting& setting, const PlannerStudyProgress& progress);
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

@@ -6,7 +6,7 @@
 
 #include "core/motion/dubins.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 namespace {
 
 /// The path from its start to arc length `from`, and the one from arc length `to` to its end.
@@ -63,4 +63,4 @@ Path shortcut(Path path, const Problem& problem, std::span<const double> radii, 
   return path;
 }
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

@@ -7,23 +7,24 @@
 #include <span>
 #include <utility>
 
+#include "arcway/datasets/catalog.h"
+#include "arcway/query_set.h"
+#include "arcway/visibility_graph.h"
 #include "bench/cpu_clock.h"
 #include "bench/peers/ours.h"
-#include "core/collision/query_set.h"
-#include "core/roadmap/visibility_graph.h"
-#include "datasets/generators/catalogue.h"
+#include "core/roadmap/tangent_edges.h"
 #include "datasets/io/random.h"
 #ifdef ARCWAY_PEER_CGAL
 #include "bench/peers/cgal_peer.h"
 #endif
 #ifdef ARCWAY_WITH_ACCEL
-#include "accel/base/parallel.h"
-#include "accel/expansion/tangent_neighbours.h"
-#include "accel/graphs/visibility_map.h"
-#include "accel/graphs/wedge_graph.h"
+#include "accel/expansion/tangent_neighbors.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/accel/visibility_map.h"
+#include "arcway/accel/wedge_graph.h"
 #endif
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 namespace {
 
 /// Lists of vertices one after the other: the form of all answers, so that they can be compared.
@@ -128,11 +129,11 @@ std::vector<Contest> contests() {
   all.push_back({"full graph", kOurFullBuilder, "CGAL expansion",
                  [](const World& w) { return rows_of(our_full_graph(w)); }, full_by_cgal, 1.3});
 #ifdef ARCWAY_WITH_ACCEL
-  all.push_back({"tangent neighbours of 100 vertices", kOurReducedBuilder, "CGAL expansion",
+  all.push_back({"tangent neighbors of 100 vertices", kOurReducedBuilder, "CGAL expansion",
                  [](const World& w) {
-                   const TangentNeighbours neighbours(w);
+                   const TangentNeighbors neighbors(w);
                    Rows rows;
-                   for (const VertexId u : some_vertices(w)) rows.add(neighbours.of(u));
+                   for (const VertexId u : some_vertices(w)) rows.add(neighbors.of(u));
                    return rows;
                  },
                  [](const World& w) {
@@ -222,7 +223,7 @@ std::vector<report::Duel> visibility_study(const VisibilityStudyOptions& options
     double last = 0.0, last_size = 0.0;
     for (const std::size_t n : options.obstacles) {
       const auto size = static_cast<double>(n);
-      const World world = catalogue_world(world_name(n));
+      const World world = catalog_world(world_name(n));
       report::Duel duel{contest.task,
                         world_name(n),
                         static_cast<double>(world.vertices().size()),
@@ -251,4 +252,4 @@ std::vector<report::Duel> visibility_study(const VisibilityStudyOptions& options
   return duels;
 }
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

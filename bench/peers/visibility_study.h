@@ -7,7 +7,7 @@
 
 #include "bench/report/peer_results.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 
 struct VisibilityStudyOptions {
   std::vector<std::size_t> obstacles{10, 100, 1000, 10000};  ///< of 10 vertices each, fill 0.3
@@ -22,4 +22,4 @@ struct VisibilityStudyOptions {
 std::vector<report::Duel> visibility_study(const VisibilityStudyOptions& options,
                                            const std::function<void(const std::string&)>& progress);
 
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

@@ -10,14 +10,14 @@
 #include "bench/report/peer_sections.h"
 #include "bench/report/study.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 std::string slopes_text(const Curve& curve) {
   std::vector<SizePoint> points;
   for (const Curve::Point& p : curve.points) points.push_back({p.x, p.y});
   std::string text;
-  for (const double slope : neighbour_slopes(points)) text += (text.empty() ? "" : " ") + number_text("%.2f", slope);
+  for (const double slope : neighbor_slopes(points)) text += (text.empty() ? "" : " ") + number_text("%.2f", slope);
   return text;
 }
 
@@ -63,9 +63,9 @@ Section growth_section(const std::vector<Study>& studies) {
       .title = "Growth of every series",
       .paragraphs = {"Slope of the logarithm of the median time over the logarithm of the size, with its 95 % "
                      "confidence interval; the same beside a factor log(size), near 1 for n log n; and the "
-                     "slopes between neighbouring sizes, which show whether there is one law at all."},
+                     "slopes between neighboring sizes, which show whether there is one law at all."},
       .figures = {},
-      .table = {{"series", "over", "theory", "sizes", "slope", "slope beside log", "between neighbours"}, {}, 3},
+      .table = {{"series", "over", "theory", "sizes", "slope", "slope beside log", "between neighbors"}, {}, 3},
       .folded = true};
   for (const Study& study : studies)
     for (const Study::Line& line : study.lines) {
@@ -225,4 +225,4 @@ std::string to_csv(const Results& results) {
   return csv;
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -7,7 +7,7 @@
 #include "bench/report/peer_results.h"
 #include "bench/report/results.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// A table of texts; the same content for all formats. Columns from `numbers_from` on are aligned to the right.
 struct Table {
@@ -55,4 +55,4 @@ std::string to_csv(const Results& results);
 /// @throws FormatError for an unknown name or an end that is missing, naming `name` and the line.
 std::string with_tables(const std::string& markdown, const Inputs& inputs, const std::string& name);
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

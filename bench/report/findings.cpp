@@ -7,7 +7,7 @@
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 /// What planning consists of, by the names of its series over the obstacles.
@@ -327,4 +327,4 @@ Section real_maps_section(const Results& results) {
   return section;
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

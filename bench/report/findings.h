@@ -6,7 +6,7 @@
 #include "bench/report/document.h"
 #include "bench/report/study.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// What a stranger asks first, in plain sentences; one that the results cannot answer is left out.
 std::vector<std::string> growth_findings(const Results& results, const std::vector<Study>& studies);
@@ -32,4 +32,4 @@ Section radii_section(const Results& results);
 /// Preparing and planning on real maps; a row for each, with what became of the queries.
 Section real_maps_section(const Results& results);
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

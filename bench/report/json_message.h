@@ -5,7 +5,7 @@
 
 #include "datasets/io/shortened.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// What went wrong, without the name of the exception in brackets that the library begins with.
 inline std::string message_of(const nlohmann::json::exception& error) {
@@ -14,4 +14,4 @@ inline std::string message_of(const nlohmann::json::exception& error) {
   return shortened(end == std::string::npos ? message : message.substr(end + 2), kMostOfParser);
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

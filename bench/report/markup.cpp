@@ -4,7 +4,7 @@
 
 #include "bench/report/study.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 std::string number_text(const char* format, double value) {
   char text[64];
@@ -29,4 +29,4 @@ std::string figure_html(const PlotAxes& axes, std::span<const Curve> curves, std
          "</figcaption></figure>";
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

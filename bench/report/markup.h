@@ -7,7 +7,7 @@
 #include "bench/report/plot.h"
 #include "datasets/io/markup_text.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// One number by a printf format.
 std::string number_text(const char* format, double value);
@@ -18,4 +18,4 @@ std::string count_text(double value);
 /// A plot with its legend and what it shows in a sentence, as HTML; the legend says a curve's slope where it has a fit.
 std::string figure_html(const PlotAxes& axes, std::span<const Curve> curves, std::string_view caption);
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "arcway/datasets/file_io.h"
 #include "bench/report/json_message.h"
-#include "datasets/io/file_io.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 using nlohmann::ordered_json;
@@ -200,4 +200,4 @@ std::vector<PlannerQuery> answered_anew(std::span<const PlannerQuery> earlier, s
   return queries;
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

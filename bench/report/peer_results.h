@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// The same question answered by us and by a peer in turn; both answers were equal before the clock started.
 struct Duel {
   std::string task;   ///< "reduced graph"
-  std::string world;  ///< catalogue name
+  std::string world;  ///< catalog name
   double vertices = 0.0;
   std::string ours, peer;
   std::vector<double> our_seconds, peer_seconds;  ///< processor time; run i of both followed one another
@@ -63,4 +63,4 @@ PeerResults renewed(const PeerResults& earlier, PeerResults run, std::span<const
 /// that the run is without; then what else the run has.
 std::vector<PlannerQuery> answered_anew(std::span<const PlannerQuery> earlier, std::span<const PlannerQuery> run);
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

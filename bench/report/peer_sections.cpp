@@ -7,7 +7,7 @@
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 std::string quantiles_text(std::vector<double> values, std::initializer_list<double> shares) {
@@ -261,7 +261,7 @@ Section planners_section(const PeerResults& peers) {
           {"Forward-only car, the same queries, maps and exact collision checks for all, one thread, "
            "processor time. `arcway` answers on a map that was prepared before; `arcway, map and all`, where the "
            "study has it, begins with the bare map, as the peers do, for one query. What is only "
-           "in the peers' favour: after the first path they go on to improve it until the time is up. Settings: "
+           "in the peers' favor: after the first path they go on to improve it until the time is up. Settings: "
            "the paper's robot in clutters of 100 and of 1,000 obstacles; robots whose speed on an arc is "
            "limited by their lateral acceleration, in clutters of 100, fill 0.15 and 0.3. `arcway first` is "
            "the first path, before refinement; `arcway_tightest` turns as tightly as it can only."},
@@ -293,4 +293,4 @@ Section planners_by_world_section(const PeerResults& peers) {
   return section;
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -6,7 +6,7 @@
 #include "bench/report/document.h"
 #include "bench/report/peer_results.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// Who wins what by how much, both ways.
 std::vector<std::string> peer_findings(const PeerResults& peers);
@@ -23,4 +23,4 @@ Section planners_section(const PeerResults& peers);
 /// The same for each world, with the reasons of what is not solved.
 Section planners_by_world_section(const PeerResults& peers);
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

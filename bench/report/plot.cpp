@@ -8,10 +8,10 @@
 
 #include "bench/report/markup.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
-// Okabe and Ito's colours, told apart with any colour vision and on light and dark ground.
+// Okabe and Ito's colors, told apart with any color vision and on light and dark ground.
 constexpr std::array<const char*, 6> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 constexpr std::array<const char*, 4> kDashes = {"", "7 3", "2 3", "9 3 2 3"};
 constexpr double kWidth = 600.0, kHeight = 400.0, kLeft = 86.0, kRight = 16.0, kTop = 14.0, kBottom = 56.0;
@@ -202,4 +202,4 @@ std::string legend_key(std::size_t index) {
          marker(index, 18.0, 7.0, "fill=\"" + color + "\"") + "</svg>";
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -7,7 +7,7 @@
 
 #include "bench/report/statistics.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// One series of a plot: points with the spread of their repetitions.
 struct Curve {
@@ -35,11 +35,11 @@ struct PlotAxes {
 };
 
 /// An SVG element with the curves twice, as groups of class `log` (both axes logarithmic) and `linear`. Told apart by
-/// colour (safe for the colour-blind), marker and dash. Colours of text and axes are those of the page; markers carry
+/// color (safe for the color-blind), marker and dash. Colors of text and axes are those of the page; markers carry
 /// their values as `data-tip`.
 std::string plot_svg(const PlotAxes& axes, std::span<const Curve> curves);
 
 /// A small SVG element that shows line and marker of a curve by its index.
 std::string legend_key(std::size_t index);
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

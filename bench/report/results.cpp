@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "arcway/datasets/file_io.h"
 #include "bench/quantiles.h"
 #include "bench/report/json_message.h"
-#include "datasets/io/file_io.h"
 #include "datasets/io/shortened.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 using nlohmann::json;
@@ -134,4 +134,4 @@ std::size_t threads_of(std::string_view name) {
   return threads;
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

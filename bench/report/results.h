@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// One benchmark with all its repetitions.
 struct Measurement {
@@ -43,4 +43,4 @@ SeriesPlace place_of(std::string_view name);
 /// What a name says of threads, "/threads:2", anywhere in it; 1 otherwise.
 std::size_t threads_of(std::string_view name);
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 /// Two-sided 95 % quantile of Student's t.
@@ -74,7 +74,7 @@ PowerFit fit_power_log(std::span<const SizePoint> points) {
   return fit_logarithms(x, y);
 }
 
-std::vector<double> neighbour_slopes(std::span<const SizePoint> points) {
+std::vector<double> neighbor_slopes(std::span<const SizePoint> points) {
   std::vector<double> slopes;
   for (std::size_t i = 1; i < points.size(); ++i)
     slopes.push_back(std::log(points[i].seconds / points[i - 1].seconds) /
@@ -108,4 +108,4 @@ double mann_whitney_p(std::span<const double> a, std::span<const double> b) {
   return extreme / all;
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

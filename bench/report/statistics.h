@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// A size and the median time at it, both > 0.
 struct SizePoint {
@@ -22,11 +22,11 @@ PowerFit fit_power(std::span<const SizePoint> points);
 /// The same beside a factor log(size): near 1 for n log n. Sizes > 1.
 PowerFit fit_power_log(std::span<const SizePoint> points);
 
-/// Slopes between neighbouring sizes, in the logarithms: one fewer than there are points.
-std::vector<double> neighbour_slopes(std::span<const SizePoint> points);
+/// Slopes between neighboring sizes, in the logarithms: one fewer than there are points.
+std::vector<double> neighbor_slopes(std::span<const SizePoint> points);
 
 /// Two-sided Mann-Whitney test: how likely two samples from one distribution differ at least as much. Exact up to 20
 /// values each, ties split in halves; by the normal approximation beyond. 1 if a sample is empty.
 double mann_whitney_p(std::span<const double> a, std::span<const double> b);
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

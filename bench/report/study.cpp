@@ -6,7 +6,7 @@
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 void finish(Study::Line& line, const std::string& key, const Clock& clock) {
@@ -132,4 +132,4 @@ std::vector<Change> changes_between(const Results& before, const Results& after)
   return changes;
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -7,7 +7,7 @@
 #include "bench/report/plot.h"
 #include "bench/report/results.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 
 /// Which of the two clocks a report goes by. On a quiet machine the wall's, which hides nothing. On a busy one, which
 /// the benchmarks of one thread show by a wall time more than 5 % above their processor time in the median, the
@@ -61,4 +61,4 @@ struct Change {
 /// undisturbed.
 std::vector<Change> changes_between(const Results& before, const Results& after);
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -4,7 +4,7 @@
 #include "bench/report/document.h"
 #include "bench/report/markup.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 constexpr const char* kStyle = R"(
@@ -133,4 +133,4 @@ std::string to_html(const Document& document) {
   return html + "<div id=\"tip\" role=\"status\"></div>\n<script>" + kScript + "</script>\n</body></html>\n";
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -2,12 +2,12 @@
 #include <sstream>
 #include <string>
 
+#include "arcway/datasets/file_io.h"
 #include "bench/report/document.h"
 #include "bench/report/findings.h"
 #include "bench/report/peer_sections.h"
-#include "datasets/io/file_io.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 std::string row_text(const std::vector<std::string>& row) {
@@ -73,4 +73,4 @@ std::string with_tables(const std::string& markdown, const Inputs& inputs, const
   return result;
 }
 
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -6,22 +6,23 @@
 
 #include "accel/backend/make_queries.h"
 #include "accel/graphs/changed_graph.h"
-#include "accel/graphs/wedge_graph.h"
+#include "arcway/accel/wedge_graph.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/feasible_tables.h"
+#include "arcway/planner.h"
+#include "arcway/world_change.h"
 #include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/model/world_change.h"
-#include "core/planner/planner.h"
-#include "core/roadmap/feasible_tables.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/map/map_file.h"
+#include "core/roadmap/feasible_graph.h"
 
 // A prepared map after some obstacles have left their places and come back a little aside, against preparing it anew:
 // queries and all graphs, one thread. Lazily, where all that was checked before and is not near the change is kept,
 // also with some plans, against a lazy planner made anew that plans the same.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr std::size_t kPlans = 20;
@@ -59,7 +60,7 @@ std::vector<double> times(const std::vector<PlanResult>& results) {
 void time_change(benchmark::State& state, const std::string& name, std::size_t count, GraphMode mode) {
   const World& world = shared_world(name);
   const Planner before = build(world, {});
-  // Spread evenly over the map's file, in which neighbours in space have nothing to do with each other.
+  // Spread evenly over the map's file, in which neighbors in space have nothing to do with each other.
   std::vector<ObstacleId> moved;
   for (std::size_t i = 0; i < count; ++i)
     moved.push_back(static_cast<ObstacleId>((2 * i + 1) * world.obstacle_count() / (2 * count)));
@@ -75,7 +76,7 @@ void time_change(benchmark::State& state, const std::string& name, std::size_t c
     return change(before, world.changed(moved, added), moved, o);
   };
   const auto build_once = [&](const PlannerOptions& o) { return build(World(after.obstacles, after.bounds), o); };
-  const std::vector<PlanRequest> requests = catalogue_queries(name, kPlans, 1);
+  const std::vector<PlanRequest> requests = catalog_queries(name, kPlans, 1);
   const auto right = [&] {
     const Planner anew = build_once({});
     return same(change_once({}), anew) &&
@@ -123,4 +124,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -22,7 +22,7 @@
 // Exact lines of sight one by one and in packets of eight, of the pairs that the pairwise builder asks for, in its
 // order, in no order, and sorted by place and direction: do packets or sorting pay? The library asks one by one, in the
 // caller's order.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr std::size_t kRays = 1 << 14;
@@ -117,7 +117,7 @@ class Recorder final : public VisibilityQuery {
 std::vector<LineSegment> builder_segments(const World& world) {
   const Recorder recorder;
   build_pairwise_visibility_graph(world, recorder, SerialExecutor());
-  // A stretch from the middle, where vertices have neighbours on all sides and later ones still to ask for.
+  // A stretch from the middle, where vertices have neighbors on all sides and later ones still to ask for.
   const std::size_t count = std::min(kRays, recorder.segments.size());
   const auto first = recorder.segments.begin() + static_cast<std::ptrdiff_t>((recorder.segments.size() - count) / 2);
   return {first, first + static_cast<std::ptrdiff_t>(count)};
@@ -190,4 +190,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

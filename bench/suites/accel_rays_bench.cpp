@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "accel/backend/make_queries.h"
-#include "accel/base/parallel.h"
 #include "accel/embree/edge_scene.h"
+#include "arcway/accel/parallel.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
@@ -14,7 +14,7 @@
 
 // Lines of sight beside Embree alone, which traces the same rays through the same boxes with a callback that refuses
 // every edge: what do exact answers cost? And what does a second thread bring to a batch?
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr std::size_t kRays = 1 << 14;
@@ -89,4 +89,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -8,7 +8,7 @@
 #include "accel/base/big_vector.h"
 #include "accel/expansion/edge_list.h"
 #include "accel/expansion/sight_map.h"
-#include "accel/expansion/strips.h"
+#include "accel/expansion/sleeves.h"
 #include "accel/graphs/edge_walks.h"
 #include "accel/triangulation/free_space_sweep.h"
 #include "accel/triangulation/planar_map.h"
@@ -22,14 +22,14 @@
 //
 // A small world again and again would be learned by the processor's branch prediction, and stay in its caches, so that
 // larger ones seemed to cost more. Hence different worlds in turn: at every size as many vertices as the largest has.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 using Worlds = std::vector<const World*>;
 
-// Strips are found anew, as they are needed for walks only.
+// Sleeves are found anew, as they are needed for walks only.
 std::vector<EdgeList> walk_all(const World& world, const SightMap& map, const Executor& executor) {
-  return walk_right(map, worthwhile_strips(world, map, executor), LongFans(), 0, map.nodes().size(), executor);
+  return walk_right(map, worthwhile_sleeves(world, map, executor), LongFans(), 0, map.nodes().size(), executor);
 }
 
 bool is_right(benchmark::State& state, const World& world, const std::string& name, std::size_t threads,
@@ -178,4 +178,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "accel/graphs/visibility_map.h"
+#include "arcway/accel/visibility_map.h"
+#include "arcway/query_set.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
-#include "core/collision/query_set.h"
 #include "core/geometry/predicates.h"
 #include "datasets/io/random.h"
 
 // What a visibility library is asked for, from free points, one by one; the map is made before.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr std::size_t kPoints = 512;
@@ -129,4 +129,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -1,14 +1,14 @@
 #include <memory>
 #include <string>
 
-#include "accel/graphs/wedge_graph.h"
+#include "arcway/accel/wedge_graph.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
 
 // What the wedge builder's time goes with: threads, vertices of each obstacle, the shape of the map.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 bool is_right(benchmark::State& state, const std::string& name, std::size_t threads, const VisibilityGraph& graph) {
@@ -72,4 +72,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -8,7 +8,7 @@
 
 #include "core/base/huge_pages.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 std::atomic<std::uint64_t> allocations{0};
@@ -46,7 +46,7 @@ void count(std::ptrdiff_t bytes) {
 HeapUse heap_use() { return {allocations.load(), live.load(), peak.load()}; }
 void reset_heap_peak() { peak.store(live.load()); }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench
 
 // Sanitizers bring operators of their own; nothing is counted there.
 #if defined(__has_feature)
@@ -58,13 +58,13 @@ void reset_heap_peak() { peak.store(live.load()); }
 #endif
 
 #ifndef ARCWAY_SANITIZED
-void* operator new(std::size_t size) { return arcway::bench::counted(std::malloc(size == 0 ? 1 : size)); }
+void* operator new(std::size_t size) { return arcway::internal::bench::counted(std::malloc(size == 0 ? 1 : size)); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   const auto step = static_cast<std::size_t>(alignment);
-  return arcway::bench::counted(std::aligned_alloc(step, (size + step - 1) / step * step));
+  return arcway::internal::bench::counted(std::aligned_alloc(step, (size + step - 1) / step * step));
 }
-void operator delete(void* memory) noexcept { arcway::bench::release(memory); }
-void operator delete(void* memory, std::size_t) noexcept { arcway::bench::release(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { arcway::bench::release(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { arcway::bench::release(memory); }
+void operator delete(void* memory) noexcept { arcway::internal::bench::release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { arcway::internal::bench::release(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { arcway::internal::bench::release(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { arcway::internal::bench::release(memory); }
 #endif

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// What this program has asked of the heap, counted by its own operator new and delete, and of the system for large
 /// arrays; all threads.
@@ -15,4 +15,4 @@ HeapUse heap_use();
 /// From now on the peak is what is alive now.
 void reset_heap_peak();
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -4,13 +4,13 @@
 
 #ifdef ARCWAY_BENCH_ACCEL
 #include "accel/backend/make_queries.h"
-#include "accel/base/parallel.h"
 #include "accel/graphs/pairwise_graph.h"
-#include "accel/graphs/visibility_map.h"
-#include "accel/graphs/wedge_graph.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/accel/visibility_map.h"
+#include "arcway/accel/wedge_graph.h"
 #endif
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 QuerySet QueryBackend::queries(const World& world) const {
   return corrupting() ? corrupted(make(world, {})) : make(world, {});
@@ -93,4 +93,4 @@ std::vector<std::size_t> thread_counts() {
 #endif
 }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "core/base/executor.h"
-#include "core/base/stop_clock.h"
-#include "core/collision/query_set.h"
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/executor.h"
+#include "arcway/query_set.h"
+#include "arcway/stop_clock.h"
+#include "arcway/visibility_graph.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// An implementation of the queries.
 struct QueryBackend {
@@ -42,4 +42,4 @@ std::unique_ptr<Executor> make_executor(std::size_t threads);
 /// Numbers of threads worth measuring in this build: 1, and 2 with oneTBB.
 std::vector<std::size_t> thread_counts();
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/file_io.h"
 #include "bench/context/context.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
-#include "datasets/io/file_io.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr const char* kUsage =
@@ -167,11 +167,11 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench
 
 int main(int argc, char** argv) {
   try {
-    return arcway::bench::run(argc, argv);
+    return arcway::internal::bench::run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "arcway_bench: %s\n", error.what());
   }

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "arcway/sweep_query.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
-#include "core/collision/sweep_query.h"
 #include "core/geometry/distance.h"
 #include "core/motion/clearance.h"
 #include "datasets/io/random.h"
 
 // How near a moving body comes to the obstacles, in closed form; checked against poses close together.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr std::size_t kSegments = 256;
@@ -78,4 +78,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 bool& switched_on() {
@@ -68,4 +68,4 @@ QuerySet corrupted(QuerySet queries) {
   return {corrupt, corrupt, corrupt};
 }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/collision/query_set.h"
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/query_set.h"
+#include "arcway/visibility_graph.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// Whether every measured implementation shall get one answer wrong (`--corrupt`). Shows that no benchmark times wrong
 /// answers: each one that compares must fail then.
@@ -15,4 +15,4 @@ VisibilityGraph corrupted(const VisibilityGraph& graph);
 /// Queries whose first answer of each call is wrong: visible and not, free and not, a distance and no headings.
 QuerySet corrupted(QuerySet queries);
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

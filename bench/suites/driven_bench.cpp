@@ -2,15 +2,15 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/driven_world.h"
 #include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/driven_world.h"
 
-// The share solved of worlds in which a way is known: `driven/...` of the catalogue. From map to plan, one thread.
-namespace arcway::bench {
+// The share solved of worlds in which a way is known: `driven/...` of the catalog. From map to plan, one thread.
+namespace arcway::internal::bench {
 namespace {
 
 constexpr double kSlower = 1.0 + 1e-9;  // plans that take longer than the drive by more than rounding
@@ -41,12 +41,12 @@ Answer answer_for(const DrivenWorld& driven, bool reverse) {
   return answer;
 }
 
-std::vector<std::string> names(DrivenKind kind, bool both_gears, int millimetres, std::size_t seeds) {
+std::vector<std::string> names(DrivenKind kind, bool both_gears, int millimeters, std::size_t seeds) {
   std::vector<std::string> all;
   for (std::size_t seed = 1; seed <= seeds; ++seed)
     for (std::size_t robot = 1; robot <= driven_robots().size(); ++robot)
       all.push_back("driven/" + std::string(name_of(kind)) + "/r" + std::to_string(robot) + "/g" +
-                    std::to_string(both_gears ? 2 : 1) + "/c" + std::to_string(millimetres) + "/s" +
+                    std::to_string(both_gears ? 2 : 1) + "/c" + std::to_string(millimeters) + "/s" +
                     std::to_string(100 * seed + robot));
   return all;
 }
@@ -66,7 +66,7 @@ void count(benchmark::State& state, const std::vector<Answer>& answers) {
 
 void time_driven(benchmark::State& state, const std::vector<std::string>& worlds, bool reverse) {
   std::vector<DrivenWorld> driven;
-  for (const std::string& name : worlds) driven.push_back(*catalogue_driven_world(name));
+  for (const std::string& name : worlds) driven.push_back(*catalog_driven_world(name));
   std::vector<Answer> answers;
   std::string missed;
   for (std::size_t i = 0; i < worlds.size(); ++i) {
@@ -86,12 +86,12 @@ void time_driven(benchmark::State& state, const std::vector<std::string>& worlds
 void add(Study study) {
   const std::size_t seeds = study == Study::kFull ? 12 : 1;
   for (const bool reverse : {false, true}) {
-    for (const int millimetres : {50, 2}) {
+    for (const int millimeters : {50, 2}) {
       for (const DrivenKind kind : kDrivenKinds) {
-        if (study == Study::kCheck && (millimetres == 2 || kind != DrivenKind::kScattered)) continue;
-        const std::vector<std::string> worlds = names(kind, reverse, millimetres, seeds);
+        if (study == Study::kCheck && (millimeters == 2 || kind != DrivenKind::kScattered)) continue;
+        const std::vector<std::string> worlds = names(kind, reverse, millimeters, seeds);
         add_benchmark("Driven/" + std::string(reverse ? "both_gears/" : "forwards/") + name_of(kind) +
-                          "/clearance_mm_" + std::to_string(millimetres),
+                          "/clearance_mm_" + std::to_string(millimeters),
                       [worlds, reverse](benchmark::State& state) { time_driven(state, worlds, reverse); })
             ->Iterations(1)
             ->Repetitions(1);
@@ -103,4 +103,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

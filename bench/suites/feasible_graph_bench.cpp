@@ -10,7 +10,7 @@
 #include "core/roadmap/feasible_graph.h"
 #include "datasets/io/random.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 struct Case {
@@ -117,4 +117,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -5,14 +5,16 @@
 #include <span>
 #include <vector>
 
-#include "core/collision/query_set.h"
+#include "arcway/query_set.h"
+#include "core/geometry/predicates.h"
+#include "core/roadmap/tangent_edges.h"
 #include "datasets/io/random.h"
 
 #ifdef ARCWAY_BENCH_ACCEL
 #include "accel/backend/make_queries.h"
 #endif
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr std::size_t kWholeUpTo = 4'000, kFullWholeUpTo = 1'100;
@@ -79,4 +81,4 @@ bool is_full_graph(const World& world, const VisibilityGraph& graph, std::size_t
   return has_rows(world, graph, all, rows, *queries.visibility, full_row);
 }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

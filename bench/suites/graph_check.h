@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
-#include "core/model/world.h"
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/visibility_graph.h"
+#include "arcway/world.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// Whether a reduced visibility graph is the right one. Up to 4,000 vertices: compared with the reference's, whole.
 /// Above: `rows` of its rows, chosen at random, against the definition; lines of sight by brute force up to 100,000
@@ -14,4 +14,4 @@ bool is_reduced_graph(const World& world, const VisibilityGraph& graph, std::siz
 /// The same for the full visibility graph; whole up to 1,100 vertices.
 bool is_full_graph(const World& world, const VisibilityGraph& graph, std::size_t rows = 8);
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -7,22 +7,21 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/alternatives.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/datasets/read_map.h"
+#include "arcway/tour.h"
 #include "bench/robots.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
-#include "core/base/stop_clock.h"
 #include "core/base/stopwatch.h"
-#include "core/tasks/alternatives.h"
-#include "core/tasks/tour.h"
-#include "datasets/formats/read_map.h"
-#include "datasets/generators/random_queries.h"
 
 // How far behind a time limit a plan ends, from map to plan, on a planner that is made already, and on a map that is
 // prepared for its vehicle, one thread. A limit holds where `worst_of_allowed` is at most 1: then every query ended
 // within 10 % and 5 ms of its limit. The map of a coast is from the folder that ARCWAY_SHARED_DATA names.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr double kAllowedShare = 0.1;     // behind the limit, of the limit
@@ -218,4 +217,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -2,15 +2,15 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/geojson.h"
+#include "arcway/datasets/map_file.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
-#include "datasets/formats/geojson.h"
 #include "datasets/grid/trace.h"
 #include "datasets/io/random.h"
-#include "datasets/map/map_file.h"
 
 // From a file's text to a checked world, and from cells to polygons.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 bool same_polygons(const MapFile& a, const MapFile& b) {
@@ -96,4 +96,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

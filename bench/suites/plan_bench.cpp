@@ -6,6 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/plan_batch.h"
+#include "arcway/turning_radii.h"
 #include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
 #include "bench/robots.h"
@@ -13,14 +17,11 @@
 #include "bench/suites/backends.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/roadmap/turning_radii.h"
-#include "core/tasks/plan_batch.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/random_queries.h"
+#include "core/roadmap/feasible_graph.h"
 
 // Whole plans: on a prepared map, one for a new map with everything checked before or as it is needed; batches by
 // several threads; and what distance, fill and radii do to them.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr std::size_t kQueries = 20;
@@ -72,7 +73,7 @@ const PlanRequest& first_solved(const std::string& world_name) {
   const auto found = known.find(world_name);
   if (found != known.end()) return found->second;
   const Planner planner = make_planner(shared_world(world_name), Vehicle(), {.graph_mode = GraphMode::kLazy});
-  for (const PlanRequest& request : catalogue_queries(world_name, kQueries, 1))
+  for (const PlanRequest& request : catalog_queries(world_name, kQueries, 1))
     if (planner.plan(request).solved()) return known.emplace(world_name, request).first->second;
   throw std::runtime_error(world_name + ": no query has a plan");
 }
@@ -101,7 +102,7 @@ void time_from_nothing(benchmark::State& state, const std::string& world_name, G
 void time_each(benchmark::State& state, const std::string& world_name, std::size_t count) {
   const Planner planner = make_planner(shared_world(world_name), Vehicle(), {.refinement = {.max_trials = 0}});
   planner.warm_up();
-  const std::vector<PlanRequest> requests = catalogue_queries(world_name, count, 1);
+  const std::vector<PlanRequest> requests = catalog_queries(world_name, count, 1);
   std::vector<PlanResult> results(requests.size());
   std::vector<double> seconds(requests.size());
   const auto ask_each = [&] {
@@ -128,7 +129,7 @@ void time_each(benchmark::State& state, const std::string& world_name, std::size
 void time_batch(benchmark::State& state, const std::string& world_name, std::size_t threads) {
   constexpr std::size_t kBatch = 100;
   const Planner& planner = shared_planner(world_name);
-  const std::vector<PlanRequest> requests = catalogue_queries(world_name, kBatch, 1);
+  const std::vector<PlanRequest> requests = catalog_queries(world_name, kBatch, 1);
   const std::unique_ptr<Executor> executor = make_executor(threads);
   const std::vector<PlanResult> results = plan_batch(planner, requests, *executor);
   if (!require(state, are_right(planner, results), kWrong)) return;
@@ -147,7 +148,7 @@ void time_radii(benchmark::State& state, const std::string& world_name, std::siz
   std::vector<double> all = turning_radii(vehicle, shared_world(world_name));
   all.resize(std::min(radii, all.size()));
   const Planner planner = make_planner(shared_world(world_name), vehicle, {.radii = all});
-  time_queries(state, planner, catalogue_queries(world_name, kFewQueries, 1));
+  time_queries(state, planner, catalog_queries(world_name, kFewQueries, 1));
   state.counters["links"] = static_cast<double>(planner.feasible_graph().links().size());
 }
 
@@ -160,7 +161,7 @@ void add(Study study) {
     const std::string name = clutter_name("convex", n, 10, 30);
     const auto size = static_cast<double>(n);
     reused.add(size, [name](benchmark::State& state) {
-      time_queries(state, shared_planner(name), catalogue_queries(name, kQueries, 1));
+      time_queries(state, shared_planner(name), catalog_queries(name, kQueries, 1));
     });
     eager.add(size, [name](benchmark::State& state) { time_from_nothing(state, name, GraphMode::kEager); });
     lazy.add(size, [name](benchmark::State& state) { time_from_nothing(state, name, GraphMode::kLazy); });
@@ -185,7 +186,7 @@ void add(Study study) {
   for (const std::size_t fill : sizes(study, {5, 10, 20, 30, 40, 50}, 30, 50)) {
     const std::string filled = clutter_name("convex", obstacles, 10, static_cast<int>(fill));
     by_fill.add(static_cast<double>(fill), [filled](benchmark::State& state) {
-      time_queries(state, shared_planner(filled), catalogue_queries(filled, kQueries, 1));
+      time_queries(state, shared_planner(filled), catalog_queries(filled, kQueries, 1));
     });
   }
   Series by_threads(study, "PlanBatch" + at, "threads", "1 / threads", 0.0);
@@ -203,4 +204,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

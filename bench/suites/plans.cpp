@@ -8,7 +8,7 @@
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResult& result) {
   TimedPath path = result.timed_path();
@@ -51,4 +51,4 @@ bool are_right(const Planner& planner, const std::vector<PlanResult>& results) {
          });
 }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

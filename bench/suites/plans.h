@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "core/planner/planner.h"
-#include "core/validate/validation.h"
+#include "arcway/planner.h"
+#include "arcway/validation.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// The fastest queries of this build.
 /// @throws Cancelled once the clock is over.
@@ -27,4 +27,4 @@ bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResu
 /// Whether at least one query is solved and the validator takes all paths.
 bool are_right(const Planner& planner, const std::vector<PlanResult>& results);
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -5,16 +5,16 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/catalog.h"
+#include "arcway/turning_radii.h"
 #include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/roadmap/turning_radii.h"
-#include "datasets/generators/catalogue.h"
 
-// How good the plans are, beside how long they take: the catalogue's query sets, the heuristics, and the planner with
+// How good the plans are, beside how long they take: the catalog's query sets, the heuristics, and the planner with
 // its features switched off one by one.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr const char* kWrong = "the validator refuses a path, or there is none";
@@ -59,7 +59,7 @@ void count_quality(benchmark::State& state, const std::vector<PlanResult>& resul
 void time_quality(benchmark::State& state, const std::string& world_name, std::size_t queries,
                   Heuristic heuristic = Heuristic::kTravelTime) {
   const Planner& planner = shared_planner(world_name, heuristic);
-  const std::vector<PlanRequest> requests = catalogue_queries(world_name, queries, 1);
+  const std::vector<PlanRequest> requests = catalog_queries(world_name, queries, 1);
   const std::vector<PlanResult> results = plan_all(planner, requests);
   if (!require(state, are_right(planner, results), kWrong)) return;
   for (auto _ : state)
@@ -103,7 +103,7 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
   static std::map<std::string, std::vector<std::vector<PlanResult>>> plans;
   const World& world = shared_world(world_name);
   const std::vector<Variant> all = variants(world);
-  const std::vector<PlanRequest> requests = catalogue_queries(world_name, queries, 1);
+  const std::vector<PlanRequest> requests = catalog_queries(world_name, queries, 1);
   std::vector<std::vector<PlanResult>>& results = plans[world_name];
   const Planner planner = make_planner(world, kGentleRobots[0].vehicle(), all[chosen].options);
   for (const Variant& v : all)
@@ -154,4 +154,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

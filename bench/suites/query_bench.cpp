@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "arcway/angle.h"
+#include "arcway/vehicle.h"
 #include "bench/suites/allocations.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/suite.h"
-#include "core/geometry/angle.h"
-#include "core/model/vehicle.h"
 #include "datasets/io/random.h"
 
 // What the graphs ask of a map, by every backend, over growing maps of constant density.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr std::size_t kQuestions = 1024;
@@ -151,4 +151,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -4,16 +4,16 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/catalog.h"
+#include "arcway/turning_radii.h"
 #include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
 #include "core/motion/speed_profile.h"
-#include "core/roadmap/turning_radii.h"
-#include "datasets/generators/catalogue.h"
 
 // Travel time over the number of radii, for robots whose turns are the faster the wider they are.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr const char* kWrong = "the validator refuses a path, or there is none";
@@ -47,7 +47,7 @@ void time_radii(benchmark::State& state, const GentleRobot& robot, const std::st
   static std::map<std::string, std::pair<Times, Times>> references;  // one radius; turns no wider than that
   const World& world = shared_world(world_name);
   const Vehicle vehicle = robot.vehicle();
-  const std::vector<PlanRequest> requests = catalogue_queries(world_name, queries, 1);
+  const std::vector<PlanRequest> requests = catalog_queries(world_name, queries, 1);
   std::vector<double> all = turning_radii(vehicle, world);
   const auto planned = [&](const Vehicle& driven, const PlannerOptions& options) {
     return times_of(plan_all(make_planner(world, driven, options), requests), vehicle);
@@ -92,4 +92,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

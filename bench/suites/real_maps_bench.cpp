@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/random_queries.h"
+#include "arcway/datasets/read_map.h"
 #include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
-#include "datasets/formats/read_map.h"
-#include "datasets/generators/random_queries.h"
 
 // Maps of a city, a coast and a grid of random cells, from the folder that ARCWAY_SHARED_DATA names: what it takes to
 // prepare them for a vehicle that suits them, and to plan between random poses that a disc can move between.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

@@ -2,13 +2,13 @@
 #include <memory>
 #include <string>
 
+#include "arcway/visibility_graph.h"
 #include "bench/suites/allocations.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
-#include "core/roadmap/visibility_graph.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 void count_graph(benchmark::State& state, const World& world, const VisibilityGraph& graph) {
@@ -82,4 +82,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

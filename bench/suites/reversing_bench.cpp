@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "arcway/angle.h"
+#include "arcway/datasets/read_map.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/geometry/angle.h"
-#include "datasets/formats/read_map.h"
 
 // Parking, with both gears: bays of one length and less and less room, and the TPCAP cases where the folder that
 // ARCWAY_SHARED_DATA names has them.
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr const char* kWrong = "the validator refuses the path, or there is none";
@@ -36,9 +36,9 @@ struct Parking {
 
 // A street along x, a wall on its far side, and a bay between two parked cars: `room` more than the car takes, in all.
 Parking parallel_bay(double room) {
-  constexpr double kKerb = -1.2, kStreet = 5.0;
+  constexpr double kCurb = -1.2, kStreet = 5.0;
   const double bay = 4.72 + room;
-  return {World({box(-20, kKerb - 0.3, 30, kKerb), box(-6, kKerb, 0, 1.0), box(bay, kKerb, bay + 6, 1.0),
+  return {World({box(-20, kCurb - 0.3, 30, kCurb), box(-6, kCurb, 0, 1.0), box(bay, kCurb, bay + 6, 1.0),
                  box(-20, kStreet + 1.0, 30, kStreet + 1.3)}),
           {.start = {-12, 2.6, 0}, .goal = {0.5 * room + 0.96, -0.1, 0}, .reverse = true}};
 }
@@ -68,17 +68,17 @@ void time_parking(benchmark::State& state, const Parking& parking) {
 }
 
 void add(Study study) {
-  for (const int centimetres : {300, 150, 100, 80}) {
-    if (study == Study::kCheck && centimetres < 150) continue;
-    const double room = 0.01 * centimetres;
-    const std::string at = "/room_cm:" + std::to_string(centimetres);
+  for (const int centimeters : {300, 150, 100, 80}) {
+    if (study == Study::kCheck && centimeters < 150) continue;
+    const double room = 0.01 * centimeters;
+    const std::string at = "/room_cm:" + std::to_string(centimeters);
     add_benchmark("Reversing/parallel" + at,
                   [room](benchmark::State& state) { time_parking(state, parallel_bay(room)); });
   }
-  for (const int centimetres : {100, 60, 40}) {
-    if (study == Study::kCheck && centimetres < 60) continue;
-    const double room = 0.01 * centimetres;
-    const std::string at = "/room_cm:" + std::to_string(centimetres);
+  for (const int centimeters : {100, 60, 40}) {
+    if (study == Study::kCheck && centimeters < 60) continue;
+    const double room = 0.01 * centimeters;
+    const std::string at = "/room_cm:" + std::to_string(centimeters);
     add_benchmark("Reversing/perpendicular" + at,
                   [room](benchmark::State& state) { time_parking(state, perpendicular_bay(room)); });
   }
@@ -96,4 +96,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

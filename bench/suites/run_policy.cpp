@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 constexpr std::string_view kPrefix = "left out: ";
@@ -45,4 +45,4 @@ void skip_for_budget(benchmark::State& state, double expected_seconds, double bu
 
 bool is_left_out(std::string_view message) { return message.starts_with(kPrefix); }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

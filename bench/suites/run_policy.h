@@ -8,7 +8,7 @@
 
 #include "bench/suites/suite.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// Longest single iteration of one size of a series, with its world and its check, processor time [s].
 double size_budget(Study study);
@@ -24,4 +24,4 @@ void skip_for_budget(benchmark::State& state, double expected_seconds, double bu
 /// Whether an error message is that of leave_out.
 bool is_left_out(std::string_view message);
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

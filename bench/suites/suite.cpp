@@ -6,11 +6,11 @@
 #include <mutex>
 #include <utility>
 
+#include "arcway/datasets/catalog.h"
 #include "bench/cpu_clock.h"
 #include "bench/suites/run_policy.h"
-#include "datasets/generators/catalogue.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 namespace {
 
 std::vector<void (*)(Study)>& registered() {
@@ -97,7 +97,7 @@ const World& shared_world(const std::string& name) {
   static std::map<std::string, World> worlds;
   const std::lock_guard lock(mutex);
   const auto found = worlds.find(name);
-  return found != worlds.end() ? found->second : worlds.emplace(name, catalogue_world(name)).first->second;
+  return found != worlds.end() ? found->second : worlds.emplace(name, catalog_world(name)).first->second;
 }
 
 std::string clutter_name(std::string_view kind, std::size_t obstacles, std::size_t vertices, int fill_percent,
@@ -117,4 +117,4 @@ std::vector<std::size_t> sizes(Study study, std::initializer_list<std::size_t> v
   return kept;
 }
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

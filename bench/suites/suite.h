@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace arcway::bench {
+namespace arcway::internal::bench {
 
 /// How much is run: `check` each benchmark once, small, to see that its answers are right; `quick` some minutes; `full`
 /// up to an hour.
@@ -66,7 +66,7 @@ class Series {
   std::shared_ptr<State> state_;
 };
 
-/// The world of a catalogue name, built once and kept.
+/// The world of a catalog name, built once and kept.
 const World& shared_world(const std::string& name);
 /// "clutter/convex/n1000/m10/f30/s1"
 std::string clutter_name(std::string_view kind, std::size_t obstacles, std::size_t vertices, int fill_percent,
@@ -76,4 +76,4 @@ std::string clutter_name(std::string_view kind, std::size_t obstacles, std::size
 std::vector<std::size_t> sizes(Study study, std::initializer_list<std::size_t> values, std::size_t check_limit,
                                std::size_t quick_limit);
 
-}  // namespace arcway::bench
+}  // namespace arcway::internal::bench

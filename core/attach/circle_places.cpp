@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -56,4 +56,4 @@ CirclePlaces::CirclePlaces(const TurnCircles& circles, std::shared_ptr<const Out
   tree_ = pieces.tree().with_boxes(boxes);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

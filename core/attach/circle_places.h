@@ -9,7 +9,7 @@
 #include "core/model/outlines.h"
 #include "core/roadmap/turn_circles.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// The circles of a graph by place: each with the piece of outline on which it goes round its first vertex, those of
 /// about one radius in a box of their own. Immutable and thread-safe.
@@ -44,4 +44,4 @@ class CirclePlaces {
   BoxTree tree_;                           // of the pieces
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

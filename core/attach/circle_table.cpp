@@ -5,9 +5,9 @@
 #include <memory>
 #include <numeric>
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 CircleTable::CircleTable(const FeasibleGraph& graph) : graph_(graph) {
   if (graph.mode() != GraphMode::kEager || graph.links().size() > std::numeric_limits<std::uint32_t>::max()) return;
@@ -64,4 +64,4 @@ CircleTable::Incoming CircleTable::find_incoming(const StopClock& clock) const {
   return incoming;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,15 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "arcway/angle.h"
+#include "arcway/stop_clock.h"
 #include "core/attach/sectors.h"
 #include "core/base/huge_pages.h"
 #include "core/base/prefetch.h"
-#include "core/base/stop_clock.h"
-#include "core/geometry/angle.h"
 #include "core/roadmap/feasible_graph.h"
 #include "core/roadmap/slot_cache.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// A feasible graph as searches read it: of an eager graph all that they ask about a circle lies in one cache line, as
 /// a search on a large map waits for memory most of the time; a lazy graph is asked itself. Immutable, thread-safe.
@@ -104,4 +104,4 @@ class CircleTable {
   SlotCache<Incoming> incoming_{1};
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,14 +5,14 @@
 #include <limits>
 #include <optional>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
 constexpr double kSlack = 1e-6;  // of headings [rad], and of distances relative to them
-// A piece within a ball this wide, seen from the circle's centre, spans less than pi of headings.
+// A piece within a ball this wide, seen from the circle's center, spans less than pi of headings.
 constexpr double kWidestPiece = 0.7;
 
 // Seen from a distance of 1: the headings of its ends differ by pi within 1e-3, far more than rounding.
@@ -34,7 +34,7 @@ double about_atan2(const Vec2& d) {
 
 // The ball around a box, seen from outside of it.
 struct Ball {
-  double heading, distance;  // of its centre; the heading within kDirectionError
+  double heading, distance;  // of its center; the heading within kDirectionError
   double radius;
 };
 
@@ -46,7 +46,7 @@ std::optional<Ball> ball_around(const Box& box, const Vec2& place) {
   return Ball{about_atan2(d), d.norm(), extent.norm()};
 }
 
-// No straight that leaves a circle gets to a point of a box that is nearer to the circle's centre.
+// No straight that leaves a circle gets to a point of a box that is nearer to the circle's center.
 double nearest_of(const Box& box, const TurnCircle& circle) {
   return std::max(box.distance_to(circle.center), circle.radius);
 }
@@ -55,8 +55,8 @@ struct Headings {
   double low, high;
 };
 
-// Of the straights that leave a circle and get to points of a ball, seen from its centre.
-// @param near  no point is nearer to the centre; at least the circle's radius.
+// Of the straights that leave a circle and get to points of a ball, seen from its center.
+// @param near  no point is nearer to the center; at least the circle's radius.
 Headings headings_towards(const Ball& ball, double near, const TurnCircle& circle) {
   const double spread = above_asin(ball.radius / ball.distance) + kDirectionError;
   const double lead_near = above_asin(circle.radius / near);
@@ -109,7 +109,7 @@ void Horizon::shorten_by_edge(const std::array<Vec2, 2>& edge) {
 }
 
 void Horizon::shorten_by(std::span<const Vec2> outline) {
-  // Between the straights through two of the points all others meet the outline: the first and the last as the centre
+  // Between the straights through two of the points all others meet the outline: the first and the last as the center
   // sees them are nearly the ends of the range, and sooner found.
   Vec2 first_seen = outline[0] - circle_.center, last_seen = first_seen;
   double farthest = first_seen.squaredNorm();
@@ -195,4 +195,4 @@ Sectors Horizon::sectors_towards(const Box& box) const {
   return sectors_of(low, high);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,12 +4,12 @@
 #include <array>
 #include <span>
 
+#include "arcway/angle.h"
 #include "core/attach/sectors.h"
-#include "core/geometry/angle.h"
 #include "core/model/outlines.h"
 #include "core/roadmap/turn_circle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// How far, at most, the reference point gets on a straight that leaves a directed circle, by heading: an upper bound
 /// from some of the outlines near by, so that what lies behind them need not be looked at.
@@ -57,4 +57,4 @@ class Horizon {
   Eigen::Array<double, kHeadings, 1> far_;  // by heading, in equal ranges from 0
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

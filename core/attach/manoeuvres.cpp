@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "arcway/angle.h"
 #include "core/base/open_list.h"
-#include "core/geometry/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -67,7 +67,7 @@ class CellSet {
 }  // namespace
 
 struct ManoeuvreWorkspace::Data {
-  std::vector<Terminal> terminals;  // those of before have memory for connections
+  std::vector<Attachment> attachments;  // those of before have memory for connections
   std::vector<double> lengths;
   OpenList<Waiting> open;
   CellSet seen;
@@ -79,7 +79,7 @@ ManoeuvreWorkspace::~ManoeuvreWorkspace() = default;
 ManoeuvreWorkspace::ManoeuvreWorkspace(ManoeuvreWorkspace&&) noexcept = default;
 ManoeuvreWorkspace& ManoeuvreWorkspace::operator=(ManoeuvreWorkspace&&) noexcept = default;
 
-std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                           const SweepQuery& sweep, std::size_t max_poses, Spread spread,
                                           ManoeuvreWorkspace& workspace, const StopClock& clock) {
   const bool forwards = direction == Direction::kFromStart;
@@ -88,22 +88,22 @@ std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction,
   const Grid grid = spread == Spread::kDense ? Grid{0.5 * step, 128} : Grid{0.5 * radius, 32};
 
   ManoeuvreWorkspace::Data& w = *workspace;
-  std::vector<Terminal>& terminals = w.terminals;
+  std::vector<Attachment>& attachments = w.attachments;
   std::vector<double>& lengths = w.lengths;
   OpenList<Waiting>& open = w.open;
   CellSet& seen = w.seen;
   lengths.clear();
   open.clear();
   seen.begin(max_poses + kStepsFromAPose);
-  const auto add = [&](const Pose& reached, double length) -> Terminal& {
-    if (terminals.size() == lengths.size()) terminals.emplace_back();
-    Terminal& terminal = terminals[lengths.size()];
-    terminal.pose = reached;
-    terminal.connection.clear();
-    terminal.shared.reset();
+  const auto add = [&](const Pose& reached, double length) -> Attachment& {
+    if (attachments.size() == lengths.size()) attachments.emplace_back();
+    Attachment& attachment = attachments[lengths.size()];
+    attachment.pose = reached;
+    attachment.connection.clear();
+    attachment.shared.reset();
     open.push({length, lengths.size()});
     lengths.push_back(length);
-    return terminal;
+    return attachment;
   };
   add(pose, 0.0);
   seen.insert(cell_of(pose, grid));
@@ -111,10 +111,10 @@ std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction,
   const auto reach = [&](std::size_t from, const PathSegment& segment, const Pose& reached,
                          std::optional<Side> turned = {}) {
     if (!seen.insert(cell_of(reached, grid))) return;
-    Terminal& terminal = add(reached, lengths[from] + segment.length);
-    terminal.shared = turned;
-    Path& connection = terminal.connection;
-    const Path& before = terminals[from].connection;
+    Attachment& attachment = add(reached, lengths[from] + segment.length);
+    attachment.shared = turned;
+    Path& connection = attachment.connection;
+    const Path& before = attachments[from].connection;
     if (!forwards) connection.push_back(segment);
     connection.insert(connection.end(), before.begin(), before.end());
     if (forwards) connection.push_back(segment);
@@ -122,7 +122,7 @@ std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction,
 
   while (!open.empty() && lengths.size() < max_poses && !clock.is_over()) {
     const std::size_t at = open.pop().pose;
-    const Pose here = terminals[at].pose;
+    const Pose here = attachments[at].pose;
     const Vec2 ahead = direction_of(here.heading);
     for (const double steps : kLineSteps) {
       const double length = steps * step;
@@ -150,10 +150,10 @@ std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction,
       }
     }
   }
-  return std::span(terminals).first(lengths.size());
+  return std::span(attachments).first(lengths.size());
 }
 
-std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+std::vector<Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                       const SweepQuery& sweep, std::size_t max_poses, Spread spread,
                                       const StopClock& clock) {
   ManoeuvreWorkspace workspace;
@@ -161,4 +161,4 @@ std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, con
   return {found.begin(), found.end()};
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "core/attach/terminal_links.h"
-#include "core/base/stop_clock.h"
-#include "core/collision/sweep_query.h"
-#include "core/model/vehicle.h"
+#include "arcway/stop_clock.h"
+#include "arcway/sweep_query.h"
+#include "arcway/vehicle.h"
+#include "core/attach/attachment_links.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// How far poses are from each other: dense ones find the way out of a narrow place, sparse ones a place to turn back.
 enum class Spread { kDense, kSparse };
@@ -37,12 +37,12 @@ class ManoeuvreWorkspace {
 /// of the way and shares of it. Steps are checked exactly; only their number is limited, so a missing pose proves
 /// nothing. O(max_poses) queries and memory.
 /// @param clock  ends that, with the poses found by then.
-std::vector<Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+std::vector<Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                       const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense,
                                       const StopClock& clock = {});
 /// The same in memory that is used again: theirs is the workspace's.
-std::span<const Terminal> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                           const SweepQuery& sweep, std::size_t max_poses, Spread spread,
                                           ManoeuvreWorkspace& workspace, const StopClock& clock = {});
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,7 +2,7 @@
 
 #include "core/gaps/gap_circles.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -10,27 +10,27 @@ constexpr double kWideTurn = 4.0;  // of the smallest radius: sweeps hardly more
 
 // What sweeps less fits into more places, (7). A map of several radii has wider turns of its own; where a wider turn is
 // a faster one, a single radius says that none are wanted.
-void add_wide_turns(const SearchMap& map, ExtraCircles& extra) {
+void add_wide_turns(const Roadmap& map, AddedCircles& added) {
   const double radius = kWideTurn * map.radii.front();
   if (map.radii.size() > 1 || map.vehicle.turn_speed(radius) > map.vehicle.turn_speed(map.radii.front())) return;
   const Footprint grown_body = map.vehicle.footprint(map.vehicle.safety_margin());
   for (const VertexId v : map.world.convex_vertices())
-    extra.round.push_back(turn_circle(map.world, v, radius, Side::kLeft, grown_body));
+    added.round.push_back(turn_circle(map.world, v, radius, Side::kLeft, grown_body));
 }
 
 }  // namespace
 
-const SearchMap& NarrowPlaces::map(const StopClock& clock) const {
-  const auto make = [&]() -> std::optional<SearchMap> {
+const Roadmap& NarrowPlaces::map(const StopClock& clock) const {
+  const auto make = [&]() -> std::optional<Roadmap> {
     const GapMap* gaps = map_.gaps->map(clock);
     if (!gaps) throw Cancelled("cancelled");
-    ExtraCircles extra = find_gap_circles(map_.world, *gaps, map_.vehicle, map_.radii.front(), clock);
-    if (extra.round.empty() && extra.gates.empty()) return std::nullopt;
-    add_wide_turns(map_, extra);
-    return map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, extra), map_.radii);
+    AddedCircles added = find_gap_circles(map_.world, *gaps, map_.vehicle, map_.radii.front(), clock);
+    if (added.round.empty() && added.gates.empty()) return std::nullopt;
+    add_wide_turns(map_, added);
+    return map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, added), map_.radii);
   };
-  const std::optional<SearchMap>* detailed = detailed_.get(clock, make);
+  const std::optional<Roadmap>* detailed = detailed_.get(clock, make);
   return detailed && *detailed ? **detailed : map_;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

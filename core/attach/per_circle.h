@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "arcway/world.h"
 #include "core/base/huge_pages.h"
 #include "core/base/prefetch.h"
-#include "core/model/world.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// An index for each circle of a graph, kNone at first; forgets all of them in constant time.
 class PerCircle {
@@ -36,4 +36,4 @@ class PerCircle {
   std::uint32_t epoch_ = 0;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

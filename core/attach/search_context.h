@@ -2,19 +2,19 @@
 
 #include <span>
 
+#include "arcway/executor.h"
+#include "arcway/sweep_query.h"
 #include "core/attach/circle_table.h"
-#include "core/attach/search_map.h"
+#include "core/attach/roadmap.h"
 #include "core/attach/search_options.h"
-#include "core/attach/terminal_links.h"
-#include "core/base/executor.h"
-#include "core/collision/sweep_query.h"
+#include "core/attach/attachment_links.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// What the parts of one search have in common.
 class SearchContext {
  public:
-  SearchContext(const SearchMap& m, std::span<const Terminal> s, std::span<const Terminal> g, const SearchOptions& o,
+  SearchContext(const Roadmap& m, std::span<const Attachment> s, std::span<const Attachment> g, const SearchOptions& o,
                 SearchResult& r)
       : map(m),
         graph(m.graph),
@@ -46,14 +46,14 @@ class SearchContext {
     return map.queries.sweep->straight_free(swept_rectangle(line.start, line.length, map.body));
   }
 
-  const SearchMap& map;
+  const Roadmap& map;
   const FeasibleGraph& graph;
   const Vehicle vehicle;  ///< with the gears as the path will be driven
-  std::span<const Terminal> starts;
-  std::span<const Terminal> goals;
+  std::span<const Attachment> starts;
+  std::span<const Attachment> goals;
   const SearchOptions& options;
   const Vec2 goal;  ///< where all paths end
   SearchResult& result;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

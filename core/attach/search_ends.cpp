@@ -7,7 +7,7 @@
 
 #include "core/collision/motion_free.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -32,9 +32,9 @@ std::size_t links_a_circle(std::size_t vertices, std::size_t known_links, std::s
 }
 
 // Whether all poses begin with some.
-bool begin_with(std::span<const Terminal> all, const std::vector<Pose>& some) {
+bool begin_with(std::span<const Attachment> all, const std::vector<Pose>& some) {
   return some.size() <= all.size() &&
-         std::ranges::equal(some, all.first(some.size()), is_same, {}, [](const Terminal& t) { return t.pose; });
+         std::ranges::equal(some, all.first(some.size()), is_same, {}, [](const Attachment& t) { return t.pose; });
 }
 
 }  // namespace
@@ -102,8 +102,8 @@ void SearchEnds::find_direct_paths(std::size_t known_starts, std::size_t known_g
 }
 
 void SearchEnds::try_direct(std::uint32_t start, std::uint32_t goal, double radius, DubinsWord word) {
-  const Terminal& from = context_->starts[start];
-  const Terminal& to = context_->goals[goal];
+  const Attachment& from = context_->starts[start];
+  const Attachment& to = context_->goals[goal];
   const auto between = dubins_word(word, from.pose, to.pose, radius);
   if (!between) return;
   double length = length_of(from.connection) + length_of(to.connection);
@@ -137,7 +137,7 @@ SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
   Range& range = start_link_ranges_[start_circle];
   if (range.first == kNone) {
     range.first = static_cast<std::uint32_t>(start_links_.size());
-    const Terminal& start = context_->starts[start_circles_[start_circle].terminal];
+    const Attachment& start = context_->starts[start_circles_[start_circle].attachment];
     append_links(context_->map, start_circles_, start_circle, Direction::kFromStart,
                  {context_->goal, longest_way_ - length_of(start.connection),
                   start.connection.empty() ? kUnlimited : most_start_links_},
@@ -148,13 +148,13 @@ SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
 }
 
 void SearchEnds::add_goal_links(std::uint32_t goal_circle) {
-  const Terminal& goal = context_->goals[goal_circles_[goal_circle].terminal];
+  const Attachment& goal = context_->goals[goal_circles_[goal_circle].attachment];
   const WayLimit limit{context_->starts[0].pose.position(), longest_way_ - length_of(goal.connection),
                        goal.connection.empty() ? kUnlimited : most_goal_links_};
   if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
   found_.clear();
   append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, limit, pieces_, found_);
-  for (const TerminalLink& link : found_) {
+  for (const AttachmentLink& link : found_) {
     goal_links_.push_back({link, kInfinity, first_goal_link_.get(link.circle), false, false});
     first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));
   }
@@ -169,4 +169,4 @@ bool SearchEnds::is_free(GoalLink& goal) {
   return goal.free;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,27 +4,27 @@
 #include <span>
 #include <vector>
 
+#include "core/attach/attachment_links.h"
 #include "core/attach/per_circle.h"
 #include "core/attach/search_context.h"
-#include "core/attach/terminal_links.h"
 #include "core/base/huge_pages.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
 
-namespace arcway {
+namespace arcway::internal {
 
-/// How start and goal terminals join the graph, and each other.
+/// How start and goal attachments join the graph, and each other.
 class SearchEnds {
  public:
   struct GoalLink {
-    TerminalLink link;
+    AttachmentLink link;
     double best_time;    ///< of complete paths by this link, for the search to keep
     std::uint32_t next;  ///< on the same circle, or kNone
     bool checked, free;
   };
   /// A word that leads from a start to a goal, and the manoeuvres there.
   struct DirectPath {
-    std::uint32_t start, goal;  ///< terminals
+    std::uint32_t start, goal;  ///< attachments
     DubinsPath word;            ///< from the one to the other
     double time;
   };
@@ -33,14 +33,14 @@ class SearchEnds {
   void forget();
   /// The same, with memory for a graph of so many circles at hand.
   void warm_up(std::size_t circles);
-  /// Whether the terminals of the search before are the first ones of this.
+  /// Whether the attachments of the search before are the first ones of this.
   [[nodiscard]] bool are_first_of(const SearchContext& context) const;
-  /// Finds the circles of all terminals, the free words between them, and the links to the goals, unless interrupted;
+  /// Finds the circles of all attachments, the free words between them, and the links to the goals, unless interrupted;
   /// those that the search before had found stay, and keep their indices.
   void begin(SearchContext& context);
 
-  [[nodiscard]] std::span<const TerminalCircle> start_circles() const { return start_circles_; }
-  [[nodiscard]] std::span<const TerminalCircle> goal_circles() const { return goal_circles_; }
+  [[nodiscard]] std::span<const AttachmentCircle> start_circles() const { return start_circles_; }
+  [[nodiscard]] std::span<const AttachmentCircle> goal_circles() const { return goal_circles_; }
   [[nodiscard]] std::span<const DirectPath> direct_paths() const { return direct_paths_; }
   /// @param path  becomes the whole path; its memory is used again.
   void take_path(const DirectPath& direct, Path& path) const;
@@ -50,7 +50,7 @@ class SearchEnds {
     std::uint32_t first = kNone, last = kNone;
   };
   Range links_from(std::uint32_t start_circle);
-  [[nodiscard]] const TerminalLink& start_link(std::uint32_t index) const { return start_links_[index]; }
+  [[nodiscard]] const AttachmentLink& start_link(std::uint32_t index) const { return start_links_[index]; }
 
   [[nodiscard]] std::span<const GoalLink> goal_links() const { return goal_links_; }
   [[nodiscard]] GoalLink& goal_link(std::uint32_t index) { return goal_links_[index]; }
@@ -73,8 +73,8 @@ class SearchEnds {
   HeadingSet headings_;                                     // memory
   std::vector<std::uint32_t> pieces_;                       // likewise
   std::vector<Pose> starts_, goals_;
-  std::vector<TerminalCircle> start_circles_, goal_circles_;
-  HugeVector<TerminalLink> start_links_, found_;
+  std::vector<AttachmentCircle> start_circles_, goal_circles_;
+  HugeVector<AttachmentLink> start_links_, found_;
   std::vector<Range> start_link_ranges_;  // by start circle; kNone: not found yet
   HugeVector<GoalLink> goal_links_;
   PerCircle first_goal_link_;
@@ -83,4 +83,4 @@ class SearchEnds {
   SpeedProfile profile_;  // likewise
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

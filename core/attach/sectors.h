@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// A set of headings by 64 equal sectors of a full turn, from heading 0 on: bit k for the k-th.
 using Sectors = std::uint64_t;
@@ -22,4 +22,4 @@ inline Sectors sectors_of(double low, double high) {
   return std::rotl((Sectors{2} << (last - first)) - 1, static_cast<int>(first & 63));
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

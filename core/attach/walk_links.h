@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <span>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "core/roadmap/feasible_graph.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Position of the first of a circle's links at or ahead of a heading in turning direction. Precondition: not empty.
 inline std::size_t first_ahead(std::span<const FeasibleGraph::Link> links, double heading, Side side) {
@@ -33,4 +33,4 @@ void walk_links(std::span<const FeasibleGraph::Link> links, Side side, double he
   }
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Values as the bytes that they have in memory, for processes of one machine type.
 template <class T>
@@ -46,4 +46,4 @@ T take_bytes(std::string_view& bytes) {
   return value;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-namespace arcway {
+namespace arcway::internal {
 
 /// A hash of some numbers in their order: each is mixed in by a product, whose high bits are folded into the low ones.
 /// O(numbers).
@@ -18,4 +18,4 @@ inline std::uint64_t hash_of(std::span<const std::uint64_t> numbers) {
   return hash;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -10,7 +10,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Told of what is mapped for large arrays, and with a minus of what is given back [bytes], as none of it passes
 /// through operator new: for programs that count their memory. Called by any thread; none at first.
@@ -90,4 +90,4 @@ void empty_with_memory(HugeVector<T>& array, std::size_t count) {
   array.clear();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

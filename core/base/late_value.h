@@ -7,10 +7,10 @@
 #include <thread>
 #include <utility>
 
-#include "core/base/executor.h"
-#include "core/base/stop_clock.h"
+#include "arcway/executor.h"
+#include "arcway/stop_clock.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// A value that takes long to make: made when it is first asked for, then kept. Thread-safe: one thread makes it, the
 /// others wait for it, each until its own clock is over. What was begun and not completed leaves no trace.
@@ -46,4 +46,4 @@ class LateValue {
   mutable std::atomic<const Value*> known_ = nullptr;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

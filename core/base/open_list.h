@@ -6,7 +6,7 @@
 
 #include "core/base/huge_pages.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// A heap of entries with four children a node, which moves through less memory than one with two; siblings of 16 bytes
 /// share a cache line. Entries come off in the order of `before(a, b)`, found by argument-dependent lookup; a total
@@ -92,4 +92,4 @@ class OpenList {
   HugeVector<Entry> heap_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Says that what lies there will be read or written soon. Any address will do.
 ///
@@ -11,4 +11,4 @@ namespace arcway {
   asm volatile("" : :);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The time since it was made, by a clock that never goes back.
 class Stopwatch {
@@ -15,4 +15,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

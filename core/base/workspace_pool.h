@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Workspaces for queries at the same time: as many as there ever were at once. Thread-safe.
 template <class Workspace>
@@ -47,4 +47,4 @@ class WorkspacePool {
   std::size_t count_ = 0;  // of all workspaces
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,7 +4,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -42,4 +42,4 @@ bool blocks(const World& world, VertexId edge, const LineSegment& segment) {
          (e.a != segment.a && leads_inside(world, edge, segment.a));
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

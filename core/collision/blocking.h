@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Whether an obstacle edge, or its first vertex, proves that some point of the open segment lies strictly inside that
 /// edge's obstacle: a proper crossing, an end of the segment on the edge with the other end on the obstacle's side, or
@@ -17,4 +17,4 @@ namespace [[gnu::visibility("default")]] arcway {
 /// ways above.
 bool blocks(const World& world, VertexId edge, const LineSegment& segment);
 
-}  // namespace arcway
+}  // namespace arcway::internal

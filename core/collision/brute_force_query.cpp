@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arcway/query_set.h"
 #include "core/collision/blocking.h"
-#include "core/collision/query_set.h"
 #include "core/collision/turning_headings.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -109,8 +109,12 @@ void BruteForceQuery::do_free_headings(std::span<const TurningBody> bodies, std:
   }
 }
 
+}  // namespace arcway::internal
+
+namespace arcway {
+
 QuerySet make_reference_queries(const World& world) {
-  const auto queries = std::make_shared<const BruteForceQuery>(world);
+  const auto queries = std::make_shared<const internal::BruteForceQuery>(world);
   return {queries, queries, queries};
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/collision/distance_query.h"
-#include "core/collision/sweep_query.h"
-#include "core/collision/visibility_query.h"
-#include "core/model/world.h"
+#include "arcway/distance_query.h"
+#include "arcway/sweep_query.h"
+#include "arcway/visibility_query.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// All three query interfaces by trying every edge: the reference that all other implementations must agree with.
 /// O(edges) a query.
@@ -25,4 +25,4 @@ class BruteForceQuery final : public VisibilityQuery, public DistanceQuery, publ
   World world_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -168,4 +168,4 @@ double ContactReach::along_line(Gear gear) const {
   return least;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

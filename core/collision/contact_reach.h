@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry/vec2.h"
+#include "arcway/path.h"
+#include "arcway/vec2.h"
+#include "arcway/vehicle.h"
 #include "core/model/outlines.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// How far a body that is free at a pose drives on a line or an arc before it touches an edge of the world: computed
 /// from the edges near by, however wide the arc is. Rounded: a motion proposed by it is decided by the sweep query.
@@ -45,4 +45,4 @@ class ContactReach {
   std::vector<Edge> edges_;  // in the frame of the body, nearest first
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

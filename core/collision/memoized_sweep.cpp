@@ -10,7 +10,7 @@
 
 #include "core/base/hash_of.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -81,4 +81,4 @@ void MemoizedSweep::do_free_headings(std::span<const TurningBody> bodies, std::s
                           [&] { base_->free_headings(bodies.subspan(i, 1), result.subspan(i, 1)); });
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "core/collision/sweep_query.h"
+#include "arcway/sweep_query.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Answers as another sweep query does, bit for bit, and remembers the answers: for planners on one world that ask
 /// nearly the same questions one after the other. Remembers a million questions at most, some 100 bytes each; later
@@ -23,4 +23,4 @@ class MemoizedSweep final : public SweepQuery {
   std::unique_ptr<Memory> memory_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

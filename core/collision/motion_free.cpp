@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace arcway {
+namespace arcway::internal {
 
 bool turn_free(const SweepQuery& sweep, const Footprint& body, const PathSegment& arc, HeadingSet& headings) {
   const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
@@ -23,4 +23,4 @@ bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const
   });
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,12 +2,12 @@
 
 #include <span>
 
-#include "core/collision/sweep_query.h"
-#include "core/model/heading_set.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
+#include "arcway/heading_set.h"
+#include "arcway/path.h"
+#include "arcway/sweep_query.h"
+#include "arcway/vehicle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Whether the body touches nothing along all segments, in whichever gear: the swept rectangle for each line, a free
 /// interval of headings for each arc. Exact as the sweep query is; no step size. Lines are asked for first: a rectangle
@@ -17,4 +17,4 @@ bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const
 /// The same for one arc driven forwards; `headings` is memory that is used again.
 bool turn_free(const SweepQuery& sweep, const Footprint& body, const PathSegment& arc, HeadingSet& headings);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,14 +2,16 @@
 #include <stdexcept>
 #include <string>
 
+#include "arcway/distance_query.h"
+#include "arcway/sweep_query.h"
+#include "arcway/visibility_query.h"
 #include "core/base/shortest_text.h"
-#include "core/collision/distance_query.h"
-#include "core/collision/sweep_query.h"
-#include "core/collision/visibility_query.h"
 #include "core/geometry/predicates.h"
 
 // The public halves of the query interfaces: arguments are checked here, once for all implementations.
 namespace arcway {
+
+using namespace internal;
 
 namespace {
 

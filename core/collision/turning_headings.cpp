@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -14,7 +14,7 @@ namespace {
 // contact: so whatever lies within this relative distance of existing counts.
 constexpr double kCriticalSlack = 1e-9;
 
-// The body about the rotation centre, at heading 0.
+// The body about the rotation center, at heading 0.
 struct CenteredBody {
   double x_low, x_high, y_low, y_high;
 };
@@ -136,4 +136,4 @@ void append_blocked_headings(const TurningBody& body, const LineSegment& edge, s
   }
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

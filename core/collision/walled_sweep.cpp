@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "arcway/angle.h"
 #include "core/collision/turning_headings.h"
-#include "core/geometry/angle.h"
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 void WalledSweep::do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const {
   base_->straight_free(rectangles, free);
@@ -35,4 +35,4 @@ void WalledSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
   }
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

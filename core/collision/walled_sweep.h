@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "core/collision/sweep_query.h"
+#include "arcway/sweep_query.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// A sweep query's world with walls without thickness in it: line segments that the body may not touch. For walls that
 /// come and go while the world stays; each costs a test on every question. Exact as the query that it is made from.
@@ -23,4 +23,4 @@ class WalledSweep final : public SweepQuery {
   std::vector<LineSegment> walls_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

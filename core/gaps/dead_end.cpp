@@ -9,10 +9,10 @@
 #include <optional>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "core/gaps/local_sweep.h"
-#include "core/geometry/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -279,4 +279,4 @@ std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const 
   return std::nullopt;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -64,7 +64,7 @@ class Flood {
       open.pop();
       reach_ = std::max(reach_, (center_of(box).position() - from_.position()).norm());
       if (box.x == goal.x && box.y == goal.y && box.heading == goal.heading) return End::kOpen;
-      for (const PoseBox& next : neighbours(box)) {
+      for (const PoseBox& next : neighbors(box)) {
         if (!seen.insert(key_of(next)).second) continue;
         if (seen.size() > max_boxes) return End::kTooMany;
         const Pose center = center_of(next);
@@ -89,7 +89,7 @@ class Flood {
     return {index(pose.x - from_.x), index(pose.y - from_.y),
             static_cast<std::int32_t>(std::lround(turns * headings_)) % headings_};
   }
-  [[nodiscard]] std::array<PoseBox, 6> neighbours(const PoseBox& b) const {
+  [[nodiscard]] std::array<PoseBox, 6> neighbors(const PoseBox& b) const {
     return {{{b.x + 1, b.y, b.heading},
              {b.x - 1, b.y, b.heading},
              {b.x, b.y + 1, b.heading},
@@ -126,4 +126,4 @@ std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, con
   return std::nullopt;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/base/stop_clock.h"
-#include "core/collision/sweep_query.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
+#include "arcway/path.h"
+#include "arcway/stop_clock.h"
+#include "arcway/sweep_query.h"
+#include "arcway/vehicle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Proof that a body cannot be moved from one pose to another, in whatever direction, even if it could turn on the
 /// spot: no vehicle with that body has a path, forwards or backwards.
@@ -27,4 +27,4 @@ struct Enclosure {
 std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, const Footprint& footprint,
                                         const SweepQuery& sweep, std::size_t max_boxes, const StopClock& clock = {});
 
-}  // namespace arcway
+}  // namespace arcway::internal

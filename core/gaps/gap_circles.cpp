@@ -6,17 +6,17 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/executor.h"
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/executor.h"
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
 constexpr double kWidestRadius = 16.0;  // of the smallest one: wider turns are hardly any
 constexpr double kMargins = 3.0;        // safety margins by which the grown body's swept annulus is wider, at most
-constexpr double kBeyond = 0.1;         // [rad] that a centre may lie beside the exterior angle
+constexpr double kBeyond = 0.1;         // [rad] that a center may lie beside the exterior angle
 constexpr double kSame = 1e-6;          // [m]: circles no further apart are one
 constexpr double kNear = 3.0;           // of the outer swept radius: how far a gate's circle lies from its vertices
 constexpr std::size_t kMostPlaces = 3;  // on one side of a gate, of entries or of exits
@@ -45,7 +45,7 @@ class GapCircles {
         body_(vehicle.footprint(vehicle.safety_margin())),
         swept_(swept_annulus(body_, radius)) {}
 
-  ExtraCircles find(const GapMap& gaps, const StopClock& clock) && {
+  AddedCircles find(const GapMap& gaps, const StopClock& clock) && {
     StopTicker ticker(clock);
     for (const Gap& gap : gaps.gaps()) {
       end_if_over(ticker);
@@ -88,7 +88,7 @@ class GapCircles {
       if (!radius || *radius > kWidestRadius * radius_) return;
       return add_round(v, -swept_annulus(body_, *radius).inner * across, *radius);
     }
-    // Of the angle at the vertex between what it faces and the centre.
+    // Of the angle at the vertex between what it faces and the center.
     const double cosine = faces_vertex ? (swept_.inner * swept_.inner + width * width - swept_.outer * swept_.outer) /
                                              (2.0 * swept_.inner * width)
                                        : (width - swept_.outer) / swept_.inner;
@@ -204,14 +204,14 @@ class GapCircles {
   Footprint body_;
   SweptAnnulus swept_;
   Known known_;
-  ExtraCircles found_;
+  AddedCircles found_;
 };
 
 }  // namespace
 
-ExtraCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
+AddedCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
                               const StopClock& clock) {
   return GapCircles(world, vehicle, radius).find(gaps, clock);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

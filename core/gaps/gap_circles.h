@@ -1,15 +1,15 @@
 #pragma once
 
-#include "core/base/stop_clock.h"
+#include "arcway/stop_clock.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
 #include "core/gaps/gap_map.h"
-#include "core/model/vehicle.h"
-#include "core/model/world.h"
-#include "core/roadmap/extra_circles.h"
+#include "core/roadmap/added_circles.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
-/// Circles for the gaps of a world that are wide enough to drive through, but so narrow that the circle on the bisector
-/// of a vertex beside them may collide, or turn too early or too late:
+/// Circles for the gaps of a world that are wide enough to drive through, but narrow. There the circle on the bisector
+/// of a vertex beside the gap may collide, or turn too early or too late:
 ///
 /// - Where a vertex faces an edge or another vertex, circles round it whose outer swept circle touches what it faces:
 ///   if the gap is too narrow for the tightest turn, the circle of the smallest radius that condition (7) allows, on
@@ -24,7 +24,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// @param radius  the smallest turning radius.
 /// O(gaps log gaps), O(gaps) circles.
 /// @throws Cancelled if the clock is over before all are found.
-ExtraCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
+AddedCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
                               const StopClock& clock = {});
 
-}  // namespace arcway
+}  // namespace arcway::internal

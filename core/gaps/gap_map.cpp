@@ -7,13 +7,13 @@
 #include <tuple>
 #include <utility>
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/closest_pair.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/ray_parity.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // A third edge has to come into a gap's circle by more than distances are rounded, else each of two edges that follow
@@ -211,4 +211,4 @@ std::optional<Gap> GapMap::bottleneck(const Vec2& from, const Vec2& to, const St
   return std::nullopt;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "core/base/stop_clock.h"
-#include "core/geometry/vec2.h"
-#include "core/model/world.h"
+#include "arcway/stop_clock.h"
+#include "arcway/vec2.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Where two edges are nearest to each other, of two obstacles or of one.
 struct Gap {
@@ -23,7 +23,7 @@ struct Gap {
 /// that their widest way passes through. A disc of diameter d passes from one to the other if and only if their
 /// bottleneck is wider than d.
 ///
-/// **Why gaps suffice.** The centre of a disc of diameter d has to stay clear of all edges grown by d/2. Grown edges
+/// **Why gaps suffice.** The center of a disc of diameter d has to stay clear of all edges grown by d/2. Grown edges
 /// are convex; so all that they have in common is convex too, and their union has the loops of their nerve [Borsuk
 /// 1948]: those of the graph that joins each two edges at most d apart, which share the middle of their gap. The union
 /// parts two points if and only if one of its loops winds round just one of them, that is, has an odd number of
@@ -56,4 +56,4 @@ class GapMap {
   std::vector<Gap> gaps_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,7 +5,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -60,4 +60,4 @@ bool LocalSweep::sees(const LineSegment& sight) const {
   });
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/collision/sweep_query.h"
-#include "core/geometry/vec2.h"
+#include "arcway/sweep_query.h"
+#include "arcway/vec2.h"
 #include "core/model/outlines.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Answers thousands of questions about one place with a sweep query, which most of the time need not be asked: the
 /// same few edges are in the way again and again, and what meets none of them is free if no edge lies between it and
@@ -36,4 +36,4 @@ class LocalSweep {
   std::optional<Vec2> free_;  // a point in the place that no obstacle holds or touches
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

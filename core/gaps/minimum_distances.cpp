@@ -11,7 +11,7 @@
 
 #include "core/geometry/closest_pair.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 void lower(ClosestPair& best, const LineSegment& s, const LineSegment& t) {
@@ -141,7 +141,7 @@ MinimumDistances minimum_distances(const World& world, std::span<const Vec2> pat
   std::stable_sort(result.to_segments.begin(), result.to_segments.end(),
                    [](const auto& a, const auto& b) { return a.segment < b.segment; });
 
-  std::map<std::pair<ObstacleId, ObstacleId>, ClosestPair> known;  // neighbouring regions share pairs
+  std::map<std::pair<ObstacleId, ObstacleId>, ClosestPair> known;  // neighboring regions share pairs
   for (std::size_t i = 0; i < segments; ++i) {
     for (const ObstacleId left : result.by_segment[i].left) {
       for (const ObstacleId right : result.by_segment[i].right) {
@@ -154,4 +154,4 @@ MinimumDistances minimum_distances(const World& world, std::span<const Vec2> pat
   return result;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/vec2.h"
-#include "core/model/path.h"
-#include "core/model/world.h"
+#include "arcway/path.h"
+#include "arcway/vec2.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Obstacles of one path segment's region, ascending.
 struct RadialSet {
@@ -50,4 +50,4 @@ struct MinimumDistances {
 /// @throws std::invalid_argument for fewer than two points, repeated consecutive points, or one that is not finite.
 MinimumDistances minimum_distances(const World& world, std::span<const Vec2> path);
 
-}  // namespace arcway
+}  // namespace arcway::internal

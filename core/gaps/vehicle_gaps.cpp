@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/collision/sweep_query.h"
+#include "arcway/sweep_query.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -27,4 +27,4 @@ const GapMap* VehicleGaps::map(const StopClock& clock) const {
   return map_.get(clock, [&] { return GapMap(world_, widest_, clock); });
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

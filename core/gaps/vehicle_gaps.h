@@ -1,12 +1,12 @@
 #pragma once
 
+#include "arcway/stop_clock.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
 #include "core/base/late_value.h"
-#include "core/base/stop_clock.h"
 #include "core/gaps/gap_map.h"
-#include "core/model/vehicle.h"
-#include "core/model/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The gaps of a map that are not too wide to matter to a vehicle: what BottleneckFinder and find_gap_circles look at.
 /// Found when first asked for. Thread-safe.
@@ -32,4 +32,4 @@ class VehicleGaps {
 /// the safety margin, less a thousandth for rounding, has a disc of this diameter in its middle [m].
 double widest_hopeless_gap(const Vehicle& vehicle);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
@@ -62,4 +62,4 @@ BoxTree BoxTree::with_boxes(std::span<const Box> boxes) const {
   return tree;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <span>
 
+#include "arcway/vec2.h"
 #include "core/base/huge_pages.h"
-#include "core/geometry/vec2.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Static bounding-box tree over a set of boxes, for overlap queries.
 ///
@@ -98,4 +98,4 @@ class BoxTree {
   HugeVector<Item> items_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

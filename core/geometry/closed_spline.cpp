@@ -1,4 +1,4 @@
-#include "core/geometry/closed_spline.h"
+#include "arcway/closed_spline.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,6 +10,8 @@
 #include "core/geometry/predicates.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 constexpr int kMaxHalvings = 40;

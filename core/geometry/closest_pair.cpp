@@ -3,7 +3,7 @@
 #include "core/geometry/crossing_point.h"
 #include "core/geometry/distance.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Vec2 meeting_point(const LineSegment& s, const LineSegment& t) {
@@ -38,4 +38,4 @@ ClosestPair closest_pair(const LineSegment& s, const LineSegment& t) {
   return pair;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "core/geometry/vec2.h"
+#include "arcway/vec2.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Two points as near to each other as two closed sets are.
 struct ClosestPair {
@@ -16,4 +16,4 @@ struct ClosestPair {
 /// Of two segments; where they meet, twice the same point, rounded.
 ClosestPair closest_pair(const LineSegment& s, const LineSegment& t);
 
-}  // namespace arcway
+}  // namespace arcway::internal

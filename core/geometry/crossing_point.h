@@ -2,7 +2,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Where a segment meets the line through two points that its ends do not lie on the same side of, nor both on:
 /// rounded, however small the angle between them; the end itself if that is on the line.
@@ -13,4 +13,4 @@ inline Vec2 crossing_point(const LineSegment& s, const LineSegment& line) {
   return s.a + from_a / (from_a - from_b) * (s.b - s.a);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

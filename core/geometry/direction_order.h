@@ -2,7 +2,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Whether the direction from p to a comes before that to b, counter-clockwise from +x. Exact, a strict weak order of
 /// points other than p.
@@ -12,4 +12,4 @@ inline bool precedes_about(const Vec2& p, const Vec2& a, const Vec2& b) {
   return orientation(p, a, b) > 0;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

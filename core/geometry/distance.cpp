@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/ray_parity.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -127,4 +127,4 @@ double distance(const CircularArc& arc, const LineSegment& s) {
   return least;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

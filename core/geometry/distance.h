@@ -2,10 +2,10 @@
 
 #include <span>
 
-#include "core/geometry/polygon.h"
-#include "core/geometry/vec2.h"
+#include "arcway/polygon.h"
+#include "arcway/vec2.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// \file
 /// Distances between closed sets [m]: never negative, 0 if the two meet. Where only points, segments
@@ -54,4 +54,4 @@ double distance(const CircularArc& arc, const Vec2& p);
 /// some 1e-16 of the largest length involved instead of 0.
 double distance(const CircularArc& arc, const LineSegment& s);
 
-}  // namespace arcway
+}  // namespace arcway::internal

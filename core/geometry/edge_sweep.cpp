@@ -6,7 +6,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 bool is_left_of(const Vec2& p, const Vec2& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); }
@@ -134,4 +134,4 @@ void EdgeSweep::leave(std::uint32_t e) {
 
 bool SweptDepths::is_region_above(std::uint32_t e) const { return is_left_of(edges_[e].a, edges_[e].b); }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/vec2.h"
+#include "arcway/vec2.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Sweeps the plane from left to right over edges that may touch and overlap, but do not cross [Shamos and Hoey 1976].
 /// Exact. "Left" is less by (x, y), so that vertical edges are no special case. Edges must not be single points.
@@ -103,4 +103,4 @@ class SweptDepths {
   std::vector<std::int32_t> above_;  // by edge
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// \file
 /// Exact sums of doubles [Shewchuk 1997, sections 2.2-2.4]. Needs rounding to nearest, no
@@ -94,4 +94,4 @@ class Expansion {
   std::vector<double> components_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,7 +2,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -24,4 +24,4 @@ bool NearBoxes::may_meet(const Vec2& a, const Vec2& b) const {
   return !tree_.visit_overlaps(box_of({a, b}), [&](std::uint32_t i) { return !passes(a, b, boxes_[i]); });
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
+#include "arcway/vec2.h"
 #include "core/geometry/box_tree.h"
-#include "core/geometry/vec2.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Boxes and all that is near them, for asking what may be there. Immutable and thread-safe.
 class NearBoxes {
@@ -26,4 +26,4 @@ class NearBoxes {
   BoxTree tree_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/geometry/polygon.h"
+#include "arcway/polygon.h"
 
 #include <cmath>
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include "core/geometry/simplicity.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 // Below this number of edges all pairs beat the tree and need no memory for it.

@@ -6,7 +6,7 @@
 #include "core/geometry/expansion.h"
 #include "core/geometry/ray_parity.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Order along any line, exact: the order of x, that of y on vertical lines.
@@ -101,4 +101,4 @@ bool intersects(const LineSegment& s, std::span<const Vec2, 4> quad) {
   return box_of(s).overlaps(box);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

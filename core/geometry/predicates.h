@@ -3,9 +3,10 @@
 #include <cmath>
 #include <span>
 
-#include "core/geometry/vec2.h"
+#include "arcway/polygon.h"
+#include "arcway/vec2.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// \file
 /// Signs that are those of exact arithmetic on the given doubles, always: a floating-point filter
@@ -60,15 +61,13 @@ bool on_segment(const Vec2& p, const LineSegment& s);
 /// Whether `p` lies on the open segment from s.a to s.b (neither end).
 bool on_open_segment(const Vec2& p, const LineSegment& s);
 
-enum class PointLocation { kOutside, kBoundary, kInside };
-
 /// Place of `p` in the closed region of a ring of >= 3 vertices (not closed by a repeated point,
 /// either orientation, pinches allowed; even-odd). O(n).
 PointLocation locate(const Vec2& p, std::span<const Vec2> ring);
 
-/// Whether the direction from `v` towards `p` points strictly into the cone at `v` that lies to the
-/// left of prev -> v -> next, that is, into the obstacle's interior if it lies to the left of its
-/// ring. `p != v`; prev, v, next need not be in convex position.
+/// Whether the direction from `v` towards `p` points strictly into the cone at `v` that lies to the left of prev -> v
+/// -> next. That is the obstacle's interior if it lies to the left of its ring. `p != v`; prev, v, next need not be in
+/// convex position.
 bool in_open_cone(const Vec2& prev, const Vec2& v, const Vec2& next, const Vec2& p);
 
 /// Whether a closed segment and a closed convex quadrilateral (corners counter-clockwise, or all
@@ -76,4 +75,4 @@ bool in_open_cone(const Vec2& prev, const Vec2& v, const Vec2& next, const Vec2&
 /// separates two disjoint convex sets, or all are one line.
 bool intersects(const LineSegment& s, std::span<const Vec2, 4> quad);
 
-}  // namespace arcway
+}  // namespace arcway::internal

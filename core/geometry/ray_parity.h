@@ -4,7 +4,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Even-odd place of a point among closed rings, fed edge by edge in any order: counts the edges
 /// that the ray from `p` in +x direction crosses. Edges that miss the ray's box may be left out.
@@ -74,4 +74,4 @@ class StepParity {
   bool inside_ = false;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

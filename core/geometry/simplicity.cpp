@@ -7,7 +7,7 @@
 #include "core/geometry/edge_sweep.h"
 #include "core/geometry/predicates.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // The edges of a polygon, ring by ring. Where a ring's edges meet there is a chain through that point; an edge that
@@ -141,4 +141,4 @@ bool holes_are_nested(const Polygon& polygon) {
   return NestingSweep(edges).is_nested();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "core/geometry/polygon.h"
+#include "arcway/polygon.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Whether `find_conflict` finds a conflict in a polygon without repeated consecutive vertices. O(n log n), whatever
 /// the polygon: it sweeps over the edges, while `find_conflict` searches their boxes, which is faster where few of them
@@ -16,4 +16,4 @@ bool has_conflict(const Polygon& polygon, std::vector<RingContact>* contacts = n
 /// @param polygon  without conflicts.
 bool holes_are_nested(const Polygon& polygon);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kSameParameter = 1e-9;
@@ -237,7 +237,7 @@ std::vector<CommonTangent> common_tangents(const ClosedSpline& first, const Clos
       for (int half_turns = -4; half_turns <= 4; ++half_turns) ArcPair(a, b, half_turns * kPi).append(tangents, budget);
     }
   }
-  // Neighbouring intervals and arcs find the same tangent.
+  // Neighboring intervals and arcs find the same tangent.
   std::ranges::sort(tangents, {}, &CommonTangent::t_first);
   std::vector<CommonTangent> kept;
   const double period = static_cast<double>(first.size());
@@ -252,4 +252,4 @@ std::vector<CommonTangent> common_tangents(const ClosedSpline& first, const Clos
   return kept;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "core/geometry/closed_spline.h"
-#include "core/geometry/vec2.h"
+#include "arcway/closed_spline.h"
+#include "arcway/vec2.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// \file
 /// Tangent lines of smooth closed curves, for visibility graphs among curved obstacles: each is the root of a function
@@ -37,4 +37,4 @@ struct CommonTangent {
 /// @throws std::invalid_argument if the curves run along each other, which gives no finite answer.
 std::vector<CommonTangent> common_tangents(const ClosedSpline& first, const ClosedSpline& second);
 
-}  // namespace arcway
+}  // namespace arcway::internal

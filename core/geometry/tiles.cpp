@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::vector<std::uint32_t> sorted_by_tile(std::vector<std::uint32_t> tiles, std:
   return order;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

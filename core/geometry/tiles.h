@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry/vec2.h"
+#include "arcway/vec2.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Points in tiles of some dozens along a Hilbert curve: what is near in the plane is near in this order, and so in
 /// memory or in time. Order within a tile is left to a stable sort.
@@ -31,4 +31,4 @@ std::vector<std::uint32_t> places_by_tile(std::vector<std::uint32_t> tiles, std:
 /// The items' indices in that order.
 std::vector<std::uint32_t> sorted_by_tile(std::vector<std::uint32_t> tiles, std::uint32_t tile_count);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,14 +1,16 @@
-#include "core/model/heading_set.h"
+#include "arcway/heading_set.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "arcway/angle.h"
 #include "core/base/shortest_text.h"
-#include "core/geometry/angle.h"
 
 namespace arcway {
+
+using namespace internal;
 
 HeadingSet HeadingSet::complement(std::vector<HeadingInterval> blocked) {
   HeadingSet result;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -32,4 +32,4 @@ Outlines::Outlines(const World& world) {
   tree_ = BoxTree(boxes_);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

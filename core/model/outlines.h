@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <span>
 
+#include "arcway/world.h"
 #include "core/base/huge_pages.h"
 #include "core/geometry/box_tree.h"
-#include "core/model/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The outlines of all regions in short pieces, to be looked up by place. Every edge is in one piece, up to its
 /// direction. Immutable and thread-safe. O(n log n), about 35 bytes a vertex.
@@ -57,4 +57,4 @@ class Outlines {
   BoxTree tree_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

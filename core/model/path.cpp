@@ -1,8 +1,8 @@
-#include "core/model/path.h"
+#include "arcway/path.h"
 
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
 namespace arcway {
 

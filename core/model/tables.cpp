@@ -1,4 +1,4 @@
-#include "core/model/tables.h"
+#include "arcway/tables.h"
 
 namespace arcway {
 

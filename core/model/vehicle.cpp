@@ -1,4 +1,4 @@
-#include "core/model/vehicle.h"
+#include "arcway/vehicle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,8 @@
 #include "core/base/shortest_text.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 void require(bool holds, std::string_view name, double value, std::string_view limit) {

@@ -1,4 +1,4 @@
-#include "core/model/world.h"
+#include "arcway/world.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,8 @@
 #include "core/model/world_coverage.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 // Below this number of vertices a scan of all edges beats a tree over them.

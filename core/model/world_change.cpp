@@ -1,4 +1,4 @@
-#include "core/model/world_change.h"
+#include "arcway/world_change.h"
 
 #include <algorithm>
 

@@ -14,7 +14,7 @@
 #include "core/geometry/simplicity.h"
 #include "core/model/pose_text.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr std::size_t kMaxVertices = 0x7FFFFFFF;
@@ -242,4 +242,4 @@ void require_world(const WorldTables& tables) {
   if (!tables.self_contacts.empty()) require_self_contacts(tables);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/geometry/polygon.h"
-#include "core/model/tables.h"
-#include "core/model/world.h"
+#include "arcway/polygon.h"
+#include "arcway/tables.h"
+#include "arcway/world.h"
 
 /// What World demands of a map.
-namespace arcway {
+namespace arcway::internal {
 
 /// @param obstacles  their number, that of the bounds in the error.
 /// @throws WorldError if there are more vertices than ids.
@@ -23,4 +23,4 @@ std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, b
 /// @throws TableError if the tables are those of no world.
 void require_world(const WorldTables& tables);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,7 +5,7 @@
 
 #include "core/geometry/edge_sweep.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Sweeps with regions that do not cross, at most: each takes those that cross none of its own.
@@ -100,4 +100,4 @@ Coverage sweep_coverage(std::span<const LineSegment> edges, std::span<const Obst
   return Sweeper(edges, region_of, bounds).run();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Which vertices lie strictly inside a region, found for all of them by a few sweeps: for maps on which too many boxes
 /// of regions overlap, as those of rings in rings do.
@@ -22,4 +22,4 @@ struct Coverage {
 /// @param bounds     the region that holds everything but a bounded part of the plane; kNone if there is none.
 Coverage sweep_coverage(std::span<const LineSegment> edges, std::span<const ObstacleId> region_of, ObstacleId bounds);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::optional<std::array<PathSegment, 2>> biarc(const Pose& start, const Pose& g
   return std::array{*first, *second};
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,9 +3,9 @@
 #include <array>
 #include <optional>
 
-#include "core/model/path.h"
+#include "arcway/path.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Two arcs, or lines, that lead from one pose to another and meet without a kink [Bolton 1975]. Of the curves of one
 /// family that join two poses of a bending corridor they bend the least, so that they keep to its middle.
@@ -17,4 +17,4 @@ std::optional<std::array<PathSegment, 2>> biarc(const Pose& start, const Pose& g
 /// Arcs that are wider than this, in smallest turning radii, lose digits of their centers' coordinates.
 inline constexpr double kWidestTurn = 1e4;
 
-}  // namespace arcway
+}  // namespace arcway::internal

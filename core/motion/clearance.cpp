@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 struct Frame {
@@ -58,8 +58,8 @@ Near to_rectangle(const Box& r, const LineSegment& e) {
   return near;
 }
 
-/// Smallest distance of a point that turns about a centre to a segment, the ends of its arc not regarded: at the foot
-/// of the perpendicular from the centre, at a crossing, or radially at an end of the segment.
+/// Smallest distance of a point that turns about a center to a segment, the ends of its arc not regarded: at the foot
+/// of the perpendicular from the center, at a crossing, or radially at an end of the segment.
 /// @param spin  +1 counter-clockwise, -1 clockwise;  @param turn  how far [rad].
 Near turning_point(const Vec2& center, const Vec2& point, double spin, double turn, const LineSegment& s) {
   const Vec2 arm = point - center;
@@ -207,4 +207,4 @@ double clearance_below(double limit, const PathSegment& segment, const Footprint
   return limit;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

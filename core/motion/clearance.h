@@ -2,12 +2,12 @@
 
 #include <limits>
 
+#include "arcway/path.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
 #include "core/model/outlines.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
-#include "core/model/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Where a body comes nearest to the obstacles.
 struct Clearance {
@@ -17,14 +17,14 @@ struct Clearance {
 };
 
 /// The smallest distance between a body and the edges of the world while it drives along a segment, in closed form.
-/// Straight: from the swept rectangle. Turning: the nearest pair is a body corner on its circle and an edge, an
-/// obstacle vertex on its circle in the body's frame and a side of the body, or occurs at one of the two ends.
-/// Rounding: a few units in the last place of the largest of coordinates and turning radius. The body inside of an
-/// obstacle without touching its boundary is not noticed.
-/// O(regions + edges of regions near by), no allocation; thread-safe.
+/// Straight: from the swept rectangle. Turning: the nearest pair is a body corner on its circle and an edge, or an
+/// obstacle vertex on its circle in the body's frame and a side of the body. Otherwise it occurs at one of the two
+/// ends. Rounding: a few units in the last place of the largest of coordinates and turning radius. The body inside of
+/// an obstacle without touching its boundary is not noticed. O(regions + edges of regions near by), no allocation;
+/// thread-safe.
 Clearance clearance_along(const PathSegment& segment, const Footprint& body, const World& world);
 
 /// The same distance if it is below a limit, else the limit. Looks only at outlines nearer than that.
 double clearance_below(double limit, const PathSegment& segment, const Footprint& body, const Outlines& outlines);
 
-}  // namespace arcway
+}  // namespace arcway::internal

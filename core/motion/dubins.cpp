@@ -5,9 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kUlps = 16.0 * std::numeric_limits<double>::epsilon();
@@ -27,7 +27,7 @@ struct Parts {
 /// Start and last circles of a word, relative to the start.
 struct Circles {
   double s0, s1;  ///< their sides
-  Vec2 between;   ///< from the first centre to the last
+  Vec2 between;   ///< from the first center to the last
   double distance;
   double direction;
   double place_error;    ///< rounding of a position
@@ -39,7 +39,7 @@ Circles circles_of(const Pose& start, const Pose& goal, double radius, double s0
   const Vec2 between =
       goal.position() - start.position() +
       radius * (s1 * perpendicular(direction_of(goal.heading)) - s0 * perpendicular(direction_of(start.heading)));
-  // Of a heading of many turns little is known of the direction, and of where the centre is.
+  // Of a heading of many turns little is known of the direction, and of where the center is.
   const double turned = std::abs(start.heading) + std::abs(goal.heading);
   const double scale = std::max({start.position().cwiseAbs().maxCoeff(), goal.position().cwiseAbs().maxCoeff(), radius,
                                  radius * turned / kTwoPi});
@@ -54,11 +54,11 @@ Circles circles_of(const Pose& start, const Pose& goal, double radius, double s0
           .h1 = goal.heading};
 }
 
-/// LSL, RSR: the line is parallel to the centres' one.
+/// LSL, RSR: the line is parallel to the centers' one.
 Parts same_side(const Circles& c) {
   const double whole = turn_of(c.s0 * (c.h1 - c.h0), c.heading_error);
   if (c.distance <= c.place_error) return {whole, 0.0, 0.0};  // one circle: its direction is noise
-  // Where an arc vanishes up to rounding, its neighbour's heading is taken for the line's.
+  // Where an arc vanishes up to rounding, its neighbor's heading is taken for the line's.
   const double noise = c.heading_error + c.place_error / c.distance;
   const double first = turn_of(c.s0 * (c.direction - c.h0), noise);
   if (first == 0.0) return {0.0, c.distance, whole};
@@ -67,7 +67,7 @@ Parts same_side(const Circles& c) {
   return {first, c.distance, last};
 }
 
-/// LSR, RSL: the line crosses the centres' one.
+/// LSR, RSL: the line crosses the centers' one.
 std::optional<Parts> opposite_sides(const Circles& c, double radius) {
   const double excess = c.distance - 2.0 * radius;
   if (excess < -c.place_error) return std::nullopt;
@@ -132,4 +132,4 @@ std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& 
   return Path(path->segments().begin(), path->segments().end());
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

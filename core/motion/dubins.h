@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 
-#include "core/model/path.h"
+#include "arcway/path.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 enum class DubinsWord { kLSL, kRSR, kLSR, kRSL, kRLR, kLRL };
 inline constexpr std::array<DubinsWord, 6> kDubinsWords = {DubinsWord::kLSL, DubinsWord::kRSR, DubinsWord::kLSR,
@@ -29,4 +29,4 @@ std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const 
 /// The same as a path.
 std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, double radius);
 
-}  // namespace arcway
+}  // namespace arcway::internal

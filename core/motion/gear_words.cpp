@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -29,4 +29,4 @@ std::optional<Path> gear_word_path(std::size_t word, const Pose& start, const Po
   return is_backwards(word) ? reversed(path->segments()) : Path(path->segments().begin(), path->segments().end());
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

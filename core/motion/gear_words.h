@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/model/path.h"
+#include "arcway/path.h"
 #include "core/motion/dubins.h"
 #include "core/motion/reeds_shepp.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Words in both gears between two poses: those of Reeds and Shepp; then those of Dubins, driven forwards and driven
 /// backwards, which never change gear.
@@ -21,4 +21,4 @@ double gear_word_length(std::size_t word, const Pose& start, const Pose& goal, d
 /// The path of one word, arcs of the given radius; nothing where the word does not exist. Constant time.
 std::optional<Path> gear_word_path(std::size_t word, const Pose& start, const Pose& goal, double radius);
 
-}  // namespace arcway
+}  // namespace arcway::internal

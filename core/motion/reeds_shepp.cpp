@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
@@ -47,7 +47,7 @@ Parts parts_of(std::optional<double> first, double second, double third, double 
   return std::array{*first, second, third, fourth, *last};
 }
 
-/// From the first circle's centre to the last one's: both to the left, or the last one to the right.
+/// From the first circle's center to the last one's: both to the left, or the last one to the right.
 Vec2 to_left(const Target& g) { return {g.x - std::sin(g.heading), g.y - 1.0 + std::cos(g.heading)}; }
 Vec2 to_right(const Target& g) { return {g.x + std::sin(g.heading), g.y - 1.0 - std::cos(g.heading)}; }
 double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
@@ -255,4 +255,4 @@ double reeds_shepp_distance(const Pose& start, const Pose& goal, double radius) 
   return shortest;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,13 +3,13 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/model/path.h"
+#include "arcway/path.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Words of at most five arcs and lines, driven forwards or backwards, among which is the shortest path of a car
-/// between any two poses [Reeds and Shepp 1990, (8.1) to (8.11)]. With C an arc, S a line and | a change of gear they
-/// are CSC (8), C|C|C (4), C|CC and CC|C (8), CC|CC (4), C|CC|C (4), C|CSC and CSC|C (16), C|CSC|C (4).
+/// between any two poses [Reeds and Shepp 1990, (8.1) to (8.11)]. C is an arc, S a line and | a change of gear. The
+/// words: CSC (8), C|C|C (4), C|CC and CC|C (8), CC|CC (4), C|CC|C (4), C|CSC and CSC|C (16), C|CSC|C (4).
 inline constexpr std::size_t kReedsSheppWords = 48;
 
 /// The path of one word, arcs of the given radius and of at most half a turn; nothing where the word does not exist.
@@ -25,4 +25,4 @@ double reeds_shepp_length(std::size_t word, const Pose& start, const Pose& goal,
 /// Length of the shortest path of a car between two poses without obstacles [m].
 double reeds_shepp_distance(const Pose& start, const Pose& goal, double radius);
 
-}  // namespace arcway
+}  // namespace arcway::internal

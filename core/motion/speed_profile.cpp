@@ -7,7 +7,7 @@
 
 #include "core/base/shortest_text.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 /// An end speed may miss what is reachable by rounding: it is then the reachable speed itself that was asked for.
@@ -140,4 +140,4 @@ double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, do
   return profile.total_time + cusp_cost * static_cast<double>(cusps_of(path));
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

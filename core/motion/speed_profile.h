@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
+#include "arcway/path.h"
+#include "arcway/vehicle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The parts of the fastest motion along a segment: it accelerates to its highest speed, holds it, and brakes.
 struct SegmentPhases {
@@ -56,4 +56,4 @@ double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, do
 /// The same by way of a profile whose memory is used again.
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost, SpeedProfile& profile);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,7 +6,7 @@
 
 #include "core/motion/speed_profile.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -133,4 +133,4 @@ bool SpeedTree::dominates(const Joint& a, const Joint& b, double slack) const {
   return true;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

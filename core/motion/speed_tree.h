@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "arcway/time_model.h"
 #include "core/base/huge_pages.h"
-#include "core/motion/time_model.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The fastest speed profiles of many paths from rest that share their beginnings: a tree of joints between path
 /// segments. A joint knows how fast, and when, it is passed at best. What it costs to pass it slower, because of a
@@ -69,4 +69,4 @@ class SpeedTree {
   HugeVector<Joint> joints_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

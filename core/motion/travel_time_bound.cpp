@@ -5,12 +5,12 @@
 #include <limits>
 #include <variant>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "core/motion/dubins.h"
 #include "core/motion/reeds_shepp.h"
 #include "core/motion/speed_profile.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -50,7 +50,7 @@ double highest_turn_speed(const Vehicle& vehicle) {
   return std::min(top, std::visit(Highest{top}, vehicle.parameters().turn_speed));
 }
 
-// The integral of max(0, 1 / turn_speed - 1 / w) over the first `length` metres from an end.
+// The integral of max(0, 1 / turn_speed - 1 / w) over the first `length` meters from an end.
 double time_lost_on_arcs(double length, double turn_speed, const Vehicle& vehicle) {
   const double a = vehicle.max_acceleration();
   const double top = vehicle.max_speed();
@@ -83,4 +83,4 @@ double travel_time_bound(const Pose& start, const Pose& goal, double distance, c
   return (1.0 - kRounding) * (straight + 2.0 * time_lost_on_arcs(0.5 * arcs, highest_turn_speed(vehicle), vehicle));
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

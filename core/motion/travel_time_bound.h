@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
+#include "arcway/path.h"
+#include "arcway/vehicle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// No path of the vehicle, driven forwards or, with `reverse`, in both gears, from rest to rest, takes less [s].
 ///
@@ -27,4 +27,4 @@ namespace [[gnu::visibility("default")]] arcway {
 double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
                          bool reverse = false);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/planner/backend.h"
+#include "arcway/backend.h"
 
 #include <mutex>
 #include <stdexcept>

@@ -5,11 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "core/gaps/bottleneck.h"
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "core/gaps/bottleneck_finder.h"
 #include "core/model/pose_text.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr int kTurns = 24, kDirections = 24, kCircles = 16;
@@ -72,8 +72,8 @@ std::optional<FreePose> free_move(const SweepQuery& sweep, const Footprint& body
 
 }  // namespace
 
-std::optional<BodyContact> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
-                                      const Footprint& body, const Pose& pose) {
+std::optional<Collision> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
+                                    const Footprint& body, const Pose& pose) {
   const Vec2 middle = middle_of(body, pose), ahead = direction_of(pose.heading), aside = perpendicular(ahead);
   const Vec2 half(0.5 * (body.front + body.rear), body.half_width);
   const auto in_body = [&](const Vec2& p) { return Vec2((p - middle).dot(ahead), (p - middle).dot(aside)); };
@@ -101,9 +101,9 @@ std::optional<BodyContact> contact_of(const World& world, const Outlines& outlin
                         look_at(piece.first + static_cast<VertexId>(i), piece.points[i], piece.points[i + 1]);
                       return true;
                     });
-  if (nearest != kNone) return BodyContact{world.obstacle_of(nearest), point};
+  if (nearest != kNone) return Collision{world.obstacle_of(nearest), point};
   const ObstacleId inside = distance.containing(middle);
-  return inside == kNone ? std::nullopt : std::optional(BodyContact{inside, middle});
+  return inside == kNone ? std::nullopt : std::optional(Collision{inside, middle});
 }
 
 double free_pose_reach(const Footprint& body) {
@@ -127,4 +127,4 @@ std::string collision_text(const World& world, const Outlines& outlines, const Q
   return text + "; no free pose was found within " + rounded_text(free_pose_reach(body)) + " m";
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,16 +3,16 @@
 #include <optional>
 #include <string>
 
-#include "core/collision/query_set.h"
+#include "arcway/path.h"
+#include "arcway/query_set.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
 #include "core/model/outlines.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
-#include "core/model/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// What a body meets at a pose.
-struct BodyContact {
+struct Collision {
   ObstacleId region;  ///< an obstacle, or the bounds
   Vec2 point;         ///< of that region, on or in the body; where one of its edges enters it, to a rounding
 };
@@ -22,8 +22,8 @@ struct BodyContact {
 /// the lowest vertex counts. Nothing if no edge is found in the body, as where rounding decides. O(log n + edges near
 /// the body), and a `containing` query where there are none.
 /// @param outlines  of the world.
-std::optional<BodyContact> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
-                                      const Footprint& body, const Pose& pose);
+std::optional<Collision> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
+                                    const Footprint& body, const Pose& pose);
 
 /// Where the body is free near a pose at which it is not.
 struct FreePose {
@@ -45,4 +45,4 @@ std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footpri
 std::string collision_text(const World& world, const Outlines& outlines, const QuerySet& queries, const Footprint& body,
                            const Pose& pose);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,16 +2,16 @@
 
 #include <string>
 
-#include "core/gaps/bottleneck.h"
+#include "core/gaps/bottleneck_finder.h"
 #include "core/model/pose_text.h"
 #include "core/planner/collision.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
 // The region around the pose, else the one nearest to it.
-std::string nearest_region(const SearchMap& map, const Pose& pose) {
+std::string nearest_region(const Roadmap& map, const Pose& pose) {
   const ObstacleId inside = map.queries.distance->containing(pose.position());
   const VertexId edge = map.queries.distance->closest(pose.position()).edge;
   if (inside == kNone && edge == kNone) return "nothing";
@@ -21,7 +21,7 @@ std::string nearest_region(const SearchMap& map, const Pose& pose) {
 std::string start_text(const PlanResult& result) { return "the start " + shortest_text(result.start); }
 std::string goal_text(const PlanResult& result) { return "the goal " + shortest_text(result.goal); }
 
-void explain_dead_end(const SearchMap& map, const DeadEnd& dead_end, PlanResult& result) {
+void explain_dead_end(const Roadmap& map, const DeadEnd& dead_end, PlanResult& result) {
   result.status = dead_end.at_start ? PlanStatus::kStartBlocked : PlanStatus::kGoalBlocked;
   result.reason =
       (dead_end.at_start ? start_text(result) : goal_text(result)) + " is a dead end: every forward motion " +
@@ -30,7 +30,7 @@ void explain_dead_end(const SearchMap& map, const DeadEnd& dead_end, PlanResult&
   result.bottleneck.reset();
 }
 
-void explain_enclosure(const SearchMap& map, const Enclosure& enclosure, PlanResult& result) {
+void explain_enclosure(const Roadmap& map, const Enclosure& enclosure, PlanResult& result) {
   result.status = PlanStatus::kNoPassage;
   result.reason = "no passage is wide enough: however the body is moved and turned, its middle gets less than " +
                   rounded_text(enclosure.reach) + " m away from " +
@@ -39,7 +39,7 @@ void explain_enclosure(const SearchMap& map, const Enclosure& enclosure, PlanRes
 }
 
 // Nothing is proved. Trees know best which end is hemmed in: they looked at both, on the finest grid.
-void explain_failure(const SearchMap& map, const NoPath& why, PlanResult& result) {
+void explain_failure(const Roadmap& map, const NoPath& why, PlanResult& result) {
   const bool start = why.trees ? why.trees->start_hemmed_in : why.obstruction == Obstruction::kStart;
   const bool goal = why.trees ? why.trees->goal_hemmed_in : why.obstruction == Obstruction::kGoal;
   const std::string motion = std::string("no ") + (why.reverse ? "" : "forward ") + "motion that was tried leads ";
@@ -80,7 +80,7 @@ std::string tried_text(const NoPath& why, const PlanResult& result) {
 
 }  // namespace
 
-bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult& result) {
+bool pose_is_free(const Roadmap& map, const Pose& pose, bool start, PlanResult& result) {
   if (map.queries.sweep->straight_free(swept_rectangle(pose, 0.0, map.body))) return true;
   const auto outside = static_cast<ObstacleId>(map.world.obstacle_count());
   const bool out = map.world.has_bounds() && map.world.locate(pose.position(), outside) == PointLocation::kInside;
@@ -107,7 +107,7 @@ void explain_interruption(const PlanLimits& limits, PlanResult& result) {
   result.bottleneck.reset();
 }
 
-void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result) {
+void explain(const Roadmap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result) {
   if (result.interrupted) return explain_interruption(limits, result);
   result.certainty = Certainty::kProved;
   if (why.dead_end) return explain_dead_end(map, *why.dead_end, result);
@@ -130,4 +130,4 @@ void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, 
                      rounded_text(result.bottleneck->needed_to_turn) + " m";
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,14 +4,14 @@
 #include <optional>
 #include <string>
 
-#include "core/attach/search_map.h"
+#include "arcway/planner.h"
+#include "core/attach/roadmap.h"
 #include "core/gaps/dead_end.h"
 #include "core/gaps/enclosure.h"
-#include "core/planner/planner.h"
 #include "core/search/find_path.h"
 #include "core/search/tree_search.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// What searches and proofs found out about a query that has no path.
 struct NoPath {
@@ -24,7 +24,7 @@ struct NoPath {
 };
 
 /// Whether the body is free at the start, or at the goal; else fills status and reason.
-bool pose_is_free(const SearchMap& map, const Pose& pose, bool start, PlanResult& result);
+bool pose_is_free(const Roadmap& map, const Pose& pose, bool start, PlanResult& result);
 
 /// Why there is no path where the time was up; `limits` as the caller gave them.
 std::string time_limit_reason(const PlanLimits& limits);
@@ -33,6 +33,6 @@ std::string time_limit_reason(const PlanLimits& limits);
 void explain_interruption(const PlanLimits& limits, PlanResult& result);
 
 /// Fills status and reason of a plan without a path, from what its result has so far.
-void explain(const SearchMap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result);
+void explain(const Roadmap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -7,9 +7,9 @@
 #include <utility>
 #include <variant>
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -37,8 +37,8 @@ struct WithFactor {
   }
 };
 
-SearchMap with_other_turns(SearchMap map, const Vehicle& vehicle, double factor) {
-  map.vehicle = arcway::with_other_turns(vehicle, factor);
+Roadmap with_other_turns(Roadmap map, const Vehicle& vehicle, double factor) {
+  map.vehicle = internal::with_other_turns(vehicle, factor);
   return map;
 }
 
@@ -50,20 +50,20 @@ Vehicle with_other_turns(const Vehicle& vehicle, double factor) {
   return Vehicle(std::move(parameters));
 }
 
-PlanMaps::PlanMaps(SearchMap map, bool gap_circles)
+PlanMaps::PlanMaps(Roadmap map, bool gap_circles)
     : plain(std::move(map)),
       faster_turns(with_other_turns(plain, plain.vehicle, kFasterFactor)),
       slower_turns(with_other_turns(plain, plain.vehicle, kSlowerFactor)) {
   if (gap_circles && plain.world.vertices().size() <= kNarrowVertices) narrow.emplace(plain);
 }
 
-std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap& smallest,
-                                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor) {
-  std::vector<SearchMap> maps;
+std::vector<Roadmap> maps_of_other_ways(const Roadmap& all, const Roadmap& smallest,
+                                        const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor) {
+  std::vector<Roadmap> maps;
   const auto add_with = [&](std::size_t count, double factor) {
     if (count == smallest.radii.size()) return maps.push_back(with_other_turns(smallest, all.vehicle, factor));
     if (count == all.radii.size()) return maps.push_back(with_other_turns(all, all.vehicle, factor));
-    const auto same = std::ranges::find(maps, count, [](const SearchMap& map) { return map.radii.size(); });
+    const auto same = std::ranges::find(maps, count, [](const Roadmap& map) { return map.radii.size(); });
     if (same != maps.end()) return maps.push_back(with_other_turns(*same, all.vehicle, factor));
     const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(count));
     FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, executor, GraphMode::kLazy);
@@ -79,4 +79,4 @@ std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap&
   return maps;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

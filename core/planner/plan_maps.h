@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/executor.h"
+#include "arcway/vehicle.h"
+#include "arcway/visibility_rows.h"
 #include "core/attach/narrow_places.h"
-#include "core/attach/search_map.h"
-#include "core/base/executor.h"
-#include "core/model/vehicle.h"
-#include "core/roadmap/visibility_rows.h"
+#include "core/attach/roadmap.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// The vehicle that may take every turn with `factor` times the lateral acceleration, at most as fast as it drives
 /// straight.
@@ -21,17 +21,17 @@ Vehicle with_other_turns(const Vehicle& vehicle, double factor);
 
 /// What paths with turns of some radii are looked for on.
 struct PlanMaps {
-  PlanMaps(SearchMap map, bool gap_circles);
+  PlanMaps(Roadmap map, bool gap_circles);
   PlanMaps(const PlanMaps&) = delete;  // `narrow` refers to `plain`
 
   /// The graph with circles in narrow places is lazy: where there is no path, a search checks all that the start
   /// reaches, seconds on larger maps.
   static constexpr std::size_t kNarrowVertices = 50'000;
 
-  SearchMap plain;
+  Roadmap plain;
   /// The same for vehicles with faster and with slower turns. The path that refinement makes the fastest may take the
   /// way of one of them: many turns become wider or are left out, others stay what they are.
-  SearchMap faster_turns, slower_turns;
+  Roadmap faster_turns, slower_turns;
   std::optional<NarrowPlaces> narrow;
 };
 
@@ -42,7 +42,7 @@ struct PlanMaps {
 /// @param smallest  with the first of them, see tightest_radii.
 /// @param rows      of the reduced graph of both.
 /// @param executor  used during the call only.
-std::vector<SearchMap> maps_of_other_ways(const SearchMap& all, const SearchMap& smallest,
-                                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor);
+std::vector<Roadmap> maps_of_other_ways(const Roadmap& all, const Roadmap& smallest,
+                                        const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -9,14 +9,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "arcway/angle.h"
 #include "core/base/shortest_text.h"
-#include "core/geometry/angle.h"
 #include "core/refine/shorten_path.h"
 #include "core/reversing/find_reversing_path.h"
 #include "core/roadmap/turn_circle.h"
 #include "core/search/push_free.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -63,7 +63,7 @@ constexpr std::uint64_t kMoreExpanded = 1000;
 
 }  // namespace
 
-PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const PlanRequest& request,
+PlanRun::PlanRun(const PlannerOptions& options, const Roadmap& map, const PlanRequest& request,
                  const PlanLimits& limits, const StopClock& clock, PlanWorkspace& workspace, PlanResult& result)
     : options_(options),
       map_(map),
@@ -78,7 +78,7 @@ PlanRun::PlanRun(const PlannerOptions& options, const SearchMap& map, const Plan
   if (request.max_gear_changes) gear_changes_.most = *request.max_gear_changes;
   search_options_.time_model = options.time_model;
   search_options_.suboptimality = options.suboptimality.value_or(0.0);
-  search_options_.scout = limits.scout;
+  search_options_.prefetch = limits.prefetch;
   workspace_.unrefined_times.clear();
 }
 
@@ -174,7 +174,7 @@ Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const st
   });
   if (forwards.search.path) {
     maps_ = &maps;
-    const SearchMap& map = forwards.by_narrow_places ? maps.narrow->map() : maps.plain;
+    const Roadmap& map = forwards.by_narrow_places ? maps.narrow->map() : maps.plain;
     const Times times = keep(std::move(*forwards.search.path), effort, false);
     fastest_ = {times, &map, 0, forwards.search.first_circle, forwards.search.last_circle};
   }
@@ -185,7 +185,7 @@ TreesEnd PlanRun::find_by_trees(const PlanMaps& maps, const SlimMaps& slim, doub
   TreesEnd end = grow_trees(maps, {.poses = tree_poses_, .passes = 1}, effort);
   if (end.surroundings == Surroundings::kClosed) return end;
   for (std::size_t i = 0; i < SlimMaps::kSlimmer.size() && !found_; ++i) {
-    const SearchMap* slimmer = search_options_.interrupted() ? nullptr : slim(i, search_options_.clock);
+    const Roadmap* slimmer = search_options_.interrupted() ? nullptr : slim(i, search_options_.clock);
     if (!slimmer || !find_by_slimmer(maps, *slimmer, effort)) return end;
   }
   if (found_ || result_.interrupted || end.surroundings != Surroundings::kOpen) return end;
@@ -193,7 +193,7 @@ TreesEnd PlanRun::find_by_trees(const PlanMaps& maps, const SlimMaps& slim, doub
                     effort);
 }
 
-bool PlanRun::find_by_slimmer(const PlanMaps& maps, const SearchMap& slim, double effort) {
+bool PlanRun::find_by_slimmer(const PlanMaps& maps, const Roadmap& slim, double effort) {
   const auto widened = [&](const Path& path) -> std::optional<Path> {
     if (path.empty()) return std::nullopt;
     const Path shorter = shorten_path(path, slim.vehicle, *map_.queries.sweep, kSlimShortening, search_options_.clock);
@@ -212,7 +212,7 @@ bool PlanRun::find_by_slimmer(const PlanMaps& maps, const SearchMap& slim, doubl
 }
 
 TreesEnd PlanRun::grow_trees(const PlanMaps& maps, const TreeLimits& limits, double effort) {
-  const SearchMap& map = maps.narrow ? maps.narrow->map(search_options_.clock) : maps.plain;
+  const Roadmap& map = maps.narrow ? maps.narrow->map(search_options_.clock) : maps.plain;
   TreesEnd end;
   FoundPath grown = search([&] {
     return search_trees(map, request_.start, request_.goal, limits, search_options_, workspace_.find.search, end);
@@ -249,7 +249,7 @@ void PlanRun::improve_forwards(bool thorough) {
   const auto is_doubtful = [&](double gap) {
     return fastest_.times.cost > (1.0 + gap) * result_.lower_bound && !result_.interrupted;
   };
-  const SearchMap& map = *fastest_.map;
+  const Roadmap& map = *fastest_.map;
   for (const Retry& retry : thorough ? std::span<const Retry>(kRetries) : kQuickRetries) {
     const auto poses = std::min(retry.poses, options_.manoeuvre_poses);
     if (poses <= 1 || !is_doubtful(retry.gap)) break;
@@ -265,15 +265,14 @@ void PlanRun::improve_forwards(bool thorough) {
                 .passes = 1,
                 .looks_around = false},
                1.0);
-  for (const SearchMap* other : {&maps_->faster_turns, &maps_->slower_turns})
-    find_other_way(*other, 1.0, fastest_.poses);
+  for (const Roadmap* other : {&maps_->faster_turns, &maps_->slower_turns}) find_other_way(*other, 1.0, fastest_.poses);
 }
 
-void PlanRun::try_faster(const SearchMap& map, std::size_t poses) {
+void PlanRun::try_faster(const Roadmap& map, std::size_t poses) {
   SearchOptions faster = search_options_;
   faster.least_gain = kLeastGain * fastest_.times.unrefined;
   faster.faster_than = fastest_.times.unrefined - faster.least_gain;
-  faster.goes_on = true;
+  faster.warm_start = true;
   FoundPath turning = search(
       [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, faster, workspace_.find); });
   if (!turning.search.path) return;
@@ -293,11 +292,11 @@ void PlanRun::try_other_ends() {
     find_other_way(*fastest_.map, 1.0, fastest_.poses, other);
 }
 
-void PlanRun::find_other_way(const SearchMap& map, double effort, std::size_t poses) {
+void PlanRun::find_other_way(const Roadmap& map, double effort, std::size_t poses) {
   find_other_way(map, effort, poses, search_options_);
 }
 
-void PlanRun::find_other_way(const SearchMap& map, double effort, std::size_t poses, SearchOptions bounded) {
+void PlanRun::find_other_way(const Roadmap& map, double effort, std::size_t poses, SearchOptions bounded) {
   if (result_.interrupted || options_.refinement.max_trials == 0) return;
   if (best_cost_ <= (1.0 + kOtherWaysGap) * result_.lower_bound) return;
   bounded.most_expanded = first_expanded_ / 4 + kMoreExpanded;
@@ -329,7 +328,7 @@ void PlanRun::refine_best(double effort) {
   if (are_close) refine_further(workspace_.second, second_unrefined_);
 }
 
-void PlanRun::find_in_both_gears(const SearchMap& map, double distance) {
+void PlanRun::find_in_both_gears(const Roadmap& map, double distance) {
   const double unrefined = found_ ? result_.statistics.unrefined_travel_time : kInfinity;
   FoundPath both = search([&] {
     return find_reversing_path(map, {request_.start, request_.goal, distance, unrefined, gear_changes_.most},
@@ -338,4 +337,4 @@ void PlanRun::find_in_both_gears(const SearchMap& map, double distance) {
   if (both.search.path) keep(std::move(*both.search.path), kReversingEffort, true);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

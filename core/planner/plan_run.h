@@ -4,19 +4,19 @@
 #include <functional>
 #include <vector>
 
-#include "core/base/stop_clock.h"
+#include "arcway/path.h"
+#include "arcway/planner.h"
+#include "arcway/stop_clock.h"
 #include "core/base/stopwatch.h"
-#include "core/model/path.h"
 #include "core/motion/speed_profile.h"
 #include "core/planner/plan_maps.h"
-#include "core/planner/planner.h"
 #include "core/planner/slim_maps.h"
 #include "core/refine/refine_path.h"
 #include "core/reversing/refine_reversing.h"
 #include "core/search/find_path.h"
 #include "core/search/tree_search.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Memory of a query, kept for the next one.
 struct PlanWorkspace {
@@ -36,7 +36,7 @@ class PlanRun {
   /// @param map    any of the world, with the vehicle that is to drive.
   /// @param limits  but for the time and the stop.
   /// @param clock   ends the run, with the cheapest path found by then.
-  PlanRun(const PlannerOptions& options, const SearchMap& map, const PlanRequest& request, const PlanLimits& limits,
+  PlanRun(const PlannerOptions& options, const Roadmap& map, const PlanRequest& request, const PlanLimits& limits,
           const StopClock& clock, PlanWorkspace& workspace, PlanResult& result);
 
   [[nodiscard]] bool found() const { return found_; }
@@ -61,12 +61,12 @@ class PlanRun {
   /// Looks for the fastest path of another map that takes a way of its own, unless the lower bound says that it is not
   /// worth it. The vehicle of that map need not be the real one.
   /// @param poses  of manoeuvres at both ends.
-  void find_other_way(const SearchMap& map, double effort, std::size_t poses = 0);
+  void find_other_way(const Roadmap& map, double effort, std::size_t poses = 0);
   /// Refines the best path further, and the second best if it is nearly as good: that one may become the best.
   void refine_best(double effort);
   /// Looks for a cheaper path in both gears.
   /// @param distance  that no path falls below [m].
-  void find_in_both_gears(const SearchMap& map, double distance);
+  void find_in_both_gears(const Roadmap& map, double distance);
 
  private:
   struct Times {
@@ -76,8 +76,8 @@ class PlanRun {
   // The fastest path of some maps.
   struct Fastest {
     Times times;
-    const SearchMap* map;  // that it was found on
-    std::size_t poses;     // of manoeuvres at both ends
+    const Roadmap* map;  // that it was found on
+    std::size_t poses;   // of manoeuvres at both ends
     std::uint32_t first_circle, last_circle;
   };
 
@@ -87,19 +87,19 @@ class PlanRun {
   void refine(const Path& path, double effort, bool reverse);
   TreesEnd grow_trees(const PlanMaps& maps, const TreeLimits& limits, double effort);
   // False if the slimmer body has no path either, as far as its trees tell.
-  bool find_by_slimmer(const PlanMaps& maps, const SearchMap& slim, double effort);
+  bool find_by_slimmer(const PlanMaps& maps, const Roadmap& slim, double effort);
   void keep_narrow(const PlanMaps& maps, Path&& path, double effort);
   [[nodiscard]] bool is_hemmed_in(const Pose& pose, Direction direction) const;
-  void try_faster(const SearchMap& map, std::size_t poses);
+  void try_faster(const Roadmap& map, std::size_t poses);
   // Ways that join the graph, or leave it, by another circle than the fastest path.
   void try_other_ends();
-  void find_other_way(const SearchMap& map, double effort, std::size_t poses, SearchOptions bounded);
+  void find_other_way(const Roadmap& map, double effort, std::size_t poses, SearchOptions bounded);
   [[nodiscard]] double cost_of(const Path& path);
   [[nodiscard]] double travel_time(const Path& path);
 
   const Stopwatch total_;
   const PlannerOptions& options_;
-  const SearchMap& map_;
+  const Roadmap& map_;
   const PlanRequest& request_;
   SearchOptions search_options_;
   std::size_t tree_poses_;
@@ -114,4 +114,4 @@ class PlanRun {
   Fastest fastest_{};                 // of these
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

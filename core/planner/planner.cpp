@@ -1,4 +1,4 @@
-#include "core/planner/planner.h"
+#include "arcway/planner.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,12 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/attach/search_map.h"
+#include "arcway/angle.h"
+#include "arcway/stop_clock.h"
+#include "arcway/turning_radii.h"
+#include "core/attach/roadmap.h"
 #include "core/base/shortest_text.h"
-#include "core/base/stop_clock.h"
 #include "core/base/stopwatch.h"
 #include "core/base/workspace_pool.h"
-#include "core/geometry/angle.h"
+#include "core/gaps/bottleneck_finder.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_bound.h"
@@ -24,10 +26,12 @@
 #include "core/planner/plan_run.h"
 #include "core/planner/planner_inputs.h"
 #include "core/planner/slim_maps.h"
-#include "core/roadmap/turning_radii.h"
+#include "core/roadmap/feasible_graph.h"
 #include "core/search/point_distance.h"
 
 namespace arcway {
+
+using namespace internal;
 
 namespace {
 
@@ -45,18 +49,19 @@ constexpr DeadEndEffort kThoroughDeadEnd{.halvings = 2, .max_checks = 75'000};
 // Checks the feasible graph anew.
 auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
   return [&](const std::shared_ptr<const VisibilityRows>& rows, const PlannerOptions& options) {
-    const SoloTeam alone;
+    const SingleProcess alone;
     return FeasibleGraph(world, vehicle, rows, queries, options.radii, executor, *options.graph_mode,
-                         options.team ? *options.team : alone);
+                         options.process_group ? *options.process_group : alone);
   };
 }
 
-// The graph and the outlines do not depend on each other. But a team talks on the thread that it was made on.
+// The graph and the outlines do not depend on each other. But a process group talks on the thread that it was made on.
 template <class MakeGraph>
-SearchMap make_map(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
-                   const MakeGraph& make_graph, const Executor& many) {
+Roadmap make_map(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
+                 const MakeGraph& make_graph, const Executor& many) {
   const SerialExecutor one;
-  const Executor& executor = options.team && options.team->size() > 1 ? static_cast<const Executor&>(one) : many;
+  const Executor& executor =
+      options.process_group && options.process_group->size() > 1 ? static_cast<const Executor&>(one) : many;
   std::optional<FeasibleGraph> graph;
   std::shared_ptr<const Outlines> outlines;
   executor.begin_stage("feasible graph");
@@ -133,10 +138,10 @@ struct Planner::Data {
       point_distance.emplace(world, rows, map().outlines);
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = map().graph.counts();
-    options.team = nullptr;  // need not outlive the construction
+    options.process_group = nullptr;  // need not outlive the construction
   }
 
-  [[nodiscard]] const SearchMap& map() const { return maps.plain; }
+  [[nodiscard]] const Roadmap& map() const { return maps.plain; }
 
   // The lower bound with the way round the obstacles, if that is wanted, and the length that no path falls below [m].
   // A clock that is over sooner leaves the largest that is proved by then.
@@ -160,8 +165,8 @@ struct Planner::Data {
   std::shared_ptr<const VisibilityRows> rows;
   PlanMaps maps;
   SlimMaps slim;
-  std::optional<PlanMaps> tightest;   // of the tightest radii only, where there are wider ones
-  std::vector<SearchMap> other_ways;  // of several radii, beside those of `maps`
+  std::optional<PlanMaps> tightest;  // of the tightest radii only, where there are wider ones
+  std::vector<Roadmap> other_ways;   // of several radii, beside those of `maps`
   std::optional<PointDistance> point_distance;
   BottleneckFinder bottleneck;
   PrepareStatistics prepare_statistics;
@@ -220,12 +225,12 @@ const char* name_of(PlanStatus status) {
       return "start blocked";
     case PlanStatus::kGoalBlocked:
       return "goal blocked";
-    case PlanStatus::kPlaceInCollision:
-      return "place on the way in collision";
-    case PlanStatus::kPlaceOutsideBounds:
-      return "place on the way outside bounds";
-    case PlanStatus::kPlaceBlocked:
-      return "place on the way blocked";
+    case PlanStatus::kWaypointInCollision:
+      return "waypoint in collision";
+    case PlanStatus::kWaypointOutsideBounds:
+      return "waypoint outside bounds";
+    case PlanStatus::kWaypointBlocked:
+      return "waypoint blocked";
     case PlanStatus::kNoPassage:
       return "no passage";
     case PlanStatus::kNoPath:
@@ -315,7 +320,7 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
   const World& world = backend.world();
   require_change(change, before.world(), world);
   PlannerOptions alone = options;
-  alone.team = nullptr;
+  alone.process_group = nullptr;
   if (!alone.graph_mode) alone.graph_mode = before.options().graph_mode;
   const Vehicle& vehicle = before.vehicle();
   const Executor& executor = backend.executor();
@@ -402,7 +407,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
     run.improve_forwards(d.options.refinement.max_trials > 0 && !d.tightest);
     if (d.tightest) {
       run.find_other_way(d.maps.faster_turns, kQuickEffort);
-      for (const SearchMap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
+      for (const Roadmap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
       run.refine_best(kLastEffort);
     }
   }

@@ -7,17 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/turning_radii.h"
 #include "core/model/pose_text.h"
-#include "core/roadmap/turning_radii.h"
+#include "core/refine/refine_path.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
 // Of times, so that none overflows.
 constexpr double kLargestSuboptimality = 1e6;
-// Units in the last place of the largest coordinate that the safety margin must span: corners, centres and critical
+// Units in the last place of the largest coordinate that the safety margin must span: corners, centers and critical
 // angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
 constexpr double kMarginUnits = 1048576.0;
 // Of a heading times the distance to the goal [rad m]: up to here rounding moves the end of a path by some 1e-8 m.
@@ -107,4 +108,4 @@ void require_change(const WorldChange& change, const World& before, const World&
                                 " and " + std::to_string(vertices));
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

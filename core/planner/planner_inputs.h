@@ -2,14 +2,14 @@
 
 #include <string>
 
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
-#include "core/model/world.h"
-#include "core/model/world_change.h"
-#include "core/planner/backend.h"
-#include "core/planner/planner.h"
+#include "arcway/backend.h"
+#include "arcway/path.h"
+#include "arcway/planner.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
+#include "arcway/world_change.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// The options with their radii: those given, ascending, or those of turning_radii; and with their suboptimality.
 /// @throws std::invalid_argument as Planner's constructors do.
@@ -30,4 +30,4 @@ void require_pose(const std::string& name, const Pose& pose, const Vehicle& vehi
 /// @param distance  from start to goal [m].
 Pose without_many_turns(const Pose& pose, double distance);
 
-}  // namespace arcway
+}  // namespace arcway::internal

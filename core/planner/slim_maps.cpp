@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -18,15 +18,15 @@ Vehicle slimmer(const Vehicle& vehicle, double share) {
 
 }  // namespace
 
-const SearchMap* SlimMaps::operator()(std::size_t i, const StopClock& clock) const {
+const Roadmap* SlimMaps::operator()(std::size_t i, const StopClock& clock) const {
   return maps_[i].get(clock, [&] {
     const Vehicle vehicle = slimmer(map_.vehicle, kSlimmer[i]);
     const std::vector<double> radii{map_.radii.front()};
     FeasibleGraph lazy(map_.world, vehicle, rows_, map_.queries, radii, SerialExecutor(), GraphMode::kLazy);
-    SearchMap slim(map_.world, vehicle, map_.queries, radii, std::move(lazy), map_.outlines);
+    Roadmap slim(map_.world, vehicle, map_.queries, radii, std::move(lazy), map_.outlines);
     slim.gaps = map_.gaps;  // the real body gets through no others
     return slim;
   });
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

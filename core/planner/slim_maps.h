@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
-#include "core/attach/search_map.h"
+#include "arcway/stop_clock.h"
+#include "arcway/visibility_rows.h"
+#include "core/attach/roadmap.h"
 #include "core/base/late_value.h"
-#include "core/base/stop_clock.h"
-#include "core/roadmap/visibility_rows.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Maps of a world for slimmer bodies. Where a body has next to no room, the way of a slimmer one is far easier to
 /// find, and shows where that of the real one is. Made when first asked for. Thread-safe.
@@ -23,16 +23,16 @@ class SlimMaps {
 
   /// @param map   of the real body; must outlive this.
   /// @param rows  of the reduced graph.
-  SlimMaps(const SearchMap& map, std::shared_ptr<const VisibilityRows> rows) : map_(map), rows_(std::move(rows)) {}
+  SlimMaps(const Roadmap& map, std::shared_ptr<const VisibilityRows> rows) : map_(map), rows_(std::move(rows)) {}
 
   /// The map for a body of kSlimmer, with turns of the smallest radius; nullptr if the clock is over before it is
   /// there. Its graph is lazy: this takes O(vertices).
-  [[nodiscard]] const SearchMap* operator()(std::size_t i, const StopClock& clock) const;
+  [[nodiscard]] const Roadmap* operator()(std::size_t i, const StopClock& clock) const;
 
  private:
-  const SearchMap& map_;
+  const Roadmap& map_;
   std::shared_ptr<const VisibilityRows> rows_;
-  std::array<LateValue<SearchMap>, kSlimmer.size()> maps_;
+  std::array<LateValue<Roadmap>, kSlimmer.size()> maps_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

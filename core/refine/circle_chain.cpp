@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -23,7 +23,7 @@ Pose advanced(const Pose& pose, double length) { return PathSegment{pose, length
 
 std::optional<Bitangent> joint_of(const TurnCircle& from, const TurnCircle& to) {
   if (const auto line = directed_bitangent(from, to)) return line;
-  // Circles that touch meet on the line of their centres.
+  // Circles that touch meet on the line of their centers.
   const Vec2 d = to.center - from.center;
   const double offset = sign_of(to.side) * to.radius - sign_of(from.side) * from.radius;
   const double scale =
@@ -117,4 +117,4 @@ Path path_of(const CircleChain& chain, std::span<const Bitangent> lines) {
   return path;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "core/model/path.h"
+#include "arcway/path.h"
 #include "core/roadmap/turn_circle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// A path as the circles that it turns on, in order, joined by their directed bitangents. The first circle is tangent
 /// to the line through the start along its heading, the last one to that through the goal: they are placed by the
@@ -28,7 +28,7 @@ struct CircleChain {
   void place_ends();
 };
 
-/// The circles of a path of arcs and lines. Neighbouring arcs of one circle count as one.
+/// The circles of a path of arcs and lines. Neighboring arcs of one circle count as one.
 /// @returns nothing for fewer than two circles. Turns that a path makes by more than a full circle are lost.
 std::optional<CircleChain> chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal);
 /// The same into a chain whose memory is used again; false for fewer than two circles.
@@ -39,10 +39,10 @@ bool chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& 
 std::optional<Bitangent> joint_of(const TurnCircle& from, const TurnCircle& to);
 
 /// The straight lines of a chain, one more than circles: through the start, between the circles, through the goal.
-/// @returns nothing where two neighbours have no bitangent, see joint_of. Error of both ends: a few units in the last
+/// @returns nothing where two neighbors have no bitangent, see joint_of. Error of both ends: a few units in the last
 ///   place of the coordinates and radii.
 std::optional<std::vector<Bitangent>> lines_of(const CircleChain& chain);
-/// The same into a vector whose memory is used again; false where two neighbours have no bitangent.
+/// The same into a vector whose memory is used again; false where two neighbors have no bitangent.
 bool lines_of(const CircleChain& chain, std::vector<Bitangent>& lines);
 
 /// The path along the lines of a chain; arcs shorter than a full circle, no segments of zero length.
@@ -50,4 +50,4 @@ Path path_of(const CircleChain& chain, std::span<const Bitangent> lines);
 /// The same into a path whose memory is used again.
 void path_of(const CircleChain& chain, std::span<const Bitangent> lines, Path& path);
 
-}  // namespace arcway
+}  // namespace arcway::internal

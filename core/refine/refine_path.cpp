@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "core/base/shortest_text.h"
 #include "core/collision/motion_free.h"
-#include "core/geometry/angle.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_bound.h"
 #include "core/refine/circle_chain.h"
 #include "core/refine/tied_turns.h"
 #include "core/refine/timed_chain.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -43,7 +43,7 @@ constexpr int kMostSettled = 4;
 // Rounds of a loop, of some nanoseconds to some tenths of a microsecond each, between two questions whether to stop.
 constexpr std::uint32_t kRoundsUnasked = 64;
 
-// How the circle of a turn that is not the first or last one moves, in steps: its centre inwards from, and around, the
+// How the circle of a turn that is not the first or last one moves, in steps: its center inwards from, and around, the
 // point of the inner swept circle where a share of the turn, `at`, is done, and along the heading there; and its radius
 // grows.
 struct Move {
@@ -493,4 +493,4 @@ RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, c
   return result;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

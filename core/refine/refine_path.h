@@ -3,20 +3,14 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/base/stop_clock.h"
-#include "core/collision/sweep_query.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
+#include "arcway/path.h"
+#include "arcway/refine_options.h"
+#include "arcway/stop_clock.h"
+#include "arcway/sweep_query.h"
+#include "arcway/vehicle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
-struct RefineOptions {
-  /// Paths whose travel time is tried, at most; some microseconds each. Beside that, pairs of places on the lines of a
-  /// path of n turns are told from their distances, O(n^2) after each change. 0: no refinement.
-  std::uint32_t max_trials = 4000;
-  /// Centres and radii slide in steps down to this part of the smallest turning radius, > 0.
-  double smallest_step = 1.0 / 128.0;
-};
 /// @throws std::invalid_argument if the smallest step is not positive and finite, naming it.
 void require_refinement(const RefineOptions& options);
 
@@ -51,7 +45,7 @@ class RefineWorkspace {
 /// - two turns to the same side become one, tangent to the lines before and behind;
 /// - two arcs join places on two lines of the path by a Dubins word of the smallest radius;
 /// - where wider turns are faster, parts of a turn become wider ones, step by step, and the ends tighter ones;
-/// - centres and radii slide, by steps that are halved down to the smallest.
+/// - centers and radii slide, by steps that are halved down to the smallest.
 /// A change is accepted only if the travel time under the speed profile falls and the swept area of the body grown by
 /// half of the safety margin is free by `sweep`. So the result is as free as the input and never slower; a path that
 /// turns on fewer than two circles is returned as it is. A local optimum of these changes, not the fastest path.
@@ -65,4 +59,4 @@ RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, c
 void refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
                  const RefineOptions& options, const StopClock& clock, RefineWorkspace& workspace, RefinedPath& result);
 
-}  // namespace arcway
+}  // namespace arcway::internal

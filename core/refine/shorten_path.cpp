@@ -10,7 +10,7 @@
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -118,4 +118,4 @@ Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, st
   return Shortener(std::move(path), vehicle, sweep, max_trials, clock).run();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,12 +2,12 @@
 
 #include <cstddef>
 
-#include "core/base/stop_clock.h"
-#include "core/collision/sweep_query.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
+#include "arcway/stop_clock.h"
+#include "arcway/sweep_query.h"
+#include "arcway/path.h"
+#include "arcway/vehicle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Makes a free path driven forwards faster, as long as time falls: what lies between two places on it, the ends and
 /// middles of its segments, becomes a Dubins word or a biarc that is free by `sweep`. For paths of many short motions,
@@ -17,4 +17,4 @@ namespace [[gnu::visibility("default")]] arcway {
 Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
                   const StopClock& clock);
 
-}  // namespace arcway
+}  // namespace arcway::internal

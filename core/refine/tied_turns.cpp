@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -104,4 +104,4 @@ ChainChange pinched(const CircleChain& chain, std::size_t i, double tightest, do
   return at_start ? replaced(chain, i, i + 1, {end, tied}) : replaced(chain, i, i + 1, {tied, end});
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,7 +6,7 @@
 #include "core/refine/circle_chain.h"
 #include "core/refine/timed_chain.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// \file
 /// Turns in several arcs to the same side: a circle of a chain may be tied to a tighter one that touches it from
@@ -18,7 +18,7 @@ namespace arcway {
 /// Whether the circles i and i + 1 touch without a straight between them, the tighter one within the other.
 bool are_tied(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i);
 
-/// Whether circle i is tied to a tighter neighbour: it has no place of its own.
+/// Whether circle i is tied to a tighter neighbor: it has no place of its own.
 bool is_tied(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i);
 
 /// Circle i becomes another one. Wider ones that are tied to it, and those tied to them, touch at the same headings as
@@ -35,9 +35,9 @@ ChainChange retied(const CircleChain& chain, std::span<const Bitangent> lines, s
 ChainChange widened(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, bool leaving,
                     double share, double factor);
 
-/// Circle i, to which a wider one is tied behind it or, not `leaving`, before it, keeps a share of its turn only, and a
-/// circle of a radius between theirs comes between the two, tied to it; the wider one is tied to that, and turns less.
-/// Precondition: the wider one has neighbours on both sides.
+/// A wider circle is tied to circle i behind it or, not `leaving`, before it. Circle i keeps a share of its turn only,
+/// and a circle of a radius between theirs comes between the two, tied to it. The wider one is tied to that, and turns
+/// less. Precondition: the wider one has neighbors on both sides.
 ChainChange stepped(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, bool leaving,
                     double share, double radius);
 
@@ -45,4 +45,4 @@ ChainChange stepped(const CircleChain& chain, std::span<const Bitangent> lines, 
 /// circle of another radius that is tied to it.
 ChainChange pinched(const CircleChain& chain, std::size_t i, double tightest, double turn, double radius);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -165,4 +165,4 @@ double TimedChain::time_after(const ChainChange& change) {
   return time;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,14 +5,14 @@
 #include <initializer_list>
 #include <vector>
 
-#include "core/model/vehicle.h"
+#include "arcway/vehicle.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/speed_tree.h"
 #include "core/refine/circle_chain.h"
 
-namespace arcway {
+namespace arcway::internal {
 
-/// A change of a chain: some neighbouring circles give way to others, a few at most.
+/// A change of a chain: some neighboring circles give way to others, a few at most.
 struct ChainChange {
   std::size_t first, last;  ///< circles [first, last) go, and
   std::size_t count;        ///< so many of these come
@@ -31,7 +31,7 @@ ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t la
 /// A chain with its lines, its path and the path's speeds, and what becomes of them by a change.
 class TimedChain {
  public:
-  /// Takes a chain; false if two of its neighbours have no bitangent. The vehicle must outlive the use.
+  /// Takes a chain; false if two of its neighbors have no bitangent. The vehicle must outlive the use.
   bool begin(const CircleChain& chain, const Vehicle& vehicle);
 
   [[nodiscard]] const CircleChain& chain() const { return now_.chain; }
@@ -58,13 +58,13 @@ class TimedChain {
     [[nodiscard]] PathSegment segment() const;
   };
   /// Finds out what a change leads along, from the line before it to the line behind it: all that the path before and
-  /// after it do not have in common. Nothing of zero length. False if two neighbours have no bitangent.
+  /// after it do not have in common. Nothing of zero length. False if two neighbors have no bitangent.
   bool lay_out(const ChainChange& change);
   [[nodiscard]] const std::vector<Part>& laid_out() const { return laid_out_; }
   /// The travel time after the change that was laid out last, from its parts alone: up to rounding, or less.
   [[nodiscard]] double time_after(const ChainChange& change);
 
-  /// Makes the changed path; false if two neighbours have no bitangent.
+  /// Makes the changed path; false if two neighbors have no bitangent.
   bool make(const ChainChange& change);
   [[nodiscard]] const Path& made_path() const { return made_.path; }
   [[nodiscard]] double made_time() const { return made_.profile.total_time; }
@@ -99,4 +99,4 @@ class TimedChain {
   std::vector<Part> laid_out_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -13,7 +13,7 @@
 #include "core/reversing/gear_tree.h"
 #include "core/reversing/narrow_gear_search.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -26,18 +26,18 @@ constexpr std::size_t kPosesBehindNarrow = 16000;
 constexpr std::size_t kPosesLast = 40000;
 
 // Poses by which one end joins the graph, beside its own.
-struct Terminals {
+struct Attachments {
   double cells;  // of their grid, in a turning radius
   std::size_t most, most_expansions;
 };
 // The way out of a narrow place, and places to turn further away.
-constexpr Terminals kDense{8.0, 24, 100}, kSparse{2.0, 99, 1000};
+constexpr Attachments kDense{8.0, 24, 100}, kSparse{2.0, 99, 1000};
 // Those are tried where a path may be dearer than the cheapest one by more than this share.
 constexpr double kSparseGap = 0.2;
 
 class Finder {
  public:
-  Finder(const SearchMap& map, const ReversingQuery& query, const SearchOptions& options, SearchWorkspace& workspace,
+  Finder(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options, SearchWorkspace& workspace,
          FoundPath& found)
       : map_(map),
         query_(query),
@@ -48,7 +48,7 @@ class Finder {
         cost_(query.cutoff) {}
 
   void run() {
-    const Terminals none{};
+    const Attachments none{};
     join_graph(none, Gear::kReverse);
     join_graph(kDense);
     search_all_the_way();
@@ -56,17 +56,17 @@ class Finder {
   }
 
  private:
-  void join_graph(const Terminals& wanted) {
+  void join_graph(const Attachments& wanted) {
     for (const Gear gear : {Gear::kForward, Gear::kReverse}) join_graph(wanted, gear);
   }
 
   // By the graph, driven forwards or backwards, with motions in both gears at both ends. What is driven backwards from
   // one pose to another is driven forwards the other way.
-  void join_graph(const Terminals& wanted, Gear gear) {
+  void join_graph(const Attachments& wanted, Gear gear) {
     if (search_.interrupted) return;
     const bool forward = gear == Gear::kForward;
-    const auto starts = terminals(forward ? query_.start : query_.goal, Direction::kFromStart, wanted, gear);
-    const auto goals = terminals(forward ? query_.goal : query_.start, Direction::kToGoal, wanted, gear);
+    const auto starts = attachments(forward ? query_.start : query_.goal, Direction::kFromStart, wanted, gear);
+    const auto goals = attachments(forward ? query_.goal : query_.start, Direction::kToGoal, wanted, gear);
     // The ends themselves have been joined before.
     if (wanted.most > 0 && starts.size() + goals.size() == 2) return;
     if (join(starts, goals, gear)) return;
@@ -76,7 +76,7 @@ class Finder {
   }
 
   // Whether the cheapest path, if any, changes gear seldom enough.
-  bool join(std::span<const Terminal> starts, std::span<const Terminal> goals, Gear gear) {
+  bool join(std::span<const Attachment> starts, std::span<const Attachment> goals, Gear gear) {
     SearchOptions options = options_;
     options.gear = gear;
     options.faster_than = cost_;
@@ -89,8 +89,9 @@ class Finder {
 
   // Poses from which the graph is entered forwards behind a motion backwards, or the other way round for the goal; the
   // end itself first.
-  std::vector<Terminal> terminals(const Pose& end, Direction direction, const Terminals& wanted, Gear gear) const {
-    std::vector<Terminal> found{{end, {}}};
+  std::vector<Attachment> attachments(const Pose& end, Direction direction, const Attachments& wanted,
+                                      Gear gear) const {
+    std::vector<Attachment> found{{end, {}}};
     if (wanted.most == 0) return found;
     const bool from_start = direction == Direction::kFromStart;
     const bool swapped = from_start != (gear == Gear::kForward);  // a goal's tree is driven the other way
@@ -165,7 +166,7 @@ class Finder {
     return true;
   }
 
-  const SearchMap& map_;
+  const Roadmap& map_;
   const ReversingQuery& query_;
   const SearchOptions& options_;
   SearchWorkspace& workspace_;
@@ -176,11 +177,11 @@ class Finder {
 
 }  // namespace
 
-FoundPath find_reversing_path(const SearchMap& map, const ReversingQuery& query, const SearchOptions& options,
+FoundPath find_reversing_path(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options,
                               SearchWorkspace& workspace) {
   FoundPath found;
   Finder(map, query, options, workspace, found).run();
   return found;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

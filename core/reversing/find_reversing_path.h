@@ -5,7 +5,7 @@
 
 #include "core/search/find_path.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 struct ReversingQuery {
   Pose start, goal;  ///< that differ
@@ -20,7 +20,7 @@ struct ReversingQuery {
 ///   and goal, unless the lower bounds say that no path by way of them is cheaper;
 /// - Reeds-Shepp words and motions in both gears all the way, see search_gears.
 /// The number of tries is limited, so that no path proves nothing.
-FoundPath find_reversing_path(const SearchMap& map, const ReversingQuery& query, const SearchOptions& options,
+FoundPath find_reversing_path(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options,
                               SearchWorkspace& workspace);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -9,7 +9,7 @@
 #include "core/motion/speed_profile.h"
 #include "core/reversing/gear_tree.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -141,4 +141,4 @@ GearSearchResult search_gears(const Pose& start, const Pose& goal, const Vehicle
   return result;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,13 +5,13 @@
 #include <limits>
 #include <optional>
 
-#include "core/base/stop_clock.h"
-#include "core/collision/sweep_query.h"
+#include "arcway/path.h"
+#include "arcway/stop_clock.h"
+#include "arcway/sweep_query.h"
+#include "arcway/vehicle.h"
 #include "core/model/outlines.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 struct GearSearchOptions {
   double cusp_cost = 0.0;                                           ///< of a change of gear, beside the time for it [s]
@@ -38,4 +38,4 @@ struct GearSearchResult {
 GearSearchResult search_gears(const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
                               const Outlines& outlines, const GearSearchOptions& options);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "core/motion/speed_profile.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::uint64_t GearTree::cell_of(const Pose& pose, Gear gear, std::uint32_t cusps
   return layer ^ (place | ((heading & 0x7FFFu) << 1) | (gear == Gear::kForward ? 1u : 0u));
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

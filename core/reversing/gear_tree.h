@@ -10,14 +10,14 @@
 #include <unordered_map>
 #include <vector>
 
+#include "arcway/path.h"
+#include "arcway/vehicle.h"
 #include "core/collision/contact_reach.h"
 #include "core/model/outlines.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
 #include "core/motion/speed_tree.h"
 #include "core/search/tree_path.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// How a tree tells poses apart, and how many it makes.
 struct GearTreeGrid {
@@ -62,9 +62,9 @@ class GearTree {
   /// Least estimate of what has not had its turn [s]; infinity if there is nothing.
   [[nodiscard]] double least_estimate() const;
   /// The way from the root to a node.
-  [[nodiscard]] Path path_from_root(std::uint32_t node) const { return arcway::path_from_root(nodes_, node); }
+  [[nodiscard]] Path path_from_root(std::uint32_t node) const { return internal::path_from_root(nodes_, node); }
   /// The same way back.
-  [[nodiscard]] Path path_to_root(std::uint32_t node) const { return arcway::path_to_root(nodes_, node); }
+  [[nodiscard]] Path path_to_root(std::uint32_t node) const { return internal::path_to_root(nodes_, node); }
 
  private:
   void add_line(std::uint32_t from, Gear gear);
@@ -87,4 +87,4 @@ class GearTree {
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> open_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

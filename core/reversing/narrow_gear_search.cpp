@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "core/collision/motion_free.h"
-#include "core/geometry/angle.h"
 #include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
 #include "core/reversing/narrow_gear_tree.h"
 #include "core/search/near_poses.h"
 #include "core/search/route_field.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -35,7 +35,7 @@ constexpr std::size_t kPosesAfter = 500;     // that have their turn beyond as m
 
 class NarrowGearSearch {
  public:
-  NarrowGearSearch(const SearchMap& map, const Pose& start, const Pose& goal, const GearSearchOptions& options,
+  NarrowGearSearch(const Roadmap& map, const Pose& start, const Pose& goal, const GearSearchOptions& options,
                    GearSearchResult& result)
       : map_(map),
         roots_{start, goal},
@@ -152,7 +152,7 @@ class NarrowGearSearch {
     return true;
   }
 
-  const SearchMap& map_;
+  const Roadmap& map_;
   std::array<Pose, 2> roots_;
   const GearSearchOptions& options_;
   GearSearchResult& result_;
@@ -164,11 +164,11 @@ class NarrowGearSearch {
 
 }  // namespace
 
-GearSearchResult search_narrow_gears(const SearchMap& map, const Pose& start, const Pose& goal,
+GearSearchResult search_narrow_gears(const Roadmap& map, const Pose& start, const Pose& goal,
                                      const GearSearchOptions& options) {
   GearSearchResult result;
   NarrowGearSearch(map, start, goal, options, result).run();
   return result;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

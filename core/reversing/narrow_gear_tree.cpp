@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "arcway/angle.h"
 #include "core/base/hash_of.h"
-#include "core/geometry/angle.h"
 #include "core/motion/speed_profile.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -37,7 +37,7 @@ double quantized(double largest, double wanted) {
 
 }  // namespace
 
-NarrowGearTree::NarrowGearTree(const SearchMap& map, const Vehicle& vehicle, const Pose& root, const TreeGears& gears,
+NarrowGearTree::NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const Pose& root, const TreeGears& gears,
                                double fineness, std::function<double(const Pose&)> remaining)
     : vehicle_(vehicle),
       gears_(gears),
@@ -130,4 +130,4 @@ std::uint64_t NarrowGearTree::key_of(const Pose& pose, const Cell& cell) const {
   return hash_of(parts);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -8,14 +8,14 @@
 #include <unordered_set>
 #include <vector>
 
-#include "core/attach/search_map.h"
+#include "arcway/path.h"
+#include "arcway/vehicle.h"
+#include "core/attach/roadmap.h"
 #include "core/collision/contact_reach.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
 #include "core/search/tree_open_list.h"
 #include "core/search/tree_path.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// What a change of gear costs in a tree, and how many there may be.
 struct TreeGears {
@@ -27,11 +27,11 @@ struct TreeGears {
 /// contact, half of that, or a step.
 ///
 /// At most one pose for each cell over position, heading and gear is kept, the first that comes. Cells are as large as
-/// what the vehicle can do where the motion to the pose began. With q the longest way to and fro on one line or circle
-/// there, and t the largest turn to and fro, one move turns the body by t at most and shifts it aside by about q t. So
-/// cells are a share of q long, of q t wide and of t in heading. The frame is that of the root and the cell's heading,
-/// so that a query that is moved or turned has the same tree, up to rounding. Motions are computed from the edges near
-/// by, and remain to be checked by the sweep query.
+/// what the vehicle can do where the motion to the pose began. Let q be the longest way to and fro on one line or
+/// circle there, and t the largest turn to and fro. One move turns the body by t at most and shifts it aside by about q
+/// t. So cells are a share of q long, of q t wide and of t in heading. The frame is that of the root and the cell's
+/// heading, so that a query that is moved or turned has the same tree, up to rounding. Motions are computed from the
+/// edges near by, and remain to be checked by the sweep query.
 class NarrowGearTree {
  public:
   struct Node {
@@ -47,8 +47,8 @@ class NarrowGearTree {
   /// @param vehicle    that of the map, its gears swapped for a tree that leads to its root.
   /// @param fineness   size of cells, 1 for the largest.
   /// @param remaining  estimate of the cost from a pose on, by which poses take their turn [s].
-  NarrowGearTree(const SearchMap& map, const Vehicle& vehicle, const Pose& root, const TreeGears& gears,
-                 double fineness, std::function<double(const Pose&)> remaining);
+  NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const Pose& root, const TreeGears& gears, double fineness,
+                 std::function<double(const Pose&)> remaining);
 
   /// Adds the poses reached from the most promising one that had no turn yet; none if all had. O(edges near by).
   std::optional<std::uint32_t> expand();
@@ -60,9 +60,9 @@ class NarrowGearTree {
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
   /// The way from the root to a node.
-  [[nodiscard]] Path path_from_root(std::uint32_t node) const { return arcway::path_from_root(nodes_, node); }
+  [[nodiscard]] Path path_from_root(std::uint32_t node) const { return internal::path_from_root(nodes_, node); }
   /// The same way back.
-  [[nodiscard]] Path path_to_root(std::uint32_t node) const { return arcway::path_to_root(nodes_, node); }
+  [[nodiscard]] Path path_to_root(std::uint32_t node) const { return internal::path_to_root(nodes_, node); }
 
  private:
   // Sizes of a cell; powers of two of the largest.
@@ -88,4 +88,4 @@ class NarrowGearTree {
   TreeOpenList open_;  // by largest cells
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

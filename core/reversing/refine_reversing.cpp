@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "core/collision/motion_free.h"
-#include "core/geometry/angle.h"
 #include "core/motion/biarc.h"
 #include "core/motion/dubins.h"
 #include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -344,4 +344,4 @@ RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, cons
   return result;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,13 +3,13 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/base/stop_clock.h"
-#include "core/collision/sweep_query.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
+#include "arcway/path.h"
+#include "arcway/stop_clock.h"
+#include "arcway/sweep_query.h"
+#include "arcway/vehicle.h"
 #include "core/refine/refine_path.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 struct GearChanges {
   double cost = 0.0;                                           ///< of each, beside the time for it [s]
@@ -20,7 +20,7 @@ struct GearChanges {
 /// - words of Reeds and Shepp, and of Dubins in either gear, and biarcs in either gear replace what lies between two
 ///   places of the path, the ends of segments and the middles of long ones: words of the smallest radius, and wider
 ///   ones where gear changes between the places. Tried are all pairs of places that are up to 16 places apart, and
-///   further ones less densely, until none makes the path cheaper, so that no change of gear is left that one of these
+///   further ones less densely, until none makes the path cheaper. So no change of gear is left that one of these
 ///   saves;
 /// - what lies between two cusps is refined by refine_path, which knows nothing of gears and need not: from rest to
 ///   rest it takes the same time either way;
@@ -34,4 +34,4 @@ struct GearChanges {
 RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep,
                                   const GearChanges& changes, const RefineOptions& options, const StopClock& clock);
 
-}  // namespace arcway
+}  // namespace arcway::internal

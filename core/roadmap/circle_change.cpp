@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -82,4 +82,4 @@ void CircleChange::match(const Circles& before, const Circles& after, const std:
   }
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

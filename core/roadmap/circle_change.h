@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "arcway/vehicle.h"
+#include "arcway/visibility_rows.h"
+#include "arcway/world.h"
+#include "arcway/world_change.h"
 #include "core/geometry/near_boxes.h"
-#include "core/model/vehicle.h"
-#include "core/model/world.h"
-#include "core/model/world_change.h"
 #include "core/roadmap/turn_circles.h"
-#include "core/roadmap/visibility_rows.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Turn circles before and after a change of the world, and where what was found out about them still holds. Immutable.
 class CircleChange {
@@ -32,7 +32,7 @@ class CircleChange {
 
   /// Whether nothing came or went where a body can reach on circles round this vertex.
   [[nodiscard]] bool is_quiet_at(VertexId v) const { return quiet_[v] != 0; }
-  /// Whether that is so and the vertex has the neighbours that it had.
+  /// Whether that is so and the vertex has the neighbors that it had.
   [[nodiscard]] bool keeps_row(VertexId v) const { return quiet_[v] == kKeepsRow; }
   /// Only if all vertices that are so many steps away keep their rows, and all between any two of them is quiet.
   [[nodiscard]] bool is_still_around(VertexId v) const { return still_[v] != 0; }
@@ -52,4 +52,4 @@ class CircleChange {
   std::vector<std::uint8_t> quiet_, still_;  // by vertex
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
+#include "arcway/visibility_graph.h"
 #include "core/geometry/predicates.h"
-#include "core/roadmap/visibility_graph.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -105,4 +106,4 @@ VertexId Destinations::vertex_before(VertexId v, Side side) const {
   return circles_.has(before) && std::binary_search(row.begin(), row.end(), before) ? before : kNone;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

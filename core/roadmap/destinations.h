@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/stop_clock.h"
-#include "core/model/path.h"
-#include "core/model/world.h"
+#include "arcway/path.h"
+#include "arcway/stop_clock.h"
+#include "arcway/visibility_rows.h"
+#include "arcway/world.h"
 #include "core/roadmap/turn_circles.h"
-#include "core/roadmap/visibility_rows.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Where the straights from a turn circle may lead to. Asks for rows near the circle. Thread-safe.
 class Destinations {
@@ -26,10 +26,10 @@ class Destinations {
     std::uint32_t passed;  ///< vertices between it and the circle
   };
 
-  /// The vertices that the straights from a circle lead to: those that its own see and, where the straight to a vertex
-  /// and the one behind it would have a path turn away from the vertex in between, those behind it, past a few vertices
-  /// at most. Also those that a body's straights lead to where a point's would pass the next vertex of an obstacle.
-  /// O(k^2) in the degree k of the vertices, of which all but some k are a product and a comparison each.
+  /// The vertices that the straights from a circle lead to: those that its own see, and some behind them, past a few
+  /// vertices at most: where the straights to a vertex and to the one behind it would have a path turn away from the
+  /// vertex in between. Also those that a body's straights lead to where a point's would pass the next vertex of an
+  /// obstacle. O(k^2) in the degree k of the vertices, of which all but some k are a product and a comparison each.
   /// @throws Cancelled if the clock is over before all are found.
   [[nodiscard]] std::vector<Arrival> from(const TurnCircle& circle, const StopClock& clock = {}) const;
 
@@ -56,4 +56,4 @@ class Destinations {
   const TurnCircles& circles_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -11,16 +11,17 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/angle.h"
+#include "arcway/tables.h"
 #include "core/base/bytes.h"
-#include "core/geometry/angle.h"
 #include "core/geometry/tiles.h"
-#include "core/model/tables.h"
 #include "core/roadmap/circle_change.h"
 #include "core/roadmap/destinations.h"
-#include "core/roadmap/feasible_tables.h"
+#include "core/roadmap/require_tables.h"
 #include "core/roadmap/slot_cache.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -77,17 +78,17 @@ struct FeasibleGraph::Data {
     counts.circles = circles.size();
   }
 
-  void check_all(const Executor& executor, const Team& team) {
-    const auto [begin, end] = team.share_of(circles.size());
+  void check_all(const Executor& executor, const ProcessGroup& process_group) {
+    const auto [begin, end] = process_group.share_of(circles.size());
     std::vector<std::uint32_t> share(end - begin);
     std::iota(share.begin(), share.end(), static_cast<std::uint32_t>(begin));
     headings.resize(circles.size());
     find_headings(share, executor);
-    if (team.size() > 1) exchange_headings(share, team);
+    if (process_group.size() > 1) exchange_headings(share, process_group);
 
     const std::vector<Departures> found = find_kept(share, executor);
-    if (team.size() > 1) {
-      exchange_rows(found, team);
+    if (process_group.size() > 1) {
+      exchange_rows(found, process_group);
     } else {
       for (const Departures& row : found) append(row.links, row.counts);
     }
@@ -225,16 +226,16 @@ struct FeasibleGraph::Data {
     return sorted_by_tile(std::move(tile), tiles.count());
   }
 
-  void exchange_headings(std::span<const std::uint32_t> share, const Team& team) {
+  void exchange_headings(std::span<const std::uint32_t> share, const ProcessGroup& process_group) {
     std::string bytes;
     for (const std::uint32_t c : share) {
       append_bytes(bytes, static_cast<std::uint32_t>(headings[c].intervals().size()));
       append_bytes(bytes, headings[c].intervals());
     }
-    const std::vector<std::string> all = team.gather(std::move(bytes));
-    for (std::size_t rank = 0; rank < team.size(); ++rank) {
-      if (rank == team.rank()) continue;
-      const auto [begin, end] = team.share_of(circles.size(), rank);
+    const std::vector<std::string> all = process_group.gather(std::move(bytes));
+    for (std::size_t rank = 0; rank < process_group.size(); ++rank) {
+      if (rank == process_group.rank()) continue;
+      const auto [begin, end] = process_group.share_of(circles.size(), rank);
       std::string_view rest = all[rank];
       for (std::size_t c = begin; c < end; ++c) {
         const auto size = take_bytes<std::uint32_t>(rest);
@@ -243,14 +244,14 @@ struct FeasibleGraph::Data {
     }
   }
 
-  void exchange_rows(std::span<const Departures> share, const Team& team) {
+  void exchange_rows(std::span<const Departures> share, const ProcessGroup& process_group) {
     std::string bytes;
     for (const Departures& row : share) {
       append_bytes(bytes, static_cast<std::uint32_t>(row.links.size()));
       append_bytes(bytes, row.counts);
       append_bytes(bytes, std::span<const Link>(row.links));
     }
-    for (std::string_view rest : team.gather(std::move(bytes))) {
+    for (std::string_view rest : process_group.gather(std::move(bytes))) {
       while (!rest.empty()) {
         const auto size = take_bytes<std::uint32_t>(rest);
         const auto reasons = take_bytes<LinkCounts>(rest);
@@ -313,7 +314,7 @@ struct FeasibleGraph::Data {
     } else if (!turn_circles.is_exit(c)) {
       return turn_circles.visit_exits_behind(c, visit);
     }
-    if (turn_circles.usual_count() == circles.size()) return;
+    if (turn_circles.base_count() == circles.size()) return;
     for (const VertexId u : {circle.vertex, circle.second}) {
       if (u == kNone) continue;
       turn_circles.visit_entries(u, visit);
@@ -355,7 +356,7 @@ struct FeasibleGraph::Data {
   }
 
   [[nodiscard]] const HeadingSet& headings_of(std::uint32_t c) const {
-    if (usual && c < usual->circles.size()) return usual->headings_of(c);
+    if (base && c < base->circles.size()) return base->headings_of(c);
     if (has_headings(c)) return headings[c];
     return lazy_headings.get(c, [&] {
       auto found = std::make_unique<HeadingSet>(queries.sweep->free_headings(body_on(circles[c])));
@@ -450,7 +451,7 @@ struct FeasibleGraph::Data {
   Destinations destinations;
   std::span<const TurnCircle> circles;
   FeasibleGraphCounts counts;
-  std::shared_ptr<const Data> usual;  // of a graph with extra circles: what it knows of the others
+  std::shared_ptr<const Data> base;  // of a graph with added circles: what it knows of the others
 
   std::vector<HeadingSet> headings;  // if eager, or known before a change
   std::vector<Link> links;
@@ -464,14 +465,14 @@ struct FeasibleGraph::Data {
 
 FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph,
                              const QuerySet& queries, std::span<const double> radii, const Executor& executor,
-                             GraphMode mode, const Team& team)
-    : FeasibleGraph(world, vehicle, rows_of(world, graph), queries, radii, executor, mode, team) {}
+                             GraphMode mode, const ProcessGroup& process_group)
+    : FeasibleGraph(world, vehicle, rows_of(world, graph), queries, radii, executor, mode, process_group) {}
 
 FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
                              const QuerySet& queries, std::span<const double> radii, const Executor& executor,
-                             GraphMode mode, const Team& team) {
+                             GraphMode mode, const ProcessGroup& process_group) {
   auto data = std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, mode, executor);
-  if (mode == GraphMode::kEager) data->check_all(executor, team);
+  if (mode == GraphMode::kEager) data->check_all(executor, process_group);
   data_ = std::move(data);
 }
 
@@ -492,11 +493,11 @@ FeasibleGraph::FeasibleGraph(const FeasibleGraph& before, const World& world, co
   data_ = std::move(data);
 }
 
-FeasibleGraph::FeasibleGraph(const FeasibleGraph& usual, const Vehicle& vehicle, const ExtraCircles& extra) {
-  const Data& known = *usual.data_;
+FeasibleGraph::FeasibleGraph(const FeasibleGraph& base, const Vehicle& vehicle, const AddedCircles& added) {
+  const Data& known = *base.data_;
   auto data = std::make_shared<Data>(known.world, vehicle, known.rows, known.queries, known.smallest_radius,
-                                     TurnCircles(known.turn_circles, extra), GraphMode::kLazy);
-  data->usual = usual.data_;
+                                     TurnCircles(known.turn_circles, added), GraphMode::kLazy);
+  data->base = base.data_;
   data_ = std::move(data);
 }
 
@@ -528,4 +529,4 @@ bool FeasibleGraph::is_kept(std::uint32_t circle, std::size_t index) const {
   return data_->has_row(circle) || data_->decide(circle, index);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

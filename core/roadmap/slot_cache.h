@@ -6,7 +6,7 @@
 
 #include "core/base/huge_pages.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// A fixed number of values, each made when it is first asked for and kept until the cache is destroyed. Any number of
 /// threads may ask at once, without locks: where two make the same value, one of the two is dropped, so that making it
@@ -38,4 +38,4 @@ class SlotCache {
   mutable HugeVector<std::atomic<const Value*>> slots_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 Pose pose_on(const TurnCircle& circle, double heading) {
   const Vec2 p = circle.center - sign_of(circle.side) * circle.radius * perpendicular(direction_of(heading));
@@ -64,7 +64,7 @@ double heading_at_vertex(const World& world, const TurnCircle& circle) {
   const Vec2 to_center = circle.second == kNone
                              ? inwards(world, circle.vertex)
                              : Vec2(circle.center - 0.5 * (world.vertex(circle.vertex) + world.vertex(circle.second)));
-  // pose_on puts the reference point on the side of the centre away from the left normal if turning left.
+  // pose_on puts the reference point on the side of the center away from the left normal if turning left.
   const Vec2 normal = sign_of(circle.side) * to_center;
   return std::atan2(-normal.x(), normal.y());
 }
@@ -73,4 +73,4 @@ TurnCircle turn_circle(const Pose& pose, double radius, Side side) {
   return {pose.position() + sign_of(side) * radius * perpendicular(direction_of(pose.heading)), radius, side, kNone};
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
-#include "core/model/world.h"
+#include "arcway/path.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// A directed circle that the reference point follows round a convex vertex; see TurnCircles.
 struct TurnCircle {
@@ -38,16 +38,16 @@ struct Bitangent {
 /// Error of both ends: a few units in the last place of the coordinates.
 std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCircle& to);
 
-/// Radius of the circle about the rotation centre that the body's inner side touches in a turn, as it does on the
-/// straights before and behind it; 0 if the centre lies between the sides. It is rho_in where F lies on the body;
+/// Radius of the circle about the rotation center that the body's inner side touches in a turn, as it does on the
+/// straights before and behind it; 0 if the center lies between the sides. It is rho_in where F lies on the body;
 /// elsewhere the turn keeps further off, but the straights do not.
 double inner_side_radius(const Footprint& body, double radius);
 
-/// The circle round a convex vertex: its centre lies inner_side_radius (of the body grown by the margin) inwards along
+/// The circle round a convex vertex: its center lies inner_side_radius (of the body grown by the margin) inwards along
 /// the bisector of the vertex's two edges, so that the body's side passes by the vertex.
 TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body);
 
-/// The circle round two convex vertices at once, travelling from u to w with the obstacles on the given side: both lie
+/// The circle round two convex vertices at once, traveling from u to w with the obstacles on the given side: both lie
 /// on the circle of inner_side_radius. nothing if they are further apart than its diameter.
 std::optional<TurnCircle> turn_circle(const World& world, VertexId u, VertexId w, double radius, Side side,
                                       const Footprint& grown_body);
@@ -58,4 +58,4 @@ double heading_at_vertex(const World& world, const TurnCircle& circle);
 /// The circle of a pose: tangent to its heading at its position.
 TurnCircle turn_circle(const Pose& pose, double radius, Side side);
 
-}  // namespace arcway
+}  // namespace arcway::internal

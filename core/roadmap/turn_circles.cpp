@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/roadmap/turning_radii.h"
+#include "arcway/turning_radii.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
                          const Footprint& grown_body, const Executor& executor)
@@ -35,7 +36,7 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
   // No circle goes round two vertices that are further apart.
   const double reach = 2.0 * inner_side_radius(grown_body, radius) * (1.0 + 1e-9);
   for (const auto& [u, w] : rows.pairs_within(reach, leads_back, executor)) {
-    const Side side = obstacle_side(world, w, world.vertex(u));  // travelling from u to w
+    const Side side = obstacle_side(world, w, world.vertex(u));  // traveling from u to w
     if (obstacle_side(world, u, world.vertex(w)) == side) continue;
     const auto circle = turn_circle(world, u, w, radius, side, grown_body);
     if (!circle) continue;
@@ -44,24 +45,24 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
       circles_.back().side = turn;
     }
   }
-  usual_count_ = first_of_gates_ = circles_.size();
+  base_count_ = first_of_gates_ = circles_.size();
   more_ = by_vertex(own, circles_.size(), 2);
 }
 
-TurnCircles::TurnCircles(const TurnCircles& usual, const ExtraCircles& extra)
-    : radius_count_(usual.radius_count_), first_(usual.first_), usual_count_(usual.usual_count_) {
+TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
+    : radius_count_(base.radius_count_), first_(base.first_), base_count_(base.base_count_) {
   const auto own = static_cast<std::size_t>(std::ranges::count_if(first_, [](auto f) { return f != kNone; }));
-  std::size_t count = usual_count_ + 2 * extra.round.size();
-  for (const Gate& gate : extra.gates) count += gate.entries.size() + gate.exits.size();
+  std::size_t count = base_count_ + 2 * added.round.size();
+  for (const Gate& gate : added.gates) count += gate.entries.size() + gate.exits.size();
   circles_.reserve(count);
-  circles_ = usual.circles_;
-  for (TurnCircle circle : extra.round)
+  circles_ = base.circles_;
+  for (TurnCircle circle : added.round)
     for (const Side side : {Side::kLeft, Side::kRight}) {
       circle.side = side;
       circles_.push_back(circle);
     }
   first_of_gates_ = circles_.size();
-  for (const Gate& gate : extra.gates) {
+  for (const Gate& gate : added.gates) {
     circles_.insert(circles_.end(), gate.entries.begin(), gate.entries.end());
     const auto exits = static_cast<std::uint32_t>(circles_.size());
     circles_.insert(circles_.end(), gate.exits.begin(), gate.exits.end());
@@ -88,4 +89,4 @@ TurnCircles::ByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last
   return result;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

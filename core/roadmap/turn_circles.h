@@ -4,29 +4,29 @@
 #include <span>
 #include <vector>
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
+#include "arcway/vehicle.h"
+#include "arcway/visibility_rows.h"
+#include "arcway/world.h"
 #include "core/base/huge_pages.h"
-#include "core/model/vehicle.h"
-#include "core/model/world.h"
-#include "core/roadmap/extra_circles.h"
+#include "core/roadmap/added_circles.h"
 #include "core/roadmap/turn_circle.h"
-#include "core/roadmap/visibility_rows.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
-/// The turn circles of a world. Each convex vertex has a left and a right one of each radius. Where two neighbors of
-/// the reduced graph that are passed on one side lie so near each other that the bitangent of their circles would lead
-/// back, as at the end of a thin wall, the two have a left and a right circle of the smallest radius that leads round
-/// vertices in common, which goes round both. Immutable.
+/// The turn circles of a world. Each convex vertex has a left and a right one of each radius. Two neighbors of the
+/// reduced graph that are passed on one side may lie so near each other that the bitangent of their circles would lead
+/// back, as at the end of a thin wall. The two have a left and a right circle in common, of the smallest radius that
+/// leads round vertices, which goes round both. Immutable.
 class TurnCircles {
  public:
   /// @param radii  ascending, not empty;  @param grown_body  by the safety margin.
   TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
               const Footprint& grown_body, const Executor& executor);
 
-  /// The usual circles and behind them extra ones: those round a vertex, left before right, then those of the gates,
+  /// The base circles and behind them added ones: those round a vertex, left before right, then those of the gates,
   /// the entries of each before its exits.
-  TurnCircles(const TurnCircles& usual, const ExtraCircles& extra);
+  TurnCircles(const TurnCircles& base, const AddedCircles& added);
 
   /// Those of one vertex first: all of a vertex are neighbors, radii ascending, for each left before right. Then those
   /// of two, left before right.
@@ -45,8 +45,8 @@ class TurnCircles {
     for (const std::uint32_t left : more_.of(v)) visit(left + right);
   }
 
-  /// How many circles are usual ones; all that follow are extra.
-  [[nodiscard]] std::size_t usual_count() const { return usual_count_; }
+  /// How many circles are base ones; all that follow are added.
+  [[nodiscard]] std::size_t base_count() const { return base_count_; }
   /// Calls visit(circle) for each circle that has this vertex for its first one.
   template <class Visitor>
   void visit_by_first(VertexId v, Visitor&& visit) const {
@@ -96,9 +96,9 @@ class TurnCircles {
   HugeVector<std::uint32_t> first_;  // of each vertex's own circles, or kNone
   ByVertex more_;                    // the left ones of those that are no vertex's own, gates left out
   ByVertex beside_;                  // those of gates
-  std::size_t usual_count_ = 0, first_of_gates_ = 0;
+  std::size_t base_count_ = 0, first_of_gates_ = 0;
   std::vector<std::uint32_t> gate_;  // by circle from first_of_gates_ on
   std::vector<GateRange> gates_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

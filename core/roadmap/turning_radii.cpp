@@ -1,4 +1,4 @@
-#include "core/roadmap/turning_radii.h"
+#include "arcway/turning_radii.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,8 @@
 #include "core/roadmap/turn_circle.h"
 
 namespace arcway {
+
+using namespace internal;
 
 namespace {
 

@@ -1,27 +1,17 @@
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/visibility_graph.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "core/geometry/direction_order.h"
-#include "core/geometry/predicates.h"
-#include "core/roadmap/visibility_rows.h"
+#include "core/roadmap/compress_rows.h"
+#include "core/roadmap/tangent_edges.h"
 
 namespace arcway {
 
+using namespace internal;
+
 namespace {
-
-using Rows = std::vector<std::vector<VertexId>>;
-
-VisibilityGraph compress(const Rows& rows) {
-  std::vector<std::uint64_t> starts(rows.size() + 1, 0);
-  for (std::size_t u = 0; u < rows.size(); ++u) starts[u + 1] = starts[u] + rows[u].size();
-  std::vector<VertexId> targets;
-  targets.reserve(starts.back());
-  for (const auto& row : rows) targets.insert(targets.end(), row.begin(), row.end());
-  return {std::move(starts), std::move(targets)};
-}
 
 // Rows of the pairs u < v of `vertices` that pass `candidate` and see each other.
 template <class Candidate>
@@ -84,19 +74,6 @@ std::span<const VertexId> VisibilityGraph::row(VertexId u) const {
   return std::span(targets_).subspan(row_starts_[u], row_starts_[u + 1] - row_starts_[u]);
 }
 
-bool is_tangent(const World& world, VertexId v, const Vec2& p) {
-  const Vec2& at = world.vertex(v);
-  if (at == p) return false;
-  return orientation(p, at, world.vertex(world.previous(v))) * orientation(p, at, world.vertex(world.next(v))) >= 0;
-}
-
-Side obstacle_side(const World& world, VertexId v, const Vec2& from) {
-  const Vec2& at = world.vertex(v);
-  const int side =
-      orientation(from, at, world.vertex(world.previous(v))) + orientation(from, at, world.vertex(world.next(v)));
-  return side > 0 ? Side::kLeft : Side::kRight;
-}
-
 VisibilityGraph build_full_visibility_graph(const World& world, const VisibilityQuery& visibility,
                                             const Executor& executor) {
   std::vector<VertexId> vertices;
@@ -104,33 +81,6 @@ VisibilityGraph build_full_visibility_graph(const World& world, const Visibility
     if (!world.is_covered(v)) vertices.push_back(v);
   return compress(visible_pairs(world, vertices, visibility, executor,
                                 [&](VertexId u, VertexId v) { return world.vertex(u) != world.vertex(v); }));
-}
-
-VisibilityGraph without_carried_edges(const World& world, const VisibilityGraph& graph, const Executor& executor) {
-  const auto rows = rows_of(world, graph);
-  Rows kept(graph.vertex_count());
-  executor.for_ranges(kept.size(), 64, [&](std::size_t begin, std::size_t end) {
-    std::vector<VertexId> around;
-    for (auto u = static_cast<VertexId>(begin); u < end; ++u) {
-      const auto before = [&](VertexId v, VertexId w) {
-        return precedes_about(world.vertex(u), world.vertex(v), world.vertex(w));
-      };
-      around.assign(rows->of(u).begin(), rows->of(u).end());
-      std::sort(around.begin(), around.end(), before);
-      for (std::size_t first = 0, last = 0; first < around.size(); first = last) {
-        while (last < around.size() && !before(around[first], around[last])) ++last;
-        // The edges to all but the nearest place are carried.
-        const auto same_direction = std::span(around).subspan(first, last - first);
-        const VertexId nearest = *std::ranges::min_element(same_direction, [&](VertexId v, VertexId w) {
-          return on_open_segment(world.vertex(v), {world.vertex(u), world.vertex(w)});
-        });
-        for (const VertexId v : same_direction)
-          if (v > u && world.vertex(v) == world.vertex(nearest)) kept[u].push_back(v);
-      }
-      std::sort(kept[u].begin(), kept[u].end());
-    }
-  });
-  return compress(kept);
 }
 
 VisibilityGraph build_reduced_visibility_graph(const World& world, const VisibilityQuery& visibility,

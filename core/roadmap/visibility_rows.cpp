@@ -1,13 +1,15 @@
-#include "core/roadmap/visibility_rows.h"
+#include "arcway/visibility_rows.h"
 
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include "arcway/tables.h"
 #include "core/base/prefetch.h"
-#include "core/model/tables.h"
 
 namespace arcway {
+
+using namespace internal;
 
 namespace {
 
@@ -21,7 +23,7 @@ class GraphRows final : public VisibilityRows {
     }
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     targets_.resize(starts_.back());
-    // The rows are ascending: lower neighbours of a vertex come before its own row.
+    // The rows are ascending: lower neighbors of a vertex come before its own row.
     std::vector<std::uint64_t> next(starts_.begin(), starts_.end() - 1);
     for (VertexId u = 0; u < vertices; ++u)
       for (const VertexId v : graph.row(u)) {

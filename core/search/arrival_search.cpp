@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "core/attach/circle_table.h"
 #include "core/attach/per_circle.h"
 #include "core/attach/search_context.h"
@@ -17,21 +18,21 @@
 #include "core/attach/walk_links.h"
 #include "core/base/open_list.h"
 #include "core/base/prefetch.h"
-#include "core/geometry/angle.h"
+#include "core/geometry/quick_direction.h"
 #include "core/motion/speed_profile.h"
 #include "core/search/reachability.h"
 #include "core/search/search_times.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kLong = 256;            // labels, more than most searches take
 constexpr std::size_t kManyLabels = 1 << 14;  // as many as a warm workspace has room for
-// What a scout adds to the weight of the heuristic: with less it finds what the search finds at the same moment, with
-// more it leaves out more that will be asked for.
-constexpr double kScoutsHaste = 0.003;
+// What a prefetch search adds to the weight of the heuristic: with less it finds what the search finds at the same
+// moment, with more it leaves out more that will be asked for.
+constexpr double kPrefetchHaste = 0.003;
 // So many arrivals on one circle are compared exactly. From then on an arrival ends where another one loses less than
 // this share of its time, twice the share after as many again, and so on. In tight places with several radii, hundreds
 // of paths to a circle differ by nanoseconds: 55 obstacles took 20,000 arrivals and 29 s where the exact comparison of
@@ -124,7 +125,7 @@ struct SearchWorkspace::Data {
   std::optional<Question> question;
   double faster_than = 0.0;
   std::uint32_t pushed_start_circles = 0;
-  std::vector<std::uint32_t> start_joints;  // by start circle: at the end of its terminal's connection
+  std::vector<std::uint32_t> start_joints;  // by start circle: at the end of its attachment's connection
   OpenList<Entry> open;
   HugeVector<Step> steps;
   HugeVector<Label> labels;
@@ -172,7 +173,7 @@ class ArrivalSearch {
 
   void run() {
     if (context_.interrupted()) return;
-    if (!context_.options.goes_on)
+    if (!context_.options.warm_start)
       for (auto& reached : w_.reached) reached.map.reset();
     // By the path that takes so long, if there is one.
     reachability_known_ = !context_.options.doubts_reachability || context_.options.faster_than < kInfinity;
@@ -188,11 +189,11 @@ class ArrivalSearch {
       result_.goal_connected = ends_.is_free(ends_.goal_link(g));
     if (result_.interrupted) return finish_best();
     if (!result_.goal_connected) return;
-    // Many terminals mean that few of them found no path: is there one at all?
+    // Many attachments mean that few of them found no path: is there one at all?
     if (context_.starts.size() + context_.goals.size() > 2 && !reachability_known_ && !goal_is_reachable()) return;
     push_start_circles();
-    bool scout_wanted = context_.options.scout && circles_.is_lazy();
-    std::jthread scout;  // stopped and joined at the end
+    bool prefetch_wanted = context_.options.prefetch && circles_.is_lazy();
+    std::jthread prefetch;  // stopped and joined at the end
     while (!w_.open.empty() && !context_.interrupted()) {
       const Entry entry = w_.open.pop();
       prefetch_next();
@@ -202,7 +203,8 @@ class ArrivalSearch {
       } else {
         expand(entry);
       }
-      if (w_.labels.size() >= known_labels_ + kLong && std::exchange(scout_wanted, false)) scout = send_scout();
+      if (w_.labels.size() >= known_labels_ + kLong && std::exchange(prefetch_wanted, false))
+        prefetch = start_prefetch();
       if (w_.labels.size() >= kLong && !reachability_known_ && !goal_is_reachable()) return;
       if (w_.labels.size() >= context_.options.most_expanded) return finish_best();
     }
@@ -212,8 +214,9 @@ class ArrivalSearch {
  private:
   // Whether the search before was a part of this one.
   [[nodiscard]] bool has_begun_before() const {
-    return context_.options.goes_on && w_.map.lock() == context_.map.circles && w_.question == question_of(context_) &&
-           context_.options.faster_than <= w_.faster_than && ends_.are_first_of(context_);
+    return context_.options.warm_start && w_.map.lock() == context_.map.circles &&
+           w_.question == question_of(context_) && context_.options.faster_than <= w_.faster_than &&
+           ends_.are_first_of(context_);
   }
 
   void forget() {
@@ -236,10 +239,10 @@ class ArrivalSearch {
   }
 
   // The same search, a little more greedily, in a thread of its own, for what it leaves in the caches of the graph.
-  [[nodiscard]] std::jthread send_scout() const {
+  [[nodiscard]] std::jthread start_prefetch() const {
     SearchOptions ahead = context_.options;
-    ahead.scout = ahead.goes_on = false;
-    ahead.suboptimality += kScoutsHaste;
+    ahead.prefetch = ahead.warm_start = false;
+    ahead.suboptimality += kPrefetchHaste;
     ahead.doubts_reachability = false;
     try {
       return std::jthread([this, ahead](const std::stop_token& done) mutable {
@@ -350,8 +353,8 @@ class ArrivalSearch {
   Label arrival_by(const Entry& entry) {
     const auto index = static_cast<std::uint32_t>(entry.index());
     if (entry.kind() == Kind::kStart) {
-      const TerminalLink& link = ends_.start_link(index);
-      const TerminalCircle& from = ends_.start_circles()[link.terminal_circle];
+      const AttachmentLink& link = ends_.start_link(index);
+      const AttachmentCircle& from = ends_.start_circles()[link.terminal_circle];
       const double radius = circles_.circle(link.circle).radius;
       const std::uint32_t joint =
           w_.times.add_drive(w_.start_joints[link.terminal_circle], link.turn * from.circle.radius, from.circle.radius,
@@ -368,7 +371,7 @@ class ArrivalSearch {
 
   void push_start_circles() {
     for (std::uint32_t& s = w_.pushed_start_circles; s < ends_.start_circles().size(); ++s) {
-      const Terminal& start = context_.starts[ends_.start_circles()[s].terminal];
+      const Attachment& start = context_.starts[ends_.start_circles()[s].attachment];
       if (ends_.start_circles()[s].reach >= 0.0)
         push(Kind::kStartCircle, s,
              length_of(start.connection) / top_speed_ + remaining(start.pose.position(), top_speed_));
@@ -376,7 +379,7 @@ class ArrivalSearch {
   }
 
   void push_start_links(std::uint32_t s) {
-    const TerminalCircle& from = ends_.start_circles()[s];
+    const AttachmentCircle& from = ends_.start_circles()[s];
     const std::uint32_t joint = w_.times.add_connection(from);
     w_.start_joints.resize(std::max(w_.start_joints.size(), std::size_t{s} + 1));
     w_.start_joints[s] = joint;
@@ -384,7 +387,7 @@ class ArrivalSearch {
     // In open country they may be ten thousand, and headings of a lazy graph take some ten microseconds each.
     StopTicker ticker(context_.options.clock);
     for (std::uint32_t i = range.first; i < range.last && !ticker.is_over(); ++i) {
-      const TerminalLink& link = ends_.start_link(i);
+      const AttachmentLink& link = ends_.start_link(i);
       if (link.circle == context_.options.not_first) continue;
       if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
       const double radius = circles_.circle(link.circle).radius;
@@ -491,16 +494,16 @@ class ArrivalSearch {
     }
   }
 
-  [[nodiscard]] Path path_through(std::uint32_t last, const TerminalLink& goal) {
+  [[nodiscard]] Path path_through(std::uint32_t last, const AttachmentLink& goal) {
     std::vector<std::uint32_t>& chain = w_.chain;
     chain.clear();
     for (std::uint32_t at = last; at != kNone; at = w_.labels[at].parent) chain.push_back(at);
     result_.first_circle = w_.labels[chain.back()].circle;
     result_.last_circle = w_.labels[last].circle;
-    const TerminalLink& start = ends_.start_link(w_.labels[chain.back()].index);
-    const TerminalCircle& from = ends_.start_circles()[start.terminal_circle];
+    const AttachmentLink& start = ends_.start_link(w_.labels[chain.back()].index);
+    const AttachmentCircle& from = ends_.start_circles()[start.terminal_circle];
     Path path = std::move(w_.path);
-    path = context_.starts[from.terminal].connection;
+    path = context_.starts[from.attachment].connection;
     append_arc(path, from.circle, from.heading, start.turn);
     append_line(path, start.line.start, start.line.length);
     for (std::size_t i = chain.size(); i-- > 0;) {
@@ -513,9 +516,9 @@ class ArrivalSearch {
       append_arc(path, circle, label.heading, turn_between(label.heading, heading, circle.side));
       append_line(path, pose_on(circle, heading), at_end ? goal.line.length : link->length);
     }
-    const TerminalCircle& to = ends_.goal_circles()[goal.terminal_circle];
+    const AttachmentCircle& to = ends_.goal_circles()[goal.terminal_circle];
     append_arc(path, to.circle, goal.line.start.heading, goal.turn);
-    const Path& connection = context_.goals[to.terminal].connection;
+    const Path& connection = context_.goals[to.attachment].connection;
     path.insert(path.end(), connection.begin(), connection.end());
     return path;
   }
@@ -535,7 +538,7 @@ class ArrivalSearch {
 
 }  // namespace
 
-SearchResult search_arrivals(const SearchMap& map, std::span<const Terminal> starts, std::span<const Terminal> goals,
+SearchResult search_arrivals(const Roadmap& map, std::span<const Attachment> starts, std::span<const Attachment> goals,
                              const SearchOptions& options, SearchWorkspace& workspace) {
   SearchResult result;
   SearchContext context(map, starts, goals, options, result);
@@ -543,4 +546,4 @@ SearchResult search_arrivals(const SearchMap& map, std::span<const Terminal> sta
   return result;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

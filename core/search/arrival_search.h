@@ -4,13 +4,13 @@
 #include <memory>
 #include <span>
 
-#include "core/attach/search_map.h"
+#include "arcway/path.h"
+#include "arcway/stop_clock.h"
+#include "core/attach/attachment_links.h"
+#include "core/attach/roadmap.h"
 #include "core/attach/search_options.h"
-#include "core/attach/terminal_links.h"
-#include "core/base/stop_clock.h"
-#include "core/model/path.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Memory of a search, kept for the next one: for one search at a time, of any map.
 class SearchWorkspace {
@@ -44,20 +44,20 @@ class SearchWorkspace {
 /// fastest one times the product of 1 + that share over the k circles; without a circle of more than 16 labels it is
 /// the fastest. The tolerance bounds searches in tight places, where hundreds of paths differ by nanoseconds.
 ///
-/// After some hundred labels, or with several terminals, walks without times and speeds find out whether there is a
+/// After some hundred labels, or with several attachments, walks without times and speeds find out whether there is a
 /// path at all: see Reachability.
 ///
 /// With a suboptimality w the heuristic counts 1 + w times, which finds some path sooner. The one found takes at most
 /// 1 + w times as long as the fastest: at any time, the open list has an entry from which the fastest path goes on, or
-/// one as fast, since a label ends only where another one, expanded before, does as well at every speed; one that comes
+/// one as fast. For a label ends only where another one, expanded before, does as well at every speed; one that comes
 /// later, but is better, is expanded as well. The estimate of that entry is the time T so far and 1 + w times a bound
 /// on the rest, so at most 1 + w times the fastest time; the complete path that comes off first is not behind it.
 ///
-/// Terminals join by their left and right circles of every radius, driven forwards whatever the gear of their
-/// connections, and to each other by all six Dubins words. Straights of terminals, and those of lazy graphs, are
+/// Attachments join by their left and right circles of every radius, driven forwards whatever the gear of their
+/// connections, and to each other by all six Dubins words. Straights of attachments, and those of lazy graphs, are
 /// checked when they come off the open list. Ties are broken by what the labels are, not by memory or time: same answer
 /// every time, for eager and lazy graphs.
-SearchResult search_arrivals(const SearchMap& map, std::span<const Terminal> starts, std::span<const Terminal> goals,
+SearchResult search_arrivals(const Roadmap& map, std::span<const Attachment> starts, std::span<const Attachment> goals,
                              const SearchOptions& options, SearchWorkspace& workspace);
 
-}  // namespace arcway
+}  // namespace arcway::internal

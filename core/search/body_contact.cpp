@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::optional<BodyContact> body_contact(const Footprint& body, const Vec2& place
   return same ? at_corner(least, contact_of(is_beside ? *before : *beside, ahead), ahead, curvature) : least;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

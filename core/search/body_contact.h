@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "core/geometry/vec2.h"
-#include "core/model/vehicle.h"
+#include "arcway/vec2.h"
+#include "arcway/vehicle.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// How far an edge reaches over a side of a body, and how that changes as the body moves.
 struct BodyContact {
@@ -21,4 +21,4 @@ struct BodyContact {
 std::optional<BodyContact> body_contact(const Footprint& body, const Vec2& place, const Vec2& ahead, double curvature,
                                         const LineSegment& edge, double near);
 
-}  // namespace arcway
+}  // namespace arcway::internal

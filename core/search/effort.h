@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace arcway {
+namespace arcway::internal {
 
 /// How trees of forward motions grow. Lengths are in lengths of the body, unless said otherwise.
 struct TreeShape {
@@ -71,7 +71,7 @@ struct TreeJoints {
   std::size_t roadmap_factor;    ///< so many times as many
   std::uint64_t edges;           ///< that motions are compared with, for each pose of the limit: some 60 ns each
   std::size_t after_dry;         ///< times as many turns are taken in all where one tree has run dry
-  std::size_t terminals;         ///< of each tree that are joined to it, at most
+  std::size_t attachments;       ///< of each tree that are joined to it, at most
   std::size_t most_refused;      ///< paths that are found, before the search gives up
   std::size_t refused_poses;     ///< grown after a path that was refused; after the second one twice as many, ...
 };
@@ -85,9 +85,9 @@ inline constexpr TreeJoints kTreeJoints{
     .roadmap_factor = 4,
     .edges = 3000,
     .after_dry = 4,
-    .terminals = 200,
+    .attachments = 200,
     .most_refused = 6,
     .refused_poses = 32,
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

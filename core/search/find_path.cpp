@@ -4,10 +4,10 @@
 #include <span>
 #include <utility>
 
+#include "arcway/angle.h"
 #include "core/attach/manoeuvres.h"
-#include "core/geometry/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr std::size_t kSparseFactor = 4;
 // One end of a path and the poses by which it may join the graph.
 class End {
  public:
-  End(const SearchMap& map, const Pose& pose, Direction direction, std::size_t max_poses, ManoeuvreWorkspace& workspace,
+  End(const Roadmap& map, const Pose& pose, Direction direction, std::size_t max_poses, ManoeuvreWorkspace& workspace,
       const StopClock& clock)
       : map_(map),
         direction_(direction),
@@ -25,43 +25,43 @@ class End {
         workspace_(workspace),
         clock_(clock),
         plain_{pose, {}},
-        terminals_(&plain_, 1) {}
+        attachments_(&plain_, 1) {}
 
-  [[nodiscard]] std::span<const Terminal> terminals() const { return terminals_; }
+  [[nodiscard]] std::span<const Attachment> attachments() const { return attachments_; }
   // More poses than before; false if there are no more.
   bool extend() {
-    if (terminals_.size() < asked_ || asked_ >= max_poses_) return false;
+    if (attachments_.size() < asked_ || asked_ >= max_poses_) return false;
     find(asked_ == 0 ? std::min(max_poses_, kFirstPoses) : max_poses_, Spread::kDense);
-    return terminals_.size() > 1;
+    return attachments_.size() > 1;
   }
   // More poses, in the end sparse ones.
   bool extend_far() {
     if (extend()) return true;
-    if (terminals_.size() < asked_ || asked_ > max_poses_ || max_poses_ == 0) return false;
+    if (attachments_.size() < asked_ || asked_ > max_poses_ || max_poses_ == 0) return false;
     find(kSparseFactor * max_poses_, Spread::kSparse);
-    return terminals_.size() > 1;
+    return attachments_.size() > 1;
   }
 
  private:
   void find(std::size_t poses, Spread spread) {
     asked_ = poses;
-    terminals_ = find_manoeuvres(plain_.pose, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses,
+    attachments_ = find_manoeuvres(plain_.pose, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses,
                                  spread, workspace_, clock_);
   }
 
-  const SearchMap& map_;
+  const Roadmap& map_;
   Direction direction_;
   std::size_t max_poses_;
   std::size_t asked_ = 0;
   ManoeuvreWorkspace& workspace_;
   const StopClock& clock_;
-  Terminal plain_;
-  std::span<const Terminal> terminals_;
+  Attachment plain_;
+  std::span<const Attachment> attachments_;
 };
 
 }  // namespace
 
-FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose& start, const Pose& goal,
+FoundPath find_path(const Roadmap& map, const NarrowPlaces* places, const Pose& start, const Pose& goal,
                     std::size_t max_poses, const std::function<bool()>& no_passage, const SearchOptions& options,
                     FindWorkspace& workspace) {
   FoundPath found;
@@ -71,9 +71,9 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
   }
   SearchOptions asked = options;
   // True if that ends it.
-  const auto search = [&](const SearchMap& on, const End& from, const End& to) {
-    SearchResult result = search_arrivals(on, from.terminals(), to.terminals(), asked, workspace.search);
-    asked.goes_on = true;
+  const auto search = [&](const Roadmap& on, const End& from, const End& to) {
+    SearchResult result = search_arrivals(on, from.attachments(), to.attachments(), asked, workspace.search);
+    asked.warm_start = true;
     result.nodes_expanded += found.search.nodes_expanded;
     result.nodes_pushed += found.search.nodes_pushed;
     result.straights_checked += found.search.straights_checked;
@@ -94,20 +94,20 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
     if (!found.search.goal_connected) {
       found.obstruction = Obstruction::kGoal;
       const bool more = to.extend();
-      found.manoeuvre_poses += to.terminals().size();
+      found.manoeuvre_poses += to.attachments().size();
       return more;
     }
     if (!found.search.start_connected) {
       found.obstruction = Obstruction::kStart;
       const bool more = from.extend();
-      found.manoeuvre_poses += from.terminals().size();
+      found.manoeuvre_poses += from.attachments().size();
       return more;
     }
     found.obstruction = Obstruction::kBetween;
     // Who gets everywhere but to the goal is not helped by other ways to set out.
     const bool more_starts = !found.search.start_is_open && from.extend_far();
     const bool more_goals = to.extend_far();
-    found.manoeuvre_poses += from.terminals().size() + to.terminals().size();
+    found.manoeuvre_poses += from.attachments().size() + to.attachments().size();
     return more_starts || more_goals;
   };
 
@@ -116,7 +116,7 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
     found.obstruction = Obstruction::kPassage;
     return found;
   }
-  const SearchMap& narrow = places ? places->map(options.clock) : map;
+  const Roadmap& narrow = places ? places->map(options.clock) : map;
   const bool has_places = &narrow != &map;
   if (has_places && search(narrow, from, to)) return found;
   while (extend())
@@ -126,24 +126,24 @@ FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose
     End few_to(map, goal, Direction::kToGoal, std::min(max_poses, kFirstPoses), workspace.to, options.clock);
     if (found.obstruction != Obstruction::kGoal) few_from.extend();
     if (found.obstruction != Obstruction::kStart) few_to.extend();
-    found.manoeuvre_poses += few_from.terminals().size() + few_to.terminals().size();
+    found.manoeuvre_poses += few_from.attachments().size() + few_to.attachments().size();
     search(narrow, few_from, few_to);
   }
   return found;
 }
 
-FoundPath find_path_with_manoeuvres(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t poses,
+FoundPath find_path_with_manoeuvres(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
                                     const SearchOptions& options, FindWorkspace& workspace) {
-  const auto terminals = [&](const Pose& pose, Direction direction, ManoeuvreWorkspace& memory) {
+  const auto attachments = [&](const Pose& pose, Direction direction, ManoeuvreWorkspace& memory) {
     return find_manoeuvres(pose, direction, map.vehicle, map.radii[0], *map.queries.sweep, poses, Spread::kSparse,
                            memory, options.clock);
   };
-  const auto from = terminals(start, Direction::kFromStart, workspace.from);
-  const auto to = terminals(goal, Direction::kToGoal, workspace.to);
+  const auto from = attachments(start, Direction::kFromStart, workspace.from);
+  const auto to = attachments(goal, Direction::kToGoal, workspace.to);
   FoundPath found;
   found.search = search_arrivals(map, from, to, options, workspace.search);
   found.manoeuvre_poses = from.size() + to.size();
   return found;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -7,7 +7,7 @@
 #include "core/attach/narrow_places.h"
 #include "core/search/arrival_search.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// What stands in the way.
 enum class Obstruction {
@@ -38,14 +38,14 @@ struct FindWorkspace {
 /// @param places  of `map`; none: only the map itself is searched.
 /// @param max_poses  for the manoeuvres of each end, four times as many if sparse.
 /// @param no_passage  asked once, before the manoeuvres: whether it is known that there is no path at all.
-FoundPath find_path(const SearchMap& map, const NarrowPlaces* places, const Pose& start, const Pose& goal,
+FoundPath find_path(const Roadmap& map, const NarrowPlaces* places, const Pose& start, const Pose& goal,
                     std::size_t max_poses, const std::function<bool()>& no_passage, const SearchOptions& options,
                     FindWorkspace& workspace);
 
 /// The fastest path that may begin and end with a manoeuvre, out of a few sparse ones: faster than a path by single
 /// arcs where a pose faces away from its way and there is room to turn, but slower to find.
 /// @param poses  for the manoeuvres of each end.
-FoundPath find_path_with_manoeuvres(const SearchMap& map, const Pose& start, const Pose& goal, std::size_t poses,
+FoundPath find_path_with_manoeuvres(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
                                     const SearchOptions& options, FindWorkspace& workspace);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "arcway/angle.h"
 #include "core/base/hash_of.h"
-#include "core/geometry/angle.h"
 #include "core/search/tree_path.h"
 
-namespace arcway {
+namespace arcway::internal {
 
-ForwardTree::ForwardTree(const SearchMap& map, const Pose& root, Direction direction, const TreePass& pass,
+ForwardTree::ForwardTree(const Roadmap& map, const Pose& root, Direction direction, const TreePass& pass,
                          std::function<double(const Pose&)> remaining)
     : map_(&map),
       direction_(direction),
@@ -109,4 +109,4 @@ std::uint64_t ForwardTree::cell_of(const Pose& pose, int level) const {
   return hash_of(parts);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

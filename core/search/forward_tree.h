@@ -7,14 +7,14 @@
 #include <unordered_set>
 #include <vector>
 
-#include "core/attach/search_map.h"
-#include "core/attach/terminal_links.h"
+#include "arcway/path.h"
+#include "core/attach/roadmap.h"
+#include "core/attach/attachment_links.h"
 #include "core/collision/contact_reach.h"
-#include "core/model/path.h"
 #include "core/search/effort.h"
 #include "core/search/tree_open_list.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Poses that a vehicle which does not reverse reaches from a start, or from which it reaches a goal: a tree of lines
 /// and arcs of any radius, each as long as the room or a share of it. Where an obstacle ends motions early, the
@@ -36,7 +36,7 @@ class ForwardTree {
   /// @param map        must outlive the tree.
   /// @param pass       says how finely poses and curvatures are told apart.
   /// @param remaining  estimate of the way from a pose on, by which poses take their turn [m].
-  ForwardTree(const SearchMap& map, const Pose& root, Direction direction, const TreePass& pass,
+  ForwardTree(const Roadmap& map, const Pose& root, Direction direction, const TreePass& pass,
               std::function<double(const Pose&)> remaining);
 
   /// Adds the poses reached from the most promising one that had no turn yet; none if all had. O(edges near by).
@@ -72,7 +72,7 @@ class ForwardTree {
   [[nodiscard]] std::uint64_t cell_of(const Pose& pose, int level) const;
   [[nodiscard]] int level_of(const Pose& pose) const;
 
-  const SearchMap* map_;
+  const Roadmap* map_;
   Direction direction_;
   Gear gear_;  // in which the tree grows away from its root
   std::function<double(const Pose&)> remaining_;
@@ -89,4 +89,4 @@ class ForwardTree {
   TreeOpenList open_;  // by coarse cells
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -135,4 +135,4 @@ Eigen::VectorXd hinge_step(const LinearResiduals& residuals, const StepLimits& l
   return HingeStep(residuals, limits, damping).run(most_rounds);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Linear residuals of a step, each its value now and its gradient.
 struct LinearResiduals {
@@ -21,4 +21,4 @@ struct StepLimits {
 /// best. A part that has come to a limit stays there. Up to `most_rounds` solutions of the normal equations.
 Eigen::VectorXd hinge_step(const LinearResiduals& residuals, const StepLimits& limits, double damping, int most_rounds);
 
-}  // namespace arcway
+}  // namespace arcway::internal

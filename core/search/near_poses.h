@@ -6,11 +6,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "arcway/path.h"
+#include "arcway/vec2.h"
 #include "core/base/hash_of.h"
-#include "core/geometry/vec2.h"
-#include "core/model/path.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// A pose of a tree that is near another.
 struct NearPose {
@@ -56,4 +56,4 @@ class NearPoses {
   std::unordered_map<std::uint64_t, std::vector<Entry>> cells_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -118,7 +118,7 @@ void PathContacts::look_at(std::size_t i, const LineSegment& edge) {
 
 PathContacts::Step PathContacts::deepest(const PathSegment& motion, const LineSegment& edge, double low,
                                          double high) const {
-  const Step end = step_at(motion, high);
+  Step end = step_at(motion, high);
   const auto depth_at = [&](double at) { return depth(motion, step_at(motion, at), edge); };
   double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
   double at_a = depth_at(a), at_b = depth_at(b);
@@ -196,4 +196,4 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> PathContacts::end_gradients(const std::
   return by;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,13 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include "arcway/path.h"
+#include "arcway/vehicle.h"
 #include "core/model/outlines.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
 #include "core/search/body_contact.h"
 #include "core/search/hinge_step.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Where a body on a path touches edges of the world, and how deep, by the curvatures and the lengths of all motions.
 /// Lengths are in lengths of the body: part 2 i of a step is the change of the curvature of motion i, part 2 i + 1 that
@@ -74,4 +74,4 @@ class PathContacts {
   LinearResiduals residuals_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

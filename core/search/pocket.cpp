@@ -2,9 +2,9 @@
 
 #include <unordered_set>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 bool leads_to(const CircleTable& circles, double arrival, const Departure& departure) {
   const double reach = circles.reach(departure.circle, arrival);
@@ -28,4 +28,4 @@ std::optional<std::vector<Departure>> departures_towards(const CircleTable& circ
   return ends;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

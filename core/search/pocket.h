@@ -7,7 +7,7 @@
 
 #include "core/attach/circle_table.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Where a path leaves a circle of the graph.
 struct Departure {
@@ -25,4 +25,4 @@ bool leads_to(const CircleTable& circles, double arrival, const Departure& depar
 std::optional<std::vector<Departure>> departures_towards(const CircleTable& circles, std::vector<Departure> ends,
                                                          std::size_t most);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,13 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "arcway/angle.h"
+#include "arcway/visibility_graph.h"
 #include "core/attach/horizon.h"
 #include "core/base/prefetch.h"
-#include "core/geometry/angle.h"
 #include "core/geometry/predicates.h"
-#include "core/roadmap/visibility_graph.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -141,4 +142,4 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
   return std::numeric_limits<double>::infinity();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,17 +3,17 @@
 #include <cstdint>
 #include <memory>
 
+#include "arcway/stop_clock.h"
+#include "arcway/vec2.h"
+#include "arcway/visibility_query.h"
+#include "arcway/visibility_rows.h"
+#include "arcway/world.h"
 #include "core/attach/horizon.h"
 #include "core/base/huge_pages.h"
 #include "core/base/open_list.h"
-#include "core/base/stop_clock.h"
-#include "core/collision/visibility_query.h"
-#include "core/geometry/vec2.h"
 #include "core/model/outlines.h"
-#include "core/model/world.h"
-#include "core/roadmap/visibility_rows.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Shortest paths of a point among the obstacles: how far at least the reference point of any body drives that covers
 /// it. A point may touch obstacles and pass between two that touch.
@@ -73,4 +73,4 @@ class PointDistance {
   std::shared_ptr<const Outlines> outlines_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "core/collision/motion_free.h"
-#include "core/geometry/angle.h"
 #include "core/motion/biarc.h"
 #include "core/search/hinge_step.h"
 #include "core/search/path_contacts.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -169,11 +169,11 @@ class Pusher {
 
 }  // namespace
 
-std::optional<Path> push_free(const Path& path, const Pose& goal, const Footprint& body, const SearchMap& map,
+std::optional<Path> push_free(const Path& path, const Pose& goal, const Footprint& body, const Roadmap& map,
                               const StopClock& clock) {
   std::optional<Path> free = Pusher(path, goal, *map.outlines, body, map.vehicle.min_turning_radius()).run(clock);
   if (free && !motion_free(*map.queries.sweep, body, *free)) free.reset();
   return free;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

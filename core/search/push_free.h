@@ -2,12 +2,12 @@
 
 #include <optional>
 
-#include "core/attach/search_map.h"
-#include "core/base/stop_clock.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
+#include "arcway/path.h"
+#include "arcway/stop_clock.h"
+#include "arcway/vehicle.h"
+#include "core/attach/roadmap.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Bends a path of forward motions, in which a body lies a little over edges of the world, until it lies over none:
 /// the lengths and curvatures of all its arcs are those that least squares of the depths of all contacts ask for, found
@@ -17,7 +17,7 @@ namespace [[gnu::visibility("default")]] arcway {
 /// @param body   that the path is to be free for.
 /// @param clock  ends it, without a path.
 /// @returns nothing if contacts remain. Some tens of rounds, each O(steps x edges near by + contacts x parts^2).
-std::optional<Path> push_free(const Path& path, const Pose& goal, const Footprint& body, const SearchMap& map,
+std::optional<Path> push_free(const Path& path, const Pose& goal, const Footprint& body, const Roadmap& map,
                               const StopClock& clock);
 
-}  // namespace arcway
+}  // namespace arcway::internal

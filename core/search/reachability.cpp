@@ -5,11 +5,11 @@
 #include <span>
 #include <utility>
 
+#include "arcway/angle.h"
 #include "core/attach/circle_table.h"
 #include "core/attach/walk_links.h"
-#include "core/geometry/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -85,7 +85,7 @@ bool Reachability::start_leads_to(const std::vector<Departure>& pocket) {
     if (ends_->start_circles()[s].reach < 0.0) continue;
     const auto range = ends_->links_from(s);
     for (std::uint32_t i = range.first; i < range.last; ++i) {
-      const TerminalLink& link = ends_->start_link(i);
+      const AttachmentLink& link = ends_->start_link(i);
       for (std::uint32_t d = first.get(link.circle); d != kNone; d = next[d])
         if (leads_to(*context_->map.circles, link.line.start.heading, pocket[d]) && context_->is_free(link.line))
           return true;
@@ -147,4 +147,4 @@ bool Reachability::reaches_goal(const Arrival& arrival) {
   return false;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

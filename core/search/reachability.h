@@ -10,7 +10,7 @@
 #include "core/base/open_list.h"
 #include "core/search/pocket.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Finds out whether any path of the graph leads from the starts to the goals, without times and speeds: over all that
 /// the starts reach, nearest to the goal first, and where that is much, backwards out of the goal's pocket, if it is in
@@ -63,4 +63,4 @@ class Reachability {
   PerCircle first_arc_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

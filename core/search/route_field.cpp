@@ -6,10 +6,10 @@
 #include <limits>
 #include <span>
 
+#include "arcway/angle.h"
 #include "core/gaps/vehicle_gaps.h"
-#include "core/geometry/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -67,7 +67,7 @@ double longest_of(std::span<const float> lengths) {
 
 }  // namespace
 
-RouteField::RouteField(const SearchMap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
+RouteField::RouteField(const Roadmap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
                        const StopClock& clock)
     : frame_(frame), ahead_(direction_of(frame.heading)), to_(to) {
   lay_out(map, most_cells);
@@ -80,7 +80,7 @@ Vec2 RouteField::in_grid(const Vec2& p) const {
   return (Vec2(ahead_.dot(d), cross(ahead_, d)) - corner_) / size_;
 }
 
-void RouteField::lay_out(const SearchMap& map, std::size_t most_cells) {
+void RouteField::lay_out(const Roadmap& map, std::size_t most_cells) {
   Box box;
   const auto extend = [&](const Vec2& p) { box.extend(in_grid(p)); };
   for (std::uint32_t i = 0; i < map.outlines->size(); ++i)
@@ -98,7 +98,7 @@ void RouteField::lay_out(const SearchMap& map, std::size_t most_cells) {
   cells_.assign(static_cast<std::size_t>(width_ * height_), {kNever, 0});
 }
 
-void RouteField::add_walls(const SearchMap& map, const StopClock& clock) {
+void RouteField::add_walls(const Roadmap& map, const StopClock& clock) {
   StopTicker ticker(clock);
   for (std::uint32_t i = 0; i < map.outlines->size() && !ticker.is_over(); ++i) {
     const Outlines::Piece piece = (*map.outlines)[i];
@@ -270,4 +270,4 @@ double RouteField::operator()(const Pose& from) const {
   return std::isfinite(least) ? least * size_ : longest_with_turns_ + without_turns(from.position());
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/attach/search_map.h"
-#include "core/base/stop_clock.h"
-#include "core/model/path.h"
+#include "arcway/path.h"
+#include "arcway/stop_clock.h"
+#include "core/attach/roadmap.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Roughly how long the routes are from anywhere to a pose, round the obstacles and through none of the gaps that are
 /// too narrow for the body: Dijkstra over a grid whose steps cross neither an outline nor such a gap. At first of a
@@ -23,7 +23,7 @@ class RouteField {
   /// @param to     to which routes lead; its heading matters once turns do.
   /// @param most_cells  the grid has at most so many.
   /// @param clock  ends that: the rest of the grid has no routes then.
-  RouteField(const SearchMap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
+  RouteField(const Roadmap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
              const StopClock& clock = {});
 
   /// From now on routes turn with a radius. O(cells log cells), some ten times as long as the constructor takes.
@@ -39,8 +39,8 @@ class RouteField {
     std::uint8_t walls;  // steps that are blocked: 1 to the right, 2 up
   };
 
-  void lay_out(const SearchMap& map, std::size_t most_cells);
-  void add_walls(const SearchMap& map, const StopClock& clock);
+  void lay_out(const Roadmap& map, std::size_t most_cells);
+  void add_walls(const Roadmap& map, const StopClock& clock);
   void add_wall(const Vec2& a, const Vec2& b);
   void spread(const StopClock& clock);
   [[nodiscard]] double without_turns(const Vec2& from) const;
@@ -80,4 +80,4 @@ class RouteField {
   std::vector<Cell> cells_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

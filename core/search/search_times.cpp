@@ -2,16 +2,16 @@
 
 #include "core/motion/speed_profile.h"
 
-namespace arcway {
+namespace arcway::internal {
 
-void SearchTimes::begin(const SearchContext& context, bool goes_on) {
+void SearchTimes::begin(const SearchContext& context, bool warm_start) {
   context_ = &context;
   line_speed_ = context.vehicle.max_speed();
-  if (!goes_on) speeds_.reset(context.vehicle.max_acceleration(), context.options.time_model);
+  if (!warm_start) speeds_.reset(context.vehicle.max_acceleration(), context.options.time_model);
 }
 
-std::uint32_t SearchTimes::add_connection(const TerminalCircle& from) {
-  const Path& connection = context_->starts[from.terminal].connection;
+std::uint32_t SearchTimes::add_connection(const AttachmentCircle& from) {
+  const Path& connection = context_->starts[from.attachment].connection;
   std::uint32_t joint = 0;
   const Stretch circle{0.0, context_->vehicle.turn_speed(from.circle.radius), Gear::kForward};
   for (std::size_t i = 0; i < connection.size(); ++i)
@@ -31,12 +31,12 @@ SpeedTree::Joint SearchTimes::drive(std::uint32_t joint, double arc, double radi
   return speeds_.extend(departure, line, line_speed_, context_->vehicle.turn_speed(next_radius));
 }
 
-double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius, const TerminalLink& link,
-                                 const TerminalCircle& to) {
+double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius, const AttachmentLink& link,
+                                 const AttachmentCircle& to) {
   const std::size_t size = speeds_.size();
   joint = add_drive(joint, arc, radius, link.line.length, to.circle.radius);
   Stretch stretch{link.turn * to.circle.radius, context_->vehicle.turn_speed(to.circle.radius), Gear::kForward};
-  for (const PathSegment& segment : context_->goals[to.terminal].connection) {
+  for (const PathSegment& segment : context_->goals[to.attachment].connection) {
     const Stretch next = stretch_of(segment);
     joint = add_stretch(joint, stretch, next);
     stretch = next;
@@ -57,4 +57,4 @@ std::uint32_t SearchTimes::add_stretch(std::uint32_t joint, const Stretch& stret
   return speeds_.add_stop(speeds_.add(joint, stretch.length, stretch.limit, 0.0), context_->options.cusp_cost);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

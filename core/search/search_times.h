@@ -5,13 +5,13 @@
 #include "core/attach/search_context.h"
 #include "core/motion/speed_tree.h"
 
-namespace arcway {
+namespace arcway::internal {
 
-/// The times of the paths that a search tries: its tree of speeds, by arcs, lines and connections of terminals.
+/// The times of the paths that a search tries: its tree of speeds, by arcs, lines and connections of attachments.
 class SearchTimes {
  public:
   /// Forgets the search before, or goes on from it.
-  void begin(const SearchContext& context, bool goes_on);
+  void begin(const SearchContext& context, bool warm_start);
 
   void reserve(std::size_t joints) { speeds_.reserve(joints); }
   void warm_up(std::size_t joints) { speeds_.warm_up(joints); }
@@ -19,16 +19,16 @@ class SearchTimes {
   /// Forgets the joints added last.
   void truncate(std::size_t size) { speeds_.truncate(size); }
 
-  /// The joint at the end of a start terminal's connection, which leads to its circle.
-  std::uint32_t add_connection(const TerminalCircle& from);
+  /// The joint at the end of a start attachment's connection, which leads to its circle.
+  std::uint32_t add_connection(const AttachmentCircle& from);
   /// The joint behind an arc and the line after it, which leads to a circle of another radius.
   std::uint32_t add_drive(std::uint32_t joint, double arc, double radius, double line, double next_radius);
   /// What add_drive gives, not added to the tree.
   [[nodiscard]] SpeedTree::Joint drive(std::uint32_t joint, double arc, double radius, double line,
                                        double next_radius) const;
   /// The exact time of the whole path that goes on from a joint by an arc, a link to a goal's circle, and what follows.
-  double time_to_goal(std::uint32_t joint, double arc, double radius, const TerminalLink& link,
-                      const TerminalCircle& to);
+  double time_to_goal(std::uint32_t joint, double arc, double radius, const AttachmentLink& link,
+                      const AttachmentCircle& to);
 
  private:
   // What matters of a segment for the speeds.
@@ -45,4 +45,4 @@ class SearchTimes {
   SpeedTree speeds_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,7 +6,7 @@
 
 #include "core/base/open_list.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Nodes of a tree that wait for their turn, the most promising one first. Each turn of a node makes those of the same
 /// place promise less, so that a tree does not stay where it got nowhere.
@@ -50,4 +50,4 @@ class TreeOpenList {
   std::unordered_map<std::uint64_t, std::uint32_t> visits_;  // by place
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/model/path.h"
+#include "arcway/path.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// The motions between a node of a tree and its root, which is node 0, that of the node first. O(depth).
 /// @param nodes  each with a `motion` and the index of its `parent`.
@@ -33,4 +33,4 @@ Path path_to_root(const std::vector<Node>& nodes, std::uint32_t node) {
   return path;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

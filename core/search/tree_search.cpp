@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "core/collision/motion_free.h"
-#include "core/geometry/angle.h"
 #include "core/motion/biarc.h"
 #include "core/motion/dubins.h"
 #include "core/search/effort.h"
@@ -17,13 +17,13 @@
 #include "core/search/route_field.h"
 #include "core/search/way_out.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
 class TreeSearch {
  public:
-  TreeSearch(const SearchMap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
+  TreeSearch(const Roadmap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
              const SearchOptions& options, SearchWorkspace& workspace, FoundPath& found, TreesEnd& end)
       : map_(map),
         roots_{start, goal},
@@ -56,7 +56,7 @@ class TreeSearch {
   struct Side {
     ForwardTree tree;
     NearPoses near;
-    std::vector<std::uint32_t> terminals;
+    std::vector<std::uint32_t> attachments;
     std::unordered_map<std::uint32_t, bool> is_free;  // of the motions that end at nodes, as far as was asked
   };
 
@@ -209,8 +209,8 @@ class TreeSearch {
   }
 
   void add_terminal(Side& side, std::uint32_t node) {
-    if (node == ForwardTree::kRoot || side.terminals.size() >= kTreeJoints.terminals) return;
-    side.terminals.push_back(node);
+    if (node == ForwardTree::kRoot || side.attachments.size() >= kTreeJoints.attachments) return;
+    side.attachments.push_back(node);
   }
 
   // Whether the way between a node and the root is free; many share their motions.
@@ -224,17 +224,17 @@ class TreeSearch {
   }
 
   void join_roadmap(std::array<Side, 2>& sides) {
-    const std::size_t terminal_count = sides[0].terminals.size() + sides[1].terminals.size();
+    const std::size_t terminal_count = sides[0].attachments.size() + sides[1].attachments.size();
     if (std::exchange(terminals_joined_, terminal_count) == terminal_count) return;
-    const auto terminals = [&](std::size_t i) {
-      std::vector<Terminal> found{{roots_[i], {}}};
-      for (const std::uint32_t node : sides[i].terminals) {
+    const auto attachments = [&](std::size_t i) {
+      std::vector<Attachment> found{{roots_[i], {}}};
+      for (const std::uint32_t node : sides[i].attachments) {
         if (options_.interrupted()) break;
         if (is_connected(sides[i], node)) found.push_back({sides[i].tree[node].pose, sides[i].tree.connection(node)});
       }
       return found;
     };
-    const std::vector<Terminal> starts = terminals(0), goals = terminals(1);
+    const std::vector<Attachment> starts = attachments(0), goals = attachments(1);
     SearchResult joined = search_arrivals(map_, starts, goals, options_, workspace_);
     result_.nodes_expanded += joined.nodes_expanded;
     result_.nodes_pushed += joined.nodes_pushed;
@@ -244,7 +244,7 @@ class TreeSearch {
     if (joined.path) take_path(std::move(*joined.path));
   }
 
-  const SearchMap& map_;
+  const Roadmap& map_;
   std::array<Pose, 2> roots_;
   TreeLimits limits_;
   const SearchOptions& options_;
@@ -262,11 +262,11 @@ class TreeSearch {
 
 }  // namespace
 
-FoundPath search_trees(const SearchMap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
+FoundPath search_trees(const Roadmap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
                        const SearchOptions& options, SearchWorkspace& workspace, TreesEnd& end) {
   FoundPath found;
   TreeSearch(map, start, goal, limits, options, workspace, found, end).run();
   return found;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

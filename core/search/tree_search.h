@@ -4,12 +4,12 @@
 #include <functional>
 #include <optional>
 
-#include "core/model/path.h"
+#include "arcway/path.h"
 #include "core/search/effort.h"
 #include "core/search/find_path.h"
 #include "core/search/way_out.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// What a search by trees may take.
 struct TreeLimits {
@@ -40,7 +40,7 @@ struct TreesEnd {
 /// that no path proves nothing. Deterministic unless interrupted. The path is as free as any, but by no means the
 /// fastest.
 /// @param end  is told how the trees were left.
-FoundPath search_trees(const SearchMap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
+FoundPath search_trees(const Roadmap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
                        const SearchOptions& options, SearchWorkspace& workspace, TreesEnd& end);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,7 +5,7 @@
 #include "core/search/effort.h"
 #include "core/search/forward_tree.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -17,7 +17,7 @@ struct Growth {
 };
 
 // Grows a tree outwards: poses far from the root take their turns first.
-Growth grow(const SearchMap& map, const Pose& root, Direction direction, const TreePass& pass, std::size_t most,
+Growth grow(const Roadmap& map, const Pose& root, Direction direction, const TreePass& pass, std::size_t most,
             const StopClock& clock) {
   const double pocket = pocket_radius(map);
   ForwardTree tree(map, root, direction, pass, [&](const Pose& pose) {
@@ -33,11 +33,11 @@ Growth grow(const SearchMap& map, const Pose& root, Direction direction, const T
 
 }  // namespace
 
-double pocket_radius(const SearchMap& map) {
+double pocket_radius(const Roadmap& map) {
   return kWayOut.pocket * std::max(map.vehicle.min_turning_radius(), map.body.front + map.body.rear);
 }
 
-WayOut look_for_way_out(const SearchMap& map, const Pose& root, Direction direction, const StopClock& clock) {
+WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const StopClock& clock) {
   const Growth coarse = grow(map, root, direction, kWayOut.coarse, kWayOut.poses, clock);
   if (coarse.end != End::kDry) return {Surroundings::kOpen, coarse.poses};
   if (coarse.poses > kWayOut.small) return {Surroundings::kPocket, coarse.poses};
@@ -46,4 +46,4 @@ WayOut look_for_way_out(const SearchMap& map, const Pose& root, Direction direct
   return {fine.end == End::kDry ? Surroundings::kClosed : Surroundings::kOpen, coarse.poses + fine.poses};
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

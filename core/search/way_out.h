@@ -2,11 +2,11 @@
 
 #include <cstddef>
 
-#include "core/attach/search_map.h"
-#include "core/attach/terminal_links.h"
-#include "core/base/stop_clock.h"
+#include "arcway/stop_clock.h"
+#include "core/attach/roadmap.h"
+#include "core/attach/attachment_links.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// What forward motions from a start, or to a goal, find in its neighborhood.
 enum class Surroundings {
@@ -21,12 +21,12 @@ struct WayOut {
 };
 
 /// How far a tree stays from its root at most that does not lead away from it [m].
-double pocket_radius(const SearchMap& map);
+double pocket_radius(const Roadmap& map);
 
 /// Grows a tree of forward motions from one end alone until it leaves the neighborhood or finds no more poses. This is
 /// far cheaper than growing trees from both ends with an estimate of the way between them. It proves nothing.
 /// Deterministic unless stopped.
 /// @param clock  ends the search, as if there were a way out.
-WayOut look_for_way_out(const SearchMap& map, const Pose& root, Direction direction, const StopClock& clock);
+WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const StopClock& clock);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/tasks/alternatives.h"
+#include "arcway/alternatives.h"
 
 #include <algorithm>
 #include <array>
@@ -9,15 +9,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/base/stop_clock.h"
+#include "arcway/angle.h"
+#include "arcway/stop_clock.h"
 #include "core/collision/memoized_sweep.h"
 #include "core/collision/walled_sweep.h"
-#include "core/geometry/angle.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
 #include "core/motion/speed_profile.h"
+#include "core/refine/refine_path.h"
 
 namespace arcway {
+
+using namespace internal;
 
 namespace {
 

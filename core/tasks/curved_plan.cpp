@@ -1,4 +1,4 @@
-#include "core/tasks/curved_plan.h"
+#include "arcway/curved_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,8 @@
 #include "core/planner/no_path.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -21,7 +23,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // among the curves when it is grown by 9/16 of it is free among such rings.
 constexpr double kFinestShare = 1.0 / 16.0;
 
-// Poses along the path, no two neighbours farther apart.
+// Poses along the path, no two neighbors farther apart.
 std::vector<Vec2> samples_of(const PlanResult& result, double spacing) {
   std::vector<Vec2> samples;
   for (const TimedSegment& timed : result.segments) {

@@ -1,10 +1,12 @@
-#include "core/tasks/plan_batch.h"
+#include "arcway/plan_batch.h"
 
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 namespace arcway {
+
+using namespace internal;
 
 std::vector<PlanResult> plan_batch(const Planner& planner, std::span<const PlanRequest> requests,
                                    const Executor& executor, const BatchOptions& options) {

@@ -1,4 +1,4 @@
-#include "core/tasks/tour.h"
+#include "arcway/tour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "arcway/angle.h"
 #include "core/base/stopwatch.h"
-#include "core/geometry/angle.h"
 #include "core/model/pose_text.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_bound.h"
@@ -17,6 +17,8 @@
 #include "core/planner/planner_inputs.h"
 
 namespace arcway {
+
+using namespace internal;
 
 namespace {
 
@@ -167,11 +169,11 @@ class TourPlanner {
     rename("the start " + shortest_text(leg.start), name_of(from, stages_.size() - 2));
     rename("the goal " + shortest_text(leg.goal), name_of(to, stages_.size() - 1));
     if (is_on_the_way(stages_.size() - 2) && leg.status == PlanStatus::kStartBlocked)
-      leg.status = PlanStatus::kPlaceBlocked;
+      leg.status = PlanStatus::kWaypointBlocked;
     if (is_on_the_way(stages_.size() - 1)) {
-      if (leg.status == PlanStatus::kGoalInCollision) leg.status = PlanStatus::kPlaceInCollision;
-      if (leg.status == PlanStatus::kGoalOutsideBounds) leg.status = PlanStatus::kPlaceOutsideBounds;
-      if (leg.status == PlanStatus::kGoalBlocked) leg.status = PlanStatus::kPlaceBlocked;
+      if (leg.status == PlanStatus::kGoalInCollision) leg.status = PlanStatus::kWaypointInCollision;
+      if (leg.status == PlanStatus::kGoalOutsideBounds) leg.status = PlanStatus::kWaypointOutsideBounds;
+      if (leg.status == PlanStatus::kGoalBlocked) leg.status = PlanStatus::kWaypointBlocked;
       leg.goal = first_goal();
     }
     // Another pose may have a path.
@@ -188,7 +190,7 @@ class TourPlanner {
     if (stage == 0) return "the start " + shortest_text(stop.pose);
     const bool on_the_way = is_on_the_way(stage);
     const Place& place = on_the_way ? request_.via[stage - 1] : request_.goals[stop.place];
-    return (on_the_way ? "the place on the way " : "the goal ") +
+    return (on_the_way ? "the waypoint " : "the goal ") +
            (place.heading ? shortest_text(stop.pose) : shortest_text(place.position));
   }
 
@@ -350,7 +352,7 @@ void require_places(const std::string& name, std::span<const Place> places, cons
 
 Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits) {
   if (request.goals.empty()) throw std::invalid_argument("tour: no goal");
-  require_places("place on the way", request.via, planner.vehicle());
+  require_places("waypoint", request.via, planner.vehicle());
   require_places("goal", request.goals, planner.vehicle());
   return TourPlanner(planner, request, limits).run();
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace arcway {
+namespace arcway::internal {
 
 namespace {
 
@@ -72,4 +72,4 @@ void EdgeGrid::visit_cells(const LineSegment& edge, Visit&& visit) const {
   }
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "arcway/vec2.h"
+#include "arcway/world.h"
 #include "core/base/huge_pages.h"
-#include "core/geometry/vec2.h"
-#include "core/model/world.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// The edges of a world by place, for the validator, which shares no tree with the planner: cells of one size, two
 /// edges each if they lie all over the map. An edge is listed in each cell that it passes. Where these lists would take
@@ -70,4 +70,4 @@ class EdgeGrid {
   HugeVector<VertexId> long_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

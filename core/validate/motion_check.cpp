@@ -8,7 +8,7 @@
 #include <queue>
 #include <utility>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -114,7 +114,7 @@ MotionCheck::MotionCheck(const World& world, const EdgeGrid& grid, const Vehicle
     : world_(world), grid_(grid), upper_(kInfinity), lower_(kInfinity) {
   const VehicleParameters& p = vehicle.parameters();
   const double shift = p.steering == Steering::kSymmetric ? 0.0 : 0.5 * p.wheelbase;
-  const double ahead = p.steering == Steering::kRear ? -shift : shift;  // from F to the body's centre
+  const double ahead = p.steering == Steering::kRear ? -shift : shift;  // from F to the body's center
   body_ = {ahead - 0.5 * p.length, ahead + 0.5 * p.length, -0.5 * p.width, 0.5 * p.width};
   reach_ = std::hypot(std::max(std::abs(body_.x0), std::abs(body_.x1)), body_.y1);
   if (!world.box().empty())
@@ -245,9 +245,9 @@ void MotionCheck::check_line(const PathSegment& line, std::vector<Hit>& hits) {
   });
 }
 
-/// The furthest that any body point travels along the arc, for each metre of F: the corner that is furthest from the
-/// rotation centre, which lies 1 / curvature to the left of F.
-double MotionCheck::travel_per_metre(double curvature) const {
+/// The furthest that any body point travels along the arc, for each meter of F: the corner that is furthest from the
+/// rotation center, which lies 1 / curvature to the left of F.
+double MotionCheck::travel_per_meter(double curvature) const {
   double most = 0.0;
   for (const double x : {body_.x0, body_.x1})
     for (const double y : {body_.y0, body_.y1}) most = std::max(most, std::hypot(curvature * x, 1.0 - curvature * y));
@@ -256,7 +256,7 @@ double MotionCheck::travel_per_metre(double curvature) const {
 
 /// The edge during an interval of an arc: lowers the upper bound, gives the lower one.
 /// First order: no body point moves further than `travel` from its place at the middle. Second order: seen from the
-/// body the edge's ends move on arcs about the rotation centre, so that the edge keeps to the hull of its two extreme
+/// body the edge's ends move on arcs about the rotation center, so that the edge keeps to the hull of its two extreme
 /// places, grown by those arcs' height. Boxes around these places decide most of it.
 double MotionCheck::bound(double curvature, const Interval& interval, double travel, bool& contact) {
   const auto& [before, middle, after] = std::tie(interval.before, interval.middle, interval.after);
@@ -286,7 +286,7 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
   const Vec2 margin = Vec2::Constant(0.5 * length + reach_);
   // Long intervals of little turn and short ones of much turn are told apart by what the body sweeps, not by what F
   // does.
-  const double swing = travel_per_metre(arc.curvature);
+  const double swing = travel_per_meter(arc.curvature);
   const double curvature = std::abs(arc.curvature);
   const auto seen_at = [&](double s, VertexId e) { return Frame(arc.at(s))(world_.edges()[e]); };
   std::priority_queue<Interval> queue;
@@ -328,4 +328,4 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
   }
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

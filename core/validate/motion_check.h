@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
-#include "core/model/world.h"
+#include "arcway/path.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
 #include "core/validate/edge_grid.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 /// Collision and clearance of a motion for the validator, segment by segment. Lines: by the rectangle that they sweep;
 /// arcs: bisected until bounds on the distance between body and edges prove them free. Shares no decision with the
@@ -58,7 +58,7 @@ class MotionCheck {
   void for_near(const Box& swept, const Visit& visit) const;
   void add_hit(std::vector<Hit>& hits, const Hit& hit) const;
   void check_line(const PathSegment& line, std::vector<Hit>& hits);
-  [[nodiscard]] double travel_per_metre(double curvature) const;
+  [[nodiscard]] double travel_per_meter(double curvature) const;
   double bound(double curvature, const Interval& interval, double travel, bool& contact);
   [[nodiscard]] bool proved(double lower) const;
   void check_arc(const PathSegment& arc, std::vector<Hit>& hits);
@@ -76,4 +76,4 @@ class MotionCheck {
   double lower_;  ///< a proved bound so far
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

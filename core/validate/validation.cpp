@@ -1,4 +1,4 @@
-#include "core/validate/validation.h"
+#include "arcway/validation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,8 @@
 #include "core/validate/motion_check.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 double heading_difference(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi)); }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 // The ellipsoid WGS 84: half axis [m] and square of the eccentricity, f (2 - f) of the flattening 1 / 298.257223563.
@@ -61,4 +61,4 @@ double AzimuthalPlane::stretch(double distance) {
   return share * share / 6.0;
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/geometry/vec2.h"
+#include "arcway/vec2.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// The plane that touches the WGS 84 ellipsoid at a position: azimuthal equidistant projection, x to the east, y to the
 /// north [m].
@@ -35,4 +35,4 @@ class AzimuthalPlane {
   double curvature_radius_;  // mean, at the middle [m]
 };
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

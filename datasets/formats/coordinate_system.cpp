@@ -7,12 +7,12 @@
 #include <optional>
 #include <ranges>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "datasets/formats/epsg_codes.h"
 #include "datasets/io/lowercase.h"
 #include "datasets/io/number_text.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 constexpr double kEquatorRadius = 6378137.0;  // of Web Mercator's sphere [m]
@@ -70,7 +70,7 @@ std::optional<CoordinateUnit> mercator_of(std::string_view text) {
   return std::nullopt;
 }
 
-// WKT: the last unit is that of the axes. {"LENGTHUNIT["metre",1]"} is 1.
+// WKT: the last unit is that of the axes. {"LENGTHUNIT["meter",1]"} is 1.
 CoordinateUnit unit_of_planar_wkt(std::string_view wkt) {
   const std::size_t unit = wkt.rfind("unit[");
   if (unit == std::string_view::npos) return CoordinateUnit::kMeters;
@@ -113,7 +113,7 @@ CoordinateUnit unit_of_name(std::string_view text) {
   for (const char c : text)
     if (is_digit(c) || (c >= 'a' && c <= 'z')) plain += c;
   for (const std::string_view local :
-       {"local", "planar", "map", "engineering", "cartesian", "meter", "meters", "metre", "metres", "m"})
+       {"local", "planar", "map", "engineering", "cartesian", "meter", "meters", "meter", "meters", "m"})
     if (plain == local) return CoordinateUnit::kMeters;
   for (const std::string_view datum : {"crs84",
                                        "crs83",
@@ -178,4 +178,4 @@ double web_mercator_latitude(double y) { return std::atan(std::sinh(y / kEquator
 double web_mercator_longitude(double x) { return x / kEquatorRadius * 180.0 / kPi; }
 double mercator_scale(double y) { return std::cosh(y / kEquatorRadius); }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

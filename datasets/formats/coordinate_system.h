@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// What the numbers of a named coordinate reference system are.
 enum class CoordinateUnit {
@@ -30,4 +30,4 @@ double web_mercator_latitude(double y);
 /// Longitude of an easting of Web Mercator [degrees].
 double web_mercator_longitude(double x);
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -1,4 +1,4 @@
-#include "datasets/formats/detect_format.h"
+#include "arcway/datasets/detect_format.h"
 
 #include <algorithm>
 #include <array>
@@ -7,14 +7,16 @@
 #include <utility>
 #include <vector>
 
-#include "datasets/formats/prepared_map.h"
+#include "arcway/datasets/file_io.h"
+#include "arcway/datasets/prepared_map.h"
+#include "arcway/datasets/wkt.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vertex_list.h"
-#include "datasets/formats/wkt.h"
-#include "datasets/io/file_io.h"
 #include "datasets/io/number_text.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 using detail::split_at_blanks;

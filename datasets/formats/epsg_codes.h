@@ -3,7 +3,7 @@
 // Private to datasets/*.cpp: which codes of the EPSG registry (version 10.076 of 2022) are not planar meters.
 // Between the codes of a range lies no code of another class.
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 struct EpsgRange {
   int first, last;
@@ -104,4 +104,4 @@ inline constexpr int kStretchedCodes[] = {2934, 3000, 3001, 3002, 3349, 3388, 34
 
 // clang-format on
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

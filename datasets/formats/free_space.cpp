@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "arcway/datasets/repair.h"
 #include "datasets/formats/vector_map.h"
-#include "datasets/map/repair.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 Ring box_ring(const Box& box, double growth) {
@@ -67,4 +67,4 @@ void VectorMapBuilder::enclose_free_space() {
   map_.bounds_place = "around the free space";
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -1,4 +1,4 @@
-#include "datasets/formats/geojson.h"
+#include "arcway/datasets/geojson.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,11 +8,14 @@
 #include <string>
 #include <utility>
 
+#include "datasets/formats/vector_map.h"
 #include "datasets/io/json_text.h"
 #include "datasets/io/lowercase.h"
 #include "datasets/io/nearest_word.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 using detail::shown;

@@ -1,9 +1,12 @@
 #include <utility>
 
-#include "datasets/formats/geojson.h"
+#include "arcway/datasets/geojson.h"
 #include "datasets/io/json_text.h"
 
 namespace arcway {
+
+using namespace internal;
+
 namespace {
 
 void append_ring(std::string& out, const Ring& ring) {

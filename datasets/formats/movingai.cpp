@@ -4,14 +4,14 @@
 #include <charconv>
 #include <optional>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/file_io.h"
 #include "datasets/formats/text_scanner.h"
-#include "datasets/io/file_io.h"
 #include "datasets/io/number_text.h"
 #include "datasets/io/random.h"
 #include "datasets/io/shortened.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using detail::quoted;
@@ -205,4 +205,4 @@ TaskHeadings draw_headings(std::uint64_t seed, std::size_t task) {
   return {wrap_signed(start), wrap_signed(random.uniform(-kPi, kPi))};
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "datasets/grid/occupancy_grid.h"
+#include "arcway/datasets/occupancy_grid.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Reads a map of the MovingAI benchmarks: `type octile`, height and width in either order, `map`, then rows from the
 /// top. The header may be `height,width` and lines of other counts, or missing. `.` and `G` are free, `S` and other
-/// letters if the options say so; `@`, `#`, `O`, `T`, `W` are occupied. One cell is one metre unless the options say
+/// letters if the options say so; `@`, `#`, `O`, `T`, `W` are occupied. One cell is one meter unless the options say
 /// otherwise.
 /// @param name  of the source, for messages.
 /// @throws FormatError, "a.map: line 7, column 3: unknown cell "x"".
@@ -36,4 +36,4 @@ struct TaskHeadings {
 };
 TaskHeadings draw_headings(std::uint64_t seed, std::size_t task);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,22 +2,22 @@
 #include <charconv>
 #include <string>
 
-#include "datasets/formats/grey_image.h"
+#include "arcway/datasets/file_io.h"
+#include "datasets/formats/gray_image.h"
 #include "datasets/formats/text_scanner.h"
-#include "datasets/io/file_io.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 class Reader {
  public:
   Reader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
 
-  GreyImage read(std::size_t max_pixels) {
+  GrayImage read(std::size_t max_pixels) {
     if (!bytes_.starts_with("P2") && !bytes_.starts_with("P5")) fail("expected PGM, which begins with P2 or P5");
     const bool binary = bytes_[1] == '5';
     at_ = 2;
-    GreyImage image;
+    GrayImage image;
     image.width = number("the width", 1, SIZE_MAX);
     image.height = number("the height", 1, SIZE_MAX);
     image.max_value = static_cast<std::uint32_t>(number("the largest value", 1, 65535));
@@ -65,7 +65,7 @@ class Reader {
     return value;
   }
 
-  void read_bytes(GreyImage& image, std::size_t pixels) {
+  void read_bytes(GrayImage& image, std::size_t pixels) {
     if (at_ == bytes_.size() || !is_space(bytes_[at_])) fail("expected one blank before the pixels");
     ++at_;
     const std::size_t size = image.max_value < 256 ? 1 : 2;
@@ -79,14 +79,14 @@ class Reader {
     }
   }
 
-  void read_text(GreyImage& image, std::size_t pixels) {
+  void read_text(GrayImage& image, std::size_t pixels) {
     // A pixel takes a digit and a blank: the text, not the header, says how much memory it takes.
     image.samples.reserve(std::min(pixels, bytes_.size() / 2 + 1));
     for (std::size_t i = 0; i < pixels; ++i)
       add(image, static_cast<std::uint32_t>(number("a pixel", 0, image.max_value)));
   }
 
-  void add(GreyImage& image, std::uint32_t value) {
+  void add(GrayImage& image, std::uint32_t value) {
     if (value > image.max_value)
       fail("pixel is " + std::to_string(value) + ", the largest value is " + std::to_string(image.max_value));
     image.samples.push_back(static_cast<std::uint16_t>(value));
@@ -99,8 +99,8 @@ class Reader {
 
 }  // namespace
 
-GreyImage read_pgm(std::string_view bytes, std::string_view name, std::size_t max_pixels) {
+GrayImage read_pgm(std::string_view bytes, std::string_view name, std::size_t max_pixels) {
   return Reader(bytes, name).read(max_pixels);
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

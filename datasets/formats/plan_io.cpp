@@ -1,16 +1,18 @@
-#include "datasets/formats/plan_io.h"
+#include "arcway/datasets/plan_io.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "arcway/angle.h"
+#include "arcway/datasets/robot.h"
 #include "core/base/shortest_text.h"
-#include "core/geometry/angle.h"
 #include "core/motion/speed_profile.h"
-#include "datasets/formats/robot.h"
 #include "datasets/io/json_text.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 using detail::append_number;

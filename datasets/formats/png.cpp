@@ -4,10 +4,10 @@
 #include <cstring>
 #include <string>
 
-#include "datasets/formats/grey_image.h"
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
+#include "datasets/formats/gray_image.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // libpng reports errors by longjmp, which must not pass over destructors: what is allocated lives in Decoder, outside
@@ -32,12 +32,12 @@ class Decoder {
 
   [[nodiscard]] std::string message() const { return message_; }
 
-  [[nodiscard]] GreyImage image() const {
+  [[nodiscard]] GrayImage image() const {
     const std::size_t sample_bytes = depth_ / 8;
     const auto sample = [&](const png_byte* at) {
       return static_cast<std::uint16_t>(sample_bytes == 1 ? at[0] : (at[0] << 8) | at[1]);
     };
-    GreyImage image;
+    GrayImage image;
     image.width = width_;
     image.height = height_;
     image.max_value = depth_ == 8 ? 255 : 65535;
@@ -101,10 +101,10 @@ class Decoder {
 
 }  // namespace
 
-GreyImage read_png(std::string_view bytes, std::string_view name, std::size_t max_pixels) {
+GrayImage read_png(std::string_view bytes, std::string_view name, std::size_t max_pixels) {
   Decoder decoder(bytes, max_pixels);
   if (!decoder.decode()) throw FormatError(std::string(name) + ": PNG: " + decoder.message());
   return decoder.image();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

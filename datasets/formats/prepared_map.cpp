@@ -1,4 +1,4 @@
-#include "datasets/formats/prepared_map.h"
+#include "arcway/datasets/prepared_map.h"
 
 #include <zlib.h>
 
@@ -11,9 +11,12 @@
 #include <type_traits>
 #include <vector>
 
-#include "datasets/formats/robot.h"
+#include "arcway/datasets/robot.h"
+#include "core/roadmap/feasible_graph.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "files hold numbers as memory does, lowest byte first");

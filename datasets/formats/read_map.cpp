@@ -1,26 +1,28 @@
-#include "datasets/formats/read_map.h"
+#include "arcway/datasets/read_map.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
+#include "arcway/datasets/file_io.h"
+#include "arcway/datasets/geojson.h"
+#include "arcway/datasets/prepared_map.h"
+#include "arcway/datasets/wkt.h"
 #include "core/base/shortest_text.h"
-#include "datasets/formats/geojson.h"
-#include "datasets/formats/grey_image.h"
+#include "datasets/formats/gray_image.h"
 #include "datasets/formats/movingai.h"
-#include "datasets/formats/prepared_map.h"
 #include "datasets/formats/ros_map.h"
 #include "datasets/formats/svg_world.h"
 #include "datasets/formats/text_polygons.h"
 #include "datasets/formats/tpcap.h"
 #include "datasets/formats/vertex_list.h"
-#include "datasets/formats/wkt.h"
 #include "datasets/grid/grid_map.h"
-#include "datasets/io/file_io.h"
 #include "datasets/io/gzip.h"
 #include "datasets/io/shortened.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,7 +51,7 @@ fs::path find_beside(const fs::path& path, const std::string& named) {
                   shortened(fs::path(slashed).filename().string()) + " beside it");
 }
 
-GreyImage read_image(std::string_view bytes, const fs::path& path, const GridOptions& options) {
+GrayImage read_image(std::string_view bytes, const fs::path& path, const GridOptions& options) {
   switch (detect_format(bytes, path.string())) {
     case MapFormat::kPgm:
       return read_pgm(bytes, path.string(), options.max_cells);
@@ -60,7 +62,7 @@ GreyImage read_image(std::string_view bytes, const fs::path& path, const GridOpt
   }
 }
 
-MapFile read_grid_map(const RosMap& map, const GreyImage& image, const fs::path& path, const GridOptions& options) {
+MapFile read_grid_map(const RosMap& map, const GrayImage& image, const fs::path& path, const GridOptions& options) {
   std::vector<std::string> warnings;
   const OccupancyGrid grid = to_grid(map, image, path.string(), warnings);
   MapFile result = to_map_file(grid, options);

@@ -1,10 +1,12 @@
-#include "datasets/formats/robot.h"
+#include "arcway/datasets/robot.h"
 
 #include <set>
 
 #include "datasets/io/json_text.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 using detail::JsonPlace;

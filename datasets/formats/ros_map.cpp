@@ -7,14 +7,14 @@
 #include <cmath>
 #include <optional>
 
+#include "arcway/datasets/file_io.h"
 #include "core/base/shortest_text.h"
 #include "datasets/formats/text_scanner.h"
-#include "datasets/io/file_io.h"
 #include "datasets/io/nearest_word.h"
 #include "datasets/io/number_text.h"
 #include "datasets/io/shortened.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr std::size_t kLargestFile = 1 << 16;  // a map has ten lines
@@ -140,12 +140,12 @@ RosMap read_ros_map(std::string_view yaml, std::string_view name) {
   }
 }
 
-OccupancyGrid to_grid(const RosMap& map, const GreyImage& image, std::string_view name,
+OccupancyGrid to_grid(const RosMap& map, const GrayImage& image, std::string_view name,
                       std::vector<std::string>& warnings) {
-  // One decision for each value of grey.
+  // One decision for each value of gray.
   std::vector<Cell> cells(image.max_value + 1);
-  for (std::uint32_t grey = 0; grey <= image.max_value; ++grey)
-    cells[grey] = cell_of(map, static_cast<double>(grey) / image.max_value);
+  for (std::uint32_t gray = 0; gray <= image.max_value; ++gray)
+    cells[gray] = cell_of(map, static_cast<double>(gray) / image.max_value);
 
   OccupancyGrid grid;
   grid.width = image.width;
@@ -159,11 +159,11 @@ OccupancyGrid to_grid(const RosMap& map, const GreyImage& image, std::string_vie
   }
   flip_rows(grid);
 
-  constexpr std::uint16_t kUnknownGrey = 205;  // as the savers write it
-  if (map.mode != RosMap::Mode::kRaw && image.max_value == 255 && cells[kUnknownGrey] == Cell::kFree &&
-      std::find(image.samples.begin(), image.samples.end(), kUnknownGrey) != image.samples.end())
+  constexpr std::uint16_t kUnknownGray = 205;  // as the savers write it
+  if (map.mode != RosMap::Mode::kRaw && image.max_value == 255 && cells[kUnknownGray] == Cell::kFree &&
+      std::find(image.samples.begin(), image.samples.end(), kUnknownGray) != image.samples.end())
     warnings.push_back(std::string(name) +
-                       ": grey 205, by which maps mark the unknown, reads as free with free_thresh " +
+                       ": gray 205, by which maps mark the unknown, reads as free with free_thresh " +
                        shortest_text(map.free_thresh) + "; 0.196 keeps it unknown");
   for (const std::string& key : map.unread_keys) {
     const std::string_view nearest = nearest_word(key, kKeys);
@@ -176,4 +176,4 @@ OccupancyGrid to_grid(const RosMap& map, const GreyImage& image, std::string_vie
   return grid;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

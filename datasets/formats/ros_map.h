@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/path.h"
-#include "datasets/formats/grey_image.h"
-#include "datasets/grid/occupancy_grid.h"
+#include "arcway/datasets/occupancy_grid.h"
+#include "arcway/path.h"
+#include "datasets/formats/gray_image.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// What the YAML file of ROS's map_server says of an image.
 struct RosMap {
@@ -25,13 +25,13 @@ struct RosMap {
 /// @throws FormatError, "map.yaml: line 3: resolution: expected a number above 0, found "x"".
 RosMap read_ros_map(std::string_view yaml, std::string_view name);
 
-/// Cells of an image, as the present map_server reads them. With occ = 1 - grey / white, or grey / white if
+/// Cells of an image, as the present map_server reads them. With occ = 1 - gray / white, or gray / white if
 /// negated: occupied from occupied_thresh on, free up to free_thresh, unknown between (in mode scale as well) and where
-/// the image is transparent. In mode raw the grey of 255 is the occupancy in percent: 0 is free, 100 occupied, all else
+/// the image is transparent. In mode raw the gray of 255 is the occupancy in percent: 0 is free, 100 occupied, all else
 /// unknown.
 /// @param name      of the map, for warnings.
-/// @param warnings  is added to if unknown grey (205 of 255) reads as free or the map is turned.
-OccupancyGrid to_grid(const RosMap& map, const GreyImage& image, std::string_view name,
+/// @param warnings  is added to if unknown gray (205 of 255) reads as free or the map is turned.
+OccupancyGrid to_grid(const RosMap& map, const GrayImage& image, std::string_view name,
                       std::vector<std::string>& warnings);
 
-}  // namespace arcway
+}  // namespace arcway::internal

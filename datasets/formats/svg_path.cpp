@@ -6,11 +6,11 @@
 #include <string>
 #include <utility>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/io/number_text.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 constexpr double kArcPart = kPi / 16.0;  // of an ellipse, as one cubic: off by 4e-10 of the radius
@@ -177,4 +177,4 @@ std::string_view SvgAttribute::until(char c) {
 
 std::vector<SvgSubpath> read_svg_path(std::string_view data) { return PathReader(data).read(); }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/geometry/closed_spline.h"
+#include "arcway/closed_spline.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// Numbers and words of an SVG attribute, between blanks and commas.
 class SvgAttribute {
@@ -35,4 +35,4 @@ struct SvgSubpath {
 /// @throws std::invalid_argument naming the command.
 std::vector<SvgSubpath> read_svg_path(std::string_view data);
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

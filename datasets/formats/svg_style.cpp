@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\f";
@@ -221,4 +221,4 @@ bool SvgStyle::visible(const pugi::xml_node& node, bool inherited) const {
   return value == "visible" || value == "initial" ? true : inherited;
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

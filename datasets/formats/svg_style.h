@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// Whether elements of an SVG drawing are shown: `display` and `visibility`, as attributes, in `style`, or by the rules
 /// of <style> elements [SVG 1.1, sections 6 and 11.5]. Selectors of types, classes, ids and *, with descendants and
@@ -50,4 +50,4 @@ class SvgStyle {
   std::vector<std::string> unknown_;
 };
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/file_io.h"
 #include "core/geometry/ray_parity.h"
 #include "datasets/formats/svg_path.h"
 #include "datasets/formats/svg_style.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"
-#include "datasets/io/file_io.h"
 #include "datasets/io/number_text.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr int kDeepest = 100;                // groups in groups
@@ -297,4 +297,4 @@ MapFile read_svg_world(std::string_view text, std::string_view name, const Vecto
   return Reader(text, name, options).read();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

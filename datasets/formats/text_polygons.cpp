@@ -4,7 +4,7 @@
 
 #include "datasets/formats/text_scanner.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 MapFile read_text_polygons(std::string_view text, std::string_view name, const VectorOptions& options) {
   detail::TextScanner scanner(text, name);
@@ -33,4 +33,4 @@ MapFile read_text_polygons(std::string_view text, std::string_view name, const V
   return map.finish();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

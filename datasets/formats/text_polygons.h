@@ -2,10 +2,10 @@
 
 #include <string_view>
 
+#include "arcway/datasets/map_file.h"
 #include "datasets/formats/vector_map.h"
-#include "datasets/map/map_file.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Reads plain text: one polygon a line as `x y x y ...`, not closed, in either orientation; a comma or
 /// semicolon may stand between any two numbers. Blank lines and lines that
@@ -14,4 +14,4 @@ namespace [[gnu::visibility("default")]] arcway {
 /// @throws FormatError, "map.txt: line 3: expected a number, found "x"".
 MapFile read_text_polygons(std::string_view text, std::string_view name, const VectorOptions& options = {});
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
 #include "datasets/io/number_text.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
@@ -88,4 +88,4 @@ std::string quoted(std::string_view text) {
   return result + (text.size() > kLongest ? "...\"" : "\"");
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

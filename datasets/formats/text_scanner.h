@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// Walks through a text from front to back and knows the line that it is in, for messages.
 class TextScanner {
@@ -52,4 +52,4 @@ std::vector<std::string_view> split_at_blanks(std::string_view line);
 /// Text in double quotes, cut if long, bytes that are not printable ASCII replaced.
 std::string quoted(std::string_view text);
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

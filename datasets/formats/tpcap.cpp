@@ -9,7 +9,7 @@
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kRoom = 12.0;     // around start and goal [m]
@@ -77,7 +77,7 @@ class Reader {
     return static_cast<std::size_t>(value);
   }
 
-  // By whole metres: the differences are exact for all that is as far away as the start.
+  // By whole meters: the differences are exact for all that is as far away as the start.
   void move_to_origin(Pose& start, Pose& goal, std::vector<Ring>& rings) {
     if (start.position().cwiseAbs().maxCoeff() <= kFarAway) return;
     const Vec2 by(-std::round(start.x), -std::round(start.y));
@@ -98,4 +98,4 @@ class Reader {
 
 MapFile read_tpcap(std::string_view text, std::string_view name) { return Reader(text, name).read(); }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,19 +2,19 @@
 
 #include <string_view>
 
-#include "datasets/map/map_file.h"
+#include "arcway/datasets/map_file.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Reads a case of the TPCAP parking competition: start and goal as x, y, heading; the number of obstacles; the number
 /// of vertices of each; all vertices as x, y. Numbers stand one a line or between commas. Poses are of the middle of
 /// the rear axle.
 ///
 /// The format has no bounds: they are the box of poses and obstacles, widened to at least 12 m beyond start and goal.
-/// A case beyond 1,000 km from the origin is moved by whole metres to have its start near it, which rounds nothing that
+/// A case beyond 1,000 km from the origin is moved by whole meters to have its start near it, which rounds nothing that
 /// lies around the start, since a planner needs the digits; a note says by how much.
 /// @param name  of the source, for messages.
 /// @throws FormatError, "Case1.csv: line 1: obstacle 2: expected 8 coordinates, found 5".
 MapFile read_tpcap(std::string_view text, std::string_view name);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/geometry/angle.h"
-#include "core/geometry/polygon.h"
+#include "arcway/angle.h"
+#include "arcway/polygon.h"
 #include "core/model/pose_text.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 constexpr std::size_t kMostCurveVertices = 1'000'000;
@@ -42,8 +42,8 @@ Ring VectorMapBuilder::ring(Ring positions, bool closed, const std::string& plac
 }
 
 Ring VectorMapBuilder::curved_ring(std::vector<CubicBezier>& pieces, int wanted, const std::string& place) {
-  // The tolerance is in metres, and so is what bends: projected afterwards it would be neither.
-  if (options_.lonlat) fail(place, "curves need planar coordinates in metres, not longitude and latitude");
+  // The tolerance is in meters, and so is what bends: projected afterwards it would be neither.
+  if (options_.lonlat) fail(place, "curves need planar coordinates in meters, not longitude and latitude");
   try {
     Ring ring = circumscribed_ring(pieces, options_.curve_tolerance);
     curve_vertices_ += ring.size();
@@ -131,4 +131,4 @@ void VectorMapBuilder::add_walls() {
   lines_.clear();
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -7,34 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/closed_spline.h"
+#include "arcway/closed_spline.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/datasets/vector_options.h"
 #include "datasets/formats/coordinate_system.h"
-#include "datasets/map/map_file.h"
 
-namespace [[gnu::visibility("default")]] arcway {
-
-/// How files of polygons with coordinates of their own are read.
-struct VectorOptions {
-  /// Coordinates are longitude and latitude in degrees, or Web Mercator if the file says so: project them to meters on
-  /// the ground, x east and y north of the middle of the map, by the azimuthal equidistant projection of the ellipsoid
-  /// WGS 84. Lengths are right to 1 mm a kilometer within 15.5 km of the middle; a note says how exact they are, a
-  /// warning where they are less so. Maps may lie across the antimeridian or around a pole.
-  bool lonlat = false;
-  /// Coordinates are meters, whatever the file says of them or they look like.
-  bool planar = false;
-  /// Polygons without a role of their own are free space, and all around them is blocked: their union is what is free.
-  /// Several that touch or overlap are united by GEOS if it was found when building; otherwise they must be disjoint.
-  bool free_polygons = false;
-  /// Above 0, line strings are walls of this width with square ends [m]; otherwise they are passed over with a warning.
-  double wall_width = 0.0;
-  /// Smooth outlines become rings that contain the obstacle, nowhere farther from it than this [m], > 0. At most a
-  /// million vertices of a map may come of that.
-  double curve_tolerance = 0.01;
-  /// Rings keep repeated positions, and may have fewer than three: for the doctor, as World refuses them.
-  bool as_written = false;
-};
-
-namespace detail {
+namespace arcway::internal::detail {
 
 /// Gathers what a reader of polygons finds. Private to datasets/*.cpp.
 class VectorMapBuilder {
@@ -103,5 +81,4 @@ class VectorMapBuilder {
   std::string passed_place_;
 };
 
-}  // namespace detail
-}  // namespace arcway
+}  // namespace arcway::internal::detail

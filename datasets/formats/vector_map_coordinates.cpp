@@ -4,13 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "core/gaps/bottleneck_finder.h"
 #include "core/model/pose_text.h"
 #include "datasets/formats/azimuthal_plane.h"
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 std::string lonlat_text(const Vec2& p) { return "(" + shortest_text(p.x()) + ", " + shortest_text(p.y()) + ")"; }
@@ -156,4 +157,4 @@ void VectorMapBuilder::project() {
                  exactness + " too long in the plane; cut it to 15 km for 1 mm a kilometer");
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -11,7 +11,7 @@
 #include "datasets/io/number_text.h"
 #include "datasets/io/shortened.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using Fields = std::vector<std::string>;
@@ -165,4 +165,4 @@ bool has_vertex_header(std::string_view text) {
   return columns_of(fields_of(scanner.rest_of_line())).has_value();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,10 +2,10 @@
 
 #include <string_view>
 
+#include "arcway/datasets/map_file.h"
 #include "datasets/formats/vector_map.h"
-#include "datasets/map/map_file.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Reads vertices, one a line as `x,y`; blanks, tabs, commas and semicolons separate them. A polygon ends at a blank
 /// line, at a line of nan, and where its first vertex comes again. Lines that begin with # are skipped.
@@ -22,4 +22,4 @@ bool is_vertex_list(std::string_view text);
 /// Whether the first line names the columns of a list of vertices.
 bool has_vertex_header(std::string_view text);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "datasets/formats/wkt.h"
+#include "arcway/datasets/wkt.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,8 +6,11 @@
 
 #include "core/model/pose_text.h"
 #include "datasets/formats/text_scanner.h"
+#include "datasets/formats/vector_map.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 constexpr int kMaxDepth = 32;  // of geometry collections

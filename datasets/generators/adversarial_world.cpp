@@ -1,4 +1,4 @@
-#include "datasets/generators/adversarial_world.h"
+#include "arcway/datasets/adversarial_world.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/geometry/angle.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
 #include "datasets/generators/layout.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 using detail::box_ring;
@@ -133,7 +135,7 @@ void lay_out_collinear(Layout& layout) {
 
 void lay_out_needles(Layout& layout) {
   constexpr double kCell = 24.0;
-  constexpr std::size_t kNeedles = 3;  // in a cell, a few metres apart
+  constexpr std::size_t kNeedles = 3;  // in a cell, a few meters apart
   Random& random = layout.random;
   const std::size_t cells = (layout.wanted - 4) / (3 * kNeedles);
   const std::size_t columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(cells))));

@@ -4,7 +4,7 @@
 
 #include "datasets/generators/layout.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 constexpr double kBlock = 60.0;  // between two crossings [m]
@@ -93,7 +93,7 @@ void lay_out_city(Layout& layout) {
   const auto columns = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(std::sqrt(blocks))));
   const auto rows =
       std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(blocks / static_cast<double>(columns))));
-  // Crossings a few metres off their places, so that no two streets are parallel.
+  // Crossings a few meters off their places, so that no two streets are parallel.
   std::vector<Vec2> crossings;
   for (std::size_t j = 0; j <= rows; ++j) {
     for (std::size_t i = 0; i <= columns; ++i) {
@@ -131,4 +131,4 @@ void lay_out_city(Layout& layout) {
   layout.map.goal = Pose{width - 4.0, height - 4.0, 0.0};
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

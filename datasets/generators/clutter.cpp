@@ -1,4 +1,4 @@
-#include "datasets/generators/clutter.h"
+#include "arcway/datasets/clutter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,8 @@
 #include "datasets/io/random.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 constexpr std::size_t kMostVertices = std::size_t{1} << 28;  // of all obstacles

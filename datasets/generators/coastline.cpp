@@ -3,7 +3,7 @@
 
 #include "datasets/generators/layout.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 void lay_out_coastline(Layout& layout) {
   constexpr double kFirstWave = 0.35;  // amplitude of the coarsest wave, as a share of the radius
@@ -42,4 +42,4 @@ void lay_out_coastline(Layout& layout) {
   layout.map.goal = Pose{extent.x() - 0.5 * kWater, extent.y() - 0.5 * kWater, 0.0};
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "datasets/generators/layout.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 void lay_out_corridor(Layout& layout) {
   constexpr double kPitch = 5.0;    // from wall to wall; at least 4.5 m are free
@@ -39,4 +39,4 @@ void lay_out_corridor(Layout& layout) {
       from_left ? Pose{width - kOpening, height - 0.5 * kPitch, 0.0} : Pose{kOpening, height - 0.5 * kPitch, kPi};
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -1,4 +1,4 @@
-#include "datasets/generators/curved_world.h"
+#include "arcway/datasets/curved_world.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "datasets/generators/layout.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 constexpr double kTightestBend = 2.0;  // radius where a pond bends outwards [m]

@@ -5,7 +5,7 @@
 
 #include "core/geometry/distance.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 // Intervals of an arc shorter than this share of the body's reach are not halved again.
@@ -66,4 +66,4 @@ Box box_of(std::span<const PathSegment> drive, const Footprint& body, double gro
   return box;
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

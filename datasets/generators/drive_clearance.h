@@ -4,12 +4,12 @@
 
 #include <span>
 
-#include "core/geometry/polygon.h"
-#include "core/geometry/vec2.h"
-#include "core/model/path.h"
-#include "core/model/vehicle.h"
+#include "arcway/path.h"
+#include "arcway/polygon.h"
+#include "arcway/vec2.h"
+#include "arcway/vehicle.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// Whether the polygon is proved to keep this distance from the body at every moment of the drive. A line is decided by
 /// the rectangle that the body sweeps. An interval of an arc is decided by its middle: at least as far as the distance
@@ -21,4 +21,4 @@ bool keeps_away(const Polygon& polygon, std::span<const PathSegment> drive, cons
 /// A box that contains the body grown by `growth` at every moment of the drive.
 Box box_of(std::span<const PathSegment> drive, const Footprint& body, double growth);
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

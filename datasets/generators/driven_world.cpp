@@ -1,4 +1,4 @@
-#include "datasets/generators/driven_world.h"
+#include "arcway/datasets/driven_world.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "core/base/shortest_text.h"
-#include "core/geometry/angle.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_bound.h"
@@ -18,6 +18,8 @@
 #include "datasets/io/random.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 constexpr double kLeastClearance = 1e-4, kMostClearance = 10.0;  // [m]
@@ -30,7 +32,7 @@ constexpr double kGearChangeShare = 0.3;  // of the joints of a drive in both ge
 
 constexpr std::size_t kScatteredDraws = 60, kHuggingDraws = 100;   // of polygons; fewer of them keep away
 constexpr double kSmallestObstacle = 0.1, kLargestObstacle = 0.6;  // radii [body lengths]
-constexpr int kSlideHalvings = 14;                                 // to a millimetre where a body is some metres long
+constexpr int kSlideHalvings = 14;                                 // to a millimeter where a body is some meters long
 constexpr double kSmallestCell = 0.3, kLargestCell = 1.5;          // sides [body widths]
 constexpr double kMostCells = 100.0;                               // along the longer side of the map
 constexpr double kSmallestRoom = 1.5, kLargestRoom = 4.0;          // sides [body lengths]

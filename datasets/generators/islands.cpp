@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "datasets/generators/layout.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 constexpr std::size_t kFewest = 24, kMost = 72;  // vertices of an island
@@ -63,4 +63,4 @@ void lay_out_islands(Layout& layout) {
   layout.map.goal = Pose{side - 0.5 * room, side - 0.5 * room, 0.0};
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 void check_vertices(const char* kind, std::size_t vertices) {
   if (vertices >= 100 && vertices <= 10'000'000) return;
@@ -64,4 +64,4 @@ std::optional<std::vector<Vec2>> scatter_discs(Random& random, const std::vector
   return centers;
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

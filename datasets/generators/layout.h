@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/polygon.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/polygon.h"
 #include "datasets/io/random.h"
-#include "datasets/map/map_file.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// A map under construction and how far it is.
 struct Layout {
@@ -66,7 +66,7 @@ void check_vertices(const char* kind, std::size_t vertices);
 /// Number of columns if `count` cells of this size are to fill about a square, at least 1.
 std::size_t square_columns(std::size_t count, double cell_width, double cell_height);
 
-/// Centres of discs that keep the gap from each other and from the square's sides: largest first, at random. Nothing
+/// Centers of discs that keep the gap from each other and from the square's sides: largest first, at random. Nothing
 /// if the square is too full for that. O(discs) on average.
 std::optional<std::vector<Vec2>> scatter_discs(Random& random, const std::vector<double>& radii, double side,
                                                double gap);
@@ -80,4 +80,4 @@ void lay_out_islands(Layout& layout);
 void lay_out_corridor(Layout& layout);
 void lay_out_coastline(Layout& layout);
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

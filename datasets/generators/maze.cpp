@@ -5,7 +5,7 @@
 
 #include "datasets/generators/layout.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 constexpr double kCell = 4.0;
@@ -172,4 +172,4 @@ void lay_out_maze(Layout& layout) {
   layout.map.goal = Pose{last, last, 0.0};
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -1,6 +1,6 @@
-#include "datasets/generators/paper_example.h"
+#include "arcway/datasets/paper_example.h"
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
 namespace arcway {
 

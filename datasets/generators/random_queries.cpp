@@ -1,15 +1,17 @@
-#include "datasets/generators/random_queries.h"
+#include "arcway/datasets/random_queries.h"
 
 #include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "arcway/angle.h"
 #include "core/base/shortest_text.h"
-#include "core/gaps/bottleneck.h"
-#include "core/geometry/angle.h"
+#include "core/gaps/bottleneck_finder.h"
 #include "datasets/io/random.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 constexpr std::size_t kMaxDraws = 10'000;  // of one pair

@@ -3,7 +3,7 @@
 
 #include "datasets/generators/layout.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 constexpr double kHalfWall = 0.15;
@@ -101,4 +101,4 @@ void lay_out_rooms(Layout& layout) {
   layout.map.goal = Pose{0.5 * (x[n - 1] + x[n]), 0.5 * (y[n - 1] + y[n]), 0.0};
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -1,10 +1,12 @@
-#include "datasets/generators/structured_world.h"
+#include "arcway/datasets/structured_world.h"
 
 #include <utility>
 
 #include "datasets/generators/layout.h"
 
 namespace arcway {
+
+using namespace internal;
 
 const char* name_of(StructuredKind kind) {
   switch (kind) {

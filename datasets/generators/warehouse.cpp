@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "datasets/generators/layout.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 void lay_out_warehouse(Layout& layout) {
   constexpr double kRack = 12.0, kDepth = 2.4;       // back to back
@@ -40,4 +40,4 @@ void lay_out_warehouse(Layout& layout) {
   layout.map.goal = Pose{width - 0.5 * kMargin, height - 0.5 * kMargin, 0.5 * kPi};
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

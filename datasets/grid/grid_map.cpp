@@ -9,7 +9,7 @@
 #include "datasets/grid/simplify.h"
 #include "datasets/grid/trace.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 MapFile to_map_file(const OccupancyGrid& grid, const GridOptions& options) {
   if (!(options.tolerance >= 0.0 && std::isfinite(options.tolerance)))
@@ -54,4 +54,4 @@ MapFile to_map_file(const OccupancyGrid& grid, const GridOptions& options) {
   return map;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "datasets/grid/occupancy_grid.h"
+#include "arcway/datasets/occupancy_grid.h"
 
 #include <algorithm>
 #include <cmath>

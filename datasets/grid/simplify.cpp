@@ -7,7 +7,7 @@
 
 #include "core/geometry/box_tree.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using Index = std::uint32_t;
@@ -95,7 +95,7 @@ class Simplifier {
     queue_.push({deviation, chain, v, version_[v]});
   }
 
-  // Whether the triangle of v and its neighbours holds no other corner and the new edge is not there already.
+  // Whether the triangle of v and its neighbors holds no other corner and the new edge is not there already.
   [[nodiscard]] bool is_free(Index v) const {
     const Index p = previous_[v], q = next_[v];
     const Corner &a = corners_[p], &b = corners_[v], &c = corners_[q];
@@ -163,4 +163,4 @@ std::size_t corner_count(const std::vector<CornerPolygon>& polygons) {
   return count;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

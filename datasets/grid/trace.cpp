@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 /// Blocked cells [first, last) of a row, free on either side.
@@ -128,4 +128,4 @@ std::vector<CornerPolygon> trace_blocked(const OccupancyGrid& grid, bool unknown
   return Tracer(grid, unknown_is_free).trace();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "datasets/grid/occupancy_grid.h"
+#include "arcway/datasets/occupancy_grid.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// A corner of cells: x to the right and y up, from the lower left corner of the grid.
 struct Corner {
@@ -19,13 +19,13 @@ using CornerPolygon = std::vector<CornerRing>;
 
 /// Polygons that cover the blocked cells and nothing else, by following the borders of the cells.
 ///
-/// Blocked cells that touch at a side or at a corner are one obstacle; free cells meet at sides only. Where two
-/// blocked cells meet at a corner alone, a ring comes to that corner once on each of the two free sides (a pinch) and
-/// turns right there, from one blocked cell to the other. Nothing is cut off or filled in. Rings touch each other and
-/// themselves at pinches only; they never cross.
+/// Blocked cells that touch at a side or at a corner are one obstacle; free cells meet at sides only. Two blocked cells
+/// may meet at a corner alone (a pinch). A ring comes to that corner once on each of the two free sides and turns right
+/// there, from one blocked cell to the other. Nothing is cut off or filled in. Rings touch each other and themselves at
+/// pinches only; they never cross.
 ///
 /// Obstacles are in the order of their lowest row and then from the left. O(cells), memory beside the result
 /// about 20 bytes a run of blocked cells in a row.
 std::vector<CornerPolygon> trace_blocked(const OccupancyGrid& grid, bool unknown_is_free);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// An open file, closed at the end.
 class Descriptor {
@@ -30,4 +30,4 @@ class Descriptor {
   int number_;
 };
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

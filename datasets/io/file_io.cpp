@@ -1,4 +1,4 @@
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,8 +9,11 @@
 #include <system_error>
 
 #include "datasets/io/descriptor.h"
+#include "datasets/io/file_transaction.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,6 +63,13 @@ void make_folders(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) fail("make folder", path, error.value());
+}
+
+void write_file_atomically(const fs::path& path, std::string_view text) {
+  FileTransaction file;
+  file.claim(path);
+  file.put(path, std::string(text));
+  file.commit();
 }
 
 }  // namespace arcway

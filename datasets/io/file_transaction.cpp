@@ -16,7 +16,7 @@
 
 #include "datasets/io/descriptor.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -341,11 +341,4 @@ void FileTransaction::commit(const std::function<bool()>& stopped) {
   data_->outputs.clear();
 }
 
-void write_file_atomically(const fs::path& path, std::string_view text) {
-  FileTransaction file;
-  file.claim(path);
-  file.put(path, std::string(text));
-  file.commit();
-}
-
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Files that replace the ones of their names together: all of them, or none.
 ///
@@ -54,4 +54,4 @@ class FileTransaction {
   std::unique_ptr<Data> data_;
 };
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 struct Inflater {
@@ -52,4 +52,4 @@ std::string expand_gzip(std::string_view bytes, std::string_view name, std::size
   }
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

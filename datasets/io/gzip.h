@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 bool is_gzip(std::string_view bytes);
 
@@ -13,4 +13,4 @@ bool is_gzip(std::string_view bytes);
 /// @throws FormatError naming the source if it is damaged, cut off, too large or goes on with anything else.
 std::string expand_gzip(std::string_view bytes, std::string_view name, std::size_t max_bytes = std::size_t{1} << 29);
 
-}  // namespace arcway
+}  // namespace arcway::internal

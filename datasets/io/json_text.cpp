@@ -11,7 +11,7 @@
 #include "datasets/io/nearest_word.h"
 #include "datasets/io/shortened.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 using nlohmann::json;
 
@@ -236,4 +236,4 @@ void JsonPlace::require_format(std::string_view format, int version) const {
   if (const JsonPlace place = at("version"); place.value != version) place.expected(std::to_string(version).c_str());
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -9,11 +9,11 @@
 #include <string>
 #include <string_view>
 
-#include "core/model/path.h"
-#include "datasets/io/file_io.h"
+#include "arcway/path.h"
+#include "arcway/datasets/file_io.h"
 #include "datasets/io/nearest_word.h"
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// Shortest text that reads back to the same double; null if not finite.
 void append_number(std::string& out, double value);
@@ -64,4 +64,4 @@ struct JsonPlace {
 /// The value as text, cut if long.
 std::string shown(const nlohmann::json& value);
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 
 /// Latin letters in lower case, whatever the locale; all else as it is.
 inline char lowercase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -13,4 +13,4 @@ inline std::string lowercase(std::string_view text) {
   return result;
 }
 
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -1,6 +1,6 @@
 #include "datasets/io/markup_text.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -25,4 +25,4 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

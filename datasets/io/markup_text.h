@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Text for XML and HTML: characters that mean something there replaced, control characters by blanks.
 std::string escaped(std::string_view text);
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,7 +6,7 @@
 
 #include "datasets/io/lowercase.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr std::size_t kLongest = 64;  // letters that are compared, and shown
@@ -71,4 +71,4 @@ std::string unknown_word(std::string_view what, std::string_view word, std::span
   return text;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

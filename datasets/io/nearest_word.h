@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The known word that was most likely meant: at most a third of its letters changed, added, left out or swapped with
 /// the next one, or one word part of the other; empty if there is none so near. Case does not count.
@@ -21,4 +21,4 @@ struct Synonym {
 std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> known,
                          std::span<const Synonym> synonyms = {});
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace arcway {
+namespace arcway::internal {
 
 std::optional<double> read_number(std::string_view text) {
   const std::optional<double> value = take_number(text);
@@ -21,4 +21,4 @@ std::optional<double> take_number(std::string_view& text) {
   return value;
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

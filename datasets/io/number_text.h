@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// The whole text as a finite number, in any locale; a leading plus is taken, blanks are not.
 std::optional<double> read_number(std::string_view text);
@@ -12,4 +12,4 @@ std::optional<double> read_number(std::string_view text);
 /// begin with a finite number.
 std::optional<double> take_number(std::string_view& text);
 
-}  // namespace arcway
+}  // namespace arcway::internal

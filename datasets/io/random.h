@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/geometry/vec2.h"
+#include "arcway/vec2.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// xoshiro256** seeded by splitmix64 [Blackman and Vigna 2018]. The same numbers on every platform: the standard
 /// engines are portable, the standard distributions are not. All draws use +, -, *, / and sqrt only, which IEEE 754
@@ -86,4 +86,4 @@ inline Vec2 unit_vector_at(double turns) {
   }
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,6 +1,6 @@
 #include "datasets/io/shortened.h"
 
-namespace arcway {
+namespace arcway::internal {
 
 std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
@@ -9,4 +9,4 @@ std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, most)) + "...";
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// Bytes of a file's or a user's word that a message repeats: enough to find it there.
 inline constexpr std::size_t kMostRepeated = 80;
@@ -14,4 +14,4 @@ inline constexpr std::size_t kMostOfParser = 300;
 /// The text, or its first `most` bytes and "...". Does not cut a character of UTF-8.
 std::string shortened(std::string_view text, std::size_t most = kMostRepeated);
 
-}  // namespace arcway
+}  // namespace arcway::internal

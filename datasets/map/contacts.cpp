@@ -10,7 +10,7 @@
 #include "core/geometry/predicates.h"
 #include "core/geometry/ray_parity.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr std::size_t kScanEdges = 64;  // up to here a scan beats a tree
@@ -413,4 +413,4 @@ std::vector<RegionContact> find_contacts(std::span<const Polygon> polygons, std:
   return ContactFinder(polygons, most).find();
 }
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/polygon.h"
-#include "core/geometry/vec2.h"
+#include "arcway/polygon.h"
+#include "arcway/vec2.h"
 
-namespace [[gnu::visibility("default")]] arcway {
+namespace arcway::internal {
 
 /// How the closed regions of two polygons meet, by exact arithmetic.
 enum class RegionRelation {
@@ -37,4 +37,4 @@ struct RegionContact {
 std::vector<RegionContact> find_contacts(std::span<const Polygon> polygons,
                                          std::size_t most = std::numeric_limits<std::size_t>::max());
 
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "datasets/map/doctor.h"
+#include "arcway/datasets/doctor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/polygon.h"
+#include "arcway/polygon.h"
+#include "arcway/world.h"
 #include "core/geometry/predicates.h"
 #include "core/model/pose_text.h"
-#include "core/model/world.h"
 #include "datasets/map/contacts.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 // Of a coordinate: where the default safety margin of 1 mm is no longer 2^20 units in the last place, which Planner
@@ -219,7 +221,7 @@ class Examiner {
     if (largest >= kFar) {
       const double unit = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
       find(FindingKind::kFarFromOrigin, "", box_.min,
-           from_to + ", where neighbouring doubles are " + shortest_text(unit) + " m apart");
+           from_to + ", where neighboring doubles are " + shortest_text(unit) + " m apart");
     }
   }
 

@@ -1,13 +1,15 @@
-#include "datasets/map/map_file.h"
+#include "arcway/datasets/map_file.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
+#include "arcway/datasets/repair.h"
 #include "core/geometry/predicates.h"
-#include "datasets/map/repair.h"
 
 namespace arcway {
+
+using namespace internal;
 
 bool looks_like_degrees(const Box& box) {
   constexpr double kWidest = 1.0;    // [degrees], 111 km

@@ -1,4 +1,4 @@
-#include "datasets/map/repair.h"
+#include "arcway/datasets/repair.h"
 
 #include <stdexcept>
 
@@ -13,12 +13,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/polygon.h"
+#include "arcway/datasets/doctor.h"
+#include "arcway/polygon.h"
 #include "core/geometry/predicates.h"
-#include "datasets/map/doctor.h"
 #endif
 
 namespace arcway {
+
+using namespace internal;
 
 #ifndef ARCWAY_WITH_GEOS
 

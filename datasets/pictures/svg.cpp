@@ -1,4 +1,4 @@
-#include "datasets/pictures/svg.h"
+#include "arcway/datasets/svg.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,6 +9,8 @@
 #include "datasets/io/markup_text.h"
 
 namespace arcway {
+
+using namespace internal;
 namespace {
 
 constexpr double kBorder = 16.0;      // around the map [px]
@@ -350,7 +352,7 @@ std::string SvgPicture::str() const {
   out += "<clipPath id=\"view\"><rect " + area + "/></clipPath>\n<g clip-path=\"url(#view)\">\n";
   // Beyond the bounds nothing is free.
   out += "<rect " + area + " fill=\"" + (bounds_.empty() ? kFreeColor : kOutsideColor) + "\"/>\n";
-  // Metres, y up.
+  // Meters, y up.
   const Vec2 corner = to_picture(origin_);
   const std::string scale = shortest_text(scale_);
   out += "<g id=\"map\" transform=\"matrix(" + scale + " 0 0 -" + scale + ' ' + shortest_text(corner.x()) + ' ' +

@@ -5,14 +5,15 @@
 #include <thread>
 #include <vector>
 
-#include "accel/backend/accel_backend.h"
 #include "accel/backend/make_queries.h"
-#include "accel/base/parallel.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/catalogue.h"
+#include "arcway/accel/accel_backend.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/planner.h"
+#include "core/roadmap/feasible_graph.h"
 #include "tests/support/thread_executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr const char* kWorlds[] = {"paper", "clutter/convex/n40/m8/f20/s3", "clutter/star/n40/m9/f30/s5",
@@ -67,8 +68,8 @@ TEST(PlannerAgreement, BackendsAndThreadCountsGiveTheSameBits) {
   const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
   for (const std::string name : kWorlds) {
     SCOPED_TRACE(name);
-    const World world = catalogue_world(name);
-    const std::vector<PlanRequest> requests = catalogue_queries(name, 5, 1);
+    const World world = catalog_world(name);
+    const std::vector<PlanRequest> requests = catalog_queries(name, 5, 1);
     const Vehicle vehicle;
     const Planner reference(world, vehicle);
     const std::string expected = digest(reference, requests), expected_plans = plans_of(reference, requests);
@@ -90,7 +91,7 @@ TEST(PlannerAgreement, BackendsAndThreadCountsGiveTheSameBits) {
 
 TEST(PlannerAgreement, BuildersShareNothingBetweenThreads) {
   const std::string name = "clutter/star/n40/m9/f30/s5";
-  const World world = catalogue_world(name);
+  const World world = catalog_world(name);
   const test::ThreadExecutor threads(3);
   const std::string expected = digest(Planner(world, Vehicle{}), {});
   const QuerySet queries = make_embree_queries(world);
@@ -104,8 +105,8 @@ TEST(PlannerAgreement, BuildersShareNothingBetweenThreads) {
 
 TEST(PlannerAgreement, SeveralThreadsPlanOnOnePlanner) {
   const std::string name = "clutter/convex/n40/m8/f20/s3";
-  const World world = catalogue_world(name);
-  const std::vector<PlanRequest> requests = catalogue_queries(name, 6, 2);
+  const World world = catalog_world(name);
+  const std::vector<PlanRequest> requests = catalog_queries(name, 6, 2);
   const Planner planner(world, Vehicle{}, backend_of(world, make_embree_queries(world), TbbExecutor()));
   const std::string expected = digest(planner, requests);
   std::vector<std::string> found(4);
@@ -116,4 +117,4 @@ TEST(PlannerAgreement, SeveralThreadsPlanOnOnePlanner) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,31 +4,31 @@
 #include <vector>
 
 #include "accel/backend/make_queries.h"
-#include "accel/base/parallel.h"
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/sight_map.h"
-#include "accel/expansion/strips.h"
-#include "accel/expansion/tangent_neighbours.h"
+#include "accel/expansion/sleeves.h"
+#include "accel/expansion/tangent_neighbors.h"
 #include "accel/graphs/changed_graph.h"
 #include "accel/graphs/edge_walks.h"
 #include "accel/graphs/pairwise_graph.h"
-#include "accel/graphs/visibility_map.h"
-#include "accel/graphs/wedge_graph.h"
-#include "core/roadmap/visibility_rows.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/map/map_file.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/accel/visibility_map.h"
+#include "arcway/accel/wedge_graph.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/visibility_rows.h"
 #include "tests/support/sight_oracle.h"
 #include "tests/support/thread_executor.h"
 #include "tests/support/touching_worlds.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr std::uint64_t kWorlds = 400;
 
 void expect_rows(const World& world, const VisibilityGraph& graph) {
   const auto rows = rows_of(world, graph);
-  const TangentNeighbours neighbors(world);
+  const TangentNeighbors neighbors(world);
   const VisibilityMap map(world);
   for (VertexId v = 0; v < world.vertices().size(); ++v) {
     ASSERT_TRUE(std::ranges::equal(neighbors.of(v), rows->of(v))) << v;
@@ -36,11 +36,11 @@ void expect_rows(const World& world, const VisibilityGraph& graph) {
   }
 }
 
-VisibilityGraph graph_by_strips(const World& world) {
+VisibilityGraph graph_by_sleeves(const World& world) {
   SightMap map(world);
   map.list_left_edges();
   std::vector<EdgeList> lists =
-      walk_right(map, Strips(map, 1), LongFans(map, 1), 0, map.nodes().size(), SerialExecutor());
+      walk_right(map, Sleeves(map, 1), LongFans(map, 1), 0, map.nodes().size(), SerialExecutor());
   add_missing(edges_through_contacts(world, map), lists);
   return graph_of(world.vertices().size(), lists, SerialExecutor());
 }
@@ -58,7 +58,7 @@ TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
     ASSERT_EQ(test::edges_of(graph), oracle.reduced());
     ASSERT_EQ(test::edges_of(build_full_visibility_graph_by_expansion(world)), oracle.full());
     ASSERT_EQ(build_reduced_visibility_graph_by_wedges(world, TbbExecutor(3)), graph);
-    ASSERT_EQ(graph_by_strips(world), graph);
+    ASSERT_EQ(graph_by_sleeves(world), graph);
     const QuerySet queries = make_embree_queries(world);
     ASSERT_EQ(build_pairwise_visibility_graph(world, *queries.visibility, SerialExecutor()), graph);
     ASSERT_EQ(test::edges_of(build_full_visibility_graph(world, *queries.visibility)), oracle.full());
@@ -107,10 +107,10 @@ TEST(SelfContacts, LinesLeadThroughThem) {
 }
 
 TEST(SelfContacts, NoEdgeIsLostInTheWorldOfHoles) {
-  const World world = catalogue_world("adversarial/holes/v250/s3");
+  const World world = catalog_world("adversarial/holes/v250/s3");
   EXPECT_EQ(build_reduced_visibility_graph_by_wedges(world),
             build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

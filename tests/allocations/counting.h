@@ -7,7 +7,7 @@
 #include "bench/suites/allocations.h"
 #include "core/base/huge_pages.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// Whether this program counts its memory; a sanitizer's operator new does not.
 inline bool counts_memory() {
@@ -17,4 +17,4 @@ inline bool counts_memory() {
   return bench::heap_use().allocations >= before + 3 && memory->size() == 100 && large.back() == 0;
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -6,12 +6,12 @@
 
 #include "accel/backend/make_queries.h"
 #include "accel/graphs/lazy_rows.h"
+#include "arcway/planner.h"
 #include "bench/suites/allocations.h"
-#include "core/planner/planner.h"
 #include "tests/allocations/counting.h"
 
 // In a program of its own, as it counts all that asks the heap for memory.
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Every other cell of a square field, each of which touches four others at its corners.
@@ -40,4 +40,4 @@ TEST(QueryMemory, IsBoundedWhereManyPosesSeeManyObstacles) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

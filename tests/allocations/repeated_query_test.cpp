@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "accel/backend/make_queries.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/planner.h"
 #include "bench/suites/allocations.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
 #include "tests/allocations/counting.h"
 
 // In a program of its own, as it counts all that asks the heap for memory.
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 struct Case {
@@ -87,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(RefinedOrNot, RepeatedQuery,
                          testing::Values(Case{0}, Case{4000}, Case{0, 4.0, 60, 20}, Case{200, 4.0, 60, 20}));
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,8 +6,8 @@
 
 namespace {
 
-using arcway::test::kAround;
-using arcway::test::Tool;
+using arcway::internal::test::kAround;
+using arcway::internal::test::Tool;
 
 constexpr const char* kMap = "clutter/star/n30/m6/f20/s3";
 

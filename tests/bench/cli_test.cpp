@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using arcway::test::kAround;
-using arcway::test::kOneBox;
-using arcway::test::text_of;
-using arcway::test::Tool;
+using arcway::internal::test::kAround;
+using arcway::internal::test::kOneBox;
+using arcway::internal::test::text_of;
+using arcway::internal::test::Tool;
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -719,7 +719,7 @@ TEST_F(Tool, GraphsAreRefusedWherePlansAre) {
   expect_bad_input("graph " + map_ + " --robot " + robot, "--robot: only with --kind feasible");
 }
 
-TEST_F(Tool, TakesNamesOfTheCatalogueWhereNoSuchFileExists) {
+TEST_F(Tool, TakesNamesOfTheCatalogWhereNoSuchFileExists) {
   const std::string name = "clutter/convex/n20/f10/s3";
   const std::string made = "generate " + name + " --out " + file("w.geojson") + " --queries " + file("q.csv");
   ASSERT_EQ(run(made + " --count 5").code, 0) << read("stderr");

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "datasets/generators/paper_example.h"
+#include "arcway/datasets/paper_example.h"
 
-namespace arcway::figures {
+namespace arcway::internal::figures {
 namespace {
 
 TEST(Figures, AreSevenDocumentsWithTheirNumbersInTheCaption) {
@@ -36,4 +36,4 @@ TEST(Figures, AreSevenDocumentsWithTheirNumbersInTheCaption) {
 }
 
 }  // namespace
-}  // namespace arcway::figures
+}  // namespace arcway::internal::figures

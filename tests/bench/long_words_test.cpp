@@ -11,8 +11,8 @@
 
 namespace {
 
-using arcway::test::kAround;
-using arcway::test::Tool;
+using arcway::internal::test::kAround;
+using arcway::internal::test::Tool;
 
 constexpr std::size_t kMegabyte = 1 << 20;
 constexpr std::size_t kMostPrinted = 4000;      ///< of a report with a message or two
@@ -92,8 +92,8 @@ TEST_F(LongWords, OfTheCommandLine) {
   for (const char* option : {"--start ", "--goal ", "--time-limit ", "--threads ", "--heuristic ", "--backend ",
                              "--svg-view ", "--unknown ", "--cell ", "--alternatives ", "--"})
     expect_short("plan " + map_ + " --svg " + file("p.svg") + " " + option + letters, option, kMostOfMessage);
-  expect_short("plan clutter/star/n" + letters + kAround, "number of the catalogue", kMostOfMessage);
-  expect_short("plan clutter/" + letters + kAround, "kind of the catalogue", kMostOfMessage);
+  expect_short("plan clutter/star/n" + letters + kAround, "number of the catalog", kMostOfMessage);
+  expect_short("plan clutter/" + letters + kAround, "kind of the catalog", kMostOfMessage);
   expect_short("graph " + map_ + " --kind " + letters, "--kind");
 }
 

@@ -11,8 +11,8 @@
 namespace {
 
 namespace fs = std::filesystem;
-using arcway::test::Tool;
-using arcway::test::without_times;
+using arcway::internal::test::Tool;
+using arcway::internal::test::without_times;
 
 class MpiTool : public Tool {
  protected:

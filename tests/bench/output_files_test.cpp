@@ -20,9 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using arcway::test::kAround;
-using arcway::test::text_of;
-using arcway::test::Tool;
+using arcway::internal::test::kAround;
+using arcway::internal::test::text_of;
+using arcway::internal::test::Tool;
 
 class OutputFilesTest : public Tool {
  protected:

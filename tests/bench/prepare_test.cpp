@@ -6,10 +6,10 @@
 
 namespace {
 
-using arcway::test::kAround;
-using arcway::test::text_of;
-using arcway::test::Tool;
-using arcway::test::without_times;
+using arcway::internal::test::kAround;
+using arcway::internal::test::text_of;
+using arcway::internal::test::Tool;
+using arcway::internal::test::without_times;
 
 // A file of before has the links of before. Headings may differ in the last place where sines do.
 TEST_F(Tool, PreparesTheSmallMapThatIsKept) {

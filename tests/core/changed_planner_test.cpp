@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/map/map_file.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/planner.h"
+#include "core/roadmap/feasible_graph.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
 #include "tests/support/same_graphs.h"
 #include "tests/support/thread_executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::string bits_of(const PlanResult& result) {
@@ -153,4 +154,4 @@ TEST(ChangedPlanner, RefusesAChangeOfAnotherWorld) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

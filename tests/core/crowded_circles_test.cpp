@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/planner/planner.h"
-#include "datasets/formats/read_map.h"
-#include "datasets/formats/robot.h"
+#include "arcway/datasets/read_map.h"
+#include "arcway/datasets/robot.h"
+#include "arcway/planner.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ TEST(CrowdedCircles, HaveFewArrivalsInAStaircase) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

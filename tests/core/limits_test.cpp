@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/planner/planner.h"
-#include "core/tasks/alternatives.h"
-#include "core/tasks/tour.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
+#include "arcway/alternatives.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/planner.h"
+#include "arcway/tour.h"
 #include "tests/support/plans.h"
 #include "tests/support/stopping_queries.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::expect_same_plan;
@@ -165,4 +165,4 @@ TEST(Limits, ABoundProvedByTheTimeOfAStopHolds) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,11 +2,11 @@
 
 #include <ostream>
 
-#include "core/planner/planner.h"
-#include "datasets/generators/catalogue.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/planner.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Random poses may stand in a pocket that cannot be left forwards: not all of the queries have a path.
@@ -19,11 +19,11 @@ std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.wor
 class StructuredWorlds : public testing::TestWithParam<Case> {};
 
 TEST_P(StructuredWorlds, HaveTheirPathsFound) {
-  const World world = catalogue_world(GetParam().world);
+  const World world = catalog_world(GetParam().world);
   const Planner eager(world, Vehicle());
   const Planner lazy(world, Vehicle(), {.graph_mode = GraphMode::kLazy});
   std::size_t solved = 0;
-  for (const PlanRequest& request : catalogue_queries(GetParam().world, 20, 1)) {
+  for (const PlanRequest& request : catalog_queries(GetParam().world, 20, 1)) {
     const PlanResult result = eager.plan(request);
     const PlanResult again = lazy.plan(request);
     EXPECT_EQ(again.status, result.status);
@@ -35,9 +35,9 @@ TEST_P(StructuredWorlds, HaveTheirPathsFound) {
   EXPECT_GE(solved, GetParam().solved);
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, StructuredWorlds,
+INSTANTIATE_TEST_SUITE_P(Catalog, StructuredWorlds,
                          testing::Values(Case{"maze/v100/s1", 14}, Case{"corridor/v300/s1", 14},
                                          Case{"coastline/v300/s2", 19}, Case{"coastline/v1000/s2", 19}));
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/collision/query_set.h"
-#include "core/planner/planner.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/planner.h"
+#include "arcway/query_set.h"
 #include "core/planner/planner_inputs.h"
-#include "datasets/generators/catalogue.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // The graph alone, by single arcs.
@@ -34,8 +34,8 @@ TEST(Suboptimality, BoundsHowMuchSlowerThePathIs) {
   int solved = 0, slower = 0;
   for (const Vehicle& vehicle : {Vehicle(), Vehicle(gentle)})
     for (const std::string& name : worlds) {
-      const World world = catalogue_world(name);
-      const auto queries = catalogue_queries(name, 12, 1);
+      const World world = catalog_world(name);
+      const auto queries = catalog_queries(name, 12, 1);
       const Planner exact(world, vehicle, graph_alone(0.0));
       std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
       for (const double w : {0.02, 0.1, 0.5}) {
@@ -82,7 +82,7 @@ TEST(Suboptimality, IsAllowedOnLargeMapsUnlessToldOtherwise) {
 }
 
 TEST(Suboptimality, IsNeitherNegativeNorBeyondAMillion) {
-  const World world = catalogue_world("clutter/convex/n4/m4/f15");
+  const World world = catalog_world("clutter/convex/n4/m4/f15");
   for (const double w :
        {-0.1, 1.1e6, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     try {
@@ -95,4 +95,4 @@ TEST(Suboptimality, IsNeitherNegativeNorBeyondAMillion) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/map/map_file.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/planner.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // An exact motion of the plane, perhaps with a reflection before.
@@ -168,4 +168,4 @@ TEST(Symmetry, PlansTakeAsLongOnTheMovedMap) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
+#include "arcway/angle.h"
+#include "arcway/planner.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 VehicleParameters small_robot() {
@@ -111,4 +111,4 @@ TEST(BodiesApartFromTheirReferencePoint, HaveValidPlans) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

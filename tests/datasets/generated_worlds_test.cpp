@@ -1,4 +1,4 @@
-// What holds for all families of the catalogue alike.
+// What holds for all families of the catalog alike.
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "core/collision/query_set.h"
-#include "core/model/vehicle.h"
-#include "datasets/generators/adversarial_world.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/structured_world.h"
+#include "arcway/datasets/adversarial_world.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/structured_world.h"
+#include "arcway/query_set.h"
+#include "arcway/vehicle.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::vector<std::string> families_by_vertices() {
@@ -47,7 +47,7 @@ TEST_P(GeneratedWorlds, HaveAboutTheVerticesAskedFor) {
   for (const std::size_t wanted : {1000u, 3456u, 20000u}) {
     for (const int seed : {1, 2, 3}) {
       const std::string name = GetParam() + "/v" + std::to_string(wanted) + "/s" + std::to_string(seed);
-      const World world = catalogue_world(name);  // which refuses what is not valid
+      const World world = catalog_world(name);  // which refuses what is not valid
       EXPECT_NEAR(static_cast<double>(world.vertices().size()) / static_cast<double>(wanted), 1.0, 0.05) << name;
       EXPECT_TRUE(world.has_bounds()) << name;
     }
@@ -57,16 +57,16 @@ TEST_P(GeneratedWorlds, HaveAboutTheVerticesAskedFor) {
 TEST_P(GeneratedWorlds, AreValidWhenSmall) {
   for (int vertices = 100; vertices < 400; vertices += 37) {
     const std::string name = GetParam() + "/v" + std::to_string(vertices);
-    EXPECT_GT(catalogue_world(name).convex_vertices().size(), 10u) << name;
+    EXPECT_GT(catalog_world(name).convex_vertices().size(), 10u) << name;
   }
 }
 
 TEST_P(GeneratedWorlds, AMillionVertices) {
-  EXPECT_NEAR(static_cast<double>(catalogue_world(GetParam() + "/v1000000").vertices().size()), 1e6, 5e4);
+  EXPECT_NEAR(static_cast<double>(catalog_world(GetParam() + "/v1000000").vertices().size()), 1e6, 5e4);
 }
 
 TEST_P(GeneratedWorlds, DependOnTheSeed) {
-  EXPECT_NE(hash_of(catalogue_map(GetParam() + "/v500/s1")), hash_of(catalogue_map(GetParam() + "/v500/s2")));
+  EXPECT_NE(hash_of(catalog_map(GetParam() + "/v500/s1")), hash_of(catalog_map(GetParam() + "/v500/s2")));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GeneratedWorlds, ::testing::ValuesIn(families_by_vertices()),
@@ -112,7 +112,7 @@ TEST(GeneratedWorldsTogether, AreTheSameBitsEverywhere) {
     for (const char* fill : {"20", "50"}) names.push_back(std::string("clutter/") + kind + "/n200/m9/f" + fill + "/s7");
   names.push_back("ponds/n20/t10/s7");
   for (const std::string& name : names) {
-    const std::uint64_t hash = hash_of(catalogue_map(name));
+    const std::uint64_t hash = hash_of(catalog_map(name));
     const auto found = expected.find(name);
     EXPECT_TRUE(found != expected.end() && found->second == hash)
         << "{\"" << name << "\", 0x" << std::hex << std::uppercase << hash << "u},";
@@ -121,12 +121,12 @@ TEST(GeneratedWorldsTogether, AreTheSameBitsEverywhere) {
 
 TEST(GeneratedWorldsTogether, RefuseNumbersOutOfRange) {
   try {
-    catalogue_map("maze/v50");
+    catalog_map("maze/v50");
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "maze: vertices is 50, must be from 100 to 10000000");
   }
-  EXPECT_THROW(catalogue_map("adversarial/far/v20000000"), std::invalid_argument);
+  EXPECT_THROW(catalog_map("adversarial/far/v20000000"), std::invalid_argument);
 }
 
 // A disc is moved over a grid: where it can go, so can a body about its size.
@@ -136,7 +136,7 @@ TEST(StructuredWorlds, JoinStartAndGoalByAWideWay) {
   for (const StructuredKind kind : kStructuredKinds) {
     for (const char* seed : {"/s1", "/s2"}) {
       const std::string name = std::string(name_of(kind)) + "/v400" + seed;
-      const MapFile map = catalogue_map(name);
+      const MapFile map = catalog_map(name);
       const World world = to_world(map, name);
       const QuerySet queries = make_reference_queries(world);
       ASSERT_TRUE(map.start && map.goal) << name;
@@ -171,4 +171,4 @@ TEST(StructuredWorlds, JoinStartAndGoalByAWideWay) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,12 +5,12 @@
 
 #include <filesystem>
 
-#include "datasets/formats/read_map.h"
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
+#include "arcway/datasets/read_map.h"
 #include "tests/fuzz/targets.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,4 +71,4 @@ TEST(HostileInput, EveryReaderSurvivesChangedBytes) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

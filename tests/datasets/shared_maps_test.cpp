@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "datasets/formats/read_map.h"
+#include "arcway/datasets/read_map.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +92,4 @@ TEST_F(SharedMaps, ScenariosAndParkingCasesBringStartAndGoal) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -10,15 +10,15 @@
 #include <optional>
 #include <string_view>
 
-#include "core/planner/planner.h"
-#include "datasets/formats/geojson.h"
-#include "datasets/formats/plan_io.h"
-#include "datasets/formats/read_map.h"
-#include "datasets/formats/wkt.h"
-#include "datasets/pictures/svg.h"
+#include "arcway/datasets/geojson.h"
+#include "arcway/datasets/plan_io.h"
+#include "arcway/datasets/read_map.h"
+#include "arcway/datasets/svg.h"
+#include "arcway/datasets/wkt.h"
+#include "arcway/planner.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -188,4 +188,4 @@ TEST(SmallWorlds, ReadAndWriteTheSameInACommaLocale) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

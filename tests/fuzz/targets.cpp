@@ -3,25 +3,25 @@
 #include <string>
 #include <vector>
 
-#include "core/planner/planner.h"
-#include "datasets/formats/geojson.h"
-#include "datasets/formats/grey_image.h"
+#include "arcway/datasets/geojson.h"
+#include "arcway/datasets/plan_io.h"
+#include "arcway/datasets/prepared_map.h"
+#include "arcway/datasets/read_map.h"
+#include "arcway/datasets/robot.h"
+#include "arcway/datasets/wkt.h"
+#include "arcway/planner.h"
+#include "datasets/formats/gray_image.h"
 #include "datasets/formats/movingai.h"
-#include "datasets/formats/plan_io.h"
-#include "datasets/formats/prepared_map.h"
-#include "datasets/formats/read_map.h"
-#include "datasets/formats/robot.h"
 #include "datasets/formats/ros_map.h"
 #include "datasets/formats/svg_world.h"
 #include "datasets/formats/text_polygons.h"
 #include "datasets/formats/tpcap.h"
 #include "datasets/formats/vertex_list.h"
-#include "datasets/formats/wkt.h"
 #include "datasets/grid/grid_map.h"
 #include "datasets/io/gzip.h"
 #include "tests/support/prepared_bytes.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 namespace {
 
 constexpr std::size_t kMaxCells = 1 << 16;
@@ -35,7 +35,7 @@ void use(const MapFile& map) {
 void use(const OccupancyGrid& grid) {
   for (const double tolerance : {0.0, 1.0}) use(to_map_file(grid, {.tolerance = tolerance}));
 }
-void use(const GreyImage& image) {
+void use(const GrayImage& image) {
   std::vector<std::string> warnings;
   use(to_grid(RosMap{}, image, kName, warnings));
 }
@@ -60,7 +60,7 @@ void pgm(std::string_view bytes) { use(read_pgm(bytes, kName, kMaxCells)); }
 void png(std::string_view bytes) { use(read_png(bytes, kName, kMaxCells)); }
 void ros_map(std::string_view bytes) {
   const RosMap map = read_ros_map(bytes, kName);
-  GreyImage image;
+  GrayImage image;
   image.width = image.height = 1;
   image.samples = {205};
   std::vector<std::string> warnings;
@@ -127,4 +127,4 @@ void run_fuzz_target(const FuzzTarget& target, std::string_view bytes) {
   }
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

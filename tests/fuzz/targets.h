@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// A reader fed with any bytes. It returns, or throws what its header says; both are fine. Everything else that comes
 /// out of it, be it another exception, is a bug.
@@ -18,4 +18,4 @@ std::span<const FuzzTarget> fuzz_targets();
 /// Feeds the bytes to the target and swallows what it may throw.
 void run_fuzz_target(const FuzzTarget& target, std::string_view bytes);
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

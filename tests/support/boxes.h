@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/model/world.h"
+#include "arcway/world.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// An upright rectangle without holes.
 inline Polygon box(double left, double bottom, double right, double top) {
   return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, {}};
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -5,9 +5,9 @@
 #include <memory>
 #include <span>
 
-#include "core/collision/query_set.h"
+#include "arcway/query_set.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// The reference, which counts what it was asked.
 class CountingSweep final : public SweepQuery {
@@ -30,4 +30,4 @@ class CountingSweep final : public SweepQuery {
   mutable std::size_t asked_ = 0, headings_asked_ = 0;
 };
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// The message of the FormatError that the action ends with, or "no error". Other exceptions pass.
 template <class Action>
@@ -17,4 +17,4 @@ std::string format_error_of(Action action) {
   return "no error";
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

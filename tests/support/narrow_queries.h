@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
+#include "arcway/angle.h"
+#include "arcway/planner.h"
 #include "tests/support/boxes.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// A motion of the plane: scaled, perhaps mirrored, turned, shifted.
 struct Variant {
@@ -78,4 +78,4 @@ inline Planner planner_of(const NarrowQuery& query, const Variant& variant) {
   return {World(std::move(obstacles), moved(query.bounds)), Vehicle(scaled(query.vehicle, variant.scale))};
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -5,10 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/model/world.h"
+#include "arcway/world.h"
+#include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// Rings on a coarse grid of whole numbers, so that contacts, overlaps, coincidences and collinear triples of every
 /// kind abound; about one in two has a shape that World takes.
@@ -105,4 +106,4 @@ inline World nasty_world(std::uint64_t seed, std::int64_t obstacles) {
   return World(std::move(polygons));
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

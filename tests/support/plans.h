@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/planner/planner.h"
-#include "core/validate/validation.h"
+#include "arcway/planner.h"
+#include "arcway/validation.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// A solved plan passes the validator and respects its own bounds.
 /// @param reverse  it may drive backwards.
@@ -40,4 +40,4 @@ inline void expect_same_plan(const PlanResult& a, const PlanResult& b) {
   }
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

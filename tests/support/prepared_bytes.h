@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 // The layout that datasets/README.md describes, read independently of the library.
 
@@ -53,4 +53,4 @@ inline void mend_checksums(std::string& bytes) {
   put(36, crc(0, 36));
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "datasets/grid/occupancy_grid.h"
+#include "arcway/datasets/occupancy_grid.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// Rows from the top: # is occupied, ? unknown, all else free.
 inline OccupancyGrid grid_of(const std::vector<std::string>& rows) {
@@ -40,4 +40,4 @@ inline OccupancyGrid random_grid(std::uint64_t seed) {
   return grid;
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry/angle.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/vec2.h"
+#include "arcway/angle.h"
+#include "arcway/polygon.h"
+#include "arcway/vec2.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// splitmix64: the same numbers on every platform, unlike the distributions of <random>.
 class Random {
@@ -62,4 +62,4 @@ inline Ring reversed(Ring ring) {
   return ring;
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

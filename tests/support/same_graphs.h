@@ -5,9 +5,10 @@
 #include <cstring>
 #include <vector>
 
-#include "core/roadmap/feasible_tables.h"
+#include "arcway/feasible_tables.h"
+#include "core/roadmap/feasible_graph.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 template <class T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
@@ -26,4 +27,4 @@ inline void expect_same(const FeasibleGraph& a, const FeasibleGraph& b) {
   EXPECT_EQ(std::memcmp(&m, &n, sizeof m), 0);
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

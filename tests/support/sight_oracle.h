@@ -9,10 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/model/world.h"
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/visibility_graph.h"
+#include "arcway/world.h"
+#include "core/roadmap/tangent_edges.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 using EdgeSet = std::set<std::pair<VertexId, VertexId>>;
 
@@ -212,4 +213,4 @@ class SightOracle {
   std::vector<Wedge> wedges_;
 };
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

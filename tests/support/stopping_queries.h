@@ -7,9 +7,9 @@
 #include <span>
 #include <stop_token>
 
-#include "core/collision/query_set.h"
+#include "arcway/query_set.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// The reference's queries, which count what they are asked and request a stop at a given question: a deadline that is
 /// the same on every machine. For one thread.
@@ -83,4 +83,4 @@ class StoppingQueries {
   std::shared_ptr<Count> count_ = std::make_shared<Count>();
 };
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -5,9 +5,9 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// Runs loops on plain threads, which the thread sanitizer understands. Bodies must not throw.
 class ThreadExecutor final : public Executor {
@@ -31,4 +31,4 @@ class ThreadExecutor final : public Executor {
   std::size_t threads_;
 };
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

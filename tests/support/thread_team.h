@@ -7,18 +7,18 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/team.h"
+#include "arcway/process_group.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
-/// Runs `work` on as many threads as the team is to have processes, each with its own rank.
-inline void run_team(std::size_t size, const std::function<void(const Team&)>& work) {
+/// Runs `work` on as many threads as the process group is to have processes, each with its own rank.
+inline void run_process_group(std::size_t size, const std::function<void(const ProcessGroup&)>& work) {
   struct Exchange {
     explicit Exchange(std::size_t size) : gifts(size), barrier(static_cast<std::ptrdiff_t>(size)) {}
     std::vector<std::string> gifts;
     std::barrier<> barrier;
   };
-  class Member final : public Team {
+  class Member final : public ProcessGroup {
    public:
     Member(Exchange& exchange, std::size_t rank) : exchange_(exchange), rank_(rank) {}
     [[nodiscard]] std::size_t size() const override { return exchange_.gifts.size(); }
@@ -41,4 +41,4 @@ inline void run_team(std::size_t size, const std::function<void(const Team&)>& w
   for (std::thread& thread : threads) thread.join();
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 namespace fs = std::filesystem;
 
@@ -79,4 +79,4 @@ class Tool : public testing::Test {
   std::string map_;
 };
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/model/world.h"
+#include "arcway/world.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 inline bool is_region(const Polygon& polygon) {
   try {
@@ -80,4 +80,4 @@ inline World touching_world(std::uint64_t seed, std::int64_t obstacles) {
   return World(std::move(polygons), std::move(bounds));
 }
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <vector>
 
-#include "core/collision/sweep_query.h"
-#include "core/model/world.h"
+#include "arcway/sweep_query.h"
+#include "arcway/world.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway::test {
+namespace arcway::internal::test {
 
 /// Worlds and questions that look for trouble: whole multiples of a power of two, so that collinear triples, touching
 /// and overlapping obstacles, common vertices and axis-parallel walls abound, at any size and any place.
@@ -159,4 +159,4 @@ class TroublesomeQueries {
   World world_;
 };
 
-}  // namespace arcway::test
+}  // namespace arcway::internal::test

@@ -1,31 +1,32 @@
-#include "accel/backend/accel_backend.h"
+#include "arcway/accel/accel_backend.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <vector>
 
-#include "accel/base/parallel.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/catalogue.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/planner.h"
+#include "core/roadmap/feasible_graph.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr const char* kName = "clutter/star/n40/m9/f30/s5";
 
 TEST(AccelBackend, PlansLazilyAndAsTheReference) {
-  const World world = catalogue_world(kName);
+  const World world = catalog_world(kName);
   const Planner reference(world, Vehicle{}), planner(world, Vehicle{}, accel_backend(world));
   EXPECT_EQ(planner.feasible_graph().mode(), GraphMode::kLazy);
   EXPECT_EQ(planner.visibility_graph().vertex_count(), 0u);
-  for (const PlanRequest& request : catalogue_queries(kName, 5, 1))
+  for (const PlanRequest& request : catalog_queries(kName, 5, 1))
     test::expect_same_plan(planner.plan(request), reference.plan(request));
 }
 
 TEST(AccelBackend, HasTheBuilderThatIsAskedFor) {
-  const World world = catalogue_world(kName);
+  const World world = catalog_world(kName);
   const Backend pairwise = accel_backend(world, kSerialExecutor, {.builder = GraphBuilder::kPairwise});
   const Backend wedge = accel_backend(world, kSerialExecutor, {.builder = GraphBuilder::kWedge});
   EXPECT_FALSE(pairwise.has_lazy_rows());
@@ -35,7 +36,7 @@ TEST(AccelBackend, HasTheBuilderThatIsAskedFor) {
 }
 
 TEST(AccelBackend, ChangesGraphs) {
-  const World world = catalogue_world(kName);
+  const World world = catalog_world(kName);
   const std::vector<ObstacleId> removed{3, 11};
   const World after = world.changed(removed, {});
   const WorldChange change(world, after, removed);
@@ -44,11 +45,11 @@ TEST(AccelBackend, ChangesGraphs) {
 }
 
 TEST(AccelBackend, EndsWhenItsExecutorsClockIsOver) {
-  const World world = catalogue_world("clutter/convex/n1000/m10/f15/s1");
+  const World world = catalog_world("clutter/convex/n1000/m10/f15/s1");
   const TbbExecutor threads;
   const StoppableExecutor over(threads, StopClock(0.0));
   EXPECT_THROW(Planner(world, Vehicle{}, accel_backend(world, over)), Cancelled);
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

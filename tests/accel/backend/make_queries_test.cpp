@@ -10,13 +10,13 @@
 #include <string>
 #include <thread>
 
-#include "accel/base/parallel.h"
 #include "accel/embree/configured_queries.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
 #include "tests/support/troublesome_queries.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::TroublesomeQueries;
@@ -32,7 +32,7 @@ struct MapPlace {
   double size;    // [m]
   double offset;  // [m]
 };
-// Sizes from a millimetre to 1e7 m; offsets of up to 2^30 times the size of a cell, and one as far out as doubles tell
+// Sizes from a millimeter to 1e7 m; offsets of up to 2^30 times the size of a cell, and one as far out as doubles tell
 // the cells apart.
 constexpr MapPlace kPlaces[] = {{0x1p-10, 0.0},    {0x1p-10, 0x1p14}, {1.0, 0.0},        {1.0, -0x1p20},
                                 {0x1p7, 0x1p4},    {0x1p7, 0x1p24},   {0x1p10, -0x1p23}, {0x1p14, 0x1p30},
@@ -252,4 +252,4 @@ TEST(EmbreeQueries, ChangeNoStateOfTheProcess) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

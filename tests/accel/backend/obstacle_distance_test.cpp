@@ -1,15 +1,15 @@
-#include "accel/backend/obstacle_distance.h"
+#include "arcway/accel/obstacle_distance.h"
 
 #include <gtest/gtest.h>
 
 #include <tuple>
 
-#include "accel/base/parallel.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/datasets/clutter.h"
 #include "core/geometry/distance.h"
-#include "datasets/generators/clutter.h"
 #include "tests/support/troublesome_queries.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 ObstacleDistance try_all(const World& world, std::span<const ObstacleId> a, std::span<const ObstacleId> b) {
@@ -86,4 +86,4 @@ TEST(ObstacleDistances, OfNoObstaclesAreInfiniteAndOfStrangersRefused) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

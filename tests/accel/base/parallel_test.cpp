@@ -1,4 +1,4 @@
-#include "accel/base/parallel.h"
+#include "arcway/accel/parallel.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::vector<int> visits_of(const Executor& executor, std::size_t count, std::size_t grain) {
@@ -81,4 +81,4 @@ TEST(TbbExecutor, ChangesNoGlobalThreadCount) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,9 +5,9 @@
 #include <memory>
 #include <new>
 
-#include "datasets/generators/clutter.h"
+#include "arcway/datasets/clutter.h"
 
-namespace arcway::embree {
+namespace arcway::internal::embree {
 namespace {
 
 // Embree takes an exception of a callback for an error of its own and answers as if nothing more were near.
@@ -26,4 +26,4 @@ TEST(EdgeScene, HandsOnWhatAVisitThrows) {
 }
 
 }  // namespace
-}  // namespace arcway::embree
+}  // namespace arcway::internal::embree

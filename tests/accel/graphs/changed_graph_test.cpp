@@ -5,13 +5,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "accel/graphs/wedge_graph.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/map/map_file.h"
+#include "arcway/accel/wedge_graph.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/map_file.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/thread_executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Steps of removing some obstacles and adding others; every graph against one built anew.
@@ -41,7 +41,7 @@ TEST(ChangedGraph, IsTheOneBuiltAnewInNastyWorlds) {
   }
 }
 
-TEST(ChangedGraph, IsTheOneBuiltAnewInWorldsOfTheCatalogue) {
+TEST(ChangedGraph, IsTheOneBuiltAnewInWorldsOfTheCatalog) {
   std::uint64_t seed = 0;
   for (const char* name :
        {"clutter/convex/n60/m8/f30/s1", "clutter/star/n60/m8/f5/s2", "city/v400/s1", "rooms/v300/s2",
@@ -50,7 +50,7 @@ TEST(ChangedGraph, IsTheOneBuiltAnewInWorldsOfTheCatalogue) {
         "adversarial/contacts/v200/s1", "adversarial/needles/v200/s1", "adversarial/holes/v200/s1"}) {
     SCOPED_TRACE(name);
     test::Random random(++seed);
-    const World world = to_world(catalogue_map(name), name);
+    const World world = to_world(catalog_map(name), name);
     const std::vector<Polygon> obstacles = to_map_file(world).obstacles;
     expect_changes(world, random, 25, static_cast<std::int64_t>(obstacles.size()) / 2, [&] {
       std::vector<Polygon> added;
@@ -84,7 +84,7 @@ TEST(ChangedGraph, RefusesTheGraphOfAnotherWorld) {
 }
 
 TEST(ChangedGraph, WalksFewRowsForAChangeOfOneObstacle) {
-  const World world = to_world(catalogue_map("clutter/convex/n1000/m10/f30/s7"), "clutter");
+  const World world = to_world(catalog_map("clutter/convex/n1000/m10/f30/s7"), "clutter");
   const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
   const std::vector<ObstacleId> removed = {500};
   const World after = world.changed(removed, {});
@@ -99,4 +99,4 @@ TEST(ChangedGraph, WalksFewRowsForAChangeOfOneObstacle) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,10 +1,10 @@
-#include "accel/graphs/graph_builder.h"
+#include "arcway/accel/graph_builder.h"
 
 #include <gtest/gtest.h>
 
-#include "datasets/generators/clutter.h"
+#include "arcway/datasets/clutter.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 GraphBuilder choice(ClutterKind kind, std::size_t obstacles, std::size_t vertices) {
@@ -27,4 +27,4 @@ TEST(GraphBuilderChoice, HasNames) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

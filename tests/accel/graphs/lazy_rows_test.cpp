@@ -6,15 +6,15 @@
 #include <thread>
 
 #include "accel/backend/make_queries.h"
-#include "accel/base/parallel.h"
-#include "accel/graphs/wedge_graph.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/random_queries.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/accel/wedge_graph.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/planner.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::vector<VertexId> copy(std::span<const VertexId> row) { return {row.begin(), row.end()}; }
@@ -56,7 +56,7 @@ TEST(LazyRows, FindAnEdgeWhoseLengthIsRoundedToTheLimit) {
 }
 
 TEST(LazyRows, AnswerManyThreadsAtOnce) {
-  const World world = catalogue_world("clutter/star/n200/m9/f30/s3");
+  const World world = catalog_world("clutter/star/n200/m9/f30/s3");
   const auto all = rows_of(world, build_reduced_visibility_graph_by_wedges(world));
   const auto lazy = make_lazy_rows(world, TbbExecutor(2));
   std::vector<std::vector<std::vector<VertexId>>> found(4);
@@ -94,7 +94,7 @@ TEST(LazyRows, GiveThePlansOfTheWholeGraph) {
   for (const char* name : {"clutter/convex/n300/m10/f30/s1", "clutter/star/n100/m8/f30/s2", "city/v1500/s1",
                            "maze/v600/s1", "warehouse/v800/s1", "adversarial/overlapping/v500/s1"}) {
     SCOPED_TRACE(name);
-    const World world = catalogue_world(name);
+    const World world = catalog_world(name);
     const Vehicle vehicle;
     const QuerySet queries = make_embree_queries(world);
     const auto rows = std::make_shared<const CountedRows>(make_lazy_rows(world), world.vertices().size());
@@ -117,4 +117,4 @@ TEST(LazyRows, GiveThePlansOfTheWholeGraph) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

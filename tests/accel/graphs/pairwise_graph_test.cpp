@@ -8,11 +8,11 @@
 #include <string>
 
 #include "accel/backend/make_queries.h"
-#include "accel/base/parallel.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/datasets/clutter.h"
 #include "tests/support/troublesome_queries.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 VisibilityGraph expected_graph(const World& world) {
@@ -128,4 +128,4 @@ TEST(PairwiseGraph, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

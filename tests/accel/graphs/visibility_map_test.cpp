@@ -1,4 +1,4 @@
-#include "accel/graphs/visibility_map.h"
+#include "arcway/accel/visibility_map.h"
 
 #include <gtest/gtest.h>
 
@@ -9,17 +9,18 @@
 #include <stdexcept>
 
 #include "accel/backend/make_queries.h"
-#include "accel/base/parallel.h"
-#include "accel/graphs/wedge_graph.h"
-#include "core/collision/query_set.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/accel/wedge_graph.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/query_set.h"
+#include "arcway/visibility_graph.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
-#include "core/roadmap/visibility_graph.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/clutter.h"
+#include "core/roadmap/tangent_edges.h"
 #include "tests/support/nasty_worlds.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr std::uint64_t kNastyWorlds = 600;
@@ -60,7 +61,7 @@ TEST(VisibilityMap, SeesWhatTheReferenceSees) {
                              "adversarial/needles", "adversarial/far", "adversarial/nested", "adversarial/overlapping",
                              "adversarial/contacts", "adversarial/holes", "maze", "coastline"}) {
     SCOPED_TRACE(family);
-    expect_same_sights(catalogue_world(std::string(family) + "/v250/s3"), 5, 1500);
+    expect_same_sights(catalog_world(std::string(family) + "/v250/s3"), 5, 1500);
   }
 }
 
@@ -115,7 +116,7 @@ TEST(VisibilityMap, GraphsByExpansionAreTheReferences) {
         "adversarial/far/v250/s3", "adversarial/nested/v250/s3", "adversarial/overlapping/v250/s3",
         "adversarial/contacts/v250/s3", "adversarial/holes/v250/s3", "maze/v250/s3", "coastline/v250/s3"}) {
     SCOPED_TRACE(name);
-    EXPECT_GT(expect_same_graph(catalogue_world(name)), 0u);
+    EXPECT_GT(expect_same_graph(catalog_world(name)), 0u);
   }
   EXPECT_EQ(build_full_visibility_graph_by_expansion(World({})).vertex_count(), 0u);
 }
@@ -318,4 +319,4 @@ TEST(VisibilityMap, RefusesWhatItCannotSay) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

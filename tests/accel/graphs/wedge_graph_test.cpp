@@ -1,4 +1,4 @@
-#include "accel/graphs/wedge_graph.h"
+#include "arcway/accel/wedge_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -10,21 +10,22 @@
 #include <vector>
 
 #include "accel/backend/make_queries.h"
-#include "accel/base/parallel.h"
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/edge_list.h"
 #include "accel/expansion/long_fans.h"
 #include "accel/expansion/sight_map.h"
-#include "accel/expansion/strips.h"
+#include "accel/expansion/sleeves.h"
 #include "accel/graphs/edge_walks.h"
 #include "accel/graphs/pairwise_graph.h"
-#include "core/base/progress.h"
-#include "core/collision/query_set.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/accel/parallel.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/progress.h"
+#include "arcway/query_set.h"
+#include "core/geometry/predicates.h"
 #include "tests/support/nasty_worlds.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr std::uint64_t kNastyWorlds = 1500;
@@ -49,12 +50,12 @@ std::string edges_missing_from(const VisibilityGraph& from, const VisibilityGrap
                                        << "\nextra:" << edges_missing_from(expected, graph);
 }
 
-// All strips and fans are passed at once, however short.
-VisibilityGraph graph_by_strips(const World& world, Diagonals shortened) {
+// All sleeves and fans are passed at once, however short.
+VisibilityGraph graph_by_sleeves(const World& world, Diagonals shortened) {
   SightMap map(world, SerialExecutor(), shortened);
   map.list_left_edges();
   std::vector<EdgeList> lists =
-      walk_right(map, Strips(map, 1), LongFans(map, 1), 0, map.nodes().size(), SerialExecutor());
+      walk_right(map, Sleeves(map, 1), LongFans(map, 1), 0, map.nodes().size(), SerialExecutor());
   add_missing(edges_through_contacts(world, map), lists);
   return graph_of(world.vertices().size(), lists, SerialExecutor());
 }
@@ -63,7 +64,7 @@ VisibilityGraph graph_by_strips(const World& world, Diagonals shortened) {
   const VisibilityGraph expected = reference(world);
   if (const auto result = agrees(build_reduced_visibility_graph_by_wedges(world), expected); !result) return result;
   for (const Diagonals shortened : {Diagonals::kLong, Diagonals::kAll})
-    if (auto result = agrees(graph_by_strips(world, shortened), expected); !result) return result << "\nby strips";
+    if (auto result = agrees(graph_by_sleeves(world, shortened), expected); !result) return result << "\nby sleeves";
   return ::testing::AssertionSuccess();
 }
 
@@ -76,8 +77,8 @@ TEST(WedgeGraph, Clutters) {
     }
 }
 
-// A run's rays may begin to lead left, so that it ends, in the middle of a strip along it.
-TEST(WedgeGraph, RunsThatEndWithinStrips) {
+// A run's rays may begin to lead left, so that it ends, in the middle of a sleeve along it.
+TEST(WedgeGraph, RunsThatEndWithinSleeves) {
   for (std::uint64_t seed = 40; seed < 130; ++seed)
     ASSERT_TRUE(agrees(random_world({.obstacles = 3, .vertices = 16, .fill = 0.3, .seed = seed}))) << "seed " << seed;
 }
@@ -89,7 +90,7 @@ TEST(WedgeGraph, NastyWorlds) {
     ASSERT_TRUE(agrees(test::nasty_world(seed, 80))) << "large, seed " << seed;
 }
 
-TEST(WedgeGraph, WorldsOfTheCatalogue) {
+TEST(WedgeGraph, WorldsOfTheCatalog) {
   for (const char* family : {"corridor",
                              "city",
                              "coastline",
@@ -110,7 +111,7 @@ TEST(WedgeGraph, WorldsOfTheCatalogue) {
                              "adversarial/comb",
                              "adversarial/spikes",
                              "adversarial/rings"})
-    EXPECT_TRUE(agrees(catalogue_world(std::string(family) + "/v250/s2"))) << family;
+    EXPECT_TRUE(agrees(catalog_world(std::string(family) + "/v250/s2"))) << family;
 }
 
 TEST(WedgeGraph, NothingAndLittle) {
@@ -273,11 +274,11 @@ TEST(WedgeGraph, StepsAroundASawGrowLikeItsTeeth) {
   }
 }
 
-// Where the builder passes strips at once of its own accord.
+// Where the builder passes sleeves at once of its own accord.
 TEST(WedgeGraph, LongConvexWalls) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const World world = random_world({.obstacles = 15, .vertices = 90, .fill = 0.35, .seed = seed});
-    EXPECT_FALSE(worthwhile_strips(world, SightMap(world)).empty());
+    EXPECT_FALSE(worthwhile_sleeves(world, SightMap(world)).empty());
     EXPECT_TRUE(agrees(world)) << seed;
   }
 }
@@ -372,4 +373,4 @@ TEST(WedgeGraph, CountsRegionsThatCross) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

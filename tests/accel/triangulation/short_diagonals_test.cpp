@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "accel/expansion/sight_map.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/datasets/clutter.h"
 #include "tests/support/random_inputs.h"
 #include "tests/support/thread_executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Large enough for several blocks of triangles that are flipped at the same time.
@@ -26,4 +26,4 @@ TEST(ShortDiagonals, AreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

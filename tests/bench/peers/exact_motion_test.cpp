@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/random_queries.h"
 #include "core/motion/clearance.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/random_queries.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 namespace {
 
 TEST(ExactMotion, IsFreeExactlyIfTheBodyKeepsAway) {
-  const World world = catalogue_world("clutter/star/n30/m8/f30/s3");
+  const World world = catalog_world("clutter/star/n30/m8/f30/s3");
   const QuerySet queries = make_reference_queries(world);
   const Vehicle vehicle;
   const Footprint body = checked_body(vehicle);
@@ -43,4 +43,4 @@ TEST(ExactMotion, TravelTimeIsFromRestToRest) {
 }
 
 }  // namespace
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

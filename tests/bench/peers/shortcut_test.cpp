@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 namespace {
 
 Path detour(const Vehicle& vehicle) {
@@ -51,4 +51,4 @@ TEST(Shortcut, KeepsOutOfObstaclesAndIsNeverSlower) {
 }
 
 }  // namespace
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

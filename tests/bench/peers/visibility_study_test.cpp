@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace arcway::peers {
+namespace arcway::internal::peers {
 namespace {
 
 TEST(VisibilityStudy, TimesEqualAnswersInTurn) {
@@ -26,4 +26,4 @@ TEST(VisibilityStudy, LeavesOutWhatTakesTooLong) {
 }
 
 }  // namespace
-}  // namespace arcway::peers
+}  // namespace arcway::internal::peers

@@ -9,11 +9,11 @@
 #include <random>
 #include <string>
 
+#include "arcway/datasets/file_io.h"
 #include "bench/report/plot.h"
 #include "bench/report/study.h"
-#include "datasets/io/file_io.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 std::string run(const std::string& name, double seconds, const std::string& more = {}) {
@@ -282,4 +282,4 @@ TEST(Report, OpensInABrowserWithoutErrors) {
 }
 
 }  // namespace
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/file_io.h"
 #include "bench/report/document.h"
-#include "datasets/io/file_io.h"
 
 // What is committed under bench/results, and the tables made from it.
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ TEST(KeptResults, HaveNoFailure) {
 }
 
 }  // namespace
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

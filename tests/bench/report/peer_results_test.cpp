@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 using Context = std::vector<std::pair<std::string, std::string>>;
@@ -87,4 +87,4 @@ TEST(AnsweredAnew, KeepsTheAnswersOfOthers) {
 }
 
 }  // namespace
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

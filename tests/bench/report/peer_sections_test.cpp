@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 PeerResults example() {
@@ -98,4 +98,4 @@ TEST(Planners, AreComparedWithinASetting) {
 }
 
 }  // namespace
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -12,7 +12,7 @@
 #include "bench/report/results.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway::report {
+namespace arcway::internal::report {
 namespace {
 
 /// Medians of five repetitions with 10 % noise over four decades.
@@ -63,7 +63,7 @@ TEST(PowerFit, IsExactWithoutNoise) {
   EXPECT_NEAR(fit.exponent, 2.0, 1e-12);
   EXPECT_NEAR(fit.factor, 5.0, 1e-9);
   EXPECT_NEAR(fit.high - fit.low, 0.0, 1e-6);
-  const std::vector<double> slopes = neighbour_slopes(points);
+  const std::vector<double> slopes = neighbor_slopes(points);
   ASSERT_EQ(slopes.size(), 2u);
   EXPECT_NEAR(slopes[0], 2.0, 1e-12);
 }
@@ -97,4 +97,4 @@ TEST(MannWhitney, ApproximatesLargeSamples) {
 }
 
 }  // namespace
-}  // namespace arcway::report
+}  // namespace arcway::internal::report

@@ -6,11 +6,12 @@
 #include <memory>
 #include <vector>
 
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
 #include "core/gaps/gap_circles.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
+#include "core/roadmap/feasible_graph.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Holes and bounds have pieces of their own; walls hardly longer than a turn have circles round two vertices.
@@ -26,14 +27,14 @@ TEST(CirclePlaces, HoldEachCircleOnce) {
   const World world = world_with_holes();
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}});
   const Planner planner(world, vehicle, {.graph_mode = GraphMode::kLazy});
-  const TurnCircles& usual = planner.feasible_graph().turn_circles();
+  const TurnCircles& base = planner.feasible_graph().turn_circles();
   const auto outlines = std::make_shared<const Outlines>(world);
-  ExtraCircles extra;
+  AddedCircles added;
   for (const VertexId v : world.convex_vertices())
-    extra.round.push_back(turn_circle(world, v, 20.0, Side::kLeft, vehicle.footprint()));
-  const TurnCircle of_gate = extra.round[0];
-  extra.gates.push_back({{of_gate}, {of_gate}});
-  for (const TurnCircles& circles : {usual, TurnCircles(usual, extra)}) {
+    added.round.push_back(turn_circle(world, v, 20.0, Side::kLeft, vehicle.footprint()));
+  const TurnCircle of_gate = added.round[0];
+  added.gates.push_back({{of_gate}, {of_gate}});
+  for (const TurnCircles& circles : {base, TurnCircles(base, added)}) {
     const CirclePlaces places(circles, outlines);
     std::vector<std::uint32_t> found;
     places.visit_near_first(
@@ -59,7 +60,7 @@ TEST(CirclePlaces, HoldEachCircleOnce) {
     ASSERT_EQ(found.size(), circles.all().size());
     for (std::uint32_t c = 0; c < found.size(); ++c) ASSERT_EQ(found[c], c);
   }
-  EXPECT_GT(usual.all().size(),
+  EXPECT_GT(base.all().size(),
             2 * planner.options().radii.size() * world.convex_vertices().size());  // round two as well
 }
 
@@ -85,4 +86,4 @@ TEST(CirclePlaces, LieWithTheirPieces) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

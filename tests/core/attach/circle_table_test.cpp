@@ -4,13 +4,14 @@
 
 #include <bit>
 
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
-#include "core/roadmap/turning_radii.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
+#include "arcway/turning_radii.h"
+#include "core/roadmap/feasible_graph.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(CircleTable, SaysWhatTheGraphSays) {
@@ -72,4 +73,4 @@ TEST(CircleTable, KnowsThatThereIsOneRadius) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

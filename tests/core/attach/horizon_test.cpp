@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/query_set.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(Horizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
@@ -148,4 +148,4 @@ TEST(Horizon, IsCutOffByALongWall) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

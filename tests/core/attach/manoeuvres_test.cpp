@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <string>
 
-#include "core/collision/query_set.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/catalogue.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/planner.h"
+#include "arcway/query_set.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Goals that are entered through a narrow range of headings only: between a wall and a corner, and along the bounds.
 TEST(Manoeuvres, ReachGoalsBesideAWall) {
-  const Planner planner(catalogue_world("clutter/convex/n100/m10/f45"), Vehicle());
+  const Planner planner(catalog_world("clutter/convex/n100/m10/f45"), Vehicle());
   const PlanRequest requests[] = {
       {{7.390247560079878, 71.2415520058915, -0.3152196150963773},
        {92.07973811590975, 106.02145761459767, -1.131966038614141}},
@@ -38,8 +38,8 @@ TEST(Manoeuvres, TurnBackWhereThereIsRoom) {
     std::size_t query;
   };
   for (const Case& c : {Case{"corridor/v300/s1", 5}, Case{"maze/v300/s2", 45}}) {
-    const Planner planner(catalogue_world(c.world), Vehicle());
-    const PlanResult result = planner.plan(catalogue_queries(c.world, c.query + 1, 1).back());
+    const Planner planner(catalog_world(c.world), Vehicle());
+    const PlanResult result = planner.plan(catalog_queries(c.world, c.query + 1, 1).back());
     ASSERT_TRUE(result.solved()) << c.world << ": " << result.reason;
     test::expect_valid(planner, result);
   }
@@ -47,27 +47,27 @@ TEST(Manoeuvres, TurnBackWhereThereIsRoom) {
 
 // A circle that a pose shares is looked at once, from where most of it lies ahead.
 TEST(Manoeuvres, ShareCirclesWithPosesThatTurnOnThemEarlier) {
-  const World world = catalogue_world("clutter/star/n100/m10/f30");
+  const World world = catalog_world("clutter/star/n100/m10/f30");
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
   const double radius = vehicle.min_turning_radius();
   const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
   std::size_t shared = 0;
-  for (const PlanRequest& request : catalogue_queries("clutter/star/n100/m10/f30", 6, 1))
+  for (const PlanRequest& request : catalog_queries("clutter/star/n100/m10/f30", 6, 1))
     for (const Direction direction : {Direction::kFromStart, Direction::kToGoal}) {
       const bool forwards = direction == Direction::kFromStart;
-      const auto terminals =
+      const auto attachments =
           find_manoeuvres(forwards ? request.start : request.goal, direction, vehicle, radius, *queries.sweep, 60);
-      for (const Terminal& terminal : terminals) {
-        if (!terminal.shared) continue;
+      for (const Attachment& attachment : attachments) {
+        if (!attachment.shared) continue;
         ++shared;
-        const Side side = *terminal.shared;
-        const TurnCircle circle = turn_circle(terminal.pose, radius, side);
+        const Side side = *attachment.shared;
+        const TurnCircle circle = turn_circle(attachment.pose, radius, side);
         const HeadingSet free = queries.sweep->free_headings({circle.center, radius, side, body});
-        EXPECT_TRUE(std::ranges::any_of(terminals, [&](const Terminal& other) {
+        EXPECT_TRUE(std::ranges::any_of(attachments, [&](const Attachment& other) {
           const Vec2 center = turn_circle(other.pose, radius, side).center;
-          const double turn = forwards ? turn_between(other.pose.heading, terminal.pose.heading, side)
-                                       : turn_between(terminal.pose.heading, other.pose.heading, side);
+          const double turn = forwards ? turn_between(other.pose.heading, attachment.pose.heading, side)
+                                       : turn_between(attachment.pose.heading, other.pose.heading, side);
           return other.shared != side && (center - circle.center).norm() < 1e-9 &&
                  turn <= free.reach(other.pose.heading, forwards ? side : opposite(side)) + 1e-9;
         }));
@@ -79,10 +79,10 @@ TEST(Manoeuvres, ShareCirclesWithPosesThatTurnOnThemEarlier) {
 // Poses that face away from their way, with room to turn beside them.
 TEST(Manoeuvres, MakePathsFaster) {
   const std::string name = "clutter/star/n100/m10/f15";
-  const World world = catalogue_world(name);
+  const World world = catalog_world(name);
   const Planner planner(world, Vehicle());
   const Planner without(world, Vehicle(), {.manoeuvre_poses = 0});
-  const auto queries = catalogue_queries(name, 40, 1);
+  const auto queries = catalog_queries(name, 40, 1);
   for (const std::size_t q : {1, 2, 3, 11, 35, 39}) {
     const PlanResult result = planner.plan(queries[q]);
     const PlanResult plain = without.plan(queries[q]);
@@ -96,13 +96,13 @@ TEST(Manoeuvres, MakePathsFaster) {
 }
 
 TEST(Manoeuvres, AreFurtherApartWhereSparse) {
-  const World world = catalogue_world("corridor/v300/s1");
+  const World world = catalog_world("corridor/v300/s1");
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
   const auto count_near = [&](Spread spread) {
     const auto found = find_manoeuvres({5.0, 2.5, 0.0}, Direction::kFromStart, vehicle, vehicle.min_turning_radius(),
                                        *queries.sweep, 400, spread);
-    return std::count_if(found.begin(), found.end(), [](const Terminal& t) { return length_of(t.connection) < 3.0; });
+    return std::count_if(found.begin(), found.end(), [](const Attachment& t) { return length_of(t.connection) < 3.0; });
   };
   EXPECT_GT(count_near(Spread::kSparse), 10);
   EXPECT_LT(2 * count_near(Spread::kSparse), count_near(Spread::kDense));
@@ -118,11 +118,11 @@ TEST(Manoeuvres, EndATurnWhereAnObstacleDoes) {
   const auto found =
       find_manoeuvres(pose, Direction::kFromStart, vehicle, vehicle.min_turning_radius(), *queries.sweep, 50);
   bool partial = false;
-  for (const Terminal& terminal : found)
-    for (const PathSegment& segment : terminal.connection)
+  for (const Attachment& attachment : found)
+    for (const PathSegment& segment : attachment.connection)
       partial |= segment.curvature > 0.0 && segment.length * segment.curvature < 0.39;
   EXPECT_TRUE(partial);
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,15 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/catalogue.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/planner.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 #include "tests/support/thread_executor.h"
 
 // Plans through places where the circles on the bisectors of vertices collide.
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 PlanResult plan(const World& world, const PlanRequest& request, bool gap_circles = true,
@@ -113,7 +113,7 @@ TEST(NarrowPlaces, LeadRoundACornerAsNarrowAsItCanBe) {
   const Vehicle vehicle;
   const SweptAnnulus swept = swept_annulus(vehicle.footprint(vehicle.safety_margin()), vehicle.min_turning_radius());
   for (const double angle : {0.25 * kPi, 0.3 * kPi, 0.4 * kPi}) {
-    // Of the smallest widths for a circle whose centre lies in this direction from the corner.
+    // Of the smallest widths for a circle whose center lies in this direction from the corner.
     const double first = swept.outer - swept.inner * std::cos(angle) + 1e-3;
     const double second = swept.outer - swept.inner * std::sin(angle) + 1e-3;
     const World world({test::box(first, -20, 20, 0)}, Ring{{0, -20.5}, {20.5, -20.5}, {20.5, second}, {0, second}});
@@ -156,8 +156,8 @@ TEST(NarrowPlaces, TakeObstaclesThatTouchOrOverlap) {
 
 TEST(NarrowPlaces, GiveTheSamePlanWhateverWasAskedBefore) {
   const std::string name = "clutter/star/n60/m10/f45/s2";
-  const World world = catalogue_world(name);
-  const std::vector<PlanRequest> requests = catalogue_queries(name, 12, 1);
+  const World world = catalog_world(name);
+  const std::vector<PlanRequest> requests = catalog_queries(name, 12, 1);
   const Planner forwards(world, Vehicle()), backwards(world, Vehicle());
   const Planner parallel(world, Vehicle(), backend_of(world, make_reference_queries(world), test::ThreadExecutor(3)));
   std::vector<PlanResult> results, threaded(requests.size());
@@ -175,9 +175,9 @@ TEST(NarrowPlaces, GiveTheSamePlanWhateverWasAskedBefore) {
 TEST(NarrowPlaces, LoseNoPathOfClutters) {
   std::size_t faster = 0;
   for (const char* name : {"clutter/convex/n60/m10/f45/s1", "clutter/star/n60/m10/f45/s1"}) {
-    const World world = catalogue_world(name);
+    const World world = catalog_world(name);
     const Planner with(world, Vehicle()), without(world, Vehicle(), {.gap_circles = false});
-    for (const PlanRequest& request : catalogue_queries(name, 10, 1)) {
+    for (const PlanRequest& request : catalog_queries(name, 10, 1)) {
       const PlanResult before = without.plan(request), now = with.plan(request);
       if (now.solved()) test::expect_valid(with, now);
       EXPECT_TRUE(now.solved() || !before.solved());
@@ -188,4 +188,4 @@ TEST(NarrowPlaces, LoseNoPathOfClutters) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

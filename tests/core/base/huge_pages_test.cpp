@@ -8,7 +8,7 @@
 #include <new>
 #include <numeric>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
@@ -49,4 +49,4 @@ TEST(HugePages, AreNotMoreThanThereAre) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 struct Item {
@@ -40,4 +40,4 @@ TEST(OpenList, GivesTheLeastFirst) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/base/progress.h"
+#include "arcway/progress.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 #include <thread>
 #include <vector>
 
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
 #include "tests/support/thread_executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(Progress, RisesToTheTotalAndIsReportedByOneThreadAtATime) {
@@ -92,4 +92,4 @@ TEST(Progress, AReporterCanStopTheBuildThatItWatches) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

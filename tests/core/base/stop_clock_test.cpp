@@ -1,4 +1,4 @@
-#include "core/base/stop_clock.h"
+#include "arcway/stop_clock.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <stop_token>
 #include <thread>
 
-#include "core/base/executor.h"
+#include "arcway/executor.h"
 #include "core/base/late_value.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(StopClock, IsOverAtItsDeadlineOrWhenStopped) {
@@ -146,4 +146,4 @@ TEST(LateValue, IsNotWaitedForBeyondTheClock) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/query_set.h"
 #include "core/roadmap/turn_circle.h"
-#include "datasets/generators/catalogue.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 class ContactReachOnClutter : public testing::Test {
@@ -26,7 +26,7 @@ class ContactReachOnClutter : public testing::Test {
     }
   }
 
-  const World world_ = catalogue_world("clutter/star/n100/m10/f30");
+  const World world_ = catalog_world("clutter/star/n100/m10/f30");
   const QuerySet queries_ = make_reference_queries(world_);
   const Outlines outlines_{world_};
   const Footprint body_{1.4, 0.1, 0.4};
@@ -92,4 +92,4 @@ TEST(ContactReach, CountsTheEdgesThatItCompares) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include "core/collision/query_set.h"
+#include "arcway/query_set.h"
 #include "tests/support/counting_sweep.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 const Footprint kBody{1.4, 0.1, 0.4};
@@ -41,4 +41,4 @@ TEST(MemoizedSweep, AsksEachQuestionOnceAndAnswersAlike) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/collision/query_set.h"
+#include "arcway/query_set.h"
 #include "core/motion/clearance.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 const Footprint kBody{1.4, 0.1, 0.4};
@@ -42,4 +42,4 @@ TEST(MotionFree, SaysWhatTheClearanceSaysInBothGears) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

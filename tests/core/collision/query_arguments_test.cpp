@@ -5,10 +5,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/collision/query_set.h"
-#include "core/model/vehicle.h"
+#include "arcway/query_set.h"
+#include "arcway/vehicle.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 class QueryArguments : public testing::Test {
@@ -78,4 +78,4 @@ TEST_F(QueryArguments, AnswersHaveRoom) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

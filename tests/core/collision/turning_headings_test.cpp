@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "accel/backend/make_queries.h"
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/query_set.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // The body at one heading, as a rectangle of its own: decided by the straight check, which is exact.
@@ -93,4 +93,4 @@ TEST(FreeHeadings, OutsideTheBoundsNothingIsFree) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,10 +1,10 @@
-#include "core/collision/visibility_query.h"
+#include "arcway/visibility_query.h"
 
 #include <gtest/gtest.h>
 
-#include "core/collision/query_set.h"
+#include "arcway/query_set.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 bool sees(const World& world, const Vec2& a, const Vec2& b) {
@@ -62,4 +62,4 @@ TEST(Visibility, LobesThatTouchBlockEachOnItsOwn) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

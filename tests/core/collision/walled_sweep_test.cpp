@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/collision/query_set.h"
+#include "arcway/query_set.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 const Footprint kBody{1.4, 0.1, 0.4};
@@ -52,4 +52,4 @@ TEST(WalledSweep, SaysWhatTheWorldWithTheWallsInItSays) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <cstdint>
 
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/planner.h"
 #include "core/collision/motion_free.h"
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
 #include "datasets/io/random.h"
 #include "tests/support/boxes.h"
 #include "tests/support/counting_sweep.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
@@ -103,7 +103,7 @@ TEST(DeadEnd, IsNoneInABendAsNarrowAsTheSweptArea) {
     const double radius = vehicle.min_turning_radius() * (i % 3 == 0 ? 1.0 : random.uniform(1.0, 3.0));
     const SweptAnnulus swept = swept_annulus(vehicle.footprint(), radius);
     const Vec2 center = start.position() + radius * perpendicular(direction_of(start.heading));
-    const double first = start.heading - 0.5 * kPi - 0.2;  // seen from the centre
+    const double first = start.heading - 0.5 * kPi - 0.2;  // seen from the center
     const auto at = [&](double distance, double turned) -> Vec2 {
       return center + distance * direction_of(first + turned);
     };
@@ -218,4 +218,4 @@ TEST(DeadEnd, IsNotProvedWhereThereIsAPath) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

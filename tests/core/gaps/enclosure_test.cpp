@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/planner.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
@@ -82,4 +82,4 @@ TEST(Enclosure, IsNotProvedWhereThereIsAPath) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include "core/collision/query_set.h"
+#include "arcway/angle.h"
+#include "arcway/query_set.h"
 #include "core/gaps/vehicle_gaps.h"
-#include "core/geometry/angle.h"
 #include "tests/support/boxes.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 const Vehicle kVehicle;
@@ -23,7 +23,7 @@ World door(double width, double thickness) {
   return World({test::box(0, -20, thickness, 0), test::box(0, width, thickness, 20 + width)});
 }
 
-ExtraCircles circles_of(const World& world) {
+AddedCircles circles_of(const World& world) {
   return find_gap_circles(world, VehicleGaps(world, kVehicle, kRadius).map(), kVehicle, kRadius);
 }
 
@@ -37,7 +37,7 @@ double turn_at(const World& world, const TurnCircle& circle, double heading, boo
 
 TEST(GapCircles, LeadThroughADoorThatIsTooNarrowToTurnIn) {
   const World world = door(0.85, 1.0);
-  const ExtraCircles extra = circles_of(world);
+  const AddedCircles added = circles_of(world);
   for (const double ahead : {0.0, kPi})
     for (const Side side : {Side::kLeft, Side::kRight}) {
       double most_off = -1.0, most_onto = -1.0;
@@ -50,7 +50,7 @@ TEST(GapCircles, LeadThroughADoorThatIsTooNarrowToTurnIn) {
           if (c.side == side && heading == ahead) most = std::max(most, turn_at(world, c, heading, exit));
         }
       };
-      for (const Gate& gate : extra.gates) {
+      for (const Gate& gate : added.gates) {
         widest(gate.exits, true, most_off);
         widest(gate.entries, false, most_onto);
       }
@@ -64,9 +64,9 @@ TEST(GapCircles, HaveTheRadiusThatANarrowPlaceDemands) {
   const double width = 1.1;
   ASSERT_LT(width, swept_annulus(kGrown, kRadius).width());
   const World world({test::box(-40, -41, 40, -40), {{{0, -40 + width}, {10, -20}, {-10, -20}}, {}}});
-  const ExtraCircles extra = circles_of(world);
-  ASSERT_EQ(extra.round.size(), 1u);
-  const TurnCircle& circle = extra.round.front();
+  const AddedCircles added = circles_of(world);
+  ASSERT_EQ(added.round.size(), 1u);
+  const TurnCircle& circle = added.round.front();
   EXPECT_GT(circle.radius, kRadius);
   const SweptAnnulus swept = swept_annulus(kGrown, circle.radius);
   EXPECT_LE(swept.width(), width);
@@ -80,9 +80,9 @@ TEST(GapCircles, TouchWhatTheirVertexFaces) {
   const SweptAnnulus swept = swept_annulus(kGrown, kRadius);
   const double width = 0.5 * (swept.width() + swept.outer - swept.inner * std::sqrt(0.5));
   const World world({test::box(-40, -41, 40, -40), test::box(0, -40 + width, 30, 0)});
-  const ExtraCircles extra = circles_of(world);
-  const auto touching = std::ranges::find_if(extra.round, [](const TurnCircle& c) { return c.center.x() < 15.0; });
-  ASSERT_NE(touching, extra.round.end());
+  const AddedCircles added = circles_of(world);
+  const auto touching = std::ranges::find_if(added.round, [](const TurnCircle& c) { return c.center.x() < 15.0; });
+  ASSERT_NE(touching, added.round.end());
   EXPECT_NEAR((touching->center - Vec2(0, -40 + width)).norm(), swept.inner, 1e-9);
   EXPECT_NEAR(touching->center.y() + 40.0, swept.outer, 1e-9);
   EXPECT_GT(touching->center.x(), 0.0);
@@ -90,9 +90,9 @@ TEST(GapCircles, TouchWhatTheirVertexFaces) {
 
 TEST(GapCircles, AreNotMadeWhereTheBodyDoesNotFitOrHasRoom) {
   for (const double width : {0.0, 0.5, 0.8, 2.0 * kGrown.half_width, 2.3}) {
-    const ExtraCircles extra = circles_of(door(width, 1.0));
-    EXPECT_TRUE(extra.round.empty()) << width;
-    EXPECT_TRUE(extra.gates.empty()) << width;
+    const AddedCircles added = circles_of(door(width, 1.0));
+    EXPECT_TRUE(added.round.empty()) << width;
+    EXPECT_TRUE(added.gates.empty()) << width;
   }
   const double most = swept_annulus(kGrown, kRadius).outer;
   EXPECT_FALSE(circles_of(door(0.99 * most, 1.0)).gates.empty());
@@ -101,10 +101,10 @@ TEST(GapCircles, AreNotMadeWhereTheBodyDoesNotFitOrHasRoom) {
 }
 
 TEST(GapCircles, KnowVerticesNearBy) {
-  const ExtraCircles extra = circles_of(door(0.9, 30.0));
-  ASSERT_FALSE(extra.gates.empty());
+  const AddedCircles added = circles_of(door(0.9, 30.0));
+  ASSERT_FALSE(added.gates.empty());
   const World world = door(0.9, 30.0);
-  for (const Gate& gate : extra.gates)
+  for (const Gate& gate : added.gates)
     for (const auto& circles : {gate.entries, gate.exits})
       for (const TurnCircle& c : circles) {
         ASSERT_NE(c.vertex, kNone);
@@ -113,4 +113,4 @@ TEST(GapCircles, KnowVerticesNearBy) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -9,13 +9,14 @@
 #include <tuple>
 #include <vector>
 
-#include "core/collision/query_set.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/query_set.h"
 #include "core/geometry/distance.h"
-#include "datasets/generators/clutter.h"
+#include "core/geometry/predicates.h"
 #include "tests/support/boxes.h"
 #include "tests/support/nasty_worlds.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -29,11 +30,11 @@ double clearance(const World& world, const Vec2& p) {
 }
 
 // The widest of the ways along the points of a grid, by the least clearance at its points: at most h / 2 above that of
-// some way if steps are to four neighbours; at most h / sqrt(2) below that of the best way if they are to eight.
+// some way if steps are to four neighbors; at most h / sqrt(2) below that of the best way if they are to eight.
 class Grid {
  public:
   Grid(const World& world, const Box& area, int cells) : area_(area), cells_(cells) {
-    for (int i = 0; i < cells * cells; ++i) clearances_.push_back(arcway::clearance(world, center(i)));
+    for (int i = 0; i < cells * cells; ++i) clearances_.push_back(internal::clearance(world, center(i)));
   }
 
   [[nodiscard]] double cell() const { return (area_.max.x() - area_.min.x()) / cells_; }
@@ -42,7 +43,7 @@ class Grid {
   }
   [[nodiscard]] double clearance(int i) const { return clearances_[static_cast<std::size_t>(i)]; }
 
-  [[nodiscard]] std::vector<double> widest_from(int start, int neighbours) const {
+  [[nodiscard]] std::vector<double> widest_from(int start, int neighbors) const {
     std::vector<double> widest(clearances_.size(), -1.0);
     std::priority_queue<std::pair<double, int>> open;
     open.emplace(clearance(start), start);
@@ -51,7 +52,7 @@ class Grid {
       open.pop();
       if (widest[static_cast<std::size_t>(at)] >= 0.0) continue;
       widest[static_cast<std::size_t>(at)] = width;
-      for (int n = 0; n < neighbours; ++n) {
+      for (int n = 0; n < neighbors; ++n) {
         static constexpr int kX[] = {1, -1, 0, 0, 1, 1, -1, -1}, kY[] = {0, 0, 1, -1, 1, -1, 1, -1};
         const int x = at % cells_ + kX[n], y = at / cells_ + kY[n];
         if (x < 0 || y < 0 || x >= cells_ || y >= cells_) continue;
@@ -302,4 +303,4 @@ TEST(GapMap, LiesBetweenTheWidestWaysOfGrids) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

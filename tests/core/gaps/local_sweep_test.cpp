@@ -4,13 +4,13 @@
 
 #include <cstdint>
 
-#include "core/geometry/angle.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
 #include "datasets/io/random.h"
 #include "tests/support/boxes.h"
 #include "tests/support/counting_sweep.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::CountingSweep;
@@ -81,4 +81,4 @@ TEST(LocalSweep, SeldomAsksAboutStepsFromWhatIsFree) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

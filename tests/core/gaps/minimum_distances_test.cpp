@@ -6,9 +6,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/geometry/predicates.h"
 #include "tests/support/boxes.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using Ids = std::vector<ObstacleId>;
@@ -121,4 +122,4 @@ TEST(MinimumDistances, ThePathMayTurnBack) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

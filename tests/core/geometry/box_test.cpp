@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "core/geometry/vec2.h"
+#include "arcway/vec2.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(Box, IsSoFarFromAPoint) {
@@ -61,4 +61,4 @@ TEST(Box, IsAsLargeAsTold) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,7 +6,7 @@
 
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(BoxTree, FindsWhatAScanFinds) {
@@ -133,4 +133,4 @@ TEST(BoxTree, VisitsWhatIsNearEarly) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/geometry/closed_spline.h"
+#include "arcway/closed_spline.h"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/world.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
-#include "core/model/world.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::vector<Vec2> circle_points(const Vec2& center, double radius, std::size_t count) {
@@ -248,4 +248,4 @@ TEST(CircumscribedRing, IsFineWhereItIsAskedToBe) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

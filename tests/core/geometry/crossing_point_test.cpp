@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "arcway/polygon.h"
 #include "core/geometry/closest_pair.h"
 #include "core/geometry/distance.h"
-#include "core/geometry/polygon.h"
+#include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Segments on nearly the same line, the ends of one off it by some units in the last place.
@@ -42,4 +43,4 @@ TEST(CrossingPoint, IsAnEndThatLiesOnTheLine) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -8,7 +8,7 @@
 #include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::Random;
@@ -117,4 +117,4 @@ TEST(Distance, OfASegmentFromAnArcAgreesWithSamples) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

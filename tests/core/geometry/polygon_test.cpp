@@ -1,11 +1,11 @@
-#include "core/geometry/polygon.h"
+#include "arcway/polygon.h"
 
 #include <gtest/gtest.h>
 
 #include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using Kind = RingConflict::Kind;
@@ -113,4 +113,4 @@ TEST(FindConflict, FindsTheFirstOfAllPairsInLargeRings) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -8,7 +8,7 @@
 
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::Random;
@@ -253,4 +253,4 @@ TEST(IntersectsQuad, AgreesWithEdgesAndContainment) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

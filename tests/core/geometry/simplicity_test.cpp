@@ -6,12 +6,13 @@
 #include <array>
 #include <vector>
 
-#include "core/model/world.h"
+#include "arcway/world.h"
+#include "core/geometry/predicates.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/random_inputs.h"
 #include "tests/support/touching_worlds.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::Random;
@@ -120,4 +121,4 @@ TEST(Simplicity, TakesHolesWithNestedBoxes) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

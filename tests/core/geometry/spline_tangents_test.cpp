@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Off the circle by less than 1e-9 of its radius.
@@ -159,4 +159,4 @@ TEST(SplineTangents, CommonOnesAreAllFoundOnWavyCurves) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Box box_to(double x, double y) {
@@ -50,4 +50,4 @@ TEST(Tiles, SortStably) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

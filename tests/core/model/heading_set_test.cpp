@@ -1,12 +1,12 @@
-#include "core/model/heading_set.h"
+#include "arcway/heading_set.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(HeadingSet, NothingBlockedIsTheFullCircle) {
@@ -108,4 +108,4 @@ TEST(HeadingSet, ComplementsIntoASetThatWasInUse) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

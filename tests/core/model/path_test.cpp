@@ -1,11 +1,11 @@
-#include "core/model/path.h"
+#include "arcway/path.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(PathSegment, Line) {
@@ -45,7 +45,7 @@ TEST(PathSegment, HeadingIsNotWrapped) {
 
 TEST(PathSegment, BackwardsTheOtherWay) {
   const double quarter = std::numbers::pi / 2.0;
-  const PathSegment back{{0.0, 0.0, 0.0}, 2.0 * quarter, 0.5, Gear::kReverse};  // centre to the left
+  const PathSegment back{{0.0, 0.0, 0.0}, 2.0 * quarter, 0.5, Gear::kReverse};  // center to the left
   EXPECT_NEAR(back.end().x, -2.0, 1e-15);
   EXPECT_NEAR(back.end().y, 2.0, 1e-15);
   EXPECT_NEAR(back.end().heading, -quarter, 1e-15);
@@ -101,4 +101,4 @@ TEST(Path, Cusps) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

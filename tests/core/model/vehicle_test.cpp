@@ -1,4 +1,4 @@
-#include "core/model/vehicle.h"
+#include "arcway/vehicle.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 4.0;
@@ -96,7 +96,7 @@ TEST(RotationCenter, LiesOnTheAxleThatDoesNotSteer) {
   EXPECT_FALSE(rotation_center(1.3, 0.3, 0.3));
 }
 
-// The wheels of both axles roll about the centre of (1): their axles' lines meet there.
+// The wheels of both axles roll about the center of (1): their axles' lines meet there.
 TEST(RotationCenter, IsWhereTheAxlesMeet) {
   const double alpha = 0.5;
   const double beta = -0.2;
@@ -298,4 +298,4 @@ TEST(Vehicle, RefusesParametersByNameValueAndLimit) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

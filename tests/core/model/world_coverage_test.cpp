@@ -8,7 +8,7 @@
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Coverage swept(const World& world) {
@@ -106,4 +106,4 @@ TEST(Coverage, IsThatOfTheWorldWhereBoxesNest) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/model/world.h"
-#include "datasets/map/map_file.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/world.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/touching_worlds.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 void expect_same(const World& a, const World& b) {
@@ -146,4 +146,4 @@ TEST(ChangedWorld, RefusesWhatItCannotRemoveOrAdd) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

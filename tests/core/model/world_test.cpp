@@ -1,4 +1,4 @@
-#include "core/model/world.h"
+#include "arcway/world.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::Random;
@@ -178,7 +178,7 @@ TEST(World, AcceptsPinchedRings) {
   for (const VertexId v : {1u, 4u}) {
     EXPECT_EQ(world.previous(world.next(v)), v);
     EXPECT_EQ(world.next(world.previous(v)), v);
-    // Both neighbours belong to the lobe of the wedge.
+    // Both neighbors belong to the lobe of the wedge.
     EXPECT_EQ(world.vertex(world.previous(v)).x(), world.vertex(world.next(v)).x());
   }
 }
@@ -239,4 +239,4 @@ TEST(World, TakesManyObstacles) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

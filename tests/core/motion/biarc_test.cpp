@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(Biarc, JoinsPosesWithoutAKink) {
@@ -49,4 +49,4 @@ TEST(Biarc, IsNoneBehindOrTooTight) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <random>
 
-#include "core/validate/validation.h"
+#include "arcway/validation.h"
 #include "tests/support/boxes.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 const Footprint kBody{1.4, 0.1, 0.4};
@@ -114,4 +114,4 @@ TEST(Clearance, AgreesWithTheValidatorInRandomWorlds) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

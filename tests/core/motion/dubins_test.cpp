@@ -6,9 +6,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 void expect_reaches(const Path& path, const Pose& start, const Pose& goal, double tolerance) {
@@ -191,4 +191,4 @@ TEST(Dubins, RefusesRadiiThatAreNone) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

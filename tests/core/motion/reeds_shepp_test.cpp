@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "core/motion/dubins.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kQuarter = 0.5 * kPi;
@@ -186,4 +186,4 @@ TEST(ReedsShepp, SimpleCases) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -8,7 +8,7 @@
 #include <span>
 #include <stdexcept>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Vehicle slow_vehicle() {
@@ -207,4 +207,4 @@ TEST(SpeedProfile, FillsAProfileThatWasInUse) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -7,7 +7,7 @@
 #include "core/motion/speed_profile.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // A vehicle whose speed on an arc says what the radius is.
@@ -180,4 +180,4 @@ TEST(SpeedTree, SegmentTimesTakeJointsAtTheirLimits) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
 #include "core/motion/dubins.h"
 #include "core/motion/reeds_shepp.h"
 #include "core/motion/speed_profile.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Vehicle vehicle_with(const TurnSpeedLaw& law, double acceleration) {
@@ -41,7 +41,7 @@ TEST(TravelTimeBound, IsInfiniteWithoutAWay) {
 }
 
 TEST(TravelTimeBound, CountsTheTimeLostOnArcs) {
-  // Facing away at both ends: the headings turn by pi at least. 0.5 * 1.3 * pi metres of arc at each end, at 8 of 12
+  // Facing away at both ends: the headings turn by pi at least. 0.5 * 1.3 * pi meters of arc at each end, at 8 of 12
   // m/s.
   const Vehicle vehicle;
   const double half = 0.5 * vehicle.min_turning_radius() * kPi;
@@ -198,4 +198,4 @@ TEST(TravelTimeBound, IsThatOfALineToAPlaceAheadWhateverRoundingPutsItBeside) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/planner/backend.h"
+#include "arcway/backend.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
+#include "core/roadmap/feasible_graph.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 World clutter() { return random_world({.obstacles = 20, .vertices = 6, .fill = 0.2, .seed = 3}); }
@@ -107,4 +108,4 @@ TEST(Backend, RefusesMissingParts) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

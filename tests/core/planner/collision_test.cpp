@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "tests/support/boxes.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
@@ -89,4 +89,4 @@ TEST(Collision, SaysWhereNothingIsFreeNearBy) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

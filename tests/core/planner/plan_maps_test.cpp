@@ -9,16 +9,17 @@
 #include <variant>
 #include <vector>
 
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/planner.h"
+#include "arcway/visibility_graph.h"
 #include "core/motion/speed_profile.h"
-#include "core/planner/planner.h"
 #include "core/refine/refine_path.h"
-#include "core/roadmap/visibility_graph.h"
+#include "core/roadmap/feasible_graph.h"
 #include "core/search/arrival_search.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Vehicle driven_by(const TurnSpeedLaw& law, double max_speed = VehicleParameters().max_speed) {
@@ -44,7 +45,7 @@ TEST(WithOtherTurns, TakesTurnsWithSoManyTimesTheLateralAcceleration) {
   }
 }
 
-SearchMap lazy_map(const Planner& planner, const std::vector<double>& radii) {
+Roadmap lazy_map(const Planner& planner, const std::vector<double>& radii) {
   return {planner.world(),
           planner.vehicle(),
           planner.queries(),
@@ -90,17 +91,17 @@ TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
 
 TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
   const std::vector<double>& radii = planner_.options().radii;
-  const SearchMap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
-  const std::vector<SearchMap> maps = maps_of_other_ways(all, smallest, planner_.visibility_rows(), SerialExecutor());
+  const Roadmap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
+  const std::vector<Roadmap> maps = maps_of_other_ways(all, smallest, planner_.visibility_rows(), SerialExecutor());
   EXPECT_GT(maps.size(), 3u);
   SearchWorkspace workspace;
   int other = 0;
   for (const PlanRequest& request : requests_) {
     const PlanResult plan = planner_.plan(request);
     if (!plan.solved()) continue;
-    const std::vector<Terminal> starts{{request.start, {}}}, goals{{request.goal, {}}};
+    const std::vector<Attachment> starts{{request.start, {}}}, goals{{request.goal, {}}};
     const auto usual = search_arrivals(all, starts, goals, {}, workspace).path;
-    for (const SearchMap& map : maps) {
+    for (const Roadmap& map : maps) {
       EXPECT_TRUE(std::ranges::includes(radii, map.radii));
       EXPECT_GE(map.vehicle.turn_speed(radii.front()), vehicle_.turn_speed(radii.front()));
       const auto path = search_arrivals(map, starts, goals, {}, workspace).path;
@@ -120,10 +121,10 @@ TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
   for (const std::size_t count : {std::size_t{2}, radii.size()}) {
     const PlanMaps all(lazy_map(planner_, {radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count)}), false);
     const PlanMaps smallest(lazy_map(planner_, {radii.front()}), false);
-    const std::vector<SearchMap> more =
+    const std::vector<Roadmap> more =
         maps_of_other_ways(all.plain, smallest.plain, planner_.visibility_rows(), SerialExecutor());
     std::vector<std::pair<std::vector<double>, double>> ways;
-    const auto add = [&](const SearchMap& map) {
+    const auto add = [&](const Roadmap& map) {
       const double limit = std::get<LateralAccelerationLimit>(map.vehicle.parameters().turn_speed).lateral_acceleration;
       ways.emplace_back(map.radii, limit);
     };
@@ -169,8 +170,8 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
     const PlanResult plan = planner.plan(request);
     if (!plan.solved()) continue;
     test::expect_valid(planner, plan);
-    const std::vector<Terminal> starts{{request.start, {}}}, goals{{request.goal, {}}};
-    for (const SearchMap* map : {&maps.faster_turns, &maps.slower_turns}) {
+    const std::vector<Attachment> starts{{request.start, {}}}, goals{{request.goal, {}}};
+    for (const Roadmap* map : {&maps.faster_turns, &maps.slower_turns}) {
       const auto path = search_arrivals(*map, starts, goals, {}, workspace).path;
       if (!path || plan.travel_time <= 1.01 * plan.lower_bound) continue;
       const RefinedPath refined = refine_path(*path, request.start, request.goal, vehicle, *queries.sweep);
@@ -185,4 +186,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, OneRadius, testing::Values(ClutterKind::kConvex,
 INSTANTIATE_TEST_SUITE_P(Kinds, SeveralRadii, testing::Values(ClutterKind::kConvex, ClutterKind::kStar));
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

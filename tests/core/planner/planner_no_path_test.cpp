@@ -7,14 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/planner.h"
+#include "core/gaps/bottleneck_finder.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
@@ -153,4 +154,4 @@ TEST(PlannerNoPath, WhatWasInterruptedIsNotExplained) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

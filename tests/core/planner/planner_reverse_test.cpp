@@ -8,18 +8,18 @@
 #include <limits>
 #include <tuple>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/datasets/read_map.h"
+#include "arcway/datasets/robot.h"
+#include "arcway/planner.h"
 #include "core/motion/speed_profile.h"
-#include "core/planner/planner.h"
-#include "datasets/formats/read_map.h"
-#include "datasets/formats/robot.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::expect_valid;
@@ -162,7 +162,7 @@ TEST(PlannerReverse, FasterBackwardsThanForwards) {
 // A car park, the goal a bay: poses close to it lead nowhere that the way round is not as fast.
 TEST(PlannerReverse, FindsPlacesToTurnAwayFromTheEnds) {
   const Vehicle car(read_robot_file(std::filesystem::path(ARCWAY_SOURCE_DIR) / "tests/data/robots/parking.json"));
-  const MapFile map = catalogue_map("parking");
+  const MapFile map = catalog_map("parking");
   const Planner planner(to_world(map, "parking"), car);
   const PlanResult forwards = planner.plan({.start = *map.start, .goal = *map.goal});
   const PlanResult both = planner.plan({.start = *map.start, .goal = *map.goal, .reverse = true});
@@ -204,4 +204,4 @@ TEST(PlannerReverse, EndsInTime) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/planner/planner.h"
+#include "arcway/planner.h"
 
 #include <gtest/gtest.h>
 
@@ -8,14 +8,15 @@
 #include <thread>
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
 #include "core/motion/dubins.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
+#include "core/roadmap/feasible_graph.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::expect_valid;
@@ -438,15 +439,15 @@ TEST(Planner, RefusesQueriesAndGraphsThatAreNotTheWorlds) {
     EXPECT_THROW(FeasibleGraph(world, Vehicle{}, graph, queries, radii, SerialExecutor()), std::invalid_argument);
 }
 
-TEST(Planner, DoesNotKeepItsTeam) {
+TEST(Planner, DoesNotKeepItsProcessGroup) {
   const World world = walled();
   const QuerySet queries = make_reference_queries(world);
   std::optional<Planner> planner;
   {
-    const SoloTeam team;
-    planner.emplace(world, Vehicle{}, backend_of(world, queries), PlannerOptions{.team = &team});
+    const SingleProcess process_group;
+    planner.emplace(world, Vehicle{}, backend_of(world, queries), PlannerOptions{.process_group = &process_group});
   }
-  EXPECT_EQ(planner->options().team, nullptr);
+  EXPECT_EQ(planner->options().process_group, nullptr);
 }
 
 TEST(Planner, RefusesPosesAndOptionsThatCannotBe) {
@@ -540,4 +541,4 @@ TEST(Planner, SegmentTimesFindNothingFasterThanTrueTimes) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

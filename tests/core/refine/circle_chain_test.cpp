@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/angle.h"
-#include "core/model/world.h"
+#include "arcway/angle.h"
+#include "arcway/validation.h"
+#include "arcway/world.h"
 #include "core/motion/dubins.h"
-#include "core/validate/validation.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 void expect_joined(const Path& path, const Pose& start, const Pose& goal) {
@@ -91,4 +91,4 @@ TEST(CircleChain, OverlappingOppositeCirclesHaveNoPath) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,16 +4,16 @@
 
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
+#include "arcway/validation.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
-#include "core/planner/planner.h"
-#include "core/validate/validation.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/clutter.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Vehicle real_vehicle() {
@@ -179,8 +179,8 @@ TEST(RefinePath, IsNoSlowerThanWhatSamplingFinds) {
   for (const Query& q : {Query{"clutter/star/n100/m10/f15", 3, 6.19702},
                          {"clutter/star/n100/m10/f45", 11, 4.04928},
                          {"clutter/convex/n100/m10/f15", 6, 9.08056}}) {
-    const World world = catalogue_world(q.world);
-    const PlanRequest request = catalogue_queries(q.world, q.number + 1, 1).back();
+    const World world = catalog_world(q.world);
+    const PlanRequest request = catalog_queries(q.world, q.number + 1, 1).back();
     const PlanResult plan = Planner(world, Vehicle()).plan(request);
     EXPECT_LE(plan.travel_time, q.reached) << q.world;
     expect_valid(world, Vehicle(), request, plan.path());
@@ -210,4 +210,4 @@ TEST(RefinePath, ThePlannerReportsBothTimes) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "core/collision/query_set.h"
-#include "core/model/world.h"
+#include "arcway/query_set.h"
+#include "arcway/world.h"
 #include "core/motion/speed_profile.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // Many short turns to either side, along a line.
@@ -57,4 +57,4 @@ TEST(ShortenPath, CanBeStopped) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

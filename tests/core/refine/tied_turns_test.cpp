@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/query_set.h"
+#include "arcway/validation.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
 #include "core/refine/refine_path.h"
-#include "core/validate/validation.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 CircleChain changed(const CircleChain& chain, const ChainChange& change) {
@@ -148,4 +148,4 @@ TEST(TiedTurns, AreFasterThanAnyWordOfOneRadius) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

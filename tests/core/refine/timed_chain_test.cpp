@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TurnCircle random_circle(test::Random& random) {
@@ -111,4 +111,4 @@ TEST(TimedChain, KnowsWhenAndHowFastItsLinesArePassed) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/query_set.h"
 #include "core/motion/reeds_shepp.h"
 #include "core/motion/speed_profile.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
@@ -104,4 +104,4 @@ TEST(GearSearch, KeepsItsLimits) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

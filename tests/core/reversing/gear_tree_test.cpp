@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
 #include "core/model/outlines.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
-#include "datasets/generators/clutter.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 double nothing_ahead(const Pose&) { return 0.0; }
@@ -80,4 +80,4 @@ TEST(GearTree, HasNoMotionWhereThereIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "tests/support/narrow_queries.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::car;
@@ -79,4 +79,4 @@ TEST(NarrowGearSearch, WhatWasNotFoundIsNotCalledBlocked) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -8,22 +8,23 @@
 #include <memory>
 #include <vector>
 
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/query_set.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/reversing/narrow_gear_search.h"
+#include "core/roadmap/feasible_graph.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
-SearchMap map_of(const World& world, const Vehicle& vehicle) {
+Roadmap map_of(const World& world, const Vehicle& vehicle) {
   const QuerySet queries = make_reference_queries(world);
   const std::vector<double> radii{vehicle.min_turning_radius()};
   FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
@@ -52,7 +53,7 @@ std::vector<Polygon> recess(double slack) {
 TEST(NarrowGearTree, WaysAreJoinedFreeAndCounted) {
   const World world(recess(0.2));
   const Vehicle vehicle(robot());
-  const SearchMap map = map_of(world, vehicle);
+  const Roadmap map = map_of(world, vehicle);
   NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit}, 1.0, [](const Pose&) { return 0.0; });
   for (int i = 0; i < 200; ++i) ASSERT_TRUE(tree.expand());
   std::size_t most_cusps = 0;
@@ -73,7 +74,7 @@ TEST(NarrowGearTree, WaysAreJoinedFreeAndCounted) {
 TEST(NarrowGearTree, KnowsHowFarItsLastPoseLeads) {
   const World world(recess(0.2));
   const Vehicle vehicle(robot());
-  const SearchMap map = map_of(world, vehicle);
+  const Roadmap map = map_of(world, vehicle);
   NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit}, 1.0, [](const Pose&) { return 0.0; });
   int free = 0, blocked = 0;
   for (int i = 0; i < 100; ++i) {
@@ -94,7 +95,7 @@ TEST(NarrowGearTree, KnowsHowFarItsLastPoseLeads) {
 TEST(NarrowGearTree, KeepsToTheLimitOfCusps) {
   const World world(recess(0.2));
   const Vehicle vehicle(robot());
-  const SearchMap map = map_of(world, vehicle);
+  const Roadmap map = map_of(world, vehicle);
   for (const std::size_t most : {0u, 1u, 2u}) {
     NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, most}, 1.0, [](const Pose&) { return 0.0; });
     for (int i = 0; i < 200 && tree.expand(); ++i)
@@ -107,7 +108,7 @@ TEST(NarrowGearTree, KeepsToTheLimitOfCusps) {
 
 TEST(NarrowGearTree, EndsWhereNothingMoves) {
   const Vehicle vehicle(robot());
-  const SearchMap map = map_of(World(recess(0.0006)), vehicle);  // half of the margin and a little
+  const Roadmap map = map_of(World(recess(0.0006)), vehicle);  // half of the margin and a little
   NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit}, 1.0, [](const Pose&) { return 0.0; });
   EXPECT_EQ(tree.expand(), NarrowGearTree::kRoot);
   EXPECT_EQ(tree.expand(), std::nullopt);
@@ -116,7 +117,7 @@ TEST(NarrowGearTree, EndsWhereNothingMoves) {
 TEST(NarrowGearSearch, KeepsItsLimits) {
   const World world(recess(0.3));
   const Vehicle vehicle(robot());
-  const SearchMap map = map_of(world, vehicle);
+  const Roadmap map = map_of(world, vehicle);
   const Pose start{0.0, 0.0, 0.0}, goal{-1.5, 1.1, 0.0};
   const GearSearchResult all = search_narrow_gears(map, start, goal, {});
   ASSERT_TRUE(all.path);
@@ -139,4 +140,4 @@ TEST(NarrowGearSearch, KeepsItsLimits) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

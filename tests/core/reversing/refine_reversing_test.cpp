@@ -5,16 +5,15 @@
 #include <cmath>
 #include <utility>
 
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/query_set.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
-#include "core/planner/planner.h"
 #include "core/reversing/gear_search.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
@@ -140,4 +139,4 @@ TEST(RefineReversing, StopsWhenItIsAsked) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

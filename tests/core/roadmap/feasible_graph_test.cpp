@@ -9,15 +9,16 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
 #include "core/gaps/gap_circles.h"
 #include "core/gaps/vehicle_gaps.h"
-#include "core/geometry/angle.h"
 #include "core/geometry/predicates.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
+#include "core/roadmap/tangent_edges.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 struct Case {
@@ -281,25 +282,25 @@ TEST(FeasibleGraph, KeepsItsStraightsAmongMoreCircles) {
   c.world = random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.45, .seed = 3});
   c.queries = make_reference_queries(c.world);
   c.visibility = build_reduced_visibility_graph(c.world, *c.queries.visibility);
-  const FeasibleGraph usual = c.graph(GraphMode::kEager);
-  const ExtraCircles extra =
+  const FeasibleGraph base = c.graph(GraphMode::kEager);
+  const AddedCircles added =
       find_gap_circles(c.world, VehicleGaps(c.world, c.vehicle, c.radii[0]).map(), c.vehicle, c.radii[0]);
-  ASSERT_FALSE(extra.round.empty());
-  ASSERT_FALSE(extra.gates.empty());
-  const FeasibleGraph more(usual, c.vehicle, extra);
-  const std::size_t count = usual.circles().size();
+  ASSERT_FALSE(added.round.empty());
+  ASSERT_FALSE(added.gates.empty());
+  const FeasibleGraph more(base, c.vehicle, added);
+  const std::size_t count = base.circles().size();
   const TurnCircles& circles = more.turn_circles();
-  ASSERT_EQ(circles.usual_count(), count);
+  ASSERT_EQ(circles.base_count(), count);
   std::size_t gate_circles = 0;
-  for (const Gate& gate : extra.gates) gate_circles += gate.entries.size() + gate.exits.size();
-  ASSERT_EQ(more.circles().size(), count + 2 * extra.round.size() + gate_circles);
+  for (const Gate& gate : added.gates) gate_circles += gate.entries.size() + gate.exits.size();
+  ASSERT_EQ(more.circles().size(), count + 2 * added.round.size() + gate_circles);
 
   const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
-  std::vector<FeasibleGraph::Link> among_usual;
+  std::vector<FeasibleGraph::Link> among_base;
   std::size_t onto = 0, through = 0, off = 0, round = 0;
   for (const FeasibleGraph::Link& link : kept_links(more)) {
     if (link.from < count && link.to < count) {
-      among_usual.push_back(link);
+      among_base.push_back(link);
       continue;
     }
     EXPECT_TRUE(c.queries.sweep->straight_free(
@@ -312,9 +313,9 @@ TEST(FeasibleGraph, KeepsItsStraightsAmongMoreCircles) {
               to_gate && circles.is_exit(link.to));  // an entry leads to its gate's exits, and nothing else does
     (in_gate ? through : to_gate ? onto : from_gate ? off : round) += 1;
   }
-  expect_same(among_usual, usual.links());
+  expect_same(among_base, base.links());
   for (const std::size_t kind : {onto, through, off, round}) EXPECT_GT(kind, 0u);
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,12 +4,12 @@
 
 #include <vector>
 
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/angle.h"
+#include "arcway/planner.h"
+#include "arcway/visibility_graph.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // A wall of a thickness, its end at y = 0, with free space around it.
@@ -80,4 +80,4 @@ TEST(TurnCircles, LeadRoundWallsOfAnyThickness) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

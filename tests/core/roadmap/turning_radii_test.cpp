@@ -1,10 +1,10 @@
-#include "core/roadmap/turning_radii.h"
+#include "arcway/turning_radii.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 World field(double side) { return World({}, Ring{{0, 0}, {side, 0}, {side, side}, {0, side}}); }
@@ -75,4 +75,4 @@ TEST(TightestRadii, EndWithTheFirstThatLeadsRoundVertices) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/roadmap/visibility_graph.h"
+#include "arcway/visibility_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,14 @@
 #include <set>
 #include <utility>
 
-#include "core/collision/query_set.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/query_set.h"
+#include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
 #include "tests/support/sight_oracle.h"
 #include "tests/support/touching_worlds.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::edges_of;
@@ -208,7 +209,7 @@ void expect_oracle_in_clutter(ClutterKind kind, std::uint32_t obstacles) {
   expect_oracle(rings);
 }
 
-TEST(ReducedVisibilityGraph, CluttersInWholeMillimetres) {
+TEST(ReducedVisibilityGraph, CluttersInWholeMillimeters) {
   for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) expect_oracle_in_clutter(kind, 125);
 }
 
@@ -259,4 +260,4 @@ TEST(FullVisibilityGraph, HoldsTheReducedOneAndMore) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,11 +1,11 @@
-#include "core/roadmap/visibility_rows.h"
+#include "arcway/visibility_rows.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(VisibilityRows, HaveEachEdgeAtBothEnds) {
@@ -47,4 +47,4 @@ TEST(VisibilityRows, AreThoseOfTheWorldsOwnGraph) {
 TEST(VisibilityRows, OfNothing) { EXPECT_NE(rows_of(World({}), VisibilityGraph()), nullptr); }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,20 +6,21 @@
 #include <array>
 #include <cmath>
 
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
 #include "core/attach/manoeuvres.h"
-#include "core/geometry/angle.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
-#include "datasets/generators/clutter.h"
+#include "core/roadmap/feasible_graph.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
-SearchMap make_map(const World& world, const Vehicle& vehicle, const std::vector<double>& radii, GraphMode mode) {
+Roadmap make_map(const World& world, const Vehicle& vehicle, const std::vector<double>& radii, GraphMode mode) {
   const QuerySet queries = make_reference_queries(world);
   const VisibilityGraph visibility = build_reduced_visibility_graph(world, *queries.visibility);
-  return SearchMap(world, vehicle, queries, radii,
+  return Roadmap(world, vehicle, queries, radii,
                    FeasibleGraph(world, vehicle, visibility, queries, radii, SerialExecutor(), mode),
                    std::make_shared<const Outlines>(world));
 }
@@ -27,7 +28,7 @@ SearchMap make_map(const World& world, const Vehicle& vehicle, const std::vector
 // Every path of the graph whose time could be below a bound, one by one, without comparing any two of them.
 class Enumeration {
  public:
-  Enumeration(const SearchMap& map, const Pose& start, const Pose& goal, double bound, std::uint32_t not_first = kNone,
+  Enumeration(const Roadmap& map, const Pose& start, const Pose& goal, double bound, std::uint32_t not_first = kNone,
               std::uint32_t not_last = kNone)
       : map_(map), start_(start), goal_(goal), best_(bound), not_first_(not_first), not_last_(not_last) {}
 
@@ -107,7 +108,7 @@ class Enumeration {
       }
   }
 
-  const SearchMap& map_;
+  const Roadmap& map_;
   Pose start_, goal_;
   Path path_;
   double best_;
@@ -134,13 +135,13 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
     const Vehicle vehicle(parameters);
     std::vector<double> radii{vehicle.min_turning_radius()};
     if (seed % 2 == 0) radii.push_back(3.0 * radii[0]);
-    const SearchMap map = make_map(world, vehicle, radii, GraphMode::kEager);
+    const Roadmap map = make_map(world, vehicle, radii, GraphMode::kEager);
     const double side = world.box().max.x();
     for (int i = 0; i < 20; ++i) {
       const auto pose = [&] {
         return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
       };
-      const Terminal start{pose(), {}}, goal{pose(), {}};
+      const Attachment start{pose(), {}}, goal{pose(), {}};
       const SearchResult result = search_arrivals(map, {&start, 1}, {&goal, 1}, {}, workspace);
       if (!result.path) {
         const double straight = (goal.pose.position() - start.pose.position()).norm() / vehicle.max_speed();
@@ -174,20 +175,20 @@ TEST(ArrivalSearch, FindsTheFastestPathThatJoinsOrLeavesTheGraphElsewhere) {
                                       .max_radius = 6.0,
                                       .seed = seed});
     const Vehicle vehicle;
-    const SearchMap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+    const Roadmap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
     const double side = world.box().max.x();
     for (int i = 0; i < 20; ++i) {
       const auto pose = [&] {
         return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
       };
-      const Terminal start{pose(), {}}, goal{pose(), {}};
+      const Attachment start{pose(), {}}, goal{pose(), {}};
       const SearchResult best = search_arrivals(map, {&start, 1}, {&goal, 1}, {}, workspace);
       if (!best.path || best.first_circle == kNone) continue;
       ASSERT_NE(best.last_circle, kNone);
       const double fastest = speed_profile(*best.path, vehicle).total_time;
       for (const bool at_start : {true, false}) {
         SearchOptions options;
-        options.goes_on = true;  // which it cannot
+        options.warm_start = true;  // which it cannot
         (at_start ? options.not_first : options.not_last) = at_start ? best.first_circle : best.last_circle;
         const SearchResult other = search_arrivals(map, {&start, 1}, {&goal, 1}, options, workspace);
         if (!other.path) {
@@ -219,8 +220,8 @@ TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
   parameters.turn_speed = LateralAccelerationLimit{2.0};
   const Vehicle vehicle(parameters);
   const std::vector<double> radii{vehicle.min_turning_radius(), 3.0 * vehicle.min_turning_radius()};
-  const SearchMap eager = make_map(world, vehicle, radii, GraphMode::kEager);
-  const SearchMap lazy = make_map(world, vehicle, radii, GraphMode::kLazy);
+  const Roadmap eager = make_map(world, vehicle, radii, GraphMode::kEager);
+  const Roadmap lazy = make_map(world, vehicle, radii, GraphMode::kLazy);
   SearchWorkspace first, second;
   test::Random random(4);
   const double side = world.box().max.x();
@@ -229,7 +230,7 @@ TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
     const auto pose = [&] {
       return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
     };
-    const Terminal start{pose(), {}}, goal{pose(), {}};
+    const Attachment start{pose(), {}}, goal{pose(), {}};
     const SearchResult a = search_arrivals(eager, {&start, 1}, {&goal, 1}, {}, first);
     const SearchResult b = search_arrivals(lazy, {&start, 1}, {&goal, 1}, {}, second);
     ASSERT_EQ(a.path.has_value(), b.path.has_value());
@@ -251,14 +252,14 @@ TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
 TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
   const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 6});
   const Vehicle vehicle;
-  const SearchMap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+  const Roadmap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
   SearchWorkspace workspace;
   const double side = world.box().max.x();
   test::Random random(8);
   const auto pose = [&] {
     return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
   };
-  Terminal start, goal;
+  Attachment start, goal;
   const auto search = [&](std::uint64_t most) {
     SearchOptions options;
     options.most_expanded = most;
@@ -298,7 +299,7 @@ TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
     VehicleParameters parameters;
     if (seed % 2 == 0) parameters.max_acceleration = 2.0;
     const Vehicle vehicle(parameters);
-    const SearchMap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+    const Roadmap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
     const double side = world.box().max.x();
     for (int i = 0; i < 80; ++i) {
       const auto pose = [&] {
@@ -318,7 +319,7 @@ TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
       const double known = speed_profile(*first.path, vehicle).total_time;
       options.faster_than = known * (1.0 - 1e-9);
       const SearchResult whole = search_arrivals(map, starts, goals, options, anew);
-      options.goes_on = true;
+      options.warm_start = true;
       options.least_gain = i % 2 == 0 ? 0.0 : 0.01 * known;
       const SearchResult more = search_arrivals(map, starts, goals, options, before);
       const double least = whole.path ? speed_profile(*whole.path, vehicle).total_time : options.faster_than;
@@ -345,18 +346,18 @@ TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
   parameters.max_acceleration = 2.0;
   const Vehicle vehicle(parameters);
   parameters.turn_speed = ConstantTurnSpeed{2.0};
-  const SearchMap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
-  SearchMap slower_turns = map;  // on the same circles
+  const Roadmap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+  Roadmap slower_turns = map;  // on the same circles
   slower_turns.vehicle = Vehicle(parameters);
   parameters.max_reverse_speed = 1.0;
-  SearchMap slower_backwards = map;
+  Roadmap slower_backwards = map;
   slower_backwards.vehicle = Vehicle(parameters);
 
   struct Change {
     const char* what;
-    const SearchMap& before;
+    const Roadmap& before;
     SearchOptions options_before;
-    const SearchMap& map;
+    const Roadmap& map;
     SearchOptions options;
   };
   const auto with = [](auto set) {
@@ -382,7 +383,7 @@ TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
   SearchWorkspace workspace, anew;
   int solved = 0;
   for (int i = 0; i < 30; ++i) {
-    const Terminal start{pose(), {}}, goal{pose(), {}};
+    const Attachment start{pose(), {}}, goal{pose(), {}};
     for (const Change& change : changes) {
       const SearchResult before =
           search_arrivals(change.before, {&start, 1}, {&goal, 1}, change.options_before, workspace);
@@ -390,7 +391,7 @@ TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
       if (most < SearchOptions{}.most_expanded && before.nodes_expanded < most) continue;  // it was a part
       SearchOptions options = change.options;
       const SearchResult expected = search_arrivals(change.map, {&start, 1}, {&goal, 1}, options, anew);
-      options.goes_on = true;
+      options.warm_start = true;
       const SearchResult found = search_arrivals(change.map, {&start, 1}, {&goal, 1}, options, workspace);
       ASSERT_EQ(found.path.has_value(), expected.path.has_value()) << change.what << ", query " << i;
       EXPECT_EQ(found.nodes_expanded, expected.nodes_expanded) << change.what << ", query " << i;
@@ -405,4 +406,4 @@ TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

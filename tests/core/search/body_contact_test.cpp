@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "core/model/path.h"
+#include "arcway/path.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr Footprint kBody{1.5, 0.5, 0.5};
@@ -74,4 +74,4 @@ TEST(BodyContact, GradientsAreThoseOfTheDepth) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 double value_of(const LinearResiduals& residuals, double damping, const Eigen::VectorXd& step) {
@@ -70,4 +70,4 @@ TEST(HingeStep, IsTheLeast) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,11 +4,11 @@
 
 #include <vector>
 
+#include "arcway/world.h"
 #include "core/model/outlines.h"
-#include "core/model/world.h"
 #include "tests/support/boxes.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
@@ -96,4 +96,4 @@ TEST(PathContacts, KnowsTheWayFromTheGoal) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -8,13 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/attach/search_map.h"
-#include "core/attach/terminal_links.h"
-#include "core/planner/planner.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/planner.h"
+#include "core/attach/attachment_links.h"
+#include "core/attach/roadmap.h"
+#include "core/roadmap/feasible_graph.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using Link = FeasibleGraph::Link;
@@ -101,12 +102,12 @@ TEST(DeparturesTowards, AreThoseThatLeadThereGoingForwards) {
 }
 
 // Whether the links of an eager graph lead from one pose to the other, going forwards alone.
-bool is_reachable(const SearchMap& map, const PlanRequest& request) {
+bool is_reachable(const Roadmap& map, const PlanRequest& request) {
   HeadingSet headings;
-  std::vector<TerminalCircle> starts, goals;
-  HugeVector<TerminalLink> start_links, goal_links;
+  std::vector<AttachmentCircle> starts, goals;
+  HugeVector<AttachmentLink> start_links, goal_links;
   std::vector<std::uint32_t> pieces;
-  const Terminal start{request.start, {}}, goal{request.goal, {}};
+  const Attachment start{request.start, {}}, goal{request.goal, {}};
   const WayLimit anywhere{request.goal.position(), std::numeric_limits<double>::infinity()};
   append_circles(map, {&start, 1}, 0, Direction::kFromStart, headings, starts);
   append_circles(map, {&goal, 1}, 0, Direction::kToGoal, headings, goals);
@@ -114,17 +115,17 @@ bool is_reachable(const SearchMap& map, const PlanRequest& request) {
     append_links(map, starts, i, Direction::kFromStart, anywhere, pieces, start_links);
   for (std::uint32_t i = 0; i < goals.size(); ++i)
     append_links(map, goals, i, Direction::kToGoal, anywhere, pieces, goal_links);
-  const auto is_free = [&](const TerminalLink& link) {
+  const auto is_free = [&](const AttachmentLink& link) {
     return map.queries.sweep->straight_free(swept_rectangle(link.line.start, link.line.length, map.body));
   };
 
   std::vector<std::pair<std::uint32_t, double>> arrivals;
-  for (const TerminalLink& link : start_links)
+  for (const AttachmentLink& link : start_links)
     if (is_free(link)) arrivals.emplace_back(link.circle, link.line.start.heading);
   std::set<const Link*> taken;
   for (std::size_t i = 0; i < arrivals.size(); ++i) {
     const auto [circle, heading] = arrivals[i];
-    for (const TerminalLink& link : goal_links)
+    for (const AttachmentLink& link : goal_links)
       if (link.circle == circle && turns_to(map.graph, circle, heading, link.line.start.heading) && is_free(link))
         return true;
     for (const Link& link : map.graph.links_from(circle))
@@ -143,8 +144,8 @@ TEST(Pocket, ChangesNoAnswer) {
     PlannerOptions lazily = options;
     lazily.graph_mode = GraphMode::kLazy;
     const Planner lazy(world, Vehicle{}, lazily);
-    const SearchMap map(world, eager.vehicle(), eager.queries(), eager.options().radii, eager.feasible_graph(),
-                        std::make_shared<const Outlines>(world));
+    const Roadmap map(world, eager.vehicle(), eager.queries(), eager.options().radii, eager.feasible_graph(),
+                      std::make_shared<const Outlines>(world));
     for (const PlanRequest& request :
          random_queries(world, make_reference_queries(world), Vehicle(), {.count = 40, .seed = seed})) {
       const PlanResult a = eager.plan(request);
@@ -161,4 +162,4 @@ TEST(Pocket, ChangesNoAnswer) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "core/collision/query_set.h"
-#include "datasets/generators/clutter.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/query_set.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -124,4 +124,4 @@ TEST(PointDistance, IsThatOfAllPairsAmongContacts) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -7,12 +7,12 @@
 #include <numbers>
 #include <vector>
 
+#include "arcway/angle.h"
+#include "arcway/query_set.h"
 #include "core/collision/motion_free.h"
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
 #include "tests/support/boxes.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Ring turned(Ring ring, double by, const Vec2& moved) {
@@ -26,7 +26,7 @@ Pose turned(const Pose& pose, double by, const Vec2& moved) {
   return {p.x(), p.y(), pose.heading + by};
 }
 
-SearchMap map_of(const World& world, const Vehicle& vehicle) {
+Roadmap map_of(const World& world, const Vehicle& vehicle) {
   const QuerySet queries = make_reference_queries(world);
   const std::vector<double> radii{vehicle.min_turning_radius()};
   FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
@@ -47,7 +47,7 @@ TEST(PushFree, LeadsThroughAGateBesideThePath) {
   for (const double aside : {0.05, -0.1})
     for (const double by : {0.0, 37.0 * std::numbers::pi / 180.0}) {
       const Vec2 moved(by == 0.0 ? 0.0 : 1000.0, -by);
-      const SearchMap map = map_of(gate(aside, by, moved), vehicle);
+      const Roadmap map = map_of(gate(aside, by, moved), vehicle);
       const Pose start = turned({0.0, 0.0, 0.0}, by, moved), goal = turned({12.0, 0.0, 0.0}, by, moved);
       const Path line{{start, 12.0, 0.0}};
       ASSERT_FALSE(motion_free(*map.queries.sweep, map.body, line));
@@ -65,13 +65,13 @@ TEST(PushFree, LeadsThroughAGateBesideThePath) {
 TEST(PushFree, GivesUpWhereTheBodyDoesNotFit) {
   const Vehicle vehicle;
   const double half = vehicle.footprint().half_width - 0.02;
-  const SearchMap map = map_of(World({test::box(6.0, half, 6.4, 3.0), test::box(6.0, -3.0, 6.4, -half)}), vehicle);
+  const Roadmap map = map_of(World({test::box(6.0, half, 6.4, 3.0), test::box(6.0, -3.0, 6.4, -half)}), vehicle);
   EXPECT_FALSE(push_free({{{0.0, 0.0, 0.0}, 12.0, 0.0}}, {12.0, 0.0, 0.0}, map.body, map, {}));
 }
 
 TEST(PushFree, LeavesAFreePathAsItIs) {
   const Vehicle vehicle;
-  const SearchMap map = map_of(World({test::box(6.0, 3.0, 6.4, 4.0)}), vehicle);
+  const Roadmap map = map_of(World({test::box(6.0, 3.0, 6.4, 4.0)}), vehicle);
   const Path line{{{0.0, 0.0, 0.0}, 12.0, 0.0}};
   const auto path = push_free(line, {12.0, 0.0, 0.0}, map.body, map, {});
   ASSERT_TRUE(path);
@@ -80,4 +80,4 @@ TEST(PushFree, LeavesAFreePathAsItIs) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <memory>
 
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/query_set.h"
+#include "core/roadmap/feasible_graph.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
@@ -22,7 +23,7 @@ RouteField field_behind_a_wall(double gap) {
   const std::vector<double> radii{vehicle.min_turning_radius()};
   FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
                       queries, radii, SerialExecutor(), GraphMode::kLazy);
-  const SearchMap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
+  const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
   return {map, {0.0, 0.0, 0.3}, {20.0, 0.0, 0.0}, 100'000, {}};
 }
 
@@ -47,4 +48,4 @@ TEST(RouteField, HeedsTurns) {
 TEST(RouteField, EndsAtThePlace) { EXPECT_NEAR(field_behind_a_wall(1.0)({20.0, 0.0, 0.0}), 0.0, 0.5); }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

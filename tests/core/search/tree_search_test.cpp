@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
 #include "tests/support/narrow_queries.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::car;
@@ -30,7 +30,7 @@ VehicleParameters bus() {
 
 std::vector<NarrowQuery> narrow_queries() {
   return {
-      {"bus pulls up 20 cm from a kerb",
+      {"bus pulls up 20 cm from a curb",
        bus(),
        {test::ring_of_box(-60.0, -4.0, 200.0, -1.475)},
        test::ring_of_box(-60.0, -4.0, 200.0, 12.0),
@@ -48,7 +48,7 @@ std::vector<NarrowQuery> narrow_queries() {
        test::ring_of_box(-30.0, -3.0, 80.0, 15.0),
        {0.0, 0.0, 0.0},
        {40.0, 3.0, 0.0}},
-      {"car pulls up 15 cm from a kerb within 20 m",
+      {"car pulls up 15 cm from a curb within 20 m",
        car(),
        {test::ring_of_box(-30.0, -3.0, 80.0, -1.05)},
        test::ring_of_box(-30.0, -3.0, 80.0, 15.0),
@@ -103,4 +103,4 @@ TEST(TreeSearch, CanBeStopped) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

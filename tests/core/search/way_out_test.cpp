@@ -6,12 +6,13 @@
 #include <memory>
 #include <vector>
 
-#include "core/collision/query_set.h"
-#include "core/geometry/angle.h"
-#include "core/planner/planner.h"
+#include "arcway/angle.h"
+#include "arcway/planner.h"
+#include "arcway/query_set.h"
+#include "core/roadmap/feasible_graph.h"
 #include "tests/support/boxes.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
@@ -22,7 +23,7 @@ WayOut way_out(const World& world, const Pose& root, Direction direction) {
   const std::vector<double> radii{vehicle.min_turning_radius()};
   FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
                       queries, radii, SerialExecutor(), GraphMode::kLazy);
-  const SearchMap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
+  const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
   return look_for_way_out(map, root, direction, {});
 }
 
@@ -83,4 +84,4 @@ TEST(WayOut, SavesTreesOfBothEnds) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

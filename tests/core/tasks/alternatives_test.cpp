@@ -1,4 +1,4 @@
-#include "core/tasks/alternatives.h"
+#include "arcway/alternatives.h"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
 #include "tests/support/boxes.h"
 #include "tests/support/counting_sweep.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::expect_valid;
@@ -161,4 +161,4 @@ TEST(SameWay, SeesWhatLiesBetweenAWideArcAndItsChord) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

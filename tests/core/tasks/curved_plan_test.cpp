@@ -1,4 +1,4 @@
-#include "core/tasks/curved_plan.h"
+#include "arcway/curved_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/curved_world.h"
 #include "core/motion/clearance.h"
-#include "datasets/generators/curved_world.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 PlanRequest across(const CurvedWorld& world) {
@@ -248,4 +248,4 @@ TEST(CurvedPlan, RefusesTolerancesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

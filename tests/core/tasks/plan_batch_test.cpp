@@ -1,4 +1,4 @@
-#include "core/tasks/plan_batch.h"
+#include "arcway/plan_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -6,13 +6,13 @@
 #include <stop_token>
 #include <string>
 
-#include "datasets/formats/plan_io.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/plan_io.h"
+#include "arcway/datasets/random_queries.h"
 #include "tests/support/plans.h"
 #include "tests/support/thread_executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 struct Case {
@@ -91,4 +91,4 @@ TEST(PlanBatch, ARequestThatIsNoneIsNamed) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/tasks/tour.h"
+#include "arcway/tour.h"
 
 #include <gtest/gtest.h>
 
@@ -6,16 +6,16 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/geometry/angle.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
 #include "core/motion/speed_profile.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/generators/random_queries.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::expect_valid;
@@ -225,8 +225,8 @@ TEST(Tour, SaysWhichLegHasNoPath) {
   const Planner planner(world, Vehicle{});
   const Place free{{20, 0}, 0.0}, inside{{11, 11}, 0.0};
   const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .via = {free, inside}, .goals = {{{40, 0}, 0.0}}});
-  EXPECT_EQ(tour.plan.status, PlanStatus::kPlaceInCollision);
-  EXPECT_EQ(tour.plan.reason.rfind("leg 2 of 3: the place on the way (11, 11, 0): ", 0), 0u) << tour.plan.reason;
+  EXPECT_EQ(tour.plan.status, PlanStatus::kWaypointInCollision);
+  EXPECT_EQ(tour.plan.reason.rfind("leg 2 of 3: the waypoint (11, 11, 0): ", 0), 0u) << tour.plan.reason;
   EXPECT_EQ(tour.plan.start.position(), Vec2(0, 0));
   EXPECT_EQ(tour.plan.goal.position(), Vec2(40, 0));
   EXPECT_TRUE(tour.plan.segments.empty());
@@ -241,7 +241,7 @@ TEST(Tour, SaysWhichLegHasNoPath) {
   EXPECT_FALSE(none.plan.solved());
   EXPECT_EQ(none.plan.reason.rfind("the goal (11, 11): ", 0), 0u) << none.plan.reason;
   const Tour by = plan_tour(planner, {.start = {0, 0, 0}, .via = {{{11, 11}}}, .goals = {free}});
-  EXPECT_EQ(by.plan.reason.rfind("leg 1 of 2: the place on the way (11, 11): ", 0), 0u) << by.plan.reason;
+  EXPECT_EQ(by.plan.reason.rfind("leg 1 of 2: the waypoint (11, 11): ", 0), 0u) << by.plan.reason;
 }
 
 TEST(Tour, CallsWhatIsWrongWithAPlaceOnTheWayByItsName) {
@@ -253,13 +253,13 @@ TEST(Tour, CallsWhatIsWrongWithAPlaceOnTheWayByItsName) {
   const auto by = [&](const Place& place) {
     return plan_tour(planner, {.start = {0, 0, 0}, .via = {place}, .goals = {free}}).plan;
   };
-  EXPECT_EQ(by(outside).status, PlanStatus::kPlaceOutsideBounds);
+  EXPECT_EQ(by(outside).status, PlanStatus::kWaypointOutsideBounds);
   EXPECT_EQ(plan_tour(planner, {.start = {0, 0, 0}, .goals = {outside}}).plan.status, PlanStatus::kGoalOutsideBounds);
   const PlanResult into = by({{23, 21.5}, kPi}), out_of = by({{23, 21.5}, 0.0});
-  EXPECT_EQ(into.status, PlanStatus::kPlaceBlocked) << into.reason;
-  EXPECT_EQ(into.reason.rfind("leg 2 of 2: the place on the way", 0), 0u) << into.reason;
-  EXPECT_EQ(out_of.status, PlanStatus::kPlaceBlocked) << out_of.reason;
-  EXPECT_EQ(out_of.reason.rfind("leg 1 of 2: the place on the way", 0), 0u) << out_of.reason;
+  EXPECT_EQ(into.status, PlanStatus::kWaypointBlocked) << into.reason;
+  EXPECT_EQ(into.reason.rfind("leg 2 of 2: the waypoint", 0), 0u) << into.reason;
+  EXPECT_EQ(out_of.status, PlanStatus::kWaypointBlocked) << out_of.reason;
+  EXPECT_EQ(out_of.reason.rfind("leg 1 of 2: the waypoint", 0), 0u) << out_of.reason;
 
   const auto refusal = [&](const TourRequest& request) -> std::string {
     try {
@@ -270,8 +270,7 @@ TEST(Tour, CallsWhatIsWrongWithAPlaceOnTheWayByItsName) {
     return "no error";
   };
   const Place far{{1e10, 0}};
-  EXPECT_EQ(refusal({.start = {0, 0, 0}, .via = {far}, .goals = {free}}).rfind("place on the way (1e+10, 0, 0): ", 0),
-            0u);
+  EXPECT_EQ(refusal({.start = {0, 0, 0}, .via = {far}, .goals = {free}}).rfind("waypoint (1e+10, 0, 0): ", 0), 0u);
   EXPECT_EQ(refusal({.start = {0, 0, 0}, .goals = {free, far}}).rfind("goal 2 (1e+10, 0, 0): ", 0), 0u);
 }
 
@@ -280,7 +279,7 @@ TEST(Tour, GrowsTreesWhereNoPoseOfAChoiceIsReachedWithout) {
   std::size_t needed = 0;
   for (const char* name : {"driven/hugging/r6/g1/c50/s1", "driven/hugging/r8/g1/c50/s1", "driven/rooms/r6/g1/c50/s2"}) {
     SCOPED_TRACE(name);
-    const DrivenWorld driven = *catalogue_driven_world(name);
+    const DrivenWorld driven = *catalog_driven_world(name);
     const World world = to_world(driven.map, name);
     const Planner planner(world, Vehicle(driven.robot));
     const Pose start = *driven.map.start, goal = *driven.map.goal;
@@ -342,4 +341,4 @@ TEST(Tour, AnOpenHeadingInAnEmptyWorldGoesStraight) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

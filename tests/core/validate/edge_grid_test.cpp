@@ -10,7 +10,7 @@
 #include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 bool meets(const LineSegment& edge, const Box& box) {
@@ -110,4 +110,4 @@ TEST(EdgeGrid, HasNothingWithoutEdges) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

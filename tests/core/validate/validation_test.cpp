@@ -1,4 +1,4 @@
-#include "core/validate/validation.h"
+#include "arcway/validation.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,12 @@
 #include <set>
 #include <stdexcept>
 
-#include "datasets/generators/catalogue.h"
+#include "arcway/datasets/catalog.h"
+#include "core/motion/speed_profile.h"
 #include "tests/support/boxes.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // The paper's robot, front steering: 1.4 ahead of F, 0.1 behind, 0.4 to either side, rho_min = 1.3.
@@ -127,7 +128,7 @@ TEST(Validation, NoticesThatAJointLeadsIntoAnObstacle) {
 }
 
 TEST(Validation, OfManyPathsIsThatOfEach) {
-  const World world = catalogue_world("clutter/star/n60/m10/f30/s3");
+  const World world = catalog_world("clutter/star/n60/m10/f30/s3");
   const Validator validator(world);
   test::Random random(5);
   int valid = 0, invalid = 0;
@@ -627,4 +628,4 @@ TEST(Violation, Names) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 // Lengths of geodesics on WGS 84 by Vincenty's inverse formulae, of a box of 0.01 degrees: along its lower side, along
@@ -54,4 +54,4 @@ TEST(AzimuthalPlane, HasNoSeamAtTheAntimeridianAndThePoles) {
 }
 
 }  // namespace
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace arcway::detail {
+namespace arcway::internal::detail {
 namespace {
 
 void expect(CoordinateUnit unit, std::initializer_list<const char*> names) {
@@ -51,8 +51,8 @@ TEST(CoordinateSystem, KnowsPlanarSystemsAndTheirUnits) {
   expect(CoordinateUnit::kMeters,
          {"urn:ogc:def:crs:EPSG::25832", "EPSG:32633", "EPSG:2154", "EPSG:27700", "EPSG:3035", "EPSG:31467",
           "urn:ogc:def:crs,crs:EPSG::27700,crs:EPSG::5701", "WGS 84 / UTM zone 32N", "+proj=utm +zone=32 +ellps=GRS80",
-          "local", R"(PROJCS["X",GEOGCS["G",UNIT["degree",0.017]],PROJECTION["Transverse_Mercator"],UNIT["metre",1]])",
-          R"(LOCAL_CS["yard",UNIT["metre",1]])"});
+          "local", R"(PROJCS["X",GEOGCS["G",UNIT["degree",0.017]],PROJECTION["Transverse_Mercator"],UNIT["meter",1]])",
+          R"(LOCAL_CS["yard",UNIT["meter",1]])"});
   expect(CoordinateUnit::kOtherUnit,
          {"EPSG:2263", "EPSG:2225", "EPSG:3361", "NAD83 / New York Long Island (ftUS)", "+proj=lcc +units=us-ft",
           R"(PROJCRS["X",BASEGEOGCRS["G"],LENGTHUNIT["US survey foot",0.304800609601219]])"});
@@ -74,4 +74,4 @@ TEST(CoordinateSystem, WebMercatorReadsBackward) {
 }
 
 }  // namespace
-}  // namespace arcway::detail
+}  // namespace arcway::internal::detail

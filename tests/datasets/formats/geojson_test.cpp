@@ -1,15 +1,15 @@
-#include "datasets/formats/geojson.h"
+#include "arcway/datasets/geojson.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/geometry/closed_spline.h"
-#include "core/geometry/polygon.h"
+#include "arcway/closed_spline.h"
+#include "arcway/polygon.h"
 #include "core/geometry/predicates.h"
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr const char* kSquare = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
@@ -354,4 +354,4 @@ TEST(GeoJson, RefusesCurvesThatItCannotDraw) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::string map_error(const std::string& text, const GridOptions& options = {}) {
@@ -103,4 +103,4 @@ TEST(MovingAi, HeadingsFollowSeedAndTask) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "datasets/formats/plan_io.h"
+#include "arcway/datasets/plan_io.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "core/motion/speed_profile.h"
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 PlanResult plan_along(const Path& path, const Vehicle& vehicle = Vehicle{}) {
@@ -347,4 +347,4 @@ TEST(NavMsgsPath, HasPosesInTimeOrder) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "datasets/formats/prepared_map.h"
+#include "arcway/datasets/prepared_map.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -6,15 +6,15 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/planner/planner.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/generators/clutter.h"
-#include "datasets/map/map_file.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/planner.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/prepared_bytes.h"
 #include "tests/support/thread_executor.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 PreparedMap prepare(const World& world, const Executor& executor) {
@@ -190,4 +190,4 @@ TEST(PreparedMap, IsWrittenWholeOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,10 +1,10 @@
-#include "datasets/formats/read_map.h"
+#include "arcway/datasets/read_map.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ TEST_F(ReadMap, ErrorsNameTheFile) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

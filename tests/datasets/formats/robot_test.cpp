@@ -1,4 +1,4 @@
-#include "datasets/formats/robot.h"
+#include "arcway/datasets/robot.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::string robot(const std::string& members = "") { return R"({"format":"arcway-robot","version":1)" + members + "}"; }
@@ -123,4 +123,4 @@ TEST(ScenarioJson, FilesAreFoundBesideTheScenario) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

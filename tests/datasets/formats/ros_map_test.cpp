@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/angle.h"
-#include "datasets/io/file_io.h"
+#include "arcway/angle.h"
+#include "arcway/datasets/file_io.h"
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr const char* kYaml =
@@ -22,14 +22,14 @@ std::string error_of(const std::string& text) {
   return test::format_error_of([&] { read_ros_map(text, "a.yaml"); });
 }
 
-GreyImage image_of(std::vector<std::uint16_t> samples, std::size_t width) {
-  GreyImage image;
+GrayImage image_of(std::vector<std::uint16_t> samples, std::size_t width) {
+  GrayImage image;
   image.width = width;
   image.height = samples.size() / width;
   image.samples = std::move(samples);
   return image;
 }
-std::vector<Cell> cells(const RosMap& map, const GreyImage& image) {
+std::vector<Cell> cells(const RosMap& map, const GrayImage& image) {
   std::vector<std::string> warnings;
   return to_grid(map, image, "a.yaml", warnings).cells;
 }
@@ -96,10 +96,10 @@ TEST(RosMap, ThresholdsDecide) {
   raw.mode = RosMap::Mode::kRaw;
   EXPECT_EQ(cells(raw, image_of({0, 1, 100, 101, 255}, 5)),
             (std::vector<Cell>{kFree, kUnknown, kOccupied, kUnknown, kUnknown}));
-  GreyImage masked = image_of({254, 254}, 2);
+  GrayImage masked = image_of({254, 254}, 2);
   masked.transparent = {true, false};
   EXPECT_EQ(cells(map, masked), (std::vector<Cell>{kUnknown, kFree}));
-  GreyImage deep = image_of({65535, 100}, 2);
+  GrayImage deep = image_of({65535, 100}, 2);
   deep.max_value = 65535;
   EXPECT_EQ(cells(map, deep), (std::vector<Cell>{kFree, kOccupied}));
 }
@@ -119,12 +119,12 @@ TEST(RosMap, RowsAreFromTheTopAndTheOriginIsTheLowerLeftCorner) {
   EXPECT_EQ(warnings.size(), 1u);
 }
 
-TEST(RosMap, WarnsWhenUnknownGreyReadsAsFree) {
+TEST(RosMap, WarnsWhenUnknownGrayReadsAsFree) {
   std::vector<std::string> warnings;
   RosMap map = read_ros_map(with("free_thresh", "0.25"), "a.yaml");
   to_grid(map, image_of({0, 205}, 2), "a.yaml", warnings);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("grey 205"), std::string::npos);
+  EXPECT_NE(warnings[0].find("gray 205"), std::string::npos);
   warnings.clear();
   to_grid(map, image_of({0, 204}, 2), "a.yaml", warnings);
   map.free_thresh = 0.196;
@@ -133,4 +133,4 @@ TEST(RosMap, WarnsWhenUnknownGreyReadsAsFree) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

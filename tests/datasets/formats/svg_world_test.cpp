@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/polygon.h"
+#include "arcway/polygon.h"
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::string svg(const std::string& body) { return "<svg viewBox=\"1 2 30 20\">\n" + body + "\n</svg>"; }
@@ -198,4 +198,4 @@ TEST(SvgWorld, OthersAreRejectedByName) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,7 +4,7 @@
 
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::string error_of(const std::string& text) {
@@ -37,4 +37,4 @@ TEST(TextPolygons, ErrorsNameLineAndValue) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,7 +6,7 @@
 
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 constexpr const char* kCase = "1,2,0.5,20,3,-1,2,3,4,10,10,12,10,12,12,0,20,0,22,2,22,2,20";
@@ -57,4 +57,4 @@ TEST(Tpcap, ErrorsNameWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

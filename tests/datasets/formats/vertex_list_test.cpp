@@ -4,7 +4,7 @@
 
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 MapFile read(const std::string& text, const VectorOptions& options = {}) {
@@ -41,4 +41,4 @@ TEST(VertexList, SaysWhatItLeavesOut) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,12 +1,12 @@
-#include "datasets/formats/wkt.h"
+#include "arcway/datasets/wkt.h"
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/polygon.h"
-#include "datasets/map/repair.h"
+#include "arcway/datasets/repair.h"
+#include "arcway/polygon.h"
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 MapFile read(const std::string& text, const VectorOptions& options = {}) { return read_wkt(text, "map.wkt", options); }
@@ -131,4 +131,4 @@ TEST(Wkt, RoundTripIsExact) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

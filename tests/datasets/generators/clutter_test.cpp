@@ -1,4 +1,4 @@
-#include "datasets/generators/clutter.h"
+#include "arcway/datasets/clutter.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "core/geometry/predicates.h"
 #include "datasets/io/random.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 double area(const Ring& ring) {
@@ -146,4 +146,4 @@ TEST(Clutter, MakesWorlds) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "datasets/generators/driven_world.h"
+#include "arcway/datasets/driven_world.h"
 
 #include <gtest/gtest.h>
 
@@ -6,14 +6,14 @@
 #include <cmath>
 #include <string>
 
-#include "core/model/vehicle.h"
-#include "core/validate/validation.h"
-#include "datasets/formats/plan_io.h"
-#include "datasets/formats/robot.h"
-#include "datasets/generators/catalogue.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/plan_io.h"
+#include "arcway/datasets/robot.h"
+#include "arcway/validation.h"
+#include "arcway/vehicle.h"
 #include "datasets/generators/drive_clearance.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::string name_of(const DrivenParameters& p) {
@@ -71,7 +71,7 @@ TEST(DrivenWorld, DrivesChangeGearOnlyWhereTheyMay) {
   });
 }
 
-TEST(DrivenWorld, RobotsTurnWithRadiiFromNineCentimetresToThirtyMetres) {
+TEST(DrivenWorld, RobotsTurnWithRadiiFromNineCentimetersToThirtyMeters) {
   double smallest = 1e9, widest = 0.0;
   for (const DrivenRobot& robot : driven_robots()) {
     const double radius = Vehicle(robot.parameters).min_turning_radius();
@@ -86,22 +86,22 @@ TEST(DrivenWorld, RobotsTurnWithRadiiFromNineCentimetresToThirtyMetres) {
 }
 
 TEST(DrivenWorld, IsTheSameForTheSameNameAndAnotherForAnotherSeed) {
-  const auto made = catalogue_driven_world("driven/carved/r3/g2/c2/s5");
+  const auto made = catalog_driven_world("driven/carved/r3/g2/c2/s5");
   ASSERT_TRUE(made);
   const DrivenWorld same = generate_driven_world(
       {.kind = DrivenKind::kCarved, .robot = 3, .both_gears = true, .clearance = 0.002, .seed = 5});
   EXPECT_EQ(plan_to_json(plan_of_drive(*made), 0, made->robot), plan_to_json(plan_of_drive(same), 0, same.robot));
-  const MapFile map = catalogue_map("driven/carved/r3/g2/c2/s5");
+  const MapFile map = catalog_map("driven/carved/r3/g2/c2/s5");
   ASSERT_EQ(map.obstacles.size(), same.map.obstacles.size());
   for (std::size_t i = 0; i < map.obstacles.size(); ++i) EXPECT_EQ(map.obstacles[i].outer, same.map.obstacles[i].outer);
-  EXPECT_NE(catalogue_map("driven/carved/r3/g2/c2/s6").goal->x, map.goal->x);
-  EXPECT_FALSE(catalogue_driven_world("clutter/convex"));
+  EXPECT_NE(catalog_map("driven/carved/r3/g2/c2/s6").goal->x, map.goal->x);
+  EXPECT_FALSE(catalog_driven_world("clutter/convex"));
 }
 
 TEST(DrivenWorld, RefusesWhatIsOutOfRange) {
   const auto message_of = [](std::string_view name) {
     try {
-      (void)catalogue_map(name);
+      (void)catalog_map(name);
     } catch (const std::invalid_argument& error) {
       return std::string(error.what());
     }
@@ -110,7 +110,7 @@ TEST(DrivenWorld, RefusesWhatIsOutOfRange) {
   EXPECT_EQ(message_of("driven/rooms/r10"), "driven world: robot is 10, must be from 1 to 9");
   EXPECT_EQ(message_of("driven/rooms/r0"), "driven world: robot is 0, must be from 1 to 9");
   EXPECT_EQ(message_of("driven/rooms/c0"), "driven world: clearance is 0 m, must be from 1e-04 m to 10 m");
-  EXPECT_EQ(message_of("driven/rooms/g3"), "catalogue world \"driven/rooms/g3\": 3 gears, must be 1 or 2");
+  EXPECT_EQ(message_of("driven/rooms/g3"), "catalog world \"driven/rooms/g3\": 3 gears, must be 1 or 2");
 }
 
 // A square that a turning body passes: only the nearest moment decides.
@@ -145,4 +145,4 @@ TEST(DriveClearance, TheBoxContainsTheBodyAllAlongTheDrive) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

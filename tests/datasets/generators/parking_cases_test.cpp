@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <set>
 
-#include "datasets/formats/read_map.h"
-#include "datasets/formats/robot.h"
+#include "arcway/datasets/read_map.h"
+#include "arcway/datasets/robot.h"
 #include "tests/support/plans.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,4 +43,4 @@ TEST_P(ParkingCase, IsSolvedInBothGears) {
 INSTANTIATE_TEST_SUITE_P(Tpcap, ParkingCase, testing::Values(1, 3, 5, 7, 9, 11, 13, 15, 17, 19));
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

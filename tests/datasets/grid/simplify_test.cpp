@@ -4,11 +4,11 @@
 
 #include <cstdint>
 
-#include "core/geometry/polygon.h"
-#include "core/model/world.h"
+#include "arcway/polygon.h"
+#include "arcway/world.h"
 #include "tests/support/random_grids.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::grid_of;
@@ -141,4 +141,4 @@ TEST(Simplify, ObstaclesDoNotOverlap) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -6,11 +6,11 @@
 #include <set>
 #include <utility>
 
-#include "core/model/world.h"
+#include "arcway/world.h"
 #include "datasets/grid/grid_map.h"
 #include "tests/support/random_grids.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::grid_of;
@@ -118,4 +118,4 @@ TEST(Trace, EveryTracedGridIsAWorld) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

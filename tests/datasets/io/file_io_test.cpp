@@ -1,4 +1,4 @@
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ TEST_F(FileIoTest, ErrorsNameThePath) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

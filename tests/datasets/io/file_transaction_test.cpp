@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -159,4 +159,4 @@ TEST_F(FileTransactionTest, WritesDevicesAndPipesAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "datasets/io/file_io.h"
+#include "arcway/datasets/file_io.h"
 #include "tests/support/format_errors.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 // "0 0 1 0 1 1\n", compressed.
@@ -46,4 +46,4 @@ TEST(Gzip, DamagedFilesAreErrors) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 const std::vector<std::string_view> kWords{"length", "width", "wheelbase", "max_speed", "s"};
@@ -15,7 +15,7 @@ TEST(NearestWord, FindsWhatWasMeant) {
   EXPECT_EQ(nearest_word("Length", kWords), "length");
   EXPECT_EQ(nearest_word("speed", kWords), "max_speed");
   EXPECT_EQ(nearest_word("max_speed_mps", kWords), "max_speed");
-  EXPECT_EQ(nearest_word("colour", kWords), "");
+  EXPECT_EQ(nearest_word("color", kWords), "");
   EXPECT_EQ(nearest_word("", kWords), "");
   EXPECT_EQ(nearest_word("x", kWords), "");
   EXPECT_EQ(nearest_word("width", {}), "");
@@ -39,4 +39,4 @@ TEST(NearestWord, SynonymsComeBeforeWordsThatLookAlike) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

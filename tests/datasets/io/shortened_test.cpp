@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(Shortened, CutsLongTextsOnly) {
@@ -21,4 +21,4 @@ TEST(Shortened, CutsNoCharacterInTwo) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

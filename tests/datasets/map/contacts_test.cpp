@@ -11,7 +11,7 @@
 #include "tests/support/boxes.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 using test::box;
@@ -207,4 +207,4 @@ TEST(Contacts, OfManyPolygons) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

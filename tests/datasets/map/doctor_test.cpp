@@ -1,4 +1,4 @@
-#include "datasets/map/doctor.h"
+#include "arcway/datasets/doctor.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "datasets/formats/geojson.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/geojson.h"
+#include "arcway/datasets/repair.h"
 #include "datasets/formats/text_polygons.h"
-#include "datasets/generators/catalogue.h"
-#include "datasets/map/repair.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 Ring box(double left, double bottom, double right, double top) {
@@ -148,18 +148,18 @@ TEST(Doctor, NamesThePlaceInTheFile) {
 }
 
 // What the doctor calls plannable World takes; for what it does not, see AgreesWithWorldOnRings.
-TEST(Doctor, AgreesWithWorldOnTheCatalogue) {
-  for (const CatalogueFamily& family : catalogue_families()) {
+TEST(Doctor, AgreesWithWorldOnTheCatalog) {
+  for (const CatalogFamily& family : catalog_families()) {
     if (family.name == "paper") continue;
     for (const std::string_view kind : family.kinds.empty() ? std::vector<std::string_view>{""} : family.kinds) {
       const std::string name = std::string(family.name) + (kind.empty() ? "" : "/" + std::string(kind)) + "/s3";
-      const MapFile map = catalogue_map(name);
+      const MapFile map = catalog_map(name);
       EXPECT_TRUE(examine(map).plans()) << name;
       EXPECT_NO_THROW((void)to_world(map, name));
     }
   }
   const auto count = [](const char* name, FindingKind kind) {
-    const std::vector<FindingKind> found = kinds(catalogue_map(name));
+    const std::vector<FindingKind> found = kinds(catalog_map(name));
     return std::count(found.begin(), found.end(), kind);
   };
   EXPECT_GT(count("adversarial/touching/v1000", FindingKind::kTouching), 100);
@@ -273,14 +273,14 @@ TEST_F(Repair, LeavesNoCurves) {
   EXPECT_TRUE(repair(map).curves.empty());
 }
 
-TEST_F(Repair, TakesTheCatalogue) {
+TEST_F(Repair, TakesTheCatalog) {
   for (const char* name : {"adversarial/touching/v2000", "adversarial/shared/v2000", "adversarial/overlapping/v2000",
                            "adversarial/nested/v2000", "adversarial/contacts/v2000", "adversarial/holes/v2000",
                            "city/v2000", "adversarial/needles/v500"}) {
     SCOPED_TRACE(name);
-    repair(catalogue_map(name));
+    repair(catalog_map(name));
   }
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

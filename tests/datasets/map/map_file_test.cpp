@@ -1,11 +1,11 @@
-#include "datasets/map/map_file.h"
+#include "arcway/datasets/map_file.h"
 
 #include <gtest/gtest.h>
 
-#include "datasets/map/repair.h"
+#include "arcway/datasets/repair.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 TEST(MapFile, WorldErrorsAreTranslatedToPlaces) {
@@ -55,4 +55,4 @@ TEST(MapFile, WorldGivesItsPolygonsBack) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,10 +1,10 @@
-#include "datasets/pictures/svg.h"
+#include "arcway/datasets/svg.h"
 
 #include <gtest/gtest.h>
 
-#include "datasets/generators/paper_example.h"
+#include "arcway/datasets/paper_example.h"
 
-namespace arcway {
+namespace arcway::internal {
 namespace {
 
 std::size_t count(const std::string& text, std::string_view part) {
@@ -28,7 +28,7 @@ TEST(Svg, DrawsLayersWithYUp) {
                            "<g id=\"path\"", "<g id=\"robot\"", "<g id=\"markers\"", "<title>T&lt;1&gt;</title>",
                            "<desc>D</desc>", "a &lt; b &amp; &quot;c&quot;"})
     EXPECT_EQ(count(svg, part), 1u) << part;
-  // 10 px a metre below a border of 16 px: (0, 0) is 40 m below the top.
+  // 10 px a meter below a border of 16 px: (0, 0) is 40 m below the top.
   EXPECT_NE(svg.find("<g id=\"map\" transform=\"matrix(10 0 0 -10 116 416)\">"), std::string::npos) << svg;
   EXPECT_NE(svg.find("M0 0L10 0L10 10L0 10ZM2 2"), std::string::npos) << svg;
   EXPECT_NE(svg.find("M0 0L10 10M0 10L20 20"), std::string::npos);
@@ -44,7 +44,7 @@ TEST(Svg, DrawsTheSweptArea) {
   // One rectangle for a line.
   EXPECT_NE(picture.str().find("M19 19L32 19L32 21L19 21Z"), std::string::npos) << picture.str();
   picture.add_swept_area(Path{{{20, 20, 0}, 5, 0.2}}, body);
-  // The farthest corner is hypot(2, 6) from the turning centre: outlines a pixel apart over one radian.
+  // The farthest corner is hypot(2, 6) from the turning center: outlines a pixel apart over one radian.
   EXPECT_GE(count(picture.str(), "Z"), 63u);
 }
 
@@ -160,4 +160,4 @@ TEST(PaperExample, HasEightObstaclesClearOfBothEnds) {
 }
 
 }  // namespace
-}  // namespace arcway
+}  // namespace arcway::internal

@@ -1,0 +1,42 @@
+#include "accel/expansion/tangent_neighbors.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "accel/expansion/contact_edges.h"
+#include "accel/expansion/sight_map.h"
+#include "accel/expansion/wedge_walk.h"
+
+namespace arcway::internal {
+
+struct TangentNeighbors::Data {
+  Data(const World& of, const Executor& executor)
+      : world(of), map(world, executor), node_of(world.vertices().size(), kNone) {
+    map.list_left_edges();
+    fans = worthwhile_fans(map, executor);
+    for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
+    through_contacts = both_ways(edges_through_contacts(world, map));
+  }
+  World world;
+  SightMap map;
+  LongFans fans;
+  std::vector<std::uint32_t> node_of;  // by vertex
+  EdgeList through_contacts;
+};
+
+TangentNeighbors::TangentNeighbors(const World& world, const Executor& executor)
+    : data_(std::make_unique<const Data>(world, executor)) {}
+TangentNeighbors::~TangentNeighbors() = default;
+TangentNeighbors::TangentNeighbors(TangentNeighbors&&) noexcept = default;
+TangentNeighbors& TangentNeighbors::operator=(TangentNeighbors&&) noexcept = default;
+
+std::vector<VertexId> TangentNeighbors::of(VertexId vertex) const {
+  if (vertex >= data_->node_of.size())
+    throw std::out_of_range("tangent neighbors: vertex " + std::to_string(vertex) + ", the world has " +
+                            std::to_string(data_->node_of.size()));
+  std::vector<VertexId> row = tangent_neighbors(data_->map, data_->node_of[vertex], &data_->fans);
+  add_missing(data_->through_contacts, vertex, row);
+  return row;
+}
+
+}  // namespace arcway::internal

@@ -1,0 +1,51 @@
+#include "core/gaps/bottleneck_finder.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "arcway/sweep_query.h"
+
+namespace arcway::internal {
+std::string region_text(const World& world, ObstacleId region) {
+  return region == world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region);
+}
+
+std::string rounded_text(double meters) {
+  char text[400];  // the largest double has 309 digits
+  std::string out(text, std::to_chars(text, text + sizeof text, meters, std::chars_format::fixed, 3).ptr);
+  out.erase(out.find_last_not_of('0') + 1);
+  if (out.back() == '.') out.pop_back();
+  return out;
+}
+
+BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle)
+    : BottleneckFinder(world, vehicle,
+                       std::make_shared<const VehicleGaps>(world, vehicle, vehicle.min_turning_radius())) {}
+
+BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps)
+    : world_(world), body_(vehicle.footprint()), gaps_(std::move(gaps)) {
+  vehicle_takes_.needed = widest_hopeless_gap(vehicle);
+  vehicle_takes_.needed_to_turn =
+      swept_annulus(vehicle.footprint(0.5 * vehicle.safety_margin()), vehicle.min_turning_radius()).width();
+}
+
+std::optional<Bottleneck> BottleneckFinder::operator()(const Pose& from, const Pose& to, const StopClock& clock) const {
+  std::optional<Gap> gap;
+  try {
+    if (const GapMap* gaps = gaps_->map(clock))
+      gap = gaps->bottleneck(middle_of(body_, from), middle_of(body_, to), clock);
+  } catch (const Cancelled&) {
+    return std::nullopt;
+  }
+  if (!gap || gap->width > std::max(vehicle_takes_.needed, vehicle_takes_.needed_to_turn)) return std::nullopt;
+  Bottleneck bottleneck = vehicle_takes_;
+  bottleneck.width = gap->width;
+  bottleneck.obstacle_a = world_.obstacle_of(gap->edge_a);
+  bottleneck.obstacle_b = world_.obstacle_of(gap->edge_b);
+  bottleneck.on_a = gap->on_a;
+  bottleneck.on_b = gap->on_b;
+  return bottleneck;
+}
+
+}  // namespace arcway::internal

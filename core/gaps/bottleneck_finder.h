@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "arcway/bottleneck.h"
+#include "arcway/path.h"
+#include "arcway/stop_clock.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
+#include "core/gaps/vehicle_gaps.h"
+
+namespace arcway::internal {
+
+/// "obstacle 17" or "the bounds".
+std::string region_text(const World& world, ObstacleId region);
+/// A length as people read it: to a millimeter, without trailing zeros.
+std::string rounded_text(double meters);
+
+/// Finds bottlenecks on one map for one vehicle. Thread-safe.
+class BottleneckFinder {
+ public:
+  BottleneckFinder(const World& world, const Vehicle& vehicle);
+  /// @param gaps  of the same map and vehicle, known to others as well.
+  BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps);
+
+  /// Nothing if the widest way is wide enough for the tightest turn, or as wide as the room around one of the poses.
+  /// Precondition: the body grown by half of the safety margin is free at both poses.
+  /// Time as GapMap::bottleneck, where the gaps were asked for before.
+  /// @param clock  ends the search: then nothing.
+  [[nodiscard]] std::optional<Bottleneck> operator()(const Pose& from, const Pose& to,
+                                                     const StopClock& clock = {}) const;
+
+ private:
+  World world_;
+  Footprint body_;
+  Bottleneck vehicle_takes_;  // no place yet
+  std::shared_ptr<const VehicleGaps> gaps_;
+};
+
+}  // namespace arcway::internal

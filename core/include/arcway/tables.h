@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "arcway/export.h"
+#include "arcway/vec2.h"
+
+namespace arcway {
+
+/// The arrays that hold what was found out about a map, so that it can be stored and taken up again.
+enum class Table : std::uint32_t {
+  kVertices = 1,
+  kNext,
+  kCovered,
+  kRingStarts,
+  kRegionRings,
+  kRowStarts,
+  kTargets,
+  kRadii,
+  kIntervalStarts,
+  kIntervals,
+  kLinkStarts,
+  kLinks,
+  kLinkCounts,
+  kSelfContacts
+};
+/// "vertices", "row starts", ...
+ARCWAY_API const char* name_of(Table table);
+
+/// An entry of a table that cannot be.
+class ARCWAY_API TableError : public std::invalid_argument {
+ public:
+  TableError(Table table, std::size_t index, const std::string& message)
+      : std::invalid_argument(std::string(name_of(table)) + ", entry " + std::to_string(index) + ": " + message),
+        table_(table),
+        index_(index) {}
+  [[nodiscard]] Table table() const { return table_; }
+  [[nodiscard]] std::size_t index() const { return index_; }
+
+ private:
+  Table table_;
+  std::size_t index_;
+};
+
+/// A vertex inside an edge of its own region, with the vertex's ring on the edge's left. See World::self_contacts.
+struct SelfContact {
+  std::uint32_t edge, vertex;
+  friend bool operator==(const SelfContact&, const SelfContact&) = default;
+};
+
+/// A world as arrays, by vertex, ring and region: World::tables, World::from_tables.
+struct WorldTables {
+  std::vector<Vec2> vertices;
+  std::vector<std::uint32_t> next;          ///< World::next
+  std::vector<std::uint8_t> covered;        ///< World::is_covered, 0 or 1
+  std::vector<std::uint32_t> ring_starts;   ///< first vertex of each ring, ascending
+  std::vector<std::uint32_t> region_rings;  ///< first ring of each region, ascending; then the number of rings
+  std::vector<SelfContact> self_contacts;   ///< World::self_contacts
+  bool has_bounds = false;                  ///< the last region is the bounds
+};
+
+}  // namespace arcway

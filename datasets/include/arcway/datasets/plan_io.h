@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "arcway/datasets/file_io.h"
+#include "arcway/export.h"
+#include "arcway/planner.h"
+#include "arcway/validation.h"
+#include "arcway/vehicle.h"
+
+namespace arcway {
+
+/// One JSON object on one line, without a newline at its end. Numbers read back to the same doubles; what is not
+/// finite is null.
+///
+///     {"format":"arcway-plan","version":1,"q":0,"status":"solved","robot":{..},"start":[x,y,heading],
+///      "goal":[x,y,heading],"travel_time":..,"length":..,"gear_changes":..,"lower_bound":..,"min_clearance":..,
+///      "path":[{"type":"line"|"arc","start":[x,y,heading],"length":..,"curvature":..,"direction":1|-1,
+///               "speed_in":..,"speed_out":..,"duration":..}],"statistics":{..}}
+///
+/// "direction" is -1 where the segment is driven backwards. With "reason" and an empty path unless solved; with
+/// "interrupted": true if the time limit or a stop ended the search.
+/// @param q      number of the query.
+/// @param robot  that the plan is for, as robot.h writes it; left out if there is none.
+ARCWAY_API std::string plan_to_json(const PlanResult& result, std::uint64_t q,
+                                    const std::optional<VehicleParameters>& robot = {});
+
+struct PathSampling {
+  double max_length = 0.5;  ///< between two samples [m], > 0
+  double max_angle = 0.05;  ///< between two samples [rad], > 0
+};
+/// Of a path, so that a step that is far too small cannot eat all memory.
+inline constexpr double kMostSamplingSteps = 1e7;
+/// A moment of the motion.
+struct PathSample {
+  double s;          ///< from the start [m]
+  Pose pose;         ///< heading not wrapped
+  double curvature;  ///< [1/m], left positive
+  Gear gear;
+  double t;  ///< [s]
+  double v;  ///< [m/s]
+};
+/// Samples by length and by angle, ends of all segments kept; where curvature or gear change, the joint comes twice,
+/// once with each. Time and speed follow the fastest motion within the segment: accelerate, hold, brake. Where it goes
+/// from one to the next there is a sample, too: between neighbors the acceleration is constant, and the mean of their
+/// speeds times the time between them is the way from one to the other, up to rounding. Times never descend.
+/// @param segments  with the speeds and durations of speed_profile.
+/// @throws std::invalid_argument naming value and limit unless both steps are positive and the path has at most
+///   kMostSamplingSteps of them; so do both below.
+ARCWAY_API std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
+                                               const PathSampling& sampling = {});
+
+/// The samples as `s,x,y,yaw,curvature,direction,t,v,steer` with a header line: meters, radians, seconds.
+/// The steering angle is the one of the steered axle (of each, if symmetric), left positive at the front.
+ARCWAY_API std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle,
+                                   const PathSampling& sampling = {});
+
+/// The samples as a nav_msgs/Path of ROS 2 in JSON, named as rosbridge does; stamps are times since the start. The
+/// message has no gear: orientations are those of the body, so that backwards the positions move against them.
+/// @param frame  of the coordinates, as "map".
+ARCWAY_API std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehicle& vehicle,
+                                        std::string_view frame = "map", const PathSampling& sampling = {});
+
+struct PlanFile {
+  std::optional<std::uint64_t> q;  ///< number of the query
+  std::string status;
+  std::optional<VehicleParameters> robot;     ///< that it says it is for
+  std::optional<double> travel_time, length;  ///< that it says it has [s], [m]
+  std::optional<double> gear_changes;         ///< likewise
+  Pose start, goal;
+  TimedPath path;  ///< speeds and durations empty if the file has none
+};
+/// Reads what plan_to_json writes; only "format", "version", "start", "goal" and "path" are required, and of its
+/// segments "type", "start", "length" and "curvature". Speeds and durations must be on all segments or on none.
+/// @param name  of the source, for messages.
+/// @throws FormatError, "plan.json: path[3].length: expected a number, found null".
+ARCWAY_API PlanFile read_plan(std::string_view json, std::string_view name);
+
+struct PlanOnLine {
+  std::size_t line;  ///< where it begins, from 1
+  PlanFile plan;
+};
+/// Reads one plan, or several, each beginning on a line of its own.
+/// @throws FormatError as read_plan; of several "plans.json:2: path[3].length: ...".
+ARCWAY_API std::vector<PlanOnLine> read_plans(std::string_view json, std::string_view name);
+
+}  // namespace arcway

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "arcway/export.h"
+#include "arcway/path.h"
+#include "arcway/vec2.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
+
+namespace arcway {
+
+/// How a set of edges is drawn.
+struct EdgeStyle {
+  std::string_view color = "#5b8def";
+  double width = 0.8;     ///< [px]
+  double opacity = 0.35;  ///< in [0, 1]
+};
+
+/// A picture of a world, with layers added on top: groups with the ids bounds, obstacles, graph, swept, path, robot,
+/// markers and caption, which Inkscape shows as layers. All but the markers and the caption lie in the group "map", in
+/// the world's meters with y up, rounded to a tenth of a pixel or finer; on maps far from the origin the meters are
+/// from the view's corner. The world need not outlive the picture.
+class ARCWAY_API SvgPicture {
+ public:
+  /// @param width  of the map in the picture [px]; the height follows.
+  explicit SvgPicture(const World& world, double width = 1200.0);
+  /// @param view  part of the map to show, enlarged by a border.
+  SvgPicture(const World& world, const Box& view, double width = 1200.0);
+
+  /// Edges in one path element, as group `id`; of more than 50,000 an even sample, as readers choke on them.
+  /// @return one in how many is drawn.
+  std::size_t add_edges(std::span<const LineSegment> edges, const EdgeStyle& style = {}, std::string_view id = "graph");
+  /// The path, where it is driven backwards in blue and dashed, as a line below the map then says; the body's outlines
+  /// along it, at dots where the gear changes, and the poses at its ends. After alternatives it has one color, and
+  /// dashes alone tell the gears apart.
+  /// @param text  below the map, before those of alternatives.
+  void add_path(std::span<const PathSegment> path, const Footprint& body, std::string_view text = {});
+  /// The path alone, in the next color of a palette that color-blind people can tell apart, where it is driven
+  /// backwards dashed, and below the map its color with a text. To be added before the path.
+  void add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text);
+  /// All that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
+  void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
+  /// Outlines of the body.
+  void add_bodies(std::span<const Pose> poses, const Footprint& body);
+  /// Start and goal when there is no path.
+  void add_poses(const Pose& start, const Pose& goal, const Footprint& body);
+  /// Among the markers, a waypoint, with a text beside it.
+  void add_place(const Vec2& place, std::string_view text);
+  /// Among the markers, a gap from one point to another, with a text beside it.
+  void add_gap(const Vec2& a, const Vec2& b, std::string_view text);
+  /// All layers but the caption.
+  static std::span<const std::string_view> layers();
+  /// Empties all layers but these.
+  /// @throws std::invalid_argument naming one that there is not.
+  void show(std::span<const std::string> layers);
+  /// A line of text below the map.
+  void add_caption(std::string_view text);
+  /// Title and description for readers that do not see the picture.
+  void set_title(std::string_view title, std::string_view description = {});
+
+  /// The document, newline at its end.
+  [[nodiscard]] std::string str() const;
+
+ private:
+  void add_map(const World& world);
+  struct Colors {
+    std::string_view forward, reverse;
+  };
+  void add_line(std::span<const PathSegment> path, const Footprint& body, const Colors& colors);
+  /// Segments of one gear as one line.
+  void add_run(std::span<const PathSegment> run, bool bodies, const Colors& colors);
+  /// The body at a pose, lengthened to the front.
+  void add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const;
+  void add_dot(const Vec2& at, std::string_view color, double radius);
+  void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);
+  /// A text beside a point of the picture, and within it.
+  void add_label(const Vec2& beside, std::string_view color, std::string_view text);
+  /// Attributes of a line within the group "map".
+  [[nodiscard]] std::string stroke(std::string_view color, double pixels) const;
+  [[nodiscard]] Vec2 to_picture(const Vec2& p) const;
+  /// Within the group "map".
+  void append_point(std::string& out, const Vec2& p) const;
+
+  Box view_;
+  double scale_ = 1.0;
+  double width_ = 0.0, height_ = 0.0;
+  Vec2 origin_{0.0, 0.0};  // of the meters in the picture
+  double parts_ = 10.0;    // of a meter that they are rounded to
+  std::string bounds_, obstacles_, graph_, swept_, path_, robot_, markers_;
+  std::vector<std::string> captions_;
+  std::size_t alternatives_ = 0;
+  bool backwards_ = false;  // some path is driven so
+  std::string title_, description_;
+};
+
+}  // namespace arcway
