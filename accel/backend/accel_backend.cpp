@@ -41,7 +41,8 @@ Backend::Parts parts_of(const World& world, const AccelOptions& options) {
     return parts;
   }
   parts.reduced_graph = [process_group = options.process_group](const Backend& b) {
-    return shared(build_reduced_visibility_graph_by_wedges(b.world(), b.executor(), nullptr, process_group ? *process_group : kSingleProcess));
+    return shared(build_reduced_visibility_graph_by_wedges(b.world(), b.executor(), nullptr,
+                                                           process_group ? *process_group : kSingleProcess));
   };
   parts.lazy_rows = [](const Backend& b) { return make_lazy_rows(b.world(), b.executor()); };
   parts.changed_graph = [](const Backend& b, const VisibilityGraph& before, const WorldChange& change) {

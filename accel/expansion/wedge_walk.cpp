@@ -497,7 +497,8 @@ bool WedgeWalk::pass_along(const Sleeves::Sleeve& sleeve, std::uint32_t count, s
     return across_before(kLeft ? from - place - 1 : place - from - 1);
   };
   const auto touched_from = [&](std::uint32_t index, const Vec2& at) {
-    const std::uint32_t last = ahead(kLeft ? sleeves_->left_before(sleeve, index) : sleeves_->right_before(sleeve, index));
+    const std::uint32_t last =
+        ahead(kLeft ? sleeves_->left_before(sleeve, index) : sleeves_->right_before(sleeve, index));
     return kLeft ? touch(near.from, last, End::kLow, at) : touch(last, near.from, End::kHigh, at);
   };
   const std::uint32_t in_sight =

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "accel/expansion/change_visibility.h"
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/edge_list.h"
-#include "accel/expansion/change_visibility.h"
 #include "accel/expansion/sight_map.h"
 #include "accel/expansion/wedge_walk.h"
 #include "core/geometry/near_boxes.h"

@@ -59,7 +59,8 @@ Landscape landscape_of(const World& world, const Executor& executor) {
 }  // namespace
 
 VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world, const Executor& executor,
-                                                         WedgeStatistics* statistics, const ProcessGroup& process_group) {
+                                                         WedgeStatistics* statistics,
+                                                         const ProcessGroup& process_group) {
   std::vector<EdgeList> parts;
   WalkCounts sum;
   EdgeList through_contacts;

@@ -4,13 +4,13 @@
 
 namespace arcway::internal {
 
-/// All processes that mpirun started, as a process group. One object a process, on the thread that makes and destroys it; every
-/// call but size and rank waits for the other processes. A process that ends without `~MpiProcessGroup` takes all others with
-/// it.
+/// All processes that mpirun started, as a process group. One object a process, on the thread that makes and destroys
+/// it; every call but size and rank waits for the other processes. A process that ends without `~MpiProcessGroup` takes
+/// all others with it.
 ///
-///     const MpiProcessGroup process group;
-///     const Planner planner(world, vehicle, accel_backend(world, threads, {.process group = &process group}), {.graph_mode =
-///     GraphMode::kEager, .process group = &process group});
+///     const MpiProcessGroup processes;
+///     const Backend backend = accel_backend(world, threads, {.process_group = &processes});
+///     const Planner planner(world, vehicle, backend, {.graph_mode = GraphMode::kEager, .process_group = &processes});
 class MpiProcessGroup final : public ProcessGroup {
  public:
   /// Starts MPI. @throws std::runtime_error if it has been started before.

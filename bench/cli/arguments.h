@@ -35,7 +35,7 @@ inline constexpr int kExitBadInput = 2;
 /// only if the action does not throw, and returns the exit code.
 using Action = std::function<int(std::string& out)>;
 
-/// @param process group  of processes that do the same together; the first one prints and writes.
+/// @param process_group  of processes that do the same together; the first one prints and writes.
 void add_plan_command(CLI::App& app, Action& action, const ProcessGroup& process_group);
 void add_prepare_command(CLI::App& app, Action& action, const ProcessGroup& process_group);
 void add_change_command(CLI::App& app, Action& action);
@@ -79,7 +79,8 @@ struct BuildOptions {
   [[nodiscard]] QuerySet queries(const World& world, const Executor& executor) const;
   [[nodiscard]] std::unique_ptr<const Executor> executor() const;
   /// What planners are made with. All arguments but the world must outlive their construction.
-  [[nodiscard]] Backend backend_for(const World& world, const Executor& executor, const ProcessGroup& process_group) const;
+  [[nodiscard]] Backend backend_for(const World& world, const Executor& executor,
+                                    const ProcessGroup& process_group) const;
   /// Builds the reduced graph, with queries only where the builder asks any.
   [[nodiscard]] VisibilityGraph reduced_graph_of(const World& world, const Executor& executor,
                                                  const ProcessGroup& process_group = kSingleProcess) const;

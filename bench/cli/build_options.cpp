@@ -82,7 +82,8 @@ std::string BuildOptions::builder_name(const World& world) const {
   return name_of(backend == "reference" ? GraphBuilder::kPairwise : faster_graph_builder(world));
 }
 
-Backend BuildOptions::backend_for(const World& world, const Executor& executor, const ProcessGroup& process_group) const {
+Backend BuildOptions::backend_for(const World& world, const Executor& executor,
+                                  const ProcessGroup& process_group) const {
   const bool reference = backend == "reference";
   if (reference && builder != "wedge") return backend_of(world, make_reference_queries(world), executor);
   AccelOptions options{.reference_queries = reference, .process_group = &process_group};
@@ -111,7 +112,8 @@ VisibilityGraph BuildOptions::full_graph_of(const World& world, const Executor& 
 
 #endif
 
-VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor, const ProcessGroup& process_group) const {
+VisibilityGraph BuildOptions::reduced_graph_of(const World& world, const Executor& executor,
+                                               const ProcessGroup& process_group) const {
   return *backend_for(world, executor, process_group).reduced_graph();
 }
 

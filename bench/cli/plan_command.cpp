@@ -114,7 +114,8 @@ int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::st
     const Planner planner = make_planner(arguments, map, vehicle, options, process_group, clock);
     if (batch && map.prepared) planner.warm_up(std::min(arguments.build.thread_count(), queries.size()));
     const double build_seconds = watch.seconds();
-    if (batch) return answer_queries(arguments, map, planner, build_seconds, queries, limits, process_group, files, out);
+    if (batch)
+      return answer_queries(arguments, map, planner, build_seconds, queries, limits, process_group, files, out);
     PlanLimits rest = limits;
     rest.time = std::min(limits.time, clock.seconds_left());
     std::vector<CheckedPlan> plans = plans_of(arguments, planner, request, rest);

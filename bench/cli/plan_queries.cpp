@@ -95,8 +95,8 @@ std::vector<Answer> answer_share(const Planner& planner, std::span<const Numbere
 }  // namespace
 
 int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits, const ProcessGroup& process_group,
-                   OutputFiles& files, std::string& out) {
+                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits,
+                   const ProcessGroup& process_group, OutputFiles& files, std::string& out) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
                     " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " +

@@ -14,7 +14,7 @@ namespace arcway::internal::cli {
 /// Plans many queries on one map with all threads and processes, writes a line for each and their summary to `out`.
 /// @returns the exit code.
 int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits, const ProcessGroup& process_group,
-                   OutputFiles& files, std::string& out);
+                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits,
+                   const ProcessGroup& process_group, OutputFiles& files, std::string& out);
 
 }  // namespace arcway::internal::cli

@@ -79,9 +79,9 @@ ManoeuvreWorkspace::~ManoeuvreWorkspace() = default;
 ManoeuvreWorkspace::ManoeuvreWorkspace(ManoeuvreWorkspace&&) noexcept = default;
 ManoeuvreWorkspace& ManoeuvreWorkspace::operator=(ManoeuvreWorkspace&&) noexcept = default;
 
-std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                          const SweepQuery& sweep, std::size_t max_poses, Spread spread,
-                                          ManoeuvreWorkspace& workspace, const StopClock& clock) {
+std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle,
+                                            double radius, const SweepQuery& sweep, std::size_t max_poses,
+                                            Spread spread, ManoeuvreWorkspace& workspace, const StopClock& clock) {
   const bool forwards = direction == Direction::kFromStart;
   const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
   const double step = radius * kStepTurn;
@@ -154,8 +154,8 @@ std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction directio
 }
 
 std::vector<Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                      const SweepQuery& sweep, std::size_t max_poses, Spread spread,
-                                      const StopClock& clock) {
+                                        const SweepQuery& sweep, std::size_t max_poses, Spread spread,
+                                        const StopClock& clock) {
   ManoeuvreWorkspace workspace;
   const auto found = find_manoeuvres(pose, direction, vehicle, radius, sweep, max_poses, spread, workspace, clock);
   return {found.begin(), found.end()};

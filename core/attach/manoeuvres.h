@@ -38,11 +38,11 @@ class ManoeuvreWorkspace {
 /// nothing. O(max_poses) queries and memory.
 /// @param clock  ends that, with the poses found by then.
 std::vector<Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                      const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense,
-                                      const StopClock& clock = {});
+                                        const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense,
+                                        const StopClock& clock = {});
 /// The same in memory that is used again: theirs is the workspace's.
-std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                          const SweepQuery& sweep, std::size_t max_poses, Spread spread,
-                                          ManoeuvreWorkspace& workspace, const StopClock& clock = {});
+std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle,
+                                            double radius, const SweepQuery& sweep, std::size_t max_poses,
+                                            Spread spread, ManoeuvreWorkspace& workspace, const StopClock& clock = {});
 
 }  // namespace arcway::internal

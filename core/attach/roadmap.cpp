@@ -8,7 +8,7 @@
 namespace arcway::internal {
 
 Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, std::vector<double> r, FeasibleGraph g,
-                     std::shared_ptr<const Outlines> o)
+                 std::shared_ptr<const Outlines> o)
     : world(w),
       vehicle(v),
       queries(std::move(q)),

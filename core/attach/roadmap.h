@@ -18,8 +18,8 @@ class CirclePlaces;
 /// What all searches on one map share. Immutable.
 struct Roadmap {
   /// @param radii  those of the graph;  @param outlines  of the world.
-  Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii,
-            FeasibleGraph graph, std::shared_ptr<const Outlines> outlines);
+  Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii, FeasibleGraph graph,
+          std::shared_ptr<const Outlines> outlines);
   /// The same map with another graph.
   /// @param other_radii  those of that graph; the smallest as here.
   [[nodiscard]] Roadmap with_graph(FeasibleGraph other, std::vector<double> other_radii) const;

@@ -4,10 +4,10 @@
 
 #include "arcway/executor.h"
 #include "arcway/sweep_query.h"
+#include "core/attach/attachment_links.h"
 #include "core/attach/circle_table.h"
 #include "core/attach/roadmap.h"
 #include "core/attach/search_options.h"
-#include "core/attach/attachment_links.h"
 
 namespace arcway::internal {
 

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
+#include "arcway/path.h"
 #include "arcway/stop_clock.h"
 #include "arcway/sweep_query.h"
-#include "arcway/path.h"
 #include "arcway/vehicle.h"
 
 namespace arcway::internal {

@@ -8,9 +8,9 @@
 #include "arcway/feasible_tables.h"
 #include "arcway/graph_mode.h"
 #include "arcway/heading_set.h"
+#include "arcway/process_group.h"
 #include "arcway/query_set.h"
 #include "arcway/stop_clock.h"
-#include "arcway/process_group.h"
 #include "arcway/vehicle.h"
 #include "arcway/visibility_graph.h"
 #include "arcway/visibility_rows.h"
@@ -33,8 +33,8 @@ class FeasibleGraph {
 
   /// @param radii     of the turn circles [m], positive and ascending, at least one: std::invalid_argument otherwise.
   /// @param executor  used during construction only.
-  /// @param process group      of processes that build the same eager graph: each checks a share of the circles, all get the
-  ///   whole graph.
+  /// @param process_group  builds the same eager graph: each process checks a share of the circles, all get the whole
+  ///   graph.
   FeasibleGraph(const World& world, const Vehicle& vehicle, const VisibilityGraph& graph, const QuerySet& queries,
                 std::span<const double> radii, const Executor& executor, GraphMode mode = GraphMode::kEager,
                 const ProcessGroup& process_group = SingleProcess());

@@ -46,7 +46,7 @@ class End {
   void find(std::size_t poses, Spread spread) {
     asked_ = poses;
     attachments_ = find_manoeuvres(plain_.pose, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses,
-                                 spread, workspace_, clock_);
+                                   spread, workspace_, clock_);
   }
 
   const Roadmap& map_;

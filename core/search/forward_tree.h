@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "arcway/path.h"
-#include "core/attach/roadmap.h"
 #include "core/attach/attachment_links.h"
+#include "core/attach/roadmap.h"
 #include "core/collision/contact_reach.h"
 #include "core/search/effort.h"
 #include "core/search/tree_open_list.h"

@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "arcway/stop_clock.h"
-#include "core/attach/roadmap.h"
 #include "core/attach/attachment_links.h"
+#include "core/attach/roadmap.h"
 
 namespace arcway::internal {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "arcway/path.h"
 #include "arcway/datasets/file_io.h"
+#include "arcway/path.h"
 #include "datasets/io/nearest_word.h"
 
 namespace arcway::internal::detail {

@@ -21,8 +21,8 @@ Roadmap make_map(const World& world, const Vehicle& vehicle, const std::vector<d
   const QuerySet queries = make_reference_queries(world);
   const VisibilityGraph visibility = build_reduced_visibility_graph(world, *queries.visibility);
   return Roadmap(world, vehicle, queries, radii,
-                   FeasibleGraph(world, vehicle, visibility, queries, radii, SerialExecutor(), mode),
-                   std::make_shared<const Outlines>(world));
+                 FeasibleGraph(world, vehicle, visibility, queries, radii, SerialExecutor(), mode),
+                 std::make_shared<const Outlines>(world));
 }
 
 // Every path of the graph whose time could be below a bound, one by one, without comparing any two of them.

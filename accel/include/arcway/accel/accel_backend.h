@@ -15,7 +15,8 @@ namespace arcway {
 struct AccelOptions {
   std::optional<GraphBuilder> builder = std::nullopt;  ///< of the reduced graph; empty: faster_graph_builder(world)
   bool reference_queries = false;                      ///< by brute force, to compare
-  /// Processes that build the same whole graph, as PlannerOptions::process group; must outlive the construction of planners.
+  /// Processes that build the same whole graph, as PlannerOptions::process_group; must outlive the construction of
+  /// planners.
   const ProcessGroup* process_group = nullptr;
 };
 

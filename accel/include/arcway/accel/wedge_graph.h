@@ -25,12 +25,11 @@ struct WedgeStatistics {
 ///
 /// O(n log n + s) for s steps of the walks; in clutter both grow with n. Regions that cross others cost more: what is
 /// seen past them is tested against their edges one by one.
-/// @param process group  of processes that build the same graph: each triangulates, walks from a share of the vertices and gets
+/// @param process_group  builds the same graph: each process triangulates, walks from a share of the vertices and gets
 ///   the whole graph.
 /// @throws std::length_error beyond 2^28 vertices.
-ARCWAY_API VisibilityGraph build_reduced_visibility_graph_by_wedges(const World& world,
-                                                                    const Executor& executor = SerialExecutor(),
-                                                                    WedgeStatistics* statistics = nullptr,
-                                                                    const ProcessGroup& process_group = SingleProcess());
+ARCWAY_API VisibilityGraph build_reduced_visibility_graph_by_wedges(
+    const World& world, const Executor& executor = SerialExecutor(), WedgeStatistics* statistics = nullptr,
+    const ProcessGroup& process_group = SingleProcess());
 
 }  // namespace arcway
