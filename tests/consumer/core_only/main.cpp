@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "core/planner/planner.h"
+#include "core/planner/plan_run.h"
 
 static_assert(ARCWAY_VERSION_NUMBER >= 100, "0.1.0 and newer");
 

@@ -1,4 +1,0 @@
-#pragma once
-
-// Of the consumer, not of the library.
-inline constexpr double kTopFloor = 7.0;
