@@ -9,7 +9,7 @@
 #include "accel/graphs/pairwise_graph.h"
 #include "arcway/accel/graph_builder.h"
 #include "arcway/accel/parallel.h"
-#include "arcway/accel/wedge_graph.h"
+#include "arcway/accel/tangent_cone_graph.h"
 
 namespace arcway {
 
@@ -41,8 +41,8 @@ Backend::Parts parts_of(const World& world, const AccelOptions& options) {
     return parts;
   }
   parts.reduced_graph = [process_group = options.process_group](const Backend& b) {
-    return shared(build_reduced_visibility_graph_by_wedges(b.world(), b.executor(), nullptr,
-                                                           process_group ? *process_group : kSingleProcess));
+    return shared(build_reduced_visibility_graph_by_tangent_cones(b.world(), b.executor(), nullptr,
+                                                                  process_group ? *process_group : kSingleProcess));
   };
   parts.lazy_rows = [](const Backend& b) { return make_lazy_rows(b.world(), b.executor()); };
   parts.changed_graph = [](const Backend& b, const VisibilityGraph& before, const WorldChange& change) {

@@ -30,7 +30,7 @@ Scenes::Scenes(const World& world, const EmbreeOptions& options, const std::shar
                std::size_t many_edges)
     : locator(world),
       batches(options.batches),
-      sight(device, world, 0.0, many_edges, options.clock),
+      visibility(device, world, 0.0, many_edges, options.clock),
       sweep(device, world, inflation_of(world, options.body_half_width), many_edges, options.clock) {}
 
 QuerySet make_configured_queries(const World& world, const EmbreeOptions& options, const char* device_config,

@@ -8,7 +8,7 @@ void EmbreeDistance::do_closest(std::span<const Vec2> points, std::span<ClosestP
     const std::span<const LineSegment> edges = scenes_->world().edges();
     for (std::size_t i = begin; i < end; ++i) {
       ClosestPoint best;
-      scenes_->sight.edges().visit_near(points[i], best.distance, [&](VertexId e) {
+      scenes_->visibility.edges().visit_near(points[i], best.distance, [&](VertexId e) {
         const Vec2 candidate = closest_point(points[i], edges[e]);
         const double distance = (candidate - points[i]).norm();
         if (distance < best.distance || (distance == best.distance && e < best.edge)) best = {distance, candidate, e};
@@ -26,7 +26,7 @@ void EmbreeDistance::do_closer_than(std::span<const Vec2> points, std::span<cons
     for (std::size_t i = begin; i < end; ++i) {
       bool found = false;
       if (distances[i] > 0.0) {
-        scenes_->sight.edges().visit_near(points[i], distances[i], [&](VertexId e) {
+        scenes_->visibility.edges().visit_near(points[i], distances[i], [&](VertexId e) {
           found = (closest_point(points[i], edges[e]) - points[i]).norm() < distances[i];
           return found ? -1.0 : distances[i];
         });

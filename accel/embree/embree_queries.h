@@ -12,7 +12,7 @@
 namespace arcway::internal::embree {
 
 /// The test of a visibility ray.
-struct BlocksSight {
+struct BlocksLineOfSight {
   bool operator()(VertexId edge) const;
   const World& world;
   const LineSegment& segment;
@@ -31,10 +31,10 @@ struct Scenes {
 
   RegionLocator locator;
   std::shared_ptr<const Executor> batches;
-  RayScene<BlocksSight> sight;
+  RayScene<BlocksLineOfSight> visibility;
   RayScene<MeetsRectangle> sweep;
 
-  [[nodiscard]] const World& world() const { return sight.edges().world(); }
+  [[nodiscard]] const World& world() const { return visibility.edges().world(); }
   /// Runs body(begin, end) over a batch: large ones in parallel.
   template <class Body>
   void for_batch(std::size_t count, const Body& body) const;

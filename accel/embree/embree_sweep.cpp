@@ -40,7 +40,7 @@ bool EmbreeSweep::is_met(const SweptRectangle& r) const {
   double reach = 0.0;
   for (const Vec2& corner : r) reach = std::max(reach, (corner - middle).norm());
   bool met = false;
-  scenes_->sight.edges().visit_near(middle, reach, [&](VertexId e) {
+  scenes_->visibility.edges().visit_near(middle, reach, [&](VertexId e) {
     met = test(e);
     return met ? -1.0 : reach;
   });
@@ -64,7 +64,7 @@ void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
       const TurningBody& body = bodies[i];
       const double reach = reach_of(body);
       blocked.clear();
-      scenes_->sight.edges().visit_near(body.center, reach, [&](VertexId e) {
+      scenes_->visibility.edges().visit_near(body.center, reach, [&](VertexId e) {
         if (may_touch(body, edges[e])) append_blocked_headings(body, edges[e], blocked);
         return reach;
       });

@@ -3,16 +3,16 @@
 
 namespace arcway::internal::embree {
 
-bool BlocksSight::operator()(VertexId edge) const { return blocks(world, edge, segment); }
+bool BlocksLineOfSight::operator()(VertexId edge) const { return blocks(world, edge, segment); }
 
 void EmbreeVisibility::do_visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const {
   scenes_->for_batch(segments.size(), [&](std::size_t begin, std::size_t end) {
-    const EdgeScene& edges = scenes_->sight.edges();
+    const EdgeScene& edges = scenes_->visibility.edges();
     const LineSegment* located = nullptr;  // batches of segments that share their first end locate it once
     bool is_free = true;
     for (std::size_t i = begin; i < end; ++i) {
       const LineSegment& s = segments[i];
-      if (s.a != s.b && scenes_->sight.any(edges.scaled(s.a), edges.scaled(s.b), {scenes_->world(), s})) {
+      if (s.a != s.b && scenes_->visibility.any(edges.scaled(s.a), edges.scaled(s.b), {scenes_->world(), s})) {
         visible[i] = 0;
         continue;
       }

@@ -18,110 +18,114 @@ bool lies_right_of(const Vec2& a, const Vec2& b, const Box& box) {
 
 }  // namespace
 
-void ChangeVisibility::look_from(std::span<const Box> places) {
+void ChangeVisibility::mark_viewers(std::span<const Box> places) {
   const BoxTree tree(places);
-  const auto box_of = [&](std::span<const std::uint32_t> sites) {
+  const auto box_of = [&](std::span<const std::uint32_t> points) {
     Box box;
-    for (const std::uint32_t site : sites) box.extend(map_.sites()[site]);
+    for (const std::uint32_t point : points) box.extend(triangulation_.points()[point]);
     return box;
   };
-  for (std::size_t triangle = 0; 3 * triangle < map_.doors().size(); ++triangle) {
+  for (std::size_t triangle = 0; 3 * triangle < triangulation_.half_edges().size(); ++triangle) {
     const Corners corners = corners_of(triangle);
     tree.visit_overlaps(box_of(corners), [&](std::uint32_t i) {
-      if (meets(corners, places[i])) look_through(triangle, corners, places[i]);
+      if (meets(corners, places[i])) expand_out_of(triangle, corners, places[i]);
       return !gives_up_;
     });
     if (gives_up_) return;
   }
-  for (std::uint32_t site = 0; site < map_.sites().size(); ++site)
-    for (const PlanarMap::Edge& wall : map_.edges_from(site))
-      if (!tree.visit_overlaps(box_of(std::array{wall.low, wall.high}), [](std::uint32_t) { return false; }))
-        follow_wall(wall);
+  for (std::uint32_t point = 0; point < triangulation_.points().size(); ++point)
+    for (const PlanarMap::Edge& boundary : triangulation_.edges_from(point))
+      if (!tree.visit_overlaps(box_of(std::array{boundary.low, boundary.high}), [](std::uint32_t) { return false; }))
+        follow_boundary(boundary);
 }
 
 ChangeVisibility::Corners ChangeVisibility::corners_of(std::size_t triangle) const {
-  const SightMap::Door* const doors = map_.doors().data() + 3 * triangle;
-  return {doors[1].site, doors[2].site, doors[0].site};
+  const FreeSpaceTriangulation::HalfEdge* const half_edges = triangulation_.half_edges().data() + 3 * triangle;
+  return {half_edges[1].point, half_edges[2].point, half_edges[0].point};
 }
 
 // From a place that a triangle meets out of it.
-void ChangeVisibility::look_through(std::size_t triangle, const Corners& corners, const Box& place) {
-  for (const std::uint32_t corner : corners) mark(map_.first_node_at(corner));
+void ChangeVisibility::expand_out_of(std::size_t triangle, const Corners& corners, const Box& place) {
+  for (const std::uint32_t corner : corners) mark(triangulation_.first_node_at(corner));
   for (std::uint32_t j = 0; j < 3; ++j) {
-    const std::uint32_t door = map_.doors()[3 * triangle + (j + 1) % 3].left;
+    const std::uint32_t half_edge = triangulation_.half_edges()[3 * triangle + (j + 1) % 3].left;
     // Sights that go on where the place is are looked for from there.
-    if (door != kNone && !meets(corners_of(door / 3), place)) walk(corners, {door, kNone, kNone});
+    if (half_edge != kNone && !meets(corners_of(half_edge / 3), place)) expand(corners, {half_edge, kNone, kNone});
   }
 }
 
-void ChangeVisibility::walk(const Corners& corners, Range range) {
-  const SightMap::Door* const doors = map_.doors().data();
+void ChangeVisibility::expand(const Corners& corners, Range range) {
+  const FreeSpaceTriangulation::HalfEdge* const half_edges = triangulation_.half_edges().data();
   stack_.push_back(range);
   while (!stack_.empty()) {
-    auto [door, low, high] = stack_.back();
+    auto [half_edge, low, high] = stack_.back();
     stack_.pop_back();
-    while (door != kNone) {
-      if (++steps_ > map_.doors().size()) {  // more than looking from everywhere is worth
+    while (half_edge != kNone) {
+      if (++steps_ > triangulation_.half_edges().size()) {  // more than looking from everywhere is worth
         std::fill(seen_.begin(), seen_.end(), std::uint8_t{1});
         stack_.clear();
         gives_up_ = true;
         return;
       }
-      const SightMap::Door& triangle = doors[door];
-      if (low != kNone && all_pass(corners, low, triangle.site, 1)) {
-        door = triangle.left;
-      } else if (high != kNone && all_pass(corners, high, triangle.site, -1)) {
-        door = triangle.right;
+      const FreeSpaceTriangulation::HalfEdge& triangle = half_edges[half_edge];
+      if (low != kNone && all_pass(corners, low, triangle.point, 1)) {
+        half_edge = triangle.left;
+      } else if (high != kNone && all_pass(corners, high, triangle.point, -1)) {
+        half_edge = triangle.right;
       } else {
         mark(triangle.node);
-        if (triangle.right != kNone) stack_.push_back({triangle.right, low, triangle.site});
-        door = triangle.left;
-        low = triangle.site;
+        if (triangle.right != kNone) stack_.push_back({triangle.right, low, triangle.point});
+        half_edge = triangle.left;
+        low = triangle.point;
       }
     }
   }
 }
 
 // Sights that run along walls all the way: from a wall at a place straight on, both ways, to the first node.
-void ChangeVisibility::follow_wall(const PlanarMap::Edge& wall) {
-  const std::span<const Vec2> sites = map_.sites();
-  const PlanarMap::Edge* edge = &wall;
-  while (edge && map_.first_node_at(edge->high) == kNone) {
+void ChangeVisibility::follow_boundary(const PlanarMap::Edge& boundary) {
+  const std::span<const Vec2> points = triangulation_.points();
+  const PlanarMap::Edge* edge = &boundary;
+  while (edge && triangulation_.first_node_at(edge->high) == kNone) {
     const PlanarMap::Edge* straight_on = nullptr;
-    for (const PlanarMap::Edge& next : map_.edges_from(edge->high))
-      if (orientation(sites[edge->low], sites[edge->high], sites[next.high]) == 0) straight_on = &next;
+    for (const PlanarMap::Edge& next : triangulation_.edges_from(edge->high))
+      if (orientation(points[edge->low], points[edge->high], points[next.high]) == 0) straight_on = &next;
     edge = straight_on;
   }
-  if (edge) mark(map_.first_node_at(edge->high));
-  edge = &wall;
-  while (edge && map_.first_node_at(edge->low) == kNone) {
+  if (edge) mark(triangulation_.first_node_at(edge->high));
+  edge = &boundary;
+  while (edge && triangulation_.first_node_at(edge->low) == kNone) {
     const PlanarMap::Edge* straight_on = nullptr;
-    for (const std::uint32_t next : map_.edges_to(edge->low))
-      if (orientation(sites[edge->high], sites[edge->low], sites[map_.edge(next).low]) == 0)
-        straight_on = &map_.edge(next);
+    for (const std::uint32_t next : triangulation_.edges_to(edge->low))
+      if (orientation(points[edge->high], points[edge->low], points[triangulation_.edge(next).low]) == 0)
+        straight_on = &triangulation_.edge(next);
     edge = straight_on;
   }
-  if (edge) mark(map_.first_node_at(edge->low));
+  if (edge) mark(triangulation_.first_node_at(edge->low));
 }
 
 void ChangeVisibility::mark(std::uint32_t first_node) {
-  for (std::uint32_t n = first_node; n != kNone; n = map_.nodes()[n].sibling) seen_[n] = 1;
+  for (std::uint32_t n = first_node; n != kNone; n = triangulation_.nodes()[n].sibling) seen_[n] = 1;
 }
 
 bool ChangeVisibility::meets(const Corners& corners, const Box& place) const {
   Box box;
-  for (const std::uint32_t corner : corners) box.extend(map_.sites()[corner]);
+  for (const std::uint32_t corner : corners) box.extend(triangulation_.points()[corner]);
   if (!box.overlaps(place)) return false;
   for (std::uint32_t j = 0; j < 3; ++j)
-    if (lies_right_of(map_.sites()[corners[j]], map_.sites()[corners[(j + 1) % 3]], place)) return false;
+    if (lies_right_of(triangulation_.points()[corners[j]], triangulation_.points()[corners[(j + 1) % 3]], place))
+      return false;
   return true;
 }
 
-// Whether a site lies to the right (1) or to the left (-1) of the rays from all corners past the limit: no ray that
+// Whether a point lies to the right (1) or to the left (-1) of the rays from all corners past the limit: no ray that
 // leaves the limit on its other side gets there.
-bool ChangeVisibility::all_pass(const Corners& corners, std::uint32_t limit, std::uint32_t site, int side) const {
+bool ChangeVisibility::all_pass(const Corners& corners, std::uint32_t through, std::uint32_t point, int side) const {
   for (const std::uint32_t corner : corners)
-    if (orientation(map_.sites()[corner], map_.sites()[limit], map_.sites()[site]) * side >= 0) return false;
+    if (orientation(triangulation_.points()[corner], triangulation_.points()[through], triangulation_.points()[point]) *
+            side >=
+        0)
+      return false;
   return true;
 }
 

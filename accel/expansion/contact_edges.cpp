@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "accel/expansion/sight_trace.h"
+#include "accel/expansion/line_of_sight_trace.h"
 #include "accel/expansion/triangular_expansion.h"
 #include "core/geometry/direction_order.h"
 #include "core/geometry/predicates.h"
@@ -12,17 +12,17 @@ namespace arcway::internal {
 
 namespace {
 
-class ContactSights {
+class ContactVisibility {
  public:
-  ContactSights(const World& world, const SightMap& map)
-      : world_(world), map_(map), trace_(map), expansion_(map, trace_) {}
+  ContactVisibility(const World& world, const FreeSpaceTriangulation& triangulation)
+      : world_(world), triangulation_(triangulation), trace_(triangulation), expansion_(triangulation, trace_) {}
 
   void add_edges(const SelfContact& contact, EdgeList& edges) {
     const Vec2& at = world_.vertex(contact.vertex);
-    const std::uint32_t site = map_.site_at(at);
+    const std::uint32_t point = triangulation_.point_at(at);
     // A line ends where a node is.
-    if (world_.is_covered(contact.vertex) || map_.first_node_at(site) != kNone) return;
-    const std::vector<VertexId> seen = tangents_from(at, site);
+    if (world_.is_covered(contact.vertex) || triangulation_.first_node_at(point) != kNone) return;
+    const std::vector<VertexId> seen = tangents_from(at, point);
     const LineSegment& touched = world_.edges()[contact.edge];
     std::vector<VertexId> before, beyond;
     for (const VertexId v : seen) {
@@ -40,15 +40,16 @@ class ContactSights {
   }
 
  private:
-  [[nodiscard]] std::vector<VertexId> tangents_from(const Vec2& at, std::uint32_t site) {
+  [[nodiscard]] std::vector<VertexId> tangents_from(const Vec2& at, std::uint32_t point) {
     scratch_.triangles.clear();
-    for (const std::uint32_t corner : trace_.corners_at(site)) scratch_.triangles.push_back(corner - corner % 3);
-    expansion_.find_sites(at, site, scratch_);
+    for (const std::uint32_t corner : trace_.corners_at(point)) scratch_.triangles.push_back(corner - corner % 3);
+    expansion_.find_points(at, point, scratch_);
     std::vector<VertexId> seen;
-    for (const std::uint32_t s : scratch_.sites) {
-      if (!map_.is_whole() && map_.is_blocked_by_broken({at, map_.sites()[s]})) continue;
-      for (std::uint32_t n = map_.first_node_at(s); n != kNone; n = map_.nodes()[n].sibling)
-        seen.push_back(map_.nodes()[n].vertex);
+    for (const std::uint32_t s : scratch_.points) {
+      if (!triangulation_.is_valid() && triangulation_.is_blocked_by_invalid({at, triangulation_.points()[s]}))
+        continue;
+      for (std::uint32_t n = triangulation_.first_node_at(s); n != kNone; n = triangulation_.nodes()[n].sibling)
+        seen.push_back(triangulation_.nodes()[n].vertex);
     }
     std::ranges::sort(seen);
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
@@ -57,19 +58,19 @@ class ContactSights {
   }
 
   const World& world_;
-  const SightMap& map_;
-  SightTrace trace_;
+  const FreeSpaceTriangulation& triangulation_;
+  LineOfSightTrace trace_;
   TriangularExpansion expansion_;
   TriangularExpansion::Scratch scratch_;
 };
 
 }  // namespace
 
-EdgeList edges_through_contacts(const World& world, const SightMap& map) {
+EdgeList edges_through_contacts(const World& world, const FreeSpaceTriangulation& triangulation) {
   EdgeList edges;
   if (world.self_contacts().empty()) return edges;
-  ContactSights sights(world, map);
-  for (const SelfContact& contact : world.self_contacts()) sights.add_edges(contact, edges);
+  ContactVisibility visibility(world, triangulation);
+  for (const SelfContact& contact : world.self_contacts()) visibility.add_edges(contact, edges);
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;

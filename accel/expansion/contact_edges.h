@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "accel/expansion/edge_list.h"
-#include "accel/expansion/sight_map.h"
+#include "accel/expansion/free_space_triangulation.h"
 #include "arcway/world.h"
 
 namespace arcway::internal {
@@ -15,7 +15,7 @@ namespace arcway::internal {
 ///
 /// O(1) without contacts; else O(n log n) and what is seen from each contact.
 /// @param map  of the world; lists left edges if there are contacts.
-EdgeList edges_through_contacts(const World& world, const SightMap& map);
+EdgeList edges_through_contacts(const World& world, const FreeSpaceTriangulation& triangulation);
 
 /// Adds to lists what none of them has yet. O(e log k) for k edges to be added to e.
 void add_missing(EdgeList added, std::vector<EdgeList>& lists);

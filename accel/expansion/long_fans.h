@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "accel/base/big_vector.h"
-#include "accel/expansion/sight_map.h"
+#include "accel/expansion/free_space_triangulation.h"
 #include "arcway/stop_clock.h"
 
 namespace arcway::internal {
 
-/// Long fans of a free-space triangulation: many triangles in a row around one site, the *pivot*. All rays that pass
+/// Long fans of a free-space triangulation: many triangles in a row around one point, the *pivot*. All rays that pass
 /// such a pivot cross all of its triangles up to the first corner that is not beyond them; this finds it in
 /// O(log^2 k) of k triangles instead of one by one.
 ///
@@ -25,9 +25,9 @@ class LongFans {
  public:
   struct Fan {
     std::uint32_t pivot;
-    std::uint32_t first_door;  ///< into doors of all fans
-    std::uint32_t triangles;   ///< one less than corners of the rim
-    std::uint32_t first_hull;  ///< into hulls of all fans
+    std::uint32_t first_half_edge;  ///< into half-edges of all fans
+    std::uint32_t triangles;        ///< one less than corners of the rim
+    std::uint32_t first_hull;       ///< into hulls of all fans
   };
   /// A triangle of a fan.
   struct Place {
@@ -40,24 +40,24 @@ class LongFans {
   /// Those of at least so many triangles. O(n log n) for n triangles; about 24 bytes a vertex and 12 a triangle of a
   /// long fan.
   /// @throws Cancelled once the clock is over.
-  LongFans(const SightMap& map, std::uint32_t least, const StopClock& clock = {});
+  LongFans(const FreeSpaceTriangulation& triangulation, std::uint32_t least, const StopClock& clock = {});
 
   [[nodiscard]] bool empty() const { return fans_.empty(); }
   [[nodiscard]] std::size_t size() const { return fans_.size(); }
-  /// The triangle behind a door that has the pivot at one end. The fan is null if there is none.
+  /// The triangle behind a half-edge that has the pivot at one end. The fan is null if there is none.
   /// @tparam kStep  1: at its left end, so that the fan is passed counter-clockwise; -1: at its right end, clockwise.
   template <int kStep>
-  [[nodiscard]] Place behind(std::uint32_t door) const {
-    const std::uint32_t at = place_[kStep > 0 ? door : Triangulation::next(door)];
+  [[nodiscard]] Place behind(std::uint32_t half_edge) const {
+    const std::uint32_t at = place_[kStep > 0 ? half_edge : Triangulation::next(half_edge)];
     if (at == kNone) return {nullptr, 0};
     const Fan& fan = fans_[fan_of_[at]];
-    return {&fan, at - fan.first_door};
+    return {&fan, at - fan.first_half_edge};
   }
-  /// The door into a triangle.
+  /// The half-edge into a triangle.
   template <int kStep>
-  [[nodiscard]] std::uint32_t door(const Fan& fan, std::uint32_t triangle) const {
-    const std::uint32_t door = doors_[fan.first_door + triangle];
-    return kStep > 0 ? door : Triangulation::previous(door);
+  [[nodiscard]] std::uint32_t half_edge(const Fan& fan, std::uint32_t triangle) const {
+    const std::uint32_t half_edge = half_edges_[fan.first_half_edge + triangle];
+    return kStep > 0 ? half_edge : Triangulation::previous(half_edge);
   }
   /// The last triangle on the way.
   template <int kStep>
@@ -66,8 +66,8 @@ class LongFans {
   }
 
   /// The first triangle, from one of them on, whose far corner stops a ray; nothing if none does.
-  /// @param stops  by site: whether it does not lie beyond the ray.
-  /// @param rises  of two sites: whether the second one is nearer to the pivot's side of the ray. Exact.
+  /// @param stops  by point: whether it does not lie beyond the ray.
+  /// @param rises  of two points: whether the second one is nearer to the pivot's side of the ray. Exact.
   template <int kStep, class Stops, class Rises>
   [[nodiscard]] std::optional<std::uint32_t> first_stop(const Fan& fan, std::uint32_t from, const Stops& stops,
                                                         const Rises& rises) const {
@@ -81,8 +81,8 @@ class LongFans {
   static constexpr std::uint32_t kLeaf = 16;  // corners
 
   [[nodiscard]] static std::uint32_t corners(const Fan& fan) { return fan.triangles + 1; }
-  [[nodiscard]] std::uint32_t site(const Fan& fan, std::uint32_t corner) const {
-    return rim_[fan.first_door + static_cast<std::size_t>(&fan - fans_.data()) + corner];
+  [[nodiscard]] std::uint32_t point(const Fan& fan, std::uint32_t corner) const {
+    return rim_[fan.first_half_edge + static_cast<std::size_t>(&fan - fans_.data()) + corner];
   }
   /// Full blocks of a level.
   [[nodiscard]] static std::uint32_t blocks(const Fan& fan, std::uint32_t level) {
@@ -94,7 +94,7 @@ class LongFans {
   [[nodiscard]] std::span<const std::uint32_t> hull(const Fan& fan, std::uint32_t level, std::uint32_t block) const {
     std::uint32_t index = fan.first_hull + block;
     for (std::uint32_t l = 0; l < level; ++l) index += blocks(fan, l);
-    return std::span(hull_sites_).subspan(hull_starts_[index], hull_starts_[index + 1] - hull_starts_[index]);
+    return std::span(hull_points_).subspan(hull_starts_[index], hull_starts_[index + 1] - hull_starts_[index]);
   }
   /// The first corner of a rim, from one of them on, that stops a ray; -1 or the number of corners if none does.
   template <int kStep, class Stops, class Rises>
@@ -104,16 +104,17 @@ class LongFans {
   template <class Rises>
   [[nodiscard]] static std::uint32_t nearest(std::span<const std::uint32_t> hull, const Rises& rises);
 
-  void add_fan(const SightMap& map, std::span<const std::uint32_t> doors, StopTicker& ticker);
-  void add_hulls(const SightMap& map, const Fan& fan, StopTicker& ticker);
+  void add_fan(const FreeSpaceTriangulation& triangulation, std::span<const std::uint32_t> half_edges,
+               StopTicker& ticker);
+  void add_hulls(const FreeSpaceTriangulation& triangulation, const Fan& fan, StopTicker& ticker);
 
   std::vector<Fan> fans_;
-  BigVector<std::uint32_t> place_;    ///< by door with a pivot at its left end: index of the triangle; else kNone
-  std::vector<std::uint32_t> doors_;  ///< by triangle
+  BigVector<std::uint32_t> place_;  ///< by half-edge with a pivot at its left end: index of the triangle; else kNone
+  std::vector<std::uint32_t> half_edges_;  ///< by triangle
   std::vector<std::uint32_t> fan_of_;
-  std::vector<std::uint32_t> rim_;  ///< sites by fan and corner
+  std::vector<std::uint32_t> rim_;  ///< points by fan and corner
   std::vector<std::uint32_t> hull_starts_{0};
-  std::vector<std::uint32_t> hull_sites_;
+  std::vector<std::uint32_t> hull_points_;
 };
 
 template <class Rises>
@@ -153,7 +154,7 @@ std::int64_t LongFans::first_corner(const Fan& fan, std::int64_t from, const Sto
       continue;
     }
     do {
-      if (stops(site(fan, static_cast<std::uint32_t>(at)))) return at;
+      if (stops(point(fan, static_cast<std::uint32_t>(at)))) return at;
       at += kStep;
     } while (at != end && (kStep > 0 ? at : at + 1) % kLeaf != 0);
   }

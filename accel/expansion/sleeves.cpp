@@ -15,7 +15,7 @@ using Sleeve = Sleeves::Sleeve;
 using Reach = Sleeves::Reach;
 
 // By entrance.
-using SleevesByDoor = std::vector<std::pair<std::uint32_t, Sleeve>>;
+using SleevesByHalfEdge = std::vector<std::pair<std::uint32_t, Sleeve>>;
 
 // Finds triangles with one wall each that follow each other, and the sleeves among them. On which side the wall is
 // changes all the time: that is used as a number where it can be, as branches would be mispredicted.
@@ -23,42 +23,42 @@ class Tracer {
  public:
   /// @param is_traced    by triangle: whether somebody has traced it.
   /// @param turns, used  where those of the sleeves found go, one after the other.
-  Tracer(const SightMap& map, std::span<std::uint8_t> is_traced, std::span<std::uint32_t> turns,
+  Tracer(const FreeSpaceTriangulation& triangulation, std::span<std::uint8_t> is_traced, std::span<std::uint32_t> turns,
          std::atomic<std::uint32_t>& used)
-      : doors_(map.doors()),
-        nodes_(map.nodes()),
-        is_plain_(map.is_plain()),
+      : half_edges_(triangulation.half_edges()),
+        nodes_(triangulation.nodes()),
+        is_simple_(triangulation.is_simple()),
         is_traced_(is_traced),
         turns_(turns),
         used_(used) {}
 
   [[nodiscard]] bool is_new(std::uint32_t triangle) const {
     if (std::atomic_ref(is_traced_[triangle]).load(std::memory_order_relaxed) != 0) return false;
-    const std::uint32_t door = 3 * triangle;
-    const SightMap::Door &first = doors_[door], &second = doors_[door + 1];
+    const std::uint32_t half_edge = 3 * triangle;
+    const FreeSpaceTriangulation::HalfEdge &first = half_edges_[half_edge], &second = half_edges_[half_edge + 1];
     return (first.left == kNone) + (first.right == kNone) + (second.left == kNone) == 1;
   }
 
   /// All that follow each other, among them this one: in the order in which the first of them in the map comes to them.
   /// Returns that one.
   std::uint32_t trace(std::uint32_t triangle) {
-    std::uint32_t door = 3 * triangle;
-    while (doors_[Triangulation::next(door)].left == kNone) ++door;  // as it is the wall
+    std::uint32_t half_edge = 3 * triangle;
+    while (half_edges_[Triangulation::next(half_edge)].left == kNone) ++half_edge;  // as it is the wall
     entrances_.clear();
     mark(triangle);
-    const bool is_closed = extend<false>(other_diagonal(door), triangle);
+    const bool is_closed = extend<false>(other_diagonal(half_edge), triangle);
     std::reverse(entrances_.begin(), entrances_.end());
-    entrances_.push_back(entrance(door));
-    if (!is_closed) extend<true>(door, triangle);
-    const std::uint32_t first = std::min_element(entrances_.begin(), entrances_.end())->door() / 3;
+    entrances_.push_back(entrance(half_edge));
+    if (!is_closed) extend<true>(half_edge, triangle);
+    const std::uint32_t first = std::min_element(entrances_.begin(), entrances_.end())->half_edge() / 3;
     return first == triangle ? first : trace(first);
   }
 
   /// Those of at least so many among the triangles traced: between those where a wall turns back, or the ring begins.
-  void find_sleeves(std::uint32_t least, SleevesByDoor& found) {
+  void find_sleeves(std::uint32_t least, SleevesByHalfEdge& found) {
     struct Side {
       bool has_begun = false;
-      std::uint32_t site = 0, node = 0;  // that were reached last
+      std::uint32_t point = 0, node = 0;  // that were reached last
       bool leads_right = false;
     } sides[2];
     std::size_t first = 0;
@@ -68,54 +68,54 @@ class Tracer {
       sides[0].has_begun = sides[1].has_begun = false;
     };
     for (std::size_t i = 0; i < entrances_.size(); ++i) {
-      const SightMap::Door& ahead = doors_[entrances_[i].door()];
+      const FreeSpaceTriangulation::HalfEdge& ahead = half_edges_[entrances_[i].half_edge()];
       const std::uint32_t is_left = entrances_[i].on_left();
       Side& side = sides[is_left];
       if (!side.has_begun) {
-        const SightMap::Door& from = doors_[other_diagonal(entrances_[i].door())];
-        side = {true, from.site, from.node, from.site < ahead.site};
+        const FreeSpaceTriangulation::HalfEdge& from = half_edges_[other_diagonal(entrances_[i].half_edge())];
+        side = {true, from.point, from.node, from.point < ahead.point};
       }
-      const bool leads_right = side.site < ahead.site;
+      const bool leads_right = side.point < ahead.point;
       if (leads_right != side.leads_right || !follows(side.node, ahead.node, 2 * static_cast<int>(is_left) - 1))
         end_at(i);
-      side = {true, ahead.site, ahead.node, leads_right};
+      side = {true, ahead.point, ahead.node, leads_right};
     }
     end_at(entrances_.size());
   }
 
  private:
-  /// A door into a triangle that has one wall, and on which side.
+  /// A half-edge into a triangle that has one wall, and on which side.
   struct Entrance {
-    std::uint32_t door_and_side;
-    [[nodiscard]] std::uint32_t door() const { return door_and_side >> 1; }
-    [[nodiscard]] std::uint32_t on_left() const { return door_and_side & 1; }
-    bool operator<(const Entrance& other) const { return door_and_side < other.door_and_side; }
+    std::uint32_t half_edge_and_side;
+    [[nodiscard]] std::uint32_t half_edge() const { return half_edge_and_side >> 1; }
+    [[nodiscard]] std::uint32_t on_left() const { return half_edge_and_side & 1; }
+    bool operator<(const Entrance& other) const { return half_edge_and_side < other.half_edge_and_side; }
   };
-  [[nodiscard]] Entrance entrance(std::uint32_t door) const {
-    return {door << 1 | (doors_[door].left == kNone ? 1u : 0u)};
+  [[nodiscard]] Entrance entrance(std::uint32_t half_edge) const {
+    return {half_edge << 1 | (half_edges_[half_edge].left == kNone ? 1u : 0u)};
   }
 
-  /// The only one that leads on from the triangle behind a door: kNone, which the other one is, has all bits set.
-  [[nodiscard]] std::uint32_t onward(std::uint32_t door) const {
+  /// The only one that leads on from the triangle behind a half-edge: kNone, which the other one is, has all bits set.
+  [[nodiscard]] std::uint32_t onward(std::uint32_t half_edge) const {
     static_assert(~kNone == 0);
-    return doors_[door].left & doors_[door].right;
+    return half_edges_[half_edge].left & half_edges_[half_edge].right;
   }
-  /// The door from there into the triangle behind a door.
-  [[nodiscard]] std::uint32_t other_diagonal(std::uint32_t door) const {
-    return doors_[door].left == kNone ? Triangulation::next(door) : Triangulation::previous(door);
+  /// The half-edge from there into the triangle behind a half-edge.
+  [[nodiscard]] std::uint32_t other_diagonal(std::uint32_t half_edge) const {
+    return half_edges_[half_edge].left == kNone ? Triangulation::next(half_edge) : Triangulation::previous(half_edge);
   }
   void mark(std::uint32_t triangle) { std::atomic_ref(is_traced_[triangle]).store(1, std::memory_order_relaxed); }
 
-  /// Appends what follows behind the triangle behind a door, by doors that lead on there, or back. Returns whether that
-  /// comes back to a triangle.
+  /// Appends what follows behind the triangle behind a half-edge, by half-edges that lead on there, or back. Returns
+  /// whether that comes back to a triangle.
   template <bool kOn>
-  bool extend(std::uint32_t door, std::uint32_t start) {
-    door = onward(door);
-    while ((doors_[door].left == kNone) != (doors_[door].right == kNone)) {
-      if (door / 3 == start) return true;
-      mark(door / 3);
-      entrances_.push_back(entrance(kOn ? door : other_diagonal(door)));
-      door = onward(door);
+  bool extend(std::uint32_t half_edge, std::uint32_t start) {
+    half_edge = onward(half_edge);
+    while ((half_edges_[half_edge].left == kNone) != (half_edges_[half_edge].right == kNone)) {
+      if (half_edge / 3 == start) return true;
+      mark(half_edge / 3);
+      entrances_.push_back(entrance(kOn ? half_edge : other_diagonal(half_edge)));
+      half_edge = onward(half_edge);
     }
     return false;
   }
@@ -123,11 +123,11 @@ class Tracer {
   /// Whether a wall leads from a node to the next one, or the one before: not where the ring begins.
   [[nodiscard]] bool follows(std::uint32_t from, std::uint32_t to, int step) const {
     if (from == kNone || to == kNone || to != from + static_cast<std::uint32_t>(step)) return false;
-    return is_plain_ || (nodes_[from].is_plain() && nodes_[to].is_plain());
+    return is_simple_ || (nodes_[from].is_simple() && nodes_[to].is_simple());
   }
 
   /// A sleeve, from both ends.
-  void add(std::span<const Entrance> entrances, SleevesByDoor& found) {
+  void add(std::span<const Entrance> entrances, SleevesByHalfEdge& found) {
     const std::uint32_t first_turn =
         used_.fetch_add(static_cast<std::uint32_t>(entrances.size()), std::memory_order_relaxed);
     std::uint32_t left = 0, right = 0;
@@ -136,52 +136,53 @@ class Tracer {
       left += e.on_left();
       right += 1 - e.on_left();
     }
-    const std::uint32_t door = entrances.front().door(), back_door = other_diagonal(entrances.back().door());
-    Sleeve there{{}, {}, onward(entrances.back().door()), first_turn, false};
-    Sleeve back{{}, {}, onward(other_diagonal(door)), first_turn, true};
+    const std::uint32_t half_edge = entrances.front().half_edge(),
+                        back_half_edge = other_diagonal(entrances.back().half_edge());
+    Sleeve there{{}, {}, onward(entrances.back().half_edge()), first_turn, false};
+    Sleeve back{{}, {}, onward(other_diagonal(half_edge)), first_turn, true};
     const auto is_left = [](const Entrance e) { return e.on_left() != 0; };
     if (left > 0) {
       const auto from = std::find_if(entrances.begin(), entrances.end(), is_left);
       const auto to = std::find_if(entrances.rbegin(), entrances.rend(), is_left);
-      std::tie(there.left, back.right) = reaches(from->door(), to->door(), left, 1);
+      std::tie(there.left, back.right) = reaches(from->half_edge(), to->half_edge(), left, 1);
     }
     if (right > 0) {
       const auto from = std::find_if_not(entrances.begin(), entrances.end(), is_left);
       const auto to = std::find_if_not(entrances.rbegin(), entrances.rend(), is_left);
-      std::tie(there.right, back.left) = reaches(from->door(), to->door(), right, -1);
+      std::tie(there.right, back.left) = reaches(from->half_edge(), to->half_edge(), right, -1);
     }
-    found.push_back({door, there});
-    found.push_back({back_door, back});
+    found.push_back({half_edge, there});
+    found.push_back({back_half_edge, back});
   }
 
   /// Along the same wall, there and back.
-  /// @param first, last  doors to the triangles that have its first and its last edge.
+  /// @param first, last  half-edges to the triangles that have its first and its last edge.
   /// @param turning      1 counter-clockwise, -1 the other way.
   [[nodiscard]] std::pair<Reach, Reach> reaches(std::uint32_t first, std::uint32_t last, std::uint32_t count,
                                                 int turning) const {
-    const auto edge_behind = [&](std::uint32_t door) {
-      return (doors_[door].apex - doors_[other_diagonal(door)].apex).normalized().eval();
+    const auto edge_behind = [&](std::uint32_t half_edge) {
+      return (half_edges_[half_edge].apex - half_edges_[other_diagonal(half_edge)].apex).normalized().eval();
     };
     const Vec2 from = edge_behind(first), to = edge_behind(last);
     const double quarters = turning > 0 ? Sleeves::quarters_of_turn(from, to) : Sleeves::quarters_of_turn(to, from);
     const double nodes = quarters > 0.0 ? (count - 1) / quarters : 0.0;
-    const auto reach = [&](std::uint32_t door, const Vec2& edge) {
-      return Reach{doors_[door].node, count, static_cast<float>(edge.x()), static_cast<float>(edge.y()),
+    const auto reach = [&](std::uint32_t half_edge, const Vec2& edge) {
+      return Reach{half_edges_[half_edge].node, count, static_cast<float>(edge.x()), static_cast<float>(edge.y()),
                    static_cast<float>(nodes)};
     };
     return {reach(first, from), reach(other_diagonal(last), -to)};
   }
 
-  std::span<const SightMap::Door> doors_;
-  std::span<const SightMap::Node> nodes_;
-  bool is_plain_;
+  std::span<const FreeSpaceTriangulation::HalfEdge> half_edges_;
+  std::span<const FreeSpaceTriangulation::Node> nodes_;
+  bool is_simple_;
   std::span<std::uint8_t> is_traced_;
   std::span<std::uint32_t> turns_;
   std::atomic<std::uint32_t>& used_;
   std::vector<Entrance> entrances_;  // into the triangles traced last, one behind the other
 };
 
-bool has_long_walls(const World& world) {
+bool has_long_convex_chains(const World& world) {
   constexpr std::ptrdiff_t kLong = 32;
   const std::span<const VertexId> convex = world.convex_vertices();
   std::ptrdiff_t count = 0;
@@ -198,22 +199,22 @@ bool has_long_walls(const World& world) {
 
 }  // namespace
 
-Sleeves::Sleeves(const SightMap& map, std::uint32_t least, const Executor& executor) {
+Sleeves::Sleeves(const FreeSpaceTriangulation& triangulation, std::uint32_t least, const Executor& executor) {
   constexpr std::size_t kTrianglesPerRange = 1 << 14;
   constexpr std::size_t kAhead = 4000;  // triangles: those that follow each other lie in some tiles of the map
-  const std::size_t triangles = map.doors().size() / 3;
+  const std::size_t triangles = triangulation.half_edges().size() / 3;
   turns_.resize(triangles);
   std::atomic<std::uint32_t> turns = 0;
   std::vector<std::uint8_t> is_traced(triangles, 0), is_taken(triangles, 0);
-  std::vector<SleevesByDoor> parts(triangles / kTrianglesPerRange + 1);
+  std::vector<SleevesByHalfEdge> parts(triangles / kTrianglesPerRange + 1);
   executor.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-    Tracer tracer(map, is_traced, turns_, turns);
+    Tracer tracer(triangulation, is_traced, turns_, turns);
     for (std::size_t p = begin; p < end; ++p) {
       const std::size_t behind = std::min((p + 1) * kTrianglesPerRange, triangles);
       for (auto triangle = static_cast<std::uint32_t>(p * kTrianglesPerRange); triangle < behind; ++triangle) {
         if (triangle + kAhead < triangles) {
-          will_need(&map.doors()[3 * (triangle + kAhead)]);
-          will_need(&map.doors()[3 * (triangle + kAhead) + 2]);
+          will_need(&triangulation.half_edges()[3 * (triangle + kAhead)]);
+          will_need(&triangulation.half_edges()[3 * (triangle + kAhead) + 2]);
         }
         if (!tracer.is_new(triangle)) continue;
         // Two threads may trace the same ones.
@@ -224,26 +225,26 @@ Sleeves::Sleeves(const SightMap& map, std::uint32_t least, const Executor& execu
     }
   });
 
-  SleevesByDoor all;
-  for (const SleevesByDoor& part : parts) all.insert(all.end(), part.begin(), part.end());
+  SleevesByHalfEdge all;
+  for (const SleevesByHalfEdge& part : parts) all.insert(all.end(), part.begin(), part.end());
   if (all.empty()) return;
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  marks_.resize(map.doors().size() / kDoorsPerMark + 1);
+  marks_.resize(triangulation.half_edges().size() / kHalfEdgesPerMark + 1);
   sleeves_.reserve(all.size());
-  for (const auto& [door, sleeve] : all) {
-    marks_[door / kDoorsPerMark].doors |= std::uint64_t{1} << door % kDoorsPerMark;
+  for (const auto& [half_edge, sleeve] : all) {
+    marks_[half_edge / kHalfEdgesPerMark].half_edges |= std::uint64_t{1} << half_edge % kHalfEdgesPerMark;
     sleeves_.push_back(sleeve);
   }
   std::uint32_t before = 0;
   for (Mark& mark : marks_) {
     mark.before = before;
-    before += static_cast<std::uint32_t>(std::popcount(mark.doors));
+    before += static_cast<std::uint32_t>(std::popcount(mark.half_edges));
   }
 }
 
-Sleeves worthwhile_sleeves(const World& world, const SightMap& map, const Executor& executor) {
+Sleeves worthwhile_sleeves(const World& world, const FreeSpaceTriangulation& triangulation, const Executor& executor) {
   constexpr std::uint32_t kLeast = 6;
-  return has_long_walls(world) ? Sleeves(map, kLeast, executor) : Sleeves();
+  return has_long_convex_chains(world) ? Sleeves(triangulation, kLeast, executor) : Sleeves();
 }
 
 }  // namespace arcway::internal

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "accel/base/big_vector.h"
-#include "accel/expansion/sight_map.h"
+#include "accel/expansion/free_space_triangulation.h"
 #include "core/base/prefetch.h"
 #include "core/geometry/predicates.h"
 
@@ -34,17 +34,17 @@ class Sleeves {
   struct Sleeve {
     Reach left;                ///< the next nodes around the obstacle
     Reach right;               ///< the ones before
-    std::uint32_t exit;        ///< the door behind its last triangle
+    std::uint32_t exit;        ///< the half-edge behind its last triangle
     std::uint32_t first_turn;  ///< see right_before
     bool is_back;              ///< whether its turns are those of the other end
   };
 
   /// One of a sleeve's walls: nodes by their index along it.
   template <int kStep>  // 1 on the left, -1 on the right
-  class Wall {
+  class Chain {
    public:
-    using Node = SightMap::Node;
-    Wall(const Reach& reach, std::span<const Node> nodes) : reach_(&reach), first_(nodes.data() + reach.first_node) {}
+    using Node = FreeSpaceTriangulation::Node;
+    Chain(const Reach& reach, std::span<const Node> nodes) : reach_(&reach), first_(nodes.data() + reach.first_node) {}
 
     [[nodiscard]] std::uint32_t count() const { return reach_->count; }
     [[nodiscard]] std::uint32_t index_of_node(std::uint32_t i) const {
@@ -64,12 +64,13 @@ class Sleeves {
 
     /// A node that may be near the one that a ray in this direction touches.
     [[nodiscard]] std::uint32_t guess(const Vec2& direction) const;
-    /// The node that limits what is seen from s past the first nodes; kNone if that is the end of the door before them.
+    /// The node that limits what is seen from s past the first nodes; kNone if that is the end of the half-edge before
+    /// them.
     /// @param passed  nodes of the wall that were passed before s, if s is on the other wall: 0 if it is not.
     /// @param guess   a node that may be near it.
-    /// @param sure    SightMap::sure_cross_product.
-    [[nodiscard]] std::uint32_t limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
-                                           std::uint32_t guess, double sure) const;
+    /// @param sure    FreeSpaceTriangulation::sure_cross_product.
+    [[nodiscard]] std::uint32_t bounding_node_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
+                                                   std::uint32_t guess, double sure) const;
 
    private:
     const Reach* reach_;
@@ -79,16 +80,17 @@ class Sleeves {
   /// None.
   Sleeves() = default;
   /// Those of at least so many triangles. O(triangles), the same for any executor.
-  Sleeves(const SightMap& map, std::uint32_t least, const Executor& executor = SerialExecutor());
+  Sleeves(const FreeSpaceTriangulation& triangulation, std::uint32_t least,
+          const Executor& executor = SerialExecutor());
 
   [[nodiscard]] bool empty() const { return sleeves_.empty(); }
   [[nodiscard]] std::size_t size() const { return sleeves_.size(); }
-  /// That which is entered by a door, nullptr if none is.
-  [[nodiscard]] const Sleeve* behind(std::uint32_t door) const {
-    const Mark& mark = marks_[door / kDoorsPerMark];
-    const std::uint64_t bit = std::uint64_t{1} << door % kDoorsPerMark;
-    if ((mark.doors & bit) == 0) return nullptr;
-    return &sleeves_[mark.before + static_cast<std::uint32_t>(std::popcount(mark.doors & (bit - 1)))];
+  /// That which is entered by a half-edge, nullptr if none is.
+  [[nodiscard]] const Sleeve* behind(std::uint32_t half_edge) const {
+    const Mark& mark = marks_[half_edge / kHalfEdgesPerMark];
+    const std::uint64_t bit = std::uint64_t{1} << half_edge % kHalfEdgesPerMark;
+    if ((mark.half_edges & bit) == 0) return nullptr;
+    return &sleeves_[mark.before + static_cast<std::uint32_t>(std::popcount(mark.half_edges & (bit - 1)))];
   }
   /// How many nodes of the right wall are passed before the one of the left wall with this index.
   [[nodiscard]] std::uint32_t right_before(const Sleeve& sleeve, std::uint32_t left) const {
@@ -109,10 +111,10 @@ class Sleeves {
   }
 
  private:
-  static constexpr std::uint32_t kDoorsPerMark = 64;
+  static constexpr std::uint32_t kHalfEdgesPerMark = 64;
   struct Mark {
-    std::uint64_t doors = 0;   ///< by bit, whether a sleeve begins there
-    std::uint32_t before = 0;  ///< sleeves that begin at doors before these
+    std::uint64_t half_edges = 0;  ///< by bit, whether a sleeve begins there
+    std::uint32_t before = 0;      ///< sleeves that begin at half-edges before these
   };
 
   /// By node of one of the walls, how many nodes of the other one are passed before it.
@@ -125,13 +127,13 @@ class Sleeves {
     return static_cast<std::uint32_t>(std::upper_bound(all.begin(), all.end(), other) - all.begin());
   }
 
-  std::vector<Mark> marks_;         // of 64 doors each
-  std::vector<Sleeve> sleeves_;     // in the order of their doors
+  std::vector<Mark> marks_;         // of 64 half-edges each
+  std::vector<Sleeve> sleeves_;     // in the order of their half-edges
   BigVector<std::uint32_t> turns_;  // by sleeve and node of one of its walls
 };
 
 template <int kStep>
-std::uint32_t Sleeves::Wall<kStep>::guess(const Vec2& direction) const {
+std::uint32_t Sleeves::Chain<kStep>::guess(const Vec2& direction) const {
   const Vec2 edge(reach_->edge_x, reach_->edge_y);
   const double quarters = kStep > 0 ? quarters_of_turn(edge, direction) : quarters_of_turn(direction, edge);
   const double nodes = quarters * reach_->nodes_per_quarter;
@@ -140,11 +142,11 @@ std::uint32_t Sleeves::Wall<kStep>::guess(const Vec2& direction) const {
 }
 
 // Seen from a point before the sleeve, nodes of a convex wall come nearer to the other wall one after the other, up to
-// the one that limits what is seen. Further ones lie behind it; or all of them lie behind the end of the door. From the
-// other wall the last node that was passed is in sight.
+// the one that limits what is seen. Further ones lie behind it; or all of them lie behind the end of the half-edge.
+// From the other wall the last node that was passed is in sight.
 template <int kStep>
-std::uint32_t Sleeves::Wall<kStep>::limit_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
-                                               std::uint32_t guess, double sure) const {
+std::uint32_t Sleeves::Chain<kStep>::bounding_node_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
+                                                        std::uint32_t guess, double sure) const {
   const auto is_ahead = [&](const Vec2& p, const Vec2& q) {
     const double area = kStep * ((p.x() - s.x()) * (q.y() - s.y()) - (p.y() - s.y()) * (q.x() - s.x()));
     if (area < -sure) return true;
@@ -168,6 +170,7 @@ std::uint32_t Sleeves::Wall<kStep>::limit_from(const Vec2& s, std::uint32_t node
 
 /// Those that take less time to be found and passed than their triangles one by one. None unless most vertices are on
 /// long convex walls.
-Sleeves worthwhile_sleeves(const World& world, const SightMap& map, const Executor& executor = SerialExecutor());
+Sleeves worthwhile_sleeves(const World& world, const FreeSpaceTriangulation& triangulation,
+                           const Executor& executor = SerialExecutor());
 
 }  // namespace arcway::internal

@@ -4,21 +4,21 @@
 #include <string>
 
 #include "accel/expansion/contact_edges.h"
-#include "accel/expansion/sight_map.h"
-#include "accel/expansion/wedge_walk.h"
+#include "accel/expansion/free_space_triangulation.h"
+#include "accel/expansion/tangent_cone_expansion.h"
 
 namespace arcway::internal {
 
 struct TangentNeighbors::Data {
   Data(const World& of, const Executor& executor)
-      : world(of), map(world, executor), node_of(world.vertices().size(), kNone) {
-    map.list_left_edges();
-    fans = worthwhile_fans(map, executor);
-    for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
-    through_contacts = both_ways(edges_through_contacts(world, map));
+      : world(of), triangulation(world, executor), node_of(world.vertices().size(), kNone) {
+    triangulation.list_left_edges();
+    fans = worthwhile_fans(triangulation, executor);
+    for (std::uint32_t n = 0; n < triangulation.nodes().size(); ++n) node_of[triangulation.nodes()[n].vertex] = n;
+    through_contacts = both_ways(edges_through_contacts(world, triangulation));
   }
   World world;
-  SightMap map;
+  FreeSpaceTriangulation triangulation;
   LongFans fans;
   std::vector<std::uint32_t> node_of;  // by vertex
   EdgeList through_contacts;
@@ -34,7 +34,7 @@ std::vector<VertexId> TangentNeighbors::of(VertexId vertex) const {
   if (vertex >= data_->node_of.size())
     throw std::out_of_range("tangent neighbors: vertex " + std::to_string(vertex) + ", the world has " +
                             std::to_string(data_->node_of.size()));
-  std::vector<VertexId> row = tangent_neighbors(data_->map, data_->node_of[vertex], &data_->fans);
+  std::vector<VertexId> row = tangent_neighbors(data_->triangulation, data_->node_of[vertex], &data_->fans);
   add_missing(data_->through_contacts, vertex, row);
   return row;
 }

@@ -24,7 +24,7 @@ class TangentNeighbors {
   TangentNeighbors& operator=(TangentNeighbors&&) noexcept;
 
   /// All vertices, lower and higher, that share an edge of the reduced visibility graph with a vertex, ascending: none
-  /// unless it is one of World::convex_vertices. Exact. O(triangles seen in its tangent wedges).
+  /// unless it is one of World::convex_vertices. Exact. O(triangles seen in its tangent cones).
   /// @throws std::out_of_range if the world has no such vertex.
   [[nodiscard]] std::vector<VertexId> of(VertexId vertex) const;
 

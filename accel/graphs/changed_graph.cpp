@@ -8,8 +8,8 @@
 #include "accel/expansion/change_visibility.h"
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/edge_list.h"
-#include "accel/expansion/sight_map.h"
-#include "accel/expansion/wedge_walk.h"
+#include "accel/expansion/free_space_triangulation.h"
+#include "accel/expansion/tangent_cone_expansion.h"
 #include "core/geometry/near_boxes.h"
 
 namespace arcway::internal {
@@ -20,7 +20,7 @@ constexpr std::size_t kNodesPerRange = 16;
 
 // Vertices whose rows are to be walked again, by vertex of the world after.
 std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& after, const WorldChange& change,
-                                     const SightMap& map) {
+                                     const FreeSpaceTriangulation& triangulation) {
   std::vector<std::uint8_t> stale(after.vertices().size(), 0);
   std::fill(stale.begin() + change.first_come, stale.begin() + change.end_come, std::uint8_t{1});
   const NearBoxes come(change.come);
@@ -36,10 +36,10 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
     }
   }
   if (!change.gone.empty()) {
-    ChangeVisibility shadows(map);
-    shadows.look_from(change.gone);
-    for (std::size_t n = 0; n < map.nodes().size(); ++n)
-      if (shadows.seen()[n]) stale[map.nodes()[n].vertex] = 1;
+    ChangeVisibility viewers(triangulation);
+    viewers.mark_viewers(change.gone);
+    for (std::size_t n = 0; n < triangulation.nodes().size(); ++n)
+      if (viewers.seen()[n]) stale[triangulation.nodes()[n].vertex] = 1;
   }
   return stale;
 }
@@ -53,9 +53,9 @@ VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, co
     throw std::invalid_argument("change of a reduced visibility graph: it has " + std::to_string(graph.vertex_count()) +
                                 " vertices, the change is one from " + std::to_string(change.moved.size()) + " to " +
                                 std::to_string(after.vertices().size()));
-  SightMap map(after, executor);
-  map.list_left_edges();
-  const std::vector<std::uint8_t> stale = find_stale(graph, after, change, map);
+  FreeSpaceTriangulation triangulation(after, executor);
+  triangulation.list_left_edges();
+  const std::vector<std::uint8_t> stale = find_stale(graph, after, change, triangulation);
   std::vector<EdgeList> lists(1);
   for (VertexId u = 0; u < graph.vertex_count(); ++u) {
     const VertexId from = change.moved[u];
@@ -66,21 +66,21 @@ VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, co
     }
   }
   std::vector<std::uint32_t> nodes;
-  for (std::uint32_t n = 0; n < map.nodes().size(); ++n)
-    if (stale[map.nodes()[n].vertex]) nodes.push_back(n);
+  for (std::uint32_t n = 0; n < triangulation.nodes().size(); ++n)
+    if (stale[triangulation.nodes()[n].vertex]) nodes.push_back(n);
   if (rows) *rows = nodes.size();
   std::mutex mutex;
   executor.begin_stage("lines of sight");
   executor.for_ranges(nodes.size(), kNodesPerRange, [&](std::size_t begin, std::size_t end) {
-    WedgeWalk walk(map);
-    for (std::size_t i = begin; i < end; ++i) walk.look_around(nodes[i]);
-    EdgeList edges = walk.take_edges();
+    TangentConeExpansion expansion(triangulation);
+    for (std::size_t i = begin; i < end; ++i) expansion.expand_all(nodes[i]);
+    EdgeList edges = expansion.take_edges();
     // What two stale rows have in common is found from both.
     std::erase_if(edges, [&](const auto& edge) { return stale[edge.second] && edge.second < edge.first; });
     const std::scoped_lock lock(mutex);
     lists.push_back(std::move(edges));
   });
-  add_missing(edges_through_contacts(after, map), lists);
+  add_missing(edges_through_contacts(after, triangulation), lists);
   return graph_of(after.vertices().size(), lists, executor);
 }
 

@@ -1,15 +1,16 @@
 #include "arcway/accel/graph_builder.h"
 
-#include "accel/expansion/sight_map.h"
+#include "accel/expansion/free_space_triangulation.h"
 
 namespace arcway {
 
 using namespace internal;
 
-const char* name_of(GraphBuilder builder) { return builder == GraphBuilder::kPairwise ? "pairwise" : "wedge"; }
+const char* name_of(GraphBuilder builder) { return builder == GraphBuilder::kPairwise ? "pairwise" : "tangent-cones"; }
 
 GraphBuilder faster_graph_builder(const World& world) {
-  return world.vertices().size() > SightMap::kMostVertices ? GraphBuilder::kPairwise : GraphBuilder::kWedge;
+  return world.vertices().size() > FreeSpaceTriangulation::kMostVertices ? GraphBuilder::kPairwise
+                                                                         : GraphBuilder::kTangentCones;
 }
 
 }  // namespace arcway

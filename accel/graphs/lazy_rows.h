@@ -8,7 +8,7 @@
 
 namespace arcway::internal {
 
-/// The rows of the reduced visibility graph, each found by walks through its vertex's tangent wedges when it is first
+/// The rows of the reduced visibility graph, each found by walks through its vertex's tangent cones when it is first
 /// asked for: what a first query on a large map needs of it.
 ///
 /// accel_backend makes its planners with them.

@@ -5,13 +5,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "accel/expansion/by_site.h"
+#include "accel/expansion/bucket_index.h"
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/edge_list.h"
-#include "accel/expansion/sight_map.h"
-#include "accel/expansion/sight_trace.h"
+#include "accel/expansion/free_space_triangulation.h"
+#include "accel/expansion/line_of_sight_trace.h"
+#include "accel/expansion/tangent_cone_expansion.h"
 #include "accel/expansion/triangular_expansion.h"
-#include "accel/expansion/wedge_walk.h"
 #include "accel/location/region_locator.h"
 #include "core/collision/blocking.h"
 #include "core/geometry/crossing_point.h"
@@ -25,14 +25,14 @@ using namespace internal;
 
 namespace {
 
-using End = SightTrace::End;
-using Kind = SightTrace::End::Kind;
+using End = LineOfSightTrace::End;
+using Kind = LineOfSightTrace::End::Kind;
 
 // Where the line from p through `through` meets a wall, rounded.
-Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& wall) {
-  if (through == wall.a || through == wall.b) return through;
-  if (orientation(wall.a, wall.b, p) == 0) return p;
-  return crossing_point(wall, {p, through});
+Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& edge) {
+  if (through == edge.a || through == edge.b) return through;
+  if (orientation(edge.a, edge.b, p) == 0) return p;
+  return crossing_point(edge, {p, through});
 }
 
 }  // namespace
@@ -40,24 +40,24 @@ Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& wall) {
 struct VisibilityMap::Data {
   Data(const World& of, const Executor& executor)
       : world(of),
-        map(listed(world, executor)),
-        trace(map),
+        triangulation(listed(world, executor)),
+        trace(triangulation),
         locator(world),
-        expansion(map, trace),
+        expansion(triangulation, trace),
         node_of(world.vertices().size(), kNone) {
-    for (std::uint32_t n = 0; n < map.nodes().size(); ++n) node_of[map.nodes()[n].vertex] = n;
-    const auto site_count = static_cast<std::uint32_t>(map.sites().size());
-    std::vector<std::uint32_t> sites;
+    for (std::uint32_t n = 0; n < triangulation.nodes().size(); ++n) node_of[triangulation.nodes()[n].vertex] = n;
+    const auto point_count = static_cast<std::uint32_t>(triangulation.points().size());
+    std::vector<std::uint32_t> points;
     for (VertexId v = 0; v < world.vertices().size(); ++v)
-      sites.push_back(world.is_covered(v) ? site_count : map.site_at(world.vertex(v)));
-    vertices = BySite(std::move(sites), site_count);
-    through_contacts = both_ways(edges_through_contacts(world, map));
+      points.push_back(world.is_covered(v) ? point_count : triangulation.point_at(world.vertex(v)));
+    vertices = BucketIndex(std::move(points), point_count);
+    through_contacts = both_ways(edges_through_contacts(world, triangulation));
   }
 
-  static SightMap listed(const World& world, const Executor& executor) {
-    SightMap map(world, executor);
-    map.list_left_edges();
-    return map;
+  static FreeSpaceTriangulation listed(const World& world, const Executor& executor) {
+    FreeSpaceTriangulation triangulation(world, executor);
+    triangulation.list_left_edges();
+    return triangulation;
   }
 
   [[nodiscard]] std::vector<std::uint32_t> triangles_at(const Vec2& p) const {
@@ -82,7 +82,8 @@ struct VisibilityMap::Data {
 
   [[nodiscard]] bool is_reached(const Vec2& p, const Vec2& q, std::span<const std::uint32_t> triangles) const {
     const Kind kind = trace.trace(p, q, triangles, false).kind;
-    return (kind == Kind::kReached || kind == Kind::kFrame) && (map.is_whole() || !map.is_blocked_by_broken({p, q}));
+    return (kind == Kind::kReached || kind == Kind::kFrame) &&
+           (triangulation.is_valid() || !triangulation.is_blocked_by_invalid({p, q}));
   }
 
   static void require_range(const char* what, const Vec2& p) {
@@ -99,40 +100,41 @@ struct VisibilityMap::Data {
   }
 
   void require_near(const char* what, const Vec2& p) const {
-    if (!map.is_whole())
-      throw std::domain_error(std::string(what) + ": edges of " + std::to_string(map.broken_count()) +
+    if (!triangulation.is_valid())
+      throw std::domain_error(std::string(what) + ": edges of " + std::to_string(triangulation.invalid_count()) +
                               " regions of the world cross");
-    if (!world.has_bounds() && !world.box().empty() && !Box{map.sites().front(), map.sites().back()}.contains(p))
+    if (!world.has_bounds() && !world.box().empty() &&
+        !Box{triangulation.points().front(), triangulation.points().back()}.contains(p))
       throw std::domain_error(std::string(what) + ": " + shortest_text(p) + " is further from the map than its size");
   }
 
-  [[nodiscard]] LineSegment wall_of(std::uint32_t right, std::uint32_t left) const {
-    return {map.sites()[right], map.sites()[left]};
+  [[nodiscard]] LineSegment edge_of(std::uint32_t right, std::uint32_t left) const {
+    return {triangulation.points()[right], triangulation.points()[left]};
   }
 
   // Ascending; from a point at some triangles.
   void find_vertices_seen(const Vec2& p, std::uint32_t own, TriangularExpansion::Scratch& scratch,
                           std::vector<VertexId>& found) const {
-    expansion.find_sites(p, own, scratch);
+    expansion.find_points(p, own, scratch);
     found.clear();
-    for (const std::uint32_t site : scratch.sites)
-      if (map.is_whole() || !map.is_blocked_by_broken({p, map.sites()[site]}))
-        for (const VertexId v : vertices.of(site)) found.push_back(v);
+    for (const std::uint32_t point : scratch.points)
+      if (triangulation.is_valid() || !triangulation.is_blocked_by_invalid({p, triangulation.points()[point]}))
+        for (const VertexId v : vertices.of(point)) found.push_back(v);
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
   }
 
-  void find_vertices_seen(std::uint32_t site, TriangularExpansion::Scratch& scratch,
+  void find_vertices_seen(std::uint32_t point, TriangularExpansion::Scratch& scratch,
                           std::vector<VertexId>& found) const {
     scratch.triangles.clear();
-    for (const std::uint32_t corner : trace.corners_at(site)) scratch.triangles.push_back(corner - corner % 3);
-    find_vertices_seen(map.sites()[site], site, scratch, found);
+    for (const std::uint32_t corner : trace.corners_at(point)) scratch.triangles.push_back(corner - corner % 3);
+    find_vertices_seen(triangulation.points()[point], point, scratch, found);
   }
 
   [[nodiscard]] std::vector<VertexId> vertices_seen(VertexId vertex) const {
     std::vector<VertexId> found;
     TriangularExpansion::Scratch scratch;
-    if (!world.is_covered(vertex)) find_vertices_seen(map.site_at(world.vertex(vertex)), scratch, found);
+    if (!world.is_covered(vertex)) find_vertices_seen(triangulation.point_at(world.vertex(vertex)), scratch, found);
     return found;
   }
 
@@ -142,7 +144,7 @@ struct VisibilityMap::Data {
     TriangularExpansion::Scratch scratch;
     trace.triangles_at(p, scratch.triangles);
     if (!scratch.triangles.empty()) {
-      find_vertices_seen(p, trace.site_at(p, scratch.triangles), scratch, found);
+      find_vertices_seen(p, trace.point_at(p, scratch.triangles), scratch, found);
     } else {
       for (VertexId v = 0; v < world.vertices().size(); ++v)
         if (!world.is_covered(v) && world.vertex(v) != p && is_visible({world.vertex(v), p})) found.push_back(v);
@@ -151,25 +153,25 @@ struct VisibilityMap::Data {
   }
 
   // Those with vertices; what is near in the plane follows each other.
-  [[nodiscard]] std::vector<std::uint32_t> sites_by_tile() const {
-    std::vector<std::uint32_t> sites;
-    std::vector<std::uint8_t> listed(map.sites().size(), 0);
-    const auto list = [&](std::uint32_t site) {
-      if (listed[site] == 0 && !vertices.of(site).empty()) sites.push_back(site);
-      listed[site] = 1;
+  [[nodiscard]] std::vector<std::uint32_t> points_by_tile() const {
+    std::vector<std::uint32_t> points;
+    std::vector<std::uint8_t> listed(triangulation.points().size(), 0);
+    const auto list = [&](std::uint32_t point) {
+      if (listed[point] == 0 && !vertices.of(point).empty()) points.push_back(point);
+      listed[point] = 1;
     };
-    for (const SightMap::Door& door : map.doors()) list(door.site);
-    for (std::uint32_t site = 0; site < listed.size(); ++site) list(site);  // that no triangle meets
-    return sites;
+    for (const FreeSpaceTriangulation::HalfEdge& half_edge : triangulation.half_edges()) list(half_edge.point);
+    for (std::uint32_t point = 0; point < listed.size(); ++point) list(point);  // that no triangle meets
+    return points;
   }
 
   World world;
-  SightMap map;
-  SightTrace trace;
+  FreeSpaceTriangulation triangulation;
+  LineOfSightTrace trace;
   RegionLocator locator;
   TriangularExpansion expansion;
   std::vector<std::uint32_t> node_of;  // by vertex
-  BySite vertices;                     // that are not covered
+  BucketIndex vertices;                // that are not covered
   EdgeList through_contacts;           // of the reduced graph
 };
 
@@ -198,9 +200,9 @@ std::optional<VisibilityMap::RayHit> VisibilityMap::first_hit(const Vec2& from, 
   if (!found) return RayHit{from, {from, from}};
   const End& end = *found;
   if (end.kind == Kind::kFrame) return std::nullopt;
-  const LineSegment wall = d.wall_of(end.right, end.left);
-  if (end.kind == Kind::kCorner) return RayHit{wall.a, wall};
-  return RayHit{meet(from, towards, wall), wall};
+  const LineSegment edge = d.edge_of(end.right, end.left);
+  if (end.kind == Kind::kCorner) return RayHit{edge.a, edge};
+  return RayHit{meet(from, towards, edge), edge};
 }
 
 std::vector<VertexId> VisibilityMap::visible_from(VertexId vertex) const {
@@ -215,7 +217,7 @@ std::vector<VertexId> VisibilityMap::visible_from(const Vec2& point) const {
 
 std::vector<VertexId> VisibilityMap::tangents_from(VertexId vertex) const {
   data_->require_vertex("tangents", vertex);
-  std::vector<VertexId> found = tangent_neighbors(data_->map, data_->node_of[vertex]);
+  std::vector<VertexId> found = tangent_neighbors(data_->triangulation, data_->node_of[vertex]);
   add_missing(data_->through_contacts, vertex, found);
   return found;
 }
@@ -228,36 +230,36 @@ std::vector<VertexId> VisibilityMap::tangents_from(const Vec2& point) const {
   return found;
 }
 
-std::vector<VisibilityMap::SeenWall> VisibilityMap::visibility_polygon(const Vec2& point) const {
+std::vector<VisibilityMap::VisibleEdge> VisibilityMap::visibility_polygon(const Vec2& point) const {
   const Data& d = *data_;
   Data::require_range("visibility polygon", point);
   d.require_near("visibility polygon", point);
-  std::vector<SeenWall> walls;
+  std::vector<VisibleEdge> edges;
   TriangularExpansion::Scratch scratch;
   d.trace.triangles_at(point, scratch.triangles);
-  d.expansion.find_walls(point, scratch);
-  for (const TriangularExpansion::View& seen : scratch.walls) {
-    const LineSegment wall = d.wall_of(seen.right, seen.left);
-    const Vec2 &low = d.map.sites()[seen.low], &high = d.map.sites()[seen.high];
-    walls.push_back({wall, meet(point, low, wall), meet(point, high, wall), low, high,
+  d.expansion.find_boundary(point, scratch);
+  for (const TriangularExpansion::View& seen : scratch.boundary) {
+    const LineSegment edge = d.edge_of(seen.right, seen.left);
+    const Vec2 &low = d.triangulation.points()[seen.low], &high = d.triangulation.points()[seen.high];
+    edges.push_back({edge, meet(point, low, edge), meet(point, high, edge), low, high,
                      d.trace.is_frame(seen.right) && d.trace.is_frame(seen.left)});
   }
-  return walls;
+  return edges;
 }
 
 VisibilityGraph build_full_visibility_graph_by_expansion(const World& world, const Executor& executor) {
-  constexpr std::size_t kSitesPerRange = 64;
-  const VisibilityMap::Data map(world, executor);
-  const std::vector<std::uint32_t> sites = map.sites_by_tile();
-  std::vector<EdgeList> parts((sites.size() + kSitesPerRange - 1) / kSitesPerRange);
+  constexpr std::size_t kPointsPerRange = 64;
+  const VisibilityMap::Data triangulation(world, executor);
+  const std::vector<std::uint32_t> points = triangulation.points_by_tile();
+  std::vector<EdgeList> parts((points.size() + kPointsPerRange - 1) / kPointsPerRange);
   executor.begin_stage("lines of sight");
   executor.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
     TriangularExpansion::Scratch scratch;
     std::vector<VertexId> seen;
     for (std::size_t part = begin; part < end; ++part)
-      for (std::size_t i = part * kSitesPerRange; i < std::min(sites.size(), (part + 1) * kSitesPerRange); ++i) {
-        map.find_vertices_seen(sites[i], scratch, seen);
-        for (const VertexId u : map.vertices.of(sites[i]))
+      for (std::size_t i = part * kPointsPerRange; i < std::min(points.size(), (part + 1) * kPointsPerRange); ++i) {
+        triangulation.find_vertices_seen(points[i], scratch, seen);
+        for (const VertexId u : triangulation.vertices.of(points[i]))
           for (const VertexId v : seen)
             if (v > u) parts[part].emplace_back(u, v);
       }

@@ -13,37 +13,37 @@ namespace {
 
 /// Links of a front: what lies behind the link as seen from the gap.
 using Link = std::uint32_t;
-constexpr Link kWall = kNone;
+constexpr Link kBoundary = kNone;
 /// A diagonal with the gap on both of its sides; the other bits number it.
 constexpr Link kDangling = 0x80000000u;
 
-constexpr std::uint32_t kAhead = 12;          // sites
-constexpr std::uint32_t kSitesUnasked = 512;  // between two questions whether to end: some tenths of a millisecond
+constexpr std::uint32_t kAhead = 12;           // points
+constexpr std::uint32_t kPointsUnasked = 512;  // between two questions whether to end: some tenths of a millisecond
 
 class Sweep {
  public:
   explicit Sweep(const PlanarMap& map) : map_(map), gap_above_(map.edges.size(), kNone) {
     space_.edge_is_covered.assign(map.edges.size(), 0);
-    space_.triangulation.corners.reserve(5 * map.sites.size());
-    space_.triangulation.twins.reserve(5 * map.sites.size());
+    space_.triangulation.corners.reserve(5 * map.points.size());
+    space_.triangulation.twins.reserve(5 * map.points.size());
   }
 
   std::optional<FreeSpace> run(const Executor& executor) {
-    const auto last = static_cast<std::uint32_t>(map_.sites.size() - 1);
+    const auto last = static_cast<std::uint32_t>(map_.points.size() - 1);
     const std::uint32_t all = new_gap(0, map_.outside_is_solid ? 1 : 0);
     const std::uint32_t beyond = new_gap(1, 0);
     gaps_[all].above = beyond;
     gaps_[beyond].below = all;
     order_.start(all);
     if (is_free(all)) start_front(all, 0, 1);
-    for (std::uint32_t site = 2; site + 1 < last; ++site) {
-      if (site % kSitesUnasked == 0) end_if_over(executor);
-      fetch_ends(std::min(site + kAhead, last));
-      if (!pass(site)) return std::nullopt;
+    for (std::uint32_t point = 2; point + 1 < last; ++point) {
+      if (point % kPointsUnasked == 0) end_if_over(executor);
+      fetch_ends(std::min(point + kAhead, last));
+      if (!pass(point)) return std::nullopt;
     }
     if (is_free(all)) {
-      extend_low_end(all, last - 1, kWall);
-      extend_high_end(all, last, kWall);
+      extend_low_end(all, last - 1, kBoundary);
+      extend_high_end(all, last, kBoundary);
     }
     return std::move(space_);
   }
@@ -54,55 +54,55 @@ class Sweep {
     std::int32_t depth;          // whole regions that cover it
     std::uint32_t below, above;  // gaps
     std::uint32_t low, high;     // ends of the front, on the edges below and above
-    std::uint32_t latest;        // node of the front furthest to the right: what a new site is sure to see
+    std::uint32_t latest;        // node of the front furthest to the right: what a new point is sure to see
   };
   struct Node {
-    std::uint32_t site;
+    std::uint32_t point;
     std::uint32_t below, above;  // nodes
     Link link;                   // to the node above
   };
 
   [[nodiscard]] bool is_free(std::uint32_t gap) const { return gaps_[gap].depth == 0; }
   [[nodiscard]] const PlanarMap::Edge& edge_below(std::uint32_t gap) const { return map_.edges[gaps_[gap].edge]; }
-  [[nodiscard]] int side(const PlanarMap::Edge& e, std::uint32_t site) const {
-    return orientation(map_.sites[e.low], map_.sites[e.high], map_.sites[site]);
+  [[nodiscard]] int side(const PlanarMap::Edge& e, std::uint32_t point) const {
+    return orientation(map_.points[e.low], map_.points[e.high], map_.points[point]);
   }
   [[nodiscard]] bool turns_left(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return orientation(map_.sites[a], map_.sites[b], map_.sites[c]) > 0;
+    return orientation(map_.points[a], map_.points[b], map_.points[c]) > 0;
   }
 
-  // The far ends of two edges that start just before a site; without branches that nobody foresees.
-  void fetch_ends(std::uint32_t site) const {
-    const std::uint32_t end = map_.first_edge[site];
-    will_need(&map_.sites[map_.edges[end - 1].high]);
-    will_need(&map_.sites[map_.edges[end - 2].high]);
+  // The far ends of two edges that start just before a point; without branches that nobody foresees.
+  void fetch_ends(std::uint32_t point) const {
+    const std::uint32_t end = map_.first_edge[point];
+    will_need(&map_.points[map_.edges[end - 1].high]);
+    will_need(&map_.points[map_.edges[end - 2].high]);
   }
 
-  bool pass(std::uint32_t site) {
-    std::uint32_t below, above;  // the gaps that the site's edges to the left lie between
-    const std::uint32_t first = map_.first_edge[site], last = map_.first_edge[site + 1];
-    if (map_.incoming[site] != kNone) {
-      above = gap_above_[map_.incoming[site]];
+  bool pass(std::uint32_t point) {
+    std::uint32_t below, above;  // the gaps that the point's edges to the left lie between
+    const std::uint32_t first = map_.first_edge[point], last = map_.first_edge[point + 1];
+    if (map_.incoming[point] != kNone) {
+      above = gap_above_[map_.incoming[point]];
       below = gaps_[above].below;
-      while (edge_below(below).high == site) below = gaps_[below].below;
-      while (edge_below(gaps_[above].above).high == site) above = gaps_[above].above;
+      while (edge_below(below).high == point) below = gaps_[below].below;
+      while (edge_below(gaps_[above].above).high == point) above = gaps_[above].above;
       for (std::uint32_t gap = gaps_[below].above; gap != above;) {
         const std::uint32_t next = gaps_[gap].above;
-        close(gap, site);
+        close(gap, point);
         gap = next;
       }
       link(below, above);
-      if (is_free(below)) extend_high_end(below, site, kWall);
-      if (is_free(above)) extend_low_end(above, site, kWall);
+      if (is_free(below)) extend_high_end(below, point, kBoundary);
+      if (is_free(above)) extend_low_end(above, point, kBoundary);
     } else {
       bool on_edge = false;
       below = order_.last_with([&](std::uint32_t gap) {
-        const int where = side(edge_below(gap), site);
+        const int where = side(edge_below(gap), point);
         on_edge = on_edge || where == 0;
         return where >= 0;
       });
       if (on_edge) return false;
-      above = split(below, site);
+      above = split(below, point);
     }
     if (first == last) {
       merge(below, above);
@@ -119,7 +119,7 @@ class Sweep {
       order_.insert_behind(gap, added);
       link(gap, added);
       link(added, above);
-      if (depth == 0) start_front(added, site);
+      if (depth == 0) start_front(added, point);
       gap = added;
     }
     assert(depth == gaps_[above].depth);
@@ -161,18 +161,18 @@ class Sweep {
     free_gaps_.push_back(gap);
   }
 
-  // The gap that ends in a site.
-  void close(std::uint32_t gap, std::uint32_t site) {
+  // The gap that ends in a point.
+  void close(std::uint32_t gap, std::uint32_t point) {
     if (is_free(gap)) {
-      extend_low_end(gap, site, kWall);
+      extend_low_end(gap, point, kBoundary);
       free_nodes_.push_back(gaps_[gap].high);
       free_nodes_.push_back(gaps_[gap].low);
     }
     remove(gap);
   }
 
-  // Cuts a gap in two at a site within it. Returns the upper one, whose edge is yet to be set.
-  std::uint32_t split(std::uint32_t gap, std::uint32_t site) {
+  // Cuts a gap in two at a point within it. Returns the upper one, whose edge is yet to be set.
+  std::uint32_t split(std::uint32_t gap, std::uint32_t point) {
     const std::uint32_t upper = new_gap(gaps_[gap].edge, gaps_[gap].depth);
     gap_above_[gaps_[gap].edge] = gap;
     order_.insert_behind(gap, upper);
@@ -180,7 +180,7 @@ class Sweep {
     link(gap, upper);
     if (!is_free(gap)) return upper;
     const std::uint32_t latest = gaps_[gap].latest;
-    const std::uint32_t copy = new_node(nodes_[latest].site);
+    const std::uint32_t copy = new_node(nodes_[latest].point);
     nodes_[copy].link = nodes_[latest].link;
     if (gaps_[gap].high == latest) {
       gaps_[upper].high = copy;
@@ -192,8 +192,8 @@ class Sweep {
     gaps_[gap].high = latest;
     const Link diagonal = kDangling | static_cast<Link>(dangling_.size());
     dangling_.push_back(kNone);
-    extend_high_end(gap, site, diagonal);
-    extend_low_end(upper, site, diagonal);
+    extend_high_end(gap, point, diagonal);
+    extend_low_end(upper, point, diagonal);
     return upper;
   }
 
@@ -215,7 +215,7 @@ class Sweep {
 
   // Fronts.
 
-  std::uint32_t new_node(std::uint32_t site) {
+  std::uint32_t new_node(std::uint32_t point) {
     std::uint32_t node = static_cast<std::uint32_t>(nodes_.size());
     if (free_nodes_.empty()) {
       nodes_.emplace_back();
@@ -223,54 +223,54 @@ class Sweep {
       node = free_nodes_.back();
       free_nodes_.pop_back();
     }
-    nodes_[node].site = site;
+    nodes_[node].point = point;
     return node;
   }
   void join(std::uint32_t lower, std::uint32_t upper) {
     nodes_[lower].above = upper;
     nodes_[upper].below = lower;
   }
-  void start_front(std::uint32_t gap, std::uint32_t site) {
-    gaps_[gap].low = gaps_[gap].high = gaps_[gap].latest = new_node(site);
+  void start_front(std::uint32_t gap, std::uint32_t point) {
+    gaps_[gap].low = gaps_[gap].high = gaps_[gap].latest = new_node(point);
   }
   void start_front(std::uint32_t gap, std::uint32_t low, std::uint32_t high) {
     gaps_[gap].low = new_node(low);
     gaps_[gap].high = gaps_[gap].latest = new_node(high);
-    nodes_[gaps_[gap].low].link = kWall;
+    nodes_[gaps_[gap].low].link = kBoundary;
     join(gaps_[gap].low, gaps_[gap].high);
   }
 
-  // Puts a site before the lower end of a front, after the triangles that it sees. `behind`: beyond the line from the
-  // site to the end.
-  void extend_low_end(std::uint32_t gap, std::uint32_t site, Link behind) {
+  // Puts a point before the lower end of a front, after the triangles that it sees. `behind`: beyond the line from the
+  // point to the end.
+  void extend_low_end(std::uint32_t gap, std::uint32_t point, Link behind) {
     std::uint32_t end = gaps_[gap].low;
-    while (end != gaps_[gap].high && turns_left(nodes_[end].site, site, nodes_[nodes_[end].above].site)) {
+    while (end != gaps_[gap].high && turns_left(nodes_[end].point, point, nodes_[nodes_[end].above].point)) {
       const std::uint32_t above = nodes_[end].above;
-      const std::uint32_t h = add_triangle(nodes_[end].site, site, nodes_[above].site);
+      const std::uint32_t h = add_triangle(nodes_[end].point, point, nodes_[above].point);
       connect(h, behind);
       connect(h + 2, nodes_[end].link);
       behind = h + 1;
       free_nodes_.push_back(end);
       end = above;
     }
-    const std::uint32_t node = new_node(site);
+    const std::uint32_t node = new_node(point);
     join(node, end);
     nodes_[node].link = behind;
     gaps_[gap].low = gaps_[gap].latest = node;
   }
 
-  void extend_high_end(std::uint32_t gap, std::uint32_t site, Link behind) {
+  void extend_high_end(std::uint32_t gap, std::uint32_t point, Link behind) {
     std::uint32_t end = gaps_[gap].high;
-    while (end != gaps_[gap].low && turns_left(nodes_[nodes_[end].below].site, site, nodes_[end].site)) {
+    while (end != gaps_[gap].low && turns_left(nodes_[nodes_[end].below].point, point, nodes_[end].point)) {
       const std::uint32_t below = nodes_[end].below;
-      const std::uint32_t h = add_triangle(nodes_[below].site, site, nodes_[end].site);
+      const std::uint32_t h = add_triangle(nodes_[below].point, point, nodes_[end].point);
       connect(h + 1, behind);
       connect(h + 2, nodes_[below].link);
       behind = h;
       free_nodes_.push_back(end);
       end = below;
     }
-    const std::uint32_t node = new_node(site);
+    const std::uint32_t node = new_node(point);
     join(end, node);
     nodes_[end].link = behind;
     gaps_[gap].high = gaps_[gap].latest = node;
@@ -285,7 +285,7 @@ class Sweep {
   }
 
   void connect(std::uint32_t h, Link link) {
-    if (link == kWall) return;
+    if (link == kBoundary) return;
     if (link & kDangling) {
       Link& other = dangling_[link & ~kDangling];
       if (other == kNone) {

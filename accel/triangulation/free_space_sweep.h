@@ -17,8 +17,8 @@ struct FreeSpace {
 };
 
 /// One sweep from left to right over the gaps between neighboring edges [Hertel and Mehlhorn 1985]: each gap keeps the
-/// front of its triangles as a chain, to which every site adds the triangles that it sees. Any site may have any number
-/// of edges on either side. O(n log n), exact.
+/// front of its triangles as a chain, to which every point adds the triangles that it sees. Any point may have any
+/// number of edges on either side. O(n log n), exact.
 /// @return nothing if edges of the map meet elsewhere than in common ends: neighbors are tested as they become so
 ///   [Shamos and Hoey 1976].
 /// @param executor  only asked whether to end. @throws Cancelled then

@@ -71,24 +71,24 @@ Box frame_of(const Box& box) {
   return frame;
 }
 
-void make_sites(const World& world, PlanarMap& map) {
+void make_points(const World& world, PlanarMap& map) {
   const BigVector<Keyed> sorted = sorted_vertices(world);
   const Box frame = frame_of(world.box());
-  map.sites.reserve(sorted.size() + 4);
-  map.sites.push_back(frame.min);
-  map.sites.emplace_back(frame.min.x(), frame.max.y());
-  map.site_of.resize(sorted.size());
+  map.points.reserve(sorted.size() + 4);
+  map.points.push_back(frame.min);
+  map.points.emplace_back(frame.min.x(), frame.max.y());
+  map.point_of.resize(sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (i + kAhead < sorted.size()) {
       will_need(&world.vertices()[sorted[i + kAhead].vertex]);
-      will_need(&map.site_of[sorted[i + kAhead].vertex]);
+      will_need(&map.point_of[sorted[i + kAhead].vertex]);
     }
     const Vec2& p = world.vertex(sorted[i].vertex);
-    if (i == 0 || p != map.sites.back()) map.sites.push_back(p);
-    map.site_of[sorted[i].vertex] = static_cast<std::uint32_t>(map.sites.size() - 1);
+    if (i == 0 || p != map.points.back()) map.points.push_back(p);
+    map.point_of[sorted[i].vertex] = static_cast<std::uint32_t>(map.points.size() - 1);
   }
-  map.sites.emplace_back(frame.max.x(), frame.min.y());
-  map.sites.push_back(frame.max);
+  map.points.emplace_back(frame.max.x(), frame.min.y());
+  map.points.push_back(frame.max);
 }
 
 Edge edge_between(std::uint32_t from, std::uint32_t to, std::int32_t count) {
@@ -96,14 +96,14 @@ Edge edge_between(std::uint32_t from, std::uint32_t to, std::int32_t count) {
   return from < to ? Edge{from, to, count, 0} : Edge{to, from, 0, count};
 }
 
-// Sorts edges by site and slope and makes the tables over them; equal ones become one. Returns false if others overlap.
-// The edges are asked for again and again, which takes less time than to store them.
+// Sorts edges by point and slope and makes the tables over them; equal ones become one. Returns false if others
+// overlap. The edges are asked for again and again, which takes less time than to store them.
 template <class EdgeAt>
-bool make_tables(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
-  const auto site_count = static_cast<std::uint32_t>(map.sites.size());
+bool index_edges(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
+  const auto point_count = static_cast<std::uint32_t>(map.points.size());
   BigVector<std::uint32_t>& first = map.first_edge;
-  first.assign(site_count + 1, 0);
-  const Edge bottom{0, site_count - 2, 0, 0}, top{1, site_count - 1, 0, 0};
+  first.assign(point_count + 1, 0);
+  const Edge bottom{0, point_count - 2, 0, 0}, top{1, point_count - 1, 0, 0};
   first[1] = first[2] = 1;
   for (std::size_t i = 0; i < count; ++i) ++first[edge_at(i).low + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
@@ -118,12 +118,12 @@ bool make_tables(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
   }
 
   const auto slope_order = [&](const Edge& e, const Edge& f) {
-    return e.high != f.high && orientation(map.sites[e.low], map.sites[e.high], map.sites[f.high]) > 0;
+    return e.high != f.high && orientation(map.points[e.low], map.points[e.high], map.points[f.high]) > 0;
   };
   std::uint32_t kept = 2;
-  for (std::uint32_t s = 2, begin = 2; s < site_count; ++s) {
+  for (std::uint32_t s = 2, begin = 2; s < point_count; ++s) {
     const std::uint32_t end = first[s];  // for now
-    if (end + kAhead < map.edges.size()) will_need(&map.sites[map.edges[end + kAhead].high]);
+    if (end + kAhead < map.edges.size()) will_need(&map.points[map.edges[end + kAhead].high]);
     if (end - begin == 2) {
       if (slope_order(map.edges[begin + 1], map.edges[begin])) std::swap(map.edges[begin], map.edges[begin + 1]);
     } else if (end - begin > 2) {
@@ -146,9 +146,9 @@ bool make_tables(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
     first[s] = first_kept;
     begin = end;
   }
-  first[site_count] = kept;
+  first[point_count] = kept;
   map.edges.resize(kept);
-  map.incoming.assign(site_count, kNone);
+  map.incoming.assign(point_count, kNone);
   for (std::uint32_t e = 0; e < kept; ++e) map.incoming[map.edges[e].high] = e;
   return true;
 }
@@ -194,16 +194,16 @@ class Cutter {
     cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
     make_pieces();
     drop_crossings();
-    broken_.assign(world_.region_count(), 0);
+    invalid_.assign(world_.region_count(), 0);
     for (const auto& [edge, piece] : owners_)
-      if (dropped_[piece]) broken_[world_.obstacle_of(edge)] = 1;
-    for (ObstacleId o = 0; o < broken_.size(); ++o)
-      if (broken_[o]) map_.broken.push_back(o);
+      if (dropped_[piece]) invalid_[world_.obstacle_of(edge)] = 1;
+    for (ObstacleId o = 0; o < invalid_.size(); ++o)
+      if (invalid_[o]) map_.invalid.push_back(o);
     return count_regions();
   }
 
  private:
-  using Cut = std::pair<VertexId, std::uint32_t>;  // edge, site on it
+  using Cut = std::pair<VertexId, std::uint32_t>;  // edge, point on it
 
   struct Piece {
     std::uint32_t low, high;
@@ -215,7 +215,7 @@ class Cutter {
     cuts_.clear();
     crossings_.clear();
     ContactSweep sweep(world_.edges());
-    if (!sweep.finds([&](VertexId edge, VertexId vertex) { cuts_.emplace_back(edge, map_.site_of[vertex]); }))
+    if (!sweep.finds([&](VertexId edge, VertexId vertex) { cuts_.emplace_back(edge, map_.point_of[vertex]); }))
       search_boxes(std::numeric_limits<std::size_t>::max());
   }
 
@@ -235,9 +235,9 @@ class Cutter {
           crossings_.emplace_back(e, f);
         } else if (relation == SegmentRelation::kTouchingInterior || relation == SegmentRelation::kOverlapping) {
           for (const VertexId v : {f, world_.next(f)})
-            if (on_open_segment(world_.vertex(v), edges[e])) cuts_.emplace_back(e, map_.site_of[v]);
+            if (on_open_segment(world_.vertex(v), edges[e])) cuts_.emplace_back(e, map_.point_of[v]);
           for (const VertexId v : {e, world_.next(e)})
-            if (on_open_segment(world_.vertex(v), edges[f])) cuts_.emplace_back(f, map_.site_of[v]);
+            if (on_open_segment(world_.vertex(v), edges[f])) cuts_.emplace_back(f, map_.point_of[v]);
         }
         return true;
       });
@@ -246,23 +246,23 @@ class Cutter {
     return true;
   }
 
-  // Sites along an edge, ascending.
-  void sites_on(VertexId edge, std::vector<std::uint32_t>& sites) const {
-    sites.clear();
+  // Points along an edge, ascending.
+  void points_on(VertexId edge, std::vector<std::uint32_t>& points) const {
+    points.clear();
     auto cut = std::lower_bound(cuts_.begin(), cuts_.end(), Cut{edge, 0});
-    for (; cut != cuts_.end() && cut->first == edge; ++cut) sites.push_back(cut->second);
-    const std::uint32_t a = map_.site_of[edge], b = map_.site_of[world_.next(edge)];
-    sites.insert(sites.begin(), std::min(a, b));
-    sites.push_back(std::max(a, b));
+    for (; cut != cuts_.end() && cut->first == edge; ++cut) points.push_back(cut->second);
+    const std::uint32_t a = map_.point_of[edge], b = map_.point_of[world_.next(edge)];
+    points.insert(points.begin(), std::min(a, b));
+    points.push_back(std::max(a, b));
   }
 
   void make_pieces() {
-    std::vector<std::uint32_t> sites;
+    std::vector<std::uint32_t> points;
     std::vector<std::pair<Piece, VertexId>> owned;
     owned.reserve(world_.edges().size() + cuts_.size());
     for (VertexId e = 0; e < world_.edges().size(); ++e) {
-      sites_on(e, sites);
-      for (std::size_t i = 0; i + 1 < sites.size(); ++i) owned.push_back({{sites[i], sites[i + 1]}, e});
+      points_on(e, points);
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) owned.push_back({{points[i], points[i + 1]}, e});
     }
     std::sort(owned.begin(), owned.end());
     owners_.reserve(owned.size());
@@ -273,13 +273,13 @@ class Cutter {
     dropped_.assign(pieces_.size(), 0);
   }
 
-  // The piece of one edge that crosses another edge properly; kNone if they cross in a site.
+  // The piece of one edge that crosses another edge properly; kNone if they cross in a point.
   std::uint32_t piece_across(VertexId edge, VertexId other) {
-    sites_on(edge, sites_);
+    points_on(edge, points_);
     const LineSegment& line = world_.edges()[other];
-    const auto side = [&](std::uint32_t site) { return orientation(line.a, line.b, map_.sites[site]); };
-    const int before = side(sites_.front());
-    const auto across = std::partition_point(sites_.begin(), sites_.end(), [&](auto s) { return side(s) == before; });
+    const auto side = [&](std::uint32_t point) { return orientation(line.a, line.b, map_.points[point]); };
+    const int before = side(points_.front());
+    const auto across = std::partition_point(points_.begin(), points_.end(), [&](auto s) { return side(s) == before; });
     if (side(*across) == 0) return kNone;
     const Piece piece{*(across - 1), *across};
     return static_cast<std::uint32_t>(std::lower_bound(pieces_.begin(), pieces_.end(), piece) - pieces_.begin());
@@ -305,8 +305,8 @@ class Cutter {
     edges.reserve(owners_.size());
     for (const auto& [e, p] : owners_) {
       if (dropped_[p]) continue;
-      const bool right = map_.site_of[e] < map_.site_of[world_.next(e)];
-      const std::int32_t whole = broken_[world_.obstacle_of(e)] ? 0 : 1;
+      const bool right = map_.point_of[e] < map_.point_of[world_.next(e)];
+      const std::int32_t whole = invalid_[world_.obstacle_of(e)] ? 0 : 1;
       const Piece& piece = pieces_[p];
       edges.push_back(right ? edge_between(piece.low, piece.high, whole) : edge_between(piece.high, piece.low, whole));
     }
@@ -320,31 +320,31 @@ class Cutter {
   std::vector<Piece> pieces_;                               // ascending
   std::vector<std::pair<VertexId, std::uint32_t>> owners_;  // edge and one of its pieces
   std::vector<std::uint8_t> dropped_;                       // by piece
-  std::vector<std::uint8_t> broken_;                        // by region
-  std::vector<std::uint32_t> sites_;
+  std::vector<std::uint8_t> invalid_;                       // by region
+  std::vector<std::uint32_t> points_;
 };
 
 }  // namespace
 
-bool make_plain_map(const World& world, PlanarMap& map) {
+bool make_uncut_map(const World& world, PlanarMap& map) {
   map = {};
-  make_sites(world, map);
+  make_points(world, map);
   map.outside_is_solid = world.has_bounds();
   const auto edge_at = [&](std::size_t i) {
     const auto v = static_cast<VertexId>(i);
-    return edge_between(map.site_of[v], map.site_of[world.next(v)], 1);
+    return edge_between(map.point_of[v], map.point_of[world.next(v)], 1);
   };
-  return make_tables(world.edges().size(), edge_at, map);
+  return index_edges(world.edges().size(), edge_at, map);
 }
 
 PlanarMap make_cut_map(const World& world) {
   PlanarMap map;
-  make_sites(world, map);
+  make_points(world, map);
   const std::vector<Edge> pieces = Cutter(world, map).cut();
-  make_tables(
+  index_edges(
       pieces.size(), [&](std::size_t i) { return pieces[i]; }, map);
   const auto bounds = static_cast<ObstacleId>(world.obstacle_count());
-  map.outside_is_solid = world.has_bounds() && !std::binary_search(map.broken.begin(), map.broken.end(), bounds);
+  map.outside_is_solid = world.has_bounds() && !std::binary_search(map.invalid.begin(), map.invalid.end(), bounds);
   return map;
 }
 

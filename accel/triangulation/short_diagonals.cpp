@@ -31,29 +31,29 @@ inline bool is_shorter(const Vec2& c, const Vec2& d, const Vec2& a, const Vec2& 
          b_left - b_right > kErrorBound * (std::abs(b_left) + std::abs(b_right));
 }
 
-double mean_wall(std::span<const Vec2> sites, const Triangulation& t) {
+double mean_boundary_edge(std::span<const Vec2> points, const Triangulation& t) {
   constexpr std::size_t kStride = 22;
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t h = 0; h < t.corners.size(); h += kStride) {
     if (t.twins[h] != kNone) continue;
-    sum += (sites[t.corners[Triangulation::next(static_cast<std::uint32_t>(h))]] - sites[t.corners[h]]).norm();
+    sum += (points[t.corners[Triangulation::next(static_cast<std::uint32_t>(h))]] - points[t.corners[h]]).norm();
     ++count;
   }
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-Demand demand_for(Diagonals which, std::span<const Vec2> sites, const Triangulation& triangulation) {
+Demand demand_for(Diagonals which, std::span<const Vec2> points, const Triangulation& triangulation) {
   if (which == Diagonals::kAll) return {1.0, 1.0, 0.0};
-  const double length = 10.0 * mean_wall(sites, triangulation);
+  const double length = 10.0 * mean_boundary_edge(points, triangulation);
   return {0.12, 0.8, length * length};
 }
 
 // Flips within the half-edges [begin, end) of whole triangles, and touches no others.
 class Flipper {
  public:
-  Flipper(std::span<const Vec2> sites, Triangulation& t, const Demand& demand, std::uint32_t begin, std::uint32_t end)
-      : sites_(sites), corners_(t.corners), twins_(t.twins), demand_(demand), begin_(begin), size_(end - begin) {}
+  Flipper(std::span<const Vec2> points, Triangulation& t, const Demand& demand, std::uint32_t begin, std::uint32_t end)
+      : points_(points), corners_(t.corners), twins_(t.twins), demand_(demand), begin_(begin), size_(end - begin) {}
 
   void flip_all() {
     for (next_ = begin_; next_ < begin_ + size_; ++next_) {
@@ -84,7 +84,7 @@ class Flipper {
     const std::uint32_t far = beyond(next_ + kFar);
     will_need(&corners_[far]);
     will_need(&twins_[far]);
-    will_need(&sites_[corners_[Triangulation::previous(beyond(next_ + kNear))]]);
+    will_need(&points_[corners_[Triangulation::previous(beyond(next_ + kNear))]]);
   }
   [[nodiscard]] bool is_out(std::uint32_t h) const { return h - begin_ >= size_; }
   [[nodiscard]] bool is_foreign(std::uint32_t h) const { return h != kNone && is_out(h); }
@@ -101,7 +101,7 @@ class Flipper {
     // Triangles (a, b, c) and (b, a, d) on both sides of the edge a-b.
     const std::uint32_t bc = next(h), ca = previous(h), ad = next(g), db = previous(g);
     const std::uint32_t a = corners_[h], b = corners_[g], c = corners_[ca], d = corners_[db];
-    if (!is_shorter(sites_[c], sites_[d], sites_[a], sites_[b], demand_)) return;
+    if (!is_shorter(points_[c], points_[d], points_[a], points_[b], demand_)) return;
     const std::uint32_t beyond_ca = twins_[ca], beyond_db = twins_[db];
     if (is_foreign(beyond_ca) || is_foreign(beyond_db)) {
       left_over_.push_back(h);
@@ -131,7 +131,7 @@ class Flipper {
     if (twin != kNone) twins_[twin] = h;
   }
 
-  std::span<const Vec2> sites_;
+  std::span<const Vec2> points_;
   BigVector<std::uint32_t>& corners_;
   BigVector<std::uint32_t>& twins_;
   Demand demand_;
@@ -143,22 +143,22 @@ class Flipper {
 
 }  // namespace
 
-void shorten_diagonals(std::span<const Vec2> sites, Triangulation& triangulation, Diagonals which,
+void shorten_diagonals(std::span<const Vec2> points, Triangulation& triangulation, Diagonals which,
                        const Executor& executor) {
   constexpr std::uint32_t kBlock = 3 * 16384;
   const auto size = static_cast<std::uint32_t>(triangulation.corners.size());
   const std::size_t blocks = (size + kBlock - 1) / kBlock;
-  const Demand demand = demand_for(which, sites, triangulation);
+  const Demand demand = demand_for(which, points, triangulation);
   std::vector<std::vector<std::uint32_t>> seams(blocks);
   executor.for_ranges(blocks, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block) {
       const auto begin = static_cast<std::uint32_t>(block) * kBlock;
-      Flipper flipper(sites, triangulation, demand, begin, std::min(begin + kBlock, size));
+      Flipper flipper(points, triangulation, demand, begin, std::min(begin + kBlock, size));
       flipper.flip_all();
       seams[block].assign(flipper.left_over().begin(), flipper.left_over().end());
     }
   });
-  Flipper whole(sites, triangulation, demand, 0, size);
+  Flipper whole(points, triangulation, demand, 0, size);
   for (const auto& seam : seams)
     for (const std::uint32_t h : seam) whole.flip_around(h);
 }

@@ -18,7 +18,7 @@ enum class Diagonals : std::uint8_t {
 /// walk. A flip is made only if rounded arithmetic is sure that it may be: any triangulation is correct, so nothing
 /// exact is needed. Up to two flips a vertex. Blocks of triangles first, side by side, then the seams between them: the
 /// same result for any executor.
-void shorten_diagonals(std::span<const Vec2> sites, Triangulation& triangulation, Diagonals which,
+void shorten_diagonals(std::span<const Vec2> points, Triangulation& triangulation, Diagonals which,
                        const Executor& executor);
 
 }  // namespace arcway::internal

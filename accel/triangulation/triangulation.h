@@ -8,8 +8,8 @@
 
 namespace arcway::internal {
 
-/// Triangles over the sites of a PlanarMap. Half-edge h = 3 t + i runs from corner i of triangle t to its next corner,
-/// counter-clockwise; `corners[h]` is the site it starts at.
+/// Triangles over the points of a PlanarMap. Half-edge h = 3 t + i runs from corner i of triangle t to its next corner,
+/// counter-clockwise; `corners[h]` is the point it starts at.
 struct Triangulation {
   BigVector<std::uint32_t> corners;  ///< by half-edge
   BigVector<std::uint32_t> twins;    ///< by half-edge: the same edge in the triangle beyond; kNone along walls

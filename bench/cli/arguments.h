@@ -86,11 +86,11 @@ struct BuildOptions {
                                                  const ProcessGroup& process_group = kSingleProcess) const;
   [[nodiscard]] VisibilityGraph full_graph_of(const World& world, const Executor& executor) const;
 
-  /// "wedge" or "pairwise": what was asked for, or what suits the world; or "prepared".
+  /// "tangent-cones" or "pairwise": what was asked for, or what suits the world; or "prepared".
   [[nodiscard]] std::string builder_name(const World& world) const;
   /// No more than the machine has.
   [[nodiscard]] std::size_t thread_count() const;
-  /// "wedge, embree, 2 threads"
+  /// "tangent-cones, embree, 2 threads"
   [[nodiscard]] std::string summary(const World& world) const;
 
  private:

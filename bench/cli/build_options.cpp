@@ -27,7 +27,7 @@ void BuildOptions::add_to(CLI::App& command) {
   command.add_option("--backend", backend, "What answers the geometric queries: embree, or reference (brute force)")
       ->type_name("NAME")
       ->capture_default_str();
-  command.add_option("--builder", builder, "How the visibility graph is built: pairwise, wedge, or auto")
+  command.add_option("--builder", builder, "How the visibility graph is built: pairwise, tangent-cones, or auto")
       ->type_name("NAME")
       ->capture_default_str();
   command.add_option("--threads", threads, "Threads to compute with; default: all with embree, one with reference")
@@ -39,14 +39,14 @@ void BuildOptions::check() const {
     throw UsageError("--backend: unknown backend " + in_quotes(backend) +
                      "; this build has: " + (kHasAccel ? "embree, reference" : "reference"));
   }
-  if (builder != "auto" && builder != "pairwise" && builder != "wedge") {
-    throw UsageError("--builder: expected auto, pairwise or wedge, got " + in_quotes(builder));
+  if (builder != "auto" && builder != "pairwise" && builder != "tangent-cones") {
+    throw UsageError("--builder: expected auto, pairwise or tangent-cones, got " + in_quotes(builder));
   }
   if (!kHasAccel && backend == "embree") {
     throw UsageError("--backend: this build has no embree backend; use --backend reference");
   }
-  if (!kHasAccel && builder == "wedge") {
-    throw UsageError("--builder: this build has no wedge builder; use --builder pairwise");
+  if (!kHasAccel && builder == "tangent-cones") {
+    throw UsageError("--builder: this build has no tangent-cone builder; use --builder pairwise");
   }
   const std::size_t count = threads_asked_for();
   if (count < 1) throw UsageError("--threads: at least 1, got " + in_quotes(threads));
@@ -85,14 +85,15 @@ std::string BuildOptions::builder_name(const World& world) const {
 Backend BuildOptions::backend_for(const World& world, const Executor& executor,
                                   const ProcessGroup& process_group) const {
   const bool reference = backend == "reference";
-  if (reference && builder != "wedge") return backend_of(world, make_reference_queries(world), executor);
+  if (reference && builder != "tangent-cones") return backend_of(world, make_reference_queries(world), executor);
   AccelOptions options{.reference_queries = reference, .process_group = &process_group};
-  if (builder != "auto") options.builder = builder == "wedge" ? GraphBuilder::kWedge : GraphBuilder::kPairwise;
+  if (builder != "auto")
+    options.builder = builder == "tangent-cones" ? GraphBuilder::kTangentCones : GraphBuilder::kPairwise;
   return accel_backend(world, executor, options);
 }
 
 VisibilityGraph BuildOptions::full_graph_of(const World& world, const Executor& executor) const {
-  if (builder_name(world) == "wedge") return build_full_visibility_graph_by_expansion(world, executor);
+  if (builder_name(world) == "tangent-cones") return build_full_visibility_graph_by_expansion(world, executor);
   return build_full_visibility_graph(world, *queries(world, executor).visibility, executor);
 }
 

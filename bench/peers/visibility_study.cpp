@@ -20,8 +20,8 @@
 #ifdef ARCWAY_WITH_ACCEL
 #include "accel/expansion/tangent_neighbors.h"
 #include "arcway/accel/parallel.h"
+#include "arcway/accel/tangent_cone_graph.h"
 #include "arcway/accel/visibility_map.h"
-#include "arcway/accel/wedge_graph.h"
 #endif
 
 namespace arcway::internal::peers {
@@ -166,7 +166,7 @@ std::vector<Contest> contests() {
                  "CGAL triangulation",
                  [](const World& w) {
                    const TbbExecutor two(2);
-                   return rows_of(build_reduced_visibility_graph_by_wedges(w, two));
+                   return rows_of(build_reduced_visibility_graph_by_tangent_cones(w, two));
                  },
                  triangulation, 1.1, false, 2});
 #endif

@@ -17,7 +17,7 @@ struct Stage {
 };
 constexpr std::array kStages = {
     Stage{"Read a map from GeoJSON and check it", "LoadMap/geojson"},
-    Stage{"Reduced visibility graph", "ReducedGraph/wedge"},
+    Stage{"Reduced visibility graph", "ReducedGraph/tangent-cones"},
     Stage{"Feasible graph, all links checked", "FeasibleGraph/embree"},
     Stage{"First plan on a new map, nothing prepared", "Plan/lazy"},
     Stage{"A plan on a prepared map", "Plan/graph_reused"},
@@ -62,7 +62,7 @@ std::string ends_text(const Study::Line& line) {
 }
 
 void add_growth_with_obstacles(const std::vector<Study>& studies, std::vector<std::string>& sentences) {
-  if (const auto* graph = find_line(studies, "ReducedGraph/wedge", "obstacles"); graph && graph->curve.fit)
+  if (const auto* graph = find_line(studies, "ReducedGraph/tangent-cones", "obstacles"); graph && graph->curve.fit)
     sentences.push_back("Obstacles: the visibility graph's time grows like n^" + interval_text(graph->curve.fit) +
                         " with n obstacles of 10 vertices: " + times_text(*graph) + ".");
   const auto* first = find_line(studies, "Plan/lazy", "obstacles");
@@ -74,19 +74,19 @@ void add_growth_with_obstacles(const std::vector<Study>& studies, std::vector<st
 }
 
 void add_growth_with_shape(const std::vector<Study>& studies, std::vector<std::string>& sentences) {
-  const auto* wedge = find_line(studies, "ReducedGraph/wedge/n:100", "vertices");
+  const auto* cones = find_line(studies, "ReducedGraph/tangent-cones/n:100", "vertices");
   const auto* pairs = find_line(studies, "ReducedGraph/pairwise/n:100", "vertices");
-  if (wedge && wedge->curve.fit) {
-    std::string text = "Vertices: with " + number_text("%.0f", wedge->curve.points.front().x) + " to " +
-                       number_text("%.0f", wedge->curve.points.back().x) +
+  if (cones && cones->curve.fit) {
+    std::string text = "Vertices: with " + number_text("%.0f", cones->curve.points.front().x) + " to " +
+                       number_text("%.0f", cones->curve.points.back().x) +
                        " vertices m on each of 100 obstacles the graph's time grows like m^" +
-                       interval_text(wedge->curve.fit) + ", " + ends_text(*wedge);
+                       interval_text(cones->curve.fit) + ", " + ends_text(*cones);
     if (pairs && pairs->curve.fit)
       text += "; by pairs of obstacles, for few of very many vertices, like m^" + interval_text(pairs->curve.fit) +
               ", " + ends_text(*pairs);
     sentences.push_back(text + ".");
   }
-  const auto* fill = find_line(studies, "ReducedGraph/wedge/n:316", "fill_percent");
+  const auto* fill = find_line(studies, "ReducedGraph/tangent-cones/n:316", "fill_percent");
   const auto* plan = find_line(studies, "Plan/n:316", "fill_percent");
   if (!fill) return;
   sentences.push_back("Fill: as 316 obstacles cover " + number_text("%.2f", 0.01 * fill->curve.points.front().x) +
@@ -97,7 +97,7 @@ void add_growth_with_shape(const std::vector<Study>& studies, std::vector<std::s
 
 /// What the counters say of the largest map.
 std::string memory_text(const std::vector<Study>& studies) {
-  const auto* graph = find_line(studies, "ReducedGraph/wedge", "obstacles");
+  const auto* graph = find_line(studies, "ReducedGraph/tangent-cones", "obstacles");
   const auto* plan = find_line(studies, "Plan/graph_reused", "obstacles");
   const auto* sight = find_line(studies, "LinesOfSight/embree", "obstacles");
   if (!graph || !plan || !sight) return {};
@@ -204,7 +204,7 @@ std::vector<std::string> growth_figures(const std::vector<Study>& studies) {
     stages.push_back(line->curve);
     stages.back().name = stage.title;
   }
-  for (const char* builder : {"wedge", "pairwise", "reference"}) {
+  for (const char* builder : {"tangent-cones", "pairwise", "reference"}) {
     const Study::Line* line = find_line(studies, std::string("ReducedGraph/") + builder + "/n:100", "vertices");
     if (line == nullptr) continue;
     builders.push_back(line->curve);

@@ -6,7 +6,7 @@
 
 #include "accel/backend/make_queries.h"
 #include "accel/graphs/changed_graph.h"
-#include "arcway/accel/wedge_graph.h"
+#include "arcway/accel/tangent_cone_graph.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/map_file.h"
 #include "arcway/feasible_tables.h"
@@ -29,7 +29,8 @@ constexpr std::size_t kPlans = 20;
 
 Planner build(const World& world, const PlannerOptions& options) {
   return {world, Vehicle(),
-          backend_of(world, make_embree_queries(world), build_reduced_visibility_graph_by_wedges(world)), options};
+          backend_of(world, make_embree_queries(world), build_reduced_visibility_graph_by_tangent_cones(world)),
+          options};
 }
 
 Planner change(const Planner& before, const World& after, const std::vector<ObstacleId>& moved,

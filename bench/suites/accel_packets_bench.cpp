@@ -99,7 +99,7 @@ class SingleScene {
   }
 
  private:
-  embree::RayScene<embree::BlocksSight> scene_;
+  embree::RayScene<embree::BlocksLineOfSight> scene_;
 };
 
 // Writes down what it is asked.

@@ -7,9 +7,9 @@
 
 #include "accel/base/big_vector.h"
 #include "accel/expansion/edge_list.h"
-#include "accel/expansion/sight_map.h"
+#include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/sleeves.h"
-#include "accel/graphs/edge_walks.h"
+#include "accel/graphs/cone_edges.h"
 #include "accel/triangulation/free_space_sweep.h"
 #include "accel/triangulation/planar_map.h"
 #include "accel/triangulation/short_diagonals.h"
@@ -18,7 +18,7 @@
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
 
-// The wedge builder's stages one by one, over the size of the map: each begins with what the one before it left.
+// The tangent-cone builder's stages one by one, over the size of the map: each begins with what the one before it left.
 //
 // A small world again and again would be learned by the processor's branch prediction, and stay in its caches, so that
 // larger ones seemed to cost more. Hence different worlds in turn: at every size as many vertices as the largest has.
@@ -28,18 +28,21 @@ namespace {
 using Worlds = std::vector<const World*>;
 
 // Sleeves are found anew, as they are needed for walks only.
-std::vector<EdgeList> walk_all(const World& world, const SightMap& map, const Executor& executor) {
-  return walk_right(map, worthwhile_sleeves(world, map, executor), LongFans(), 0, map.nodes().size(), executor);
+std::vector<EdgeList> expand_all(const World& world, const FreeSpaceTriangulation& triangulation,
+                                 const Executor& executor) {
+  return cone_edges(triangulation, worthwhile_sleeves(world, triangulation, executor), LongFans(), 0,
+                    triangulation.nodes().size(), executor);
 }
 
 bool is_right(benchmark::State& state, const World& world, const std::string& name, std::size_t threads,
               const Executor& executor) {
   const auto right = [&] {
-    const SightMap map(world, executor, Diagonals::kLong);
-    const VisibilityGraph graph = graph_of(world.vertices().size(), walk_all(world, map, executor), executor);
+    const FreeSpaceTriangulation triangulation(world, executor, Diagonals::kLong);
+    const VisibilityGraph graph =
+        graph_of(world.vertices().size(), expand_all(world, triangulation, executor), executor);
     return is_reduced_graph(world, corrupting() ? corrupted(graph) : graph);
   };
-  return require_once(state, "WedgeStages/" + name + "/" + std::to_string(threads), right,
+  return require_once(state, "TangentConeStages/" + name + "/" + std::to_string(threads), right,
                       "edges differ from the reference");
 }
 
@@ -63,64 +66,68 @@ void time_in_turn(benchmark::State& state, const std::vector<Item>& items, const
 
 using Stage = std::function<void(benchmark::State&, const Worlds&, const Executor&)>;
 
-PlanarMap plain_map(const World& world) {
+PlanarMap uncut_map(const World& world) {
   PlanarMap map;
-  make_plain_map(world, map);
+  make_uncut_map(world, map);
   return map;
 }
 
 void sort_vertices(benchmark::State& state, const Worlds& worlds, const Executor& /*executor*/) {
   PlanarMap map;
-  time_in_turn(state, worlds, [&](const World* world) { return make_plain_map(*world, map); });
+  time_in_turn(state, worlds, [&](const World* world) { return make_uncut_map(*world, map); });
 }
 
 void sweep(benchmark::State& state, const Worlds& worlds, const Executor& /*executor*/) {
-  time_in_turn(state, make_of_each(worlds, plain_map),
+  time_in_turn(state, make_of_each(worlds, uncut_map),
                [](const PlanarMap& map) { return triangulate_free_space(map, SerialExecutor()); });
 }
 
 void flip(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
   struct Swept {
-    BigVector<Vec2> sites;
+    BigVector<Vec2> points;
     Triangulation triangulation;
   };
   const auto swept = [](const World& world) {
-    const PlanarMap map = plain_map(world);
-    return Swept{map.sites, triangulate_free_space(map, SerialExecutor())->triangulation};
+    const PlanarMap map = uncut_map(world);
+    return Swept{map.points, triangulate_free_space(map, SerialExecutor())->triangulation};
   };
   time_in_turn(state, make_of_each(worlds, swept), [&](const Swept& before) {
     state.PauseTiming();
     Triangulation triangulation = before.triangulation;
     state.ResumeTiming();
-    shorten_diagonals(before.sites, triangulation, Diagonals::kLong, executor);
+    shorten_diagonals(before.points, triangulation, Diagonals::kLong, executor);
     return triangulation;
   });
 }
 
-void make_sight_map(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
-  time_in_turn(state, worlds, [&](const World* world) { return SightMap(*world, executor, Diagonals::kLong); });
+void lay_out(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
+  time_in_turn(state, worlds,
+               [&](const World* world) { return FreeSpaceTriangulation(*world, executor, Diagonals::kLong); });
 }
 
-void walk(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
-  struct Mapped {
+void expand(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
+  struct Triangulated {
     const World* world;
-    SightMap map;
+    FreeSpaceTriangulation triangulation;
   };
-  const auto mapped = [&](const World& world) { return Mapped{&world, SightMap(world, executor, Diagonals::kLong)}; };
-  time_in_turn(state, make_of_each(worlds, mapped),
-               [&](const Mapped& before) { return walk_all(*before.world, before.map, executor); });
+  const auto triangulated = [&](const World& world) {
+    return Triangulated{&world, FreeSpaceTriangulation(world, executor, Diagonals::kLong)};
+  };
+  time_in_turn(state, make_of_each(worlds, triangulated),
+               [&](const Triangulated& before) { return expand_all(*before.world, before.triangulation, executor); });
 }
 
 void gather_rows(benchmark::State& state, const Worlds& worlds, const Executor& executor) {
-  struct Walked {
+  struct Expanded {
     std::size_t vertices;
     std::vector<EdgeList> parts;
   };
-  const auto walked = [&](const World& world) {
-    return Walked{world.vertices().size(), walk_all(world, SightMap(world, executor, Diagonals::kLong), executor)};
+  const auto expanded = [&](const World& world) {
+    return Expanded{world.vertices().size(),
+                    expand_all(world, FreeSpaceTriangulation(world, executor, Diagonals::kLong), executor)};
   };
-  time_in_turn(state, make_of_each(worlds, walked),
-               [&](const Walked& before) { return graph_of(before.vertices, before.parts, executor); });
+  time_in_turn(state, make_of_each(worlds, expanded),
+               [&](const Expanded& before) { return graph_of(before.vertices, before.parts, executor); });
 }
 
 struct Clutter {
@@ -141,8 +148,8 @@ void run(benchmark::State& state, Clutter clutter, std::size_t most_worlds, std:
 }
 
 void add_series(Study study, const char* stage_name, std::size_t threads, const Stage& stage) {
-  Series series(study, std::string("WedgeStages/") + stage_name + "/threads:" + std::to_string(threads), "obstacles",
-                "O(n log n)", 1.1);
+  Series series(study, std::string("TangentConeStages/") + stage_name + "/threads:" + std::to_string(threads),
+                "obstacles", "O(n log n)", 1.1);
   const auto obstacles = study == Study::kCheck ? std::vector<std::size_t>{100}
                                                 : sizes(study, {1000, 3162, 10000, 31623, 100000}, 0, 10000);
   for (const std::size_t n : obstacles)
@@ -152,14 +159,14 @@ void add_series(Study study, const char* stage_name, std::size_t threads, const 
 }
 
 // Walks among 1,000 obstacles that have more and more vertices each.
-void add_walks_by_vertices(Study study) {
+void add_expansion_by_vertices(Study study) {
   const std::size_t obstacles = study == Study::kCheck ? 20 : 1000;
-  Series series(study, "WedgeStages/walks/n:" + std::to_string(obstacles), "vertices_of_each",
+  Series series(study, "TangentConeStages/expansion/n:" + std::to_string(obstacles), "vertices_of_each",
                 "O(m): what is seen of other obstacles", 1.0);
   const auto vertices = sizes(study, {4, 8, 16, 32, 64, 128, 256}, 16, 256);
   for (const std::size_t m : vertices)
     series.add(static_cast<double>(m), [=, worlds = vertices.back() / m](benchmark::State& state) {
-      run(state, {obstacles, m}, worlds, 1, walk);
+      run(state, {obstacles, m}, worlds, 1, expand);
     });
 }
 
@@ -168,11 +175,11 @@ void add(Study study) {
   add_series(study, "sweep", 1, sweep);
   for (const std::size_t threads : thread_counts()) {
     add_series(study, "flips", threads, flip);
-    add_series(study, "sight_map", threads, make_sight_map);
-    add_series(study, "walks", threads, walk);
+    add_series(study, "layout", threads, lay_out);
+    add_series(study, "expansion", threads, expand);
     add_series(study, "rows", threads, gather_rows);
   }
-  add_walks_by_vertices(study);
+  add_expansion_by_vertices(study);
 }
 
 const Suite suite(add);

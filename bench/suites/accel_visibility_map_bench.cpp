@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kPoints = 512;
 constexpr std::size_t kChecked = 8;
 
-using SeenWall = VisibilityMap::SeenWall;
+using VisibleEdge = VisibilityMap::VisibleEdge;
 
 std::vector<Vec2> free_points(const World& world, const DistanceQuery& distance) {
   Random random(1);
@@ -32,7 +32,7 @@ std::vector<Vec2> free_points(const World& world, const DistanceQuery& distance)
 }
 
 // By trying all edges; none where the ray leaves the map, or touches a vertex.
-std::optional<VertexId> first_wall(const World& world, const Vec2& from, const Vec2& towards) {
+std::optional<VertexId> first_edge(const World& world, const Vec2& from, const Vec2& towards) {
   std::optional<VertexId> first;
   double nearest = std::numeric_limits<double>::infinity();
   for (VertexId e = 0; e < world.edges().size(); ++e) {
@@ -47,10 +47,10 @@ std::optional<VertexId> first_wall(const World& world, const Vec2& from, const V
   return first;
 }
 
-bool is_wall(const World& world, const std::optional<VertexId>& edge, const LineSegment& wall) {
-  if (!edge) return false;
-  const LineSegment& e = world.edges()[*edge];
-  return (e.a == wall.a && e.b == wall.b) || (e.a == wall.b && e.b == wall.a);
+bool is_edge(const World& world, const std::optional<VertexId>& expected, const LineSegment& edge) {
+  if (!expected) return false;
+  const LineSegment& e = world.edges()[*expected];
+  return (e.a == edge.a && e.b == edge.b) || (e.a == edge.b && e.b == edge.a);
 }
 
 bool is_right(const World& world, const Vec2& p, const std::vector<VertexId>& seen) {
@@ -61,10 +61,10 @@ bool is_right(const World& world, const Vec2& p, const std::vector<VertexId>& se
   return seen == expected;
 }
 
-bool is_right(const World& world, const Vec2& p, const std::vector<SeenWall>& seen) {
-  for (const SeenWall& piece : seen) {
+bool is_right(const World& world, const Vec2& p, const std::vector<VisibleEdge>& seen) {
+  for (const VisibleEdge& piece : seen) {
     const Vec2 middle = 0.5 * (piece.right + piece.left);
-    if (!piece.is_frame && !is_wall(world, first_wall(world, p, middle), piece.wall)) return false;
+    if (!piece.is_frame && !is_edge(world, first_edge(world, p, middle), piece.edge)) return false;
   }
   return !seen.empty();
 }
@@ -101,8 +101,8 @@ void time_rays(benchmark::State& state, const std::string& world_name) {
   for (const Vec2& p : points) towards.push_back(p + random.unit_vector());
   for (std::size_t i = 0; i < 16 * kChecked; ++i) {
     const auto hit = map.first_hit(points[i], towards[i]);
-    const auto expected = first_wall(world, points[i], towards[i]);
-    const bool same = hit ? is_wall(world, expected, hit->wall) : !expected;
+    const auto expected = first_edge(world, points[i], towards[i]);
+    const bool same = hit ? is_edge(world, expected, hit->edge) : !expected;
     if (!require(state, same != corrupting(), "differs from the reference")) return;
   }
   for (auto _ : state)

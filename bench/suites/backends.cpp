@@ -6,8 +6,8 @@
 #include "accel/backend/make_queries.h"
 #include "accel/graphs/pairwise_graph.h"
 #include "arcway/accel/parallel.h"
+#include "arcway/accel/tangent_cone_graph.h"
 #include "arcway/accel/visibility_map.h"
-#include "arcway/accel/wedge_graph.h"
 #endif
 
 namespace arcway::internal::bench {
@@ -44,9 +44,9 @@ const std::vector<GraphBuilder>& graph_builders() {
          return build_pairwise_visibility_graph(world, *make_embree_queries(world).visibility, executor);
        },
        "a ray for each tangent pair: O(k^2 log n) for k obstacles", 2.0},
-      {"wedge",
+      {"tangent-cones",
        [](const World& world, const Executor& executor) {
-         return build_reduced_visibility_graph_by_wedges(world, executor);
+         return build_reduced_visibility_graph_by_tangent_cones(world, executor);
        },
        "O(n log n + triangles crossed); Rohnert: O(nk + n log n)", 1.2},
 #endif

@@ -78,7 +78,7 @@ TEST(PlannerAgreement, BackendsAndThreadCountsGiveTheSameBits) {
       const TbbExecutor executor(threads);
       const Planner reference_builder(world, vehicle, backend_of(world, queries, executor));
       EXPECT_TRUE(digest(reference_builder, requests) == expected) << threads;
-      for (const GraphBuilder builder : {GraphBuilder::kPairwise, GraphBuilder::kWedge}) {
+      for (const GraphBuilder builder : {GraphBuilder::kPairwise, GraphBuilder::kTangentCones}) {
         const Planner planner(world, vehicle, accel_backend(world, executor, {.builder = builder}),
                               {.graph_mode = GraphMode::kEager});
         EXPECT_TRUE(digest(planner, requests) == expected) << threads << ", " << name_of(builder);
@@ -96,7 +96,7 @@ TEST(PlannerAgreement, BuildersShareNothingBetweenThreads) {
   const std::string expected = digest(Planner(world, Vehicle{}), {});
   const QuerySet queries = make_embree_queries(world);
   EXPECT_TRUE(digest(Planner(world, Vehicle{}, backend_of(world, queries, threads)), {}) == expected);
-  for (const GraphBuilder builder : {GraphBuilder::kPairwise, GraphBuilder::kWedge}) {
+  for (const GraphBuilder builder : {GraphBuilder::kPairwise, GraphBuilder::kTangentCones}) {
     const Planner planner(world, Vehicle{}, accel_backend(world, threads, {.builder = builder}),
                           {.graph_mode = GraphMode::kEager});
     EXPECT_TRUE(digest(planner, {}) == expected) << name_of(builder);

@@ -5,15 +5,15 @@
 
 #include "accel/backend/make_queries.h"
 #include "accel/expansion/contact_edges.h"
-#include "accel/expansion/sight_map.h"
+#include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/sleeves.h"
 #include "accel/expansion/tangent_neighbors.h"
 #include "accel/graphs/changed_graph.h"
-#include "accel/graphs/edge_walks.h"
+#include "accel/graphs/cone_edges.h"
 #include "accel/graphs/pairwise_graph.h"
 #include "arcway/accel/parallel.h"
+#include "arcway/accel/tangent_cone_graph.h"
 #include "arcway/accel/visibility_map.h"
-#include "arcway/accel/wedge_graph.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/map_file.h"
 #include "arcway/visibility_rows.h"
@@ -37,11 +37,11 @@ void expect_rows(const World& world, const VisibilityGraph& graph) {
 }
 
 VisibilityGraph graph_by_sleeves(const World& world) {
-  SightMap map(world);
-  map.list_left_edges();
-  std::vector<EdgeList> lists =
-      walk_right(map, Sleeves(map, 1), LongFans(map, 1), 0, map.nodes().size(), SerialExecutor());
-  add_missing(edges_through_contacts(world, map), lists);
+  FreeSpaceTriangulation triangulation(world);
+  triangulation.list_left_edges();
+  std::vector<EdgeList> lists = cone_edges(triangulation, Sleeves(triangulation, 1), LongFans(triangulation, 1), 0,
+                                           triangulation.nodes().size(), SerialExecutor());
+  add_missing(edges_through_contacts(world, triangulation), lists);
   return graph_of(world.vertices().size(), lists, SerialExecutor());
 }
 
@@ -53,11 +53,11 @@ TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
     const World world = test::touching_world(seed, 4);
     contacts += world.self_contacts().size();
     const test::SightOracle oracle(world);
-    const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+    const VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
     edges += graph.edge_count();
     ASSERT_EQ(test::edges_of(graph), oracle.reduced());
     ASSERT_EQ(test::edges_of(build_full_visibility_graph_by_expansion(world)), oracle.full());
-    ASSERT_EQ(build_reduced_visibility_graph_by_wedges(world, TbbExecutor(3)), graph);
+    ASSERT_EQ(build_reduced_visibility_graph_by_tangent_cones(world, TbbExecutor(3)), graph);
     ASSERT_EQ(graph_by_sleeves(world), graph);
     const QuerySet queries = make_embree_queries(world);
     ASSERT_EQ(build_pairwise_visibility_graph(world, *queries.visibility, SerialExecutor()), graph);
@@ -74,17 +74,17 @@ TEST(SelfContacts, ChangedWorldsKeepTheirs) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
     World world = test::touching_world(seed, 4);
-    VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+    VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
     for (int step = 0; step < 4; ++step) {
       std::vector<ObstacleId> removed;
       for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
         if (random.integer(1, 3) == 1) removed.push_back(o);
       const World after = world.changed(removed, to_map_file(test::touching_world(random.bits(), 1)).obstacles);
       graph = change_reduced_visibility_graph(graph, after, {world, after, removed}, test::ThreadExecutor(2));
-      ASSERT_EQ(graph, build_reduced_visibility_graph_by_wedges(after));
+      ASSERT_EQ(graph, build_reduced_visibility_graph_by_tangent_cones(after));
       const World anew = to_world(to_map_file(after), "anew");
       ASSERT_TRUE(std::ranges::equal(after.self_contacts(), anew.self_contacts()));
-      ASSERT_EQ(graph, build_reduced_visibility_graph_by_wedges(anew));
+      ASSERT_EQ(graph, build_reduced_visibility_graph_by_tangent_cones(anew));
       world = after;
     }
   }
@@ -95,7 +95,7 @@ TEST(SelfContacts, LinesLeadThroughThem) {
   const Ring island{{3, 3}, {5, 3}, {5, 5}, {3, 5}};
   const World world({{test::square(0, 0, 8), {{{4, 0}, {7, 7}, {1, 7}}}}, {island, {}}, {test::square(2, -6, 3), {}}});
   ASSERT_EQ(world.self_contacts().size(), 1u);
-  const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+  const VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
   EXPECT_EQ(test::edges_of(graph), test::SightOracle(world).reduced());
   const auto joins = [&](const Vec2& p, const Vec2& q) {
     for (const auto& [u, v] : test::edges_of(graph))
@@ -108,7 +108,7 @@ TEST(SelfContacts, LinesLeadThroughThem) {
 
 TEST(SelfContacts, NoEdgeIsLostInTheWorldOfHoles) {
   const World world = catalog_world("adversarial/holes/v250/s3");
-  EXPECT_EQ(build_reduced_visibility_graph_by_wedges(world),
+  EXPECT_EQ(build_reduced_visibility_graph_by_tangent_cones(world),
             build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
 }
 

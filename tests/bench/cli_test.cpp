@@ -360,7 +360,7 @@ TEST_F(Tool, BackendsBuildersAndThreadsGiveTheSameGraphsAndPlans) {
   }
   ASSERT_EQ(run(plan + " --backend reference").code, 0);
   const std::string expected_plan = read("p.csv");
-  for (const std::string builder : {"pairwise", "wedge"}) {
+  for (const std::string builder : {"pairwise", "tangent-cones"}) {
     for (const std::string threads : {"1", "2", "3", "8"}) {
       const std::string options = " --backend embree --builder " + builder + " --threads " + threads;
       for (const std::string kind : {"visibility", "reduced", "feasible"}) {
@@ -379,7 +379,7 @@ TEST_F(Tool, BackendsBuildersAndThreadsGiveTheSameGraphsAndPlans) {
 }
 
 TEST_F(Tool, PlansOnEmbreeUnlessToldOtherwise) {
-  EXPECT_NE(run("plan " + map_ + kAround).out.find("wedge, embree, "), std::string::npos);
+  EXPECT_NE(run("plan " + map_ + kAround).out.find("tangent-cones, embree, "), std::string::npos);
   EXPECT_NE(run("plan " + map_ + kAround + " --backend reference").out.find("pairwise, reference, 1 thread"),
             std::string::npos);
 }
@@ -388,7 +388,7 @@ TEST_F(Tool, PlansOnEmbreeUnlessToldOtherwise) {
 
 TEST_F(Tool, SaysThatItHasNoEmbree) {
   expect_bad_input("plan " + map_ + kAround + " --backend embree", "no embree backend");
-  expect_bad_input("plan " + map_ + kAround + " --builder wedge", "no wedge builder");
+  expect_bad_input("plan " + map_ + kAround + " --builder tangent-cones", "no tangent-cone builder");
   expect_bad_input("plan " + map_ + kAround + " --threads 2", "one thread");
 }
 

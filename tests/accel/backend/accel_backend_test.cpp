@@ -28,11 +28,11 @@ TEST(AccelBackend, PlansLazilyAndAsTheReference) {
 TEST(AccelBackend, HasTheBuilderThatIsAskedFor) {
   const World world = catalog_world(kName);
   const Backend pairwise = accel_backend(world, kSerialExecutor, {.builder = GraphBuilder::kPairwise});
-  const Backend wedge = accel_backend(world, kSerialExecutor, {.builder = GraphBuilder::kWedge});
+  const Backend cones = accel_backend(world, kSerialExecutor, {.builder = GraphBuilder::kTangentCones});
   EXPECT_FALSE(pairwise.has_lazy_rows());
-  EXPECT_TRUE(wedge.has_lazy_rows());
+  EXPECT_TRUE(cones.has_lazy_rows());
   EXPECT_EQ(*pairwise.reduced_graph(), *reference_backend(world).reduced_graph());
-  EXPECT_EQ(*wedge.reduced_graph(), *pairwise.reduced_graph());
+  EXPECT_EQ(*cones.reduced_graph(), *pairwise.reduced_graph());
 }
 
 TEST(AccelBackend, ChangesGraphs) {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "arcway/accel/wedge_graph.h"
+#include "arcway/accel/tangent_cone_graph.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/map_file.h"
 #include "tests/support/nasty_worlds.h"
@@ -16,7 +16,7 @@ namespace {
 
 // Steps of removing some obstacles and adding others; every graph against one built anew.
 void expect_changes(World world, test::Random& random, int steps, std::int64_t one_in, const auto& draw_added) {
-  VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+  VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
   for (int step = 0; step < steps; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));
     std::vector<ObstacleId> removed;
@@ -24,7 +24,7 @@ void expect_changes(World world, test::Random& random, int steps, std::int64_t o
       if (random.integer(1, one_in) == 1) removed.push_back(o);
     const World after = world.changed(removed, draw_added());
     graph = change_reduced_visibility_graph(graph, after, {world, after, removed}, test::ThreadExecutor(2));
-    ASSERT_EQ(graph, build_reduced_visibility_graph_by_wedges(after));
+    ASSERT_EQ(graph, build_reduced_visibility_graph_by_tangent_cones(after));
     world = after;
   }
 }
@@ -77,15 +77,17 @@ TEST(ChangedGraph, RefusesTheGraphOfAnotherWorld) {
   const World world({{test::square(0, 0, 1), {}}, {test::square(3, 0, 1), {}}});
   const World after = world.changed({}, {{test::square(6, 0, 1), {}}});
   const WorldChange change(world, after, {});
-  EXPECT_THROW((void)change_reduced_visibility_graph(build_reduced_visibility_graph_by_wedges(after), after, change),
-               std::invalid_argument);
-  EXPECT_THROW((void)change_reduced_visibility_graph(build_reduced_visibility_graph_by_wedges(world), world, change),
-               std::invalid_argument);
+  EXPECT_THROW(
+      (void)change_reduced_visibility_graph(build_reduced_visibility_graph_by_tangent_cones(after), after, change),
+      std::invalid_argument);
+  EXPECT_THROW(
+      (void)change_reduced_visibility_graph(build_reduced_visibility_graph_by_tangent_cones(world), world, change),
+      std::invalid_argument);
 }
 
 TEST(ChangedGraph, WalksFewRowsForAChangeOfOneObstacle) {
   const World world = to_world(catalog_map("clutter/convex/n1000/m10/f30/s7"), "clutter");
-  const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world);
+  const VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
   const std::vector<ObstacleId> removed = {500};
   const World after = world.changed(removed, {});
   std::size_t rows = 0;
@@ -93,7 +95,7 @@ TEST(ChangedGraph, WalksFewRowsForAChangeOfOneObstacle) {
   EXPECT_GT(rows, 10u);
   EXPECT_LT(rows, 1500u);  // of 8,000
   const World again = after.changed({}, {to_map_file(world).obstacles[500]});
-  static_cast<void>(change_reduced_visibility_graph(build_reduced_visibility_graph_by_wedges(after), again,
+  static_cast<void>(change_reduced_visibility_graph(build_reduced_visibility_graph_by_tangent_cones(after), again,
                                                     {after, again, {}}, SerialExecutor(), &rows));
   EXPECT_LT(rows, 1000u);
 }

@@ -12,18 +12,18 @@ GraphBuilder choice(ClutterKind kind, std::size_t obstacles, std::size_t vertice
       random_world({.kind = kind, .obstacles = obstacles, .vertices = vertices, .fill = 0.2, .seed = 1}));
 }
 
-TEST(GraphBuilderChoice, WedgesForAnyShape) {
-  EXPECT_EQ(faster_graph_builder(World({})), GraphBuilder::kWedge);
-  EXPECT_EQ(choice(ClutterKind::kConvex, 2, 4), GraphBuilder::kWedge);
-  EXPECT_EQ(choice(ClutterKind::kConvex, 1000, 10), GraphBuilder::kWedge);
-  EXPECT_EQ(choice(ClutterKind::kConvex, 10, 1000), GraphBuilder::kWedge);
-  EXPECT_EQ(choice(ClutterKind::kConvex, 5, 3000), GraphBuilder::kWedge);
-  EXPECT_EQ(choice(ClutterKind::kStar, 5, 3000), GraphBuilder::kWedge);
+TEST(GraphBuilderChoice, TangentConesForAnyShape) {
+  EXPECT_EQ(faster_graph_builder(World({})), GraphBuilder::kTangentCones);
+  EXPECT_EQ(choice(ClutterKind::kConvex, 2, 4), GraphBuilder::kTangentCones);
+  EXPECT_EQ(choice(ClutterKind::kConvex, 1000, 10), GraphBuilder::kTangentCones);
+  EXPECT_EQ(choice(ClutterKind::kConvex, 10, 1000), GraphBuilder::kTangentCones);
+  EXPECT_EQ(choice(ClutterKind::kConvex, 5, 3000), GraphBuilder::kTangentCones);
+  EXPECT_EQ(choice(ClutterKind::kStar, 5, 3000), GraphBuilder::kTangentCones);
 }
 
 TEST(GraphBuilderChoice, HasNames) {
   EXPECT_STREQ(name_of(GraphBuilder::kPairwise), "pairwise");
-  EXPECT_STREQ(name_of(GraphBuilder::kWedge), "wedge");
+  EXPECT_STREQ(name_of(GraphBuilder::kTangentCones), "tangent-cones");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "accel/backend/make_queries.h"
 #include "arcway/accel/parallel.h"
-#include "arcway/accel/wedge_graph.h"
+#include "arcway/accel/tangent_cone_graph.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/random_queries.h"
 #include "arcway/planner.h"
@@ -22,7 +22,7 @@ std::vector<VertexId> copy(std::span<const VertexId> row) { return {row.begin(),
 TEST(LazyRows, AreThoseOfTheGraph) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const World world = test::nasty_world(seed + 9000, 14);
-    const auto all = rows_of(world, build_reduced_visibility_graph_by_wedges(world));
+    const auto all = rows_of(world, build_reduced_visibility_graph_by_tangent_cones(world));
     const auto lazy = make_lazy_rows(world);
     for (int round = 0; round < 2; ++round)
       for (VertexId v = 0; v < world.vertices().size(); ++v) ASSERT_EQ(copy(lazy->of(v)), copy(all->of(v))) << seed;
@@ -33,7 +33,7 @@ TEST(LazyRows, FindTheShortEdgesOfTheGraph) {
   std::size_t found = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const World world = test::nasty_world(seed + 9500, 14);
-    const auto all = rows_of(world, build_reduced_visibility_graph_by_wedges(world));
+    const auto all = rows_of(world, build_reduced_visibility_graph_by_tangent_cones(world));
     const auto lazy = make_lazy_rows(world);
     for (const double length : {0.0, 1.0, 2.5, 1e3}) {
       const auto wanted = [](VertexId u, VertexId v) { return (u + v) % 3 != 0; };
@@ -48,7 +48,7 @@ TEST(LazyRows, FindTheShortEdgesOfTheGraph) {
 // The one end lies in the last place before a multiple of the length, the other on the next multiple but one.
 TEST(LazyRows, FindAnEdgeWhoseLengthIsRoundedToTheLimit) {
   const World world({{{{0, 0}, {0.5, -1}, {1.0 - 0x1p-53, 0}}, {}}, {{{2, 0}, {2.5, -1}, {3, 0}}, {}}});
-  const auto all = rows_of(world, build_reduced_visibility_graph_by_wedges(world));
+  const auto all = rows_of(world, build_reduced_visibility_graph_by_tangent_cones(world));
   const auto wanted = [](VertexId u, VertexId v) { return u + v == 5 && (u == 2 || v == 2); };
   ASSERT_EQ(all->pairs_within(1.0, wanted, SerialExecutor()).size(), 1u);
   EXPECT_EQ(make_lazy_rows(world)->pairs_within(1.0, wanted, SerialExecutor()),
@@ -57,7 +57,7 @@ TEST(LazyRows, FindAnEdgeWhoseLengthIsRoundedToTheLimit) {
 
 TEST(LazyRows, AnswerManyThreadsAtOnce) {
   const World world = catalog_world("clutter/star/n200/m9/f30/s3");
-  const auto all = rows_of(world, build_reduced_visibility_graph_by_wedges(world));
+  const auto all = rows_of(world, build_reduced_visibility_graph_by_tangent_cones(world));
   const auto lazy = make_lazy_rows(world, TbbExecutor(2));
   std::vector<std::vector<std::vector<VertexId>>> found(4);
   std::vector<std::thread> threads;
@@ -100,7 +100,8 @@ TEST(LazyRows, GiveThePlansOfTheWholeGraph) {
     const auto rows = std::make_shared<const CountedRows>(make_lazy_rows(world), world.vertices().size());
     const Planner lazy(world, vehicle, backend_of(world, queries, rows), {.graph_mode = GraphMode::kLazy});
     EXPECT_EQ(rows->asked(), 0u);
-    const Planner whole(world, vehicle, backend_of(world, queries, build_reduced_visibility_graph_by_wedges(world)));
+    const Planner whole(world, vehicle,
+                        backend_of(world, queries, build_reduced_visibility_graph_by_tangent_cones(world)));
     EXPECT_EQ(lazy.visibility_graph().vertex_count(), 0u);
     const bool large = world.convex_vertices().size() > 2500;
     std::size_t queries_done = 0;

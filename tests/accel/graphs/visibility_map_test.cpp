@@ -10,7 +10,7 @@
 
 #include "accel/backend/make_queries.h"
 #include "arcway/accel/parallel.h"
-#include "arcway/accel/wedge_graph.h"
+#include "arcway/accel/tangent_cone_graph.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/clutter.h"
 #include "arcway/query_set.h"
@@ -40,7 +40,7 @@ Vec2 troublesome_point(const World& world, test::Random& random) {
   return world.box().min + size.cwiseProduct(random.point(-3.0, 4.0));
 }
 
-void expect_same_sights(const World& world, std::uint64_t seed, int segments) {
+void expect_same_visibility(const World& world, std::uint64_t seed, int segments) {
   const VisibilityMap map(world);
   const QuerySet reference = make_reference_queries(world);
   test::Random random(seed);
@@ -54,14 +54,14 @@ void expect_same_sights(const World& world, std::uint64_t seed, int segments) {
 
 TEST(VisibilityMap, SeesWhatTheReferenceSees) {
   for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed) {
-    expect_same_sights(test::nasty_world(seed + 20000, 14), seed, 120);
+    expect_same_visibility(test::nasty_world(seed + 20000, 14), seed, 120);
     if (HasFatalFailure()) return;
   }
   for (const char* family : {"adversarial/touching", "adversarial/shared", "adversarial/collinear",
                              "adversarial/needles", "adversarial/far", "adversarial/nested", "adversarial/overlapping",
                              "adversarial/contacts", "adversarial/holes", "maze", "coastline"}) {
     SCOPED_TRACE(family);
-    expect_same_sights(catalog_world(std::string(family) + "/v250/s3"), 5, 1500);
+    expect_same_visibility(catalog_world(std::string(family) + "/v250/s3"), 5, 1500);
   }
 }
 
@@ -124,10 +124,10 @@ TEST(VisibilityMap, GraphsByExpansionAreTheReferences) {
 std::vector<VertexId> tangents_by_trying_all(const World& world, const Vec2& p, const VisibilityQuery& visibility) {
   std::vector<VertexId> found;
   for (const VertexId v : world.convex_vertices()) {
-    const LineSegment sight{p, world.vertex(v)};
+    const LineSegment segment{p, world.vertex(v)};
     const bool nearest = std::ranges::none_of(world.convex_vertices(),
-                                              [&](VertexId w) { return on_open_segment(world.vertex(w), sight); });
-    if (nearest && is_tangent(world, v, p) && visibility.visible(sight)) found.push_back(v);
+                                              [&](VertexId w) { return on_open_segment(world.vertex(w), segment); });
+    if (nearest && is_tangent(world, v, p) && visibility.visible(segment)) found.push_back(v);
   }
   return found;
 }
@@ -149,24 +149,24 @@ TEST(VisibilityMap, FindsTheTangentsOfAVertex) {
   }
 }
 
-bool is_whole(const World& world) {
-  WedgeStatistics statistics;
-  build_reduced_visibility_graph_by_wedges(world, SerialExecutor(), &statistics);
-  return statistics.broken_regions == 0;
+bool is_valid(const World& world) {
+  TangentConeStatistics statistics;
+  build_reduced_visibility_graph_by_tangent_cones(world, SerialExecutor(), &statistics);
+  return statistics.invalid_regions == 0;
 }
 
 // Whether q, on the ray, is not beyond its hit.
 bool is_before(const VisibilityMap::RayHit& hit, const Vec2& from, const Vec2& q) {
-  if (hit.wall.a != hit.wall.b) return orientation(hit.wall.a, hit.wall.b, q) >= 0;
-  return hit.wall.a != from && on_segment(q, {from, hit.wall.a});
+  if (hit.edge.a != hit.edge.b) return orientation(hit.edge.a, hit.edge.b, q) >= 0;
+  return hit.edge.a != from && on_segment(q, {from, hit.edge.a});
 }
 
 // Worlds and points on a grid, so that points on a ray are exact.
-TEST(VisibilityMap, RaysEndWhereSightsEnd) {
-  std::size_t walls = 0, corners = 0, free = 0;
+TEST(VisibilityMap, RaysEndWhereLinesOfSightEnd) {
+  std::size_t edges = 0, corners = 0, free = 0;
   for (std::uint64_t seed = 0; seed < 2 * kNastyWorlds; ++seed) {
     const World world = test::nasty_world(seed + 50000, 12);
-    if (world.vertices().empty() || !is_whole(world)) continue;
+    if (world.vertices().empty() || !is_valid(world)) continue;
     const VisibilityMap map(world);
     const QuerySet reference = make_reference_queries(world);
     test::Random random(seed);
@@ -176,28 +176,28 @@ TEST(VisibilityMap, RaysEndWhereSightsEnd) {
       if (step.isZero(0.0)) continue;
       if (!world.has_bounds() && !Box{world.box().min, world.box().max}.contains(from)) continue;
       const auto hit = map.first_hit(from, from + step);
-      ++(!hit ? free : hit->wall.a == hit->wall.b ? corners : walls);
+      ++(!hit ? free : hit->edge.a == hit->edge.b ? corners : edges);
       for (int k = 1; k < 60; ++k) {
         const Vec2 q = from + k * step;
         ASSERT_EQ(reference.visibility->visible({from, q}), !hit || is_before(*hit, from, q))
             << from.transpose() << " to " << q.transpose() << ", world " << seed;
       }
-      if (hit && hit->wall.a != hit->wall.b) {
-        EXPECT_LE(distance(hit->point, hit->wall), 1e-12 * (1.0 + hit->point.norm())) << seed;
+      if (hit && hit->edge.a != hit->edge.b) {
+        EXPECT_LE(distance(hit->point, hit->edge), 1e-12 * (1.0 + hit->point.norm())) << seed;
       }
     }
   }
-  EXPECT_GT(walls, 1500u);
+  EXPECT_GT(edges, 1500u);
   EXPECT_GT(corners, 200u);
   EXPECT_GT(free, 200u);
 }
 
 // Each piece is where rays between its limits end, pieces follow each other, and rays that end at walls lie in a piece.
 TEST(VisibilityMap, PolygonsAreWhereRaysEnd) {
-  std::size_t inside = 0, on_limits = 0;
+  std::size_t inside = 0, on_ends = 0;
   for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed) {
     const World world = test::nasty_world(seed + 60000, 12);
-    if (world.vertices().empty() || !is_whole(world)) continue;
+    if (world.vertices().empty() || !is_valid(world)) continue;
     const VisibilityMap map(world);
     test::Random random(seed);
     for (int i = 0; i < 20; ++i) {
@@ -208,7 +208,7 @@ TEST(VisibilityMap, PolygonsAreWhereRaysEnd) {
       for (std::size_t k = 0; k < polygon.size(); ++k) {
         const auto& piece = polygon[k];
         EXPECT_GT(orientation(p, piece.past_right, piece.past_left), 0);
-        EXPECT_GT(orientation(piece.wall.a, piece.wall.b, p), 0);
+        EXPECT_GT(orientation(piece.edge.a, piece.edge.b, p), 0);
         const auto& next = polygon[(k + 1) % polygon.size()];
         gaps += orientation(p, piece.past_left, next.past_right) == 0 ? 0 : 1;
       }
@@ -219,29 +219,29 @@ TEST(VisibilityMap, PolygonsAreWhereRaysEnd) {
         const Vec2 towards = p + (anywhere ? random.point(-9, 9) : random.grid_point(-9, 9));
         if (towards == p) continue;
         const auto hit = map.first_hit(p, towards);
-        std::size_t within = 0, at_limit = 0;
+        std::size_t within = 0, at_end = 0;
         for (const auto& piece : polygon) {
           const int right = orientation(p, piece.past_right, towards), left = orientation(p, piece.past_left, towards);
-          at_limit += right == 0 || left == 0;
+          at_end += right == 0 || left == 0;
           if (right <= 0 || left >= 0) continue;
           ++within;
           ASSERT_EQ(piece.is_frame, !hit) << seed;
           if (!hit) continue;
-          EXPECT_EQ(hit->wall.a, piece.wall.a);
-          EXPECT_EQ(hit->wall.b, piece.wall.b);
+          EXPECT_EQ(hit->edge.a, piece.edge.a);
+          EXPECT_EQ(hit->edge.b, piece.edge.b);
         }
         EXPECT_LE(within, 1u);
-        const bool at_wall = hit && hit->wall.a != hit->wall.b && hit->point != p;
+        const bool at_edge = hit && hit->edge.a != hit->edge.b && hit->point != p;
         if (anywhere) {
-          EXPECT_EQ(within == 1, at_wall || !hit) << p.transpose() << " " << towards.transpose();
+          EXPECT_EQ(within == 1, at_edge || !hit) << p.transpose() << " " << towards.transpose();
         }
         inside += within;
-        on_limits += at_limit > 0;
+        on_ends += at_end > 0;
       }
     }
   }
   EXPECT_GT(inside, 10000u);
-  EXPECT_GT(on_limits, 1000u);
+  EXPECT_GT(on_ends, 1000u);
 }
 
 TEST(VisibilityMap, PolygonOfARoom) {
@@ -256,7 +256,7 @@ TEST(VisibilityMap, PolygonOfARoom) {
 }
 
 // The last place of p decides on which side of the wall it lies, and how far along the wall the ray meets it.
-TEST(VisibilityMap, RaysAlmostAlongAWallMeetItSomewhere) {
+TEST(VisibilityMap, RaysAlmostAlongAnEdgeMeetItSomewhere) {
   const double inf = std::numeric_limits<double>::infinity();
   test::Random random(3);
   std::size_t met = 0;
@@ -277,14 +277,14 @@ TEST(VisibilityMap, RaysAlmostAlongAWallMeetItSomewhere) {
     for (const auto& piece : map.visibility_polygon(p)) {
       ASSERT_TRUE(piece.right.allFinite() && piece.left.allFinite());
       if (piece.is_frame) continue;
-      ASSERT_LE(distance(piece.right, piece.wall) + distance(piece.left, piece.wall), 1e-12);
+      ASSERT_LE(distance(piece.right, piece.edge) + distance(piece.left, piece.edge), 1e-12);
     }
   }
   EXPECT_GT(met, 500u);
 }
 
 // Half of the wall from the crossing on is free, and so is the one behind its end.
-TEST(VisibilityMap, FindsTangentsAlongWallsFromWhereTheyCross) {
+TEST(VisibilityMap, FindsTangentsAlongEdgesFromWhereTheyCross) {
   const World world({{{{0, 0}, {4, 0}, {4, 4}, {4, 6}, {2, 6}, {0, 4}}, {}}, {{{3, 1}, {5, 1}, {5, 3}, {3, 3}}, {}}});
   const VisibilityMap map(world);
   const QuerySet reference = make_reference_queries(world);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "accel/expansion/sight_map.h"
+#include "accel/expansion/free_space_triangulation.h"
 #include "arcway/datasets/clutter.h"
 #include "tests/support/random_inputs.h"
 #include "tests/support/thread_executor.h"
@@ -15,12 +15,12 @@ TEST(ShortDiagonals, AreTheSameForAnyNumberOfThreads) {
   const World world = random_world({.obstacles = 3000, .vertices = 10, .fill = 0.3, .seed = 1});
   const test::ThreadExecutor threads(4);
   for (const Diagonals which : {Diagonals::kLong, Diagonals::kAll}) {
-    const SightMap one(world, SerialExecutor(), which), many(world, threads, which);
-    ASSERT_EQ(one.doors().size(), many.doors().size());
-    for (std::size_t d = 0; d < one.doors().size(); ++d) {
-      EXPECT_EQ(one.doors()[d].left, many.doors()[d].left);
-      EXPECT_EQ(one.doors()[d].right, many.doors()[d].right);
-      EXPECT_EQ(one.doors()[d].site, many.doors()[d].site);
+    const FreeSpaceTriangulation one(world, SerialExecutor(), which), many(world, threads, which);
+    ASSERT_EQ(one.half_edges().size(), many.half_edges().size());
+    for (std::size_t d = 0; d < one.half_edges().size(); ++d) {
+      EXPECT_EQ(one.half_edges()[d].left, many.half_edges()[d].left);
+      EXPECT_EQ(one.half_edges()[d].right, many.half_edges()[d].right);
+      EXPECT_EQ(one.half_edges()[d].point, many.half_edges()[d].point);
     }
   }
 }

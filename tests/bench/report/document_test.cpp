@@ -158,7 +158,7 @@ TEST(Clock, IsTheProcessorsOnABusyMachineButForThreads) {
 /// What the suites call the stages of planning, with times that grow like n.
 std::string stages(bool busy) {
   std::string runs;
-  for (const char* series : {"ReducedGraph/wedge", "Plan/lazy", "Plan/graph_reused", "LinesOfSight/embree"})
+  for (const char* series : {"ReducedGraph/tangent-cones", "Plan/lazy", "Plan/graph_reused", "LinesOfSight/embree"})
     for (const int n : {10, 100, 1000, 10000}) {
       const double seconds = 1e-6 * n;
       runs += R"({"name":")" + std::string(series) + "/obstacles:" + std::to_string(n) + R"(","real_time":)" +

@@ -9,9 +9,9 @@ namespace {
 
 PeerResults example() {
   PeerResults peers{.name = "p.json", .context = {{"ompl", "1.5.2"}}, .duels = {}, .queries = {}};
-  peers.duels.push_back({"graph", "w1", 100.0, "wedge", "slow", {1.0, 2.0, 1.0}, {10.0, 20.0, 12.0}, ""});
-  peers.duels.push_back({"graph", "w2", 1000.0, "wedge", "slow", {1.0}, {100.0}, ""});
-  peers.duels.push_back({"graph", "w3", 10000.0, "wedge", "slow", {}, {}, "left out: too long"});
+  peers.duels.push_back({"graph", "w1", 100.0, "tangent-cones", "slow", {1.0, 2.0, 1.0}, {10.0, 20.0, 12.0}, ""});
+  peers.duels.push_back({"graph", "w2", 1000.0, "tangent-cones", "slow", {1.0}, {100.0}, ""});
+  peers.duels.push_back({"graph", "w3", 10000.0, "tangent-cones", "slow", {}, {}, "left out: too long"});
   peers.duels.push_back({"sight", "w2", 1000.0, "embree", "quick", {4.0}, {1.0}, "", {4.0}, {1.0}, 1});
   const PlannerAnswer fast{"arcway", "solved", 0.001, 10.0, true}, slow{"peer 1 s", "solved", 0.5, 15.0, true};
   const PlannerAnswer no_fast{"arcway", "no path", 0.001, 0.0, false},
@@ -56,7 +56,7 @@ TEST(Duels, KeepWhatAPeerWinsAndWhatIsLeftOut) {
 
 TEST(Duels, OfSeveralThreadsGoByTheWallClock) {
   PeerResults peers = example();
-  peers.duels = {{"graph", "w", 100.0, "wedge", "one", {2.0}, {3.0}, "", {1.0}, {4.0}, 2}};
+  peers.duels = {{"graph", "w", 100.0, "tangent-cones", "one", {2.0}, {3.0}, "", {1.0}, {4.0}, 2}};
   const PeerResults read = read_peer_results(peer_results_json(peers), "p.json");
   EXPECT_EQ(duels_section(read).table.rows.front(),
             (std::vector<std::string>{"graph", "one", "100", "wall 1 s, processor 2 s", "wall 4 s, processor 3 s", "4",

@@ -26,8 +26,8 @@ struct AccelOptions {
 ///     const Planner planner(world, vehicle, accel_backend(world));
 ///
 /// What takes time is made when a planner asks for it, and queries are shared by all planners on this backend: see
-/// make_embree_queries, make_lazy_rows and build_reduced_visibility_graph_by_wedges for cost, memory and what they
-/// throw, which planners pass on.
+/// make_embree_queries, make_lazy_rows and build_reduced_visibility_graph_by_tangent_cones for cost, memory and what
+/// they throw, which planners pass on.
 /// @param executor  must outlive the construction of planners; none: a TbbExecutor in the caller's arena.
 ARCWAY_API Backend accel_backend(const World& world);
 ARCWAY_API Backend accel_backend(const World& world, const Executor& executor, const AccelOptions& options = {});

@@ -7,8 +7,8 @@ namespace arcway {
 
 /// The builders of the reduced visibility graph; their graphs are equal.
 enum class GraphBuilder {
-  kPairwise,  ///< accel/graphs/pairwise_graph.h
-  kWedge      ///< accel/graphs/wedge_graph.h
+  kPairwise,     ///< accel/graphs/pairwise_graph.h
+  kTangentCones  ///< accel/graphs/wedge_graph.h
 };
 /// "pairwise", "wedge".
 ARCWAY_API const char* name_of(GraphBuilder builder);

@@ -17,7 +17,7 @@ namespace arcway {
 ///
 ///     const VisibilityMap map(world);
 ///     if (map.visible({a, b})) ...
-///     for (const SeenWall& piece : map.visibility_polygon(p)) draw_triangle(p, piece.right, piece.left);
+///     for (const VisibleEdge& piece : map.visibility_polygon(p)) draw_triangle(p, piece.right, piece.left);
 ///
 /// Points must be finite and in the range of predicates.h: std::invalid_argument otherwise. Immutable and thread-safe;
 /// the world need not outlive it.
@@ -38,7 +38,7 @@ class ARCWAY_API VisibilityMap {
   /// Where a ray enters the inside of an obstacle.
   struct RayHit {
     Vec2 point;        ///< on the wall, rounded; a vertex exactly
-    LineSegment wall;  ///< the piece of an obstacle's edge between two neighboring vertices on it that the ray
+    LineSegment edge;  ///< the piece of an obstacle's edge between two neighboring vertices on it that the ray
                        ///< crosses, obstacle on the right of a -> b; the vertex twice if the ray enters at one
   };
   /// Of the ray from `from` through `towards`, different points; nothing if it meets none. A start inside an obstacle
@@ -57,7 +57,7 @@ class ARCWAY_API VisibilityMap {
   [[nodiscard]] std::vector<VertexId> visible_from(const Vec2& point) const;
 
   /// The convex vertices that share an edge of the reduced visibility graph with a vertex, ascending.
-  /// O(triangles seen in its tangent wedges).
+  /// O(triangles seen in its tangent cones).
   /// @throws std::out_of_range if the world has no such vertex.
   [[nodiscard]] std::vector<VertexId> tangents_from(VertexId vertex) const;
   /// The convex vertices (World::convex_vertices) that a point sees, at which its line is tangent, and with no other
@@ -65,8 +65,8 @@ class ARCWAY_API VisibilityMap {
   [[nodiscard]] std::vector<VertexId> tangents_from(const Vec2& point) const;
 
   /// A piece of a wall that is seen.
-  struct SeenWall {
-    LineSegment wall;       ///< as RayHit's
+  struct VisibleEdge {
+    LineSegment edge;       ///< as RayHit's
     Vec2 right, left;       ///< ends of the piece: vertices exactly, otherwise rounded
     Vec2 past_right;        ///< the vertex on the line of sight to `right`, exact
     Vec2 past_left;         ///< ... to `left`
@@ -75,7 +75,7 @@ class ARCWAY_API VisibilityMap {
   /// What a point sees, as the walls around it, counter-clockwise from +x; together with the point each is a triangle
   /// of the visibility polygon. None for a point inside an obstacle. O(log n + triangles seen).
   /// @throws std::domain_error if edges of the world cross, or the point is further from the map than its size.
-  [[nodiscard]] std::vector<SeenWall> visibility_polygon(const Vec2& point) const;
+  [[nodiscard]] std::vector<VisibleEdge> visibility_polygon(const Vec2& point) const;
 
  private:
   friend VisibilityGraph build_full_visibility_graph_by_expansion(const World& world, const Executor& executor);

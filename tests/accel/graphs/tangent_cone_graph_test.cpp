@@ -1,4 +1,4 @@
-#include "arcway/accel/wedge_graph.h"
+#include "arcway/accel/tangent_cone_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 #include "accel/backend/make_queries.h"
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/edge_list.h"
+#include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/long_fans.h"
-#include "accel/expansion/sight_map.h"
 #include "accel/expansion/sleeves.h"
-#include "accel/graphs/edge_walks.h"
+#include "accel/graphs/cone_edges.h"
 #include "accel/graphs/pairwise_graph.h"
 #include "arcway/accel/parallel.h"
 #include "arcway/datasets/catalog.h"
@@ -52,23 +52,24 @@ std::string edges_missing_from(const VisibilityGraph& from, const VisibilityGrap
 
 // All sleeves and fans are passed at once, however short.
 VisibilityGraph graph_by_sleeves(const World& world, Diagonals shortened) {
-  SightMap map(world, SerialExecutor(), shortened);
-  map.list_left_edges();
-  std::vector<EdgeList> lists =
-      walk_right(map, Sleeves(map, 1), LongFans(map, 1), 0, map.nodes().size(), SerialExecutor());
-  add_missing(edges_through_contacts(world, map), lists);
+  FreeSpaceTriangulation triangulation(world, SerialExecutor(), shortened);
+  triangulation.list_left_edges();
+  std::vector<EdgeList> lists = cone_edges(triangulation, Sleeves(triangulation, 1), LongFans(triangulation, 1), 0,
+                                           triangulation.nodes().size(), SerialExecutor());
+  add_missing(edges_through_contacts(world, triangulation), lists);
   return graph_of(world.vertices().size(), lists, SerialExecutor());
 }
 
 ::testing::AssertionResult agrees(const World& world) {
   const VisibilityGraph expected = reference(world);
-  if (const auto result = agrees(build_reduced_visibility_graph_by_wedges(world), expected); !result) return result;
+  if (const auto result = agrees(build_reduced_visibility_graph_by_tangent_cones(world), expected); !result)
+    return result;
   for (const Diagonals shortened : {Diagonals::kLong, Diagonals::kAll})
     if (auto result = agrees(graph_by_sleeves(world, shortened), expected); !result) return result << "\nby sleeves";
   return ::testing::AssertionSuccess();
 }
 
-TEST(WedgeGraph, Clutters) {
+TEST(TangentConeGraph, Clutters) {
   for (const ClutterKind kind :
        {ClutterKind::kConvex, ClutterKind::kStar, ClutterKind::kMixed, ClutterKind::kRectangle})
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -78,19 +79,19 @@ TEST(WedgeGraph, Clutters) {
 }
 
 // A run's rays may begin to lead left, so that it ends, in the middle of a sleeve along it.
-TEST(WedgeGraph, RunsThatEndWithinSleeves) {
+TEST(TangentConeGraph, ChainsThatEndWithinSleeves) {
   for (std::uint64_t seed = 40; seed < 130; ++seed)
     ASSERT_TRUE(agrees(random_world({.obstacles = 3, .vertices = 16, .fill = 0.3, .seed = seed}))) << "seed " << seed;
 }
 
-TEST(WedgeGraph, NastyWorlds) {
+TEST(TangentConeGraph, NastyWorlds) {
   for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed)
     ASSERT_TRUE(agrees(test::nasty_world(seed, 14))) << "seed " << seed;
   for (std::uint64_t seed = 0; seed < kNastyWorlds / 20; ++seed)
     ASSERT_TRUE(agrees(test::nasty_world(seed, 80))) << "large, seed " << seed;
 }
 
-TEST(WedgeGraph, WorldsOfTheCatalog) {
+TEST(TangentConeGraph, WorldsOfTheCatalog) {
   for (const char* family : {"corridor",
                              "city",
                              "coastline",
@@ -114,15 +115,15 @@ TEST(WedgeGraph, WorldsOfTheCatalog) {
     EXPECT_TRUE(agrees(catalog_world(std::string(family) + "/v250/s2"))) << family;
 }
 
-TEST(WedgeGraph, NothingAndLittle) {
+TEST(TangentConeGraph, NothingAndLittle) {
   EXPECT_TRUE(agrees(World({})));
   EXPECT_TRUE(agrees(World({}, test::square(0, 0, 4))));
   EXPECT_TRUE(agrees(World({{test::square(0, 0, 4), {}}})));
-  EXPECT_EQ(build_reduced_visibility_graph_by_wedges(World({{test::square(0, 0, 4), {}}})).edge_count(), 4u);
+  EXPECT_EQ(build_reduced_visibility_graph_by_tangent_cones(World({{test::square(0, 0, 4), {}}})).edge_count(), 4u);
 }
 
 // Sights between the columns run along two walls at once, those between the rows as well.
-TEST(WedgeGraph, RowsOfBoxesThatTouch) {
+TEST(TangentConeGraph, RowsOfBoxesThatTouch) {
   std::vector<Polygon> boxes;
   for (int i = 0; i < 9; ++i)
     for (int k = 0; k < 9; ++k)
@@ -132,21 +133,21 @@ TEST(WedgeGraph, RowsOfBoxesThatTouch) {
   EXPECT_TRUE(agrees(World(boxes, test::square(3, 3, 4))));
 }
 
-TEST(WedgeGraph, LongRowsOfEqualBoxes) {
+TEST(TangentConeGraph, LongRowsOfEqualBoxes) {
   std::vector<Polygon> boxes;
   for (int i = 0; i < 12; ++i)
     for (int k = 0; k < 12; ++k) boxes.push_back({test::square(2 * i, 3 * k, 1), {}});
   EXPECT_TRUE(agrees(World(boxes)));
 }
 
-TEST(WedgeGraph, NeedlesAndNearlyParallelEdges) {
+TEST(TangentConeGraph, NeedlesAndNearlyParallelEdges) {
   EXPECT_TRUE(agrees(World({{{{0, 0}, {1000000, 1}, {1000000, 2}}, {}},
                             {{{0, 5}, {1000000, 6}, {0, 7}}, {}},
                             {test::square(400000, 20, 10), {}},
                             {{{10, -3}, {999999, -3}, {999998, -2}}, {}}})));
 }
 
-TEST(WedgeGraph, CoordinatesAtTheEndsOfTheRange) {
+TEST(TangentConeGraph, CoordinatesAtTheEndsOfTheRange) {
   for (const double scale : {kMinMagnitude, 1e-60, 1e60, 0.01 * kMaxMagnitude}) {
     std::vector<Polygon> boxes;
     for (int i = 0; i < 4; ++i)
@@ -157,7 +158,7 @@ TEST(WedgeGraph, CoordinatesAtTheEndsOfTheRange) {
   }
 }
 
-TEST(WedgeGraph, OnePolygonOfManyVertices) {
+TEST(TangentConeGraph, OnePolygonOfManyVertices) {
   test::Random random(5);
   EXPECT_TRUE(agrees(World({{test::random_star(random, {0, 0}, 20, 100, 700), {}}})));
   EXPECT_TRUE(agrees(World({}, test::random_star(random, {0, 0}, 20, 100, 700))));
@@ -173,7 +174,7 @@ Ring round(const Vec2& center, double radius, int vertices) {
 }
 
 // Long runs of nodes that are looked from at once.
-TEST(WedgeGraph, SmoothObstacles) {
+TEST(TangentConeGraph, SmoothObstacles) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     test::Random random(seed);
     std::vector<Polygon> obstacles;
@@ -206,7 +207,7 @@ Ring saw(test::Random& random, std::size_t teeth, double radius, double deepest,
   return ring;
 }
 
-TEST(WedgeGraph, LongFansAroundSaws) {
+TEST(TangentConeGraph, LongFansAroundSaws) {
   test::Random random(7);
   std::size_t fans = 0;
   for (int round = 0; round < 24; ++round) {
@@ -221,23 +222,23 @@ TEST(WedgeGraph, LongFansAroundSaws) {
     try {
       const World world(obstacles);
       ASSERT_TRUE(agrees(world)) << "round " << round;
-      fans += LongFans(SightMap(world), 32).size();
+      fans += LongFans(FreeSpaceTriangulation(world), 32).size();
     } catch (const WorldError&) {  // rounded to the grid, teeth may cross
     }
   }
   EXPECT_GT(fans, 30u);
 }
 
-TEST(WedgeGraph, LongFansEndAtTheirClock) {
+TEST(TangentConeGraph, LongFansEndAtTheirClock) {
   test::Random random(7);
-  const SightMap map(World({{saw(random, 200, 400.0, 50.0, false), {}}}));
-  EXPECT_FALSE(LongFans(map, 32).empty());
-  EXPECT_THROW((void)LongFans(map, 32, StopClock(0.0)), Cancelled);
+  const FreeSpaceTriangulation triangulation(World({{saw(random, 200, 400.0, 50.0, false), {}}}));
+  EXPECT_FALSE(LongFans(triangulation, 32).empty());
+  EXPECT_THROW((void)LongFans(triangulation, 32, StopClock(0.0)), Cancelled);
 }
 
 // Needles side by side, each with a vertex on the next one's long edge: boxes of all edges overlap, so that contacts
 // are found by a sweep; with a box across them, edges cross, and they are not.
-TEST(WedgeGraph, ContactsOfLongEdges) {
+TEST(TangentConeGraph, ContactsOfLongEdges) {
   for (const bool crosses : {false, true})
     for (const double turn : {0.0, 0.3}) {
       const double n = 90.0;
@@ -251,7 +252,7 @@ TEST(WedgeGraph, ContactsOfLongEdges) {
 }
 
 // From outside and from inside: a ring in a ring of teeth.
-TEST(WedgeGraph, LongFansWithinARing) {
+TEST(TangentConeGraph, LongFansWithinARing) {
   test::Random random(8);
   for (int round = 0; round < 10; ++round) {
     const Ring outer = test::square(-500, -500, 1000);
@@ -261,30 +262,30 @@ TEST(WedgeGraph, LongFansWithinARing) {
 }
 
 // Where the builder passes fans at once of its own accord: so many steps a vertex at every size.
-TEST(WedgeGraph, StepsAroundASawGrowLikeItsTeeth) {
+TEST(TangentConeGraph, StepsAroundASawGrowLikeItsTeeth) {
   for (const std::size_t teeth : {5000, 20000}) {
     test::Random random(9);
     const World world({{saw(random, teeth, static_cast<double>(teeth), 2.0, false), {}}});
-    WedgeStatistics statistics;
-    const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world, SerialExecutor(), &statistics);
+    TangentConeStatistics statistics;
+    const VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world, SerialExecutor(), &statistics);
     EXPECT_GE(graph.edge_count(), teeth);
     EXPECT_LT(statistics.steps, 12 * world.vertices().size());
     for (const std::size_t threads : {2, 3})
-      EXPECT_TRUE(graph == build_reduced_visibility_graph_by_wedges(world, TbbExecutor(threads)));
+      EXPECT_TRUE(graph == build_reduced_visibility_graph_by_tangent_cones(world, TbbExecutor(threads)));
   }
 }
 
 // Where the builder passes sleeves at once of its own accord.
-TEST(WedgeGraph, LongConvexWalls) {
+TEST(TangentConeGraph, LongConvexChains) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const World world = random_world({.obstacles = 15, .vertices = 90, .fill = 0.35, .seed = seed});
-    EXPECT_FALSE(worthwhile_sleeves(world, SightMap(world)).empty());
+    EXPECT_FALSE(worthwhile_sleeves(world, FreeSpaceTriangulation(world)).empty());
     EXPECT_TRUE(agrees(world)) << seed;
   }
 }
 
 // Rays of a run pass vertices exactly, and edges of other obstacles lie on the lines of its own.
-TEST(WedgeGraph, RoundObstaclesOnAGrid) {
+TEST(TangentConeGraph, RoundObstaclesOnAGrid) {
   const Ring octagon{{1, 0}, {2, 0}, {3, 1}, {3, 2}, {2, 3}, {1, 3}, {0, 2}, {0, 1}};
   std::vector<Polygon> obstacles;
   for (int i = 0; i < 6; ++i)
@@ -298,7 +299,7 @@ TEST(WedgeGraph, RoundObstaclesOnAGrid) {
 }
 
 // Chains that turn more than once around, with other obstacles in their arms.
-TEST(WedgeGraph, Spirals) {
+TEST(TangentConeGraph, Spirals) {
   Ring spiral;
   for (int i = 0; i <= 90; ++i) spiral.push_back((1.0 + 0.1 * i) * Vec2(std::cos(0.2 * i), std::sin(0.2 * i)));
   for (int i = 90; i >= 0; --i) spiral.push_back((0.8 + 0.1 * i) * Vec2(std::cos(0.2 * i), std::sin(0.2 * i)));
@@ -309,32 +310,33 @@ TEST(WedgeGraph, Spirals) {
   EXPECT_TRUE(agrees(World(obstacles)));
 }
 
-TEST(WedgeGraph, ThousandsOfSitesInManyTiles) {
+TEST(TangentConeGraph, ThousandsOfPointsInManyTiles) {
   EXPECT_TRUE(
       agrees(random_world({.kind = ClutterKind::kMixed, .obstacles = 500, .vertices = 8, .fill = 0.3, .seed = 4})));
 }
 
 // More triangles than one block of flips.
-TEST(WedgeGraph, SixteenThousandVerticesAgainstPairs) {
+TEST(TangentConeGraph, SixteenThousandVerticesAgainstPairs) {
   const World world =
       random_world({.kind = ClutterKind::kConvex, .obstacles = 1600, .vertices = 10, .fill = 0.3, .seed = 5});
-  EXPECT_EQ(build_reduced_visibility_graph_by_wedges(world),
+  EXPECT_EQ(build_reduced_visibility_graph_by_tangent_cones(world),
             build_pairwise_visibility_graph(world, *make_embree_queries(world).visibility, SerialExecutor()));
 }
 
-TEST(WedgeGraph, HasTheSameBitsForAnyNumberOfThreads) {
+TEST(TangentConeGraph, HasTheSameBitsForAnyNumberOfThreads) {
   const World world =
       random_world({.kind = ClutterKind::kStar, .obstacles = 2000, .vertices = 9, .fill = 0.25, .seed = 2});
-  WedgeStatistics serial, parallel;
-  const VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world, SerialExecutor(), &serial);
+  TangentConeStatistics serial, parallel;
+  const VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world, SerialExecutor(), &serial);
   for (const std::size_t threads : {1, 2, 7}) {
-    EXPECT_EQ(build_reduced_visibility_graph_by_wedges(world, TbbExecutor(threads), &parallel), graph) << threads;
+    EXPECT_EQ(build_reduced_visibility_graph_by_tangent_cones(world, TbbExecutor(threads), &parallel), graph)
+        << threads;
     EXPECT_EQ(parallel.steps, serial.steps);
   }
 }
 
 // Walks that see far get shorter diagonals than those that do not: the same edges.
-TEST(WedgeGraph, OpenCountryAndLongAisles) {
+TEST(TangentConeGraph, OpenCountryAndLongAisles) {
   EXPECT_TRUE(
       agrees(random_world({.kind = ClutterKind::kConvex, .obstacles = 60, .vertices = 8, .fill = 0.005, .seed = 3})));
   std::vector<Polygon> boxes;
@@ -343,7 +345,7 @@ TEST(WedgeGraph, OpenCountryAndLongAisles) {
   EXPECT_TRUE(agrees(World(boxes)));
 }
 
-TEST(WedgeGraph, NamesItsStagesAndStopsAtEachOfThem) {
+TEST(TangentConeGraph, NamesItsStagesAndStopsAtEachOfThem) {
   const World world = random_world({.obstacles = 200, .vertices = 6, .fill = 0.2, .seed = 3});
   const std::vector<std::string> all{"sorting", "triangulation", "lines of sight"};
   for (std::size_t end = 0; end < all.size(); ++end) {
@@ -355,16 +357,16 @@ TEST(WedgeGraph, NamesItsStagesAndStopsAtEachOfThem) {
       if (stages.empty() || stages.back() != progress.stage) stages.emplace_back(progress.stage);
       if (progress.stage == all[end]) stop.request_stop();
     });
-    EXPECT_THROW((void)build_reduced_visibility_graph_by_wedges(world, executor), Cancelled);
+    EXPECT_THROW((void)build_reduced_visibility_graph_by_tangent_cones(world, executor), Cancelled);
     EXPECT_EQ(stages, std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(end) + 1));
   }
 }
 
-TEST(WedgeGraph, CountsRegionsThatCross) {
-  WedgeStatistics statistics;
+TEST(TangentConeGraph, CountsRegionsThatCross) {
+  TangentConeStatistics statistics;
   const auto count = [&](const World& world) {
-    build_reduced_visibility_graph_by_wedges(world, SerialExecutor(), &statistics);
-    return statistics.broken_regions;
+    build_reduced_visibility_graph_by_tangent_cones(world, SerialExecutor(), &statistics);
+    return statistics.invalid_regions;
   };
   EXPECT_EQ(count(World({{test::square(0, 0, 4), {}}, {test::square(4, 1, 2), {}}, {test::square(1, 1, 2), {}}})), 0u);
   EXPECT_EQ(statistics.candidates, 0u);

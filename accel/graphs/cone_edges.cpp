@@ -1,9 +1,9 @@
-#include "accel/graphs/edge_walks.h"
+#include "accel/graphs/cone_edges.h"
 
 #include <algorithm>
 #include <atomic>
 
-#include "accel/expansion/wedge_walk.h"
+#include "accel/expansion/tangent_cone_expansion.h"
 
 namespace arcway::internal {
 
@@ -14,20 +14,21 @@ constexpr std::size_t kNodesPerList = 256;
 
 }  // namespace
 
-std::vector<EdgeList> walk_right(const SightMap& map, const Sleeves& sleeves, const LongFans& fans, std::size_t first,
-                                 std::size_t last, const Executor& executor, WalkCounts* counts) {
+std::vector<EdgeList> cone_edges(const FreeSpaceTriangulation& triangulation, const Sleeves& sleeves,
+                                 const LongFans& fans, std::size_t first, std::size_t last, const Executor& executor,
+                                 ExpansionCounts* counts) {
   std::vector<EdgeList> lists((last - first + kNodesPerList - 1) / kNodesPerList);
   std::atomic<std::uint64_t> steps = 0, candidates = 0;
   executor.for_ranges(lists.size(), 1, [&](std::size_t begin, std::size_t end) {
-    WedgeWalk walk(map, &sleeves, &fans);
+    TangentConeExpansion expansion(triangulation, &sleeves, &fans);
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t behind = std::min(last, first + (i + 1) * kNodesPerList);
       for (std::size_t node = first + i * kNodesPerList; node < behind; ++node)
-        walk.look_right(static_cast<std::uint32_t>(node));
-      lists[i] = walk.take_edges();
+        expansion.expand_right(static_cast<std::uint32_t>(node));
+      lists[i] = expansion.take_edges();
     }
-    steps += walk.steps();
-    candidates += walk.candidates();
+    steps += expansion.steps();
+    candidates += expansion.candidates();
   });
   if (counts) *counts = {steps, candidates};
   return lists;

@@ -11,12 +11,12 @@
 
 namespace arcway {
 
-/// What the wedge builder did; the counters explain its time.
-struct WedgeStatistics {
-  std::uint64_t triangles = 0;       ///< of free space
-  std::uint64_t steps = 0;           ///< triangles entered on walks, without those around the start
-  std::uint64_t candidates = 0;      ///< edges tested against regions that are not whole
-  std::uint64_t broken_regions = 0;  ///< regions that lost a piece where they cross another
+/// What the tangent-cone builder did; the counters explain its time.
+struct TangentConeStatistics {
+  std::uint64_t triangles = 0;        ///< of free space
+  std::uint64_t steps = 0;            ///< triangles entered on walks, without those around the start
+  std::uint64_t candidates = 0;       ///< edges tested against regions that are not whole
+  std::uint64_t invalid_regions = 0;  ///< regions that lost a piece where they cross another
 };
 
 /// The same graph as core's build_reduced_visibility_graph, bit for bit, for any executor, without testing pairs: a
@@ -28,8 +28,8 @@ struct WedgeStatistics {
 /// @param process_group  builds the same graph: each process triangulates, walks from a share of the vertices and gets
 ///   the whole graph.
 /// @throws std::length_error beyond 2^28 vertices.
-ARCWAY_API VisibilityGraph build_reduced_visibility_graph_by_wedges(
-    const World& world, const Executor& executor = SerialExecutor(), WedgeStatistics* statistics = nullptr,
+ARCWAY_API VisibilityGraph build_reduced_visibility_graph_by_tangent_cones(
+    const World& world, const Executor& executor = SerialExecutor(), TangentConeStatistics* statistics = nullptr,
     const ProcessGroup& process_group = SingleProcess());
 
 }  // namespace arcway

@@ -1,4 +1,4 @@
-#include "accel/expansion/sight_map.h"
+#include "accel/expansion/free_space_triangulation.h"
 
 #include <algorithm>
 #include <functional>
@@ -22,44 +22,45 @@ bool sort(const Executor& executor, const std::function<bool()>& make_map) {
 
 }  // namespace
 
-SightMap::SightMap(const World& world, const Executor& executor, Diagonals shortened) : world_(world) {
+FreeSpaceTriangulation::FreeSpaceTriangulation(const World& world, const Executor& executor, Diagonals shortened)
+    : world_(world) {
   if (world.vertices().size() > kMostVertices)
-    throw std::length_error("wedge builder: the world has " + std::to_string(world.vertices().size()) +
+    throw std::length_error("tangent-cone builder: the world has " + std::to_string(world.vertices().size()) +
                             " vertices, at most " + std::to_string(kMostVertices) + " fit");
   if (world.vertices().empty()) return;
   std::optional<FreeSpace> space;
   NodeOrder order;
-  if (sort(executor, [&] { return make_plain_map(world, map_); })) space = sweep(executor, order);
+  if (sort(executor, [&] { return make_uncut_map(world, map_); })) space = sweep(executor, order);
   if (!space) {
     sort(executor, [&] {
       map_ = make_cut_map(world);
       return true;
     });
     space = sweep(executor, order);
-    if (!space) throw std::logic_error("wedge builder: edges meet after they have been cut");
+    if (!space) throw std::logic_error("tangent-cone builder: edges meet after they have been cut");
   }
   edge_is_covered_ = std::move(space->edge_is_covered);
   map_.incoming = {};
-  shorten_diagonals(map_.sites, space->triangulation, shortened, executor);
+  shorten_diagonals(map_.points, space->triangulation, shortened, executor);
   end_if_over(executor);
-  BigVector<Wall> walls = lay_out_doors(std::move(space->triangulation), executor);
-  lay_out_nodes(order, std::move(walls), executor);
-  map_.site_of = {};
+  BigVector<BoundaryHalfEdge> boundary = lay_out_half_edges(std::move(space->triangulation), executor);
+  lay_out_nodes(order, std::move(boundary), executor);
+  map_.point_of = {};
   end_if_over(executor);
 
   std::vector<Box> boxes;
-  for (const ObstacleId o : map_.broken) {
+  for (const ObstacleId o : map_.invalid) {
     const auto [first, last] = world_.vertices_of(o);
     for (VertexId e = first; e < last; ++e) {
-      broken_edges_.push_back(e);
+      invalid_edges_.push_back(e);
       boxes.push_back(box_of(world_.edges()[e]));
     }
   }
-  broken_tree_ = BoxTree(boxes);
+  invalid_tree_ = BoxTree(boxes);
 }
 
 // The sweep cannot be shared out, but nodes are numbered without triangles.
-std::optional<FreeSpace> SightMap::sweep(const Executor& executor, NodeOrder& order) {
+std::optional<FreeSpace> FreeSpaceTriangulation::sweep(const Executor& executor, NodeOrder& order) {
   executor.begin_stage("triangulation");
   std::optional<FreeSpace> space;
   run_both(
@@ -67,27 +68,27 @@ std::optional<FreeSpace> SightMap::sweep(const Executor& executor, NodeOrder& or
   return space;
 }
 
-std::uint32_t SightMap::site_at(const Vec2& vertex) const {
+std::uint32_t FreeSpaceTriangulation::point_at(const Vec2& vertex) const {
   const auto before = [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); };
-  return static_cast<std::uint32_t>(std::ranges::lower_bound(sites(), vertex, before) - sites().begin());
+  return static_cast<std::uint32_t>(std::ranges::lower_bound(points(), vertex, before) - points().begin());
 }
 
-double SightMap::sure_cross_product() const {
-  if (sites().empty()) return 0.0;
-  const Vec2 size = sites().back() - sites().front();
+double FreeSpaceTriangulation::sure_cross_product() const {
+  if (points().empty()) return 0.0;
+  const Vec2 size = points().back() - points().front();
   return 0x1p-50 * size.x() * size.y();  // above the bound of the predicates' filter
 }
 
-bool SightMap::is_blocked_by_broken(const LineSegment& segment) const {
-  return !broken_tree_.visit_overlaps(box_of(segment),
-                                      [&](std::uint32_t i) { return !blocks(world_, broken_edges_[i], segment); });
+bool FreeSpaceTriangulation::is_blocked_by_invalid(const LineSegment& segment) const {
+  return !invalid_tree_.visit_overlaps(box_of(segment),
+                                       [&](std::uint32_t i) { return !blocks(world_, invalid_edges_[i], segment); });
 }
 
-void SightMap::list_left_edges() {
+void FreeSpaceTriangulation::list_left_edges() {
   std::vector<std::uint32_t> ends;
   ends.reserve(map_.edges.size());
   for (const PlanarMap::Edge& edge : map_.edges) ends.push_back(edge.high);
-  left_edges_ = BySite(std::move(ends), static_cast<std::uint32_t>(map_.sites.size()));
+  left_edges_ = BucketIndex(std::move(ends), static_cast<std::uint32_t>(map_.points.size()));
 }
 
 }  // namespace arcway::internal

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "accel/expansion/edge_list.h"
+#include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/long_fans.h"
-#include "accel/expansion/sight_map.h"
 #include "accel/expansion/sleeves.h"
 #include "arcway/executor.h"
 
 namespace arcway::internal {
 
 /// What walks did.
-struct WalkCounts {
+struct ExpansionCounts {
   std::uint64_t steps = 0;       ///< triangles entered
   std::uint64_t candidates = 0;  ///< edges tested against regions that are not whole
 };
@@ -21,7 +21,8 @@ struct WalkCounts {
 /// Looks to the right from the nodes [first, last): after all nodes, each edge is in one list once.
 /// @param sleeves, fans  of the map, to be passed at once.
 /// @return lists in the order of the nodes, the same for any executor.
-std::vector<EdgeList> walk_right(const SightMap& map, const Sleeves& sleeves, const LongFans& fans, std::size_t first,
-                                 std::size_t last, const Executor& executor, WalkCounts* counts = nullptr);
+std::vector<EdgeList> cone_edges(const FreeSpaceTriangulation& triangulation, const Sleeves& sleeves,
+                                 const LongFans& fans, std::size_t first, std::size_t last, const Executor& executor,
+                                 ExpansionCounts* counts = nullptr);
 
 }  // namespace arcway::internal

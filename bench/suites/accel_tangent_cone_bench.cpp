@@ -1,49 +1,50 @@
 #include <memory>
 #include <string>
 
-#include "arcway/accel/wedge_graph.h"
+#include "arcway/accel/tangent_cone_graph.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
 
-// What the wedge builder's time goes with: threads, vertices of each obstacle, the shape of the map.
+// What the tangent-cone builder's time goes with: threads, vertices of each obstacle, the shape of the map.
 namespace arcway::internal::bench {
 namespace {
 
 bool is_right(benchmark::State& state, const std::string& name, std::size_t threads, const VisibilityGraph& graph) {
   const auto right = [&] { return is_reduced_graph(shared_world(name), corrupting() ? corrupted(graph) : graph); };
-  return require_once(state, "WedgeGraph/" + name + "/" + std::to_string(threads), right,
+  return require_once(state, "TangentConeGraph/" + name + "/" + std::to_string(threads), right,
                       "edges differ from the reference");
 }
 
 void build(benchmark::State& state, const std::string& name, std::size_t threads) {
   const World& world = shared_world(name);
   const std::unique_ptr<Executor> executor = make_executor(threads);
-  WedgeStatistics statistics;
-  VisibilityGraph graph = build_reduced_visibility_graph_by_wedges(world, *executor, &statistics);
+  TangentConeStatistics statistics;
+  VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world, *executor, &statistics);
   if (!is_right(state, name, threads, graph)) return;
-  for (auto _ : state) graph = build_reduced_visibility_graph_by_wedges(world, *executor);
+  for (auto _ : state) graph = build_reduced_visibility_graph_by_tangent_cones(world, *executor);
   const auto steps = static_cast<double>(statistics.steps);
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
   state.counters["edges"] = static_cast<double>(graph.edge_count());
   state.counters["steps_per_vertex"] = steps / static_cast<double>(world.vertices().size());
   state.counters["steps_per_edge"] = steps / static_cast<double>(graph.edge_count());
-  state.counters["broken_regions"] = static_cast<double>(statistics.broken_regions);
+  state.counters["invalid_regions"] = static_cast<double>(statistics.invalid_regions);
 }
 
 void add(Study study) {
   for (const std::size_t threads : thread_counts()) {
     const std::string suffix = "/threads:" + std::to_string(threads);
     for (const char* kind : {"convex", "star", "mixed"}) {
-      Series by_vertices(study, std::string("WedgeGraph/") + kind + suffix, "obstacles", "O(n log n + steps)", 1.1);
+      Series by_vertices(study, std::string("TangentConeGraph/") + kind + suffix, "obstacles", "O(n log n + steps)",
+                         1.1);
       for (const std::size_t n : sizes(study, {10, 100, 1000, 3162, 10000, 31623, 100000}, 100, 10000))
         by_vertices.add(static_cast<double>(n),
                         [=](benchmark::State& state) { build(state, clutter_name(kind, n, 10, 30), threads); });
     }
   }
   const std::size_t obstacles = study == Study::kCheck ? 20 : 1000;
-  Series by_each(study, "WedgeGraph/convex_of/obstacles:" + std::to_string(obstacles), "vertices_of_each",
+  Series by_each(study, "TangentConeGraph/convex_of/obstacles:" + std::to_string(obstacles), "vertices_of_each",
                  "O(m): what is seen of other obstacles", 1.0);
   for (const std::size_t m : sizes(study, {4, 8, 16, 32, 64, 128, 256}, 16, 256))
     by_each.add(static_cast<double>(m),
@@ -51,7 +52,7 @@ void add(Study study) {
 
   // Where walks pass long fans, and where World sweeps.
   for (const char* kind : {"saw", "spikes", "rings"}) {
-    Series by_size(study, std::string("WedgeGraph/adversarial/") + kind, "vertices", "O(n log n)", 1.1);
+    Series by_size(study, std::string("TangentConeGraph/adversarial/") + kind, "vertices", "O(n log n)", 1.1);
     for (const std::size_t n : sizes(study, {400, 4000, 12649, 40000, 126491, 400000}, 400, 40000))
       by_size.add(static_cast<double>(n), [=](benchmark::State& state) {
         build(state, std::string("adversarial/") + kind + "/v" + std::to_string(n) + "/s1", 1);
@@ -66,7 +67,7 @@ void add(Study study) {
                              "adversarial/nested", "adversarial/overlapping", "adversarial/holes"})
     shapes.push_back(std::string(family) + "/" + size + "/s1");
   for (const std::string& shape : shapes)
-    add_benchmark("WedgeGraph/shape/" + shape, [=](benchmark::State& state) { build(state, shape, 1); });
+    add_benchmark("TangentConeGraph/shape/" + shape, [=](benchmark::State& state) { build(state, shape, 1); });
 }
 
 const Suite suite(add);
