@@ -21,7 +21,7 @@ using Graph = Backend::Graph;
 
 Graph shared(VisibilityGraph graph) { return std::make_shared<const VisibilityGraph>(std::move(graph)); }
 
-// Embree takes the threads of the arena that it is called in.
+// Embree uses the threads of the arena that it is called in.
 QuerySet make_queries(const Backend& backend) {
   QuerySet queries;
   backend.executor().for_ranges(1, 1, [&](std::size_t, std::size_t) {

@@ -34,7 +34,7 @@ struct ObstacleDistances::Scene {
 
   [[nodiscard]] const World& world() const { return edges.world(); }
 
-  // Lowers `best` to the pairs of an edge and the edges of the regions that `belongs` takes.
+  // Lowers `best` to the nearest pair of an edge and an edge of the regions that `belongs` accepts.
   template <class Belongs>
   void lower(ObstacleDistance& best, VertexId edge, const Belongs& belongs) const {
     const LineSegment& s = world().edges()[edge];
@@ -49,7 +49,7 @@ struct ObstacleDistances::Scene {
     });
   }
 
-  // Any pair of edges, to start with.
+  // Distance of some pair of edges, as a first bound.
   [[nodiscard]] ObstacleDistance some_distance(ObstacleId a, ObstacleId b) const {
     const VertexId edge_a = world().vertices_of(a).first;
     const VertexId edge_b = world().vertices_of(b).first;
@@ -78,7 +78,7 @@ ObstacleDistance ObstacleDistances::between(std::span<const ObstacleId> a, std::
     for (VertexId e = first; e < last; ++e) edges_of_a.push_back(e);
   }
 
-  // Which bound a range starts from depends on the threads, the least of all pairs does not.
+  // The bound that a range starts from depends on the threads; the minimum over all pairs does not.
   ObstacleDistance best = scene_->some_distance(a[0], b[0]);
   std::mutex mutex;
   executor.for_ranges(edges_of_a.size(), 16, [&](std::size_t begin, std::size_t end) {

@@ -8,7 +8,8 @@
 
 namespace arcway::internal {
 
-/// For large arrays that are filled once, and not by being resized, and then read all over the place.
+/// Allocator of large arrays in huge pages. `resize` leaves numbers uninitialized: the arrays are filled once and then
+/// read in any order.
 template <class T>
 class BigAllocator : public HugePageAllocator<T> {
  public:

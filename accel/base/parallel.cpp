@@ -19,7 +19,7 @@ int concurrency_of(std::size_t threads) {
   if (threads < 1 || threads > kMaxThreads)
     throw std::invalid_argument("executor: " + std::to_string(threads) + " threads, must be 1 to " +
                                 std::to_string(kMaxThreads));
-  // More would make TBB print a warning.
+  // TBB prints a warning beyond the allowed number.
   const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   return static_cast<int>(std::min(threads, allowed));
 }

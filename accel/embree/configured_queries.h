@@ -8,8 +8,8 @@
 
 namespace arcway::internal::embree {
 
-/// As make_embree_queries, on a device made with this configuration, such as "isa=sse2", and with boxes that hold
-/// several edges in worlds of more than so many: for tests.
+/// make_embree_queries for tests: on a device with this configuration, such as "isa=sse2". Boxes hold several edges in
+/// worlds of more than `many_edges` edges.
 QuerySet make_configured_queries(const World& world, const EmbreeOptions& options, const char* device_config,
                                  std::size_t many_edges);
 

@@ -50,7 +50,7 @@ void Device::check() const { throw_on(rtcGetDeviceError(device_.get())); }
 void Device::commit(RTCScene scene, const StopClock& clock) const {
   const auto goes_on = [](void* asked, double) { return !static_cast<const StopClock*>(asked)->is_over(); };
   rtcSetSceneProgressMonitorFunction(scene, goes_on, const_cast<StopClock*>(&clock));
-  // A thread that waits for the build must not pick up the caller's tasks: it flushes denormals meanwhile.
+  // A thread that waits for the build must not pick up the caller's tasks, because it flushes denormals meanwhile.
   tbb::this_task_arena::isolate([scene] { rtcCommitScene(scene); });
   rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
   check();

@@ -8,7 +8,7 @@
 
 namespace arcway::internal::embree {
 
-/// An owner of one of Embree's objects.
+/// Deleter of one of Embree's objects.
 template <class Object, void (*release)(Object)>
 struct Release {
   void operator()(std::remove_pointer_t<Object>* object) const { release(object); }
@@ -16,16 +16,16 @@ struct Release {
 using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release<RTCScene, rtcReleaseScene>>;
 using GeometryHandle = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release<RTCGeometry, rtcReleaseGeometry>>;
 
-/// An Embree device whose errors become exceptions. Sets nothing for the process: no thread count, no floating-point
-/// mode.
+/// An Embree device whose errors become exceptions. It changes no process-wide setting: no thread count, no
+/// floating-point mode.
 class Device {
  public:
-  /// @param config  for tests: "isa=sse2" and the like; empty: what suits the machine.
+  /// @param config  Embree's configuration, such as "isa=sse2" for tests; empty: what suits the machine.
   /// @throws std::runtime_error with Embree's message.
   explicit Device(const char* config = "");
 
   [[nodiscard]] RTCDevice get() const { return device_.get(); }
-  /// Throws what went wrong on this thread since the last call: std::bad_alloc or std::runtime_error.
+  /// Throws the error of this thread since the last call, if any: std::bad_alloc or std::runtime_error.
   void check() const;
   /// Builds a scene in the caller's arena, apart from the caller's other tasks.
   /// @throws Cancelled if the clock is over before it is built.

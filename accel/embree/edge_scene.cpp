@@ -7,7 +7,7 @@ namespace arcway::internal::embree {
 namespace {
 
 constexpr VertexId kMostTogether = 5;
-constexpr double kLongestBox = 4.0;  // of several edges: its longer side, of their mean length in the world
+constexpr double kLongestBox = 4.0;  // longest side of a box of several edges, in mean edge lengths of the world
 
 constexpr double kLimit = 1.0 + 0x1p-10;  // rays are cut to this; more than the padded boxes reach
 
@@ -17,7 +17,7 @@ float round_down(double x) {
 }
 float round_up(double x) { return -round_down(-x); }
 
-// Cuts the part of p + [t0, t1] d that lies within the limits of one axis.
+// Cuts [t0, t1] to the part where p + t d lies within one axis's range.
 bool cut(double p, double d, double& t0, double& t1) {
   if (d == 0.0) return std::abs(p) <= kLimit;
   const double low = (-kLimit - p) / d;
@@ -34,7 +34,7 @@ EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, d
     : device_(std::move(device)), world_(world), inflation_(inflation) {
   if (!world_.box().empty()) {
     center_ = world_.box().min + 0.5 * (world_.box().max - world_.box().min);
-    // Rounded, it may be off the middle by as much as a small map far from the origin is large.
+    // The rounded center may be off the middle by as much as a small map far from the origin is large.
     const double reach = std::max((world_.box().max - center_).maxCoeff(), (center_ - world_.box().min).maxCoeff());
     scale_ = std::exp2(-std::ceil(std::log2(reach + inflation)));
   }
@@ -99,7 +99,7 @@ bool EdgeScene::aim(const Vec2& a, const Vec2& b, RTCRay& ray) {
   return true;
 }
 
-// Denormals are flushed here: no predicate may be called.
+// Embree flushes denormals here, so no predicate may be called.
 void EdgeScene::on_bounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& self = *static_cast<const EdgeScene*>(arguments->geometryUserPtr);
   const World::VertexRange edges = self.edges_of(arguments->primID);

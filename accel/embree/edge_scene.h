@@ -11,27 +11,28 @@
 
 namespace arcway::internal::embree {
 
-/// The edges of a world as boxes in Embree: proposes edges, in single precision, for the caller to decide on exactly.
+/// The edges of a world as boxes in Embree. It proposes edges in single precision, for the caller to decide on exactly.
+///
 /// It may propose an edge that is not wanted, and never fails to propose one that is. In large worlds a box holds a few
 /// edges that follow each other, and proposes them together.
 ///
-/// Coordinates are centered and scaled by a power of two so that all boxes lie within [-1, 1]. Each box is larger by
-/// kPad = 2^-18: traversal errs by less than 2^-19.6 on rays within that square, by the rounding of origin, direction
-/// and reciprocal direction (accel/README.md derives it). Rays are cut to the square first.
+/// Coordinates are centered and scaled by a power of two so that all boxes lie within [-1, 1]. Each box is larger than
+/// its edges by kPad = 2^-18. Traversal errs by less than 2^-19.6 on rays within that square, by the rounding of
+/// origin, direction and reciprocal direction (accel/README.md derives it). Rays are cut to the square first.
 class EdgeScene {
  public:
   static constexpr double kPad = 0x1p-18;
-  /// Beyond this many half sizes of the map, cutting a ray or measuring from a point is less precise than kPad
-  /// allows, and all edges are proposed.
+  /// In half sizes of the map. Beyond it, cutting a ray or measuring from a point is less precise than kPad allows, and
+  /// all edges are proposed.
   static constexpr double kFar = 0x1p20;
-  /// Beyond so many edges it takes longer to build a tree of each, and to fetch it from memory, than to look at some in
-  /// vain.
+  /// Number of edges from which boxes hold several. A tree of single edges then takes longer to build and to fetch from
+  /// memory than testing some edges in vain.
   static constexpr std::size_t kManyEdges = 100'000;
 
-  /// @param inflation  by how much boxes are larger than the edges, for rays that stand for something wider [m].
-  /// @param on_edge    told the edges that a ray comes near; none if the scene is asked for points only.
-  /// @param many_edges boxes hold several edges if the world has more than so many.
-  /// @param clock      ends the building: Cancelled is thrown then.
+  /// @param inflation   by how much boxes are larger than the edges, for rays that stand for something wider [m].
+  /// @param on_edge     callback that gets the edges near a ray; null if the scene is asked for points only.
+  /// @param many_edges  boxes hold several edges if the world has more than this.
+  /// @param clock       stops the build, which then throws Cancelled.
   EdgeScene(std::shared_ptr<const Device> device, const World& world, double inflation, RTCOccludedFunctionN on_edge,
             std::size_t many_edges = kManyEdges, const StopClock& clock = {});
   EdgeScene(const EdgeScene&) = delete;
@@ -41,12 +42,12 @@ class EdgeScene {
   [[nodiscard]] double inflation() const { return inflation_; }
   [[nodiscard]] RTCScene get() const { return scene_.get(); }
 
-  /// A place of the world in Embree's coordinates. What is computed from such places is rounded by the size of the map;
-  /// in the world's coordinates it would be by its distance from the origin.
+  /// A position of the world in Embree's coordinates. Results computed from these are rounded relative to the size of
+  /// the map, not to its distance from the origin.
   [[nodiscard]] Vec2 scaled(const Vec2& p) const { return (p - center_) * scale_; }
   [[nodiscard]] static bool is_near(const Vec2& scaled) { return (scaled.array().abs() <= kFar).all(); }
 
-  /// Prepares the ray between two scaled places, both near and perhaps equal. False if it stays clear of all boxes.
+  /// Prepares the ray between two scaled positions, both near and perhaps equal. False if it stays clear of all boxes.
   static bool aim(const Vec2& a, const Vec2& b, RTCRay& ray);
 
   /// The edges of a box, by its number in Embree.
@@ -54,8 +55,8 @@ class EdgeScene {
     return chains_.empty() ? World::VertexRange{box, box + 1} : World::VertexRange{chains_[box], chains_[box + 1]};
   }
 
-  /// Proposes to `visit` every edge that comes within `radius` of p, in any order. visit(edge) returns the radius
-  /// that is still of interest, not larger than before; a negative one ends the visit.
+  /// Proposes to `visit` every edge that comes within `radius` of p, in any order. visit(edge) returns the radius still
+  /// of interest, not larger than before; a negative one ends the visit.
   template <class Visit>
   void visit_near(const Vec2& p, double radius, Visit&& visit) const {
     const Vec2 center = scaled(p);
@@ -81,9 +82,9 @@ class EdgeScene {
   struct PointVisit {
     const EdgeScene& scene;
     Visit& visit;
-    double slack;  // of the rounded center and of the box distance
+    double slack;  // error of the rounded center and of the box distance
     double radius;
-    std::exception_ptr thrown;  // by a visit: Embree would take it for an error of its own, and keep it to itself
+    std::exception_ptr thrown;  // by a visit: Embree would take it for an error of its own
 
     [[nodiscard]] float float_radius() const {
       const auto rounded = static_cast<float>(radius * scene.scale_ * (1.0 + 0x1p-19) + slack);
@@ -107,7 +108,7 @@ class EdgeScene {
     }
   };
 
-  // Fills chains_ if boxes are to hold several edges each.
+  // Fills chains_, so that boxes hold several edges each.
   void join_edges();
   static void on_bounds(const RTCBoundsFunctionArguments* arguments);
 
@@ -116,7 +117,7 @@ class EdgeScene {
   Vec2 center_{0.0, 0.0};
   double scale_ = 1.0;
   double inflation_ = 0.0;
-  double margin_ = 0.0;           // of the boxes, scaled
+  double margin_ = 0.0;           // margin of the boxes around their edges, scaled
   std::vector<VertexId> chains_;  // first edge of each box, one more than boxes; empty: one edge each
   SceneHandle scene_;
 };
@@ -131,8 +132,8 @@ class RayScene {
 
   [[nodiscard]] const EdgeScene& edges() const { return edges_; }
 
-  /// Whether the test holds for some edge that comes within the scene's inflation of the segment between two scaled
-  /// places; perhaps also for one further away.
+  /// Whether the test holds for some edge within the scene's inflation of the segment between two scaled positions.
+  /// Perhaps also for an edge further away.
   [[nodiscard]] bool any(const Vec2& from, const Vec2& to, const Test& test) const {
     if (!EdgeScene::is_near(from) || !EdgeScene::is_near(to)) {
       for (VertexId e = 0; e < edges_.world().edges().size(); ++e)

@@ -7,14 +7,14 @@
 
 namespace arcway::internal {
 
-/// How make_embree_queries answers.
+/// Options of make_embree_queries.
 struct EmbreeOptions {
-  /// Half the width of the bodies that SweepQuery::straight_free is mostly asked about [m]; wider ones are as right and
-  /// take longer. 0: half the mean length of the world's edges.
+  /// Half the width of the bodies that SweepQuery::straight_free is mostly asked about [m]; 0: half the mean length of
+  /// the world's edges. Queries about wider bodies are as exact and take longer.
   double body_half_width = 0.0;
-  /// Runs batches of 128 and more questions; none: the calling thread does, and no call but free_headings allocates.
+  /// Runs batches of 128 and more queries in parallel; null: on the calling thread, and only free_headings allocates.
   std::shared_ptr<const Executor> batches = nullptr;
-  /// Ends the building, which then throws Cancelled.
+  /// Stops the build, which then throws Cancelled.
   StopClock clock = {};
 };
 

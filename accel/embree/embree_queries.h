@@ -11,21 +11,21 @@
 
 namespace arcway::internal::embree {
 
-/// The test of a visibility ray.
+/// Test of a visibility ray.
 struct BlocksLineOfSight {
   bool operator()(VertexId edge) const;
   const World& world;
   const LineSegment& segment;
 };
 
-/// The test of a ray along a swept rectangle.
+/// Test of a ray along a swept rectangle.
 struct MeetsRectangle {
   bool operator()(VertexId edge) const;
   const World& world;
   const SweptRectangle& rectangle;
 };
 
-/// What the queries of one world share. Immutable once built.
+/// Data shared by the queries of one world. Immutable once built.
 struct Scenes {
   Scenes(const World& world, const EmbreeOptions& options, const char* device_config, std::size_t many_edges);
 
@@ -35,7 +35,7 @@ struct Scenes {
   RayScene<MeetsRectangle> sweep;
 
   [[nodiscard]] const World& world() const { return visibility.edges().world(); }
-  /// Runs body(begin, end) over a batch: large ones in parallel.
+  /// Runs body(begin, end) over a batch, large ones in parallel.
   template <class Body>
   void for_batch(std::size_t count, const Body& body) const;
 

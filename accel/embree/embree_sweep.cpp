@@ -8,16 +8,16 @@ namespace arcway::internal::embree {
 
 namespace {
 
-// From here on one point query about the whole rectangle is cheaper than so many rays side by side.
+// Beyond this many parallel rays, one point query about the whole rectangle is cheaper.
 constexpr double kMostRays = 16.0;
 
 }  // namespace
 
 bool MeetsRectangle::operator()(VertexId edge) const { return intersects(world.edges()[edge], rectangle); }
 
-// The rectangle is covered by sleeves along its longer sides, none wider than twice the scene's inflation. Every point
-// of a sleeve is within half the sleeve's width of its middle line, and so is an edge's box that has the point; this
-// holds for any convex quadrilateral, so that the rounding of the corners needs no care.
+// Covers the rectangle by bands along its longer sides, none wider than twice the scene's inflation. Every point of a
+// band lies within half the band's width of its middle line, and so does the box of an edge through that point. This
+// holds for any convex quadrilateral, so rounded corners are no problem.
 bool EmbreeSweep::is_met(const SweptRectangle& r) const {
   const MeetsRectangle test{scenes_->world(), r};
   const double ends = std::max((r[3] - r[0]).norm(), (r[2] - r[1]).norm());
@@ -28,10 +28,10 @@ bool EmbreeSweep::is_met(const SweptRectangle& r) const {
   const Vec2 b = edges.scaled(lengthwise ? r[3] : r[1]);
   const Vec2 c = edges.scaled(lengthwise ? r[1] : r[3]);
   const Vec2 d = edges.scaled(r[2]);
-  const double sleeves = std::max(1.0, std::ceil((lengthwise ? ends : sides) / (2.0 * edges.inflation())));
-  if (sleeves <= kMostRays) {
-    for (double k = 0.5; k < sleeves; k += 1.0) {
-      const double t = k / sleeves;
+  const double bands = std::max(1.0, std::ceil((lengthwise ? ends : sides) / (2.0 * edges.inflation())));
+  if (bands <= kMostRays) {
+    for (double k = 0.5; k < bands; k += 1.0) {
+      const double t = k / bands;
       if (scenes_->sweep.any(a + t * (b - a), c + t * (d - c), test)) return true;
     }
     return false;
@@ -59,7 +59,7 @@ void EmbreeSweep::do_straight_free(std::span<const SweptRectangle> rectangles, s
 void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const {
   scenes_->for_batch(bodies.size(), [&](std::size_t begin, std::size_t end) {
     const std::span<const LineSegment> edges = scenes_->world().edges();
-    static thread_local std::vector<HeadingInterval> blocked;  // single questions are many, and need no new memory
+    static thread_local std::vector<HeadingInterval> blocked;  // single queries are frequent and must not allocate
     for (std::size_t i = begin; i < end; ++i) {
       const TurningBody& body = bodies[i];
       const double reach = reach_of(body);
@@ -69,7 +69,7 @@ void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
         return reach;
       });
       HeadingSet::complement(blocked, result[i]);
-      // Where no edge is touched the body is wholly inside or wholly outside each region.
+      // Where no edge is touched, the body lies wholly inside or wholly outside each region.
       for (int k = static_cast<int>(result[i].intervals().size()) - 1; k >= 0; --k) {
         const HeadingInterval& interval = result[i].intervals()[static_cast<std::size_t>(k)];
         const Vec2 middle = middle_at(body, 0.5 * (interval.low + interval.high));

@@ -8,7 +8,7 @@ bool BlocksLineOfSight::operator()(VertexId edge) const { return blocks(world, e
 void EmbreeVisibility::do_visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const {
   scenes_->for_batch(segments.size(), [&](std::size_t begin, std::size_t end) {
     const EdgeScene& edges = scenes_->visibility.edges();
-    const LineSegment* located = nullptr;  // batches of segments that share their first end locate it once
+    const LineSegment* located = nullptr;  // segments that share their first end locate it once
     bool is_free = true;
     for (std::size_t i = begin; i < end; ++i) {
       const LineSegment& s = segments[i];

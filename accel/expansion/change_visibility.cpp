@@ -44,12 +44,12 @@ ChangeVisibility::Corners ChangeVisibility::corners_of(std::size_t triangle) con
   return {half_edges[1].point, half_edges[2].point, half_edges[0].point};
 }
 
-// From a place that a triangle meets out of it.
+// Expands from a place out of a triangle that meets it.
 void ChangeVisibility::expand_out_of(std::size_t triangle, const Corners& corners, const Box& place) {
   for (const std::uint32_t corner : corners) mark(triangulation_.first_node_at(corner));
   for (std::uint32_t j = 0; j < 3; ++j) {
     const std::uint32_t half_edge = triangulation_.half_edges()[3 * triangle + (j + 1) % 3].left;
-    // Sights that go on where the place is are looked for from there.
+    // Lines of sight into a triangle that meets the place are found from that triangle.
     if (half_edge != kNone && !meets(corners_of(half_edge / 3), place)) expand(corners, {half_edge, kNone, kNone});
   }
 }
@@ -61,7 +61,7 @@ void ChangeVisibility::expand(const Corners& corners, Range range) {
     auto [half_edge, low, high] = stack_.back();
     stack_.pop_back();
     while (half_edge != kNone) {
-      if (++steps_ > triangulation_.half_edges().size()) {  // more than looking from everywhere is worth
+      if (++steps_ > triangulation_.half_edges().size()) {  // marking all nodes is cheaper from here on
         std::fill(seen_.begin(), seen_.end(), std::uint8_t{1});
         stack_.clear();
         gives_up_ = true;
@@ -82,7 +82,8 @@ void ChangeVisibility::expand(const Corners& corners, Range range) {
   }
 }
 
-// Sights that run along walls all the way: from a wall at a place straight on, both ways, to the first node.
+// Marks nodes on lines of sight that run along boundary edges all the way: from an edge at a place straight on, both
+// ways, to the first node.
 void ChangeVisibility::follow_boundary(const PlanarMap::Edge& boundary) {
   const std::span<const Vec2> points = triangulation_.points();
   const PlanarMap::Edge* edge = &boundary;
@@ -118,8 +119,8 @@ bool ChangeVisibility::meets(const Corners& corners, const Box& place) const {
   return true;
 }
 
-// Whether a point lies to the right (1) or to the left (-1) of the rays from all corners past the limit: no ray that
-// leaves the limit on its other side gets there.
+// Whether a point lies to the right (side 1) or to the left (-1) of the rays from all corners through another point.
+// Then no ray that passes that point on its other side reaches it.
 bool ChangeVisibility::all_pass(const Corners& corners, std::uint32_t through, std::uint32_t point, int side) const {
   for (const std::uint32_t corner : corners)
     if (orientation(triangulation_.points()[corner], triangulation_.points()[through], triangulation_.points()[point]) *

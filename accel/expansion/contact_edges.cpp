@@ -20,7 +20,7 @@ class ContactVisibility {
   void add_edges(const SelfContact& contact, EdgeList& edges) {
     const Vec2& at = world_.vertex(contact.vertex);
     const std::uint32_t point = triangulation_.point_at(at);
-    // A line ends where a node is.
+    // Edges of the graph end at nodes.
     if (world_.is_covered(contact.vertex) || triangulation_.first_node_at(point) != kNone) return;
     const std::vector<VertexId> seen = tangents_from(at, point);
     const LineSegment& touched = world_.edges()[contact.edge];
@@ -29,7 +29,7 @@ class ContactVisibility {
       const int side = orientation(touched.a, touched.b, world_.vertex(v));
       if (side != 0) (side > 0 ? before : beyond).push_back(v);
     }
-    // All of them are on one side of a line, so that they have an order about the contact.
+    // They lie on one side of a line, so they have an order by angle around the contact.
     std::ranges::sort(beyond,
                       [&](VertexId v, VertexId w) { return orientation(at, world_.vertex(v), world_.vertex(w)) > 0; });
     for (const VertexId u : before) {
@@ -108,7 +108,7 @@ void add_missing(std::span<const EdgeList::value_type> both_ways, VertexId verte
 
 void keep_tangents(const World& world, const Vec2& point, std::vector<VertexId>& seen) {
   std::erase_if(seen, [&](VertexId v) { return !world.is_graph_vertex(v) || !is_tangent(world, v, point); });
-  // Of those in one direction the nearest, or all that are at its place.
+  // Keeps the nearest vertex in each direction, or all at the nearest point.
   const auto place = [&](VertexId v) -> const Vec2& { return world.vertex(v); };
   const auto around = std::partition(seen.begin(), seen.end(), [&](VertexId v) { return place(v) == point; });
   std::sort(around, seen.end(), [&](VertexId v, VertexId w) {

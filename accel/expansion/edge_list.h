@@ -13,10 +13,11 @@ namespace arcway::internal {
 
 using EdgeList = std::vector<std::pair<VertexId, VertexId>>;
 
-/// The graph that has the edges of all lists, in any order and direction.
+/// The graph with the edges of all lists, which may be in any order and direction.
 inline VisibilityGraph graph_of(std::size_t vertices, const std::vector<EdgeList>& lists, const Executor& executor) {
   constexpr std::size_t kRowsPerRange = 1024;
-  std::vector<std::uint64_t> starts(vertices + 2, 0);  // a row's place is the start of the next one in the end
+  std::vector<std::uint64_t> starts(vertices + 2,
+                                    0);  // offset of a row while it is filled; becomes the start of the next row
   const auto place_of = [&](const auto& edge) { return &starts[std::min(edge.first, edge.second) + 1]; };
   for (const EdgeList& list : lists)
     for (const auto& edge : list) ++place_of(edge)[1];

@@ -12,7 +12,7 @@ namespace arcway::internal {
 
 namespace {
 
-// One piece, for who watches or stops the build.
+// Runs make_map as one piece of work of the stage "sorting", so that a watcher sees the stage and can stop the build.
 bool sort(const Executor& executor, const std::function<bool()>& make_map) {
   bool is_made = false;
   executor.begin_stage("sorting");
@@ -59,7 +59,7 @@ FreeSpaceTriangulation::FreeSpaceTriangulation(const World& world, const Executo
   invalid_tree_ = BoxTree(boxes);
 }
 
-// The sweep cannot be shared out, but nodes are numbered without triangles.
+// The sweep is sequential. Nodes are numbered beside it, because that needs no triangles.
 std::optional<FreeSpace> FreeSpaceTriangulation::sweep(const Executor& executor, NodeOrder& order) {
   executor.begin_stage("triangulation");
   std::optional<FreeSpace> space;
@@ -76,7 +76,7 @@ std::uint32_t FreeSpaceTriangulation::point_at(const Vec2& vertex) const {
 double FreeSpaceTriangulation::sure_cross_product() const {
   if (points().empty()) return 0.0;
   const Vec2 size = points().back() - points().front();
-  return 0x1p-50 * size.x() * size.y();  // above the bound of the predicates' filter
+  return 0x1p-50 * size.x() * size.y();  // larger than the error bound of the predicates' filter
 }
 
 bool FreeSpaceTriangulation::is_blocked_by_invalid(const LineSegment& segment) const {

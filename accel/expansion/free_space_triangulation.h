@@ -17,89 +17,93 @@
 
 namespace arcway::internal {
 
-/// The triangulated free space of a world, laid out for lines of sight that start at its vertices: small records, what
-/// is near in the plane near in memory. Immutable and thread-safe.
+/// The triangulated free space of a world, laid out for visibility computations that start at vertices.
+///
+/// Records are small, and triangles that are near each other in the plane are near each other in memory. Immutable and
+/// thread-safe.
 class FreeSpaceTriangulation {
  public:
-  /// A half-edge and the triangle behind it, for somebody who looks across it into the triangle.
+  /// A directed edge, together with the triangle on its far side. A visibility computation crosses it into that
+  /// triangle.
   struct HalfEdge {
-    Vec2 apex;            ///< the triangle's third corner
-    std::uint32_t left;   ///< the half-edge from this triangle between its left end and the apex; kNone: a wall
-    std::uint32_t right;  ///< the one between the apex and its right end
-    std::uint32_t point;  ///< of the apex
-    std::uint32_t node;   ///< first node at the apex, kNone if there is none
+    Vec2 apex;            ///< third corner of the triangle
+    std::uint32_t left;   ///< half-edge out of the triangle, from the left end to the apex; kNone on the boundary
+    std::uint32_t right;  ///< half-edge out of the triangle, from the apex to the right end; kNone on the boundary
+    std::uint32_t point;  ///< point of the apex
+    std::uint32_t node;   ///< first node at the apex, or kNone
   };
 
-  /// A graph vertex, and what tangency at it needs. Nodes of one ring follow each other, counter-clockwise around the
-  /// obstacle from the ring's leftmost vertex.
+  /// A vertex of the reduced visibility graph, with its neighbors on the ring for tangency tests. Nodes of one ring
+  /// have consecutive indices. They start at the ring's leftmost vertex and go counter-clockwise around the obstacle.
   ///
-  /// A node is *plain* if nothing but its ring meets its point: then the triangles around it are one fan, from its
-  /// previous edge to its next one.
+  /// A node is *simple* if no other ring meets its point. Then the triangles around it form one fan from its previous
+  /// edge to its next edge.
   struct Node {
     Vec2 at, previous, next;
     VertexId vertex;
     std::uint32_t point, previous_point, next_point;
-    std::uint32_t sibling;  ///< the next node of the point, or kNone
-    std::uint32_t before;   ///< the node at the previous vertex if both are plain, or kNone
-    std::uint32_t after;    ///< the one at the next vertex
-    std::uint32_t
-        first_half_edge;           ///< if plain, the one through the previous edge, which has the point at its left end
-    std::uint32_t last_half_edge;  ///< if plain, the one through the next edge, which has the point at its right end
+    std::uint32_t sibling;          ///< next node at the same point, or kNone
+    std::uint32_t before;           ///< node at the previous vertex if both are simple, or kNone
+    std::uint32_t after;            ///< node at the next vertex if both are simple, or kNone
+    std::uint32_t first_half_edge;  ///< simple nodes: crosses the previous edge, left end here
+    std::uint32_t last_half_edge;   ///< simple nodes: crosses the next edge, right end here
     [[nodiscard]] bool is_simple() const { return first_half_edge != kNone; }
   };
 
-  /// Triangles around a point, counter-clockwise from one wall to the next, or all around it if no wall ends there.
-  /// Each is behind a half-edge whose left end is the point; a half-edge's left is the next one in the fan.
+  /// A fan of triangles around a point, counter-clockwise between two boundary edges, or all around the point.
+  ///
+  /// Each triangle lies behind a half-edge whose left end is the point. The half-edge's `left` leads to the next
+  /// triangle of the fan.
   struct Fan {
     std::uint32_t half_edge;
-    std::uint32_t first_point;  ///< the other end of the first half-edge
+    std::uint32_t first_point;  ///< right end of the first half-edge
   };
 
-  /// Six half-edges a vertex, and one bit for marks, fit into 32 bits.
+  /// Six half-edges a vertex and one bit for marks fit into 32 bits.
   static constexpr std::size_t kMostVertices = std::size_t{1} << 28;
 
-  /// O(n log n). Throws std::length_error beyond kMostVertices. The same for any executor.
+  /// O(n log n). The result does not depend on the executor.
+  /// @throws std::length_error beyond kMostVertices.
   explicit FreeSpaceTriangulation(const World& world, const Executor& executor = SerialExecutor(),
                                   Diagonals shortened = Diagonals::kAll);
 
   [[nodiscard]] std::span<const HalfEdge> half_edges() const { return half_edges_; }
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
-  /// Those of a node that is not plain.
+  /// Fans of a node that is not simple.
   [[nodiscard]] std::span<const Fan> fans(std::uint32_t node) const {
     return std::span(fans_).subspan(first_fan_[node], first_fan_[node + 1] - first_fan_[node]);
   }
-  /// Whether all nodes are plain.
+  /// Whether all nodes are simple.
   [[nodiscard]] bool is_simple() const { return first_fan_.empty(); }
   [[nodiscard]] std::span<const Vec2> points() const { return map_.points; }
-  /// The point at a vertex of the world. O(log n).
+  /// Index of the point at a vertex of the world. O(log n).
   [[nodiscard]] std::uint32_t point_at(const Vec2& vertex) const;
-  /// Cross products of differences of points within the frame have the right sign beyond this, however they are
-  /// rounded.
+  /// Error bound [m²]: beyond it, a rounded cross product of differences of points within the frame has the exact sign.
   [[nodiscard]] double sure_cross_product() const;
   [[nodiscard]] std::uint32_t first_node_at(std::uint32_t point) const { return node_at_[point]; }
 
-  /// The edges of the map that leave a point to the right.
+  /// Edges of the planar map that leave a point to the right.
   [[nodiscard]] std::span<const PlanarMap::Edge> edges_from(std::uint32_t point) const {
     return std::span(map_.edges).subspan(map_.first_edge[point], map_.first_edge[point + 1] - map_.first_edge[point]);
   }
-  /// Those that reach it from the left, by index; needs list_left_edges.
+  /// Indices of the edges that reach a point from the left. Needs list_left_edges.
   [[nodiscard]] std::span<const std::uint32_t> edges_to(std::uint32_t point) const { return left_edges_.of(point); }
   [[nodiscard]] const PlanarMap::Edge& edge(std::uint32_t index) const { return map_.edges[index]; }
-  /// Makes `edges_to` possible.
+  /// Prepares `edges_to`.
   void list_left_edges();
-  /// Whether an edge lies strictly inside a region that is whole.
+  /// Whether an edge lies strictly inside a valid region.
   [[nodiscard]] bool is_covered(const PlanarMap::Edge& edge) const {
     return edge_is_covered_[static_cast<std::size_t>(&edge - map_.edges.data())] != 0;
   }
 
-  /// Whether all regions are whole: then walls and triangles say all there is to say about lines of sight.
+  /// Whether all regions are valid. Then the triangles and their boundary decide every line of sight.
   [[nodiscard]] bool is_valid() const { return map_.invalid.empty(); }
   [[nodiscard]] std::size_t invalid_count() const { return map_.invalid.size(); }
-  /// Whether an edge of a region that is not whole blocks the segment.
+  /// Whether an edge of an invalid region blocks the segment.
   [[nodiscard]] bool is_blocked_by_invalid(const LineSegment& segment) const;
 
  private:
-  /// A ring of the world; all rings' nodes follow each other in the order of the tiles of their leftmost points.
+  /// A ring of the world. Rings are ordered by the tile of their leftmost point, and nodes follow that order.
   struct Ring {
     VertexId leftmost;
     std::uint32_t first_node, nodes;
@@ -107,36 +111,36 @@ class FreeSpaceTriangulation {
   struct NodeOrder {
     std::vector<Ring> rings;
     std::uint32_t node_count = 0;
-    std::vector<std::uint32_t> shared_points;  ///< that have several nodes
+    std::vector<std::uint32_t> shared_points;  ///< points with several nodes
   };
-  /// Free space of the map, if it is one; and the order of nodes.
+  /// Triangulates the free space and numbers the nodes. Empty if edges of the map meet within their interiors.
   std::optional<FreeSpace> sweep(const Executor& executor, NodeOrder& order);
-  /// Sets `node_at_`.
+  /// Numbers the nodes and sets `node_at_`.
   NodeOrder number_nodes();
 
-  /// The half-edge that leads into free space through a wall, by the point at its left end.
+  /// A half-edge that enters free space through the boundary, indexed by the point at its left end.
   struct alignas(8) BoundaryHalfEdge {
     std::uint32_t half_edge;
-    std::uint32_t right;  ///< point at its other end
+    std::uint32_t right;  ///< point at its right end
   };
   static constexpr BoundaryHalfEdge kNoBoundary{kNone, kNone}, kSeveralBoundaries{0, kNone};
-  /// Half-edges in the order of the tiles of their triangles.
+  /// Writes the half-edges in the order of the tiles of their triangles.
   BigVector<BoundaryHalfEdge> lay_out_half_edges(Triangulation triangulation, const Executor& executor);
   void lay_out_nodes(const NodeOrder& order, BigVector<BoundaryHalfEdge> boundary, const Executor& executor);
-  /// Returns whether all nodes are plain.
+  /// Returns whether all nodes of the ring are simple.
   bool lay_out_ring(const Ring& ring, std::span<const BoundaryHalfEdge> boundary);
   [[nodiscard]] std::uint32_t last_half_edge_of_fan(std::uint32_t half_edge, std::uint32_t next_point) const;
-  /// Those of all nodes that are not plain.
+  /// Finds the fans of all nodes that are not simple.
   void find_fans();
 
   World world_;
-  PlanarMap map_;  // without what only the sweep needs
+  PlanarMap map_;  // without the arrays that only the sweep needs
   std::vector<std::uint8_t> edge_is_covered_;
   BigVector<HalfEdge> half_edges_;
   BigVector<Node> nodes_;
   BigVector<std::uint32_t> node_at_;  // by point
   std::vector<Fan> fans_;
-  std::vector<std::uint32_t> first_fan_;  // by node, none of plain ones; empty if all are
+  std::vector<std::uint32_t> first_fan_;  // offsets into fans_ by node; empty if all nodes are simple
   BucketIndex left_edges_;
   std::vector<VertexId> invalid_edges_;
   BoxTree invalid_tree_;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kTrianglesPerRange = 4096;
 constexpr std::size_t kRingsPerRange = 256;
-constexpr std::size_t kAhead = 24;  // triangles: what they need and where they go lies all over a sleeve of the map
+constexpr std::size_t kAhead = 24;  // triangles to prefetch ahead: their data lie all over the sweep line
 
 }  // namespace
 
@@ -51,8 +51,8 @@ FreeSpaceTriangulation::NodeOrder FreeSpaceTriangulation::number_nodes() {
   return order;
 }
 
-// Triangles are read in the order of the sweep and written to their tiles: what a sleeve of the sweep reads and writes
-// stays in the cache while the sweep passes it.
+// Reads triangles in the order of the sweep and writes them to their tiles. The working set is the neighborhood of the
+// sweep line, which stays in the cache.
 BigVector<FreeSpaceTriangulation::BoundaryHalfEdge> FreeSpaceTriangulation::lay_out_half_edges(
     Triangulation t, const Executor& executor) {
   const Tiles tiles(world_.box(), map_.points.size());
@@ -76,7 +76,7 @@ BigVector<FreeSpaceTriangulation::BoundaryHalfEdge> FreeSpaceTriangulation::lay_
   };
   executor.for_ranges(place.size(), kTrianglesPerRange, [&](std::size_t begin, std::size_t end) {
     std::vector<std::pair<std::uint32_t, BoundaryHalfEdge>>
-        found;  // by left end; noted in the end, as atomics would wait for half-edges
+        found;  // by left end; stored after the loop, as atomics would wait for the half-edges
     for (std::size_t i = begin; i < end; ++i) {
       if (i + kAhead < place.size()) fetch(i + kAhead);
       std::uint32_t point[3], behind[3];
@@ -165,7 +165,8 @@ bool FreeSpaceTriangulation::lay_out_ring(const Ring& ring, std::span<const Boun
   return are_all_simple;
 }
 
-// The one that a fan leaves through the wall from its point to the next one; kNone if it ends at another wall.
+// Last half-edge of the fan from a half-edge on, if the fan ends at the boundary edge from its point to the next one;
+// kNone if it ends elsewhere.
 std::uint32_t FreeSpaceTriangulation::last_half_edge_of_fan(std::uint32_t half_edge, std::uint32_t next_point) const {
   while (half_edges_[half_edge].left != kNone) half_edge = half_edges_[half_edge].left;
   return half_edges_[half_edge].point == next_point ? Triangulation::previous(half_edge) : kNone;
@@ -197,12 +198,12 @@ void FreeSpaceTriangulation::find_fans() {
   };
   bool is_complete = true;
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) is_complete = is_complete && !lacks_fan(n);
-  if (!is_complete) {  // points without walls
+  if (!is_complete) {  // points without boundary edges
     for (std::uint32_t half_edge = 0; half_edge < half_edge_count; ++half_edge)
       if (const std::uint32_t n = node_at_[left_end(half_edge)]; n != kNone && lacks_fan(n)) start_fan(half_edge);
   }
 
-  // Every node of a point has the fans of the point.
+  // All nodes at a point share its fans.
   const auto each_node_of = [&](const Start& start, const auto& visit) {
     for (std::uint32_t n = start.node; n != kNone; n = nodes_[n].sibling) visit(n);
   };

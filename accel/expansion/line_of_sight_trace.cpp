@@ -8,7 +8,7 @@
 
 namespace arcway::internal {
 
-// From p towards q.
+// A ray or segment from p towards q.
 class LineOfSightTrace::Line {
  public:
   /// @param passed  gets the points on the line, if it is not nullptr.
@@ -104,7 +104,7 @@ LineOfSightTrace::End LineOfSightTrace::trace(const Vec2& p, const Vec2& q, std:
         return end ? *end : trace_from_point(line, next);
       }
     }
-  // From a wall into the obstacle behind it.
+  // The line leads from a boundary edge into the obstacle behind it.
   const std::uint32_t t = triangles.front();
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t a = corner(t, k), b = corner(t, (k + 1) % 3);
@@ -175,7 +175,7 @@ void LineOfSightTrace::append_points_on(const Vec2& p, std::uint32_t point, std:
   (void)trace_from_point(Line(triangulation_.points(), p, triangulation_.points()[point], true, &points), point);
 }
 
-// Between two obstacles that have an edge in common there is no triangle.
+// Two obstacles with a common edge have no triangle between them, but the edge itself is a line of sight.
 std::uint32_t LineOfSightTrace::next_along_edge(const Line& line, std::uint32_t point) const {
   const Vec2& here = triangulation_.points()[point];
   for (const PlanarMap::Edge& edge : triangulation_.edges_from(point))

@@ -19,7 +19,7 @@ LongFans::LongFans(const FreeSpaceTriangulation& triangulation, std::uint32_t le
 
   std::vector<bool> is_taken(count, false);
   std::vector<std::uint32_t> fan;
-  // From a half-edge on, around its left end, up to a wall or half a turn.
+  // Follows a fan from a half-edge on, around its left end, up to the boundary or half a turn.
   const auto follow = [&](std::uint32_t half_edge) {
     while (half_edge != kNone && !is_taken[half_edge]) {
       const std::uint32_t pivot = left_end(half_edge), first_point = right_end(half_edge);
@@ -40,7 +40,7 @@ LongFans::LongFans(const FreeSpaceTriangulation& triangulation, std::uint32_t le
     end_if_over(ticker);
     return degree[left_end(half_edge)] >= least;
   };
-  for (std::uint32_t half_edge = 0; half_edge < count; ++half_edge)  // behind walls first
+  for (std::uint32_t half_edge = 0; half_edge < count; ++half_edge)  // from boundary edges first
     if (is_long(half_edge) && half_edges[Triangulation::next(half_edge)].left == kNone) follow(half_edge);
   for (std::uint32_t half_edge = 0; half_edge < count; ++half_edge)
     if (is_long(half_edge)) follow(half_edge);
@@ -62,8 +62,7 @@ void LongFans::add_fan(const FreeSpaceTriangulation& triangulation, std::span<co
   add_hulls(triangulation, fans_.back(), ticker);
 }
 
-// A corner is on the side of a hull that faces the pivot if it is on the pivot's side of the line between its
-// neighbors.
+// A corner belongs to the hull that faces the pivot if it lies on the pivot's side of the line between its neighbors.
 void LongFans::add_hulls(const FreeSpaceTriangulation& triangulation, const Fan& fan, StopTicker& ticker) {
   const std::span<const Vec2> points = triangulation.points();
   std::vector<std::uint32_t> chain;

@@ -13,21 +13,21 @@
 
 namespace arcway::internal {
 
-/// Long fans of a free-space triangulation: many triangles in a row around one point, the *pivot*. All rays that pass
-/// such a pivot cross all of its triangles up to the first corner that is not beyond them; this finds it in
-/// O(log^2 k) of k triangles instead of one by one.
+/// Long fans of a free-space triangulation: many consecutive triangles around one point, the *pivot*.
 ///
-/// A fan's rim is the chain of the triangles' other corners, counter-clockwise around the pivot and less than half a
-/// turn. Over the rim lies a binary tree of blocks. Each block keeps the part of its corners' convex hull that faces
-/// the pivot: the whole block lies beyond a ray that has the pivot on its other side if the one corner does that comes
-/// nearest to the ray.
+/// A ray that passes the pivot crosses the fan's triangles up to the first corner that is not beyond the ray. This
+/// class finds that corner in O(log² k) of k triangles, instead of one by one.
+///
+/// A fan's rim is the chain of the triangles' other corners, counter-clockwise around the pivot, less than half a turn.
+/// A binary tree of blocks lies over the rim. Each block stores the part of its corners' convex hull that faces the
+/// pivot. If the hull corner nearest to the ray lies beyond it, the whole block does.
 class LongFans {
  public:
   struct Fan {
     std::uint32_t pivot;
-    std::uint32_t first_half_edge;  ///< into half-edges of all fans
-    std::uint32_t triangles;        ///< one less than corners of the rim
-    std::uint32_t first_hull;       ///< into hulls of all fans
+    std::uint32_t first_half_edge;  ///< offset into the half-edges of all fans
+    std::uint32_t triangles;        ///< one less than the corners of the rim
+    std::uint32_t first_hull;       ///< offset into the hulls of all fans
   };
   /// A triangle of a fan.
   struct Place {
@@ -35,17 +35,17 @@ class LongFans {
     std::uint32_t triangle;
   };
 
-  /// None.
+  /// No fans.
   LongFans() = default;
-  /// Those of at least so many triangles. O(n log n) for n triangles; about 24 bytes a vertex and 12 a triangle of a
-  /// long fan.
+  /// Finds the fans of at least `least` triangles. O(n log n) for n triangles; about 24 bytes a vertex and 12 bytes a
+  /// triangle of a long fan.
   /// @throws Cancelled once the clock is over.
   LongFans(const FreeSpaceTriangulation& triangulation, std::uint32_t least, const StopClock& clock = {});
 
   [[nodiscard]] bool empty() const { return fans_.empty(); }
   [[nodiscard]] std::size_t size() const { return fans_.size(); }
-  /// The triangle behind a half-edge that has the pivot at one end. The fan is null if there is none.
-  /// @tparam kStep  1: at its left end, so that the fan is passed counter-clockwise; -1: at its right end, clockwise.
+  /// The triangle behind a half-edge with the pivot at one end; a null fan if there is none.
+  /// @tparam kStep  1: pivot at the left end, fan passed counter-clockwise; -1: pivot at the right end, clockwise.
   template <int kStep>
   [[nodiscard]] Place behind(std::uint32_t half_edge) const {
     const std::uint32_t at = place_[kStep > 0 ? half_edge : Triangulation::next(half_edge)];
@@ -53,21 +53,21 @@ class LongFans {
     const Fan& fan = fans_[fan_of_[at]];
     return {&fan, at - fan.first_half_edge};
   }
-  /// The half-edge into a triangle.
+  /// Half-edge into a triangle.
   template <int kStep>
   [[nodiscard]] std::uint32_t half_edge(const Fan& fan, std::uint32_t triangle) const {
     const std::uint32_t half_edge = half_edges_[fan.first_half_edge + triangle];
     return kStep > 0 ? half_edge : Triangulation::previous(half_edge);
   }
-  /// The last triangle on the way.
+  /// The last triangle in the direction of passing.
   template <int kStep>
   [[nodiscard]] static std::uint32_t last_triangle(const Fan& fan) {
     return kStep > 0 ? fan.triangles - 1 : 0;
   }
 
-  /// The first triangle, from one of them on, whose far corner stops a ray; nothing if none does.
-  /// @param stops  by point: whether it does not lie beyond the ray.
-  /// @param rises  of two points: whether the second one is nearer to the pivot's side of the ray. Exact.
+  /// The first triangle, from `from` on, whose far corner stops a ray; nothing if none does.
+  /// @param stops  (point) -> whether it does not lie beyond the ray.
+  /// @param rises  (point, point) -> whether the second is nearer to the pivot's side of the ray. Exact.
   template <int kStep, class Stops, class Rises>
   [[nodiscard]] std::optional<std::uint32_t> first_stop(const Fan& fan, std::uint32_t from, const Stops& stops,
                                                         const Rises& rises) const {
@@ -84,7 +84,7 @@ class LongFans {
   [[nodiscard]] std::uint32_t point(const Fan& fan, std::uint32_t corner) const {
     return rim_[fan.first_half_edge + static_cast<std::size_t>(&fan - fans_.data()) + corner];
   }
-  /// Full blocks of a level.
+  /// Number of full blocks of a level.
   [[nodiscard]] static std::uint32_t blocks(const Fan& fan, std::uint32_t level) {
     return corners(fan) / (kLeaf << level);
   }
@@ -96,11 +96,11 @@ class LongFans {
     for (std::uint32_t l = 0; l < level; ++l) index += blocks(fan, l);
     return std::span(hull_points_).subspan(hull_starts_[index], hull_starts_[index + 1] - hull_starts_[index]);
   }
-  /// The first corner of a rim, from one of them on, that stops a ray; -1 or the number of corners if none does.
+  /// The first corner of a rim, from `from` on, that stops a ray; -1 or the number of corners if none does.
   template <int kStep, class Stops, class Rises>
   [[nodiscard]] std::int64_t first_corner(const Fan& fan, std::int64_t from, const Stops& stops,
                                           const Rises& rises) const;
-  /// The corner of a hull that comes nearest to the pivot's side.
+  /// The corner of a hull that lies nearest to the pivot's side.
   template <class Rises>
   [[nodiscard]] static std::uint32_t nearest(std::span<const std::uint32_t> hull, const Rises& rises);
 
@@ -131,7 +131,7 @@ std::uint32_t LongFans::nearest(std::span<const std::uint32_t> hull, const Rises
   return hull[low];
 }
 
-// Blocks grow as long as they are passed, and are halved where one is not.
+// Blocks double as long as they are passed, and are halved where one is not.
 template <int kStep, class Stops, class Rises>
 std::int64_t LongFans::first_corner(const Fan& fan, std::int64_t from, const Stops& stops, const Rises& rises) const {
   const std::int64_t end = kStep > 0 ? std::int64_t{corners(fan)} : -1;

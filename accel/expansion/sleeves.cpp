@@ -14,15 +14,15 @@ namespace {
 using Sleeve = Sleeves::Sleeve;
 using Reach = Sleeves::Reach;
 
-// By entrance.
+// By half-edge that enters the sleeve.
 using SleevesByHalfEdge = std::vector<std::pair<std::uint32_t, Sleeve>>;
 
-// Finds triangles with one wall each that follow each other, and the sleeves among them. On which side the wall is
-// changes all the time: that is used as a number where it can be, as branches would be mispredicted.
+// Follows triangles with one boundary edge each, and finds the sleeves among them. The side of the boundary edge
+// changes all the time, so it is used as a number where possible: branches on it would be mispredicted.
 class Tracer {
  public:
-  /// @param is_traced    by triangle: whether somebody has traced it.
-  /// @param turns, used  where those of the sleeves found go, one after the other.
+  /// @param is_traced    by triangle: whether some thread has traced it.
+  /// @param turns, used  storage for the turns of the sleeves found, and how much of it is in use.
   Tracer(const FreeSpaceTriangulation& triangulation, std::span<std::uint8_t> is_traced, std::span<std::uint32_t> turns,
          std::atomic<std::uint32_t>& used)
       : half_edges_(triangulation.half_edges()),
@@ -39,11 +39,11 @@ class Tracer {
     return (first.left == kNone) + (first.right == kNone) + (second.left == kNone) == 1;
   }
 
-  /// All that follow each other, among them this one: in the order in which the first of them in the map comes to them.
-  /// Returns that one.
+  /// Traces the row of triangles that contains a triangle, in the order that the row's first triangle in memory gives.
+  /// Returns that first triangle.
   std::uint32_t trace(std::uint32_t triangle) {
     std::uint32_t half_edge = 3 * triangle;
-    while (half_edges_[Triangulation::next(half_edge)].left == kNone) ++half_edge;  // as it is the wall
+    while (half_edges_[Triangulation::next(half_edge)].left == kNone) ++half_edge;  // skip the boundary edge
     entrances_.clear();
     mark(triangle);
     const bool is_closed = extend<false>(other_diagonal(half_edge), triangle);
@@ -54,11 +54,12 @@ class Tracer {
     return first == triangle ? first : trace(first);
   }
 
-  /// Those of at least so many among the triangles traced: between those where a wall turns back, or the ring begins.
+  /// Finds sleeves of at least `least` triangles in the row. They end where a chain turns back, and at the start of a
+  /// ring.
   void find_sleeves(std::uint32_t least, SleevesByHalfEdge& found) {
     struct Side {
       bool has_begun = false;
-      std::uint32_t point = 0, node = 0;  // that were reached last
+      std::uint32_t point = 0, node = 0;  // reached last
       bool leads_right = false;
     } sides[2];
     std::size_t first = 0;
@@ -84,7 +85,7 @@ class Tracer {
   }
 
  private:
-  /// A half-edge into a triangle that has one wall, and on which side.
+  /// A half-edge into a triangle with one boundary edge, and the side of that edge.
   struct Entrance {
     std::uint32_t half_edge_and_side;
     [[nodiscard]] std::uint32_t half_edge() const { return half_edge_and_side >> 1; }
@@ -95,19 +96,20 @@ class Tracer {
     return {half_edge << 1 | (half_edges_[half_edge].left == kNone ? 1u : 0u)};
   }
 
-  /// The only one that leads on from the triangle behind a half-edge: kNone, which the other one is, has all bits set.
+  /// The half-edge that leads on from the triangle behind a half-edge. The other candidate is kNone, which has all bits
+  /// set.
   [[nodiscard]] std::uint32_t onward(std::uint32_t half_edge) const {
     static_assert(~kNone == 0);
     return half_edges_[half_edge].left & half_edges_[half_edge].right;
   }
-  /// The half-edge from there into the triangle behind a half-edge.
+  /// The half-edge back into the triangle behind a half-edge, through its other diagonal.
   [[nodiscard]] std::uint32_t other_diagonal(std::uint32_t half_edge) const {
     return half_edges_[half_edge].left == kNone ? Triangulation::next(half_edge) : Triangulation::previous(half_edge);
   }
   void mark(std::uint32_t triangle) { std::atomic_ref(is_traced_[triangle]).store(1, std::memory_order_relaxed); }
 
-  /// Appends what follows behind the triangle behind a half-edge, by half-edges that lead on there, or back. Returns
-  /// whether that comes back to a triangle.
+  /// Appends the triangles that follow the one behind a half-edge, as half-edges that lead onward or back. Returns
+  /// whether the row closes at `start`.
   template <bool kOn>
   bool extend(std::uint32_t half_edge, std::uint32_t start) {
     half_edge = onward(half_edge);
@@ -120,13 +122,13 @@ class Tracer {
     return false;
   }
 
-  /// Whether a wall leads from a node to the next one, or the one before: not where the ring begins.
+  /// Whether the chain goes from a node to the next or the previous one; false where a ring begins.
   [[nodiscard]] bool follows(std::uint32_t from, std::uint32_t to, int step) const {
     if (from == kNone || to == kNone || to != from + static_cast<std::uint32_t>(step)) return false;
     return is_simple_ || (nodes_[from].is_simple() && nodes_[to].is_simple());
   }
 
-  /// A sleeve, from both ends.
+  /// Adds a sleeve in both directions.
   void add(std::span<const Entrance> entrances, SleevesByHalfEdge& found) {
     const std::uint32_t first_turn =
         used_.fetch_add(static_cast<std::uint32_t>(entrances.size()), std::memory_order_relaxed);
@@ -155,9 +157,9 @@ class Tracer {
     found.push_back({back_half_edge, back});
   }
 
-  /// Along the same wall, there and back.
-  /// @param first, last  half-edges to the triangles that have its first and its last edge.
-  /// @param turning      1 counter-clockwise, -1 the other way.
+  /// The chain in both directions.
+  /// @param first, last  half-edges into the triangles with the chain's first and last edge.
+  /// @param turning      1: counter-clockwise; -1: clockwise.
   [[nodiscard]] std::pair<Reach, Reach> reaches(std::uint32_t first, std::uint32_t last, std::uint32_t count,
                                                 int turning) const {
     const auto edge_behind = [&](std::uint32_t half_edge) {
@@ -179,7 +181,7 @@ class Tracer {
   std::span<std::uint8_t> is_traced_;
   std::span<std::uint32_t> turns_;
   std::atomic<std::uint32_t>& used_;
-  std::vector<Entrance> entrances_;  // into the triangles traced last, one behind the other
+  std::vector<Entrance> entrances_;  // into the triangles of the row traced last
 };
 
 bool has_long_convex_chains(const World& world) {
@@ -201,7 +203,7 @@ bool has_long_convex_chains(const World& world) {
 
 Sleeves::Sleeves(const FreeSpaceTriangulation& triangulation, std::uint32_t least, const Executor& executor) {
   constexpr std::size_t kTrianglesPerRange = 1 << 14;
-  constexpr std::size_t kAhead = 4000;  // triangles: those that follow each other lie in some tiles of the map
+  constexpr std::size_t kAhead = 4000;  // triangles to prefetch ahead; neighbors lie in a few tiles of the map
   const std::size_t triangles = triangulation.half_edges().size() / 3;
   turns_.resize(triangles);
   std::atomic<std::uint32_t> turns = 0;
@@ -217,7 +219,7 @@ Sleeves::Sleeves(const FreeSpaceTriangulation& triangulation, std::uint32_t leas
           will_need(&triangulation.half_edges()[3 * (triangle + kAhead) + 2]);
         }
         if (!tracer.is_new(triangle)) continue;
-        // Two threads may trace the same ones.
+        // Two threads may trace the same row.
         const std::uint32_t first = tracer.trace(triangle);
         if (std::atomic_ref(is_taken[first]).exchange(1, std::memory_order_relaxed) == 0)
           tracer.find_sleeves(least, parts[p]);

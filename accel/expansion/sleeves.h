@@ -15,31 +15,31 @@
 
 namespace arcway::internal {
 
-/// Where triangles follow each other between two convex walls, and one cannot but go on from the first to the last:
-/// what is seen there is found by a search along each of the walls, instead of triangle by triangle.
+/// Sleeves between two convex chains: triangles that follow each other without branches, each with one boundary edge.
 ///
-/// A wall is followed over vertices with plain nodes only, from left to right or from right to left: it turns by less
-/// than half a circle. Triangles that do otherwise are between sleeves. Each sleeve is there twice, once from each end.
+/// What is visible through a sleeve is found by a search along each of its chains, instead of triangle by triangle. A
+/// chain consists of vertices with simple nodes and leads from left to right or from right to left, so it turns by less
+/// than half a circle. All other triangles lie between sleeves. Each sleeve is stored twice, once for each direction.
 class Sleeves {
  public:
-  /// Nodes that somebody who enters a sleeve reaches along one of its walls, and how the wall turns.
+  /// The nodes of one of a sleeve's chains, in the order in which the sleeve passes them, and how the chain turns.
   struct Reach {
     std::uint32_t first_node = 0;
     std::uint32_t count = 0;
     float edge_x = 1.0F, edge_y = 0.0F;  ///< direction of the edge to the first node
-    float nodes_per_quarter = 0.0F;      ///< how many make a quarter of a turn, on average
+    float nodes_per_quarter = 0.0F;      ///< nodes for a quarter of a turn, on average
   };
 
-  /// Seen by somebody who enters it at one of its ends.
+  /// A sleeve as entered at one of its ends.
   struct Sleeve {
-    Reach left;                ///< the next nodes around the obstacle
-    Reach right;               ///< the ones before
-    std::uint32_t exit;        ///< the half-edge behind its last triangle
-    std::uint32_t first_turn;  ///< see right_before
-    bool is_back;              ///< whether its turns are those of the other end
+    Reach left;                ///< chain on the left, counter-clockwise around its obstacle
+    Reach right;               ///< chain on the right, clockwise around its obstacle
+    std::uint32_t exit;        ///< half-edge out of its last triangle
+    std::uint32_t first_turn;  ///< start of its entries in turns_
+    bool is_back;              ///< whether these entries are those of the other direction
   };
 
-  /// One of a sleeve's walls: nodes by their index along it.
+  /// One of a sleeve's convex chains: nodes by their index along it.
   template <int kStep>  // 1 on the left, -1 on the right
   class Chain {
    public:
@@ -53,21 +53,21 @@ class Sleeves {
     [[nodiscard]] const Node& node(std::uint32_t i) const { return first_[kStep * static_cast<std::ptrdiff_t>(i)]; }
     [[nodiscard]] static const Vec2& ahead_of(const Node& node) { return kStep > 0 ? node.next : node.previous; }
     [[nodiscard]] static const Vec2& before(const Node& node) { return kStep > 0 ? node.previous : node.next; }
-    /// Which way a point q lies from the ray from s through p: +1 behind the wall's side of it, -1 on the other side.
+    /// Side of the ray from s through p on which q lies: +1 on the chain's side, -1 on the other side.
     [[nodiscard]] static int turn(const Vec2& s, const Vec2& p, const Vec2& q) { return kStep * orientation(s, p, q); }
 
-    /// Fetches what a search that begins at a node needs.
+    /// Prefetches what a search that begins at a node reads.
     void fetch(std::uint32_t i) const {
       will_need(&node(i).at);
       will_need(&ahead_of(node(i)));
     }
 
-    /// A node that may be near the one that a ray in this direction touches.
+    /// Estimate of the node that a ray in this direction touches.
     [[nodiscard]] std::uint32_t guess(const Vec2& direction) const;
-    /// The node that limits what is seen from s past the first nodes; kNone if that is the end of the half-edge before
-    /// them.
-    /// @param passed  nodes of the wall that were passed before s, if s is on the other wall: 0 if it is not.
-    /// @param guess   a node that may be near it.
+    /// The node among the chain's first `nodes` that bounds the view from s; kNone if the end of the half-edge before
+    /// them does.
+    /// @param passed  number of the chain's nodes passed before s, if s lies on the other chain; else 0.
+    /// @param guess   estimate of the node, where the search begins.
     /// @param sure    FreeSpaceTriangulation::sure_cross_product.
     [[nodiscard]] std::uint32_t bounding_node_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
                                                    std::uint32_t guess, double sure) const;
@@ -77,22 +77,22 @@ class Sleeves {
     const Node* first_;
   };
 
-  /// None.
+  /// No sleeves.
   Sleeves() = default;
-  /// Those of at least so many triangles. O(triangles), the same for any executor.
+  /// Finds the sleeves of at least `least` triangles. O(triangles), the same result for any executor.
   Sleeves(const FreeSpaceTriangulation& triangulation, std::uint32_t least,
           const Executor& executor = SerialExecutor());
 
   [[nodiscard]] bool empty() const { return sleeves_.empty(); }
   [[nodiscard]] std::size_t size() const { return sleeves_.size(); }
-  /// That which is entered by a half-edge, nullptr if none is.
+  /// The sleeve that a half-edge enters, or null.
   [[nodiscard]] const Sleeve* behind(std::uint32_t half_edge) const {
     const Mark& mark = marks_[half_edge / kHalfEdgesPerMark];
     const std::uint64_t bit = std::uint64_t{1} << half_edge % kHalfEdgesPerMark;
     if ((mark.half_edges & bit) == 0) return nullptr;
     return &sleeves_[mark.before + static_cast<std::uint32_t>(std::popcount(mark.half_edges & (bit - 1)))];
   }
-  /// How many nodes of the right wall are passed before the one of the left wall with this index.
+  /// Number of the right chain's nodes passed before the left chain's node with this index.
   [[nodiscard]] std::uint32_t right_before(const Sleeve& sleeve, std::uint32_t left) const {
     return sleeve.is_back ? sleeve.right.count - first_ones(sleeve, sleeve.left.count - 1 - left) : turns(sleeve)[left];
   }
@@ -101,12 +101,12 @@ class Sleeves {
                           : first_ones(sleeve, right);
   }
 
-  /// About the angle from u counter-clockwise to v, in quarters of a turn from 0 to 2.
+  /// Angle from u counter-clockwise to v, in quarters of a turn from 0 to 2; approximate.
   static double quarters_of_turn(const Vec2& u, const Vec2& v) {
     const double along = u.dot(v), across = u.x() * v.y() - u.y() * v.x();
     if (!(across > 0.0)) return 0.0;
     const double p = across / (std::abs(along) + across);
-    const double angle = p - 0.46 * p * (1.0 - p) * (1.0 - 2.0 * p);  // within 0.005
+    const double angle = p - 0.46 * p * (1.0 - p) * (1.0 - 2.0 * p);  // error below 0.005 quarters
     return along >= 0.0 ? angle : 2.0 - angle;
   }
 
@@ -114,14 +114,14 @@ class Sleeves {
   static constexpr std::uint32_t kHalfEdgesPerMark = 64;
   struct Mark {
     std::uint64_t half_edges = 0;  ///< by bit, whether a sleeve begins there
-    std::uint32_t before = 0;      ///< sleeves that begin at half-edges before these
+    std::uint32_t before = 0;      ///< number of sleeves that begin at half-edges before these
   };
 
-  /// By node of one of the walls, how many nodes of the other one are passed before it.
+  /// For each node of one chain, the number of the other chain's nodes passed before it.
   [[nodiscard]] std::span<const std::uint32_t> turns(const Sleeve& sleeve) const {
     return std::span(turns_).subspan(sleeve.first_turn, sleeve.is_back ? sleeve.right.count : sleeve.left.count);
   }
-  /// How many of them are passed before a node of that other one.
+  /// Number of that chain's nodes passed before a node of the other chain.
   [[nodiscard]] std::uint32_t first_ones(const Sleeve& sleeve, std::uint32_t other) const {
     const auto all = turns(sleeve);
     return static_cast<std::uint32_t>(std::upper_bound(all.begin(), all.end(), other) - all.begin());
@@ -129,7 +129,7 @@ class Sleeves {
 
   std::vector<Mark> marks_;         // of 64 half-edges each
   std::vector<Sleeve> sleeves_;     // in the order of their half-edges
-  BigVector<std::uint32_t> turns_;  // by sleeve and node of one of its walls
+  BigVector<std::uint32_t> turns_;  // by sleeve and node of one of its chains
 };
 
 template <int kStep>
@@ -141,9 +141,9 @@ std::uint32_t Sleeves::Chain<kStep>::guess(const Vec2& direction) const {
   return nodes < last ? static_cast<std::uint32_t>(nodes) : last;
 }
 
-// Seen from a point before the sleeve, nodes of a convex wall come nearer to the other wall one after the other, up to
-// the one that limits what is seen. Further ones lie behind it; or all of them lie behind the end of the half-edge.
-// From the other wall the last node that was passed is in sight.
+// The view from a point before the sleeve narrows along a convex chain, node by node, up to the bounding node. Later
+// nodes lie behind it, or all nodes lie behind the end of the half-edge. From the other chain the last node passed is
+// visible.
 template <int kStep>
 std::uint32_t Sleeves::Chain<kStep>::bounding_node_from(const Vec2& s, std::uint32_t nodes, std::uint32_t passed,
                                                         std::uint32_t guess, double sure) const {
@@ -155,7 +155,7 @@ std::uint32_t Sleeves::Chain<kStep>::bounding_node_from(const Vec2& s, std::uint
   if (nodes == 0) return kNone;
   std::uint32_t low = std::max(passed, 1u) - 1, high = nodes - 1;
   std::uint32_t middle = std::clamp(guess, low, std::max(high, low + 1) - 1);
-  for (std::uint32_t far = 1; low < high; far = std::min(2 * far, nodes)) {  // how far the next one is looked for
+  for (std::uint32_t far = 1; low < high; far = std::min(2 * far, nodes)) {  // distance to the next node tried
     const Node& n = node(middle);
     if (is_ahead(n.at, ahead_of(n))) {
       low = middle + 1;
@@ -168,8 +168,8 @@ std::uint32_t Sleeves::Chain<kStep>::bounding_node_from(const Vec2& s, std::uint
   return low == 0 && passed == 0 && !is_ahead(before(*first_), first_->at) ? kNone : low;
 }
 
-/// Those that take less time to be found and passed than their triangles one by one. None unless most vertices are on
-/// long convex walls.
+/// Sleeves, if finding and crossing them takes less time than crossing their triangles one by one. None unless most
+/// vertices lie on long convex chains.
 Sleeves worthwhile_sleeves(const World& world, const FreeSpaceTriangulation& triangulation,
                            const Executor& executor = SerialExecutor());
 

@@ -13,7 +13,7 @@ namespace arcway::internal {
 
 namespace {
 
-// Sign of the cross product of two differences of coordinates that have been rounded once; 0 if it is not sure.
+// Sign of the cross product of two differences of coordinates that have been rounded once; 0 if rounding may decide it.
 inline int filtered_sign(double ux, double uy, double vx, double vy) {
   constexpr double kEpsilon = 0x1p-53;
   constexpr double kErrorBound = (3.0 + 16.0 * kEpsilon) * kEpsilon;  // [Shewchuk 1997, figure 21]
@@ -24,7 +24,7 @@ inline int filtered_sign(double ux, double uy, double vx, double vy) {
   return (determinant > error) - (determinant < -error);
 }
 
-// Sign of the cross product of the ways from a to b and from p to q. Exact.
+// Exact sign of the cross product of b - a and q - p.
 int cross_sign(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
   FixedExpansion<16> sum;
   for (const auto& [end, sign] : {std::pair<const Vec2&, double>(b, 1.0), {a, -1.0}}) {
@@ -36,7 +36,7 @@ int cross_sign(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
   return sum.sign();
 }
 
-// Who looks from a run looks at all of its nodes, not at the first ones first.
+// Nodes to prefetch ahead: the expansion of a chain reads all of its nodes.
 constexpr std::size_t kNodesAhead = 256;
 
 bool is_tangent(const FreeSpaceTriangulation::Node& node, const Vec2& from) {
@@ -69,7 +69,7 @@ TangentConeExpansion::BoundingRay TangentConeExpansion::straight(Kind kind, std:
   return {node(from).at, {0.0, kind == Kind::kUp ? 1.0 : -1.0}, from, static_cast<std::uint32_t>(kind) << kPointBits};
 }
 
-// +1 if the point, at p, lies to the left of the limit's ray.
+// +1 if the point, at p, lies to the left of the ray.
 inline int TangentConeExpansion::side(const BoundingRay& ray, const Vec2& p, std::uint32_t point) const {
   const double determinant =
       ray.direction.x() * (p.y() - ray.origin.y()) - ray.direction.y() * (p.x() - ray.origin.x());
@@ -99,8 +99,9 @@ int TangentConeExpansion::exact_side(const BoundingRay& ray, std::uint32_t point
   return 0;
 }
 
-// Directions are tangent from the previous vertex's counter-clockwise to the opposite of the next one's, and from the
-// opposite of the previous one's to the next one's.
+// The tangent directions of a node form two cones. One reaches from the direction of the previous vertex
+// counter-clockwise to the opposite of the next vertex's. The other reaches from the opposite of the previous vertex's
+// direction to the next vertex's.
 void TangentConeExpansion::expand_all(std::uint32_t index) {
   alias_ = kNone;
   const Node& source = triangulation_.nodes()[index];
@@ -129,7 +130,7 @@ void TangentConeExpansion::expand_right(std::uint32_t index) {
     } else {
       follow_edges_right(source);
     }
-    // Unless it is within a run, or its rays lead left.
+    // Chains start here unless the node lies within a chain, or its rays lead left.
     if (from_left ? source.before == kNone : !to_left) expand_from_chain<Hand::kLeft>(index);
     if (to_left ? source.after == kNone : !from_left) expand_from_chain<Hand::kRight>(index);
   } else {
@@ -156,7 +157,7 @@ void TangentConeExpansion::expand_right_from(std::uint32_t index) {
                   bounding_ray(Kind::kToward, index, source.next_point, source.next));
 }
 
-// Along walls that leave the source, straight on to the first point with a node.
+// Follows boundary edges that leave the source, straight on, to the first point with a node.
 void TangentConeExpansion::follow_edges_right(const Node& source) {
   for (const PlanarMap::Edge& first : triangulation_.edges_from(source.point)) {
     const PlanarMap::Edge* edge = &first;
@@ -202,7 +203,7 @@ void TangentConeExpansion::expand_cone(std::uint32_t index, const BoundingRay& c
   const Node& source = triangulation_.nodes()[index];
   struct Spoke {
     BoundingRay ray;
-    int low, high;  // sides of the wedge's limits
+    int low, high;  // sides of the cone's bounding rays
   };
   const auto spoke_to = [&](std::uint32_t point, const Vec2& at) {
     return Spoke{bounding_ray(Kind::kMet, index, point, at), side(cone_low, at, point), side(cone_high, at, point)};
@@ -227,8 +228,8 @@ void TangentConeExpansion::expand_cone(std::uint32_t index, const BoundingRay& c
   }
 }
 
-// Around the obstacle from node to node, and in the triangles around each from spoke to spoke: all rays of the run
-// beyond the near limit pass the current spoke, or begin at the current node behind it.
+// Goes around the obstacle from node to node, and around each node from spoke to spoke. All rays of the chain beyond
+// the near bounding ray cross the current spoke, or start at the current node behind it.
 template <TangentConeExpansion::Hand kHand>
 void TangentConeExpansion::expand_from_chain(std::uint32_t first) {
   constexpr bool kLeft = kHand == Hand::kLeft;
@@ -310,8 +311,8 @@ void TangentConeExpansion::expand_from_chain(std::uint32_t first) {
   }
 }
 
-// The place in [low, high] from which the run's tangent ray passes p, which none of the others hides. Looked for from
-// one end in longer and longer steps: what follows each other along a wall is mostly seen from places near by.
+// The position in [low, high] whose tangent ray passes p while no other position hides it. The search gallops from one
+// end, because neighbors along a boundary are mostly seen from neighboring positions.
 std::uint32_t TangentConeExpansion::touch(std::uint32_t low, std::uint32_t high, End from, const Vec2& p) const {
   for (std::uint32_t step = 1; low < high; step *= 2) {
     const std::uint32_t half = (high - low + 1) / 2;
@@ -338,8 +339,8 @@ template <bool kHasSleeves, bool kHasFans>
 void TangentConeExpansion::expand_through(std::uint32_t half_edge, BoundingRay low, BoundingRay high) {
   const FreeSpaceTriangulation::HalfEdge* const half_edges = triangulation_.half_edges().data();
   std::uint64_t steps = 0;
-  // What has been reported of the half-edge's ends, if it is the far end of a wall in sight: not tangent once the next
-  // wall is in sight, too.
+  // Reports of the half-edge's ends, if they are far ends of visible boundary edges. They turn out not to be tangent
+  // once the next boundary edge is visible too.
   std::uint32_t left_end = kNone, right_end = kNone;
   while (true) {
     ++steps;
@@ -369,7 +370,7 @@ void TangentConeExpansion::expand_through(std::uint32_t half_edge, BoundingRay l
           std::uint32_t seen = kNone;
           if (in_range && triangle.node != kNone)
             seen = report(from, triangle.node, ends_right_boundary ? right_end : ends_left_boundary ? left_end : kNone);
-          // A range from a limit to itself is empty.
+          // The cone between a bounding ray and itself is empty.
           const BoundingRay middle = bounding_ray(Kind::kMet, from, triangle.point, triangle.apex);
           const bool goes_left = high_side < 0 && triangle.left != kNone;
           const bool goes_right = low_side > 0 && triangle.right != kNone;
@@ -412,7 +413,7 @@ std::uint32_t TangentConeExpansion::pass_fan(std::uint32_t half_edge, const Boun
   constexpr int kStep = kPivot == Hand::kLeft ? 1 : -1;
   const auto [fan, triangle] = fans_->behind<kStep>(half_edge);
   if (!fan || kStep * side(ray, triangulation_.points()[fan->pivot], fan->pivot) <= 0) return half_edge;
-  const int least = is_closed(ray) ? 0 : 1;  // a corner on a ray that does not belong to the range is passed
+  const int least = is_closed(ray) ? 0 : 1;  // a corner on an open bounding ray is crossed
   const auto stops = [&](std::uint32_t point) {
     return kStep * side(ray, triangulation_.points()[point], point) >= least;
   };
@@ -424,7 +425,7 @@ std::uint32_t TangentConeExpansion::pass_fan(std::uint32_t half_edge, const Boun
   return kStep > 0 ? last.left : last.right;
 }
 
-// Sign of the cross product of the limit's direction with the way from one point to another one. Exact.
+// Exact sign of the cross product of the ray's direction and the vector from one point to another.
 int TangentConeExpansion::turn_along(const BoundingRay& ray, std::uint32_t from, std::uint32_t to) const {
   if (ray.kind() == Kind::kDown) return to > from ? 1 : -1;
   if (ray.kind() == Kind::kUp) return to > from ? -1 : 1;
@@ -435,8 +436,9 @@ int TangentConeExpansion::turn_along(const BoundingRay& ray, std::uint32_t from,
   return ray.kind() == Kind::kAway ? -exact : exact;
 }
 
-// The wall is looked at from the place that the range's limit starts from, then from where the ray to the node found
-// starts, and so on: each ray leaves more of the wall behind, until one leaves all of it there.
+// Searches the chain from the position where the cone's bounding ray starts. The ray to the node found may start at
+// another position, so the search repeats from there. Each ray leaves more of the chain behind, until one leaves all of
+// it there.
 template <int kStep, class Passed, class From>
 TangentConeExpansion::Contact TangentConeExpansion::contact(const Sleeves::Chain<kStep>& chain, std::uint32_t nodes,
                                                             const BoundingRay& own, const BoundingRay* other,
@@ -476,7 +478,7 @@ bool TangentConeExpansion::pass(const Sleeves::Sleeve& sleeve, BoundingRay& low,
   if (passes && on_left.exists() && on_right.exists()) {
     passes = side(on_left.ray, right.node(on_right.index).at, right.node(on_right.index).point) < 0;
   }
-  // What is in the range is seen unless the other wall, as far as it was passed before, hides it.
+  // A node in the cone is visible unless the other chain hides it, as far as that chain was passed before.
   const auto report_if_seen = [&](const Contact& c, const auto& chain, const BoundingRay& own, const BoundingRay& other,
                                   const auto& across, std::uint32_t passed) {
     const bool in_range =
@@ -498,14 +500,14 @@ bool TangentConeExpansion::pass(const Sleeves::Sleeve& sleeve, BoundingRay& low,
   return passes;
 }
 
-// The other wall is seen from the run up to the node that a ray of the run touches. A node is touched from what was
-// passed of the run before it, and places within the sleeve do not see what was passed of the other wall before them.
+// From the chain, the other chain is visible up to the node that a ray of the chain touches. Such a ray starts at one
+// of the chain's nodes before that node. Positions within the sleeve do not see the other chain's nodes before them.
 template <TangentConeExpansion::Hand kHand>
 bool TangentConeExpansion::pass_along(const Sleeves::Sleeve& sleeve, std::uint32_t count, std::uint32_t place,
                                       BoundingRay& near) {
   constexpr bool kLeft = kHand == Hand::kLeft;
   const Sleeves::Chain<kLeft ? -1 : 1> across(kLeft ? sleeve.right : sleeve.left, triangulation_.nodes());
-  const auto across_before = [&](std::uint32_t i) {  // of the other wall, before one of the run
+  const auto across_before = [&](std::uint32_t i) {  // number of the other chain's nodes before one of this chain
     return kLeft ? sleeves_->right_before(sleeve, i) : sleeves_->left_before(sleeve, i);
   };
   const auto ahead = [&](std::uint32_t nodes) { return kLeft ? place + nodes : place - nodes; };
@@ -563,7 +565,7 @@ void TangentConeExpansion::add(const Node& source, const Node& target) {
 }
 
 EdgeList TangentConeExpansion::take_edges() {
-  EdgeList taken = edges_;  // no longer than it must be
+  EdgeList taken = edges_;  // a copy has no spare capacity
   edges_.clear();
   return taken;
 }
@@ -573,16 +575,16 @@ double steps_per_node(const FreeSpaceTriangulation& triangulation, const Executo
   TangentConeExpansion expansion(triangulation, nullptr, fans);
   if (triangulation.nodes().empty()) return 0.0;
   for (std::size_t i = 0; i < kSample; ++i) {
-    end_if_over(executor);  // in a wide ring of obstacles a walk takes milliseconds
+    end_if_over(executor);  // in a wide ring of obstacles one expansion takes milliseconds
     expansion.expand_right(static_cast<std::uint32_t>(i * kGolden % triangulation.nodes().size()));
   }
   return static_cast<double>(expansion.steps()) / kSample;
 }
 
 LongFans worthwhile_fans(const FreeSpaceTriangulation& triangulation, const Executor& executor) {
-  // Saws of 10,000 vertices have 1,400 steps a node, and 9 with fans; of 100,000 vertices 14,000 and 9. Where walks are
-  // shorter, fans do not pay: with those of a warehouse of 100,000 vertices, 200 to 600 steps a node, a build took 8 %
-  // longer.
+  // Saws of 10,000 vertices take 1,400 steps a node, and 9 with fans; of 100,000 vertices 14,000 and 9. Where
+  // expansions are shorter, fans do not pay. A warehouse of 100,000 vertices takes 200 to 600 steps a node, and its
+  // build took 8 % longer with fans.
   constexpr double kVeryManySteps = 1000.0, kMuchLess = 0.5;
   constexpr std::uint32_t kLeastTriangles = 64;
   const double steps = steps_per_node(triangulation, executor);

@@ -12,30 +12,32 @@
 
 namespace arcway::internal {
 
-/// Finds the edges of the reduced visibility graph from its nodes.
+/// Finds edges of the reduced visibility graph by tangent-cone expansion: from each node it expands only directions
+/// that are tangent there.
 ///
-/// A line between two nodes with no convex vertex on the way either touches nothing between its ends, and then it
-/// passes through the insides of triangles only; or it runs along obstacle edges all the way. (A vertex that it touches
-/// on the way is not convex. A reflex one would block it, a straight one has it run along its edges, and so on in both
-/// directions until a vertex that is not straight.) So walks look at open ranges of directions between the vertices
-/// that limit them, and edges of obstacles are followed by themselves.
+/// A line of sight between two nodes with no convex vertex in between has one of two forms:
+/// - It touches nothing between its ends. Then it passes through the interiors of triangles only.
+/// - It runs along obstacle edges all the way. A vertex that it touches is not convex: a reflex vertex would block it,
+///   and at a straight vertex it runs along the vertex's edges.
 ///
-/// Plain nodes that follow each other around an obstacle from left to right are a *run*, and all of a run is looked
-/// from at once: rays that leave it tangentially, with the obstacle on their left, say, begin further and further along
-/// the run as they turn counter-clockwise, and no two of them meet. So a range of them is passed through triangles like
-/// one that leaves from a single node; the vertex that splits it is seen from the node whose tangent cone it lies in.
+/// So an expansion needs open cones of directions only, and obstacle edges are followed separately.
+///
+/// Simple nodes that follow each other around an obstacle from left to right form a convex *chain*, which is expanded
+/// as a whole. Consider rays that leave the chain tangentially, with the obstacle on their left. Their starts advance
+/// along the chain as they turn counter-clockwise, and no two of them meet. So a cone of such rays crosses triangles
+/// like a cone from a single node. A vertex that splits it is visible from the node whose tangent cone contains it.
 class TangentConeExpansion {
  public:
-  /// @param sleeves, fans  of the map, to be passed at once; may be null.
+  /// @param sleeves, fans  of the triangulation, crossed in one step each; may be null.
   explicit TangentConeExpansion(const FreeSpaceTriangulation& triangulation, const Sleeves* sleeves = nullptr,
                                 const LongFans* fans = nullptr);
 
-  /// Edges to the right of the nodes of the runs that start at a node: after all nodes, each edge is found once.
+  /// Finds the edges to the right from the chains that start at a node. After all nodes, each edge is found once.
   void expand_right(std::uint32_t node);
-  /// All edges of a node.
+  /// Finds all edges of a node.
   void expand_all(std::uint32_t node);
 
-  /// Those found since they were last taken.
+  /// Takes the edges found since the last call.
   [[nodiscard]] EdgeList take_edges();
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
@@ -43,14 +45,14 @@ class TangentConeExpansion {
  private:
   using Node = FreeSpaceTriangulation::Node;
 
-  /// What limits a range: a ray from a node towards a point or away from it, or straight down or up. All but those
-  /// towards points that walks have met belong to the range.
+  /// How a bounding ray is given: from a node towards a point or away from it, or straight down or up. All kinds but
+  /// kMet belong to their cone; kMet leads to a point that the expansion has met.
   enum class Kind : std::uint32_t { kMet, kToward, kAway, kDown, kUp };
   struct BoundingRay {
     Vec2 origin;
     Vec2 direction;                ///< rounded
-    std::uint32_t from;            ///< the node, by its place on the run
-    std::uint32_t point_and_kind;  ///< point and kind
+    std::uint32_t from;            ///< position of its node on the chain
+    std::uint32_t point_and_kind;  ///< point and kind in one word
     [[nodiscard]] std::uint32_t point() const { return point_and_kind & kPointMask; }
     [[nodiscard]] Kind kind() const { return static_cast<Kind>(point_and_kind >> kPointBits); }
   };
@@ -62,11 +64,11 @@ class TangentConeExpansion {
 
   void follow_edges_right(const Node& source);
   void follow_edges_left(const Node& source);
-  /// @param first       point at the other end of a wall that leaves the source.
-  /// @param before_end  point before the last one.
+  /// @param first       point at the other end of the boundary edge that leaves the source.
+  /// @param before_end  last point before the end.
   void report_along_boundary(const Node& source, std::uint32_t first, std::uint32_t before_end, std::uint32_t end);
 
-  /// Where the obstacle lies, as seen along the rays.
+  /// The side of the rays on which the obstacle lies.
   enum class Hand : std::uint8_t { kLeft, kRight };
   template <Hand kHand>
   void expand_from_chain(std::uint32_t first);
@@ -78,39 +80,39 @@ class TangentConeExpansion {
   void expand(std::uint32_t half_edge, const BoundingRay& low, const BoundingRay& high);
   template <bool kHasSleeves, bool kHasFans>
   void expand_through(std::uint32_t half_edge, BoundingRay low, BoundingRay high);
-  /// @param instead_of  what has been reported and is not tangent; kNone if nothing is.
-  /// @return to be replaced later on; kNone if points may have several nodes.
+  /// Reports a node as visible from a position of the chain.
+  /// @param instead_of  report to replace, because its node is not tangent; kNone: none.
+  /// @return the report, to be replaced later; kNone if points may have several nodes.
   std::uint32_t report(std::uint32_t place, std::uint32_t first_node, std::uint32_t instead_of = kNone);
-  /// What limits a range along a wall: the node that a ray of the range touches.
+  /// The node of a convex chain beside a sleeve that a ray of the cone touches; it bounds the cone there.
   struct Contact {
-    std::uint32_t index = kNone;  ///< of the wall; kNone if the range passes by
-    int own_side = 0;             ///< -1 if within the range's limit on the side of the wall, 0 if on it
-    int other_side = 0;           ///< -1 if beyond the other limit, so that nothing passes; 0 if on it
+    std::uint32_t index = kNone;  ///< on the chain; kNone if the cone passes by
+    int own_side = 0;             ///< -1: inside the bounding ray on the chain's side; 0: on it
+    int other_side = 0;           ///< -1: beyond the other bounding ray, so that nothing passes; 0: on it
     BoundingRay ray{};
     [[nodiscard]] bool exists() const { return index != kNone; }
     [[nodiscard]] bool leaves_way() const { return !exists() || other_side > 0; }
   };
-  /// @param nodes           how many of the wall are reached.
-  /// @param own, other      limits of the range; `other` may be none.
+  /// @param nodes           number of the chain's nodes that the cone reaches.
+  /// @param own, other      bounding rays on the chain's side and on the other side; `other` may be null.
   /// @param guess           see Sleeves::Chain::bounding_node_from.
-  /// @param passed_before   how many nodes of the wall are behind a place of the run.
-  /// @param touched_from    the place from which a ray to the wall's node `index`, at some place, starts.
+  /// @param passed_before   (position) -> number of the chain's nodes behind that position.
+  /// @param touched_from    (index, at) -> position from which a ray to the chain's node `index` starts.
   template <int kStep, class Passed, class From>
   [[nodiscard]] Contact contact(const Sleeves::Chain<kStep>& chain, std::uint32_t nodes, const BoundingRay& own,
                                 const BoundingRay* other, std::uint32_t guess, const Passed& passed_before,
                                 const From& touched_from) const;
-  /// Passes a sleeve. Returns whether anything comes through; then the limits are what does.
+  /// Crosses a sleeve. Returns whether rays pass; then `low` and `high` bound them.
   bool pass(const Sleeves::Sleeve& sleeve, BoundingRay& low, BoundingRay& high);
-  /// Passes a sleeve along one of its walls, from a place of the run at its entrance. Returns whether the run goes on.
-  /// @param count  nodes to go: those of the wall; or none, where the run ends, and then the triangles around the
-  /// place.
+  /// Crosses a sleeve along one of its chains, from a position at its entrance. Returns whether the chain goes on.
+  /// @param count  number of nodes to advance; 0 where the chain ends, and the sleeve lies around its last node.
   template <Hand kHand>
   bool pass_along(const Sleeves::Sleeve& sleeve, std::uint32_t count, std::uint32_t place, BoundingRay& near);
-  /// Passes the triangles of a long fan whose pivot is on one side of a half-edge, up to the first one that the range
-  /// does not pass by.
-  /// @param kPivot  the side.
-  /// @param limit   of the range, on the other side.
-  /// @return the half-edge to go on with; kNone: a wall.
+  /// Crosses the triangles of a long fan whose pivot lies at one end of a half-edge, up to the first triangle that
+  /// splits the cone.
+  /// @tparam kPivot  the side of the pivot.
+  /// @param ray      bounding ray on the other side.
+  /// @return half-edge to go on with; kNone on the boundary.
   template <Hand kPivot>
   [[nodiscard]] std::uint32_t pass_fan(std::uint32_t half_edge, const BoundingRay& ray) const;
   [[nodiscard]] int turn_along(const BoundingRay& ray, std::uint32_t from, std::uint32_t to) const;
@@ -128,32 +130,35 @@ class TangentConeExpansion {
   const LongFans* fans_;
   double sure_;  ///< FreeSpaceTriangulation::sure_cross_product
   Hand hand_ = Hand::kLeft;
-  /// Places on a run are its nodes, counter-clockwise around the obstacle; a ring's first node may also be one past the
-  /// last.
+  /// Positions on a chain are its nodes, counter-clockwise around the obstacle. The first node of a ring may also have
+  /// the position after the last.
   std::uint32_t alias_ = kNone, alias_of_ = kNone;
   struct Postponed {
     std::uint32_t half_edge;
     BoundingRay low, high;
   };
   std::vector<Postponed> stack_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> seen_;  // nodes, to be tested once the second ones are at hand
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      seen_;  // pairs of nodes; the second ones are tested when they are in the cache
   EdgeList edges_;
   std::uint64_t steps_ = 0;
   std::uint64_t candidates_ = 0;
 };
 
-/// The neighbors of a node in the reduced visibility graph, ascending; none for kNone. Needs a map that lists left
-/// edges.
+/// Neighbors of a node in the reduced visibility graph, ascending; none for kNone.
+/// @param triangulation  must have listed its left edges.
 std::vector<VertexId> tangent_neighbors(const FreeSpaceTriangulation& triangulation, std::uint32_t node,
                                         const LongFans* fans = nullptr);
 
-/// Triangles that walks to the right enter, of a node on average: from some nodes all over the map.
-/// @param executor  only asked whether to end. @throws Cancelled then
+/// Mean number of triangles that the expansion of a node to the right enters, from a sample of nodes.
+/// @param executor  asked only whether to stop.
+/// @throws Cancelled if it is to stop.
 double steps_per_node(const FreeSpaceTriangulation& triangulation, const Executor& executor,
                       const LongFans* fans = nullptr);
 
-/// The long fans of a map where walks are very long, and much shorter with them; else none. O(n log n).
-/// @param executor  only asked whether to end. @throws Cancelled then
+/// Long fans of a triangulation whose expansions are very long, if the fans shorten them much; else none. O(n log n).
+/// @param executor  asked only whether to stop.
+/// @throws Cancelled if it is to stop.
 LongFans worthwhile_fans(const FreeSpaceTriangulation& triangulation, const Executor& executor);
 
 }  // namespace arcway::internal

@@ -9,7 +9,7 @@
 
 namespace arcway::internal {
 
-/// Rows of the reduced visibility graph, one vertex at a time: what lazy planning needs of a large map.
+/// Rows of the reduced visibility graph, one vertex at a time. Lazy planning on large maps needs only some of them.
 ///
 ///     const TangentNeighbors neighbors(world);
 ///     for (const VertexId v : neighbors.of(u)) ...
@@ -17,14 +17,14 @@ namespace arcway::internal {
 /// Immutable and thread-safe; the world need not outlive it.
 class TangentNeighbors {
  public:
-  /// Triangulates free space; see wedge_graph.h for cost and limits.
+  /// Triangulates free space; see tangent_cone_graph.h for cost and limits.
   explicit TangentNeighbors(const World& world, const Executor& executor = SerialExecutor());
   ~TangentNeighbors();
   TangentNeighbors(TangentNeighbors&&) noexcept;
   TangentNeighbors& operator=(TangentNeighbors&&) noexcept;
 
-  /// All vertices, lower and higher, that share an edge of the reduced visibility graph with a vertex, ascending: none
-  /// unless it is one of World::convex_vertices. Exact. O(triangles seen in its tangent cones).
+  /// All neighbors of a vertex in the reduced visibility graph, ascending. None unless it is one of
+  /// World::convex_vertices. Exact. O(triangles seen in its tangent cones).
   /// @throws std::out_of_range if the world has no such vertex.
   [[nodiscard]] std::vector<VertexId> of(VertexId vertex) const;
 

@@ -15,8 +15,8 @@ void TriangularExpansion::find_boundary(const Vec2& p, Scratch& scratch) const {
   for (const View& view : scratch.views) expand(p, view, scratch);
 }
 
-// Lines of sight past points follow each other without gaps as long as there is an open range beside them; where there
-// is none, lines are followed by themselves.
+// Lines of sight past points are found by the expansion as long as there is an open cone beside them. Where there is
+// none, the line itself is followed.
 void TriangularExpansion::find_points(const Vec2& p, std::uint32_t own, Scratch& scratch) const {
   scratch.points.clear();
   find_boundary(p, scratch);
@@ -28,7 +28,7 @@ void TriangularExpansion::find_points(const Vec2& p, std::uint32_t own, Scratch&
   if (own != kNone) follow_edges_between_obstacles(p, own, scratch);
 }
 
-// The edges of the triangles at p that are seen from there.
+// Edges of the triangles at p that p sees from inside.
 void TriangularExpansion::find_views(const Vec2& p, Scratch& scratch) const {
   scratch.views.clear();
   const std::span<const Vec2> at = triangulation_.points();
@@ -42,7 +42,7 @@ void TriangularExpansion::find_views(const Vec2& p, Scratch& scratch) const {
             [&](const View& a, const View& b) { return precedes_about(p, at[a.right], at[b.right]); });
 }
 
-// To the walls, from right to left. A point on a limit is seen as well, along with what is within.
+// Expands a view to the boundary, from right to left. A point on a bounding ray is visible too.
 void TriangularExpansion::expand(const Vec2& p, const View& view, Scratch& scratch) const {
   const FreeSpaceTriangulation::HalfEdge* const half_edges = triangulation_.half_edges().data();
   std::vector<View>& postponed = scratch.postponed;
@@ -72,7 +72,7 @@ void TriangularExpansion::expand(const Vec2& p, const View& view, Scratch& scrat
   }
 }
 
-// Where one wall ends and the next one begins on the line between them, the line may go on.
+// Where one boundary piece ends and the next one begins on the line between them, the line may go on.
 void TriangularExpansion::follow_lines_between_pieces(const Vec2& p, Scratch& scratch) const {
   const std::vector<View>& pieces = scratch.boundary;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -87,7 +87,7 @@ void TriangularExpansion::follow_lines_between_pieces(const Vec2& p, Scratch& sc
   }
 }
 
-// Beside these there is no triangle.
+// No triangle lies beside an edge between two obstacles.
 void TriangularExpansion::follow_edges_between_obstacles(const Vec2& p, std::uint32_t own, Scratch& scratch) const {
   if (!scratch.triangles.empty() && is_of_one_boundary(own)) return;
   const auto follow = [&](const PlanarMap::Edge& edge, std::uint32_t end) {
@@ -108,13 +108,13 @@ int TriangularExpansion::side(const Vec2& p, std::uint32_t point, const Vec2& to
   return orientation(p, triangulation_.points()[point], triangle.apex);
 }
 
-// Whether a point lies on the line from p to the limit.
+// Whether a point lies on the line from p to another point.
 bool TriangularExpansion::is_on(const Vec2& p, std::uint32_t point, std::uint32_t toward) const {
   return point == toward || orientation(p, triangulation_.points()[toward], triangulation_.points()[point]) == 0;
 }
 
-// Whether two edges are all that meets a point: if one of them is a wall with free space beside it, so is the other
-// one, and the inside of an obstacle is on their other side.
+// Whether exactly two edges meet a point. If one of them is a boundary edge, so is the other one, and the inside of an
+// obstacle lies behind both.
 bool TriangularExpansion::is_of_one_boundary(std::uint32_t point) const {
   return triangulation_.is_valid() &&
          triangulation_.edges_from(point).size() + triangulation_.edges_to(point).size() == 2;

@@ -8,34 +8,35 @@
 
 namespace arcway::internal {
 
-/// What a point sees in all directions, by triangular expansion [Bungiu et al. 2014] through a free-space
-/// triangulation. Every decision is exact. Immutable and thread-safe.
+/// Visibility of a point in all directions by triangular expansion [Bungiu et al. 2014]. Every decision is exact.
+/// Immutable and thread-safe.
 class TriangularExpansion {
  public:
-  /// What is seen through an edge of a triangle, between two directions towards points; without the limits themselves.
+  /// An open cone of directions seen through an edge of a triangle, between two points.
   struct View {
     std::uint32_t right, left;  ///< ends of the edge
-    std::uint32_t half_edge;    ///< kNone: a wall
-    std::uint32_t low, high;    ///< points that limit the directions
-    Vec2 to_low, to_high;       ///< from the point, rounded
+    std::uint32_t half_edge;    ///< kNone on the boundary
+    std::uint32_t low, high;    ///< points on the two bounding rays
+    Vec2 to_low, to_high;       ///< from the viewpoint, rounded
   };
-  /// Memory of a question, kept for the next one.
+  /// Memory of one call, kept for the next one.
   struct Scratch {
-    std::vector<std::uint32_t> triangles;  ///< those at the point, to be set before
+    std::vector<std::uint32_t> triangles;  ///< input: triangles at the viewpoint
     std::vector<std::uint32_t> points;
     std::vector<View> views, boundary;
     std::vector<View> postponed;
   };
 
-  /// @param map, trace  of the same map; outlive this.
+  /// @param triangulation, trace  of the same world; must outlive this.
   TriangularExpansion(const FreeSpaceTriangulation& triangulation, const LineOfSightTrace& trace)
       : triangulation_(triangulation), trace_(trace), sure_(triangulation.sure_cross_product()) {}
 
-  /// Sets `walls`: what p sees of walls and of the frame, counter-clockwise from +x, `half-edge` being kNone; and
-  /// appends to `points` those that are seen on the way. O(triangles seen).
+  /// Sets `boundary` to the visible pieces of boundary edges and of the frame, counter-clockwise from +x, with
+  /// `half_edge` kNone. Appends to `points` the points seen on the way. O(triangles seen).
   void find_boundary(const Vec2& p, Scratch& scratch) const;
-  /// Sets `points`: all that p sees, without its own one, in no order, some of them several times. O(triangles seen).
-  /// @param own  the point at p, or kNone.
+  /// Sets `points` to all points that p sees except its own, in no order, some of them several times. O(triangles
+  /// seen).
+  /// @param own  index of the point at p, or kNone.
   void find_points(const Vec2& p, std::uint32_t own, Scratch& scratch) const;
 
  private:

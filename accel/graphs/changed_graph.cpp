@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kNodesPerRange = 16;
 
-// Vertices whose rows are to be walked again, by vertex of the world after.
+// Marks vertices of the new world whose rows are to be recomputed.
 std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& after, const WorldChange& change,
                                      const FreeSpaceTriangulation& triangulation) {
   std::vector<std::uint8_t> stale(after.vertices().size(), 0);
@@ -75,7 +75,7 @@ VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, co
     TangentConeExpansion expansion(triangulation);
     for (std::size_t i = begin; i < end; ++i) expansion.expand_all(nodes[i]);
     EdgeList edges = expansion.take_edges();
-    // What two stale rows have in common is found from both.
+    // An edge between two stale rows is found from both ends and kept from the lower one.
     std::erase_if(edges, [&](const auto& edge) { return stale[edge.second] && edge.second < edge.first; });
     const std::scoped_lock lock(mutex);
     lists.push_back(std::move(edges));

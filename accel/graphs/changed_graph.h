@@ -9,12 +9,13 @@
 
 namespace arcway::internal {
 
-/// The reduced visibility graph after a change, the same as built anew: rows of vertices that see where something was,
-/// or whose edges meet where something is now, are walked again, all others are kept. The world after it is
-/// triangulated anew: O(n log n) for that, and what the rows walked again cost.
-/// @param graph  of the world before.
-/// @param rows   how many rows were walked again, if wanted.
-/// @throws std::invalid_argument if graph and change are not of the same worlds, as far as numbers of vertices tell.
+/// Updates the reduced visibility graph after a change of the world; the result equals a new build, bit for bit.
+///
+/// Recomputes the rows of vertices that may see where something was removed, or whose edges meet where something was
+/// added. All other rows are kept. The new world is triangulated: O(n log n), plus the cost of the recomputed rows.
+/// @param graph  graph of the world before the change.
+/// @param rows   receives the number of recomputed rows; may be null.
+/// @throws std::invalid_argument if the numbers of vertices of graph and change differ.
 VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, const World& after,
                                                 const WorldChange& change, const Executor& executor = SerialExecutor(),
                                                 std::size_t* rows = nullptr);

@@ -9,7 +9,7 @@ namespace arcway::internal {
 
 namespace {
 
-// Lists as long as their edges allow: one that grows is held twice.
+// Nodes per list of edges. Short lists, because a growing list is held in memory twice.
 constexpr std::size_t kNodesPerList = 256;
 
 }  // namespace

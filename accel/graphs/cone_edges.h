@@ -12,14 +12,15 @@
 
 namespace arcway::internal {
 
-/// What walks did.
+/// Work done by tangent-cone expansion.
 struct ExpansionCounts {
   std::uint64_t steps = 0;       ///< triangles entered
-  std::uint64_t candidates = 0;  ///< edges tested against regions that are not whole
+  std::uint64_t candidates = 0;  ///< edges tested against invalid regions
 };
 
-/// Looks to the right from the nodes [first, last): after all nodes, each edge is in one list once.
-/// @param sleeves, fans  of the map, to be passed at once.
+/// Edges to the right of the nodes [first, last), by tangent-cone expansion. After all nodes, each edge is in one list
+/// once.
+/// @param sleeves, fans  of the triangulation, crossed in one step each.
 /// @return lists in the order of the nodes, the same for any executor.
 std::vector<EdgeList> cone_edges(const FreeSpaceTriangulation& triangulation, const Sleeves& sleeves,
                                  const LongFans& fans, std::size_t first, std::size_t last, const Executor& executor,

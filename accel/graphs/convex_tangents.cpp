@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostSteps = 16;
 
-// Rises with the angle of a vector from 0 at +x to 4, without trigonometry.
+// Monotone in the angle of a vector from +x: 0 to 4, without trigonometry.
 double pseudo_angle(const Vec2& d) {
   const double t = d.y() / (std::abs(d.x()) + std::abs(d.y()));
   if (d.x() < 0.0) return 2.0 - t;
@@ -27,7 +27,7 @@ ConvexTangents::ConvexTangents(const World& world) : world_(world), convex_(worl
     const auto [first, last] = world_.vertices_of(o);
     bool convex = world_.ring_starts(o).size() == 1;
     for (VertexId v = first; v < last; ++v) convex = convex && world_.is_convex(v);
-    // A ring that touches itself in a vertex bounds several parts, of which `next` leads around one.
+    // A ring that touches itself in a vertex bounds several parts, and `next` leads around one of them.
     VertexId around = 1;
     for (VertexId v = world_.next(first); convex && v != first; v = world_.next(v)) ++around;
     convex = convex && around == last - first;
@@ -46,7 +46,7 @@ ConvexTangents::ConvexTangents(const World& world) : world_(world), convex_(worl
   }
 }
 
-// Counter-clockwise, edges up to the angle of the direction's left normal lead towards it, later ones away.
+// In counter-clockwise order, edges up to the angle of the direction's left normal lead towards it, later ones away.
 VertexId ConvexTangents::furthest(ObstacleId obstacle, const Vec2& direction) const {
   const auto [first, last] = world_.vertices_of(obstacle);
   const double angle = pseudo_angle(perpendicular(direction));
@@ -56,7 +56,7 @@ VertexId ConvexTangents::furthest(ObstacleId obstacle, const Vec2& direction) co
   return ends_[after == begin ? last - 1 : static_cast<VertexId>(after - angles_.begin()) - 1];
 }
 
-// side +1: the obstacle lies to the left of the line from a to b. Its vertex on the line is the one furthest right.
+// Side +1: the obstacle lies to the left of the line from a to b, and its vertex on the line is the one furthest right.
 std::optional<ConvexTangents::VertexPair> ConvexTangents::tangent(ObstacleId a, ObstacleId b, int side_a,
                                                                   int side_b) const {
   const auto center_of = [this](ObstacleId o) { return Vec2(0.5 * (world_.box_of(o).min + world_.box_of(o).max)); };
@@ -69,7 +69,7 @@ std::optional<ConvexTangents::VertexPair> ConvexTangents::tangent(ObstacleId a, 
     pair = next;
     along = world_.vertex(pair.second) - world_.vertex(pair.first);
   }
-  // Rounding may have missed by a vertex, so walk; then prove.
+  // Rounding may have missed by a vertex. Step to neighbors until the tangent is proven.
   for (int step = 0; step < kMostSteps; ++step) {
     const Vec2& p = world_.vertex(pair.first);
     const Vec2& q = world_.vertex(pair.second);

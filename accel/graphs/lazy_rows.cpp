@@ -15,8 +15,8 @@ namespace arcway::internal {
 
 namespace {
 
-// Calls visit(pairs, u, v) for all pairs of vertices that lie within a distance, and some others, by a grid of cells
-// that large. Each thread has pairs of its own; returns all that visits leave there, in any order.
+// Calls visit(pairs, u, v) for all pairs of vertices within a distance, and some others, by a grid of cells of that
+// size. Each thread has its own `pairs`. Returns their union in any order.
 template <class Visit>
 std::vector<VisibilityRows::Pair> collect_near_pairs(const World& world, double distance, const Executor& executor,
                                                      const Visit& visit) {
@@ -27,7 +27,7 @@ std::vector<VisibilityRows::Pair> collect_near_pairs(const World& world, double 
     VertexId vertex;
   };
   const Vec2 low = world.box().min;
-  // A little larger, so that rounding parts no such pair by a whole cell between them.
+  // A little larger than the distance, so that rounding never puts a whole cell between such a pair.
   const double size = std::max(distance, (world.box().max - low).maxCoeff() / kMostCells) * (1.0 + 0x1p-20);
   const auto cell_of = [&](const Vec2& p) {
     const Vec2 place = (p - low) / size;
@@ -47,7 +47,7 @@ std::vector<VisibilityRows::Pair> collect_near_pairs(const World& world, double 
     const auto from = std::lower_bound(items.begin(), items.end(), items[begin].cell + kColumn, lies_before);
     auto next = static_cast<std::size_t>(from - items.begin());  // item of the next column
     for (std::size_t i = begin; i < end; ++i) {
-      end_if_over(executor);  // the vertices near one may be nearly all
+      end_if_over(executor);  // a vertex may have nearly all others near it
       for (std::size_t k = i + 1; k < items.size() && items[k].cell <= items[i].cell + 1; ++k)
         visit(here, items[i].vertex, items[k].vertex);
       while (next < items.size() && lies_before(items[next], items[i].cell + kColumn)) ++next;

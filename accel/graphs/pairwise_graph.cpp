@@ -16,13 +16,13 @@ namespace {
 
 using VertexPair = ConvexTangents::VertexPair;
 
-// Some of a region's convex vertices, as indices among all of them: one piece of the work.
+// One piece of work: a range of a region's convex vertices, as indices among all convex vertices.
 struct Piece {
   ObstacleId region;
   TangentFilter::Range vertices;
 };
 
-// What a thread works with, kept from piece to piece.
+// Memory of a thread, kept from piece to piece.
 struct Workspace {
   std::vector<VertexPair> pairs;
   std::vector<LineSegment> segments;
@@ -35,7 +35,8 @@ class PairwiseBuilder {
       : world_(world), visibility_(visibility), search_(search), filter_(world), convex_(world) {
     for (ObstacleId region = 0; region < world.region_count(); ++region) {
       const bool binary = search == TangentSearch::kBinary && convex_.is_convex(region);
-      const std::size_t most = binary ? 64 : 8;  // vertices: each has up to as many pairs as the world has vertices
+      const std::size_t most =
+          binary ? 64 : 8;  // vertices per piece; each has up to as many pairs as the world has vertices
       const auto [first, last] = filter_.range_of(region);
       for (std::size_t u = first; u < last; u += most) pieces_.push_back({region, {u, std::min(u + most, last)}});
     }

@@ -15,21 +15,22 @@ enum class TangentSearch {
   kAllPairs  ///< a tangency test for every pair of vertices
 };
 
-/// What the pairwise builder did.
+/// Work done by the pairwise builder.
 struct PairwiseCounts {
-  std::uint64_t vertex_pairs = 0;   ///< tested for tangency one by one
+  std::uint64_t vertex_pairs = 0;   ///< pairs of vertices tested for tangency
   std::uint64_t binary_pairs = 0;   ///< pairs of convex obstacles whose tangents were found by binary search
-  std::uint64_t tangent_pairs = 0;  ///< lines of sight asked for
+  std::uint64_t tangent_pairs = 0;  ///< lines of sight tested
 };
 
-/// The reduced visibility graph, the same as core's build_reduced_visibility_graph: by vertex pairs. A filter in single
-/// precision throws out what is clearly not tangent, core's exact test decides the rest, and `visibility` answers for
-/// the tangent pairs. Between two convex obstacles whose boxes are disjoint the four common tangents are found
-/// directly, in O(log n1 + log n2) as a rule.
+/// The reduced visibility graph by pairs of vertices; it equals that of core's build_reduced_visibility_graph.
 ///
-/// O(n^2) or, among convex obstacles, O(k^2 log n) for k obstacles, plus a line of sight for each tangent pair.
-/// Memory: the visible edges three times, and the tangent pairs of 8 vertices, 64 of a convex obstacle, a thread. The
-/// result does not depend on the executor; one that throws, such as StoppableExecutor, cancels the build.
+/// A filter in single precision rejects pairs that are clearly not tangent. Core's exact test decides the rest, and
+/// `visibility` tests the tangent pairs. Between two convex obstacles with disjoint boxes the four common tangents are
+/// computed directly, in O(log n1 + log n2) as a rule.
+///
+/// O(n²) or, among convex obstacles, O(k² log n) for k obstacles, plus a line of sight for each tangent pair. Memory:
+/// three times the visible edges, plus the tangent pairs of 8 vertices a thread (64 of a convex obstacle). The result
+/// does not depend on the executor; an executor that throws cancels the build.
 VisibilityGraph build_pairwise_visibility_graph(const World& world, const VisibilityQuery& visibility,
                                                 const Executor& executor, TangentSearch search = TangentSearch::kBinary,
                                                 PairwiseCounts* counts = nullptr);

@@ -20,7 +20,7 @@ using namespace internal;
 
 namespace {
 
-// Everybody's edges, and sums of everybody's counters.
+// Exchanges edges between the processes and sums up their counters.
 void exchange(std::vector<EdgeList>& parts, ExpansionCounts& sum, const ProcessGroup& process_group) {
   std::string bytes;
   append_bytes(bytes, sum.steps);
@@ -39,13 +39,13 @@ void exchange(std::vector<EdgeList>& parts, ExpansionCounts& sum, const ProcessG
   }
 }
 
-// What all nodes look through.
+// The triangulation that all nodes are expanded through, with its long fans.
 struct TriangulatedWorld {
   FreeSpaceTriangulation triangulation;
   LongFans fans;
 };
 
-// Where walks are long, shorter diagonals are worth a second triangulation.
+// Where expansions are long, shorter diagonals are worth a second triangulation.
 TriangulatedWorld triangulated(const World& world, const Executor& executor) {
   constexpr double kManySteps = 100.0;
   TriangulatedWorld made{FreeSpaceTriangulation(world, executor, Diagonals::kLong), {}};
@@ -65,7 +65,7 @@ VisibilityGraph build_reduced_visibility_graph_by_tangent_cones(const World& wor
   ExpansionCounts sum;
   EdgeList through_contacts;
   {
-    auto [triangulation, fans] = triangulated(world, executor);  // gone when rows are made
+    auto [triangulation, fans] = triangulated(world, executor);  // freed before the rows are made
     if (statistics) *statistics = {triangulation.half_edges().size() / 3, 0, 0, triangulation.invalid_count()};
     executor.begin_stage("lines of sight");
     const Sleeves sleeves = worthwhile_sleeves(world, triangulation, executor);

@@ -45,7 +45,7 @@ std::array<float, TangentFilter::kBlock> TangentFilter::refuse(std::size_t u, st
   const float* back_y = &back_y_[first];
   const float* ahead_x = &ahead_x_[first];
   const float* ahead_y = &ahead_y_[first];
-  // By how much two numbers are of opposite signs.
+  // The smaller magnitude of two numbers of opposite signs; negative for equal signs.
   const auto opposite = [](float s, float t) {
     const float down = s < -t ? s : -t;
     const float up = -s < t ? -s : t;

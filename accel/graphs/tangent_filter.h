@@ -10,12 +10,12 @@
 
 namespace arcway::internal {
 
-/// Pairs of a world's convex vertices whose line is tangent at both: many at a time in single precision, and exactly
+/// Pairs of a world's convex vertices whose line is tangent at both: tested in batches in single precision, and exactly
 /// where that cannot decide.
 ///
-/// Coordinates are centered and scaled into [-1, 1], the directions of the two edges at a vertex to |x| + |y| = 1. The
-/// cross product of a difference of coordinates and such a direction is then off by less than 2^-21: 2^-23 each from
-/// the rounding of the difference, of the direction, of the products and of their difference.
+/// Coordinates are centered and scaled into [-1, 1]; directions of the two edges at a vertex are scaled to |x| + |y| =
+/// 1. The cross product of a difference of coordinates and such a direction is off by less than 2^-21. That is 2^-23
+/// each from the rounding of the difference, the direction, the products and their difference.
 class TangentFilter {
  public:
   static constexpr float kError = 0x1p-20f;
@@ -33,7 +33,7 @@ class TangentFilter {
   template <class Found>
   void for_each_tangent(std::size_t u, Range range, const Found& found) const {
     for (std::size_t first = range.first; first < range.last; first += kBlock) {
-      // Always a whole block: the arrays are longer than the number of vertices.
+      // Tests a full block always: the arrays are longer than the number of vertices.
       const std::array<float, kBlock> certainty = refuse(u, first);
       const std::size_t count = std::min(kBlock, range.last - first);
       for (std::size_t k = 0; k < count; ++k)
@@ -44,7 +44,8 @@ class TangentFilter {
  private:
   static constexpr std::size_t kBlock = 16;
 
-  /// How certainly the lines from u to the vertices [first, first + kBlock) are not tangent; more than kError: proven.
+  /// How certainly the lines from u to the vertices [first, first + kBlock) are not tangent. More than kError is a
+  /// proof.
   [[nodiscard]] std::array<float, kBlock> refuse(std::size_t u, std::size_t first) const;
   [[nodiscard]] bool is_tangent_pair(std::size_t u, std::size_t v) const;
 

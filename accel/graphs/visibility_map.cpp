@@ -28,7 +28,7 @@ namespace {
 using End = LineOfSightTrace::End;
 using Kind = LineOfSightTrace::End::Kind;
 
-// Where the line from p through `through` meets a wall, rounded.
+// Where the line from p through `through` meets an edge, rounded.
 Vec2 meet(const Vec2& p, const Vec2& through, const LineSegment& edge) {
   if (through == edge.a || through == edge.b) return through;
   if (orientation(edge.a, edge.b, p) == 0) return p;
@@ -66,7 +66,7 @@ struct VisibilityMap::Data {
     return triangles;
   }
 
-  // Segments of one point are lines of sight as well unless it lies inside a region.
+  // A segment of one point is a line of sight unless the point lies inside a region.
   [[nodiscard]] bool is_visible(const LineSegment& segment) const {
     if (locator.containing(segment.a) != kNone) return false;
     if (segment.a == segment.b) return true;
@@ -112,7 +112,7 @@ struct VisibilityMap::Data {
     return {triangulation.points()[right], triangulation.points()[left]};
   }
 
-  // Ascending; from a point at some triangles.
+  // Vertices seen from a point of some triangles, ascending.
   void find_vertices_seen(const Vec2& p, std::uint32_t own, TriangularExpansion::Scratch& scratch,
                           std::vector<VertexId>& found) const {
     expansion.find_points(p, own, scratch);
@@ -152,7 +152,7 @@ struct VisibilityMap::Data {
     return found;
   }
 
-  // Those with vertices; what is near in the plane follows each other.
+  // Points with vertices, ordered so that neighbors in the plane follow each other.
   [[nodiscard]] std::vector<std::uint32_t> points_by_tile() const {
     std::vector<std::uint32_t> points;
     std::vector<std::uint8_t> listed(triangulation.points().size(), 0);
@@ -161,7 +161,7 @@ struct VisibilityMap::Data {
       listed[point] = 1;
     };
     for (const FreeSpaceTriangulation::HalfEdge& half_edge : triangulation.half_edges()) list(half_edge.point);
-    for (std::uint32_t point = 0; point < listed.size(); ++point) list(point);  // that no triangle meets
+    for (std::uint32_t point = 0; point < listed.size(); ++point) list(point);  // points that no triangle meets
     return points;
   }
 
@@ -171,7 +171,7 @@ struct VisibilityMap::Data {
   RegionLocator locator;
   TriangularExpansion expansion;
   std::vector<std::uint32_t> node_of;  // by vertex
-  BucketIndex vertices;                // that are not covered
+  BucketIndex vertices;                // vertices that are not covered, by point
   EdgeList through_contacts;           // of the reduced graph
 };
 

@@ -8,7 +8,7 @@ namespace arcway::internal {
 
 namespace {
 
-// Up to about this many edges a scan is as fast as a tree.
+// Up to about this many edges, a scan is as fast as a tree.
 constexpr std::size_t kScanEdges = 64;
 
 }  // namespace

@@ -8,14 +8,17 @@
 
 namespace arcway::internal {
 
-/// Which region has a point strictly inside? Exact, the same as trying all regions with World::locate, by a tree over
-/// their boxes, and for regions of many vertices one over their edges. O(log regions + vertices of small regions
-/// around + edges of large ones that the ray in +x direction meets); no allocation, thread-safe.
+/// Finds the region that contains a point strictly inside. The answer is exact: that of trying all regions with
+/// World::locate.
+///
+/// A tree over the regions' boxes, and for regions of many vertices a tree over their edges. O(log regions + vertices
+/// of small regions around + edges of large regions that the ray in +x direction meets). No allocation, thread-safe.
 class RegionLocator {
  public:
   explicit RegionLocator(const World& world);
 
-  /// The first region, in id order, that has p strictly inside (for the bounds: strictly outside of them), or kNone.
+  /// The first region, in id order, with p strictly inside, or kNone. The bounds contain what is strictly outside of
+  /// them.
   [[nodiscard]] ObstacleId containing(const Vec2& p) const;
 
  private:
@@ -24,7 +27,7 @@ class RegionLocator {
   World world_;
   BoxTree obstacles_;
   std::vector<BoxTree> edge_trees_;
-  std::vector<std::uint32_t> tree_of_;  // region -> edge_trees_, kNone for small ones
+  std::vector<std::uint32_t> tree_of_;  // region -> edge_trees_, kNone for small regions
 };
 
 }  // namespace arcway::internal

@@ -12,7 +12,7 @@ namespace arcway::internal {
 
 namespace {
 
-// Counts of MPI are of type int.
+// Largest message in bytes; counts of MPI are of type int.
 constexpr std::uint64_t kLargestMessage = std::uint64_t{1} << 30;
 
 }  // namespace

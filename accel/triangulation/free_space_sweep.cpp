@@ -11,14 +11,14 @@ namespace arcway::internal {
 
 namespace {
 
-/// Links of a front: what lies behind the link as seen from the gap.
+/// Link of a front: the half-edge behind it, as seen from the gap.
 using Link = std::uint32_t;
 constexpr Link kBoundary = kNone;
-/// A diagonal with the gap on both of its sides; the other bits number it.
+/// Bit of a diagonal with the gap on both of its sides; the other bits number it.
 constexpr Link kDangling = 0x80000000u;
 
 constexpr std::uint32_t kAhead = 12;           // points
-constexpr std::uint32_t kPointsUnasked = 512;  // between two questions whether to end: some tenths of a millisecond
+constexpr std::uint32_t kPointsUnasked = 512;  // points between two checks for a stop: some tenths of a millisecond
 
 class Sweep {
  public:
@@ -50,11 +50,11 @@ class Sweep {
 
  private:
   struct Gap {
-    std::uint32_t edge;          // below it
-    std::int32_t depth;          // whole regions that cover it
-    std::uint32_t below, above;  // gaps
+    std::uint32_t edge;          // below the gap
+    std::int32_t depth;          // number of valid regions that cover it
+    std::uint32_t below, above;  // neighboring gaps
     std::uint32_t low, high;     // ends of the front, on the edges below and above
-    std::uint32_t latest;        // node of the front furthest to the right: what a new point is sure to see
+    std::uint32_t latest;        // rightmost node of the front: visible from the next point
   };
   struct Node {
     std::uint32_t point;
@@ -71,7 +71,8 @@ class Sweep {
     return orientation(map_.points[a], map_.points[b], map_.points[c]) > 0;
   }
 
-  // The far ends of two edges that start just before a point; without branches that nobody foresees.
+  // Prefetches the far ends of the two edges that start just before a point, without branches that would be
+  // mispredicted.
   void fetch_ends(std::uint32_t point) const {
     const std::uint32_t end = map_.first_edge[point];
     will_need(&map_.points[map_.edges[end - 1].high]);
@@ -79,7 +80,7 @@ class Sweep {
   }
 
   bool pass(std::uint32_t point) {
-    std::uint32_t below, above;  // the gaps that the point's edges to the left lie between
+    std::uint32_t below, above;  // gaps below and above the point's edges to the left
     const std::uint32_t first = map_.first_edge[point], last = map_.first_edge[point + 1];
     if (map_.incoming[point] != kNone) {
       above = gap_above_[map_.incoming[point]];
@@ -126,7 +127,7 @@ class Sweep {
     return may_be_neighbors(below, gaps_[below].above) && may_be_neighbors(above, gaps_[above].above);
   }
 
-  // Whether the edges below these neighboring gaps stay clear of each other up to the end of one of them.
+  // Whether the edges below two neighboring gaps stay clear of each other up to the first end of one of them.
   [[nodiscard]] bool may_be_neighbors(std::uint32_t gap, std::uint32_t next) const {
     const PlanarMap::Edge& lower = edge_below(gap);
     const PlanarMap::Edge& upper = edge_below(next);
@@ -161,7 +162,7 @@ class Sweep {
     free_gaps_.push_back(gap);
   }
 
-  // The gap that ends in a point.
+  // Closes a gap that ends in a point.
   void close(std::uint32_t gap, std::uint32_t point) {
     if (is_free(gap)) {
       extend_low_end(gap, point, kBoundary);
@@ -171,7 +172,7 @@ class Sweep {
     remove(gap);
   }
 
-  // Cuts a gap in two at a point within it. Returns the upper one, whose edge is yet to be set.
+  // Splits a gap in two at a point within it. Returns the upper one, whose edge is yet to be set.
   std::uint32_t split(std::uint32_t gap, std::uint32_t point) {
     const std::uint32_t upper = new_gap(gaps_[gap].edge, gaps_[gap].depth);
     gap_above_[gaps_[gap].edge] = gap;
@@ -197,7 +198,7 @@ class Sweep {
     return upper;
   }
 
-  // One gap of two that no edge keeps apart any more.
+  // Merges two gaps that no edge separates any more.
   void merge(std::uint32_t below, std::uint32_t above) {
     assert(gaps_[below].depth == gaps_[above].depth);
     if (is_free(below)) {
@@ -240,8 +241,8 @@ class Sweep {
     join(gaps_[gap].low, gaps_[gap].high);
   }
 
-  // Puts a point before the lower end of a front, after the triangles that it sees. `behind`: beyond the line from the
-  // point to the end.
+  // Adds a point before the lower end of a front, after the triangles that it sees. `behind`: half-edge beyond the line
+  // from the point to the end.
   void extend_low_end(std::uint32_t gap, std::uint32_t point, Link behind) {
     std::uint32_t end = gaps_[gap].low;
     while (end != gaps_[gap].high && turns_left(nodes_[end].point, point, nodes_[nodes_[end].above].point)) {
@@ -305,7 +306,7 @@ class Sweep {
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> free_gaps_, free_nodes_;
   std::vector<Link> dangling_;
-  std::vector<std::uint32_t> gap_above_;  // by edge that the sweep line meets
+  std::vector<std::uint32_t> gap_above_;  // by edge that meets the sweep line
 };
 
 }  // namespace

@@ -10,18 +10,19 @@
 
 namespace arcway::internal {
 
-/// The part of the frame that lies in no whole region, triangulated; and which edges lie strictly inside one.
+/// The triangulated part of the frame outside all valid regions.
 struct FreeSpace {
   Triangulation triangulation;
-  std::vector<std::uint8_t> edge_is_covered;  ///< by edge of the map
+  std::vector<std::uint8_t> edge_is_covered;  ///< by edge of the map: whether it lies strictly inside a valid region
 };
 
-/// One sweep from left to right over the gaps between neighboring edges [Hertel and Mehlhorn 1985]: each gap keeps the
-/// front of its triangles as a chain, to which every point adds the triangles that it sees. Any point may have any
+/// Triangulates free space by one plane sweep over the gaps between neighboring edges [Hertel and Mehlhorn 1985]. Each
+/// gap keeps the front of its triangles as a chain; every point adds the triangles that it sees. A point may have any
 /// number of edges on either side. O(n log n), exact.
-/// @return nothing if edges of the map meet elsewhere than in common ends: neighbors are tested as they become so
-///   [Shamos and Hoey 1976].
-/// @param executor  only asked whether to end. @throws Cancelled then
+/// @return nothing if edges of the map meet elsewhere than in common ends; neighbors are tested when they become
+///   neighbors [Shamos and Hoey 1976].
+/// @param executor  asked only whether to stop.
+/// @throws Cancelled if it is to stop.
 std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map, const Executor& executor);
 
 }  // namespace arcway::internal

@@ -8,11 +8,12 @@
 namespace arcway::internal {
 
 /// Items in a total order that the caller knows: insertion behind an item, removal, and search by a monotone property.
-/// Blocks of up to 64 items below an array of blocks, so that each step touches a few cache lines and even a million
-/// items move little memory.
+///
+/// Blocks of up to 64 items lie below an array of blocks. Each step touches a few cache lines, and even a million items
+/// move little memory.
 class GapOrder {
  public:
-  /// The first item; the order is empty before.
+  /// Inserts the first item into an empty order.
   void start(std::uint32_t item) {
     blocks_.push_back({1, 0, {item}});
     order_.push_back(0);
@@ -46,7 +47,7 @@ class GapOrder {
     free_.push_back(b);
   }
 
-  /// The last item with the property, which must hold for the first one and for none behind one without it.
+  /// The last item with the property, which must hold for the first item and for no item behind one without it.
   template <class Property>
   [[nodiscard]] std::uint32_t last_with(const Property& property) const {
     const auto block_has = [&](std::uint32_t b) { return property(blocks_[b].items[0]); };

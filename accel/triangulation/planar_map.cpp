@@ -20,14 +20,14 @@ namespace {
 
 using Edge = PlanarMap::Edge;
 
-constexpr std::size_t kAhead = 32;  // what is to be read and written next lies anywhere
+constexpr std::size_t kAhead = 32;  // items to prefetch ahead, as they lie anywhere in memory
 
 struct Keyed {
   std::uint32_t key;
   VertexId vertex;
 };
 
-// Vertices by (x, y): radix sort on x in 2^32 steps, then exactly within equal steps.
+// Sorts vertices by (x, y): a radix sort on x in 2^32 steps, then exactly within equal steps.
 BigVector<Keyed> sorted_vertices(const World& world) {
   const std::span<const Vec2> vertices = world.vertices();
   const double low = world.box().min.x();
@@ -60,7 +60,7 @@ BigVector<Keyed> sorted_vertices(const World& world) {
   return keyed;
 }
 
-// The frame stands off by the size of the map, and far enough to be seen apart in the last place.
+// The frame keeps a distance of the map's size, and one large enough to differ in the last place.
 Box frame_of(const Box& box) {
   const Vec2 size = box.max - box.min;
   const double magnitude = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
@@ -96,8 +96,8 @@ Edge edge_between(std::uint32_t from, std::uint32_t to, std::int32_t count) {
   return from < to ? Edge{from, to, count, 0} : Edge{to, from, 0, count};
 }
 
-// Sorts edges by point and slope and makes the tables over them; equal ones become one. Returns false if others
-// overlap. The edges are asked for again and again, which takes less time than to store them.
+// Sorts edges by point and slope and indexes them; equal edges become one. Returns false if others overlap. Edges are
+// computed again at each use, which takes less time than to store them.
 template <class EdgeAt>
 bool index_edges(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
   const auto point_count = static_cast<std::uint32_t>(map.points.size());
@@ -122,7 +122,7 @@ bool index_edges(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
   };
   std::uint32_t kept = 2;
   for (std::uint32_t s = 2, begin = 2; s < point_count; ++s) {
-    const std::uint32_t end = first[s];  // for now
+    const std::uint32_t end = first[s];  // before the shift by kept edges
     if (end + kAhead < map.edges.size()) will_need(&map.points[map.edges[end + kAhead].high]);
     if (end - begin == 2) {
       if (slope_order(map.edges[begin + 1], map.edges[begin])) std::swap(map.edges[begin], map.edges[begin + 1]);
@@ -153,7 +153,7 @@ bool index_edges(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
   return true;
 }
 
-// Pairs of edges with common boxes for each edge, until one sweep over all edges looks for contacts.
+// Pairs of overlapping boxes per edge, until one sweep over all edges searches for contacts instead.
 constexpr std::size_t kPatience = 64;
 
 // Finds vertices inside edges of a world in which no edges cross.
@@ -161,7 +161,7 @@ class ContactSweep final : public EdgeSweep::Visitor {
  public:
   explicit ContactSweep(std::span<const LineSegment> edges) : edges_(edges) {}
 
-  /// Calls found(edge, vertex), a vertex by the edge that starts there.
+  /// Calls found(edge, vertex), where a vertex is given by the edge that starts there.
   /// @return false if edges cross.
   bool finds(std::function<void(VertexId, VertexId)> found) {
     found_ = std::move(found);
@@ -183,7 +183,7 @@ class ContactSweep final : public EdgeSweep::Visitor {
   std::function<void(VertexId, VertexId)> found_;
 };
 
-// Obstacle edges, cut where vertices lie on them; what remains to be dropped.
+// Cuts obstacle edges at the vertices that lie on them, and drops crossing pieces.
 class Cutter {
  public:
   Cutter(const World& world, PlanarMap& map) : world_(world), map_(map) {}
@@ -219,7 +219,7 @@ class Cutter {
       search_boxes(std::numeric_limits<std::size_t>::max());
   }
 
-  // @param most  pairs of boxes to look at; beyond them it ends and returns false.
+  // @param most  pairs of boxes to test; beyond them it stops and returns false.
   bool search_boxes(std::size_t most) {
     const std::span<const LineSegment> edges = world_.edges();
     std::vector<Box> boxes;
@@ -273,7 +273,7 @@ class Cutter {
     dropped_.assign(pieces_.size(), 0);
   }
 
-  // The piece of one edge that crosses another edge properly; kNone if they cross in a point.
+  // The piece of one edge that crosses another edge properly; kNone if they cross in a point of the map.
   std::uint32_t piece_across(VertexId edge, VertexId other) {
     points_on(edge, points_);
     const LineSegment& line = world_.edges()[other];
@@ -285,7 +285,7 @@ class Cutter {
     return static_cast<std::uint32_t>(std::lower_bound(pieces_.begin(), pieces_.end(), piece) - pieces_.begin());
   }
 
-  // Of two pieces that cross, the one with more crossings goes.
+  // Drops one of two pieces that cross: the one with more crossings.
   void drop_crossings() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     std::vector<std::uint32_t> count(pieces_.size(), 0);

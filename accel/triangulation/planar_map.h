@@ -8,36 +8,37 @@
 
 namespace arcway::internal {
 
-/// A world as points and edges that meet in common ends only: what a plane sweep takes.
+/// A world as points and edges that meet in common ends only: the input of a plane sweep.
 ///
-/// Points are the distinct places of the world's vertices, ascending by (x, y), between the corners of a frame around
-/// them: two before and two after all others. "To the right" means a larger point index everywhere, so that vertical
-/// edges are no special case. An edge is an obstacle edge or, cut at the points on it, a piece of one; equal pieces are
-/// one edge. Of two pieces that cross properly one is left out.
+/// The points are the distinct positions of the world's vertices, ascending by (x, y). The corners of a frame around
+/// them come first (two) and last (two). "To the right" means a larger index everywhere, so vertical edges are no
+/// special case. An edge is an obstacle edge or, cut at the points on it, a piece of one; equal pieces are one edge. Of
+/// two pieces that cross properly one is dropped.
 ///
-/// A region all of whose pieces are there is *whole*; edges count whole regions only. All other regions are listed as
-/// broken: their edges are walls with no inside.
+/// A region that keeps all of its pieces is *valid*, and edges count valid regions only. The other regions are listed
+/// as invalid: their edges are boundaries without an inside.
 struct PlanarMap {
   struct Edge {
     std::uint32_t low, high;    ///< points, low < high
-    std::int32_t above, below;  ///< whole regions that it bounds and that lie on its upper, lower side
+    std::int32_t above, below;  ///< number of valid regions that it bounds above and below
   };
 
   BigVector<Vec2> points;
   BigVector<std::uint32_t> point_of;    ///< by VertexId
-  BigVector<Edge> edges;                ///< ascending by low, at a point by slope; the first two are the frame's
-  BigVector<std::uint32_t> first_edge;  ///< by point: its edges to the right are [first_edge[s], first_edge[s + 1])
+  BigVector<Edge> edges;                ///< ascending by low, at a point by slope; the frame's come first (two)
+  BigVector<std::uint32_t> first_edge;  ///< by point: its edges to the right are [first_edge[p], first_edge[p + 1])
   BigVector<std::uint32_t> incoming;    ///< by point: an edge that ends there, or kNone
   std::vector<ObstacleId> invalid;      ///< ascending
-  bool outside_is_solid = false;        ///< the world has bounds, and they are whole
+  bool outside_is_solid = false;        ///< the world has valid bounds
 };
 
-/// Takes all obstacle edges as they are, which may violate what is promised above: overlapping edges that start at a
-/// point are noticed here, everything else by the sweep. O(n) beside a radix sort.
+/// Makes a map of all obstacle edges without cutting them, which may violate the class's invariants. Overlapping edges
+/// that start at a point are detected here, all other violations by the sweep. O(n) beside a radix sort.
 /// @return false if edges overlap at a point.
 bool make_uncut_map(const World& world, PlanarMap& map);
 
-/// Cuts and drops as promised, whatever the world. O(n log n + pairs of edges that meet).
+/// Makes a map whose invariants hold for any world, by cutting and dropping pieces. O(n log n + pairs of edges that
+/// meet).
 PlanarMap make_cut_map(const World& world);
 
 }  // namespace arcway::internal

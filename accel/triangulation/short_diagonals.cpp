@@ -10,15 +10,15 @@ namespace arcway::internal {
 
 namespace {
 
-// What a diagonal must become to be flipped.
+// How much shorter a diagonal must become to be flipped.
 struct Demand {
   double enough;          // share of the squared length
-  double enough_if_long;  // and of long ones
-  double long_square;     // squared length from which on they are
+  double enough_if_long;  // share for long diagonals
+  double long_square;     // squared length [m²] from which a diagonal is long
 };
 
-// Whether the diagonal between c and d is surely inside the quadrilateral that c and d form with a and b, and short
-// enough to replace the one between a and b. Lengths decrease, so flips end.
+// Whether the diagonal c-d surely lies inside the quadrilateral of a, b, c and d, and is short enough to replace a-b.
+// Lengths decrease, so flips end.
 inline bool is_shorter(const Vec2& c, const Vec2& d, const Vec2& a, const Vec2& b, const Demand& demand) {
   const double ex = b.x() - a.x(), ey = b.y() - a.y();
   const double fx = d.x() - c.x(), fy = d.y() - c.y();
@@ -49,7 +49,7 @@ Demand demand_for(Diagonals which, std::span<const Vec2> points, const Triangula
   return {0.12, 0.8, length * length};
 }
 
-// Flips within the half-edges [begin, end) of whole triangles, and touches no others.
+// Flips diagonals within the half-edges [begin, end) of complete triangles, and touches no others.
 class Flipper {
  public:
   Flipper(std::span<const Vec2> points, Triangulation& t, const Demand& demand, std::uint32_t begin, std::uint32_t end)
@@ -75,11 +75,11 @@ class Flipper {
   [[nodiscard]] std::span<const std::uint32_t> left_over() const { return left_over_; }
 
  private:
-  // What is to be looked at soon, without branches that nobody foresees.
+  // Prefetches what is read soon, without branches that would be mispredicted.
   void fetch_ahead() const {
     constexpr std::uint32_t kFar = 48, kNear = 24;
     if (next_ + kFar >= begin_ + size_) return;
-    // What lies beyond the own half-edges others may be flipping.
+    // Other threads may be flipping beyond the own half-edges.
     const auto beyond = [&](std::uint32_t h) { return is_out(twins_[h]) ? h : twins_[h]; };
     const std::uint32_t far = beyond(next_ + kFar);
     will_need(&corners_[far]);
@@ -98,7 +98,7 @@ class Flipper {
       left_over_.push_back(h);
       return;
     }
-    // Triangles (a, b, c) and (b, a, d) on both sides of the edge a-b.
+    // Triangles (a, b, c) and (b, a, d) lie on both sides of the edge a-b.
     const std::uint32_t bc = next(h), ca = previous(h), ad = next(g), db = previous(g);
     const std::uint32_t a = corners_[h], b = corners_[g], c = corners_[ca], d = corners_[db];
     if (!is_shorter(points_[c], points_[d], points_[a], points_[b], demand_)) return;
@@ -121,7 +121,7 @@ class Flipper {
     for (const std::uint32_t outer : {h, bc, g, ad}) suspect(outer);
   }
 
-  // Unless its turn is yet to come.
+  // Adds a half-edge to check again, unless flip_all is yet to come to it.
   void suspect(std::uint32_t h) {
     if (twins_[h] != kNone && std::min(h, twins_[h]) <= next_) suspects_.push_back(h);
   }

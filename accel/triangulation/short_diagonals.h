@@ -8,16 +8,17 @@
 
 namespace arcway::internal {
 
-/// Which diagonals are worth a flip.
+/// Which diagonals are flipped.
 enum class Diagonals : std::uint8_t {
-  kAll,  ///< all that become shorter: for maps where each is crossed by many lines of sight, or that are kept
+  kAll,  ///< all that become shorter: for maps with many lines of sight across each, or that are kept
   kLong  ///< long ones, and those that become much shorter: half as many flips
 };
 
-/// Flips diagonals that become shorter by it: the fewer and shorter the diagonals on the way, the fewer steps of a
-/// walk. A flip is made only if rounded arithmetic is sure that it may be: any triangulation is correct, so nothing
-/// exact is needed. Up to two flips a vertex. Blocks of triangles first, side by side, then the seams between them: the
-/// same result for any executor.
+/// Flips diagonals that become shorter by it. Fewer and shorter diagonals on the way mean fewer steps of an expansion.
+///
+/// A flip is made only if rounded arithmetic is sure that it is valid. Any triangulation gives exact results, so no
+/// exact test is needed. Up to two flips a vertex. Blocks of triangles are flipped in parallel, then the seams between
+/// them: the result does not depend on the executor.
 void shorten_diagonals(std::span<const Vec2> points, Triangulation& triangulation, Diagonals which,
                        const Executor& executor);
 

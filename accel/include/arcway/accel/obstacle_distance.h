@@ -10,7 +10,7 @@
 
 namespace arcway {
 
-/// Where two obstacles, or two sets of them, come nearest to each other.
+/// The shortest distance between two obstacles, or two sets of obstacles.
 struct ARCWAY_API ObstacleDistance {
   double distance =
       std::numeric_limits<double>::infinity();  ///< between the boundaries [m]; 0 if and only if they meet
@@ -22,28 +22,29 @@ struct ObstaclePair {
   ObstacleId a, b;
 };
 
-/// D_min of the paper: minimum distances between obstacles (the bounds count as one), by point queries with a
-/// shrinking radius; each distance is that of geometry/distance.h, so that the result is that of trying all pairs of
-/// edges, bit for bit. Thread-safe.
+/// Minimum distances between obstacles (D_min of the paper), where the bounds count as an obstacle.
+///
+/// Uses point queries with a shrinking radius. Distances are those of geometry/distance.h, so the result equals that of
+/// trying all pairs of edges, bit for bit. Thread-safe.
 ///
 ///     const ObstacleDistances distances(world);
 ///     const double room = distances.between(left_of_path, right_of_path).distance;
 class ARCWAY_API ObstacleDistances {
  public:
-  /// One Embree scene of the world's edges.
+  /// Builds one Embree scene of the world's edges.
   /// @throws std::runtime_error if Embree cannot be started.
   explicit ObstacleDistances(const World& world);
   ~ObstacleDistances();
   ObstacleDistances(ObstacleDistances&&) noexcept;
   ObstacleDistances& operator=(ObstacleDistances&&) noexcept;
 
-  /// Between two sets; infinity if one is empty, 0 if they have an obstacle in common. About O(log n + edges near by)
-  /// for each edge of `a`, which are shared out by the executor.
+  /// Distance between two sets [m]; infinity if one is empty, 0 if they share an obstacle. About O(log n + edges near
+  /// by) for each edge of `a`; the executor shares out the edges.
   /// @throws std::invalid_argument naming an id that is out of range.
   [[nodiscard]] ObstacleDistance between(std::span<const ObstacleId> a, std::span<const ObstacleId> b,
                                          const Executor& executor = SerialExecutor()) const;
 
-  /// Of each pair; pairs are shared out by the executor.
+  /// Distance of each pair [m]; the executor shares out the pairs.
   /// @throws std::invalid_argument if the sizes differ, or naming an id that is out of range.
   void between(std::span<const ObstaclePair> pairs, std::span<ObstacleDistance> result,
                const Executor& executor = SerialExecutor()) const;

@@ -17,10 +17,10 @@ namespace arcway {
 /// Every builder that takes an executor gives the same bits for any number of threads. Thread-safe.
 class ARCWAY_API TbbExecutor final : public Executor {
  public:
-  /// In the arena that the calling thread is in, so that the caller's tbb::task_arena and tbb::global_control decide.
+  /// Uses the arena of the calling thread, so that the caller's tbb::task_arena and tbb::global_control decide.
   TbbExecutor();
-  /// In an arena of its own with room for this many threads, the caller included, but not for more than the process is
-  /// allowed: as many as the machine has, unless the application has a tbb::global_control that says otherwise.
+  /// Makes an arena for this many threads, the caller included, but no more than the process is allowed. That is the
+  /// number of the machine, unless the application has a tbb::global_control.
   /// @throws std::invalid_argument unless 1 <= threads <= 1024.
   explicit TbbExecutor(std::size_t threads);
   ~TbbExecutor() override;
@@ -30,12 +30,12 @@ class ARCWAY_API TbbExecutor final : public Executor {
   void for_ranges(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) const override;
 
-  /// Threads that a loop started here can use.
+  /// Number of threads that a loop started here can use.
   [[nodiscard]] std::size_t threads() const;
 
  private:
   struct Arena;
-  std::unique_ptr<Arena> arena_;  ///< none: the caller's
+  std::unique_ptr<Arena> arena_;  ///< null: the caller's
 };
 
 }  // namespace arcway
