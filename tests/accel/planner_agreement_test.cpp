@@ -24,7 +24,7 @@ void add_bits(const Value& value, std::string& bits) {
   bits.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// All that plans consist of, as bits.
+// All contents of plans, as bits.
 std::string plans_of(const Planner& planner, const std::vector<PlanRequest>& requests) {
   std::string bits;
   const auto add = [&bits](const auto& value) { add_bits(value, bits); };
@@ -47,7 +47,7 @@ std::string plans_of(const Planner& planner, const std::vector<PlanRequest>& req
   return bits;
 }
 
-// All that plans and their graphs consist of.
+// All contents of plans and their graphs.
 std::string digest(const Planner& planner, const std::vector<PlanRequest>& requests) {
   std::string bits;
   const auto add = [&bits](const auto& value) { add_bits(value, bits); };

@@ -19,7 +19,7 @@
 namespace arcway::internal {
 namespace {
 
-// Rows, and who asks for them. After so many calls the first thread waits for another one to have asked.
+// Rows that record who asks for them. After so many calls the first thread waits until another thread has asked.
 class WatchedRows final : public VisibilityRows {
  public:
   explicit WatchedRows(std::shared_ptr<const VisibilityRows> rows) : rows_(std::move(rows)) {}

@@ -45,7 +45,7 @@ VisibilityGraph graph_by_sleeves(const World& world) {
   return graph_of(world.vertices().size(), lists, SerialExecutor());
 }
 
-// Every builder against an oracle that knows no cones.
+// Compares every builder with an oracle that knows no cones.
 TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
   std::size_t contacts = 0, edges = 0;
   for (std::uint64_t seed = 1; seed <= kWorlds; ++seed) {
@@ -90,7 +90,7 @@ TEST(SelfContacts, ChangedWorldsKeepTheirs) {
   }
 }
 
-// Lines from a hole through the point where it touches the outer ring, and through two such points in a row.
+// Lines of sight from a hole through the point where it touches the outer ring, and through two such points in a row.
 TEST(SelfContacts, LinesLeadThroughThem) {
   const Ring island{{3, 3}, {5, 3}, {5, 5}, {3, 5}};
   const World world({{test::square(0, 0, 8), {{{4, 0}, {7, 7}, {1, 7}}}}, {island, {}}, {test::square(2, -6, 3), {}}});

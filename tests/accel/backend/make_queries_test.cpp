@@ -21,7 +21,7 @@ namespace {
 
 using test::TroublesomeQueries;
 
-// Segments to compare on each instruction set, shared out among sizes, places and worlds. The environment variable
+// Number of segments to compare on each instruction set, over all sizes, positions and worlds. The environment variable
 // raises it, see accel/README.md.
 std::size_t segments_to_compare() {
   const char* text = std::getenv("ARCWAY_COMPARE_SEGMENTS");
@@ -32,15 +32,14 @@ struct MapPlace {
   double size;    // [m]
   double offset;  // [m]
 };
-// Sizes from a millimeter to 1e7 m; offsets of up to 2^30 times the size of a cell, and one as far out as doubles tell
-// the cells apart.
+// Sizes from a millimeter to 1e7 m. Offsets reach 2^30 times the size of a cell, and one lies as far out as doubles
+// tell the cells apart.
 constexpr MapPlace kPlaces[] = {{0x1p-10, 0.0},    {0x1p-10, 0x1p14}, {1.0, 0.0},        {1.0, -0x1p20},
                                 {0x1p7, 0x1p4},    {0x1p7, 0x1p24},   {0x1p10, -0x1p23}, {0x1p14, 0x1p30},
                                 {0x1p24, -0x1p23}, {0x1p24, 0x1p40},  {0x1p7, 0x1p53}};
 constexpr std::size_t kSegmentsPerWorld = 1000;
 
 // Queries on a device of one instruction set, or nothing if the machine lacks it.
-// @param joined  whether boxes hold several edges, as in large worlds.
 std::optional<QuerySet> queries_on(const World& world, const std::string& isa, bool joined) {
   const std::size_t many_edges = joined ? 0 : std::numeric_limits<std::size_t>::max();
   try {
@@ -52,7 +51,7 @@ std::optional<QuerySet> queries_on(const World& world, const std::string& isa, b
 
 class EmbreeOnIsa : public testing::TestWithParam<const char*> {
  protected:
-  // Calls compare(questions, embree, reference) for worlds of all sizes and places.
+  // Calls compare(questions, embree, reference) for worlds of all sizes and positions.
   template <class Compare>
   void for_worlds(std::size_t worlds, const Compare& compare) {
     for (std::size_t i = 0; i < worlds; ++i) {
@@ -172,7 +171,7 @@ TEST(EmbreeQueries, NeedNotKnowTheBodysWidth) {
   EXPECT_THROW(make_embree_queries(questions.world(), {.body_half_width = -1.0}), std::invalid_argument);
 }
 
-// Places between the vertices are no doubles: neither the middle of the map nor that of the rectangle is.
+// No double lies between the vertices, so the middles of the map and of the rectangle are rounded.
 TEST(EmbreeQueries, AnswerWhereTheLastPlaceIsAsLargeAsTheMap) {
   const double far = 0x1p53;
   const auto shifted = [&](double x, double y) { return Vec2(far + x, far + y); };
@@ -247,7 +246,7 @@ TEST(EmbreeQueries, ChangeNoStateOfTheProcess) {
   EXPECT_NE(queries.distance->closest({5, 5}).edge, kNone);
   EXPECT_TRUE(denormals_live());
   EXPECT_EQ(std::fegetround(), rounding);
-  // Not in the arena's threads either, which helped to build the scene.
+  // The arena's threads, which helped to build the scene, do not flush either.
   TbbExecutor(2).for_ranges(64, 1, [&](std::size_t, std::size_t) { EXPECT_TRUE(denormals_live()); });
 }
 

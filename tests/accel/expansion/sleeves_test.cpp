@@ -35,7 +35,7 @@ World discs(int vertices) {
 
 std::uint32_t triangles(const Sleeves::Sleeve& sleeve) { return sleeve.left.count + sleeve.right.count; }
 
-// What a sleeve promises, from half-edge to half-edge.
+// Checks a sleeve's invariants from half-edge to half-edge.
 void expect_sleeve(const FreeSpaceTriangulation& triangulation, const Sleeves& sleeves, std::uint32_t entrance) {
   const Sleeves::Sleeve& sleeve = *sleeves.behind(entrance);
   const auto half_edges = triangulation.half_edges();
@@ -59,7 +59,7 @@ void expect_sleeve(const FreeSpaceTriangulation& triangulation, const Sleeves& s
   }
   EXPECT_EQ(left, sleeve.left.count);
   EXPECT_EQ(right, sleeve.right.count);
-  // From left to right or from right to left, around one obstacle.
+  // Its chains lead from left to right or from right to left, around one obstacle.
   for (std::uint32_t i = 0; i + 1 < left; ++i) {
     const FreeSpaceTriangulation::Node& n = nodes[sleeve.left.first_node + i];
     EXPECT_EQ(n.after, sleeve.left.first_node + i + 1);
@@ -121,7 +121,7 @@ TEST(Sleeves, AreAsLongAsDemanded) {
   }
 }
 
-// A wall that comes nearer up to a node and then recedes, as a point far before it sees it.
+// A chain that comes nearer up to a node and then recedes, as seen from a point far before it.
 TEST(Sleeves, FindTheBoundingNodeOfChainsOfAnyLength) {
   const Vec2 s(0.0, -1e12);
   for (const std::uint32_t count : {1u, 2u, 3u, 100u, 1u << 16, 1u << 17}) {
@@ -151,7 +151,7 @@ TEST(Sleeves, FindTheBoundingNodeOfChainsOfAnyLength) {
   }
 }
 
-// On a round wall the node that a ray touches follows from the ray's direction.
+// On a round chain, the node that a ray touches follows from the ray's direction.
 TEST(Sleeves, GuessWhereRaysTouchRoundChains) {
   const FreeSpaceTriangulation triangulation(discs(200));
   const Sleeves sleeves(triangulation, 20);
@@ -194,7 +194,7 @@ TEST(Sleeves, AreTheSameForAnyNumberOfThreads) {
       random_world({.kind = ClutterKind::kConvex, .obstacles = 300, .vertices = 120, .seed = 5})));
 }
 
-// Triangles that follow each other all around, many times as many as a thread looks at.
+// Triangles that follow each other all around a ring, many times as many as a thread handles at once.
 TEST(Sleeves, AreFoundInRings) {
   const int vertices = 30000;
   Ring outside = disc({0.0, 0.0}, 3.0, 7), hole = disc({0.0, 0.0}, 2.1, vertices);

@@ -54,7 +54,7 @@ TEST(TangentNeighbors, RefuseVerticesThatAreNotThere) {
   EXPECT_THROW((void)TangentNeighbors(box).of(4), std::out_of_range);
 }
 
-// Is asked whether to end, and says so from a given question on.
+// An executor that asks for a stop from a given question on.
 class EndingExecutor final : public Executor {
  public:
   explicit EndingExecutor(std::size_t last) : last_(last) {}

@@ -14,7 +14,7 @@
 namespace arcway::internal {
 namespace {
 
-// Steps of removing some obstacles and adding others; every graph against one built anew.
+// Removes and adds obstacles in steps, and compares every graph with one built anew.
 void expect_changes(World world, test::Random& random, int steps, std::int64_t one_in, const auto& draw_added) {
   VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
   for (int step = 0; step < steps; ++step) {
@@ -54,7 +54,7 @@ TEST(ChangedGraph, IsTheOneBuiltAnewInWorldsOfTheCatalog) {
     const std::vector<Polygon> obstacles = to_map_file(world).obstacles;
     expect_changes(world, random, 25, static_cast<std::int64_t>(obstacles.size()) / 2, [&] {
       std::vector<Polygon> added;
-      while (random.integer(0, 2) != 0) {  // copies of others, moved by something of their size
+      while (random.integer(0, 2) != 0) {  // copies of others, shifted by about their size
         Polygon copy =
             obstacles[static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(obstacles.size()) - 1))];
         const Vec2 shift = random.integer(0, 1) == 0 ? Vec2(0, 0) : Vec2(copy.outer[1] - copy.outer[0]);

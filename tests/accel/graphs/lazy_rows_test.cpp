@@ -45,7 +45,7 @@ TEST(LazyRows, FindTheShortEdgesOfTheGraph) {
   EXPECT_GT(found, 5000u);
 }
 
-// The one end lies in the last place before a multiple of the length, the other on the next multiple but one.
+// One end is the last double before a multiple of the length, the other lies two multiples further.
 TEST(LazyRows, FindAnEdgeWhoseLengthIsRoundedToTheLimit) {
   const World world({{{{0, 0}, {0.5, -1}, {1.0 - 0x1p-53, 0}}, {}}, {{{2, 0}, {2.5, -1}, {3, 0}}, {}}});
   const auto all = rows_of(world, build_reduced_visibility_graph_by_tangent_cones(world));
@@ -70,7 +70,7 @@ TEST(LazyRows, AnswerManyThreadsAtOnce) {
     for (VertexId v = 0; v < world.vertices().size(); ++v) ASSERT_EQ(rows[v], copy(all->of(v))) << v;
 }
 
-// The rows asked for so far.
+// Counts the rows asked for so far.
 class CountedRows final : public VisibilityRows {
  public:
   CountedRows(std::shared_ptr<const VisibilityRows> rows, std::size_t vertices)

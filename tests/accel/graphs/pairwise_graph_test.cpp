@@ -66,7 +66,7 @@ TEST(PairwiseGraph, IsTheReferenceGraphOfConvexObstaclesThatOverlap) {
   }
 }
 
-// All their corners are convex, they themselves are not.
+// All corners of these obstacles are convex, the obstacles are not.
 TEST(PairwiseGraph, IsTheReferenceGraphAmongPairsOfTrianglesThatTouchInACorner) {
   std::vector<Polygon> obstacles;
   for (int i = 0; i < 3; ++i)
@@ -95,7 +95,7 @@ TEST(PairwiseGraph, FindsTangentsOfConvexObstaclesBySearch) {
   EXPECT_EQ(all.vertex_pairs, n * (n - 1) / 2);
 }
 
-// A minute of brute force: asked for by name, see accel/README.md.
+// Takes a minute of brute force and runs on request only, see accel/README.md.
 TEST(PairwiseGraph, IsTheReferenceGraphOfTenThousandVertices) {
   if (std::getenv("ARCWAY_LONG_TESTS") == nullptr) GTEST_SKIP() << "runs where ARCWAY_LONG_TESTS is set";
   for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) {

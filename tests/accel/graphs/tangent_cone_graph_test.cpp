@@ -50,7 +50,7 @@ std::string edges_missing_from(const VisibilityGraph& from, const VisibilityGrap
                                        << "\nextra:" << edges_missing_from(expected, graph);
 }
 
-// All sleeves and fans are passed at once, however short.
+// Crosses all sleeves and fans in one step, however short.
 VisibilityGraph graph_by_sleeves(const World& world, Diagonals shortened) {
   FreeSpaceTriangulation triangulation(world, SerialExecutor(), shortened);
   triangulation.list_left_edges();
@@ -78,7 +78,7 @@ TEST(TangentConeGraph, Clutters) {
     }
 }
 
-// A run's rays may begin to lead left, so that it ends, in the middle of a sleeve along it.
+// A chain's rays may begin to lead left in the middle of a sleeve along it, which ends the chain there.
 TEST(TangentConeGraph, ChainsThatEndWithinSleeves) {
   for (std::uint64_t seed = 40; seed < 130; ++seed)
     ASSERT_TRUE(agrees(random_world({.obstacles = 3, .vertices = 16, .fill = 0.3, .seed = seed}))) << "seed " << seed;
@@ -122,7 +122,7 @@ TEST(TangentConeGraph, NothingAndLittle) {
   EXPECT_EQ(build_reduced_visibility_graph_by_tangent_cones(World({{test::square(0, 0, 4), {}}})).edge_count(), 4u);
 }
 
-// Sights between the columns run along two walls at once, those between the rows as well.
+// Lines of sight between the columns run along two boundaries at once, and so do those between the rows.
 TEST(TangentConeGraph, RowsOfBoxesThatTouch) {
   std::vector<Polygon> boxes;
   for (int i = 0; i < 9; ++i)
@@ -173,7 +173,7 @@ Ring round(const Vec2& center, double radius, int vertices) {
   return ring;
 }
 
-// Long runs of nodes that are looked from at once.
+// Long chains of nodes that are expanded at once.
 TEST(TangentConeGraph, SmoothObstacles) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     test::Random random(seed);
@@ -187,7 +187,7 @@ TEST(TangentConeGraph, SmoothObstacles) {
   }
 }
 
-// Teeth around a circle, or along a line if the radius is 0: what is outside of them is a fan around each corner of the
+// Teeth around a circle, or along a line if the radius is 0. The free space outside is a fan around each corner of the
 // frame.
 Ring saw(test::Random& random, std::size_t teeth, double radius, double deepest, bool is_on_grid) {
   Ring ring;
@@ -236,8 +236,8 @@ TEST(TangentConeGraph, LongFansEndAtTheirClock) {
   EXPECT_THROW((void)LongFans(triangulation, 32, StopClock(0.0)), Cancelled);
 }
 
-// Needles side by side, each with a vertex on the next one's long edge: boxes of all edges overlap, so that contacts
-// are found by a sweep; with a box across them, edges cross, and they are not.
+// Needles side by side, each with a vertex on the next one's long edge. The boxes of all edges overlap, so contacts are
+// found by a sweep. A box across the needles makes edges cross, which the sweep does not handle.
 TEST(TangentConeGraph, ContactsOfLongEdges) {
   for (const bool crosses : {false, true})
     for (const double turn : {0.0, 0.3}) {
@@ -251,7 +251,7 @@ TEST(TangentConeGraph, ContactsOfLongEdges) {
     }
 }
 
-// From outside and from inside: a ring in a ring of teeth.
+// A ring within a ring of teeth: fans from outside and from inside.
 TEST(TangentConeGraph, LongFansWithinARing) {
   test::Random random(8);
   for (int round = 0; round < 10; ++round) {
@@ -261,7 +261,7 @@ TEST(TangentConeGraph, LongFansWithinARing) {
   }
 }
 
-// Where the builder passes fans at once of its own accord: so many steps a vertex at every size.
+// Worlds in which the builder uses fans by itself: the steps a vertex stay the same at every size.
 TEST(TangentConeGraph, StepsAroundASawGrowLikeItsTeeth) {
   for (const std::size_t teeth : {5000, 20000}) {
     test::Random random(9);
@@ -275,7 +275,7 @@ TEST(TangentConeGraph, StepsAroundASawGrowLikeItsTeeth) {
   }
 }
 
-// Where the builder passes sleeves at once of its own accord.
+// Worlds in which the builder uses sleeves by itself.
 TEST(TangentConeGraph, LongConvexChains) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const World world = random_world({.obstacles = 15, .vertices = 90, .fill = 0.35, .seed = seed});
@@ -284,7 +284,7 @@ TEST(TangentConeGraph, LongConvexChains) {
   }
 }
 
-// Rays of a run pass vertices exactly, and edges of other obstacles lie on the lines of its own.
+// Rays of a chain pass vertices exactly, and edges of other obstacles lie on the lines of its own edges.
 TEST(TangentConeGraph, RoundObstaclesOnAGrid) {
   const Ring octagon{{1, 0}, {2, 0}, {3, 1}, {3, 2}, {2, 3}, {1, 3}, {0, 2}, {0, 1}};
   std::vector<Polygon> obstacles;

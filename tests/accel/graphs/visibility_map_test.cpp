@@ -192,7 +192,7 @@ TEST(VisibilityMap, RaysEndWhereLinesOfSightEnd) {
   EXPECT_GT(free, 200u);
 }
 
-// Each piece is where rays between its limits end, pieces follow each other, and rays that end at walls lie in a piece.
+// The pieces follow each other. A ray that ends at an edge has its direction within exactly one piece.
 TEST(VisibilityMap, PolygonsAreWhereRaysEnd) {
   std::size_t inside = 0, on_ends = 0;
   for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed) {
@@ -212,9 +212,9 @@ TEST(VisibilityMap, PolygonsAreWhereRaysEnd) {
         const auto& next = polygon[(k + 1) % polygon.size()];
         gaps += orientation(p, piece.past_left, next.past_right) == 0 ? 0 : 1;
       }
-      EXPECT_LE(gaps, 8u);  // of obstacles that p lies on
+      EXPECT_LE(gaps, 8u);  // one for each obstacle that p lies on
       for (int k = 0; k < 40; ++k) {
-        // Along edges between two obstacles one sees nothing of an area.
+        // Along edges between two obstacles, the visible area is empty.
         const bool anywhere = k % 2 == 0;
         const Vec2 towards = p + (anywhere ? random.point(-9, 9) : random.grid_point(-9, 9));
         if (towards == p) continue;
@@ -255,7 +255,7 @@ TEST(VisibilityMap, PolygonOfARoom) {
   EXPECT_NEAR(area, 16.0 - 9.5, 1e-12);
 }
 
-// The last place of p decides on which side of the wall it lies, and how far along the wall the ray meets it.
+// The last digit of p decides on which side of the edge it lies, and where along the edge the ray meets it.
 TEST(VisibilityMap, RaysAlmostAlongAnEdgeMeetItSomewhere) {
   const double inf = std::numeric_limits<double>::infinity();
   test::Random random(3);
@@ -283,7 +283,7 @@ TEST(VisibilityMap, RaysAlmostAlongAnEdgeMeetItSomewhere) {
   EXPECT_GT(met, 500u);
 }
 
-// Half of the wall from the crossing on is free, and so is the one behind its end.
+// Half of the edge is free from the crossing on, and so is the edge behind its end.
 TEST(VisibilityMap, FindsTangentsAlongEdgesFromWhereTheyCross) {
   const World world({{{{0, 0}, {4, 0}, {4, 4}, {4, 6}, {2, 6}, {0, 4}}, {}}, {{{3, 1}, {5, 1}, {5, 3}, {3, 3}}, {}}});
   const VisibilityMap map(world);
