@@ -17,7 +17,7 @@ namespace arcway::internal {
 /// Immutable and thread-safe; the world need not outlive it.
 class TangentNeighbors {
  public:
-  /// Triangulates free space; see tangent_cone_graph.h for cost and limits.
+  /// Triangulates free space; see tangent_cone_graph.h for its cost.
   explicit TangentNeighbors(const World& world, const Executor& executor = SerialExecutor());
   ~TangentNeighbors();
   TangentNeighbors(TangentNeighbors&&) noexcept;

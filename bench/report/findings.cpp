@@ -99,12 +99,12 @@ void add_growth_with_shape(const std::vector<Study>& studies, std::vector<std::s
 std::string memory_text(const std::vector<Study>& studies) {
   const auto* graph = find_line(studies, "ReducedGraph/tangent-cones", "obstacles");
   const auto* plan = find_line(studies, "Plan/graph_reused", "obstacles");
-  const auto* sight = find_line(studies, "LinesOfSight/embree", "obstacles");
-  if (!graph || !plan || !sight) return {};
+  const auto* visible = find_line(studies, "LinesOfSight/embree", "obstacles");
+  if (!graph || !plan || !visible) return {};
   return "While the visibility graph is built it takes " + counter_of(*graph, "peak_bytes_per_vertex", "%.0f") +
          " bytes a vertex at the peak. Allocations on the largest map: " +
          counter_of(*plan, "allocations_per_query", "%.0f") + " by a plan on a prepared map, its result included, " +
-         counter_of(*sight, "allocations_per_question", "%.3g") + " by a line of sight.";
+         counter_of(*visible, "allocations_per_question", "%.3g") + " by a line of sight.";
 }
 
 /// The part of a name after the stage.
