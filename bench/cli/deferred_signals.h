@@ -2,8 +2,9 @@
 
 namespace arcway::internal::cli {
 
-/// While one lives, signals that end the tool (of a terminal, of `kill`, of a pipe that nobody reads, of a limit of
-/// processor time) wait. Its end lets the one that came take its course. One at a time.
+/// Defers signals that would end the tool while an object exists; its destructor delivers the signal that came. Covers
+/// the signals of a terminal, of `kill`, of a closed pipe, and of a limit of processor time. At most one object at a
+/// time.
 class DeferredSignals {
  public:
   DeferredSignals();
@@ -11,7 +12,7 @@ class DeferredSignals {
   DeferredSignals& operator=(const DeferredSignals&) = delete;
   ~DeferredSignals();
 
-  /// Whether one waits: then what takes long is to end.
+  /// Whether a signal waits; then long work should end.
   static bool arrived();
 };
 

@@ -13,7 +13,7 @@
 
 namespace arcway::internal::cli {
 
-/// What `arcway plan` was asked for, as typed.
+/// Arguments of `arcway plan` as typed.
 struct PlanArguments {
   std::string map;
   MapOptions reading;
@@ -36,7 +36,7 @@ struct PlanArguments {
   BuildOptions build;
 
   void add_to(CLI::App& command);
-  /// @throws UsageError for options that do not go together, or values that are none.
+  /// @throws UsageError for options that exclude each other, or invalid values.
   void check() const;
 
   [[nodiscard]] bool batch() const { return !queries.empty(); }

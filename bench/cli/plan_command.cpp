@@ -20,7 +20,8 @@
 namespace arcway::internal::cli {
 namespace {
 
-/// From the map's file what it has of this vehicle; the rest is built, or found as a search asks for it.
+/// Makes a planner from the prepared map, as far as it fits this vehicle. The rest is built, or found when a search
+/// asks for it.
 /// @throws Cancelled if the clock is over before that is done.
 Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
                      const PlannerOptions& options, const ProcessGroup& process_group, const StopClock& clock) {
@@ -42,13 +43,13 @@ Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehic
   }
 }
 
-// Of poses that may not mean what their author meant.
+// Warns of poses with doubtful headings.
 void warn_of_poses(const PlanArguments& arguments, const Pose& start, const TourRequest& request, LoadedMap& map) {
   const auto look = [&](const char* what, double heading) {
     if (std::string warning = heading_warning(what, heading); !warning.empty())
       map.warnings.push_back(std::move(warning));
   };
-  if (!arguments.start.empty()) look("start", start.heading);  // the map's own have been looked at
+  if (!arguments.start.empty()) look("start", start.heading);  // the map's own poses have been checked
   for (const Place& place : request.via)
     if (place.heading) look("via", *place.heading);
   for (const Place& place : request.goals)
@@ -97,7 +98,7 @@ int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::st
     warn_of_poses(arguments, *start, request, map);
   }
 
-  // A process alone that stops to build would leave the others waiting for it, and of many queries each has the limit.
+  // A single process that stops building would leave the others waiting for it. With many queries, each has the limit.
   const StopClock clock(batch || process_group.size() > 1 ? std::numeric_limits<double>::infinity() : limits.time);
   const auto arena = arguments.build.executor();
   const StoppableExecutor executor(*arena, clock);

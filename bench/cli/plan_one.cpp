@@ -31,7 +31,7 @@ std::string caption_of(const PlanResult& result) {
          " m, smallest clearance " + fixed(result.min_clearance, 3) + " m";
 }
 
-// A reason, part by part.
+// Text of a reason, part by part.
 std::vector<std::string> lines_of(const std::string& reason) {
   std::vector<std::string> lines;
   for (std::size_t first = 0; first < reason.size();) {
@@ -42,7 +42,7 @@ std::vector<std::string> lines_of(const std::string& reason) {
   return lines;
 }
 
-// The first plan, and the lines of the others.
+// Picture of the first plan, with the lines of the others.
 std::string picture(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
                     const std::vector<CheckedPlan>& plans) {
   const PlanResult& result = plans.front().result;
@@ -89,7 +89,7 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
   return svg.str();
 }
 
-/// The plan, where a tour leads, and in its statistics what it took to prepare the map.
+/// JSON of the plan, of a tour's waypoints, and of the time for preparing the map.
 std::string plan_json(const PlanArguments& arguments, const Planner& planner, double build_seconds,
                       const TourRequest& request, const CheckedPlan& plan, std::uint64_t q) {
   const PrepareStatistics& prepare = planner.prepare_statistics();
@@ -111,7 +111,7 @@ std::string plan_json(const PlanArguments& arguments, const Planner& planner, do
   return json.dump() + "\n";
 }
 
-// To its only goal, which has a heading.
+// Plans to the only goal, which has a heading.
 PlanRequest plain(const TourRequest& request) {
   const Place& goal = request.goals.front();
   return {.start = request.start,
@@ -121,7 +121,7 @@ PlanRequest plain(const TourRequest& request) {
           .max_gear_changes = request.max_gear_changes};
 }
 
-// The question whether polygons are free space, where one obstacle holds start and goal; else empty.
+// The question whether polygons are free space, if one obstacle contains start and goal; else empty.
 std::string free_space_row(const PlanArguments& arguments, const World& world, const PlanResult& result) {
   const bool collides = result.status == PlanStatus::kStartInCollision || result.status == PlanStatus::kGoalInCollision;
   if (!collides || arguments.reading.polygons == "free") return "";

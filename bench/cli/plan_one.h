@@ -13,18 +13,18 @@
 
 namespace arcway::internal::cli {
 
-/// Alternatives, or the one plan that leads by all places to a goal.
+/// Plans alternatives, or the one plan that passes all waypoints to a goal.
 /// @throws UsageError where alternatives are asked for and there is more than a start and a goal.
 std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
                                   const PlanLimits& limits);
 
-/// Writes the files that were asked for, and what is printed to `out`.
-/// @param plans  at least one; the first one is what is drawn and sampled.
+/// Writes the requested files, and the printed text to `out`.
+/// @param plans  at least one; the first one is drawn and sampled.
 /// @returns the exit code.
 int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
              const TourRequest& request, const std::vector<CheckedPlan>& plans, OutputFiles& files, std::string& out);
 
-/// Says that the time limit was over before the map was prepared, so that nothing was planned. Writes --json.
+/// Reports that the time limit was over before the map was prepared, so that nothing was planned. Writes --json.
 /// @returns the exit code.
 int no_plan(const PlanArguments& arguments, const LoadedMap& map, const TourRequest& request, const PlanLimits& limits,
             OutputFiles& files, std::string& out);

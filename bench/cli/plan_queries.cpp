@@ -31,9 +31,9 @@ std::string batch_line(std::uint64_t q, const CheckedPlan& plan) {
   return line + "," + fixed(1e3 * result.statistics.total_seconds, 3) + "\n";
 }
 
-/// What a batch says of one query.
+/// Output of a batch for one query.
 struct Answer {
-  std::string line, json, refusal;  ///< the validator's first complaint, if it refuses the plan
+  std::string line, json, refusal;  ///< `refusal`: the validator's first complaint, if it refuses the plan
   double seconds = 0.0;
   bool solved = false;
 };
@@ -64,7 +64,7 @@ void append_answers(std::string_view bytes, std::vector<Answer>& answers) {
   }
 }
 
-/// Of this process's share of the queries.
+/// Answers to this process's share of the queries.
 std::vector<Answer> answer_share(const Planner& planner, std::span<const NumberedRequest> queries,
                                  const PlanLimits& limits, bool with_json, const Executor& threads) {
   std::vector<PlanRequest> requests;

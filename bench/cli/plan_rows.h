@@ -10,27 +10,27 @@
 
 namespace arcway::internal::cli {
 
-/// A plan and what the validator says of it; no report unless solved.
+/// A plan and the validator's report; no report unless solved.
 struct CheckedPlan {
   PlanResult result;
   std::optional<ValidationReport> report;
-  std::size_t goal = 0;                  ///< of a tour, see Tour
-  std::vector<std::size_t> passed = {};  ///< likewise
-  std::string defect = {};               ///< of the planner: what both of them cannot be right about; else empty
+  std::size_t goal = 0;                  ///< goal reached by a tour, see Tour
+  std::vector<std::size_t> passed = {};  ///< waypoints passed by a tour, see Tour
+  std::string defect = {};               ///< contradiction between planner and validator; else empty
   [[nodiscard]] bool good() const { return report && report->valid() && defect.empty(); }
 };
 CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResult result, bool reverse);
 
-/// Whether all rows of the reduced graph were found, rather than those that a search asked for.
+/// Whether all rows of the reduced graph were found, rather than only those that a search asked for.
 bool has_all_rows(const Planner& planner);
 
 /// Rows of the text that the tool prints: what was built and how long it took, a plan, its search, its check.
 std::string prepare_rows(const Planner& planner, double build_seconds);
 std::string result_rows(const PlanResult& result);
 std::string search_rows(const PlanStatistics& statistics);
-/// What searches were allowed; nothing if the fastest path of the graph was asked for.
+/// Row of the searches' limits; none if the graph's fastest path was asked for.
 std::string suboptimality_row(double suboptimality);
-/// What the validator says, and a defect of the planner if there is one. Precondition: the plan is solved.
+/// Row of the validator's report, and of a planner's defect if there is one. Precondition: the plan is solved.
 std::string validity_row(const CheckedPlan& plan);
 
 }  // namespace arcway::internal::cli

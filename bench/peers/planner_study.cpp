@@ -105,7 +105,7 @@ class Study {
     return plan.solved() ? plan.travel_time : std::numeric_limits<double>::infinity();
   }
 
-  // The same with nothing prepared: for who asks one query only.
+  // Plans with nothing prepared, as for a single query.
   static void plan_from_the_map(const Problem& problem, PlannerQuery& result) {
     const bench::CpuClock clock(bench::CpuClock::Of::kThread);
     const PlanResult plan = make_planner(problem.world, problem.vehicle, GraphMode::kLazy).plan(problem.request);

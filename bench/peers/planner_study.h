@@ -11,13 +11,13 @@
 
 namespace arcway::internal::peers {
 
-/// What planners are compared on.
+/// A setting that planners are compared on.
 struct PlannerSetting {
   std::string name;
-  std::vector<std::string> worlds;  ///< of the catalog
+  std::vector<std::string> worlds;  ///< names of the catalog
   Vehicle vehicle;
   std::size_t queries = 50;        ///< a world
-  std::vector<double> times{1.0};  ///< when to look at the peers' best path [s]
+  std::vector<double> times{1.0};  ///< times at which the peers' best path is recorded [s]
   double long_time = 10.0;         ///< once more on the first `long_queries` of each world [s]
   std::size_t long_queries = 10;
   bool shortest_too = true;    ///< whether planners that look for the shortest path take part
@@ -27,10 +27,10 @@ struct PlannerSetting {
   std::uint64_t seed = 1;      ///< of queries and peers
 };
 
-/// - n100, n1000: the paper's robot in six clutters of 100 and of 1,000 obstacles;
-/// - lateral2_along2 and so on: robots whose turns are the faster the wider they are, by their accelerations [m/s^2],
-/// in
-///   four clutters of 100 obstacles.
+/// The standard settings:
+/// - n100, n1000: the paper's robot in six clutters of 100 and of 1,000 obstacles.
+/// - lateral2_along2 and so on: robots whose turns are the faster the wider they are, named by their accelerations
+///   [m/s²], in four clutters of 100 obstacles.
 std::vector<PlannerSetting> standard_settings();
 
 struct PlannerStudyProgress {

@@ -8,9 +8,9 @@
 
 namespace arcway::internal::peers {
 
-/// Replaces random stretches of a path by Dubins words of one of the radii, taken by chance, while that lowers the
-/// travel time of the whole and the words are free. It ends when `patience` attempts in a row have failed or `stop`
-/// says so. Never returns a slower path.
+/// Shortens a path: replaces random stretches by collision-free Dubins words while that lowers the travel time of the
+/// whole path. Each word takes one of the radii at random. It ends after `patience` failed attempts in a row, or when
+/// `stop` returns true. Never returns a slower path.
 /// @param radii  at least one, none below the vehicle's smallest.
 Path shortcut(Path path, const Problem& problem, std::span<const double> radii, Random& random, int patience,
               const std::function<bool()>& stop);

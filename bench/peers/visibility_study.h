@@ -15,10 +15,10 @@ struct VisibilityStudyOptions {
   double limit = 20.0;  ///< leaves out what one of both would take longer for, judged by the size before [s]
 };
 
-/// Lines of sight and visibility graphs by arcway and, with one thread each and in turn, by brute force and (where this
-/// program has it) CGAL; against CGAL's triangulation also with two threads. What both make is compared before; a
-/// difference leaves an error in place of times.
-/// @param progress  told what comes next.
+/// Compares lines of sight and visibility graphs by arcway with those by brute force and, where this program has it,
+/// CGAL. Both sides run in turn with one thread each; against CGAL's triangulation arcway also runs with two. Results
+/// are compared before; a difference leaves an error in place of times.
+/// @param progress  receives the name of the next step.
 std::vector<report::Duel> visibility_study(const VisibilityStudyOptions& options,
                                            const std::function<void(const std::string&)>& progress);
 

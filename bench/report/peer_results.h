@@ -9,7 +9,7 @@
 
 namespace arcway::internal::report {
 
-/// The same question answered by us and by a peer in turn; both answers were equal before the clock started.
+/// A duel: one task solved by arcway and by a peer in turn. Both answers were equal before the clock started.
 struct Duel {
   std::string task;   ///< "reduced graph"
   std::string world;  ///< catalog name
@@ -59,8 +59,8 @@ std::string peer_results_json(const PeerResults& results);
 /// @param order  settings that come first, in this order; others follow as they were.
 PeerResults renewed(const PeerResults& earlier, PeerResults run, std::span<const std::string> order);
 
-/// The queries of an earlier file in a run's settings, with the run's lower bounds and answers, and those of planners
-/// that the run is without; then what else the run has.
+/// The queries of an earlier file in a run's settings, with the run's lower bounds and answers. Answers of planners
+/// that the run lacks are kept. Further queries of the run follow.
 std::vector<PlannerQuery> answered_anew(std::span<const PlannerQuery> earlier, std::span<const PlannerQuery> run);
 
 }  // namespace arcway::internal::report

@@ -20,7 +20,7 @@ Section duels_section(const PeerResults& peers);
 /// All queries of all worlds: solved, time to the answer, travel times against the bound and the best known.
 Section planners_section(const PeerResults& peers);
 
-/// The same for each world, with the reasons of what is not solved.
+/// A table of all queries for each world, with the reasons of what is not solved.
 Section planners_by_world_section(const PeerResults& peers);
 
 }  // namespace arcway::internal::report

@@ -19,7 +19,7 @@ struct PowerFit {
 };
 /// @throws std::invalid_argument for fewer than three sizes, equal sizes only, or values that are not > 0.
 PowerFit fit_power(std::span<const SizePoint> points);
-/// The same beside a factor log(size): near 1 for n log n. Sizes > 1.
+/// Fit of seconds = factor * log(size) * size^exponent; the exponent is near 1 for n log n. Sizes > 1.
 PowerFit fit_power_log(std::span<const SizePoint> points);
 
 /// Slopes between neighboring sizes, in the logarithms: one fewer than there are points.

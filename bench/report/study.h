@@ -9,10 +9,11 @@
 
 namespace arcway::internal::report {
 
-/// Which of the two clocks a report goes by. On a quiet machine the wall's, which hides nothing. On a busy one, which
-/// the benchmarks of one thread show by a wall time more than 5 % above their processor time in the median, the
-/// processor's of the whole process; but the wall's for benchmarks of several threads, where processor time would
-/// hide what they gain.
+/// The clock that a report uses.
+///
+/// On a quiet machine it is the wall clock, which hides nothing. A machine is busy if the benchmarks of one thread have
+/// a wall time more than 5 % above their processor time, in the median. Then it is the processor time of the whole
+/// process for one thread. For several threads it stays the wall clock, as processor time would hide their speedup.
 class Clock {
  public:
   explicit Clock(const Results& results);
@@ -56,8 +57,8 @@ struct Change {
   [[nodiscard]] double ratio() const { return after / before; }
   [[nodiscard]] bool significant() const { return p < 0.05; }
 };
-/// Benchmarks that both have with times above 0, significant regressions first, then significant gains, then the rest;
-/// by ratio in each. Processor times for one thread, wall times for more: the two runs need not have been equally
+/// Benchmarks that both runs have with times above 0: first significant regressions, then significant gains, then the
+/// rest, each by ratio. Processor times for one thread, wall times for more: the two runs need not have been equally
 /// undisturbed.
 std::vector<Change> changes_between(const Results& before, const Results& after);
 

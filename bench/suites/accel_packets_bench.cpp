@@ -19,9 +19,8 @@
 #include "core/collision/blocking.h"
 #include "datasets/io/random.h"
 
-// Exact lines of sight one by one and in packets of eight, of the pairs that the pairwise builder asks for, in its
-// order, in no order, and sorted by place and direction: do packets or sorting pay? The library asks one by one, in the
-// caller's order.
+// Do packets of rays or sorting pay? Times exact lines of sight one by one and in packets of eight. The pairs are those
+// of the pairwise builder, in its order, in random order, and sorted by position and direction.
 namespace arcway::internal::bench {
 namespace {
 

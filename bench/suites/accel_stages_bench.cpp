@@ -18,16 +18,18 @@
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
 
-// The tangent-cone builder's stages one by one, over the size of the map: each begins with what the one before it left.
+// The tangent-cone builder's stages one by one, over the size of the map. Each stage begins with the result of the one
+// before it.
 //
-// A small world again and again would be learned by the processor's branch prediction, and stay in its caches, so that
-// larger ones seemed to cost more. Hence different worlds in turn: at every size as many vertices as the largest has.
+// The processor's branch prediction would learn a small world that is repeated, and its caches would hold it, so that
+// larger worlds seemed to cost more. Hence different worlds take turns: at every size as many vertices in all as the
+// largest world has.
 namespace arcway::internal::bench {
 namespace {
 
 using Worlds = std::vector<const World*>;
 
-// Sleeves are found anew, as they are needed for walks only.
+// Sleeves are included, as only the expansion needs them.
 std::vector<EdgeList> expand_all(const World& world, const FreeSpaceTriangulation& triangulation,
                                  const Executor& executor) {
   return cone_edges(triangulation, worthwhile_sleeves(world, triangulation, executor), LongFans(), 0,
@@ -46,7 +48,7 @@ bool is_right(benchmark::State& state, const World& world, const std::string& na
                       "edges differ from the reference");
 }
 
-/// What a stage begins with.
+/// Input of a stage, made for each world.
 template <class Make>
 auto make_of_each(const Worlds& worlds, const Make& make) {
   std::vector<decltype(make(*worlds[0]))> made;
@@ -134,7 +136,7 @@ struct Clutter {
   std::size_t obstacles, vertices;  // vertices of each
 };
 
-// So many worlds in turn, or fewer if the iterations do not come to all.
+// Runs a stage on up to `most_worlds` worlds in turn, at most one an iteration.
 void run(benchmark::State& state, Clutter clutter, std::size_t most_worlds, std::size_t threads, const Stage& stage) {
   const std::size_t count = std::min(most_worlds, static_cast<std::size_t>(state.max_iterations));
   const std::unique_ptr<Executor> executor = make_executor(threads);
@@ -158,7 +160,7 @@ void add_series(Study study, const char* stage_name, std::size_t threads, const 
     });
 }
 
-// Walks among 1,000 obstacles that have more and more vertices each.
+// The expansion among 1,000 obstacles, over the vertices of each.
 void add_expansion_by_vertices(Study study) {
   const std::size_t obstacles = study == Study::kCheck ? 20 : 1000;
   Series series(study, "TangentConeStages/expansion/n:" + std::to_string(obstacles), "vertices_of_each",

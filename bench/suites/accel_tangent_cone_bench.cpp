@@ -7,7 +7,7 @@
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
 
-// What the tangent-cone builder's time goes with: threads, vertices of each obstacle, the shape of the map.
+// The tangent-cone builder's time over threads, vertices of each obstacle, and the shape of the map.
 namespace arcway::internal::bench {
 namespace {
 
@@ -50,7 +50,7 @@ void add(Study study) {
     by_each.add(static_cast<double>(m),
                 [=](benchmark::State& state) { build(state, clutter_name("convex", obstacles, m, 30), 1); });
 
-  // Where walks pass long fans, and where World sweeps.
+  // Worlds with long fans, and those in which World sweeps.
   for (const char* kind : {"saw", "spikes", "rings"}) {
     Series by_size(study, std::string("TangentConeGraph/adversarial/") + kind, "vertices", "O(n log n)", 1.1);
     for (const std::size_t n : sizes(study, {400, 4000, 12649, 40000, 126491, 400000}, 400, 40000))

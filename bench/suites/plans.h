@@ -17,7 +17,7 @@ QuerySet fastest_queries(const World& world, const StopClock& clock = {});
 /// @throws Cancelled once the executor's clock is over.
 Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options,
                      const Executor& executor = SerialExecutor());
-/// The same for the paper's robot, made once for each name and heuristic and kept.
+/// A planner for the paper's robot, made once for each name and heuristic and kept.
 const Planner& shared_planner(const std::string& world_name, Heuristic heuristic = Heuristic::kTravelTime);
 
 std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanRequest>& requests);

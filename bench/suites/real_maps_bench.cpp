@@ -13,8 +13,8 @@
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
 
-// Maps of a city, a coast and a grid of random cells, from the folder that ARCWAY_SHARED_DATA names: what it takes to
-// prepare them for a vehicle that suits them, and to plan between random poses that a disc can move between.
+// Preparing and planning on maps of a city, a coast and a grid of random cells, from the folder that ARCWAY_SHARED_DATA
+// names. Each has a vehicle that suits it. Queries are random poses that a disc can move between.
 namespace arcway::internal::bench {
 namespace {
 

@@ -18,7 +18,7 @@ std::vector<std::string> benchmark_arguments(Study study);
 
 /// Marks a benchmark as left out, which is no error.
 void leave_out(benchmark::State& state, std::string_view reason);
-/// The same because it would take too long.
+/// Marks a benchmark as left out because it would take too long.
 void skip_for_budget(benchmark::State& state, double expected_seconds, double budget_seconds);
 
 /// Whether an error message is that of leave_out.

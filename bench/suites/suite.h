@@ -42,8 +42,8 @@ void set_batch(benchmark::State& state, std::size_t answers);
 ///
 ///     if (!require(state, graph == reference, "edges differ from the reference")) return;
 bool require(benchmark::State& state, bool right, std::string_view what);
-/// The same for checks that cost much more than the benchmark: done once for each key, as a body is called again and
-/// again until its timing is good enough.
+/// `require` for checks that cost much more than the benchmark. Runs once for each key, because a body is called
+/// repeatedly until its timing is good enough.
 bool require_once(benchmark::State& state, const std::string& key, const std::function<bool()>& right,
                   std::string_view what);
 

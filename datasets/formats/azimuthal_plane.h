@@ -4,16 +4,16 @@
 
 namespace arcway::internal::detail {
 
-/// The plane that touches the WGS 84 ellipsoid at a position: azimuthal equidistant projection, x to the east, y to the
+/// The tangent plane of the WGS 84 ellipsoid at a position: azimuthal equidistant projection, x to the east, y to the
 /// north [m].
 ///
-/// A position comes to lie in its direction from the middle, as far away as along the ellipsoid: the chord to it,
-/// bent to the arc of the mean curvature at the middle. Closed form without series, as exact at the poles and across
-/// the antimeridian as elsewhere. Distances from the middle are right to 1e-8 of them within 20 km; across, the plane
-/// is stretched by at most `stretch`.
+/// A position is mapped in its direction from the middle, at its distance along the ellipsoid. That distance is the
+/// chord, bent to the arc of the mean curvature at the middle. Closed form without series, as exact at the poles and
+/// across the antimeridian as elsewhere. Distances from the middle are right to 1e-8 of them within 20 km; across, the
+/// plane is stretched by at most `stretch`.
 class AzimuthalPlane {
  public:
-  /// Of the middle, geodetic [degrees].
+  /// @param longitude, latitude  of the middle, geodetic [degrees].
   AzimuthalPlane(double longitude, double latitude);
   /// Longitudes a whole turn apart are the same place, to the last bit where the difference is exact.
   [[nodiscard]] Vec2 operator()(double longitude, double latitude) const;

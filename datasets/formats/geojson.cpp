@@ -327,8 +327,8 @@ class Reader {
   std::map<std::string, Unread> unread_;  // by property
 };
 
-// Writers that have no height write NaN for it, which is no JSON: null is put in its place where it is the third number
-// of an array or a later one, which is ignored in positions. Elsewhere it stays, and is refused with its line.
+// Replaces NaN by null where it is the third or a later number of an array. Writers without heights write NaN there,
+// which is no JSON, and positions ignore these numbers. Elsewhere NaN stays, and is refused with its line.
 std::string without_missing_heights(std::string_view text) {
   std::string result;
   std::size_t commas = 0;

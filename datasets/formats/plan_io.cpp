@@ -84,8 +84,8 @@ std::vector<Phase> phases_of(const TimedSegment& timed, const Vehicle& vehicle) 
   const double a = vehicle.max_acceleration();
   const auto [peak, accelerating, holding, braking] =
       segment_phases(length, v1, speed_limit(timed.segment, vehicle), v3, a);
-  // What is shorter comes of rounding: of speeds near the peak, of which a unit in the last place makes up to 2e-16 of
-  // the way from rest to the peak and back.
+  // Shorter phases come from rounding of speeds near the peak. A unit in the last place of the speed makes up to 2e-16
+  // of the way from rest to the peak and back.
   const double rounding = 1e-14 * peak * peak / a;
   std::vector<Phase> phases;
   for (const Phase& phase : {Phase{accelerating, v1, peak}, Phase{holding, peak, peak}, Phase{braking, peak, v3}})

@@ -18,7 +18,7 @@ namespace arcway::internal {
 namespace {
 
 constexpr std::size_t kLargestFile = 1 << 16;  // a map has ten lines
-// Those of map_server, and what other files beside it say of themselves.
+// Keys of map_server, and keys of other YAML files that lie beside a map.
 constexpr std::string_view kKeys[] = {"image",       "resolution", "origin",  "negate", "occupied_thresh",
                                       "free_thresh", "mode",       "version", "name"};
 

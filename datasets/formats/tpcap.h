@@ -11,8 +11,8 @@ namespace arcway::internal {
 /// the rear axle.
 ///
 /// The format has no bounds: they are the box of poses and obstacles, widened to at least 12 m beyond start and goal.
-/// A case beyond 1,000 km from the origin is moved by whole meters to have its start near it, which rounds nothing that
-/// lies around the start, since a planner needs the digits; a note says by how much.
+/// A case beyond 1,000 km from the origin is moved by whole meters to have its start near the origin. That rounds
+/// nothing near the start, and a note gives the offset.
 /// @param name  of the source, for messages.
 /// @throws FormatError, "Case1.csv: line 1: obstacle 2: expected 8 coordinates, found 5".
 MapFile read_tpcap(std::string_view text, std::string_view name);

@@ -25,8 +25,8 @@ class VectorMapBuilder {
   /// @param closed  whether the format repeats the first position at the end; warns if it is not there.
   /// @throws FormatError if fewer than three different positions are left.
   Ring ring(Ring positions, bool closed, const std::string& place);
-  /// The ring round a closed chain of cubics, with the obstacle to the left of a counter-clockwise chain if `wanted` is
-  /// +1, of a clockwise one if -1; a chain that runs the other way is turned round.
+  /// A ring around a closed chain of cubics. The obstacle lies to the left of a counter-clockwise chain if `wanted` is
+  /// +1, and to the left of a clockwise one if -1. A chain that runs the other way is reversed.
   /// @throws FormatError if it has no area or no ring can be made.
   Ring curved_ring(std::vector<CubicBezier>& pieces, int wanted, const std::string& place);
   /// The curve of each ring, outer ring first; empty for none. Nothing: no curves.

@@ -35,7 +35,7 @@ Fields fields_of(std::string_view line) {
 
 bool is_nan(const std::string& field) { return detail::lowercase(field) == "nan"; }
 
-// Which columns hold what.
+// Meaning of the columns.
 struct Columns {
   std::size_t x = 0, y = 1, count = 2;
   std::optional<std::size_t> group{};

@@ -10,8 +10,8 @@ namespace arcway::internal {
 /// Reads vertices, one a line as `x,y`; blanks, tabs, commas and semicolons separate them. A polygon ends at a blank
 /// line, at a line of nan, and where its first vertex comes again. Lines that begin with # are skipped.
 ///
-/// The first line may name the columns: x and y, or lon and lat, which are degrees; one of id, polygon, obstacle, ring,
-/// feature, shape, part, whose value is the same for all vertices of a polygon. Other columns are left out with a
+/// The first line may name the columns: x and y, or lon and lat, which are degrees. A column id, polygon, obstacle,
+/// ring, feature, shape or part has the same value for all vertices of a polygon. Other columns are left out with a
 /// warning.
 /// @param name  of the source, for messages.
 /// @throws FormatError, "map.csv: line 3: expected 2 numbers, found 3".

@@ -19,7 +19,7 @@ void lay_out_corridor(Layout& layout) {
   const double length = kStep * static_cast<double>(vertices / (2 * walls) - 1);
   const double width = kSlit + length + kOpening;
   for (std::size_t i = 0; i < walls; ++i) {
-    // Of each side; the first walls take what does not divide.
+    // Vertices of each side; the first walls take the remainder.
     const std::size_t corners = vertices / (2 * walls) + (i < vertices / 2 % walls ? 1 : 0);
     const double left = i % 2 == 0 ? kSlit : kOpening, y = kPitch * static_cast<double>(i + 1);
     const auto x = [&](std::size_t k) {

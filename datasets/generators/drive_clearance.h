@@ -11,11 +11,13 @@
 
 namespace arcway::internal::detail {
 
-/// Whether the polygon is proved to keep this distance from the body at every moment of the drive. A line is decided by
-/// the rectangle that the body sweeps. An interval of an arc is decided by its middle: at least as far as the distance
-/// and what any point of the body moves within the interval is far enough, nearer than the distance is not; else both
-/// halves are asked. Intervals in which it moves less than a millionth of its reach count as too near.
-/// O(vertices) for obstacles far away; more the nearer the polygon's distance is to the one asked for.
+/// Whether the polygon is proved to keep this distance from the body at every moment of the drive.
+///
+/// A line is decided by the rectangle that the body sweeps. An interval of an arc is decided at its middle. It is free
+/// if the distance there is at least the asked one plus the movement of any point of the body within the interval. It
+/// is not free if the distance is below the asked one; otherwise both halves are tested. Intervals in which the body
+/// moves less than a millionth of its reach count as too near. O(vertices) for obstacles far away; more the nearer the
+/// polygon's distance is to the one asked for.
 bool keeps_away(const Polygon& polygon, std::span<const PathSegment> drive, const Footprint& body, double distance);
 
 /// A box that contains the body grown by `growth` at every moment of the drive.

@@ -119,8 +119,8 @@ class Maze {
     }
   }
 
-  // Walks along the walls with the free side on the right, turning right wherever it can, and takes each wall off the
-  // post that it is left from: seen from there it has been followed.
+  // Follows the walls with the free side on the right, turning right wherever it can. Each wall passed is taken off the
+  // post that it leaves from, as it has then been followed from there.
   Ring follow(std::size_t p, std::size_t d) {
     Ring ring;
     std::vector<Wall> followed;

@@ -22,8 +22,8 @@ void append_pose(std::string& out, const Pose& pose);
 /// With quotes and escapes; invalid UTF-8 is replaced.
 void append_string(std::string& out, std::string_view text);
 
-/// An array at the top of a document whose elements are handed over one by one and not kept, so that the memory
-/// follows the largest element and not the document.
+/// An array at the top of a document that is read as a stream: its elements are handed over one by one and not kept.
+/// Memory follows the largest element, not the document.
 struct JsonElements {
   std::string_view key;
   std::function<void()> restart;                       ///< the key comes again: the last one counts

@@ -6,8 +6,9 @@
 
 namespace arcway::internal {
 
-/// The known word that was most likely meant: at most a third of its letters changed, added, left out or swapped with
-/// the next one, or one word part of the other; empty if there is none so near. Case does not count.
+/// The known word that was most likely meant; empty if there is none near enough. A known word is near if at most a
+/// third of its letters are changed, added, left out or swapped with the next one. It is also near if one word is part
+/// of the other. Case does not count.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known);
 
 /// Another word for a known one.

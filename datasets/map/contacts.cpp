@@ -105,8 +105,8 @@ struct Meeting {
   Vec2 place{0.0, 0.0};
 };
 
-// The regions that hold a place, as a list that shares its rest with others: of a place inside of some ring those of
-// the place beside the ring and one more, or one less.
+// The regions that contain a position, as a list that shares its tail with others. The list of a position inside some
+// ring is that of the position beside the ring with one region more, or one less.
 class Holders {
  public:
   static constexpr std::uint32_t kNobody = 0xFFFFFFFFu;

@@ -27,13 +27,13 @@ struct RegionContact {
   Vec2 place;            ///< a common point of the two regions, rounded where boundaries cross
 };
 
-/// Pairs of polygons with a common point, by ascending indices: all, or the most that are wanted, if there are more.
-/// O((n
-/// + pairs) log n) where few edges cross, whether polygons lie side by side or in each other; where many cross, as many
-/// steps more as there are pairs of edges whose boxes meet.
+/// Pairs of polygons with a common point, by ascending indices: all of them, or the first `most`.
+///
+/// O((n + pairs) log n) where few edges cross, whether polygons lie side by side or in each other. Where many cross,
+/// there are as many further steps as pairs of edges with overlapping boxes.
 /// @param polygons  each without conflicts (find_conflict) and with area; rings of either orientation, no vertex
 ///   repeated. Fewer than 2^31 vertices.
-/// @param most  n polygons in each other are n (n - 1) / 2 pairs.
+/// @param most      n polygons in each other are n (n - 1) / 2 pairs.
 std::vector<RegionContact> find_contacts(std::span<const Polygon> polygons,
                                          std::size_t most = std::numeric_limits<std::size_t>::max());
 

@@ -164,7 +164,7 @@ std::string written(const SmallWorld& sample) {
   return to_geojson(map) + to_wkt(map) + SvgPicture(to_world(map, sample.file)).str();
 }
 
-// And a plan.
+// The world has a plan, too.
 std::string written_plan() {
   PlanResult plan;
   plan.status = PlanStatus::kSolved;

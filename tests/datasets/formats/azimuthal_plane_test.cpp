@@ -5,8 +5,8 @@
 namespace arcway::internal::detail {
 namespace {
 
-// Lengths of geodesics on WGS 84 by Vincenty's inverse formulae, of a box of 0.01 degrees: along its lower side, along
-// its left side, from the lower left to the upper right corner [m].
+// Lengths of geodesics on WGS 84 by Vincenty's inverse formulae [m], for a box of 0.01 degrees. They are its lower
+// side, its left side, and its diagonal from the lower left corner.
 struct Geodesics {
   double latitude, east, north, diagonal;
 };

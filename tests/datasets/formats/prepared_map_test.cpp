@@ -165,7 +165,7 @@ TEST(PreparedMap, IsRefusedWhenItsLayoutIsAnother) {
             "m.arcway: byte 264: unknown section 999");  // in place of the start
 }
 
-// The same map has one file: what may be missing is not there if it is empty.
+// A map has exactly one file: optional sections are absent if they are empty.
 TEST(PreparedMap, IsRefusedWithAnEmptySectionOfContacts) {
   std::string bytes = to_bytes(prepare(World({}), SerialExecutor()));
   const std::size_t targets = 40 + 32 * 6;  // entry of the targets, of which there are none

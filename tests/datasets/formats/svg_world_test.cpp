@@ -55,7 +55,7 @@ TEST(SvgWorld, CurvesBecomeRingsAroundThem) {
     expect_round(ring_of(d), {10, -10}, 4.999, 0.1);
   }
   expect_round(ring_of("M5 10 A5 5 0 0 1 15 10 A5 5 0 0 1 5 10Z"), {10, -10}, 5.0, kTolerance);
-  // The same curve by each command: absolute, relative, with the smooth ones, quadratic.
+  // One curve, drawn by each command: absolute, relative, with the smooth ones, quadratic.
   const Ring wave = ring_of("M0 0 C1 2 3 2 4 0 C5 -2 7 -2 8 0 V9 H0Z");
   EXPECT_EQ(ring_of("m0 0 c1 2 3 2 4 0 s3-2 4 0 v9 h-8z"), wave);
   EXPECT_EQ(ring_of("M0 0 C1 2 3 2 4 0 S7 -2 8 0 L8 9 0 9z"), wave);

@@ -17,14 +17,14 @@
 namespace arcway {
 
 /// \file
-/// Names of generated worlds, shared by tests, benchmarks and the tool: a name is all that it takes to have the same
-/// world again, on any platform (worlds "driven/..." up to the platform's sine and cosine).
+/// Names of generated worlds, shared by tests, benchmarks and the tool. A name is enough to get the same world again on
+/// any platform; worlds "driven/..." depend on the platform's sine and cosine.
 ///
 ///     const World world = catalog_world("clutter/star/n1000/m10/f30/s7");
 ///     for (const PlanRequest& query : catalog_queries("clutter/star/n1000/m10/f30/s7", 50, 1)) ...
 ///
-/// A name is a family, its kind where it has kinds, and parts of one letter and a whole number, separated by
-/// slashes. Parts may be left out, which takes their defaults, and stand in any order.
+/// A name is a family, its kind where it has kinds, and parts of one letter and a whole number, separated by slashes.
+/// Parts may be left out, which takes their defaults, and stand in any order.
 
 /// A family of worlds: "clutter", {"convex", "star", ...}, "clutter/KIND/nOBSTACLES/...", what it shows.
 struct CatalogFamily {
@@ -43,9 +43,9 @@ ARCWAY_API bool is_catalog_name(std::string_view name);
 ARCWAY_API MapFile catalog_map(std::string_view name);
 ARCWAY_API World catalog_world(std::string_view name);
 
-/// The whole of a world "driven/...": map, robot, and the drive that proves that a way exists. Nothing for the names of
-/// other families.
-/// @throws std::invalid_argument as above.
+/// A world "driven/..." with its robot, and the drive that proves that a path exists. Nothing for names of other
+/// families.
+/// @throws std::invalid_argument naming the part that is wrong and what is expected there.
 ARCWAY_API std::optional<DrivenWorld> catalog_driven_world(std::string_view name);
 
 /// Pose pairs for a catalog world and the paper's robot, by random_queries: the same for the same arguments.

@@ -36,18 +36,18 @@ struct Clutter {
   Ring bounds;                     ///< a square with its lower left corner at the origin, counter-clockwise
 };
 
-/// Disjoint random obstacles in a square, the same on every platform for the same parameters.
+/// Disjoint random obstacles in a square, the same on every platform for the same parameters. O(obstacles * vertices).
 ///
-/// Each obstacle is drawn on its own; the square's side follows from their areas and `fill`. They are then placed,
-/// largest first, at random where their circumscribed circles keep the gap. A field too full for that (from a fill
-/// of about 0.35) is packed instead: the same square is cut into a jittered grid, each obstacle drawn anew and
-/// stretched to its cell, as irregular as the fill allows; rectangles are axis-parallel and triangles right-angled
-/// then, and the radii only set the scale. O(obstacles * vertices) on average.
-/// @throws std::invalid_argument naming the parameter, its value and its limit, or saying that fill and gap cannot
-///   be had together.
+/// 1. Each obstacle is drawn on its own. The square's side follows from the sum of their areas and `fill`.
+/// 2. Obstacles are placed at random, largest first, where their circumscribed circles keep the gap.
+/// 3. A field too full for that (from a fill of about 0.35) is packed instead. The same square is cut into a jittered
+///    grid, and each obstacle is drawn again and stretched to its cell, as irregular as the fill allows. Rectangles are
+///    then axis-parallel and triangles right-angled, and the radii only set the scale.
+/// @throws std::invalid_argument naming the parameter, its value and its limit, or saying that fill and gap exclude
+///   each other.
 ARCWAY_API Clutter generate_clutter(const ClutterParameters& parameters);
 
-/// The same as a World, bounds included.
+/// The clutter as a World, bounds included.
 ARCWAY_API World random_world(const ClutterParameters& parameters);
 
 }  // namespace arcway

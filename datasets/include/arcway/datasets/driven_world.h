@@ -47,10 +47,10 @@ struct DrivenWorld {
   Path drive;  ///< from start to goal
 };
 
-/// A random drive of the vehicle, of arcs within its steering limits and lines, and then obstacles and bounds that keep
-/// at least the clearance from the area that the body sweeps. The clearance is decided by bisection of the motion
-/// (generators/drive_clearance.h), never sampled. The same for the same parameters; headings and positions along arcs
-/// are those of the platform's sine and cosine. Some 10 ms; hugging obstacles some 0.1 s.
+/// A random drive of the vehicle, of arcs within its steering limits and lines, with obstacles and bounds around it.
+/// These keep at least the clearance from the area that the body sweeps. The clearance is decided by bisection of the
+/// motion (generators/drive_clearance.h), never sampled. The result is the same for the same parameters; headings and
+/// positions along arcs are those of the platform's sine and cosine. Takes some 10 ms; hugging obstacles some 0.1 s.
 /// @throws std::invalid_argument naming the parameter, its value and its limit.
 ARCWAY_API DrivenWorld generate_driven_world(const DrivenParameters& parameters);
 

@@ -29,7 +29,7 @@ struct MapFile {
   std::optional<Pose> start, goal;
   /// Rings that stand for curves, which contain those within the tolerance that the file was read with.
   std::vector<CurvedRing> curves;
-  std::vector<std::string> warnings;  ///< what in the file may not mean what its author meant, one sentence each
+  std::vector<std::string> warnings;  ///< doubtful content of the file, one sentence each
   std::vector<std::string> notes;     ///< what was done to the file's content: "163,496 corners traced"
   /// Where each obstacle came from: "feature 3, polygon 1". One an obstacle, or empty if not read from a file.
   std::vector<std::string> places;

@@ -34,7 +34,7 @@ struct PathSampling {
   double max_length = 0.5;  ///< between two samples [m], > 0
   double max_angle = 0.05;  ///< between two samples [rad], > 0
 };
-/// Of a path, so that a step that is far too small cannot eat all memory.
+/// Most sampling steps of a path, so that a step that is far too small cannot use up all memory.
 inline constexpr double kMostSamplingSteps = 1e7;
 /// A moment of the motion.
 struct PathSample {
@@ -45,13 +45,15 @@ struct PathSample {
   double t;  ///< [s]
   double v;  ///< [m/s]
 };
-/// Samples by length and by angle, ends of all segments kept; where curvature or gear change, the joint comes twice,
-/// once with each. Time and speed follow the fastest motion within the segment: accelerate, hold, brake. Where it goes
-/// from one to the next there is a sample, too: between neighbors the acceleration is constant, and the mean of their
-/// speeds times the time between them is the way from one to the other, up to rounding. Times never descend.
+/// Samples a path by length and by angle. The ends of all segments are kept. Where curvature or gear change, the joint
+/// comes twice, once with each value.
+///
+/// Time and speed follow the fastest motion within the segment: accelerate, hold, brake. There is a sample at each
+/// change between these phases, so the acceleration between neighbors is constant. The mean of their speeds times the
+/// time between them is their distance, up to rounding. Times never descend.
 /// @param segments  with the speeds and durations of speed_profile.
 /// @throws std::invalid_argument naming value and limit unless both steps are positive and the path has at most
-///   kMostSamplingSteps of them; so do both below.
+///   kMostSamplingSteps of them. Both functions below throw it too.
 ARCWAY_API std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
                                                const PathSampling& sampling = {});
 
@@ -69,9 +71,9 @@ ARCWAY_API std::string path_to_nav_msgs(std::span<const TimedSegment> segments, 
 struct PlanFile {
   std::optional<std::uint64_t> q;  ///< number of the query
   std::string status;
-  std::optional<VehicleParameters> robot;     ///< that it says it is for
-  std::optional<double> travel_time, length;  ///< that it says it has [s], [m]
-  std::optional<double> gear_changes;         ///< likewise
+  std::optional<VehicleParameters> robot;     ///< robot that the plan names
+  std::optional<double> travel_time, length;  ///< as stated by the plan [s], [m]
+  std::optional<double> gear_changes;         ///< as stated by the plan
   Pose start, goal;
   TimedPath path;  ///< speeds and durations empty if the file has none
 };
@@ -82,7 +84,7 @@ struct PlanFile {
 ARCWAY_API PlanFile read_plan(std::string_view json, std::string_view name);
 
 struct PlanOnLine {
-  std::size_t line;  ///< where it begins, from 1
+  std::size_t line;  ///< line where the plan begins, from 1
   PlanFile plan;
 };
 /// Reads one plan, or several, each beginning on a line of its own.

@@ -28,7 +28,7 @@ namespace arcway {
 ///         map.world, Vehicle(map.robot->parameters), accel_backend(map.world),
 ///         {std::move(map.reduced_graph), map.robot->radii, std::move(map.robot->feasible)});
 ///
-/// The same map gives the same bytes, whoever built its graphs with however many threads or processes.
+/// The bytes depend on the map only, not on the numbers of threads or processes that built its graphs.
 struct ARCWAY_API PreparedMap {
   World world;
   VisibilityGraph reduced_graph;
@@ -63,7 +63,7 @@ ARCWAY_API PreparedMap prepared_map_of(const Planner& planner, const std::option
 
 /// Whether a file begins like a prepared map.
 ARCWAY_API bool is_prepared_map(std::string_view bytes);
-/// The same of a regular file; false for what is none, or cannot be read.
+/// Whether a regular file begins like a prepared map; false for other files, or if it cannot be read.
 ARCWAY_API bool is_prepared_map_file(const std::filesystem::path& path);
 
 /// Takes up a map, its world and reduced graph checked for ranges and order, and everything against checksums. What the

@@ -21,10 +21,12 @@ struct EdgeStyle {
   double opacity = 0.35;  ///< in [0, 1]
 };
 
-/// A picture of a world, with layers added on top: groups with the ids bounds, obstacles, graph, swept, path, robot,
-/// markers and caption, which Inkscape shows as layers. All but the markers and the caption lie in the group "map", in
-/// the world's meters with y up, rounded to a tenth of a pixel or finer; on maps far from the origin the meters are
-/// from the view's corner. The world need not outlive the picture.
+/// A picture of a world in layers. Layers are groups with the ids bounds, obstacles, graph, swept, path, robot, markers
+/// and caption, which Inkscape shows as layers.
+///
+/// All but the markers and the caption lie in the group "map". That has the world's meters with y up, rounded to a
+/// tenth of a pixel or finer. On maps far from the origin the meters are from the view's corner. The world need not
+/// outlive the picture.
 class ARCWAY_API SvgPicture {
  public:
   /// @param width  of the map in the picture [px]; the height follows.
@@ -35,15 +37,15 @@ class ARCWAY_API SvgPicture {
   /// Edges in one path element, as group `id`; of more than 50,000 an even sample, as readers choke on them.
   /// @return one in how many is drawn.
   std::size_t add_edges(std::span<const LineSegment> edges, const EdgeStyle& style = {}, std::string_view id = "graph");
-  /// The path, where it is driven backwards in blue and dashed, as a line below the map then says; the body's outlines
-  /// along it, at dots where the gear changes, and the poses at its ends. After alternatives it has one color, and
-  /// dashes alone tell the gears apart.
+  /// Draws the path, the body's outlines along it, dots where the gear changes, and the poses at its ends. Segments
+  /// driven backwards are blue and dashed, as a line below the map then says. After alternatives the path has one
+  /// color, and dashes alone tell the gears apart.
   /// @param text  below the map, before those of alternatives.
   void add_path(std::span<const PathSegment> path, const Footprint& body, std::string_view text = {});
-  /// The path alone, in the next color of a palette that color-blind people can tell apart, where it is driven
-  /// backwards dashed, and below the map its color with a text. To be added before the path.
+  /// Draws an alternative path in the next color of a palette that color-blind people can tell apart. Segments driven
+  /// backwards are dashed. Its color and a text appear below the map. Call it before adding the path.
   void add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text);
-  /// All that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
+  /// Draws the area that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
   void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
   /// Outlines of the body.
   void add_bodies(std::span<const Pose> poses, const Footprint& body);

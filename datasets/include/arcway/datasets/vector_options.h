@@ -2,12 +2,12 @@
 
 namespace arcway {
 
-/// How files of polygons with coordinates of their own are read.
+/// How files of polygons with coordinates are read.
 struct VectorOptions {
-  /// Coordinates are longitude and latitude in degrees, or Web Mercator if the file says so: project them to meters on
-  /// the ground, x east and y north of the middle of the map, by the azimuthal equidistant projection of the ellipsoid
-  /// WGS 84. Lengths are right to 1 mm a kilometer within 15.5 km of the middle; a note says how exact they are, a
-  /// warning where they are less so. Maps may lie across the antimeridian or around a pole.
+  /// Coordinates are longitude and latitude in degrees, or Web Mercator if the file says so. Projects them to meters on
+  /// the ground, x east and y north of the middle of the map, by the azimuthal equidistant projection of WGS 84.
+  /// Lengths are right to 1 mm a kilometer within 15.5 km of the middle. A note says how exact they are, or a warning
+  /// where they are less so. Maps may lie across the antimeridian or around a pole.
   bool lonlat = false;
   /// Coordinates are meters, whatever the file says of them or they look like.
   bool planar = false;
