@@ -30,8 +30,8 @@ Scenes::Scenes(const World& world, const EmbreeOptions& options, const std::shar
                std::size_t many_edges)
     : locator(world),
       batches(options.batches),
-      visibility(device, world, 0.0, many_edges, options.clock),
-      sweep(device, world, inflation_of(world, options.body_half_width), many_edges, options.clock) {}
+      visibility(device, world, {.many_edges = many_edges, .clock = options.clock}),
+      sweep(device, world, {inflation_of(world, options.body_half_width), many_edges, options.clock}) {}
 
 QuerySet make_configured_queries(const World& world, const EmbreeOptions& options, const char* device_config,
                                  std::size_t many_edges) {

@@ -30,7 +30,7 @@ void require_regions(const World& world, std::span<const ObstacleId> ids) {
 }  // namespace
 
 struct ObstacleDistances::Scene {
-  explicit Scene(const World& world) : edges(std::make_shared<const embree::Device>(), world, 0.0, nullptr) {}
+  explicit Scene(const World& world) : edges(std::make_shared<const embree::Device>(), world, nullptr, {}) {}
 
   [[nodiscard]] const World& world() const { return edges.world(); }
 

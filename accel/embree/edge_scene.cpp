@@ -29,18 +29,18 @@ bool cut(double p, double d, double& t0, double& t1) {
 
 }  // namespace
 
-EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, double inflation,
-                     RTCOccludedFunctionN on_edge, std::size_t many_edges, const StopClock& clock)
-    : device_(std::move(device)), world_(world), inflation_(inflation) {
+EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, RTCOccludedFunctionN on_edge,
+                     const Options& options)
+    : device_(std::move(device)), world_(world), inflation_(options.inflation) {
   if (!world_.box().empty()) {
     center_ = world_.box().min + 0.5 * (world_.box().max - world_.box().min);
     // The rounded center may be off the middle by as much as a small map far from the origin is large.
     const double reach = std::max((world_.box().max - center_).maxCoeff(), (center_ - world_.box().min).maxCoeff());
-    scale_ = std::exp2(-std::ceil(std::log2(reach + inflation)));
+    scale_ = std::exp2(-std::ceil(std::log2(reach + inflation_)));
   }
-  margin_ = inflation * scale_ + kPad;
+  margin_ = inflation_ * scale_ + kPad;
 
-  if (world_.edges().size() > many_edges) join_edges();
+  if (world_.edges().size() > options.many_edges) join_edges();
   const std::size_t boxes = chains_.empty() ? world_.edges().size() : chains_.size() - 1;
 
   const GeometryHandle geometry(rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_USER));
@@ -53,7 +53,7 @@ EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, d
   scene_.reset(rtcNewScene(device_->get()));
   rtcAttachGeometry(scene_.get(), geometry.get());
   device_->check();
-  device_->commit(scene_.get(), clock);
+  device_->commit(scene_.get(), options.clock);
 }
 
 void EdgeScene::join_edges() {

@@ -29,12 +29,14 @@ class EdgeScene {
   /// memory than testing some edges in vain.
   static constexpr std::size_t kManyEdges = 100'000;
 
-  /// @param inflation   by how much boxes are larger than the edges, for rays that stand for something wider [m].
-  /// @param on_edge     callback that gets the edges near a ray; null if the scene is asked for points only.
-  /// @param many_edges  boxes hold several edges if the world has more than this.
-  /// @param clock       stops the build, which then throws Cancelled.
-  EdgeScene(std::shared_ptr<const Device> device, const World& world, double inflation, RTCOccludedFunctionN on_edge,
-            std::size_t many_edges = kManyEdges, const StopClock& clock = {});
+  struct Options {
+    double inflation = 0.0;               ///< how much larger than edges boxes are, for rays that stand for bodies [m]
+    std::size_t many_edges = kManyEdges;  ///< boxes hold several edges if the world has more than this
+    StopClock clock = {};                 ///< stops the build, which then throws Cancelled
+  };
+  /// @param on_edge  callback that gets the edges near a ray; null if the scene is asked for points only.
+  EdgeScene(std::shared_ptr<const Device> device, const World& world, RTCOccludedFunctionN on_edge,
+            const Options& options);
   EdgeScene(const EdgeScene&) = delete;
   EdgeScene& operator=(const EdgeScene&) = delete;
 
@@ -126,9 +128,8 @@ class EdgeScene {
 template <class Test>
 class RayScene {
  public:
-  RayScene(std::shared_ptr<const Device> device, const World& world, double inflation,
-           std::size_t many_edges = EdgeScene::kManyEdges, const StopClock& clock = {})
-      : edges_(std::move(device), world, inflation, &on_edge, many_edges, clock) {}
+  RayScene(std::shared_ptr<const Device> device, const World& world, const EdgeScene::Options& options)
+      : edges_(std::move(device), world, &on_edge, options) {}
 
   [[nodiscard]] const EdgeScene& edges() const { return edges_; }
 

@@ -230,6 +230,7 @@ void TangentConeExpansion::expand_cone(std::uint32_t index, const BoundingRay& c
 
 // Goes around the obstacle from node to node, and around each node from spoke to spoke. All rays of the chain beyond
 // the near bounding ray cross the current spoke, or start at the current node behind it.
+// Long because all cases of a step share the current node, half-edge and bounding ray.
 template <TangentConeExpansion::Hand kHand>
 void TangentConeExpansion::expand_from_chain(std::uint32_t first) {
   constexpr bool kLeft = kHand == Hand::kLeft;
@@ -335,6 +336,7 @@ void TangentConeExpansion::expand(std::uint32_t half_edge, const BoundingRay& lo
   }
 }
 
+// Long because all cases of a step share the half-edge, both bounding rays and the reports that may be replaced.
 template <bool kHasSleeves, bool kHasFans>
 void TangentConeExpansion::expand_through(std::uint32_t half_edge, BoundingRay low, BoundingRay high) {
   const FreeSpaceTriangulation::HalfEdge* const half_edges = triangulation_.half_edges().data();
@@ -440,10 +442,11 @@ int TangentConeExpansion::turn_along(const BoundingRay& ray, std::uint32_t from,
 // another position, so the search repeats from there. Each ray leaves more of the chain behind, until one leaves all of
 // it there.
 template <int kStep, class Passed, class From>
-TangentConeExpansion::Contact TangentConeExpansion::contact(const Sleeves::Chain<kStep>& chain, std::uint32_t nodes,
-                                                            const BoundingRay& own, const BoundingRay* other,
-                                                            std::uint32_t guess, const Passed& passed_before,
+TangentConeExpansion::Contact TangentConeExpansion::contact(const Sleeves::Chain<kStep>& chain,
+                                                            const ChainSearch& search, const Passed& passed_before,
                                                             const From& touched_from) const {
+  const auto& [nodes, own, other, first_guess] = search;
+  std::uint32_t guess = first_guess;
   Contact found;
   found.ray = own;
   while (true) {
@@ -472,8 +475,8 @@ bool TangentConeExpansion::pass(const Sleeves::Sleeve& sleeve, BoundingRay& low,
   const std::uint32_t guess_left = left.guess(high.direction), guess_right = right.guess(low.direction);
   left.fetch(guess_left);
   right.fetch(guess_right);
-  const Contact on_left = contact(left, left.count(), high, &low, guess_left, none, touched(End::kHigh));
-  const Contact on_right = contact(right, right.count(), low, &high, guess_right, none, touched(End::kLow));
+  const Contact on_left = contact(left, {left.count(), high, &low, guess_left}, none, touched(End::kHigh));
+  const Contact on_right = contact(right, {right.count(), low, &high, guess_right}, none, touched(End::kLow));
   bool passes = on_left.leaves_way() && on_right.leaves_way();
   if (passes && on_left.exists() && on_right.exists()) {
     passes = side(on_left.ray, right.node(on_right.index).at, right.node(on_right.index).point) < 0;
@@ -523,7 +526,7 @@ bool TangentConeExpansion::pass_along(const Sleeves::Sleeve& sleeve, std::uint32
   const std::uint32_t visible_count =
       count == (kLeft ? sleeve.left.count : sleeve.right.count) ? across.count() : across_before(0);
   const Contact found =
-      contact(across, visible_count, near, nullptr, across.guess(near.direction), passed_before, touched_from);
+      contact(across, {visible_count, near, nullptr, across.guess(near.direction)}, passed_before, touched_from);
   if (!found.exists()) return true;
   const std::uint32_t end = ahead(count);
   if (found.ray.from == end && across.node(found.index).point < node(end).point)

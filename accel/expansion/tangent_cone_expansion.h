@@ -93,15 +93,18 @@ class TangentConeExpansion {
     [[nodiscard]] bool exists() const { return index != kNone; }
     [[nodiscard]] bool leaves_way() const { return !exists() || other_side > 0; }
   };
-  /// @param nodes           number of the chain's nodes that the cone reaches.
-  /// @param own, other      bounding rays on the chain's side and on the other side; `other` may be null.
-  /// @param guess           see Sleeves::Chain::bounding_node_from.
-  /// @param passed_before   (position) -> number of the chain's nodes behind that position.
-  /// @param touched_from    (index, at) -> position from which a ray to the chain's node `index` starts.
+  /// What `contact` searches.
+  struct ChainSearch {
+    std::uint32_t nodes;       ///< number of the chain's nodes that the cone reaches
+    const BoundingRay& own;    ///< bounding ray on the chain's side
+    const BoundingRay* other;  ///< bounding ray on the other side; may be null
+    std::uint32_t guess;       ///< see Sleeves::Chain::bounding_node_from
+  };
+  /// @param passed_before  (position) -> number of the chain's nodes behind that position.
+  /// @param touched_from   (index, at) -> position from which a ray to the chain's node `index` starts.
   template <int kStep, class Passed, class From>
-  [[nodiscard]] Contact contact(const Sleeves::Chain<kStep>& chain, std::uint32_t nodes, const BoundingRay& own,
-                                const BoundingRay* other, std::uint32_t guess, const Passed& passed_before,
-                                const From& touched_from) const;
+  [[nodiscard]] Contact contact(const Sleeves::Chain<kStep>& chain, const ChainSearch& search,
+                                const Passed& passed_before, const From& touched_from) const;
   /// Crosses a sleeve. Returns whether rays pass; then `low` and `high` bound them.
   bool pass(const Sleeves::Sleeve& sleeve, BoundingRay& low, BoundingRay& high);
   /// Crosses a sleeve along one of its chains, from a position at its entrance. Returns whether the chain goes on.

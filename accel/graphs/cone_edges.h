@@ -18,12 +18,21 @@ struct ExpansionCounts {
   std::uint64_t candidates = 0;  ///< edges tested against invalid regions
 };
 
-/// Edges to the right of the nodes [first, last), by tangent-cone expansion. After all nodes, each edge is in one list
-/// once.
-/// @param sleeves, fans  of the triangulation, crossed in one step each.
+/// What nodes are expanded through: a triangulation with its sleeves and fans, which are crossed in one step each.
+struct ExpansionInput {
+  const FreeSpaceTriangulation& triangulation;
+  const Sleeves& sleeves;
+  const LongFans& fans;
+};
+
+/// Nodes [first, last).
+struct NodeRange {
+  std::size_t first, last;
+};
+
+/// Edges to the right of some nodes, by tangent-cone expansion. After all nodes, each edge is in one list once.
 /// @return lists in the order of the nodes, the same for any executor.
-std::vector<EdgeList> cone_edges(const FreeSpaceTriangulation& triangulation, const Sleeves& sleeves,
-                                 const LongFans& fans, std::size_t first, std::size_t last, const Executor& executor,
+std::vector<EdgeList> cone_edges(const ExpansionInput& input, NodeRange nodes, const Executor& executor,
                                  ExpansionCounts* counts = nullptr);
 
 }  // namespace arcway::internal

@@ -70,7 +70,7 @@ VisibilityGraph build_reduced_visibility_graph_by_tangent_cones(const World& wor
     executor.begin_stage("lines of sight");
     const Sleeves sleeves = worthwhile_sleeves(world, triangulation, executor);
     const auto [first, last] = process_group.share_of(triangulation.nodes().size());
-    parts = cone_edges(triangulation, sleeves, fans, first, last, executor, &sum);
+    parts = cone_edges({triangulation, sleeves, fans}, {first, last}, executor, &sum);
     if (!world.self_contacts().empty()) triangulation.list_left_edges();
     through_contacts = edges_through_contacts(world, triangulation);
   }

@@ -76,6 +76,10 @@ void PlanArguments::add_to(CLI::App& command) {
       ->type_name("N")
       ->capture_default_str();
   build.add_to(command);
+  add_outputs_to(command);
+}
+
+void PlanArguments::add_outputs_to(CLI::App& command) {
   CLI::Option* picture = command.add_option("--svg", svg, "Write a picture")->type_name("F.svg");
   command.add_option("--svg-layers", svg_layers, "What it shows: bounds,obstacles,graph,swept,path,robot,markers")
       ->type_name("LAYER,...")

@@ -36,6 +36,8 @@ struct PlanArguments {
   BuildOptions build;
 
   void add_to(CLI::App& command);
+  /// Adds the options for files to write.
+  void add_outputs_to(CLI::App& command);
   /// @throws UsageError for options that exclude each other, or invalid values.
   void check() const;
 

@@ -24,7 +24,8 @@ namespace {
 /// asks for it.
 /// @throws Cancelled if the clock is over before that is done.
 Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
-                     const PlannerOptions& options, const ProcessGroup& process_group, const StopClock& clock) {
+                     const ProcessGroup& process_group, const StopClock& clock) {
+  const PlannerOptions options = arguments.planner_options(process_group);
   const auto arena = arguments.build.executor();
   const StoppableExecutor threads(*arena, clock);
   ProgressBar bar;
@@ -58,31 +59,51 @@ void warn_of_poses(const PlanArguments& arguments, const Pose& start, const Tour
     map.notes.push_back("--start, --goal and --via are meters from there, not degrees");
 }
 
+// What the command line asks for, before the map is read.
+struct Requests {
+  std::optional<Pose> start;
+  TourRequest tour;
+  std::vector<NumberedRequest> queries;
+  std::vector<std::string> warnings;  // of the file of queries
+};
+
+Requests read_requests(const PlanArguments& arguments) {
+  Requests requests;
+  const double cusp_cost = arguments.cusp_cost_seconds();
+  const std::optional<std::uint32_t> max_gear_changes = arguments.most_gear_changes();
+  requests.tour.reverse = arguments.reverse;
+  requests.tour.cusp_cost = cusp_cost;
+  requests.tour.max_gear_changes = max_gear_changes;
+  if (!arguments.start.empty()) requests.start = parse_pose(arguments.start, "--start");
+  for (const std::string& via : arguments.via) requests.tour.via.push_back(parse_place(via, "--via"));
+  for (const std::string& goal : arguments.goals) requests.tour.goals.push_back(parse_place(goal, "--goal"));
+  if (arguments.batch()) requests.queries = read_queries(arguments.queries, requests.warnings);
+  for (NumberedRequest& query : requests.queries) {
+    query.request.reverse = arguments.reverse;
+    query.request.cusp_cost = cusp_cost;
+    query.request.max_gear_changes = max_gear_changes;
+  }
+  return requests;
+}
+
+// Takes start and goal from the map where the command line has none, and warns of doubtful poses.
+void complete(const PlanArguments& arguments, LoadedMap& map, Requests& requests) {
+  TourRequest& tour = requests.tour;
+  if (!requests.start) requests.start = map.start;
+  if (tour.goals.empty() && map.goal) tour.goals.push_back({map.goal->position(), map.goal->heading});
+  if (!requests.start) throw UsageError("--start X,Y,HEADING is missing, and " + arguments.map + " has no start");
+  if (tour.goals.empty()) throw UsageError("--goal X,Y,HEADING is missing, and " + arguments.map + " has no goal");
+  tour.start = *requests.start;
+  warn_of_poses(arguments, tour.start, tour, map);
+}
+
 int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::string& out) {
   const bool batch = arguments.batch();
   arguments.check();
   const PlannerOptions options = arguments.planner_options(process_group);
   const PlanLimits limits = arguments.limits();
-  const double cusp_cost = arguments.cusp_cost_seconds();
-
-  std::optional<Pose> start;
-  const std::optional<std::uint32_t> max_gear_changes = arguments.most_gear_changes();
-  TourRequest request{.start = {},
-                      .goals = {},
-                      .reverse = arguments.reverse,
-                      .cusp_cost = cusp_cost,
-                      .max_gear_changes = max_gear_changes};
-  if (!arguments.start.empty()) start = parse_pose(arguments.start, "--start");
-  for (const std::string& via : arguments.via) request.via.push_back(parse_place(via, "--via"));
-  for (const std::string& goal : arguments.goals) request.goals.push_back(parse_place(goal, "--goal"));
-  std::vector<NumberedRequest> queries;
-  std::vector<std::string> query_warnings;
-  if (batch) queries = read_queries(arguments.queries, query_warnings);
-  for (NumberedRequest& query : queries) {
-    query.request.reverse = arguments.reverse;
-    query.request.cusp_cost = cusp_cost;
-    query.request.max_gear_changes = max_gear_changes;
-  }
+  Requests requests = read_requests(arguments);
+  const auto& [start, request, queries, query_warnings] = requests;
 
   OutputFiles files(arguments.outputs(), arguments.inputs(), process_group.rank() == 0);
   LoadedMap map = load_map(arguments.map, arguments.reading);
@@ -90,13 +111,7 @@ int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::st
   arguments.build.prepared = map.prepared.has_value();
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
   map.warnings.insert(map.warnings.end(), query_warnings.begin(), query_warnings.end());
-  if (!batch) {
-    if (!start) start = map.start;
-    if (request.goals.empty() && map.goal) request.goals.push_back({map.goal->position(), map.goal->heading});
-    if (!start) throw UsageError("--start X,Y,HEADING is missing, and " + arguments.map + " has no start");
-    if (request.goals.empty()) throw UsageError("--goal X,Y,HEADING is missing, and " + arguments.map + " has no goal");
-    warn_of_poses(arguments, *start, request, map);
-  }
+  if (!batch) complete(arguments, map, requests);
 
   // A single process that stops building would leave the others waiting for it. With many queries, each has the limit.
   const StopClock clock(batch || process_group.size() > 1 ? std::numeric_limits<double>::infinity() : limits.time);
@@ -105,26 +120,25 @@ int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::st
   const auto plan_on = [&](const World& world) {
     return Planner(world, vehicle, arguments.build.backend_for(world, executor, process_group), options);
   };
-  if (!batch) request.start = *start;
   // Tours and alternatives keep to the rings of the map.
   const bool plain = !batch && arguments.alternatives == 1 && request.via.empty() && request.goals.size() == 1 &&
                      request.goals[0].heading;
   try {
-    if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, limits, files, out);
+    if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, {files, out});
     const Stopwatch watch;
-    const Planner planner = make_planner(arguments, map, vehicle, options, process_group, clock);
+    const Planner planner = make_planner(arguments, map, vehicle, process_group, clock);
     if (batch && map.prepared) planner.warm_up(std::min(arguments.build.thread_count(), queries.size()));
     const double build_seconds = watch.seconds();
-    if (batch)
-      return answer_queries(arguments, map, planner, build_seconds, queries, limits, process_group, files, out);
+    const PreparedPlanner prepared{arguments, map, planner, build_seconds};
+    if (batch) return answer_queries(prepared, queries, process_group, {files, out});
     PlanLimits rest = limits;
     rest.time = std::min(limits.time, clock.seconds_left());
     std::vector<CheckedPlan> plans = plans_of(arguments, planner, request, rest);
     for (CheckedPlan& plan : plans)
       if (plan.result.status == PlanStatus::kTimeLimit) plan.result.reason = time_limit_reason(limits);
-    return plan_one(arguments, map, planner, build_seconds, request, plans, files, out);
+    return plan_one(prepared, request, plans, {files, out});
   } catch (const Cancelled&) {
-    return no_plan(arguments, map, request, limits, files, out);
+    return no_plan(arguments, map, request, {files, out});
   }
 }
 

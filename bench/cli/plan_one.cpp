@@ -90,8 +90,9 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
 }
 
 /// JSON of the plan, of a tour's waypoints, and of the time for preparing the map.
-std::string plan_json(const PlanArguments& arguments, const Planner& planner, double build_seconds,
-                      const TourRequest& request, const CheckedPlan& plan, std::uint64_t q) {
+std::string plan_json(const PreparedPlanner& prepared, const TourRequest& request, const CheckedPlan& plan,
+                      std::uint64_t q) {
+  const auto& [arguments, map, planner, build_seconds] = prepared;
   const PrepareStatistics& prepare = planner.prepare_statistics();
   auto json = nlohmann::ordered_json::parse(plan_to_json(plan.result, q, planner.vehicle().parameters()));
   if (plan.result.solved() && request.goals.size() > 1) json["goal_index"] = plan.goal;
@@ -156,15 +157,17 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
   return plans;
 }
 
-int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-             const TourRequest& request, const std::vector<CheckedPlan>& plans, OutputFiles& files, std::string& out) {
+int plan_one(const PreparedPlanner& prepared, const TourRequest& request, const std::vector<CheckedPlan>& plans,
+             const PlanOutput& output) {
+  const auto& [arguments, map, planner, build_seconds] = prepared;
+  auto& [files, out] = output;
   const CheckedPlan& plan = plans.front();
   const PlanResult& result = plan.result;
 
   if (!arguments.svg.empty()) files.add(arguments.svg, picture(arguments, planner, request, plans));
   std::string json;
   for (std::size_t i = 0; i < plans.size() && !arguments.json.empty(); ++i)
-    json += plan_json(arguments, planner, build_seconds, request, plans[i], i);
+    json += plan_json(prepared, request, plans[i], i);
   if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
   if (!arguments.csv.empty() && result.solved()) {
     files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle(), arguments.sampling()));
@@ -202,12 +205,13 @@ int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner
   return good ? kExitSolved : kExitNoPath;
 }
 
-int no_plan(const PlanArguments& arguments, const LoadedMap& map, const TourRequest& request, const PlanLimits& limits,
-            OutputFiles& files, std::string& out) {
+int no_plan(const PlanArguments& arguments, const LoadedMap& map, const TourRequest& request,
+            const PlanOutput& output) {
+  auto& [files, out] = output;
   PlanResult result;
   result.status = PlanStatus::kTimeLimit;
   result.interrupted = true;
-  result.reason = "the time limit of " + shortest_text(limits.time) +
+  result.reason = "the time limit of " + shortest_text(arguments.limits().time) +
                   " s was over while the map was prepared; raise it, or prepare the map once: see arcway prepare";
   const Place& goal = request.goals.front();
   result.start = request.start;
@@ -223,8 +227,7 @@ int no_plan(const PlanArguments& arguments, const LoadedMap& map, const TourRequ
 }
 
 int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
-                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, OutputFiles& files,
-                std::string& out) {
+                const std::function<Planner(const World&)>& make_planner, const PlanOutput& output) {
   CurveTolerances tolerances;
   tolerances.last = arguments.reading.read_options().vector.curve_tolerance;
   tolerances.first = std::max(tolerances.first, tolerances.last);
@@ -235,7 +238,7 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
     build_seconds = watch.seconds();
     return planner;
   };
-  CurvedPlan plan = plan_among_curves(map.curved, plain(request), tolerances, timed, limits);
+  CurvedPlan plan = plan_among_curves(map.curved, plain(request), tolerances, timed, arguments.limits());
   const std::size_t curves = map.curved.curves.size();
   map.notes.push_back(count_text(curves) + (curves == 1 ? " curve" : " curves") + ", as rings within " +
                       shortest_text(tolerances.first) + " m, near the path within " +
@@ -243,7 +246,7 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
                       (plan.rounds.size() == 1 ? " time" : " times"));
   const std::vector<CheckedPlan> plans{
       checked(Validator(plan.planner.world()), plan.planner.vehicle(), std::move(plan.result), request.reverse)};
-  return plan_one(arguments, map, plan.planner, build_seconds, request, plans, files, out);
+  return plan_one({arguments, map, plan.planner, build_seconds}, request, plans, output);
 }
 
 }  // namespace arcway::internal::cli

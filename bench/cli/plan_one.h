@@ -18,20 +18,32 @@ namespace arcway::internal::cli {
 std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
                                   const PlanLimits& limits);
 
-/// Writes the requested files, and the printed text to `out`.
+/// What plans were made with.
+struct PreparedPlanner {
+  const PlanArguments& arguments;
+  const LoadedMap& map;
+  const Planner& planner;
+  double build_seconds;  ///< time for making the planner [s]
+};
+
+/// Where results go.
+struct PlanOutput {
+  OutputFiles& files;
+  std::string& text;  ///< for standard output
+};
+
+/// Writes the requested files and the printed text.
 /// @param plans  at least one; the first one is drawn and sampled.
 /// @returns the exit code.
-int plan_one(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-             const TourRequest& request, const std::vector<CheckedPlan>& plans, OutputFiles& files, std::string& out);
+int plan_one(const PreparedPlanner& prepared, const TourRequest& request, const std::vector<CheckedPlan>& plans,
+             const PlanOutput& output);
 
 /// Reports that the time limit was over before the map was prepared, so that nothing was planned. Writes --json.
 /// @returns the exit code.
-int no_plan(const PlanArguments& arguments, const LoadedMap& map, const TourRequest& request, const PlanLimits& limits,
-            OutputFiles& files, std::string& out);
+int no_plan(const PlanArguments& arguments, const LoadedMap& map, const TourRequest& request, const PlanOutput& output);
 
 /// Plans on rings that are refined near the path, down to the tolerance that the map was read with.
 int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourRequest& request,
-                const std::function<Planner(const World&)>& make_planner, const PlanLimits& limits, OutputFiles& files,
-                std::string& out);
+                const std::function<Planner(const World&)>& make_planner, const PlanOutput& output);
 
 }  // namespace arcway::internal::cli

@@ -94,9 +94,10 @@ std::vector<Answer> answer_share(const Planner& planner, std::span<const Numbere
 
 }  // namespace
 
-int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits,
-                   const ProcessGroup& process_group, OutputFiles& files, std::string& out) {
+int answer_queries(const PreparedPlanner& prepared, const std::vector<NumberedRequest>& queries,
+                   const ProcessGroup& process_group, const PlanOutput& output) {
+  const auto& [arguments, map, planner, build_seconds] = prepared;
+  auto& [files, out] = output;
   const PrepareStatistics& prepare = planner.prepare_statistics();
   std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
                     " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " +
@@ -114,8 +115,9 @@ int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const P
   const auto threads = arguments.build.executor();
   const auto [first, last] = process_group.share_of(queries.size());
   std::vector<Answer> answers;
-  for (const std::string& share : process_group.gather(to_bytes(answer_share(
-           planner, std::span(queries).subspan(first, last - first), limits, !arguments.json.empty(), *threads))))
+  for (const std::string& share :
+       process_group.gather(to_bytes(answer_share(planner, std::span(queries).subspan(first, last - first),
+                                                  arguments.limits(), !arguments.json.empty(), *threads))))
     append_answers(share, answers);
   for (const Answer& answer : answers) {
     csv += answer.line;

@@ -8,13 +8,13 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/plan_arguments.h"
+#include "bench/cli/plan_one.h"
 
 namespace arcway::internal::cli {
 
-/// Plans many queries on one map with all threads and processes, writes a line for each and their summary to `out`.
+/// Plans many queries on one map with all threads and processes, writes a line for each and their summary.
 /// @returns the exit code.
-int answer_queries(const PlanArguments& arguments, const LoadedMap& map, const Planner& planner, double build_seconds,
-                   const std::vector<NumberedRequest>& queries, const PlanLimits& limits,
-                   const ProcessGroup& process_group, OutputFiles& files, std::string& out);
+int answer_queries(const PreparedPlanner& prepared, const std::vector<NumberedRequest>& queries,
+                   const ProcessGroup& process_group, const PlanOutput& output);
 
 }  // namespace arcway::internal::cli

@@ -45,9 +45,16 @@ void compare(const char* what, const char* unit, std::optional<double> said, dou
                          shortest_text(found) + unit);
 }
 
-/// What the validator says of one plan; none if it has no path and says why. An empty path stays at the start.
+/// A plan, and what messages call it.
+struct NamedPlan {
+  std::string name;
+  const PlanFile& plan;
+};
+
+/// The validator's verdict on one plan; none if it has no path and says why. An empty path stays at the start.
 std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap& map, const Validator& validator,
-                                  const std::string& name, const PlanFile& plan, std::string& out) {
+                                  const NamedPlan& named, std::string& out) {
+  const auto& [name, plan] = named;
   if (plan.path.segments.empty() && !plan.status.empty() && plan.status != name_of(PlanStatus::kSolved)) {
     out += name + ": no path to check (" + shortened(plan.status) + ")\n";
     return std::nullopt;
@@ -93,7 +100,7 @@ int run_validate(const ValidateArguments& arguments, std::string& out) {
   for (const auto& [line, plan] : plans) {
     std::string name = arguments.path;
     if (plans.size() > 1) name += ":" + std::to_string(line) + (plan.q ? ": query " + std::to_string(*plan.q) : "");
-    const std::optional<bool> verdict = validate_plan(arguments, map, validator, name, plan, out);
+    const std::optional<bool> verdict = validate_plan(arguments, map, validator, {name, plan}, out);
     paths += verdict ? 1 : 0;
     valid += verdict && *verdict ? 1 : 0;
   }

@@ -5,10 +5,16 @@
 namespace arcway::internal::figures {
 namespace {
 
-/// Speed over time on one straight: up from v1, along v2 if it is reached, down to v3.
-void draw_profile(Canvas& canvas, double length, double v1, double v2, double v3, double a, double seconds,
-                  const char* color, const char* dash) {
-  const double peak = segment_phases(length, v1, v2, v3, a).peak;
+/// A straight with the speeds at its start and its end, the top speed [m/s] and the acceleration [m/s²].
+struct Straight {
+  double length, v1, v2, v3, a;
+  [[nodiscard]] double seconds() const { return segment_time(length, v1, v2, v3, a); }
+};
+
+/// Draws the speed over time on a straight: up from v1, along v2 if it is reached, down to v3.
+void draw_profile(Canvas& canvas, const Straight& straight, const char* color, const char* dash) {
+  const auto& [length, v1, v2, v3, a] = straight;
+  const double peak = segment_phases(length, v1, v2, v3, a).peak, seconds = straight.seconds();
   canvas.curve(canvas.at({0.0, v1}) + canvas.at({(peak - v1) / a, peak}) +
                    canvas.at({seconds - (peak - v3) / a, peak}) + canvas.at({seconds, v3}),
                color, 3.0, dash);
@@ -21,13 +27,14 @@ Figure speed_profiles(const Vehicle& vehicle) {
   const double a = vehicle.max_acceleration();
   const double critical = (2.0 * v2 * v2 - v1 * v1 - v3 * v3) / (2.0 * a);  // both forms meet here
   const double long_way = 3.0 * critical, short_way = 0.4 * critical;
-  const double long_time = segment_time(long_way, v1, v2, v3, a), short_time = segment_time(short_way, v1, v2, v3, a);
+  const Straight long_straight{long_way, v1, v2, v3, a}, short_straight{short_way, v1, v2, v3, a};
+  const double long_time = long_straight.seconds(), short_time = short_straight.seconds();
   Canvas canvas({-0.06 * long_time, -0.12 * v2}, {1.05 * long_time, 1.12 * v2}, {640.0 / long_time, 330.0 / v2});
   canvas.line({0.0, 0.0}, {1.03 * long_time, 0.0}, "#1d2126", 1.5);
   canvas.line({0.0, 0.0}, {0.0, 1.1 * v2}, "#1d2126", 1.5);
   canvas.line({0.0, v2}, {1.03 * long_time, v2}, "#7a828c", 1.0, "4 4");
-  draw_profile(canvas, long_way, v1, v2, v3, a, long_time, "#0072b2", "");
-  draw_profile(canvas, short_way, v1, v2, v3, a, short_time, "#d55e00", "9 4");
+  draw_profile(canvas, long_straight, "#0072b2", "");
+  draw_profile(canvas, short_straight, "#d55e00", "9 4");
   canvas.text({-0.01 * long_time, v2 - 0.02 * v2}, digits(v2, 0), "end");
   canvas.text({-0.01 * long_time, v1 - 0.02 * v2}, digits(v1, 0), "end");
   canvas.text({0.01 * long_time, 1.06 * v2}, "v [m/s]", "start");

@@ -58,6 +58,7 @@ class DubinsSpace final : public ob::DubinsStateSpace {
     result->setXY(pose.x, pose.y);
     result->setYaw(wrap_signed(pose.heading));
   }
+  // Many parameters because OMPL's interface has them.
   void interpolate(const ob::State* from, const ob::State* to, double share, bool& /*first_time*/, DubinsPath& /*path*/,
                    ob::State* state) const override {
     interpolate(from, to, share, state);
@@ -110,6 +111,8 @@ class Setup {
     definition_->setStartAndGoalStates(state_of(problem.request.start), state_of(problem.request.goal));
     definition_->setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(information_));
   }
+
+  [[nodiscard]] const Problem& problem() const { return problem_; }
 
   std::shared_ptr<ob::Planner> make(OmplPlanner kind) {
     std::shared_ptr<ob::Planner> planner;
@@ -167,15 +170,20 @@ class Setup {
   ob::ProblemDefinitionPtr definition_;
 };
 
-void run_restarts(Setup& setup, const Problem& problem, std::span<const double> radii, const bench::CpuClock& clock,
-                  std::span<const double> times, Random& random, PeerRun& run) {
+/// Turning radii of shortcuts [m], and when the best path is recorded [s].
+struct Restarts {
+  std::span<const double> radii, times;
+};
+
+void run_restarts(Setup& setup, const Restarts& restarts, const bench::CpuClock& clock, Random& random, PeerRun& run) {
+  const Problem& problem = setup.problem();
   std::optional<PeerSolution> best;
   std::optional<PeerSolution> next = run.first;
-  for (const double time : times) {
+  for (const double time : restarts.times) {
     const auto over = [&] { return clock.seconds() >= time; };
     while (!over()) {
       if (next) {
-        next->path = shortcut(std::move(next->path), problem, radii, random, kPatience, over);
+        next->path = shortcut(std::move(next->path), problem, {restarts.radii, kPatience, over}, random);
         next->travel_time = travel_time(next->path, problem.vehicle);
         next->seconds = clock.seconds();
         if (!best || next->travel_time < best->travel_time) best = std::move(next);
@@ -217,9 +225,9 @@ PeerRun run_ompl(OmplPlanner kind, const Problem& problem, double first_within, 
     return run;
   }
   if (kind == OmplPlanner::kRrtConnect) {
-    run_restarts(setup, problem, std::array{problem.vehicle.min_turning_radius()}, clock, times, random, run);
+    run_restarts(setup, {std::array{problem.vehicle.min_turning_radius()}, times}, clock, random, run);
   } else if (kind == OmplPlanner::kRrtConnectWide) {
-    run_restarts(setup, problem, turning_radii(problem.vehicle, problem.world), clock, times, random, run);
+    run_restarts(setup, {turning_radii(problem.vehicle, problem.world), times}, clock, random, run);
   } else {
     for (const double time : times) {
       if (clock.seconds() < time) setup.solve(*planner, clock, time, false);

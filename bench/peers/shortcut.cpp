@@ -25,11 +25,10 @@ std::pair<Path, Path> ends_of(const Path& path, double from, double to) {
 
 }  // namespace
 
-Path shortcut(Path path, const Problem& problem, std::span<const double> radii, Random& random, int patience,
-              const std::function<bool()>& stop) {
+Path shortcut(Path path, const Problem& problem, const ShortcutOptions& options, Random& random) {
   const Footprint body = checked_body(problem.vehicle);
   double time = travel_time(path, problem.vehicle);
-  for (int failures = 0; failures < patience && !stop(); ++failures) {
+  for (int failures = 0; failures < options.patience && !options.stop(); ++failures) {
     const double length = length_of(path);
     double from = random.uniform(0.0, length), to = random.uniform(0.0, length);
     if (from > to) std::swap(from, to);
@@ -41,7 +40,7 @@ Path shortcut(Path path, const Problem& problem, std::span<const double> radii, 
       Path whole, word;
     };
     std::vector<Candidate> faster;
-    const double radius = radii[random.below(radii.size())];
+    const double radius = options.radii[random.below(options.radii.size())];
     for (const DubinsWord word : kDubinsWords) {
       std::optional<Path> middle = dubins_path(word, head.back().end(), tail.front().start, radius);
       if (!middle) continue;

@@ -58,8 +58,8 @@ class PacketScene {
  public:
   // An edge a box, as worlds of this size have anyway.
   explicit PacketScene(const World& world)
-      : edges_(std::make_shared<const embree::Device>(), world, 0.0, &on_edge,
-               std::numeric_limits<std::size_t>::max()) {}
+      : edges_(std::make_shared<const embree::Device>(), world, &on_edge,
+               {.many_edges = std::numeric_limits<std::size_t>::max()}) {}
 
   // blocked[i] = 1 if an edge blocks segments[i]; ends differ and lie in the map.
   void blocked(std::span<const LineSegment> segments, std::span<std::uint8_t> result) const {
@@ -89,7 +89,8 @@ class PacketScene {
 
 class SingleScene {
  public:
-  explicit SingleScene(const World& world) : scene_(std::make_shared<const embree::Device>(), world, 0.0) {}
+  explicit SingleScene(const World& world)
+      : scene_(std::make_shared<const embree::Device>(), world, embree::EdgeScene::Options{}) {}
   void blocked(std::span<const LineSegment> segments, std::span<std::uint8_t> result) const {
     const embree::EdgeScene& edges = scene_.edges();
     for (std::size_t i = 0; i < segments.size(); ++i)

@@ -63,7 +63,7 @@ struct RefuseAll {
 void time_embree_alone(benchmark::State& state, const std::string& world_name) {
   const World& world = shared_world(world_name);
   const std::vector<LineSegment> segments = random_segments(world);
-  const embree::RayScene<RefuseAll> scene(std::make_shared<const embree::Device>(), world, 0.0);
+  const embree::RayScene<RefuseAll> scene(std::make_shared<const embree::Device>(), world, {});
   for (auto _ : state) {
     for (const LineSegment& s : segments)
       benchmark::DoNotOptimize(scene.any(scene.edges().scaled(s.a), scene.edges().scaled(s.b), {}));

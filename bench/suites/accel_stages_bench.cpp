@@ -32,8 +32,8 @@ using Worlds = std::vector<const World*>;
 // Sleeves are included, as only the expansion needs them.
 std::vector<EdgeList> expand_all(const World& world, const FreeSpaceTriangulation& triangulation,
                                  const Executor& executor) {
-  return cone_edges(triangulation, worthwhile_sleeves(world, triangulation, executor), LongFans(), 0,
-                    triangulation.nodes().size(), executor);
+  const Sleeves sleeves = worthwhile_sleeves(world, triangulation, executor);
+  return cone_edges({triangulation, sleeves, LongFans()}, {0, triangulation.nodes().size()}, executor);
 }
 
 bool is_right(benchmark::State& state, const World& world, const std::string& name, std::size_t threads,

@@ -50,14 +50,14 @@ std::vector<VertexId> full_row(const World& world, const VisibilityQuery& visibi
   return row;
 }
 
-// Some rows, of vertices that are drawn from these.
+// Whether some rows are right: those of vertices drawn at random. row_by_definition(u) gives a right one.
 template <class Row>
-bool has_rows(const World& world, const VisibilityGraph& graph, std::span<const VertexId> vertices, std::size_t rows,
-              const VisibilityQuery& visibility, const Row& row_by_definition) {
+bool has_rows(const VisibilityGraph& graph, std::span<const VertexId> vertices, std::size_t rows,
+              const Row& row_by_definition) {
   Random random(1);
   for (std::size_t i = 0; i < rows; ++i) {
     const VertexId u = vertices[random.below(vertices.size())];
-    if (!std::ranges::equal(graph.row(u), row_by_definition(world, visibility, u))) return false;
+    if (!std::ranges::equal(graph.row(u), row_by_definition(u))) return false;
   }
   return true;
 }
@@ -68,7 +68,8 @@ bool is_reduced_graph(const World& world, const VisibilityGraph& graph, std::siz
   if (graph.vertex_count() != world.vertices().size()) return false;
   const QuerySet queries = check_queries(world);
   if (world.vertices().size() <= kWholeUpTo) return graph == build_reduced_visibility_graph(world, *queries.visibility);
-  return has_rows(world, graph, world.convex_vertices(), rows, *queries.visibility, reduced_row);
+  return has_rows(graph, world.convex_vertices(), rows,
+                  [&](VertexId u) { return reduced_row(world, *queries.visibility, u); });
 }
 
 bool is_full_graph(const World& world, const VisibilityGraph& graph, std::size_t rows) {
@@ -78,7 +79,7 @@ bool is_full_graph(const World& world, const VisibilityGraph& graph, std::size_t
     return graph == build_full_visibility_graph(world, *queries.visibility);
   std::vector<VertexId> all(world.vertices().size());
   std::iota(all.begin(), all.end(), 0u);
-  return has_rows(world, graph, all, rows, *queries.visibility, full_row);
+  return has_rows(graph, all, rows, [&](VertexId u) { return full_row(world, *queries.visibility, u); });
 }
 
 }  // namespace arcway::internal::bench

@@ -116,9 +116,14 @@ struct Ended {
   std::vector<PlanResult> answers;
 };
 
-// @param made  the planner; none: to be made within the limit.
-Ended ended(const World& world, const Vehicle& vehicle, const Planner* made, Task task, const Query& query,
-            double limit) {
+// What is planned on: a map, a vehicle, and a planner for both or null, if it is to be made within the limit.
+struct Setup {
+  const World& world;
+  const Vehicle& vehicle;
+  const Planner* made;
+};
+
+Ended ended(const Setup& setup, Task task, const Query& query, double limit) {
   Ended end;
   const Stopwatch watch;
   const StopClock clock(limit);
@@ -126,16 +131,24 @@ Ended ended(const World& world, const Vehicle& vehicle, const Planner* made, Tas
     const SerialExecutor serial;
     const StoppableExecutor executor(serial, clock);
     std::optional<Planner> own;
-    if (!made) own.emplace(make_planner(world, vehicle, {.graph_mode = GraphMode::kLazy}, executor));
-    end.answers = answers_of(made ? *made : *own, task, query, {.time = clock.seconds_left()});
+    if (!setup.made) own.emplace(make_planner(setup.world, setup.vehicle, {.graph_mode = GraphMode::kLazy}, executor));
+    end.answers = answers_of(setup.made ? *setup.made : *own, task, query, {.time = clock.seconds_left()});
   } catch (const Cancelled&) {
   }
   end.behind = watch.seconds() - limit;
   return end;
 }
 
-void time_limit(benchmark::State& state, const std::string& name, const Robot& robot, Task task, Made made,
-                double limit) {
+struct Case {
+  std::string world;
+  Robot robot;
+  Task task;
+  Made made;
+  double limit;  // [s]
+};
+
+void time_limit(benchmark::State& state, const Case& measured) {
+  const auto& [name, robot, task, made, limit] = measured;
   const World* const found = world_of(state, name);
   if (found == nullptr) return;
   const World& world = *found;
@@ -149,7 +162,7 @@ void time_limit(benchmark::State& state, const std::string& name, const Robot& r
         answers, [&](const PlanResult& answer) { return !answer.solved() || is_valid(validator, vehicle, answer); });
   };
   const std::string key = name + " " + robot.name + " " + std::to_string(static_cast<int>(task));
-  const auto is_right = [&] {
+  const auto is_right = [&, task = task] {
     std::vector<PlanResult> all;
     for (const Query& query : queries)
       for (PlanResult& answer : answers_of(planner, task, query, {.time = kLongest})) all.push_back(std::move(answer));
@@ -160,7 +173,7 @@ void time_limit(benchmark::State& state, const std::string& name, const Robot& r
   std::size_t solved = 0, asked = 0;
   for (auto _ : state) {
     for (const Query& query : queries) {
-      const Ended end = ended(world, vehicle, made == Made::kNothing ? nullptr : &planner, task, query, limit);
+      const Ended end = ended({world, vehicle, made == Made::kNothing ? nullptr : &planner}, task, query, limit);
       worst_behind = std::max(worst_behind, end.behind);
       worst = std::max(worst, end.behind / (kAllowedShare * limit + kAllowedSeconds));
       ++asked;
@@ -186,7 +199,7 @@ void add_world(Study study, const std::string& world, const Robot& robot) {
         add_benchmark("TimeLimit/" + label + "/" + robot.name + "/" + task_name + "/" + made_name +
                           "/limit_ms:" + std::to_string(milliseconds),
                       [world, robot, task = task, made = made, milliseconds](benchmark::State& state) {
-                        time_limit(state, world, robot, task, made, 1e-3 * milliseconds);
+                        time_limit(state, {world, robot, task, made, 1e-3 * milliseconds});
                       })
             ->Iterations(1)
             ->Repetitions(1);

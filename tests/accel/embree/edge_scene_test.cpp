@@ -13,7 +13,7 @@ namespace {
 // Embree takes an exception of a callback for an error of its own and answers as if nothing more were near.
 TEST(EdgeScene, HandsOnWhatAVisitThrows) {
   const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.15, .seed = 7});
-  const EdgeScene scene(std::make_shared<const Device>(), world, 0.0, nullptr);
+  const EdgeScene scene(std::make_shared<const Device>(), world, nullptr, {});
   int visits = 0;
   const auto visit = [&](VertexId) -> double {
     if (++visits == 3) throw std::bad_alloc();

@@ -54,8 +54,10 @@ std::string edges_missing_from(const VisibilityGraph& from, const VisibilityGrap
 VisibilityGraph graph_by_sleeves(const World& world, Diagonals shortened) {
   FreeSpaceTriangulation triangulation(world, SerialExecutor(), shortened);
   triangulation.list_left_edges();
-  std::vector<EdgeList> lists = cone_edges(triangulation, Sleeves(triangulation, 1), LongFans(triangulation, 1), 0,
-                                           triangulation.nodes().size(), SerialExecutor());
+  const Sleeves sleeves(triangulation, 1);
+  const LongFans fans(triangulation, 1);
+  std::vector<EdgeList> lists =
+      cone_edges({triangulation, sleeves, fans}, {0, triangulation.nodes().size()}, SerialExecutor());
   add_missing(edges_through_contacts(world, triangulation), lists);
   return graph_of(world.vertices().size(), lists, SerialExecutor());
 }

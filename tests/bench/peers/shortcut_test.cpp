@@ -27,7 +27,7 @@ TEST(Shortcut, FindsTheDubinsPathInAnEmptyWorld) {
   const QuerySet queries = make_reference_queries(world);
   const Problem problem{world, vehicle, *queries.sweep, {{2, 2, 0}, {30, 30, 0}}};
   Random random(1);
-  const Path path = shortcut(detour(vehicle), problem, std::array{vehicle.min_turning_radius()}, random, 500, kNever);
+  const Path path = shortcut(detour(vehicle), problem, {std::array{vehicle.min_turning_radius()}, 500, kNever}, random);
   const double best = travel_time(
       shortest_dubins_path(problem.request.start, problem.request.goal, vehicle.min_turning_radius()), vehicle);
   EXPECT_LT(travel_time(path, vehicle), 1.01 * best);
@@ -44,7 +44,7 @@ TEST(Shortcut, KeepsOutOfObstaclesAndIsNeverSlower) {
   const double smallest = vehicle.min_turning_radius();
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Random random(seed);
-    const Path path = shortcut(given, problem, std::array{smallest, 2.0 * smallest}, random, 50, kNever);
+    const Path path = shortcut(given, problem, {std::array{smallest, 2.0 * smallest}, 50, kNever}, random);
     EXPECT_TRUE(is_valid(problem, path)) << "seed " << seed;
     EXPECT_LE(travel_time(path, vehicle), travel_time(given, vehicle)) << "seed " << seed;
   }
