@@ -16,7 +16,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// To be called while this lives.
+  /// Callback for executors; must not outlive this.
   [[nodiscard]] ProgressCallback callback();
 
  private:

@@ -9,7 +9,7 @@ namespace arcway::internal::figures {
 
 /// A figure of the paper as an SVG document, its numbers in the caption.
 struct Figure {
-  std::string name;  ///< of the file, without extension
+  std::string name;  ///< name of the file, without extension
   std::string svg;
   std::string caption;  ///< lines end at '\n'
 };

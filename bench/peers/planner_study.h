@@ -24,7 +24,7 @@ struct PlannerSetting {
   bool ours_only = false;      ///< no peer takes part
   bool first_only = false;     ///< RRTConnect's first path and nothing else
   double first_within = 10.0;  ///< the time for that [s]; with `times`, the last of them is
-  std::uint64_t seed = 1;      ///< of queries and peers
+  std::uint64_t seed = 1;      ///< seed of queries and peers
 };
 
 /// The standard settings:

@@ -10,7 +10,7 @@
 namespace arcway::internal::peers {
 
 struct VisibilityStudyOptions {
-  std::vector<std::size_t> obstacles{10, 100, 1000, 10000};  ///< of 10 vertices each, fill 0.3
+  std::vector<std::size_t> obstacles{10, 100, 1000, 10000};  ///< numbers of obstacles of 10 vertices each, fill 0.3
   std::size_t repetitions = 7;
   double limit = 20.0;  ///< leaves out what one of both would take longer for, judged by the size before [s]
 };

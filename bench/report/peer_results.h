@@ -17,8 +17,9 @@ struct Duel {
   std::string ours, peer;
   std::vector<double> our_seconds, peer_seconds;  ///< processor time; run i of both followed one another
   std::string error;                              ///< why there are no times; empty if there are
-  std::vector<double> our_wall_seconds = {}, peer_wall_seconds = {};  ///< of the same runs; some files have none
-  std::size_t threads = 1;                                            ///< ours; by more than one the wall times count
+  std::vector<double> our_wall_seconds = {},
+                      peer_wall_seconds = {};  ///< wall times of these runs; some files have none
+  std::size_t threads = 1;                     ///< ours; by more than one the wall times count
 };
 
 /// One planner's answer to one query.
@@ -41,7 +42,7 @@ struct PlannerQuery {
 
 /// A file of comparisons with peers.
 struct PeerResults {
-  std::string name;  ///< of the file
+  std::string name;  ///< name of the file
   std::vector<std::pair<std::string, std::string>> context;
   std::vector<Duel> duels;
   std::vector<PlannerQuery> queries;

@@ -12,7 +12,7 @@ namespace arcway::internal::report {
 struct Measurement {
   std::string name;                        ///< "ReducedGraph/embree/obstacles:100"
   std::vector<double> wall_seconds;        ///< one answer, one value a repetition
-  std::vector<double> cpu_seconds;         ///< of all threads
+  std::vector<double> cpu_seconds;         ///< processor time of all threads
   std::map<std::string, double> counters;  ///< medians over the repetitions
   std::string label;                       ///< the law that theory gives, for series
   std::string error;                       ///< why there are no times; empty if there are
@@ -21,7 +21,7 @@ struct Measurement {
 
 /// A file of results.
 struct Results {
-  std::string name;                                          ///< of the file
+  std::string name;                                          ///< name of the file
   std::vector<std::pair<std::string, std::string>> context;  ///< machine and build, in the order of the file
   std::vector<Measurement> measurements;                     ///< in the order of the file
 };

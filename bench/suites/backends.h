@@ -28,13 +28,13 @@ struct GraphBuilder {
   std::string name;
   std::function<VisibilityGraph(const World&, const Executor&)> build;
   std::string law;  ///< growth in obstacles n at constant density, as theory has it
-  double exponent;  ///< of the law
+  double exponent;  ///< exponent of that law
   /// What benchmarks use: `build`, or with an edge missing if that is asked for.
   [[nodiscard]] VisibilityGraph graph(const World& world, const Executor& executor) const;
 };
-/// Of the reduced visibility graph; the reference first.
+/// Builders of the reduced visibility graph; the reference first.
 const std::vector<GraphBuilder>& graph_builders();
-/// Of the full one; the reference first.
+/// Builders of the full visibility graph; the reference first.
 const std::vector<GraphBuilder>& full_graph_builders();
 
 /// An executor for this many threads; the serial one for 1.

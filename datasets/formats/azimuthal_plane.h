@@ -30,8 +30,8 @@ class AzimuthalPlane {
   [[nodiscard]] Local local(double longitude, double latitude) const;
 
   double longitude_;         // [degrees]
-  double sin_, cos_;         // of the latitude
-  double axial_, polar_;     // of the middle: distance from the axis and from the plane of the equator [m]
+  double sin_, cos_;         // sine and cosine of the latitude
+  double axial_, polar_;     // distance of the middle from the axis and from the plane of the equator [m]
   double curvature_radius_;  // mean, at the middle [m]
 };
 

@@ -7,7 +7,7 @@ namespace arcway::internal::detail {
 
 /// What the numbers of a named coordinate reference system are.
 enum class CoordinateUnit {
-  kMeters,       ///< of a projection that keeps lengths to about a thousandth, or of a local frame
+  kMeters,       ///< meters of a projection that keeps lengths to about a thousandth, or of a local frame
   kDegrees,      ///< longitude and latitude
   kGrads,        ///< longitude and latitude, 400 grads a turn
   kWebMercator,  ///< Mercator's projection of a sphere, 1 unit a meter at the equator

@@ -29,7 +29,7 @@ inline constexpr EpsgRange kGeographicCodes[] = {
     {9739, 9739}, {9754, 9758}, {9763, 9763}, {9776, 9784}, {9866, 9866}, {9871, 9871}, {9893, 9893}, {9939, 9939},
     {9964, 9964}, {9969, 9969}, {9974, 9974}, {9989, 9990}, {20033, 20041}};
 
-/// Those of them whose unit is the grad, of which 400 make a turn.
+/// Geographic systems in grads, of which 400 make a turn.
 inline constexpr int kGradCodes[] = {4807, 4810, 4811, 4816, 4819, 4821, 4901, 4902};
 
 /// Projected systems in feet, yards, chains, links or kilometers.

@@ -21,7 +21,7 @@ OccupancyGrid read_movingai_map(std::string_view text, std::string_view name, co
 /// One line of a .scen file. Cells are counted from the upper left corner, y downwards.
 struct MovingAiTask {
   std::string map;               ///< file, as on its author's disk
-  std::size_t width, height;     ///< of the map, in cells
+  std::size_t width, height;     ///< size of the map, in cells
   std::size_t start_x, start_y;  ///< less than width and height
   std::size_t goal_x, goal_y;
   double optimal_length;  ///< in cells, of a path over 8-connected cells that cuts no corner; no bound for a car

@@ -13,12 +13,12 @@ namespace arcway::internal {
 /// What the YAML file of ROS's map_server says of an image.
 struct RosMap {
   std::string image;         ///< path, relative to the YAML file's folder
-  double resolution = 0.05;  ///< of a pixel [m]
-  Pose origin;               ///< of the lower left corner of the lower left pixel
+  double resolution = 0.05;  ///< size of a pixel [m]
+  Pose origin;               ///< pose of the lower left corner of the lower left pixel
   bool negate = false;       ///< white is occupied
   double occupied_thresh = 0.65, free_thresh = 0.196;
   enum class Mode { kTrinary, kScale, kRaw } mode = Mode::kTrinary;
-  std::vector<std::string> unread_keys;  ///< of the file, which are not known here
+  std::vector<std::string> unread_keys;  ///< keys of the file that are not known here
 };
 
 /// Reads the YAML file: image, resolution, origin, negate, occupied_thresh and free_thresh are required; mode is not.

@@ -27,7 +27,7 @@ class SvgAttribute {
 struct SvgSubpath {
   Vec2 first;
   std::vector<CubicBezier> pieces;
-  bool curved = false;  ///< not lines alone
+  bool curved = false;  ///< whether it has curves
 };
 
 /// Reads the data of a path, all commands of SVG 1.1. Quadratic curves are cubics; arcs of ellipses become cubics that

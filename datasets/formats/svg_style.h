@@ -12,13 +12,13 @@ namespace arcway::internal::detail {
 /// children, are understood; the media are those of a screen.
 class SvgStyle {
  public:
-  /// Takes up all <style> elements below the root.
+  /// Reads all <style> elements below the root.
   explicit SvgStyle(const pugi::xml_node& root);
 
   enum class Display { kShown, kNone };
-  /// Of the element itself: with kNone none of what it holds is shown, whatever that says.
+  /// Value of `display` of an element. With kNone, none of its contents is shown, whatever their own value.
   [[nodiscard]] Display display(const pugi::xml_node& node) const;
-  /// Of the element, whose parent's is `inherited`.
+  /// Value of `visibility` of an element, whose parent's is `inherited`.
   [[nodiscard]] bool visible(const pugi::xml_node& node, bool inherited) const;
   /// Selectors that may hide something and are not understood.
   [[nodiscard]] const std::vector<std::string>& unknown_selectors() const { return unknown_; }
@@ -28,7 +28,7 @@ class SvgStyle {
   struct Compound {
     std::string type, id;  // empty: any
     std::vector<std::string> classes;
-    bool child = false;  // of the compound before; else any descendant
+    bool child = false;  // a child of the compound before; else any descendant
   };
   struct Rule {
     std::vector<Compound> compounds;  // the last one is the element's
@@ -41,7 +41,7 @@ class SvgStyle {
   void read_rule(std::string_view selectors, std::string_view declarations);
   static bool read_selector(std::string_view text, Rule& rule);
   static bool is(const Compound& compound, const pugi::xml_node& node);
-  /// In time of the compounds times the depth of the element.
+  /// Whether a selector matches an element. O(compounds * depth of the element).
   static bool matches(const std::vector<Compound>& compounds, const pugi::xml_node& node);
   /// The value that wins the cascade; empty if nothing sets the property.
   [[nodiscard]] std::string_view value_of(const pugi::xml_node& node, std::string_view property) const;

@@ -16,9 +16,9 @@ class TextScanner {
   /// @param name  of the source, for messages.
   TextScanner(std::string_view text, std::string_view name);
 
-  /// Past blanks and line ends.
+  /// Skips blanks and line ends.
   void skip_space();
-  /// Past blanks within the line.
+  /// Skips blanks within the line.
   void skip_blanks();
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
   /// The next character; 0 at the end.
@@ -32,7 +32,7 @@ class TextScanner {
   /// Takes a number. @param what  is expected, for the message.
   double number(std::string_view what);
 
-  /// Of the next character, from 1.
+  /// Line of the next character, from 1.
   [[nodiscard]] std::size_t line() const { return line_; }
   /// "name: line 3"
   [[nodiscard]] std::string place() const;

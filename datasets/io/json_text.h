@@ -19,7 +19,7 @@ namespace arcway::internal::detail {
 void append_number(std::string& out, double value);
 /// [x,y,heading]
 void append_pose(std::string& out, const Pose& pose);
-/// With quotes and escapes; invalid UTF-8 is replaced.
+/// A text in quotes with escapes; invalid UTF-8 is replaced.
 void append_string(std::string& out, std::string_view text);
 
 /// An array at the top of a document that is read as a stream: its elements are handed over one by one and not kept.

@@ -40,6 +40,7 @@ constexpr MapPlace kPlaces[] = {{0x1p-10, 0.0},    {0x1p-10, 0x1p14}, {1.0, 0.0}
 constexpr std::size_t kSegmentsPerWorld = 1000;
 
 // Queries on a device of one instruction set, or nothing if the machine lacks it.
+// @param joined  whether boxes hold several edges, as in large worlds.
 std::optional<QuerySet> queries_on(const World& world, const std::string& isa, bool joined) {
   const std::size_t many_edges = joined ? 0 : std::numeric_limits<std::size_t>::max();
   try {

@@ -34,7 +34,7 @@ ARCWAY_API const char* name_of(AdversarialKind kind);
 
 struct AdversarialParameters {
   AdversarialKind kind = AdversarialKind::kTouching;
-  std::size_t vertices = 1000;  ///< of all obstacles and the bounds together, about; 100 to 10 million
+  std::size_t vertices = 1000;  ///< number of vertices, obstacles and bounds together, about; 100 to 10 million
   std::uint64_t seed = 1;
 };
 

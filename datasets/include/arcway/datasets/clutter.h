@@ -22,11 +22,11 @@ ARCWAY_API const char* name_of(ClutterKind kind);
 struct ClutterParameters {
   ClutterKind kind = ClutterKind::kConvex;
   std::size_t obstacles = 100;  ///< up to 2^28 vertices in all
-  std::size_t vertices = 8;     ///< of each obstacle, >= 3
+  std::size_t vertices = 8;     ///< vertices of each obstacle, >= 3
   double fill = 0.2;            ///< sum of the obstacles' areas / area of the bounds, met to rounding; in (0, 0.6],
                                 ///< and not so small that the bounds are longer than 1e9 m
   double min_gap = 0.2;         ///< at least this between two obstacles, and between obstacle and bounds [m]
-  double min_radius = 2.0;      ///< of the circumscribed circles [m], uniform
+  double min_radius = 2.0;      ///< smallest radius of the circumscribed circles [m], uniform
   double max_radius = 8.0;      ///< [m]
   std::uint64_t seed = 1;
 };

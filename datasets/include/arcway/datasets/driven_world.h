@@ -34,9 +34,9 @@ ARCWAY_API std::span<const DrivenRobot> driven_robots();
 
 struct DrivenParameters {
   DrivenKind kind = DrivenKind::kScattered;
-  std::size_t robot = 6;    ///< of driven_robots(), from 1
+  std::size_t robot = 6;    ///< number in driven_robots(), from 1
   bool both_gears = false;  ///< the drive has at least one change of gear; otherwise it is forwards all the way
-  double clearance = 0.05;  ///< of the bare body from obstacles and bounds, all along the drive [m], 1e-4 to 10
+  double clearance = 0.05;  ///< distance of the bare body from obstacles and bounds along the drive [m], 1e-4 to 10
   std::uint64_t seed = 1;
 };
 

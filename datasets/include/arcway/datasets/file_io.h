@@ -36,7 +36,7 @@ ARCWAY_API std::string read_file(const std::filesystem::path& path, std::size_t 
 /// @throws FileError
 ARCWAY_API void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
-/// With all folders that it lies in, where they are not there yet.
+/// Makes a folder and all folders that it lies in.
 /// @throws FileError
 ARCWAY_API void make_folders(const std::filesystem::path& path);
 

@@ -35,7 +35,7 @@ struct MapFile {
   std::vector<std::string> places;
   std::string bounds_place;
   CoordinateFrame frame = CoordinateFrame::kUnstated;
-  std::vector<std::filesystem::path> files;  ///< that were read: the map's, and those that it names
+  std::vector<std::filesystem::path> files;  ///< files that were read: the map's, and those that it names
 };
 
 /// Whether coordinates in this box are likely to be longitude and latitude: within 180 and 90, less than 1 wide, and at

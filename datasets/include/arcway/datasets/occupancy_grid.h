@@ -32,7 +32,7 @@ ARCWAY_API void flip_rows(OccupancyGrid& grid);
 
 /// How files of cells are read and turned into polygons.
 struct GridOptions {
-  /// Of files that do not say: MovingAI maps (default 1) and images without a YAML file (default 0.05) [m].
+  /// Cell size [m] of files that have none: MovingAI maps (default 1), images without a YAML file (default 0.05).
   std::optional<double> cell_size{};
   bool unknown_is_free = false;  ///< otherwise unknown cells are obstacles
   bool swamp_is_free = false;    ///< cells S of MovingAI maps; otherwise they are obstacles

@@ -15,9 +15,9 @@ namespace arcway {
 
 struct MapReadOptions {
   std::optional<MapFormat> format{};  ///< none: told by the content
-  VectorOptions vector{};             ///< of formats with coordinates
-  GridOptions grid{};                 ///< of formats with cells
-  /// Of MovingAI scenarios: which task gives start and goal, from 0, and the seed of its headings.
+  VectorOptions vector{};             ///< options of formats with coordinates
+  GridOptions grid{};                 ///< options of formats with cells
+  /// MovingAI scenarios: index of the task that gives start and goal, from 0, and the seed of its headings.
   std::size_t task = 0;
   std::uint64_t heading_seed = 1;
 };

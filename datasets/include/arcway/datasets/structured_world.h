@@ -27,7 +27,7 @@ ARCWAY_API const char* name_of(StructuredKind kind);
 
 struct StructuredParameters {
   StructuredKind kind = StructuredKind::kWarehouse;
-  std::size_t vertices = 1000;  ///< of all obstacles and the bounds together, about; 100 to 10 million
+  std::size_t vertices = 1000;  ///< number of vertices, obstacles and bounds together, about; 100 to 10 million
   std::uint64_t seed = 1;
 };
 

@@ -51,9 +51,9 @@ class ARCWAY_API SvgPicture {
   void add_bodies(std::span<const Pose> poses, const Footprint& body);
   /// Start and goal when there is no path.
   void add_poses(const Pose& start, const Pose& goal, const Footprint& body);
-  /// Among the markers, a waypoint, with a text beside it.
+  /// Draws a waypoint among the markers, with a text beside it.
   void add_place(const Vec2& place, std::string_view text);
-  /// Among the markers, a gap from one point to another, with a text beside it.
+  /// Draws a gap from one point to another among the markers, with a text beside it.
   void add_gap(const Vec2& a, const Vec2& b, std::string_view text);
   /// All layers but the caption.
   static std::span<const std::string_view> layers();
@@ -91,8 +91,8 @@ class ARCWAY_API SvgPicture {
   Box view_;
   double scale_ = 1.0;
   double width_ = 0.0, height_ = 0.0;
-  Vec2 origin_{0.0, 0.0};  // of the meters in the picture
-  double parts_ = 10.0;    // of a meter that they are rounded to
+  Vec2 origin_{0.0, 0.0};  // origin of the picture's meters
+  double parts_ = 10.0;    // parts of a meter that coordinates are rounded to
   std::string bounds_, obstacles_, graph_, swept_, path_, robot_, markers_;
   std::vector<std::string> captions_;
   std::size_t alternatives_ = 0;
