@@ -31,7 +31,7 @@ struct BuiltGraph {
   std::size_t edge_count = 0;
   double visibility_seconds = 0.0;
   double feasible_seconds = 0.0;
-  FeasibleGraphCounts counts;  ///< of the feasible graph only
+  FeasibleGraphCounts counts;  ///< counts of the feasible graph; empty for other graphs
 };
 
 void append_edge(std::string& csv, VertexId u, VertexId v) {

@@ -64,7 +64,7 @@ struct Requests {
   std::optional<Pose> start;
   TourRequest tour;
   std::vector<NumberedRequest> queries;
-  std::vector<std::string> warnings;  // of the file of queries
+  std::vector<std::string> warnings;  // warnings about the file of queries
 };
 
 Requests read_requests(const PlanArguments& arguments) {

@@ -31,7 +31,7 @@ int run_prepare(PrepareArguments arguments, const ProcessGroup& process_group, s
   LoadedMap map = load_map(arguments.map, arguments.reading);
   files.protect(map.files);
   arguments.build.prepared = map.prepared.has_value();
-  std::optional<Vehicle> vehicle;  // of a feasible graph
+  std::optional<Vehicle> vehicle;  // vehicle of the feasible graph, if one is wanted
   if (arguments.kind == "feasible") vehicle = load_vehicle(arguments.robot, map);
 
   const Stopwatch watch;

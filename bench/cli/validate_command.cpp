@@ -39,7 +39,7 @@ std::pair<std::string, Vehicle> robot_of(const ValidateArguments& arguments, Loa
 /// What a file says of its path, and what was found.
 void compare(const char* what, const char* unit, std::optional<double> said, double found,
              std::vector<std::string>& complaints) {
-  constexpr double kTolerance = 1e-6;  // of rounding, relative
+  constexpr double kTolerance = 1e-6;  // relative error of rounding
   if (said && !(std::abs(*said - found) <= kTolerance * std::max(1.0, found)))
     complaints.push_back(std::string(what) + ": the file says " + shortest_text(*said) + unit + ", the path's is " +
                          shortest_text(found) + unit);

@@ -31,7 +31,7 @@ struct Options {
 #ifdef ARCWAY_PEER_OMPL
   PlannerSetting planners{.name = {}, .worlds = {}, .vehicle = Vehicle()};  // where no standard one is meant
   std::vector<std::string> settings;
-  std::optional<std::size_t> queries, long_queries;  // of the standard ones, too
+  std::optional<std::size_t> queries, long_queries;  // also for the standard settings
 #endif
   std::string only, out, lost, robot;
   bool update = false, ours = false;

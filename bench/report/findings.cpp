@@ -25,7 +25,7 @@ constexpr std::array kStages = {
     Stage{"Is a swept rectangle free?", "SweptRectangles/embree"},
     Stage{"Free headings on a turn circle", "TurningIntervals/embree"},
 };
-constexpr double kVerticesEach = 10.0;  // of the obstacles in these series
+constexpr double kVerticesEach = 10.0;  // vertices of each obstacle in these series
 
 const Study::Line* find_line(const std::vector<Study>& studies, std::string_view series, std::string_view key) {
   for (const Study& study : studies) {

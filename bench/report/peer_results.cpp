@@ -17,7 +17,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kFormat = "arcway-peers";
-constexpr const char* kFirstSetting = "n100";  // of files that name none
+constexpr const char* kFirstSetting = "n100";  // setting of files that name none
 
 /// Times and ratios are read by people: six digits say enough.
 double rounded(double value) {

@@ -172,7 +172,7 @@ void add_planner_findings(const PeerResults& peers, const std::string& setting, 
   std::string text = "Planners, " + setting + ": arcway solves " + std::to_string(ours.solved) + " of " +
                      std::to_string(ours.queries) + " queries in " + time_text(bench::median(ours.seconds)) + " each";
   for (const Record& r : records) {
-    // Those that went on after their first path, on all queries.
+    // Planners that went on after their first path, on all queries.
     if (&r == &ours || r.planner.starts_with("arcway") || r.planner.ends_with(" first") || r.queries < ours.queries)
       continue;
     text += "; " + r.planner + " solves " + std::to_string(r.solved) + ", with faster paths on " +

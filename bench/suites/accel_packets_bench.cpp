@@ -29,7 +29,7 @@ constexpr std::size_t kLanes = 8;
 
 struct PacketContext : embree::RayContext {
   const World* world;
-  const LineSegment* segments;  // of ray id 0
+  const LineSegment* segments;  // segment of ray 0
 };
 
 void on_edge(const RTCOccludedFunctionNArguments* a) {

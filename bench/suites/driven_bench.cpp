@@ -17,7 +17,7 @@ constexpr double kSlower = 1.0 + 1e-9;  // plans that take longer than the drive
 
 struct Answer {
   bool solved = false, proved = false, valid = true;
-  double seconds = 0.0;     // of processor time, from map to plan
+  double seconds = 0.0;     // processor time from map to plan [s]
   double over_drive = 0.0;  // travel time / the drive's
 };
 

@@ -26,8 +26,8 @@ namespace {
 
 constexpr double kAllowedShare = 0.1;     // behind the limit, of the limit
 constexpr double kAllowedSeconds = 5e-3;  // and beside that
-constexpr std::size_t kQueries = 4;       // of each world
-constexpr double kLongest = 20.0;         // of a query that is only checked [s]
+constexpr std::size_t kQueries = 4;       // queries of each world
+constexpr double kLongest = 20.0;         // time limit of a query that is only checked [s]
 
 enum class Task { kPlan, kReverse, kAlternatives, kTour };
 struct TaskName {
@@ -75,7 +75,7 @@ const World* world_of(benchmark::State& state, const std::string& name) {
 
 struct Query {
   PlanRequest request;
-  Vec2 via;  // of a tour
+  Vec2 via;  // waypoint of a tour
 };
 
 // From pose to pose; tours pass the start of the next query.

@@ -25,7 +25,7 @@ namespace arcway::internal::bench {
 namespace {
 
 constexpr std::size_t kQueries = 20;
-constexpr std::size_t kFewQueries = 5;  // of seven radii, which take long
+constexpr std::size_t kFewQueries = 5;  // queries with seven radii, which take long
 constexpr const char* kWrong = "the validator refuses a path, or there is none";
 
 void time_queries(benchmark::State& state, const Planner& planner, const std::vector<PlanRequest>& requests) {

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTimeLimit = 10.0;  // of one query [s]
+constexpr double kTimeLimit = 10.0;  // time limit of one query [s]
 
 struct RealMap {
   const char* name;

@@ -55,8 +55,8 @@ bool require_once(benchmark::State& state, const std::string& key, const std::fu
 struct Series::State {
   std::string law;
   double exponent;
-  double budget;           // of one iteration with world and check [s]
-  double last_size = 0.0;  // of the last size that ran
+  double budget;           // time of one iteration with world and check [s]
+  double last_size = 0.0;  // seconds of the last size that ran
   double last_seconds = 0.0;
   bool over = false;
 };

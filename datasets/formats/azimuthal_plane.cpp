@@ -13,10 +13,10 @@ constexpr double kHalfAxis = 6378137.0;
 constexpr double kFlattening = 1.0 / 298.257223563;
 constexpr double kEccentricity2 = kFlattening * (2.0 - kFlattening);
 constexpr double kSmallestRadius =
-    kHalfAxis * (1.0 - kEccentricity2);  // of curvature: along the meridian at the equator
+    kHalfAxis * (1.0 - kEccentricity2);  // radius of curvature along the meridian at the equator [m]
 
 double radians(double degrees) { return degrees * (kPi / 180.0); }
-// Of the curvature across the meridian.
+// Radius of the curvature across the meridian [m].
 double normal_radius(double sin_latitude) {
   return kHalfAxis / std::sqrt(1.0 - kEccentricity2 * sin_latitude * sin_latitude);
 }

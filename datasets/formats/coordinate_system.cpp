@@ -15,7 +15,7 @@
 namespace arcway::internal::detail {
 namespace {
 
-constexpr double kEquatorRadius = 6378137.0;  // of Web Mercator's sphere [m]
+constexpr double kEquatorRadius = 6378137.0;  // radius of Web Mercator's sphere [m]
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -48,7 +48,7 @@ bool lies_in(int code, const auto& ranges) {
 bool is_one_of(int code, const auto& codes) { return std::ranges::find(codes, code) != std::end(codes); }
 
 CoordinateUnit unit_of_code(int code) {
-  constexpr int kFirstProjected = 2000, kLastCode = 32767;  // of EPSG
+  constexpr int kFirstProjected = 2000, kLastCode = 32767;  // EPSG codes
   constexpr EpsgRange kEsriGeographic[] = {{37001, 37260}, {104000, 104999}};
   constexpr EpsgRange kEsriWorld[] = {{53001, 53099}, {54001, 54099}};
   if (is_one_of(code, kWebMercatorCodes)) return CoordinateUnit::kWebMercator;

@@ -89,7 +89,7 @@ bool is_bare_grid(std::string_view content) {
 
 // `height,width` or `height width`, some lines of counts, then rows of that width.
 bool is_sized_grid(TextScanner scanner) {
-  constexpr int kCounts = 4;  // of endpoints, robots, steps
+  constexpr int kCounts = 4;  // lines of counts: endpoints, robots, steps
   std::string head(scanner.rest_of_line());
   std::ranges::replace(head, ',', ' ');
   const auto sizes = split_at_blanks(head);

@@ -23,7 +23,7 @@ using nlohmann::json;
 
 enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal };
 
-constexpr int kMaxDepth = 32;  // of geometry collections
+constexpr int kMaxDepth = 32;  // nesting of geometry collections
 
 constexpr std::string_view kRoles[] = {"obstacle", "boundary", "start", "goal"};
 constexpr std::string_view kTopProperties[] = {"bounds", "start", "goal", "id", "name"};
@@ -36,7 +36,7 @@ constexpr std::string_view kDrivingNames[] = {
     "buffer", "margin", "hole",   "level",   "floor",     "storey",    "layer",   "time",     "from",      "until",
     "start",  "goal",   "bounds", "endtime", "starttime", "validfrom", "validto", "gate",     "zone"};
 constexpr const char* kTop = "properties";  // place of those of the whole file
-constexpr std::size_t kMostNamed = 8;       // of other properties, in a note
+constexpr std::size_t kMostNamed = 8;       // other properties named in a note
 
 class Reader {
  public:
@@ -323,7 +323,7 @@ class Reader {
   detail::VectorMapBuilder map_;
   std::size_t feature_ = 0;
   bool lonlat_;                           // bounds may lie across the antimeridian
-  bool curved_ = false;                   // of the feature being read
+  bool curved_ = false;                   // whether the feature being read has curves
   std::map<std::string, Unread> unread_;  // by property
 };
 

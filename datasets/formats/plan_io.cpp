@@ -200,7 +200,7 @@ std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, cons
     const bool joined = k > 0 && segments[k - 1].segment.curvature == timed.segment.curvature &&
                         segments[k - 1].segment.gear == timed.segment.gear;
     if (!joined) add(0.0, 0.0, timed.speed_in);
-    double from = 0.0, begun = 0.0;  // of the phase, within the segment
+    double from = 0.0, begun = 0.0;  // start of the phase within the segment [m], [s]
     for (const Phase& phase : phases_of(timed, vehicle)) {
       if (from > 0.0) add(from, begun, phase.speed_in);
       const double steps = steps_of(phase, timed.segment.curvature, sampling);

@@ -37,7 +37,7 @@ struct Header {
   std::array<char, 8> magic;
   std::uint32_t byte_order, version, flags, sections;
   std::uint64_t file_bytes;
-  std::uint32_t section_table_crc, header_crc;  // of all bytes before it
+  std::uint32_t section_table_crc, header_crc;  // checksum of all bytes before it
 };
 static_assert(sizeof(Header) == 40 && std::is_trivially_copyable_v<Header>);
 
@@ -134,7 +134,7 @@ class Reader {
     note_place(table);
     return get<T>(static_cast<std::uint32_t>(table));
   }
-  /// Of a table that is left out where it is empty.
+  /// The values of an optional section; empty if it is left out.
   template <class T>
   std::vector<T> get_or_none(Table table) {
     const auto id = static_cast<std::uint32_t>(table);
@@ -236,7 +236,7 @@ class Reader {
   Header header_;
   struct Found {
     Entry entry;
-    std::uint64_t place;  // of the entry
+    std::uint64_t place;  // offset of the entry
   };
   std::map<std::uint32_t, Found> entries_;
   std::map<Table, PreparedMap::Source::Section> places_;

@@ -13,7 +13,7 @@
 namespace arcway::internal::detail {
 namespace {
 
-constexpr double kArcPart = kPi / 16.0;  // of an ellipse, as one cubic: off by 4e-10 of the radius
+constexpr double kArcPart = kPi / 16.0;  // angle of an ellipse's part that becomes one cubic; error 4e-10 of the radius
 
 class PathReader {
  public:

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kDeepest = 100;                // groups in groups
 constexpr double kClosing = 1e-4;            // gap of a closed subpath, by its size
-constexpr std::size_t kMostSubpaths = 5000;  // of a path
+constexpr std::size_t kMostSubpaths = 5000;  // subpaths of a path
 
 /// Scales, then moves.
 struct Transform {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRoom = 12.0;     // around start and goal [m]
 constexpr double kFarAway = 1e6;   // [m]
-constexpr double kMaxCount = 1e7;  // of obstacles, and of vertices of one
+constexpr double kMaxCount = 1e7;  // obstacles, or vertices of one
 
 class Reader {
  public:

@@ -133,7 +133,7 @@ class Reader {
   detail::TextScanner text_;
   detail::VectorMapBuilder map_;
   Columns columns_;
-  Ring positions_;  // of the polygon so far
+  Ring positions_;  // positions of the polygon so far
   std::string place_, group_;
 };
 

@@ -13,7 +13,7 @@ namespace arcway {
 using namespace internal;
 namespace {
 
-constexpr int kMaxDepth = 32;  // of geometry collections
+constexpr int kMaxDepth = 32;  // nesting of geometry collections
 
 std::string in_capitals(std::string_view text) {
   std::string capitals(text);
@@ -155,7 +155,7 @@ class Reader {
   using TextScanner = detail::TextScanner;
   TextScanner text_;
   detail::VectorMapBuilder map_;
-  std::string place_;  // of the geometry
+  std::string place_;  // place of the geometry, for messages
 };
 
 void append_ring(std::string& out, const Ring& ring) {

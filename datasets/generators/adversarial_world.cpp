@@ -18,7 +18,7 @@ namespace {
 using detail::box_ring;
 using detail::Layout;
 
-constexpr double kCellSize = 20.0;  // of a motif, which leaves 2 m free on all sides
+constexpr double kCellSize = 20.0;  // side of a motif's cell [m]; the motif leaves 2 m free on all sides
 
 using Motif = std::vector<Polygon>;
 

@@ -111,7 +111,7 @@ void lay_out_city(Layout& layout) {
       if (layout.missing() < 16) break;  // open ground
       const std::size_t c = j * (columns + 1) + i;
       const Block whole{{crossings[c], crossings[c + 1], crossings[c + columns + 2], crossings[c + columns + 1]}};
-      constexpr double kInset = kHalfStreet / (kBlock - 12.0);  // of the narrowest block
+      constexpr double kInset = kHalfStreet / (kBlock - 12.0);  // share of the narrowest block
       const Block block{{whole.at(kInset, kInset), whole.at(1 - kInset, kInset), whole.at(1 - kInset, 1 - kInset),
                          whole.at(kInset, 1 - kInset)}};
       switch (random.below(8)) {

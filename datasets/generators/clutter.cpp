@@ -16,7 +16,7 @@ namespace arcway {
 using namespace internal;
 namespace {
 
-constexpr std::size_t kMostVertices = std::size_t{1} << 28;  // of all obstacles
+constexpr std::size_t kMostVertices = std::size_t{1} << 28;  // vertices of all obstacles
 constexpr double kLargestSide = 1e9;                         // [m], as far out as the planner takes poses
 constexpr double kSlack = 1e-9;                              // [m], so that rounding does not eat into the gap
 

@@ -7,7 +7,7 @@ namespace arcway::internal::detail {
 
 void lay_out_coastline(Layout& layout) {
   constexpr double kFirstWave = 0.35;  // amplitude of the coarsest wave, as a share of the radius
-  constexpr double kDecay = 0.56;      // of the amplitude when the wave length is halved
+  constexpr double kDecay = 0.56;      // factor of the amplitude when the wave length is halved
   Random& random = layout.random;
   const std::size_t n = layout.wanted - 4;
   const double radius = 60.0 * std::sqrt(static_cast<double>(n) / 1000.0);

@@ -27,10 +27,11 @@ constexpr double kLeastClearance = 1e-4, kMostClearance = 10.0;  // [m]
 // Drives have from 4 to 10 arcs and lines: about as many decisions as a way through a few rooms takes.
 constexpr std::size_t kLeastSegments = 4, kSegmentChoices = 7;
 constexpr double kShortestLine = 0.5, kLongestLine = 5.0, kLongestArc = 12.0;  // [body lengths]
-constexpr double kSmallestTurn = 0.1, kLargestTurn = 2.4;                      // of one arc [rad]
-constexpr double kGearChangeShare = 0.3;  // of the joints of a drive in both gears, besides the middle one
+constexpr double kSmallestTurn = 0.1, kLargestTurn = 2.4;                      // turn of one arc [rad]
+constexpr double kGearChangeShare = 0.3;  // share of a drive's joints with a gear change, besides the middle one
 
-constexpr std::size_t kScatteredDraws = 60, kHuggingDraws = 100;   // of polygons; fewer of them keep away
+constexpr std::size_t kScatteredDraws = 60,
+                      kHuggingDraws = 100;  // draws of polygons, of which fewer keep away from the drive
 constexpr double kSmallestObstacle = 0.1, kLargestObstacle = 0.6;  // radii [body lengths]
 constexpr int kSlideHalvings = 14;                                 // to a millimeter where a body is some meters long
 constexpr double kSmallestCell = 0.3, kLargestCell = 1.5;          // sides [body widths]
@@ -49,7 +50,7 @@ struct Scene {
   double clearance;
   Footprint body;
   Path drive;
-  Box box;  // of the map
+  Box box;  // box of the map
   std::vector<Polygon> obstacles;
 
   [[nodiscard]] bool is_clear(const Ring& ring) const { return detail::keeps_away({ring, {}}, drive, body, clearance); }

@@ -17,12 +17,12 @@ Ring chamfered(const Vec2& center, const Vec2& along, double half_length, double
 }  // namespace
 
 void lay_out_parking(Layout& layout) {
-  constexpr std::size_t kBays = 20;                  // of one row
+  constexpr std::size_t kBays = 20;                  // bays of one row
   constexpr double kBayWidth = 2.6, kBay = 5.0;      // m
   constexpr double kDrive = 6.5, kCross = 7.0;       // along the rows, at their ends
   constexpr double kCurb = 1.5;                      // at each end of a double row
-  constexpr std::size_t kVertices = 8;               // of a car or a curb
-  constexpr std::size_t kSlots = 2 * kBays;          // of one block
+  constexpr std::size_t kVertices = 8;               // vertices of a car or a curb
+  constexpr std::size_t kSlots = 2 * kBays;          // bays of one block
   constexpr std::size_t kFull = kSlots * 4 / 5 + 2;  // obstacles in a block when four bays of five are taken
   const double block_width = static_cast<double>(kBays) * kBayWidth + 2.0 * kCurb, block_height = 2.0 * kBay;
   Random& random = layout.random;

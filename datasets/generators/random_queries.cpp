@@ -14,7 +14,7 @@ namespace arcway {
 using namespace internal;
 namespace {
 
-constexpr std::size_t kMaxDraws = 10'000;  // of one pair
+constexpr std::size_t kMaxDraws = 10'000;  // draws for one pair
 
 }  // namespace
 

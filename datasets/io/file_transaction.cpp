@@ -43,7 +43,7 @@ struct Identity {
 struct Place {
   fs::path folder = {};
   std::string name = {};
-  std::optional<int> descriptor = std::nullopt;  ///< of this process, which the path stands for
+  std::optional<int> descriptor = std::nullopt;  ///< descriptor of this process that the path stands for
 };
 
 /// N if the path is /proc/self/fd/N, however it is written.

@@ -294,7 +294,7 @@ class ContactSweep final : public EdgeSweep::Visitor {
           rings_[r].is_alone && (rings_[r].below == EdgeSweep::kNoEdge || rings_[rings_[r].below].is_alone);
   }
 
-  // Of a ring: the region, which of its rings, and who holds what is beside it.
+  // A ring: its region, its number there, and the regions that contain what lies beside it.
   struct Ring {
     std::uint32_t region;
     std::size_t index;
@@ -361,7 +361,7 @@ class ContactSweep final : public EdgeSweep::Visitor {
   std::vector<Ring> rings_;             // by region
   std::vector<std::uint32_t> ring_of_;  // by edge
   std::vector<bool> is_begun_;          // by ring
-  std::vector<std::uint32_t> order_;    // of rings, from left to right
+  std::vector<std::uint32_t> order_;    // rings from left to right
   Holders holders_;
   std::vector<std::uint32_t> here_;
 };

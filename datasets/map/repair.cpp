@@ -57,7 +57,7 @@ class Geos {
                                                      static_cast<unsigned>(holes.size())));
     return own(GEOSMakeValid_r(handle_, geometry.get()));
   }
-  // Of everything that has area; on a grid if its size is above 0.
+  // Union of everything that has area; on a grid if its size is above 0.
   Geometry united(std::vector<Geometry> parts, double grid) {
     std::vector<GEOSGeometry*> released;
     for (Geometry& part : parts) released.push_back(part.release());

@@ -14,7 +14,7 @@ using namespace internal;
 namespace {
 
 constexpr double kBorder = 16.0;      // around the map [px]
-constexpr double kLineHeight = 22.0;  // of a caption [px]
+constexpr double kLineHeight = 22.0;  // height of a line of a caption [px]
 constexpr std::size_t kMostEdges = 50'000;
 constexpr double kMinOutline = 14.0;  // below this the body cannot be made out [px]
 constexpr double kTallest = 1.5;      // height of a map by its width
@@ -23,7 +23,7 @@ constexpr const char* kFreeColor = "#fbfcfe";
 constexpr const char* kOutsideColor = "#aeb7c4";
 constexpr const char* kPathColor = "#e4572e";
 constexpr const char* kReverseColor = "#1f6fd1";
-// Of Okabe and Ito's palette, what stands out from paths and from white.
+// Colors of Okabe and Ito's palette that stand out from paths and from white.
 constexpr std::string_view kAlternativeColors[] = {"#0072b2", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
 constexpr const char* kGapColor = "#d00000";
 constexpr const char* kStartColor = "#1b9e5a";
