@@ -25,7 +25,7 @@ const char* name_of(RTCError error) {
     case RTC_ERROR_UNSUPPORTED_CPU:
       return "unsupported CPU";
     case RTC_ERROR_CANCELLED:
-      return "cancelled";
+      return "canceled";
     default:
       return "unknown error";
   }
@@ -34,7 +34,7 @@ const char* name_of(RTCError error) {
 void throw_on(RTCError error) {
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
-  if (error == RTC_ERROR_CANCELLED) throw Cancelled("cancelled");
+  if (error == RTC_ERROR_CANCELLED) throw Canceled("canceled");
   throw std::runtime_error(std::string("Embree: ") + name_of(error));
 }
 

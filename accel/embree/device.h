@@ -28,7 +28,7 @@ class Device {
   /// Throws the error of this thread since the last call, if any: std::bad_alloc or std::runtime_error.
   void check() const;
   /// Builds a scene in the caller's arena, apart from the caller's other tasks.
-  /// @throws Cancelled if the clock is over before it is built.
+  /// @throws Canceled if the clock is over before it is built.
   void commit(RTCScene scene, const StopClock& clock) const;
 
  private:

@@ -32,7 +32,7 @@ class EdgeScene {
   struct Options {
     double inflation = 0.0;               ///< how much larger than edges boxes are, for rays that stand for bodies [m]
     std::size_t many_edges = kManyEdges;  ///< boxes hold several edges if the world has more than this
-    StopClock clock = {};                 ///< stops the build, which then throws Cancelled
+    StopClock clock = {};                 ///< stops the build, which then throws Canceled
   };
   /// @param on_edge  callback that gets the edges near a ray; null if the scene is asked for points only.
   EdgeScene(std::shared_ptr<const Device> device, const World& world, RTCOccludedFunctionN on_edge,

@@ -14,7 +14,7 @@ struct EmbreeOptions {
   double body_half_width = 0.0;
   /// Runs batches of 128 and more queries in parallel; null: on the calling thread, and only free_headings allocates.
   std::shared_ptr<const Executor> batches = nullptr;
-  /// Stops the build, which then throws Cancelled.
+  /// Stops the build, which then throws Canceled.
   StopClock clock = {};
 };
 

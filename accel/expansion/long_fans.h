@@ -39,7 +39,7 @@ class LongFans {
   LongFans() = default;
   /// Finds the fans of at least `least` triangles. O(n log n) for n triangles; about 24 bytes a vertex and 12 bytes a
   /// triangle of a long fan.
-  /// @throws Cancelled once the clock is over.
+  /// @throws Canceled once the clock is over.
   LongFans(const FreeSpaceTriangulation& triangulation, std::uint32_t least, const StopClock& clock = {});
 
   [[nodiscard]] bool empty() const { return fans_.empty(); }

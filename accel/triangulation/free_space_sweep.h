@@ -22,7 +22,7 @@ struct FreeSpace {
 /// @return nothing if edges of the map meet elsewhere than in common ends; neighbors are tested when they become
 ///   neighbors [Shamos and Hoey 1976].
 /// @param executor  asked only whether to stop.
-/// @throws Cancelled if it is to stop.
+/// @throws Canceled if it is to stop.
 std::optional<FreeSpace> triangulate_free_space(const PlanarMap& map, const Executor& executor);
 
 }  // namespace arcway::internal

@@ -75,7 +75,7 @@ struct BuildOptions {
   void check() const;
 
   /// Makes the queries on the executor's threads.
-  /// @throws Cancelled if its clock is over before.
+  /// @throws Canceled if its clock is over before.
   [[nodiscard]] QuerySet queries(const World& world, const Executor& executor) const;
   [[nodiscard]] std::unique_ptr<const Executor> executor() const;
   /// Backend for planners. All arguments but the world must outlive the planners' construction.

@@ -112,7 +112,7 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
     try {
       before = Planner::restored(map.world, vehicle, arguments.build.backend_for(map.world, *threads, kSingleProcess),
                                  std::move(graphs));
-    } catch (const TableError& error) {
+    } catch (const SnapshotError& error) {
       throw FormatError(prepared.source.complaint(error));
     }
   }

@@ -22,7 +22,7 @@ namespace {
 
 /// Makes a planner from the prepared map, as far as it fits this vehicle. The rest is built, or found when a search
 /// asks for it.
-/// @throws Cancelled if the clock is over before that is done.
+/// @throws Canceled if the clock is over before that is done.
 Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
                      const ProcessGroup& process_group, const StopClock& clock) {
   const PlannerOptions options = arguments.planner_options(process_group);
@@ -39,7 +39,7 @@ Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehic
   try {
     PreparedGraph graphs{std::move(reduced), std::move(robot->radii), std::move(robot->feasible)};
     return Planner::restored(map.world, vehicle, backend, std::move(graphs), options);
-  } catch (const TableError& error) {
+  } catch (const SnapshotError& error) {
     throw FormatError(map.prepared->source.complaint(error));
   }
 }
@@ -51,7 +51,7 @@ void warn_of_poses(const PlanArguments& arguments, const Pose& start, const Tour
       map.warnings.push_back(std::move(warning));
   };
   if (!arguments.start.empty()) look("start", start.heading);  // the map's own poses have been checked
-  for (const Place& place : request.via)
+  for (const Place& place : request.waypoints)
     if (place.heading) look("via", *place.heading);
   for (const Place& place : request.goals)
     if (place.heading && !arguments.goals.empty()) look("goal", *place.heading);
@@ -75,7 +75,7 @@ Requests read_requests(const PlanArguments& arguments) {
   requests.tour.cusp_cost = cusp_cost;
   requests.tour.max_gear_changes = max_gear_changes;
   if (!arguments.start.empty()) requests.start = parse_pose(arguments.start, "--start");
-  for (const std::string& via : arguments.via) requests.tour.via.push_back(parse_place(via, "--via"));
+  for (const std::string& via : arguments.via) requests.tour.waypoints.push_back(parse_place(via, "--via"));
   for (const std::string& goal : arguments.goals) requests.tour.goals.push_back(parse_place(goal, "--goal"));
   if (arguments.batch()) requests.queries = read_queries(arguments.queries, requests.warnings);
   for (NumberedRequest& query : requests.queries) {
@@ -121,7 +121,7 @@ int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::st
     return Planner(world, vehicle, arguments.build.backend_for(world, executor, process_group), options);
   };
   // Tours and alternatives keep to the rings of the map.
-  const bool plain = !batch && arguments.alternatives == 1 && request.via.empty() && request.goals.size() == 1 &&
+  const bool plain = !batch && arguments.alternatives == 1 && request.waypoints.empty() && request.goals.size() == 1 &&
                      request.goals[0].heading;
   try {
     if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, {files, out});
@@ -137,7 +137,7 @@ int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::st
     for (CheckedPlan& plan : plans)
       if (plan.result.status == PlanStatus::kTimeLimit) plan.result.reason = time_limit_reason(limits);
     return plan_one(prepared, request, plans, {files, out});
-  } catch (const Cancelled&) {
+  } catch (const Canceled&) {
     return no_plan(arguments, map, request, {files, out});
   }
 }

@@ -50,7 +50,7 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
   Box view;
   view.extend(result.start.position());
   view.extend(result.goal.position());
-  for (const Place& place : request.via) view.extend(place.position);
+  for (const Place& place : request.waypoints) view.extend(place.position);
   for (const CheckedPlan& plan : plans)
     for (const TimedSegment& s : plan.result.segments) view.extend(s.segment.start.position());
   if (arguments.svg_view == "map" && !planner.world().box().empty()) {
@@ -74,7 +74,7 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
                   "along the way.");
   } else {
     std::vector<Pose> poses{result.start, result.goal};
-    for (const Place& place : request.via)
+    for (const Place& place : request.waypoints)
       if (place.heading) poses.push_back({place.position.x(), place.position.y(), *place.heading});
     svg.add_bodies(poses, body);
     svg.add_poses(result.start, result.goal, body);
@@ -83,8 +83,9 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
       svg.add_caption(line);
     svg.set_title("No path");
   }
-  for (std::size_t i = 0; i < request.via.size(); ++i)
-    svg.add_place(request.via[i].position, request.via.size() == 1 ? "via" : "via " + std::to_string(i + 1));
+  for (std::size_t i = 0; i < request.waypoints.size(); ++i)
+    svg.add_place(request.waypoints[i].position,
+                  request.waypoints.size() == 1 ? "via" : "via " + std::to_string(i + 1));
   svg.show(arguments.svg_layers);
   return svg.str();
 }
@@ -96,7 +97,7 @@ std::string plan_json(const PreparedPlanner& prepared, const TourRequest& reques
   const PrepareStatistics& prepare = planner.prepare_statistics();
   auto json = nlohmann::ordered_json::parse(plan_to_json(plan.result, q, planner.vehicle().parameters()));
   if (plan.result.solved() && request.goals.size() > 1) json["goal_index"] = plan.goal;
-  if (plan.result.solved() && !request.via.empty()) json["passed"] = plan.passed;
+  if (plan.result.solved() && !request.waypoints.empty()) json["passed"] = plan.passed;
   auto& statistics = json["statistics"];
   statistics["backend"] = arguments.build.backend;
   statistics["graph"] = planner.feasible_graph().mode() == GraphMode::kLazy ? "lazy" : "eager";
@@ -148,7 +149,7 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
     return plans;
   }
   const Place& goal = request.goals.front();
-  if (!request.via.empty() || request.goals.size() > 1 || !goal.heading)
+  if (!request.waypoints.empty() || request.goals.size() > 1 || !goal.heading)
     throw UsageError("--alternatives: only to one goal with a heading, and without --via");
   std::vector<PlanResult> results = plan_alternatives(planner, plain(request), arguments.alternatives, limits);
   const Validator validator(planner.world());
@@ -185,7 +186,7 @@ int plan_one(const PreparedPlanner& prepared, const TourRequest& request, const 
     out += free_space_row(arguments, planner.world(), result);
   }
   out += row("start", pose_text(request.start));
-  for (const Place& place : request.via) out += row("by way of", place_text(place));
+  for (const Place& place : request.waypoints) out += row("by way of", place_text(place));
   if (result.solved()) {
     out += row("goal", pose_text(result.goal)) + result_rows(result) + validity_row(plan);
   } else {
@@ -242,8 +243,8 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
   const std::size_t curves = map.curved.curves.size();
   map.notes.push_back(count_text(curves) + (curves == 1 ? " curve" : " curves") + ", as rings within " +
                       shortest_text(tolerances.first) + " m, near the path within " +
-                      shortest_text(plan.rounds.back().tolerance) + " m; planned " + count_text(plan.rounds.size()) +
-                      (plan.rounds.size() == 1 ? " time" : " times"));
+                      shortest_text(plan.iterations.back().tolerance) + " m; planned " +
+                      count_text(plan.iterations.size()) + (plan.iterations.size() == 1 ? " time" : " times"));
   const std::vector<CheckedPlan> plans{
       checked(Validator(plan.planner.world()), plan.planner.vehicle(), std::move(plan.result), request.reverse)};
   return plan_one({arguments, map, plan.planner, build_seconds}, request, plans, output);

@@ -57,8 +57,8 @@ std::string result_rows(const PlanResult& result) {
   text += row("lower bound",
               fixed(result.lower_bound, 3) + " s" +
                   (result.lower_bound > 0.0 ? ", gap " + fixed(100.0 * result.optimality_gap(), 2) + " %" : ""));
-  text +=
-      row("smallest clearance", (result.clearance_is_bound ? "at least " : "") + fixed(result.min_clearance, 6) + " m");
+  text += row("smallest clearance",
+              (result.clearance_is_lower_bound ? "at least " : "") + fixed(result.min_clearance, 6) + " m");
   return text;
 }
 

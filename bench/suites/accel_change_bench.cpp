@@ -9,7 +9,7 @@
 #include "arcway/accel/tangent_cone_graph.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/map_file.h"
-#include "arcway/feasible_tables.h"
+#include "arcway/feasible_graph_snapshot.h"
 #include "arcway/planner.h"
 #include "arcway/world_change.h"
 #include "bench/cpu_clock.h"
@@ -42,7 +42,7 @@ Planner change(const Planner& before, const World& after, const std::vector<Obst
 }
 
 bool same(const Planner& a, const Planner& b) {
-  const FeasibleTables x = a.feasible_graph().tables(), y = b.feasible_graph().tables();
+  const FeasibleGraphSnapshot x = a.feasible_graph().snapshot(), y = b.feasible_graph().snapshot();
   const auto same_bytes = [](const auto& left, const auto& right) {
     return left.size() == right.size() &&
            (left.empty() || std::memcmp(left.data(), right.data(), left.size() * sizeof left[0]) == 0);

@@ -15,7 +15,7 @@ namespace arcway::internal::bench {
 /// An implementation of the queries.
 struct QueryBackend {
   std::string name;
-  /// Ends at the clock where making them takes long: Cancelled is thrown.
+  /// Ends at the clock where making them takes long: Canceled is thrown.
   std::function<QuerySet(const World&, const StopClock&)> make;
   /// What benchmarks use: `make`, or with one answer wrong if that is asked for.
   [[nodiscard]] QuerySet queries(const World& world) const;

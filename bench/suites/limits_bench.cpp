@@ -101,7 +101,7 @@ std::vector<PlanResult> answers_of(const Planner& planner, Task task, const Quer
     case Task::kTour:
       return {plan_tour(planner,
                         {.start = request.start,
-                         .via = {{.position = query.via}},
+                         .waypoints = {{.position = query.via}},
                          .goals = {{.position = goal.position(), .heading = goal.heading}}},
                         limits)
                   .plan};
@@ -133,7 +133,7 @@ Ended ended(const Setup& setup, Task task, const Query& query, double limit) {
     std::optional<Planner> own;
     if (!setup.made) own.emplace(make_planner(setup.world, setup.vehicle, {.graph_mode = GraphMode::kLazy}, executor));
     end.answers = answers_of(setup.made ? *setup.made : *own, task, query, {.time = clock.seconds_left()});
-  } catch (const Cancelled&) {
+  } catch (const Canceled&) {
   }
   end.behind = watch.seconds() - limit;
   return end;

@@ -10,11 +10,11 @@
 namespace arcway::internal::bench {
 
 /// The fastest queries of this build.
-/// @throws Cancelled once the clock is over.
+/// @throws Canceled once the clock is over.
 QuerySet fastest_queries(const World& world, const StopClock& clock = {});
 
 /// A planner on the fastest builder's graph.
-/// @throws Cancelled once the executor's clock is over.
+/// @throws Canceled once the executor's clock is over.
 Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options,
                      const Executor& executor = SerialExecutor());
 /// A planner for the paper's robot, made once for each name and heuristic and kept.

@@ -77,7 +77,7 @@ struct Variant {
 
 std::vector<Variant> variants(const World& world) {
   const double smallest = turning_radii(kGentleRobots[0].vehicle(), world).front();
-  PlannerOptions one_radius, unrefined, no_manoeuvres{.manoeuvre_poses = 0}, paper;
+  PlannerOptions one_radius, unrefined, no_maneuvers{.maneuver_poses = 0}, paper;
   one_radius.radii.assign(1, smallest);
   PlannerOptions no_gap_circles;
   no_gap_circles.gap_circles = false;
@@ -86,12 +86,12 @@ std::vector<Variant> variants(const World& world) {
   paper.heuristic = Heuristic::kPaperDistance;
   PlannerOptions bare = one_radius;
   bare.refinement.max_trials = 0;
-  bare.manoeuvre_poses = 0;
+  bare.maneuver_poses = 0;
   bare.gap_circles = false;
   return {{"everything", {}},
           {"one radius", one_radius},
           {"no refinement", unrefined},
-          {"no manoeuvres", no_manoeuvres},
+          {"no maneuvers", no_maneuvers},
           {"no circles in gaps", no_gap_circles},
           {"none of the four", bare},
           {"the paper's heuristic", paper},

@@ -64,7 +64,7 @@ void time_parking(benchmark::State& state, const Parking& parking) {
   state.counters["travel_time_s"] = result.travel_time;
   state.counters["time_over_bound"] = result.travel_time / result.lower_bound;
   state.counters["cusps"] = static_cast<double>(cusps_of(result.path()));
-  state.counters["poses"] = static_cast<double>(result.statistics.manoeuvre_poses);
+  state.counters["poses"] = static_cast<double>(result.statistics.maneuver_poses);
 }
 
 void add(Study study) {

@@ -9,7 +9,7 @@
 #include "arcway/angle.h"
 #include "core/attach/circle_places.h"
 #include "core/attach/circle_table.h"
-#include "core/attach/horizon.h"
+#include "core/attach/occlusion_horizon.h"
 
 namespace arcway::internal {
 
@@ -30,7 +30,7 @@ void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<st
 void append_circles(const Roadmap& map, std::span<const Attachment> attachments, std::size_t first, Direction direction,
                     HeadingSet& headings, std::vector<AttachmentCircle>& circles, const StopClock& clock) {
   for (auto t = static_cast<std::uint32_t>(first); t < attachments.size() && !clock.is_over(); ++t) {
-    // Manoeuvres are for narrow places, and their poses are many.
+    // Maneuvers are for narrow places, and their poses are many.
     const bool plain = attachments[t].connection.empty();
     for (const double radius : std::span(map.radii).first(plain ? map.radii.size() : 1))
       for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -46,7 +46,7 @@ void append_circles(const Roadmap& map, std::span<const Attachment> attachments,
 }
 
 void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles, std::uint32_t index,
-                  Direction direction, const WayLimit& limit, std::vector<std::uint32_t>& pieces,
+                  Direction direction, const LengthLimit& limit, std::vector<std::uint32_t>& pieces,
                   HugeVector<AttachmentLink>& links) {
   const AttachmentCircle& own = circles[index];
   if (own.reach < 0.0) return;
@@ -55,7 +55,7 @@ void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles,
   const TurnCircle away =
       from_start ? own.circle
                  : TurnCircle{own.circle.center, own.circle.radius, opposite(own.circle.side), own.circle.vertex};
-  Horizon horizon(away, from_start ? own.heading : own.heading + kPi, own.reach);
+  OcclusionHorizon horizon(away, from_start ? own.heading : own.heading + kPi, own.reach);
   const bool body_covers_reference = map.body.front >= 0.0 && map.body.rear >= 0.0;
   const bool is_limited = limit.length < std::numeric_limits<double>::infinity();
   const double longest = limit.length * (1.0 + kRounding) + own.circle.radius;
@@ -83,11 +83,12 @@ void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles,
     const TurnCircle& other = graph_circles[circle];
     if (is_far_circle(other)) return;
     const Side side = from_start ? other.side : opposite(other.side);
-    const Horizon::Sight sight = horizon.sight_of(TurnCircle{other.center, other.radius, side, kNone});
-    if (horizon.hides(sight)) return;
+    const OcclusionHorizon::TangentLine tangent =
+        horizon.tangent_to(TurnCircle{other.center, other.radius, side, kNone});
+    if (horizon.hides(tangent)) return;
     // Most others meet an obstacle at their heading, which is exactly known by far slower functions.
-    const double about = from_start ? sight.heading : sight.heading + (sight.heading < kPi ? kPi : -kPi);
-    if (sight.length > 0.0 && !map.circles->may_be_free(circle, about, Horizon::kSightError)) return;
+    const double about = from_start ? tangent.heading : tangent.heading + (tangent.heading < kPi ? kPi : -kPi);
+    if (tangent.length > 0.0 && !map.circles->may_be_free(circle, about, OcclusionHorizon::kTangentError)) return;
     const auto line = from_start ? directed_bitangent(own.circle, other) : directed_bitangent(other, own.circle);
     if (!line) return;
     const double heading = line->start.heading;

@@ -36,7 +36,7 @@ struct AttachmentCircle {
 /// A straight between a attachment's circle and one of the graph. The body is free on the attachment's circle; the
 /// graph's circle and the swept rectangle remain to be checked.
 struct AttachmentLink {
-  std::uint32_t terminal_circle;
+  std::uint32_t attachment_circle;
   std::uint32_t circle;
   Bitangent line;
   double turn;  ///< on the attachment's circle [rad]
@@ -50,7 +50,7 @@ void append_circles(const Roadmap& map, std::span<const Attachment> attachments,
                     HeadingSet& headings, std::vector<AttachmentCircle>& circles, const StopClock& clock = {});
 
 /// How long a path may be between a attachment and the other end of the path, and how many straights it may join by.
-struct WayLimit {
+struct LengthLimit {
   Vec2 other_end;
   double length;  ///< [m]; infinity: as long as it likes
   std::size_t most_links = std::numeric_limits<std::size_t>::max();
@@ -61,7 +61,7 @@ struct WayLimit {
 /// than the limit allows, those to the nearest pieces are kept.
 /// @param pieces  memory.
 void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles, std::uint32_t index,
-                  Direction direction, const WayLimit& limit, std::vector<std::uint32_t>& pieces,
+                  Direction direction, const LengthLimit& limit, std::vector<std::uint32_t>& pieces,
                   HugeVector<AttachmentLink>& links);
 
 }  // namespace arcway::internal

@@ -34,7 +34,7 @@ bool CircleTable::find_links_to(const StopClock& clock) const {
   try {
     (void)incoming_.get(0, [&] { return std::make_unique<const Incoming>(find_incoming(clock)); });
     return true;
-  } catch (const Cancelled&) {
+  } catch (const Canceled&) {
     return false;
   }
 }

@@ -15,7 +15,7 @@ void add_wide_turns(const Roadmap& map, AddedCircles& added) {
   if (map.radii.size() > 1 || map.vehicle.turn_speed(radius) > map.vehicle.turn_speed(map.radii.front())) return;
   const Footprint grown_body = map.vehicle.footprint(map.vehicle.safety_margin());
   for (const VertexId v : map.world.convex_vertices())
-    added.round.push_back(turn_circle(map.world, v, radius, Side::kLeft, grown_body));
+    added.around_vertices.push_back(turn_circle(map.world, v, radius, Side::kLeft, grown_body));
 }
 
 }  // namespace
@@ -23,9 +23,9 @@ void add_wide_turns(const Roadmap& map, AddedCircles& added) {
 const Roadmap& NarrowPlaces::map(const StopClock& clock) const {
   const auto make = [&]() -> std::optional<Roadmap> {
     const GapMap* gaps = map_.gaps->map(clock);
-    if (!gaps) throw Cancelled("cancelled");
+    if (!gaps) throw Canceled("canceled");
     AddedCircles added = find_gap_circles(map_.world, *gaps, map_.vehicle, map_.radii.front(), clock);
-    if (added.round.empty() && added.gates.empty()) return std::nullopt;
+    if (added.around_vertices.empty() && added.gap_straights.empty()) return std::nullopt;
     add_wide_turns(map_, added);
     return map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, added), map_.radii);
   };

@@ -35,7 +35,7 @@ class SearchContext {
   std::span<const FeasibleGraph::Link> links_from(std::uint32_t circle) {
     try {
       return map.circles->links_from(circle, options.clock);
-    } catch (const Cancelled&) {
+    } catch (const Canceled&) {
       result.interrupted = true;
       return {};
     }

@@ -17,7 +17,7 @@ namespace arcway::internal {
 template <class Value>
 class LateValue {
  public:
-  /// @param make  gives the value; throws Cancelled where the clock is over before.
+  /// @param make  gives the value; throws Canceled where the clock is over before.
   /// @returns nullptr if the clock was over before the value was there.
   template <class Make>
   const Value* get(const StopClock& clock, Make&& make) const {
@@ -30,7 +30,7 @@ class LateValue {
     if (!value_) {
       try {
         value_.emplace(make());
-      } catch (const Cancelled&) {
+      } catch (const Canceled&) {
         return nullptr;
       }
       known_.store(&*value_, std::memory_order_release);

@@ -35,7 +35,7 @@ std::optional<Bottleneck> BottleneckFinder::operator()(const Pose& from, const P
   try {
     if (const GapMap* gaps = gaps_->map(clock))
       gap = gaps->bottleneck(middle_of(body_, from), middle_of(body_, to), clock);
-  } catch (const Cancelled&) {
+  } catch (const Canceled&) {
     return std::nullopt;
   }
   if (!gap || gap->width > std::max(vehicle_takes_.needed, vehicle_takes_.needed_to_turn)) return std::nullopt;

@@ -18,8 +18,8 @@ constexpr double kWidestRadius = 16.0;  // of the smallest one: wider turns are 
 constexpr double kMargins = 3.0;        // safety margins by which the grown body's swept annulus is wider, at most
 constexpr double kBeyond = 0.1;         // [rad] that a center may lie beside the exterior angle
 constexpr double kSame = 1e-6;          // [m]: circles no further apart are one
-constexpr double kNear = 3.0;           // of the outer swept radius: how far a gate's circle lies from its vertices
-constexpr std::size_t kMostPlaces = 3;  // on one side of a gate, of entries or of exits
+constexpr double kNear = 3.0;  // of the outer swept radius: how far a gap straight's circle lies from its vertices
+constexpr std::size_t kMostPlaces = 3;  // on one side of a gap straight, of entries or of exits
 
 // Leaves out what repeats: a place may have many gaps.
 class Known {
@@ -53,9 +53,9 @@ class GapCircles {
       const Vec2 across = (gap.on_b - gap.on_a) / gap.width;
       const VertexId a = corner_at(gap.edge_a, gap.on_a);
       const VertexId b = corner_at(gap.edge_b, gap.on_b);
-      add_round(a, gap.width, across, b != kNone);
-      add_round(b, gap.width, -across, a != kNone);
-      for (const double sign : {1.0, -1.0}) add_gate(gap, sign * perpendicular(across));
+      add_around_vertex(a, gap.width, across, b != kNone);
+      add_around_vertex(b, gap.width, -across, a != kNone);
+      for (const double sign : {1.0, -1.0}) add_gap_straight(gap, sign * perpendicular(across));
     }
     return std::move(found_);
   }
@@ -81,12 +81,12 @@ class GapCircles {
   }
 
   // @param across  from the vertex to what it faces, a vertex or an edge at a right angle to that.
-  void add_round(VertexId v, double width, const Vec2& across, bool faces_vertex) {
+  void add_around_vertex(VertexId v, double width, const Vec2& across, bool faces_vertex) {
     if (v == kNone || !world_.is_graph_vertex(v)) return;
     if (width < swept_.width()) {
       const auto radius = vehicle_.smallest_fitting_radius(width - kMargins * vehicle_.safety_margin());
       if (!radius || *radius > kWidestRadius * radius_) return;
-      return add_round(v, -swept_annulus(body_, *radius).inner * across, *radius);
+      return add_around_vertex(v, -swept_annulus(body_, *radius).inner * across, *radius);
     }
     // Of the angle at the vertex between what it faces and the center.
     const double cosine = faces_vertex ? (swept_.inner * swept_.inner + width * width - swept_.outer * swept_.outer) /
@@ -95,10 +95,10 @@ class GapCircles {
     if (!(std::abs(cosine) < 1.0)) return;
     const double sine = std::sqrt(1.0 - cosine * cosine);
     for (const double sign : {1.0, -1.0})
-      add_round(v, swept_.inner * (cosine * across + sign * sine * perpendicular(across)), radius_);
+      add_around_vertex(v, swept_.inner * (cosine * across + sign * sine * perpendicular(across)), radius_);
   }
 
-  void add_round(VertexId v, const Vec2& to_center, double radius) {
+  void add_around_vertex(VertexId v, const Vec2& to_center, double radius) {
     const Vec2& corner = world_.vertex(v);
     const Vec2 back = (world_.vertex(world_.previous(v)) - corner).normalized();
     const Vec2 ahead = (world_.vertex(world_.next(v)) - corner).normalized();
@@ -108,17 +108,17 @@ class GapCircles {
     if (shift > 0.5 * exterior + kBeyond) return;
     const TurnCircle circle{corner + to_center, radius, Side::kLeft, v};
     if (!known_.add({circle})) return;
-    found_.round.push_back(circle);
+    found_.around_vertices.push_back(circle);
   }
 
-  // A vertex beside a gate, in the frame of its line: x ahead of the gap's middle, y to the left.
+  // A vertex beside a gap straight, in the frame of its line: x ahead of the gap's middle, y to the left.
   struct Beside {
     VertexId vertex;
     double x, y;
     bool at_gap;  // one end of the gap, or of the edge that this lies on
   };
 
-  void add_gate(const Gap& gap, const Vec2& along) {
+  void add_gap_straight(const Gap& gap, const Vec2& along) {
     const Vec2 middle = 0.5 * (gap.on_a + gap.on_b);
     std::vector<Beside> beside;
     const auto add = [&](VertexId v, bool at_gap) {
@@ -136,20 +136,20 @@ class GapCircles {
         add(corner_ahead(world_.next(v)), false);
       }
     }
-    Gate gate;
+    GapStraight straight;
     for (const Side side : {Side::kLeft, Side::kRight}) {
-      add_places(beside, side, 1.0, middle, along, gate.exits);
-      add_places(beside, side, -1.0, middle, along, gate.entries);
+      add_places(beside, side, 1.0, middle, along, straight.exits);
+      add_places(beside, side, -1.0, middle, along, straight.entries);
     }
-    if (gate.entries.empty() || gate.exits.empty()) return;
-    std::vector<TurnCircle> all = gate.entries;
-    all.insert(all.end(), gate.exits.begin(), gate.exits.end());
+    if (straight.entries.empty() || straight.exits.empty()) return;
+    std::vector<TurnCircle> all = straight.entries;
+    all.insert(all.end(), straight.exits.begin(), straight.exits.end());
     if (!known_.add(all)) return;
-    found_.gates.push_back(std::move(gate));
+    found_.gap_straights.push_back(std::move(straight));
   }
 
-  // Circles tangent to a gate's line, in the order of the turn's begin. Seen backwards a path turns off where it turned
-  // on.
+  // Circles tangent to a gap straight's line, in the order of the turn's begin. Seen backwards a path turns off where
+  // it turned on.
   // @param forwards  1 for exits, -1 for entries.
   void add_places(const std::vector<Beside>& beside, Side side, double forwards, const Vec2& middle, const Vec2& along,
                   std::vector<TurnCircle>& circles) const {

@@ -14,7 +14,8 @@ namespace arcway::internal {
 /// - Where a vertex faces an edge or another vertex, circles round it whose outer swept circle touches what it faces:
 ///   if the gap is too narrow for the tightest turn, the circle of the smallest radius that condition (7) allows, on
 ///   the line across the gap; if it is wider, the circles of the given radius to both sides of that line.
-/// - Gates: the straight across the middle of a gap, and circles of the given radius tangent to it. A path may turn off
+/// - Gap straights: the straight across the middle of a gap, and circles of the given radius tangent to it. A path may
+/// turn off
 ///   it as early, and onto it as late, as one of the vertices beside it lets it: where the inner swept circle passes
 ///   through a vertex on the inside, or a corner's circle through one on the outside.
 ///
@@ -23,7 +24,7 @@ namespace arcway::internal {
 /// @param gaps    those of VehicleGaps.
 /// @param radius  the smallest turning radius.
 /// O(gaps log gaps), O(gaps) circles.
-/// @throws Cancelled if the clock is over before all are found.
+/// @throws Canceled if the clock is over before all are found.
 AddedCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
                               const StopClock& clock = {});
 

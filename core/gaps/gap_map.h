@@ -39,7 +39,7 @@ class GapMap {
  public:
   /// All gaps that may be bottlenecks, up to a width. Time O(n log n + k log n) for n edges, k pairs of them so near to
   /// each other.
-  /// @throws Cancelled if the clock is over before all are found.
+  /// @throws Canceled if the clock is over before all are found.
   GapMap(const World& world, double widest, const StopClock& clock = {});
 
   /// By width, then edges; without those of edges that follow each other in a ring.
@@ -48,7 +48,7 @@ class GapMap {
   /// Nothing if a disc of the largest width asked for passes, or one with the diameter of the room around one of the
   /// points: twice its distance to the next edge. Two points in one place have none. O(n + gaps).
   /// Precondition: no point lies on an edge.
-  /// @throws Cancelled if the clock is over before that is known.
+  /// @throws Canceled if the clock is over before that is known.
   [[nodiscard]] std::optional<Gap> bottleneck(const Vec2& from, const Vec2& to, const StopClock& clock = {}) const;
 
  private:

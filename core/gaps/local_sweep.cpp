@@ -53,10 +53,10 @@ bool LocalSweep::straight_free(const SweptRectangle& rectangle) {
   return true;
 }
 
-bool LocalSweep::sees(const LineSegment& sight) const {
-  const Box box = box_of(sight);
+bool LocalSweep::sees(const LineSegment& line) const {
+  const Box box = box_of(line);
   return std::none_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
-    return edge.box.overlaps(box) && relate(edge.segment, sight) != SegmentRelation::kDisjoint;
+    return edge.box.overlaps(box) && relate(edge.segment, line) != SegmentRelation::kDisjoint;
   });
 }
 

@@ -27,7 +27,7 @@ class LocalSweep {
   };
 
   // Whether a segment in the place meets no edge.
-  [[nodiscard]] bool sees(const LineSegment& sight) const;
+  [[nodiscard]] bool sees(const LineSegment& line) const;
 
   const SweepQuery& sweep_;
   Box place_;

@@ -151,22 +151,22 @@ Vehicle Vehicle::with_gears_swapped() const {
   return Vehicle(std::move(swapped));
 }
 
-bool Vehicle::fits_straight(double passage_width) const { return passage_width > parameters_.width; }
+bool Vehicle::fits_straight(double gap_width) const { return gap_width > parameters_.width; }
 
-bool Vehicle::fits_turn(double passage_width, double radius) const {
-  return passage_width - parameters_.width > excess_width(footprint(), radius);
+bool Vehicle::fits_turn(double gap_width, double radius) const {
+  return gap_width - parameters_.width > excess_width(footprint(), radius);
 }
 
-std::optional<double> Vehicle::smallest_fitting_radius(double passage_width) const {
-  if (!fits_straight(passage_width)) return std::nullopt;
+std::optional<double> Vehicle::smallest_fitting_radius(double gap_width) const {
+  if (!fits_straight(gap_width)) return std::nullopt;
   const Footprint body = footprint();
   const Reach reach = reach_of(body);
   const double b = body.half_width;
   const double lowest = min_turning_radius();
   const double widest = std::max(lowest, widest_radius(reach, b));
-  if (fits_turn(passage_width, widest)) return lowest;
+  if (fits_turn(gap_width, widest)) return lowest;
   // hypot(A, r + b) - hypot(g, r - b) = D, squared twice; the larger root is the one beyond the widest radius.
-  const double d = passage_width;
+  const double d = gap_width;
   const double spare = d - parameters_.width;
   double radius = 0.0;
   if (reach.gap == 0.0) {

@@ -332,33 +332,33 @@ World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
   data_ = std::move(data);
 }
 
-World World::from_tables(WorldTables tables) {
-  require_world(tables);
+World World::from_snapshot(WorldSnapshot snapshot) {
+  require_world(snapshot);
   auto data = std::make_shared<Data>();
-  const auto n = static_cast<VertexId>(tables.vertices.size());
+  const auto n = static_cast<VertexId>(snapshot.vertices.size());
   data->previous.resize(n);
-  for (VertexId v = 0; v < n; ++v) data->previous[tables.next[v]] = v;
-  data->has_bounds = tables.has_bounds;
+  for (VertexId v = 0; v < n; ++v) data->previous[snapshot.next[v]] = v;
+  data->has_bounds = snapshot.has_bounds;
   data->obstacle_of.reserve(n);
-  const std::size_t regions = tables.region_rings.size() - 1;
+  const std::size_t regions = snapshot.region_rings.size() - 1;
   for (std::size_t region = 0; region < regions; ++region) {
-    const std::size_t end_ring = tables.region_rings[region + 1];
-    const VertexId first = tables.ring_starts[tables.region_rings[region]];
-    const VertexId last = end_ring < tables.ring_starts.size() ? tables.ring_starts[end_ring] : n;
+    const std::size_t end_ring = snapshot.region_rings[region + 1];
+    const VertexId first = snapshot.ring_starts[snapshot.region_rings[region]];
+    const VertexId last = end_ring < snapshot.ring_starts.size() ? snapshot.ring_starts[end_ring] : n;
     Box region_box;
-    for (VertexId v = first; v < last; ++v) region_box.extend(tables.vertices[v]);
+    for (VertexId v = first; v < last; ++v) region_box.extend(snapshot.vertices[v]);
     data->obstacle_of.resize(last, static_cast<ObstacleId>(region));
     data->region_starts.push_back(last);
     data->region_rings.push_back(end_ring);
     data->boxes.push_back(region_box);
     data->box.extend(region_box);
   }
-  data->vertices.assign(tables.vertices.begin(), tables.vertices.end());
-  tables.vertices = {};
-  data->next.assign(tables.next.begin(), tables.next.end());
-  data->ring_starts = std::move(tables.ring_starts);
-  data->covered.assign(tables.covered.begin(), tables.covered.end());
-  data->contacts = std::move(tables.self_contacts);
+  data->vertices.assign(snapshot.vertices.begin(), snapshot.vertices.end());
+  snapshot.vertices = {};
+  data->next.assign(snapshot.next.begin(), snapshot.next.end());
+  data->ring_starts = std::move(snapshot.ring_starts);
+  data->covered.assign(snapshot.covered.begin(), snapshot.covered.end());
+  data->contacts = std::move(snapshot.self_contacts);
   data->sort_contacts();
   data->derive_edges();
   data->list_convex_vertices();
@@ -367,16 +367,16 @@ World World::from_tables(WorldTables tables) {
   return world;
 }
 
-WorldTables World::tables() const {
-  WorldTables tables;
-  tables.vertices.assign(data_->vertices.begin(), data_->vertices.end());
-  tables.next.assign(data_->next.begin(), data_->next.end());
-  tables.covered.assign(data_->covered.begin(), data_->covered.end());
-  tables.ring_starts = data_->ring_starts;
-  tables.region_rings.assign(data_->region_rings.begin(), data_->region_rings.end());
-  tables.self_contacts = data_->contacts;
-  tables.has_bounds = data_->has_bounds;
-  return tables;
+WorldSnapshot World::snapshot() const {
+  WorldSnapshot snapshot;
+  snapshot.vertices.assign(data_->vertices.begin(), data_->vertices.end());
+  snapshot.next.assign(data_->next.begin(), data_->next.end());
+  snapshot.covered.assign(data_->covered.begin(), data_->covered.end());
+  snapshot.ring_starts = data_->ring_starts;
+  snapshot.region_rings.assign(data_->region_rings.begin(), data_->region_rings.end());
+  snapshot.self_contacts = data_->contacts;
+  snapshot.has_bounds = data_->has_bounds;
+  return snapshot;
 }
 
 World World::changed(std::span<const ObstacleId> removed, const std::vector<Polygon>& added) const {

@@ -157,34 +157,35 @@ class RegionCheck {
   std::string name_;
 };
 
-void require_self_contacts(const WorldTables& tables) {
-  const std::size_t n = tables.vertices.size();
+void require_self_contacts(const WorldSnapshot& snapshot) {
+  const std::size_t n = snapshot.vertices.size();
   std::vector<std::uint32_t> previous(n);
-  for (std::size_t v = 0; v < n; ++v) previous[tables.next[v]] = static_cast<std::uint32_t>(v);
-  for (std::size_t i = 0; i < tables.self_contacts.size(); ++i) {
-    const std::uint32_t e = tables.self_contacts[i].edge, v = tables.self_contacts[i].vertex;
+  for (std::size_t v = 0; v < n; ++v) previous[snapshot.next[v]] = static_cast<std::uint32_t>(v);
+  for (std::size_t i = 0; i < snapshot.self_contacts.size(); ++i) {
+    const std::uint32_t e = snapshot.self_contacts[i].edge, v = snapshot.self_contacts[i].vertex;
     const auto fail = [&](const char* what) {
-      throw TableError(Table::kSelfContacts, i, "vertex " + std::to_string(v) + ", edge " + std::to_string(e) + what);
+      throw SnapshotError(SnapshotArray::kSelfContacts, i,
+                          "vertex " + std::to_string(v) + ", edge " + std::to_string(e) + what);
     };
     if (e >= n || v >= n) fail(": there is no such vertex");
-    if (i > 0 && std::pair(tables.self_contacts[i - 1].edge, tables.self_contacts[i - 1].vertex) >= std::pair(e, v))
+    if (i > 0 && std::pair(snapshot.self_contacts[i - 1].edge, snapshot.self_contacts[i - 1].vertex) >= std::pair(e, v))
       fail(": not in order");
-    const LineSegment edge{tables.vertices[e], tables.vertices[tables.next[e]]};
-    if (!on_open_segment(tables.vertices[v], edge)) fail(": the vertex does not lie inside the edge");
-    for (const std::uint32_t beside : {previous[v], tables.next[v]})
-      if (orientation(edge.a, edge.b, tables.vertices[beside]) <= 0) fail(": its ring is not on the edge's left");
+    const LineSegment edge{snapshot.vertices[e], snapshot.vertices[snapshot.next[e]]};
+    if (!on_open_segment(snapshot.vertices[v], edge)) fail(": the vertex does not lie inside the edge");
+    for (const std::uint32_t beside : {previous[v], snapshot.next[v]})
+      if (orientation(edge.a, edge.b, snapshot.vertices[beside]) <= 0) fail(": its ring is not on the edge's left");
   }
 }
 
 // Ascending starts of rows within [0, count), each of at least `least`.
-void require_starts(Table table, std::span<const std::uint32_t> starts, std::size_t count, std::size_t least) {
+void require_starts(SnapshotArray array, std::span<const std::uint32_t> starts, std::size_t count, std::size_t least) {
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : count;
-    if (i == 0 && starts[0] != 0) throw TableError(table, 0, "the first one is " + std::to_string(starts[0]));
+    if (i == 0 && starts[0] != 0) throw SnapshotError(array, 0, "the first one is " + std::to_string(starts[0]));
     if (starts[i] > count || end > count || end < starts[i] + least)
-      throw TableError(table, i + 1 < starts.size() ? i + 1 : i,
-                       std::to_string(starts[i]) + " is followed by " + std::to_string(end) + ", at least " +
-                           std::to_string(least) + " more and at most " + std::to_string(count) + " are expected");
+      throw SnapshotError(array, i + 1 < starts.size() ? i + 1 : i,
+                          std::to_string(starts[i]) + " is followed by " + std::to_string(end) + ", at least " +
+                              std::to_string(least) + " more and at most " + std::to_string(count) + " are expected");
   }
 }
 
@@ -201,45 +202,46 @@ std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, b
   return RegionCheck(polygon, id, is_bounds).check();
 }
 
-void require_world(const WorldTables& tables) {
-  const std::size_t n = tables.vertices.size();
+void require_world(const WorldSnapshot& snapshot) {
+  const std::size_t n = snapshot.vertices.size();
   if (n > kMaxVertices)
-    throw TableError(Table::kVertices, kMaxVertices,
-                     "there are " + std::to_string(n) + ", at most " + std::to_string(kMaxVertices) + " fit");
-  const auto require_size = [&](Table table, std::size_t size) {
-    if (size != n) throw TableError(table, size, "there are " + std::to_string(n) + " vertices");
+    throw SnapshotError(SnapshotArray::kVertices, kMaxVertices,
+                        "there are " + std::to_string(n) + ", at most " + std::to_string(kMaxVertices) + " fit");
+  const auto require_size = [&](SnapshotArray array, std::size_t size) {
+    if (size != n) throw SnapshotError(array, size, "there are " + std::to_string(n) + " vertices");
   };
-  require_size(Table::kNext, tables.next.size());
-  require_size(Table::kCovered, tables.covered.size());
-  require_starts(Table::kRingStarts, tables.ring_starts, n, 3);
-  if (tables.ring_starts.empty() && n > 0) throw TableError(Table::kRingStarts, 0, "missing");
-  if (tables.region_rings.empty()) throw TableError(Table::kRegionRings, 0, "missing");
-  const std::span region_rings(tables.region_rings);
-  require_starts(Table::kRegionRings, region_rings.first(region_rings.size() - 1), region_rings.back(), 1);
-  if (region_rings.back() != tables.ring_starts.size())
-    throw TableError(Table::kRegionRings, region_rings.size() - 1,
-                     std::to_string(region_rings.back()) + " at the end, there are " +
-                         std::to_string(tables.ring_starts.size()) + " rings");
-  if (tables.has_bounds && region_rings.size() < 2) throw TableError(Table::kRegionRings, 0, "there are no bounds");
+  require_size(SnapshotArray::kNext, snapshot.next.size());
+  require_size(SnapshotArray::kCovered, snapshot.covered.size());
+  require_starts(SnapshotArray::kRingStarts, snapshot.ring_starts, n, 3);
+  if (snapshot.ring_starts.empty() && n > 0) throw SnapshotError(SnapshotArray::kRingStarts, 0, "missing");
+  if (snapshot.region_rings.empty()) throw SnapshotError(SnapshotArray::kRegionRings, 0, "missing");
+  const std::span region_rings(snapshot.region_rings);
+  require_starts(SnapshotArray::kRegionRings, region_rings.first(region_rings.size() - 1), region_rings.back(), 1);
+  if (region_rings.back() != snapshot.ring_starts.size())
+    throw SnapshotError(SnapshotArray::kRegionRings, region_rings.size() - 1,
+                        std::to_string(region_rings.back()) + " at the end, there are " +
+                            std::to_string(snapshot.ring_starts.size()) + " rings");
+  if (snapshot.has_bounds && region_rings.size() < 2)
+    throw SnapshotError(SnapshotArray::kRegionRings, 0, "there are no bounds");
 
   std::vector<bool> reached(n);
   for (std::size_t region = 0; region + 1 < region_rings.size(); ++region) {
-    const std::size_t first = tables.ring_starts[region_rings[region]];
+    const std::size_t first = snapshot.ring_starts[region_rings[region]];
     const std::size_t last =
-        region_rings[region + 1] < tables.ring_starts.size() ? tables.ring_starts[region_rings[region + 1]] : n;
+        region_rings[region + 1] < snapshot.ring_starts.size() ? snapshot.ring_starts[region_rings[region + 1]] : n;
     for (std::size_t v = first; v < last; ++v) {
-      const std::string complaint = complaint_about(tables.vertices[v]);
-      if (!complaint.empty()) throw TableError(Table::kVertices, v, complaint);
-      const std::size_t w = tables.next[v];
+      const std::string complaint = complaint_about(snapshot.vertices[v]);
+      if (!complaint.empty()) throw SnapshotError(SnapshotArray::kVertices, v, complaint);
+      const std::size_t w = snapshot.next[v];
       if (w < first || w >= last || reached[w])
-        throw TableError(Table::kNext, v, std::to_string(w) + " is of another region or follows twice");
-      if (tables.vertices[v] == tables.vertices[w])
-        throw TableError(Table::kNext, v, std::to_string(w) + " is at the same place");
+        throw SnapshotError(SnapshotArray::kNext, v, std::to_string(w) + " is of another region or follows twice");
+      if (snapshot.vertices[v] == snapshot.vertices[w])
+        throw SnapshotError(SnapshotArray::kNext, v, std::to_string(w) + " is at the same place");
       reached[w] = true;
-      if (tables.covered[v] > 1) throw TableError(Table::kCovered, v, std::to_string(tables.covered[v]));
+      if (snapshot.covered[v] > 1) throw SnapshotError(SnapshotArray::kCovered, v, std::to_string(snapshot.covered[v]));
     }
   }
-  if (!tables.self_contacts.empty()) require_self_contacts(tables);
+  if (!snapshot.self_contacts.empty()) require_self_contacts(snapshot);
 }
 
 }  // namespace arcway::internal

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "arcway/polygon.h"
-#include "arcway/tables.h"
+#include "arcway/snapshot.h"
 #include "arcway/world.h"
 
 /// What World demands of a map.
@@ -20,7 +20,7 @@ void require_vertex_count(std::size_t count, ObstacleId obstacles);
 std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, bool is_bounds);
 
 /// Everything that memory safety and the predicates rely on.
-/// @throws TableError if the tables are those of no world.
-void require_world(const WorldTables& tables);
+/// @throws SnapshotError if the snapshot is that of no world.
+void require_world(const WorldSnapshot& snapshot);
 
 }  // namespace arcway::internal

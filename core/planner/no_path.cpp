@@ -38,23 +38,23 @@ void explain_enclosure(const Roadmap& map, const Enclosure& enclosure, PlanResul
                   nearest_region(map, enclosure.at_start ? result.start : result.goal);
 }
 
-// Nothing is proved. Trees know best which end is hemmed in: they looked at both, on the finest grid.
+// Nothing is proved. Trees know best which end is in a dead end: they looked at both, on the finest grid.
 void explain_failure(const Roadmap& map, const NoPath& why, PlanResult& result) {
-  const bool start = why.trees ? why.trees->start_hemmed_in : why.obstruction == Obstruction::kStart;
-  const bool goal = why.trees ? why.trees->goal_hemmed_in : why.obstruction == Obstruction::kGoal;
+  const bool start = why.trees ? why.trees->start_in_dead_end : why.obstruction == Obstruction::kStart;
+  const bool goal = why.trees ? why.trees->goal_in_dead_end : why.obstruction == Obstruction::kGoal;
   const std::string motion = std::string("no ") + (why.reverse ? "" : "forward ") + "motion that was tried leads ";
   const std::string at_start = "; nearest is " + nearest_region(map, result.start);
   const std::string at_goal = "; nearest is " + nearest_region(map, result.goal);
   if (start && goal) {
     result.status = PlanStatus::kStartBlocked;
-    result.reason = start_text(result) + " and " + goal_text(result) + " are hemmed in: " + motion +
+    result.reason = start_text(result) + " and " + goal_text(result) + " are in dead ends: " + motion +
                     "out from the one" + at_start + ", or in to the other" + at_goal;
   } else if (start) {
     result.status = PlanStatus::kStartBlocked;
-    result.reason = start_text(result) + " is hemmed in: " + motion + "out from it" + at_start;
+    result.reason = start_text(result) + " is in a dead end: " + motion + "out from it" + at_start;
   } else if (goal) {
     result.status = PlanStatus::kGoalBlocked;
-    result.reason = goal_text(result) + " is hemmed in: " + motion + "in to it" + at_goal;
+    result.reason = goal_text(result) + " is in a dead end: " + motion + "in to it" + at_goal;
   } else {
     result.status = PlanStatus::kNoPath;
     result.reason = "neither the feasible visibility graph nor any motion that was tried joins start and goal";
@@ -66,8 +66,8 @@ void explain_failure(const Roadmap& map, const NoPath& why, PlanResult& result) 
 // What was tried, and whether a limit ended it.
 std::string tried_text(const NoPath& why, const PlanResult& result) {
   std::string text;
-  if (result.statistics.manoeuvre_poses > 0)
-    text += "; tried " + std::to_string(result.statistics.manoeuvre_poses) + " poses of manoeuvres" +
+  if (result.statistics.maneuver_poses > 0)
+    text += "; tried " + std::to_string(result.statistics.maneuver_poses) + " poses of maneuvers" +
             (why.reverse && result.certainty == Certainty::kGaveUp ? ", the limit, so that there may be a path" : "");
   if (why.max_gear_changes)
     text += "; at most " + std::to_string(*why.max_gear_changes) + " changes of gear were allowed";
@@ -101,9 +101,9 @@ std::string time_limit_reason(const PlanLimits& limits) {
 }
 
 void explain_interruption(const PlanLimits& limits, PlanResult& result) {
-  const bool cancelled = limits.stop.stop_requested();
-  result.status = cancelled ? PlanStatus::kCancelled : PlanStatus::kTimeLimit;
-  result.reason = cancelled ? "the search was cancelled before it found a path" : time_limit_reason(limits);
+  const bool canceled = limits.stop.stop_requested();
+  result.status = canceled ? PlanStatus::kCanceled : PlanStatus::kTimeLimit;
+  result.reason = canceled ? "the search was canceled before it found a path" : time_limit_reason(limits);
   result.bottleneck.reset();
 }
 

@@ -14,12 +14,13 @@ namespace arcway::internal {
 namespace {
 
 // The first so many radii, of five at most, and how many times the lateral acceleration that there may be.
-struct OtherWay {
+struct OtherRoute {
   std::size_t radii;
   double factor;
-  bool operator==(const OtherWay&) const = default;
+  bool operator==(const OtherRoute&) const = default;
 };
-constexpr std::array<OtherWay, 7> kOtherWays{{{3, 4.0}, {2, 4.0}, {2, 16.0}, {1, 16.0}, {4, 2.0}, {3, 1.0}, {5, 4.0}}};
+constexpr std::array<OtherRoute, 7> kOtherRoutes{
+    {{3, 4.0}, {2, 4.0}, {2, 16.0}, {1, 16.0}, {4, 2.0}, {3, 1.0}, {5, 4.0}}};
 constexpr double kFasterFactor = 2.0, kSlowerFactor = 0.5;
 
 struct WithFactor {
@@ -57,8 +58,8 @@ PlanMaps::PlanMaps(Roadmap map, bool gap_circles)
   if (gap_circles && plain.world.vertices().size() <= kNarrowVertices) narrow.emplace(plain);
 }
 
-std::vector<Roadmap> maps_of_other_ways(const Roadmap& all, const Roadmap& smallest,
-                                        const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor) {
+std::vector<Roadmap> maps_of_other_routes(const Roadmap& all, const Roadmap& smallest,
+                                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor) {
   std::vector<Roadmap> maps;
   const auto add_with = [&](std::size_t count, double factor) {
     if (count == smallest.radii.size()) return maps.push_back(with_other_turns(smallest, all.vehicle, factor));
@@ -69,8 +70,8 @@ std::vector<Roadmap> maps_of_other_ways(const Roadmap& all, const Roadmap& small
     FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, executor, GraphMode::kLazy);
     maps.push_back(with_other_turns(all.with_graph(std::move(lazy), radii), all.vehicle, factor));
   };
-  std::vector<OtherWay> known{{all.radii.size(), kFasterFactor}, {all.radii.size(), 1.0}};
-  for (OtherWay way : kOtherWays) {
+  std::vector<OtherRoute> known{{all.radii.size(), kFasterFactor}, {all.radii.size(), 1.0}};
+  for (OtherRoute way : kOtherRoutes) {
     way.radii = std::clamp(way.radii, smallest.radii.size(), all.radii.size());
     if (std::ranges::find(known, way) != known.end()) continue;
     known.push_back(way);

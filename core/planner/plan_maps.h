@@ -42,7 +42,7 @@ struct PlanMaps {
 /// @param smallest  with the first of them, see tightest_radii.
 /// @param rows      of the reduced graph of both.
 /// @param executor  used during the call only.
-std::vector<Roadmap> maps_of_other_ways(const Roadmap& all, const Roadmap& smallest,
-                                        const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor);
+std::vector<Roadmap> maps_of_other_routes(const Roadmap& all, const Roadmap& smallest,
+                                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor);
 
 }  // namespace arcway::internal

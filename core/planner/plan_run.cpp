@@ -21,7 +21,7 @@ namespace arcway::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A plan that may be slower than the best one by more than `gap`, a share, is tried again with manoeuvres at both ends.
+// A plan that may be slower than the best one by more than `gap`, a share, is tried again with maneuvers at both ends.
 struct Retry {
   double gap;
   std::uint32_t poses;
@@ -36,9 +36,9 @@ constexpr double kReversingEffort = 10.0;
 constexpr double kOtherEndsGap = 0.04;
 // That is, if they are slower by no more than this.
 constexpr double kOtherEndsSlower = 0.03;
-// Where an end is hemmed in, so that the tightest turns to both sides end before so far [rad], and the plan may be
+// Where an end is in a dead end, so that the tightest turns to both sides end before so far [rad], and the plan may be
 // slower than the best one by more than the gap, trees look for wider turns out: with this share of their poses.
-constexpr double kHemmedTurn = kPi / 8.0, kTreesGap = 0.2;
+constexpr double kDeadEndTurn = kPi / 8.0, kTreesGap = 0.2;
 constexpr double kTreesShare = 0.05;
 // Trials of shortening a path of a tree, of those that the options say for refinement: each takes some microseconds.
 // With as many as these, such paths are slower by up to 14 % than a known drive.
@@ -49,10 +49,10 @@ constexpr std::size_t kFinerPasses = 2;
 // Of a path of a slimmer body, before it is pushed off what the real one touches: a path of fewer motions is made free
 // more often, and is faster then.
 constexpr std::size_t kSlimShortening = 2000;
-// By this share at least that has to be faster: the ways on from where a manoeuvre saves next to nothing are known.
+// By this share at least that has to be faster: the ways on from where a maneuver saves next to nothing are known.
 constexpr double kLeastGain = 0.001;
 // No other way is looked for where it cannot be faster by more than this share.
-constexpr double kOtherWaysGap = 0.01;
+constexpr double kOtherRoutesGap = 0.01;
 // A second best path may become the best one when it is slower by no more than this share.
 constexpr double kCloseSecond = 0.01;
 // And is another one when it is slower by more than this.
@@ -69,7 +69,7 @@ PlanRun::PlanRun(const PlannerOptions& options, const Roadmap& map, const PlanRe
       map_(map),
       request_(request),
       search_options_{options.heuristic, clock, request.cusp_cost},
-      tree_poses_(options.manoeuvre_poses > 0 ? limits.tree_poses : 0),
+      tree_poses_(options.maneuver_poses > 0 ? limits.tree_poses : 0),
       gear_changes_{.cost = request.cusp_cost},
       workspace_(workspace),
       result_(result),
@@ -101,7 +101,7 @@ FoundPath PlanRun::search(const Find& find) {
   s.nodes_pushed += found.search.nodes_pushed;
   s.straights_checked += found.search.straights_checked;
   s.turns_checked += found.search.turns_checked;
-  s.manoeuvre_poses += found.manoeuvre_poses;
+  s.maneuver_poses += found.maneuver_poses;
   s.search_seconds += searching.seconds();
   result_.interrupted = result_.interrupted || found.search.interrupted;
   return found;
@@ -170,7 +170,7 @@ PlanRun::Times PlanRun::keep(Path&& path, double effort, bool reverse) {
 Obstruction PlanRun::find_forwards(const PlanMaps& maps, double effort, const std::function<bool()>& no_passage) {
   FoundPath forwards = search([&] {
     return find_path(maps.plain, maps.narrow ? &*maps.narrow : nullptr, request_.start, request_.goal,
-                     options_.manoeuvre_poses, no_passage, search_options_, workspace_.find);
+                     options_.maneuver_poses, no_passage, search_options_, workspace_.find);
   });
   if (forwards.search.path) {
     maps_ = &maps;
@@ -236,12 +236,12 @@ void PlanRun::keep_narrow(const PlanMaps& maps, Path&& path, double effort) {
 }
 
 // Whether obstacles end the tightest turns to both sides early.
-bool PlanRun::is_hemmed_in(const Pose& pose, Direction direction) const {
+bool PlanRun::is_in_dead_end(const Pose& pose, Direction direction) const {
   const double radius = map_.radii[0];
   return std::ranges::all_of(std::array{Side::kLeft, Side::kRight}, [&](Side side) {
     const HeadingSet free =
         map_.queries.sweep->free_headings({turn_circle(pose, radius, side).center, radius, side, map_.body});
-    return free.reach(pose.heading, direction == Direction::kFromStart ? side : opposite(side)) < kHemmedTurn;
+    return free.reach(pose.heading, direction == Direction::kFromStart ? side : opposite(side)) < kDeadEndTurn;
   });
 }
 
@@ -251,7 +251,7 @@ void PlanRun::improve_forwards(bool thorough) {
   };
   const Roadmap& map = *fastest_.map;
   for (const Retry& retry : thorough ? std::span<const Retry>(kRetries) : kQuickRetries) {
-    const auto poses = std::min(retry.poses, options_.manoeuvre_poses);
+    const auto poses = std::min(retry.poses, options_.maneuver_poses);
     if (poses <= 1 || !is_doubtful(retry.gap)) break;
     try_faster(map, poses);
   }
@@ -259,13 +259,14 @@ void PlanRun::improve_forwards(bool thorough) {
     try_faster(maps_->narrow->map(search_options_.clock), 0);
   if (thorough && is_doubtful(kOtherEndsGap)) try_other_ends();
   if (grows_trees() && is_doubtful(kTreesGap) &&
-      (is_hemmed_in(request_.start, Direction::kFromStart) || is_hemmed_in(request_.goal, Direction::kToGoal)))
+      (is_in_dead_end(request_.start, Direction::kFromStart) || is_in_dead_end(request_.goal, Direction::kToGoal)))
     grow_trees(*maps_,
                {.poses = static_cast<std::size_t>(kTreesShare * static_cast<double>(tree_poses_)),
                 .passes = 1,
                 .looks_around = false},
                1.0);
-  for (const Roadmap* other : {&maps_->faster_turns, &maps_->slower_turns}) find_other_way(*other, 1.0, fastest_.poses);
+  for (const Roadmap* other : {&maps_->faster_turns, &maps_->slower_turns})
+    find_other_route(*other, 1.0, fastest_.poses);
 }
 
 void PlanRun::try_faster(const Roadmap& map, std::size_t poses) {
@@ -274,7 +275,7 @@ void PlanRun::try_faster(const Roadmap& map, std::size_t poses) {
   faster.faster_than = fastest_.times.unrefined - faster.least_gain;
   faster.warm_start = true;
   FoundPath turning = search(
-      [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, faster, workspace_.find); });
+      [&] { return find_path_with_maneuvers(map, request_.start, request_.goal, poses, faster, workspace_.find); });
   if (!turning.search.path) return;
   const Times times = keep(std::move(*turning.search.path), 1.0, false);
   if (times.cost >= fastest_.times.cost) return;
@@ -289,19 +290,19 @@ void PlanRun::try_other_ends() {
   other_last.not_last = fastest_.last_circle;
   other_first.not_first = fastest_.first_circle;
   for (const SearchOptions& other : {other_last, other_first})
-    find_other_way(*fastest_.map, 1.0, fastest_.poses, other);
+    find_other_route(*fastest_.map, 1.0, fastest_.poses, other);
 }
 
-void PlanRun::find_other_way(const Roadmap& map, double effort, std::size_t poses) {
-  find_other_way(map, effort, poses, search_options_);
+void PlanRun::find_other_route(const Roadmap& map, double effort, std::size_t poses) {
+  find_other_route(map, effort, poses, search_options_);
 }
 
-void PlanRun::find_other_way(const Roadmap& map, double effort, std::size_t poses, SearchOptions bounded) {
+void PlanRun::find_other_route(const Roadmap& map, double effort, std::size_t poses, SearchOptions bounded) {
   if (result_.interrupted || options_.refinement.max_trials == 0) return;
-  if (best_cost_ <= (1.0 + kOtherWaysGap) * result_.lower_bound) return;
+  if (best_cost_ <= (1.0 + kOtherRoutesGap) * result_.lower_bound) return;
   bounded.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   FoundPath other = search(
-      [&] { return find_path_with_manoeuvres(map, request_.start, request_.goal, poses, bounded, workspace_.find); });
+      [&] { return find_path_with_maneuvers(map, request_.start, request_.goal, poses, bounded, workspace_.find); });
   if (!other.search.path) return;
   // Paths of one time to the last bit are one path.
   const auto& known = workspace_.unrefined_times;

@@ -55,13 +55,13 @@ class PlanRun {
   /// @returns how the trees of the real body ended.
   TreesEnd find_by_trees(const PlanMaps& maps, const SlimMaps& slim, double effort);
   /// Where the lower bound says that the path which was found forwards last may be far from the best one: looks
-  /// for faster ones on the same maps with manoeuvres at both ends, with circles in narrow places, and by other ways.
-  /// @param thorough  sooner, and with more manoeuvres.
+  /// for faster ones on the same maps with maneuvers at both ends, with circles in narrow places, and by other ways.
+  /// @param thorough  sooner, and with more maneuvers.
   void improve_forwards(bool thorough);
   /// Looks for the fastest path of another map that takes a way of its own, unless the lower bound says that it is not
   /// worth it. The vehicle of that map need not be the real one.
-  /// @param poses  of manoeuvres at both ends.
-  void find_other_way(const Roadmap& map, double effort, std::size_t poses = 0);
+  /// @param poses  of maneuvers at both ends.
+  void find_other_route(const Roadmap& map, double effort, std::size_t poses = 0);
   /// Refines the best path further, and the second best if it is nearly as good: that one may become the best.
   void refine_best(double effort);
   /// Looks for a cheaper path in both gears.
@@ -77,7 +77,7 @@ class PlanRun {
   struct Fastest {
     Times times;
     const Roadmap* map;  // that it was found on
-    std::size_t poses;   // of manoeuvres at both ends
+    std::size_t poses;   // of maneuvers at both ends
     std::uint32_t first_circle, last_circle;
   };
 
@@ -89,11 +89,11 @@ class PlanRun {
   // False if the slimmer body has no path either, as far as its trees tell.
   bool find_by_slimmer(const PlanMaps& maps, const Roadmap& slim, double effort);
   void keep_narrow(const PlanMaps& maps, Path&& path, double effort);
-  [[nodiscard]] bool is_hemmed_in(const Pose& pose, Direction direction) const;
+  [[nodiscard]] bool is_in_dead_end(const Pose& pose, Direction direction) const;
   void try_faster(const Roadmap& map, std::size_t poses);
   // Ways that join the graph, or leave it, by another circle than the fastest path.
   void try_other_ends();
-  void find_other_way(const Roadmap& map, double effort, std::size_t poses, SearchOptions bounded);
+  void find_other_route(const Roadmap& map, double effort, std::size_t poses, SearchOptions bounded);
   [[nodiscard]] double cost_of(const Path& path);
   [[nodiscard]] double travel_time(const Path& path);
 

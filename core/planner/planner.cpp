@@ -20,7 +20,7 @@
 #include "core/gaps/bottleneck_finder.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
-#include "core/motion/travel_time_bound.h"
+#include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/no_path.h"
 #include "core/planner/plan_maps.h"
 #include "core/planner/plan_run.h"
@@ -40,7 +40,7 @@ namespace {
 constexpr double kQuickEffort = 0.75, kLastEffort = 24.0;
 // Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
 constexpr std::size_t kEnclosureBoxes = 15000;
-// The same of the proof that one which may not gets nowhere: before manoeuvres are tried, and again before trees are.
+// The same of the proof that one which may not gets nowhere: before maneuvers are tried, and again before trees are.
 // The second one takes 2 to 30 ms, the trees that it saves 150 to 1,000: it proves 8 of the 21 queries without a path
 // of the regression worlds that reach it. With 30,000 checks it proves 6, with a third halving 9 in 170 ms.
 constexpr DeadEndEffort kQuickDeadEnd{.halvings = 1, .max_checks = 8500};
@@ -131,10 +131,10 @@ struct Planner::Data {
                                          options.radii.begin() + static_cast<std::ptrdiff_t>(tightest_count));
       FeasibleGraph lazy(world, vehicle, rows, queries, smallest, executor, GraphMode::kLazy);
       tightest.emplace(map().with_graph(std::move(lazy), smallest), options.gap_circles);
-      other_ways = maps_of_other_ways(maps.plain, tightest->plain, rows, executor);
+      other_routes = maps_of_other_routes(maps.plain, tightest->plain, rows, executor);
     }
     const Footprint bare = vehicle.footprint();
-    if (options.point_robot_bound && std::min(bare.front, bare.rear) >= 0.0)
+    if (options.point_robot_lower_bound && std::min(bare.front, bare.rear) >= 0.0)
       point_distance.emplace(world, rows, map().outlines);
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = map().graph.counts();
@@ -145,14 +145,14 @@ struct Planner::Data {
 
   // The lower bound with the way round the obstacles, if that is wanted, and the length that no path falls below [m].
   // A clock that is over sooner leaves the largest that is proved by then.
-  double raise_bound(const PlanRequest& request, const StopClock& clock, PointDistance::Workspace& workspace,
-                     PlanResult& result) const {
+  double raise_lower_bound(const PlanRequest& request, const StopClock& clock, PointDistance::Workspace& workspace,
+                           PlanResult& result) const {
     const Stopwatch bounding;
     const Vec2 start = request.start.position(), goal = request.goal.position();
     if (!point_distance) return (goal - start).norm();
     const double distance = (*point_distance)(start, goal, *map().queries.visibility, workspace, clock);
-    result.lower_bound = travel_time_bound(request.start, request.goal, distance, map().vehicle, request.reverse);
-    result.statistics.bound_seconds = bounding.seconds();
+    result.lower_bound = travel_time_lower_bound(request.start, request.goal, distance, map().vehicle, request.reverse);
+    result.statistics.lower_bound_seconds = bounding.seconds();
     return distance;
   }
 
@@ -165,8 +165,8 @@ struct Planner::Data {
   std::shared_ptr<const VisibilityRows> rows;
   PlanMaps maps;
   SlimMaps slim;
-  std::optional<PlanMaps> tightest;  // of the tightest radii only, where there are wider ones
-  std::vector<Roadmap> other_ways;   // of several radii, beside those of `maps`
+  std::optional<PlanMaps> tightest;   // of the tightest radii only, where there are wider ones
+  std::vector<Roadmap> other_routes;  // of several radii, beside those of `maps`
   std::optional<PointDistance> point_distance;
   BottleneckFinder bottleneck;
   PrepareStatistics prepare_statistics;
@@ -188,9 +188,9 @@ void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profil
   for (std::size_t i = 0; i < path.size(); ++i) {
     const PathSegment& segment = path[i];
     result.segments.push_back({segment, profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
-    if (result.clearance_is_bound) continue;
+    if (result.clearance_is_lower_bound) continue;
     if (grace.is_over()) {
-      result.clearance_is_bound = result.interrupted = true;
+      result.clearance_is_lower_bound = result.interrupted = true;
       result.min_clearance = std::min(result.min_clearance, 0.5 * vehicle.safety_margin());
       continue;
     }
@@ -237,8 +237,8 @@ const char* name_of(PlanStatus status) {
       return "no path";
     case PlanStatus::kTimeLimit:
       return "time limit";
-    case PlanStatus::kCancelled:
-      return "cancelled";
+    case PlanStatus::kCanceled:
+      return "canceled";
   }
   return "unknown";
 }
@@ -250,14 +250,14 @@ PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
   nodes_pushed += other.nodes_pushed;
   straights_checked += other.straights_checked;
   turns_checked += other.turns_checked;
-  manoeuvre_poses += other.manoeuvre_poses;
+  maneuver_poses += other.maneuver_poses;
   tree_poses += other.tree_poses;
   refine_trials += other.refine_trials;
   refine_improvements += other.refine_improvements;
   suboptimality = std::max(suboptimality, other.suboptimality);
   search_seconds += other.search_seconds;
   refine_seconds += other.refine_seconds;
-  bound_seconds += other.bound_seconds;
+  lower_bound_seconds += other.lower_bound_seconds;
   profile_seconds += other.profile_seconds;
   return *this;
 }
@@ -372,7 +372,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   request.start = without_many_turns(asked.start, distance);
   request.goal = without_many_turns(asked.goal, distance);
   result.statistics.suboptimality = d.options.suboptimality.value_or(0.0);
-  result.lower_bound = travel_time_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse);
+  result.lower_bound = travel_time_lower_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse);
   if (!pose_is_free(d.map(), request.start, true, result) || !pose_is_free(d.map(), request.goal, false, result)) {
     result.statistics.total_seconds = total.seconds();
     return;
@@ -401,13 +401,13 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   if (!request.reverse && why.obstruction != Obstruction::kPassage) grow_trees();
   const bool has_forwards = run.found();
   if (has_forwards) {
-    distance = d.raise_bound(request, clock, workspace->point, result);
+    distance = d.raise_lower_bound(request, clock, workspace->point, result);
     if (d.tightest && !result.interrupted) run.find_forwards(*d.tightest, 1.0, [] { return false; });
     // Who refines has time for more; but where other maps are searched as well, those find the faster ways.
     run.improve_forwards(d.options.refinement.max_trials > 0 && !d.tightest);
     if (d.tightest) {
-      run.find_other_way(d.maps.faster_turns, kQuickEffort);
-      for (const Roadmap& map : d.other_ways) run.find_other_way(map, kQuickEffort);
+      run.find_other_route(d.maps.faster_turns, kQuickEffort);
+      for (const Roadmap& map : d.other_routes) run.find_other_route(map, kQuickEffort);
       run.refine_best(kLastEffort);
     }
   }
@@ -425,7 +425,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
     result.interrupted = result.interrupted || (!hopeless && !why.dead_end && clock.is_over());
     explain(d.map(), why, limits, result);
   } else {
-    if (!has_forwards) d.raise_bound(request, clock, workspace->point, result);
+    if (!has_forwards) d.raise_lower_bound(request, clock, workspace->point, result);
     d.complete(run.best(), Grace(clock, limits.time), workspace->run.profile, result);
   }
   result.statistics.total_seconds = total.seconds();
@@ -451,7 +451,7 @@ const FeasibleGraph& Planner::feasible_graph() const { return data_->map().graph
 PreparedGraph Planner::prepared_graph() const {
   if (feasible_graph().mode() == GraphMode::kLazy || visibility_graph().vertex_count() != world().vertices().size())
     throw std::logic_error("prepared graph: only of a planner with an eager graph, see PlannerOptions::graph_mode");
-  return {*data_->visibility_graph, data_->options.radii, data_->map().graph.tables()};
+  return {*data_->visibility_graph, data_->options.radii, data_->map().graph.snapshot()};
 }
 const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }
 

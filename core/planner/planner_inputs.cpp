@@ -67,9 +67,9 @@ PlannerOptions checked_options(const World& world, const Vehicle& vehicle, Plann
     throw std::invalid_argument("suboptimality: " + shortest_text(suboptimality) + ", must be from 0 to " +
                                 shortest_text(kLargestSuboptimality));
   options.suboptimality = suboptimality;
-  if (options.manoeuvre_poses > PlannerOptions::kMostManoeuvrePoses)
-    throw std::invalid_argument("manoeuvre poses: " + std::to_string(options.manoeuvre_poses) + ", at most " +
-                                std::to_string(PlannerOptions::kMostManoeuvrePoses));
+  if (options.maneuver_poses > PlannerOptions::kMostManeuverPoses)
+    throw std::invalid_argument("maneuver poses: " + std::to_string(options.maneuver_poses) + ", at most " +
+                                std::to_string(PlannerOptions::kMostManeuverPoses));
   require_refinement(options.refinement);
   require_margin(world, vehicle);
   return options;

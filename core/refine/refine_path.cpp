@@ -13,7 +13,7 @@
 #include "core/base/shortest_text.h"
 #include "core/collision/motion_free.h"
 #include "core/motion/speed_profile.h"
-#include "core/motion/travel_time_bound.h"
+#include "core/motion/travel_time_lower_bound.h"
 #include "core/refine/circle_chain.h"
 #include "core/refine/tied_turns.h"
 #include "core/refine/timed_chain.h"
@@ -40,8 +40,9 @@ constexpr double kNear = 0.25;  // of the line's length, at most
 // A path that has become faster by this share may do so once more.
 constexpr double kWorthSettling = 1e-5;
 constexpr int kMostSettled = 4;
-// Rounds of a loop, of some nanoseconds to some tenths of a microsecond each, between two questions whether to stop.
-constexpr std::uint32_t kRoundsUnasked = 64;
+// Iterations of a loop, of some nanoseconds to some tenths of a microsecond each, between two questions whether to
+// stop.
+constexpr std::uint32_t kIterationsUnasked = 64;
 
 // How the circle of a turn that is not the first or last one moves, in steps: its center inwards from, and around, the
 // point of the inner swept circle where a share of the turn, `at`, is done, and along the heading there; and its radius
@@ -110,7 +111,7 @@ class Refiner {
     chain.place_ends();
     if (!chain_.begin(chain, vehicle_)) return;
     const double straight = (chain.goal.position() - chain.start.position()).norm();
-    least_time_ = travel_time_bound(chain.start, chain.goal, straight, vehicle_);
+    least_time_ = travel_time_lower_bound(chain.start, chain.goal, straight, vehicle_);
     radii_.clear();
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
@@ -146,7 +147,7 @@ class Refiner {
   // have thousands of rounds left.
   [[nodiscard]] bool is_over() const { return result_.interrupted || result_.trials >= options_.max_trials; }
   // Asks once in a while: in loops that try next to nothing.
-  [[nodiscard]] bool done_by_now() { return ++rounds_ % kRoundsUnasked == 0 ? done() : is_over(); }
+  [[nodiscard]] bool done_by_now() { return ++iterations_ % kIterationsUnasked == 0 ? done() : is_over(); }
 
   [[nodiscard]] const std::vector<TurnCircle>& circles() const { return chain_.chain().circles; }
   [[nodiscard]] const std::vector<Bitangent>& lines() const { return chain_.lines(); }
@@ -386,7 +387,7 @@ class Refiner {
     bool any = false;
     for (double step = kFirstStep; step >= last_step && !done(); step *= 0.5) {
       bool moved = true;
-      for (int round = 0; moved && round < 8 && !done(); ++round) {
+      for (int iteration = 0; moved && iteration < 8 && !done(); ++iteration) {
         moved = false;
         for (std::size_t i = 0; i < circles().size() && !is_over(); ++i) moved |= slide_circle(i, step, moves);
         any |= moved;
@@ -457,7 +458,7 @@ class Refiner {
   Footprint body_;
   double smallest_;
   double least_time_ = 0.0;  // of any path [s]
-  std::uint32_t rounds_ = 0;
+  std::uint32_t iterations_ = 0;
   TimedChain& chain_;
   std::vector<double>& radii_;
   std::vector<Station>& stations_;

@@ -8,7 +8,7 @@
 
 #include "core/collision/motion_free.h"
 #include "core/motion/speed_profile.h"
-#include "core/motion/travel_time_bound.h"
+#include "core/motion/travel_time_lower_bound.h"
 #include "core/reversing/gear_search.h"
 #include "core/reversing/gear_tree.h"
 #include "core/reversing/narrow_gear_search.h"
@@ -119,7 +119,7 @@ class Finder {
   // From rest to rest by a way of at least this length.
   [[nodiscard]] double least_cost(const Pose& from, const Pose& to, double way) const {
     const double straight = (to.position() - from.position()).norm();
-    return travel_time_bound(from, to, std::max(way, straight), map_.vehicle, true);
+    return travel_time_lower_bound(from, to, std::max(way, straight), map_.vehicle, true);
   }
 
   void search_all_the_way() {
@@ -153,7 +153,7 @@ class Finder {
     search_.straights_checked += straights;
     search_.turns_checked += turns;
     search_.interrupted = interrupted;
-    found_.manoeuvre_poses += poses;
+    found_.maneuver_poses += poses;
   }
 
   // Keeps the path if it is the cheapest. Returns whether it changes gear seldom enough.

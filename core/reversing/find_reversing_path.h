@@ -9,7 +9,7 @@ namespace arcway::internal {
 
 struct ReversingQuery {
   Pose start, goal;  ///< that differ
-  double distance;   ///< that no path of the vehicle falls below, as travel_time_bound takes it [m]
+  double distance;   ///< that no path of the vehicle falls below, as travel_time_lower_bound takes it [m]
   double cutoff;     ///< cost of a path that is known, driven forwards; only cheaper ones are of interest [s]
   std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< of paths of interest
 };

@@ -21,7 +21,7 @@ namespace {
 
 // Less than this part of the cost is not worth a step.
 constexpr double kSmallestGain = 1e-6;
-constexpr int kMostRounds = 4;
+constexpr int kMostIterations = 4;
 // Of the trials; the rest is for words after the last cusp has moved.
 constexpr double kShareBeforeLastWords = 0.8;
 // Words lead between places up to so many places apart, further on each span is shorter by this part of it: of n places
@@ -58,11 +58,11 @@ class ReversingRefiner {
   void run() {
     // Some trials are kept for the words that the last moves of cusps make room for.
     most_trials_ = static_cast<std::uint32_t>(kShareBeforeLastWords * options_.max_trials);
-    for (int round = 0; round < kMostRounds && !done(); ++round) {
+    for (int iteration = 0; iteration < kMostIterations && !done(); ++iteration) {
       bool changed = insert_words();
       const bool runs = refine_runs();
       changed = slide_cusps() || changed;
-      if (!changed && (!runs || round > 0)) break;
+      if (!changed && (!runs || iteration > 0)) break;
     }
     most_trials_ = options_.max_trials;
     insert_words();

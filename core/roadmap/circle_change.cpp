@@ -73,7 +73,7 @@ void CircleChange::match(const Circles& before, const Circles& after, const std:
     const VertexId v = moved[old[c].vertex];
     const VertexId second = old[c].second == kNone ? kNone : moved[old[c].second];
     if (v == kNone || !after.circles.has(v) || (second == kNone) != (old[c].second == kNone)) continue;
-    after.circles.visit_round(v, old[c].side, [&](std::uint32_t now) {
+    after.circles.visit_around(v, old[c].side, [&](std::uint32_t now) {
       const TurnCircle& circle = all[now];
       if (circle.vertex != v || circle.second != second || circle.radius != old[c].radius) return;
       before_[now] = c;

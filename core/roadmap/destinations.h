@@ -30,7 +30,7 @@ class Destinations {
   /// vertices at most: where the straights to a vertex and to the one behind it would have a path turn away from the
   /// vertex in between. Also those that a body's straights lead to where a point's would pass the next vertex of an
   /// obstacle. O(k^2) in the degree k of the vertices, of which all but some k are a product and a comparison each.
-  /// @throws Cancelled if the clock is over before all are found.
+  /// @throws Canceled if the clock is over before all are found.
   [[nodiscard]] std::vector<Arrival> from(const TurnCircle& circle, const StopClock& clock = {}) const;
 
   /// The neighbor on its ring from which a path comes that has the obstacle on a side; kNone if they are no neighbors
@@ -48,7 +48,7 @@ class Destinations {
   void append_beside(const TurnCircle& circle, std::vector<Arrival>& arrivals) const;
   // Of the smallest radius.
   [[nodiscard]] const TurnCircle& own_circle(VertexId v, Side side) const {
-    return circles_.all()[circles_.first_round(v, side)];
+    return circles_.all()[circles_.first_around(v, side)];
   }
 
   World world_;

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "arcway/angle.h"
-#include "arcway/tables.h"
+#include "arcway/snapshot.h"
 #include "core/base/bytes.h"
 #include "core/geometry/tiles.h"
 #include "core/roadmap/circle_change.h"
 #include "core/roadmap/destinations.h"
-#include "core/roadmap/require_tables.h"
+#include "core/roadmap/require_snapshot.h"
 #include "core/roadmap/slot_cache.h"
 #include "core/roadmap/tangent_edges.h"
 
@@ -180,8 +180,8 @@ struct FeasibleGraph::Data {
     return unknown;
   }
 
-  void take(FeasibleTables known) {
-    require_tables(known, circles.size());
+  void take(FeasibleGraphSnapshot known) {
+    require_snapshot(known, circles.size());
     take_headings(known);
     links = std::move(known.links);
     link_starts = std::move(known.link_starts);
@@ -273,7 +273,7 @@ struct FeasibleGraph::Data {
     counts.kept = links.size();
   }
 
-  void take_headings(const FeasibleTables& known) {
+  void take_headings(const FeasibleGraphSnapshot& known) {
     headings.resize(circles.size());
     for (std::size_t c = 0; c < circles.size(); ++c) {
       const auto row = std::span(known.intervals)
@@ -281,8 +281,8 @@ struct FeasibleGraph::Data {
       try {
         headings[c] = HeadingSet::of_intervals({row.begin(), row.end()});
       } catch (const std::invalid_argument& error) {
-        throw TableError(Table::kIntervals, known.interval_starts[c],
-                         "of circle " + std::to_string(c) + ": " + error.what());
+        throw SnapshotError(SnapshotArray::kIntervals, known.interval_starts[c],
+                            "of circle " + std::to_string(c) + ": " + error.what());
       }
     }
   }
@@ -308,9 +308,9 @@ struct FeasibleGraph::Data {
   template <class Visitor>
   void visit_destinations(std::uint32_t c, const StopClock& clock, Visitor&& visit) const {
     const TurnCircle& circle = circles[c];
-    if (!turn_circles.is_of_gate(c)) {
+    if (!turn_circles.is_of_gap_straight(c)) {
       for (const Destinations::Arrival& arrival : destinations.from(circle, clock))
-        turn_circles.visit_round(arrival.vertex, arrival.side, visit);
+        turn_circles.visit_around(arrival.vertex, arrival.side, visit);
     } else if (!turn_circles.is_exit(c)) {
       return turn_circles.visit_exits_behind(c, visit);
     }
@@ -319,9 +319,10 @@ struct FeasibleGraph::Data {
       if (u == kNone) continue;
       turn_circles.visit_entries(u, visit);
       for (const VertexId v : rows->of(u)) turn_circles.visit_entries(v, visit);
-      if (!turn_circles.is_of_gate(c)) continue;
-      for (const Side side : {Side::kLeft, Side::kRight}) turn_circles.visit_round(u, side, visit);
-      for (const VertexId v : rows->of(u)) turn_circles.visit_round(v, obstacle_side(world, v, world.vertex(u)), visit);
+      if (!turn_circles.is_of_gap_straight(c)) continue;
+      for (const Side side : {Side::kLeft, Side::kRight}) turn_circles.visit_around(u, side, visit);
+      for (const VertexId v : rows->of(u))
+        turn_circles.visit_around(v, obstacle_side(world, v, world.vertex(u)), visit);
     }
   }
 
@@ -477,7 +478,7 @@ FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, std::sh
 }
 
 FeasibleGraph::FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
-                             const QuerySet& queries, std::span<const double> radii, FeasibleTables known) {
+                             const QuerySet& queries, std::span<const double> radii, FeasibleGraphSnapshot known) {
   auto data =
       std::make_shared<Data>(world, vehicle, std::move(rows), queries, radii, GraphMode::kEager, SerialExecutor());
   data->take(std::move(known));
@@ -501,17 +502,17 @@ FeasibleGraph::FeasibleGraph(const FeasibleGraph& base, const Vehicle& vehicle, 
   data_ = std::move(data);
 }
 
-FeasibleTables FeasibleGraph::tables() const {
-  FeasibleTables tables;
-  tables.interval_starts.push_back(0);
+FeasibleGraphSnapshot FeasibleGraph::snapshot() const {
+  FeasibleGraphSnapshot snapshot;
+  snapshot.interval_starts.push_back(0);
   for (const HeadingSet& set : data_->headings) {
-    tables.intervals.insert(tables.intervals.end(), set.intervals().begin(), set.intervals().end());
-    tables.interval_starts.push_back(tables.intervals.size());
+    snapshot.intervals.insert(snapshot.intervals.end(), set.intervals().begin(), set.intervals().end());
+    snapshot.interval_starts.push_back(snapshot.intervals.size());
   }
-  tables.link_starts = data_->link_starts;
-  tables.links = data_->links;
-  tables.link_counts = data_->link_counts;
-  return tables;
+  snapshot.link_starts = data_->link_starts;
+  snapshot.links = data_->links;
+  snapshot.link_counts = data_->link_counts;
+  return snapshot;
 }
 
 GraphMode FeasibleGraph::mode() const { return data_->mode; }

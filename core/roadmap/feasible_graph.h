@@ -5,7 +5,7 @@
 #include <span>
 
 #include "arcway/executor.h"
-#include "arcway/feasible_tables.h"
+#include "arcway/feasible_graph_snapshot.h"
 #include "arcway/graph_mode.h"
 #include "arcway/heading_set.h"
 #include "arcway/process_group.h"
@@ -42,10 +42,10 @@ class FeasibleGraph {
   FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
                 const QuerySet& queries, std::span<const double> radii, const Executor& executor,
                 GraphMode mode = GraphMode::kEager, const ProcessGroup& process_group = SingleProcess());
-  /// An eager graph from what one has found out before; see feasible_tables.h. Nothing is checked again.
-  /// @throws TableError if the tables are not those of such a graph: a value out of range or order.
+  /// An eager graph from what one has found out before; see feasible_graph_snapshot.h. Nothing is checked again.
+  /// @throws SnapshotError if the snapshot is not that of such a graph: a value out of range or order.
   FeasibleGraph(const World& world, const Vehicle& vehicle, std::shared_ptr<const VisibilityRows> rows,
-                const QuerySet& queries, std::span<const double> radii, FeasibleTables known);
+                const QuerySet& queries, std::span<const double> radii, FeasibleGraphSnapshot known);
 
   /// The graph after a change of the world, the same as built anew. What lies where nothing came or went is taken from
   /// the graph before, as far as that one has found it out; the rest is checked now if eager, and when a search first
@@ -57,7 +57,7 @@ class FeasibleGraph {
                 const Executor& executor, GraphMode mode = GraphMode::kEager);
 
   /// A lazy graph with added circles: all straights of the base one, those between its circles and the added ones
-  /// round a vertex as if these were base, and those that lead on to gates, through them and off them.
+  /// round a vertex as if these were base, and those that lead on to gap straights, through them and off them.
   /// @param base  of the same vehicle, without added circles.
   FeasibleGraph(const FeasibleGraph& base, const Vehicle& vehicle, const AddedCircles& added);
 
@@ -69,7 +69,7 @@ class FeasibleGraph {
   [[nodiscard]] const HeadingSet& free_headings(std::uint32_t circle) const;
   /// Links that leave a circle, by heading, then `to`: the kept ones if eager; those whose first heading is free if
   /// lazy.
-  /// @throws Cancelled if the clock is over before a lazy graph has found them: where vertices see thousands of others
+  /// @throws Canceled if the clock is over before a lazy graph has found them: where vertices see thousands of others
   ///   that takes up to a second.
   [[nodiscard]] std::span<const Link> links_from(std::uint32_t circle, const StopClock& clock = {}) const;
   /// Whether links_from(circle)[index] is kept.
@@ -77,7 +77,7 @@ class FeasibleGraph {
   /// All kept links, by circle. Eager graphs only.
   [[nodiscard]] std::span<const Link> links() const;
   /// All that has been found out, to be taken up again. Eager graphs only.
-  [[nodiscard]] FeasibleTables tables() const;
+  [[nodiscard]] FeasibleGraphSnapshot snapshot() const;
   /// Of what has been decided so far.
   [[nodiscard]] FeasibleGraphCounts counts() const;
 

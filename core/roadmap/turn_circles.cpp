@@ -45,36 +45,36 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
       circles_.back().side = turn;
     }
   }
-  base_count_ = first_of_gates_ = circles_.size();
-  more_ = by_vertex(own, circles_.size(), 2);
+  base_count_ = first_of_gap_straights_ = circles_.size();
+  more_ = vertex_buckets(own, circles_.size(), 2);
 }
 
 TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
     : radius_count_(base.radius_count_), first_(base.first_), base_count_(base.base_count_) {
   const auto own = static_cast<std::size_t>(std::ranges::count_if(first_, [](auto f) { return f != kNone; }));
-  std::size_t count = base_count_ + 2 * added.round.size();
-  for (const Gate& gate : added.gates) count += gate.entries.size() + gate.exits.size();
+  std::size_t count = base_count_ + 2 * added.around_vertices.size();
+  for (const GapStraight& straight : added.gap_straights) count += straight.entries.size() + straight.exits.size();
   circles_.reserve(count);
   circles_ = base.circles_;
-  for (TurnCircle circle : added.round)
+  for (TurnCircle circle : added.around_vertices)
     for (const Side side : {Side::kLeft, Side::kRight}) {
       circle.side = side;
       circles_.push_back(circle);
     }
-  first_of_gates_ = circles_.size();
-  for (const Gate& gate : added.gates) {
-    circles_.insert(circles_.end(), gate.entries.begin(), gate.entries.end());
+  first_of_gap_straights_ = circles_.size();
+  for (const GapStraight& straight : added.gap_straights) {
+    circles_.insert(circles_.end(), straight.entries.begin(), straight.entries.end());
     const auto exits = static_cast<std::uint32_t>(circles_.size());
-    circles_.insert(circles_.end(), gate.exits.begin(), gate.exits.end());
-    gate_.resize(circles_.size() - first_of_gates_, static_cast<std::uint32_t>(gates_.size()));
-    gates_.push_back({exits, static_cast<std::uint32_t>(circles_.size())});
+    circles_.insert(circles_.end(), straight.exits.begin(), straight.exits.end());
+    gap_straight_.resize(circles_.size() - first_of_gap_straights_, static_cast<std::uint32_t>(gap_straights_.size()));
+    gap_straights_.push_back({exits, static_cast<std::uint32_t>(circles_.size())});
   }
-  more_ = by_vertex(2 * radius_count_ * own, first_of_gates_, 2);
-  beside_ = by_vertex(first_of_gates_, circles_.size(), 1);
+  more_ = vertex_buckets(2 * radius_count_ * own, first_of_gap_straights_, 2);
+  beside_ = vertex_buckets(first_of_gap_straights_, circles_.size(), 1);
 }
 
-TurnCircles::ByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last, std::uint32_t step) const {
-  ByVertex result;
+TurnCircles::VertexBuckets TurnCircles::vertex_buckets(std::size_t first, std::size_t last, std::uint32_t step) const {
+  VertexBuckets result;
   result.starts.assign(first_.size() + 1, 0);
   const auto visit = [&](auto&& see) {
     for (auto c = static_cast<std::uint32_t>(first); c < last; c += step)

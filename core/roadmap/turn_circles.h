@@ -24,8 +24,8 @@ class TurnCircles {
   TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
               const Footprint& grown_body, const Executor& executor);
 
-  /// The base circles and behind them added ones: those round a vertex, left before right, then those of the gates,
-  /// the entries of each before its exits.
+  /// The base circles and behind them added ones: those round a vertex, left before right, then those of the gap
+  /// straights, the entries of each before its exits.
   TurnCircles(const TurnCircles& base, const AddedCircles& added);
 
   /// Those of one vertex first: all of a vertex are neighbors, radii ascending, for each left before right. Then those
@@ -34,12 +34,12 @@ class TurnCircles {
   /// Whether a vertex is convex and has circles.
   [[nodiscard]] bool has(VertexId v) const { return first_[v] != kNone; }
   /// The circle round a convex vertex alone, of the smallest radius: an index into `all`.
-  [[nodiscard]] std::uint32_t first_round(VertexId v, Side side) const {
+  [[nodiscard]] std::uint32_t first_around(VertexId v, Side side) const {
     return first_[v] + (side == Side::kLeft ? 0 : 1);
   }
   /// Calls visit(circle) for each circle round a convex vertex, alone or with another one: indices into `all`.
   template <class Visitor>
-  void visit_round(VertexId v, Side side, Visitor&& visit) const {
+  void visit_around(VertexId v, Side side, Visitor&& visit) const {
     const std::uint32_t right = side == Side::kLeft ? 0 : 1;
     for (std::uint32_t k = 0; k < radius_count_; ++k) visit(first_[v] + 2 * k + right);
     for (const std::uint32_t left : more_.of(v)) visit(left + right);
@@ -58,24 +58,24 @@ class TurnCircles {
     for (const std::uint32_t c : beside_.of(v))
       if (circles_[c].vertex == v) visit(c);
   }
-  /// Calls visit(circle) for each gate's entry that knows this vertex.
+  /// Calls visit(circle) for each gap straight's entry that knows this vertex.
   template <class Visitor>
   void visit_entries(VertexId v, Visitor&& visit) const {
     for (const std::uint32_t c : beside_.of(v))
       if (!is_exit(c)) visit(c);
   }
-  /// Of a circle: whether it is one of a gate, and there an exit.
-  [[nodiscard]] bool is_of_gate(std::uint32_t c) const { return c >= first_of_gates_; }
-  [[nodiscard]] bool is_exit(std::uint32_t c) const { return is_of_gate(c) && c >= gate_of(c).exits; }
-  /// Calls visit(circle) for each exit of an entry's gate.
+  /// Of a circle: whether it is one of a gap straight, and there an exit.
+  [[nodiscard]] bool is_of_gap_straight(std::uint32_t c) const { return c >= first_of_gap_straights_; }
+  [[nodiscard]] bool is_exit(std::uint32_t c) const { return is_of_gap_straight(c) && c >= gap_straight_of(c).exits; }
+  /// Calls visit(circle) for each exit of an entry's gap straight.
   template <class Visitor>
   void visit_exits_behind(std::uint32_t entry, Visitor&& visit) const {
-    for (std::uint32_t c = gate_of(entry).exits; c < gate_of(entry).end; ++c) visit(c);
+    for (std::uint32_t c = gap_straight_of(entry).exits; c < gap_straight_of(entry).end; ++c) visit(c);
   }
 
  private:
   // Circles by a vertex.
-  struct ByVertex {
+  struct VertexBuckets {
     [[nodiscard]] std::span<const std::uint32_t> of(VertexId v) const {
       return starts.empty() ? std::span<const std::uint32_t>()
                             : std::span(circles).subspan(starts[v], starts[v + 1] - starts[v]);
@@ -84,21 +84,23 @@ class TurnCircles {
     std::vector<std::uint32_t> circles;
   };
   // The circles [first, last), one in so many, by the vertices that they know.
-  [[nodiscard]] ByVertex by_vertex(std::size_t first, std::size_t last, std::uint32_t step) const;
+  [[nodiscard]] VertexBuckets vertex_buckets(std::size_t first, std::size_t last, std::uint32_t step) const;
 
-  struct GateRange {
+  struct GapStraightRange {
     std::uint32_t exits, end;  // circles
   };
-  [[nodiscard]] const GateRange& gate_of(std::uint32_t c) const { return gates_[gate_[c - first_of_gates_]]; }
+  [[nodiscard]] const GapStraightRange& gap_straight_of(std::uint32_t c) const {
+    return gap_straights_[gap_straight_[c - first_of_gap_straights_]];
+  }
 
   std::size_t radius_count_;
   HugeVector<TurnCircle> circles_;
   HugeVector<std::uint32_t> first_;  // of each vertex's own circles, or kNone
-  ByVertex more_;                    // the left ones of those that are no vertex's own, gates left out
-  ByVertex beside_;                  // those of gates
-  std::size_t base_count_ = 0, first_of_gates_ = 0;
-  std::vector<std::uint32_t> gate_;  // by circle from first_of_gates_ on
-  std::vector<GateRange> gates_;
+  VertexBuckets more_;               // the left ones of those that are no vertex's own, gap straights left out
+  VertexBuckets beside_;             // those of gap straights
+  std::size_t base_count_ = 0, first_of_gap_straights_ = 0;
+  std::vector<std::uint32_t> gap_straight_;  // by circle from first_of_gap_straights_ on
+  std::vector<GapStraightRange> gap_straights_;
 };
 
 }  // namespace arcway::internal

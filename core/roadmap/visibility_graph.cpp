@@ -45,27 +45,28 @@ Rows visible_pairs(const World& world, std::span<const VertexId> vertices, const
 
 VisibilityGraph::VisibilityGraph(std::vector<std::uint64_t> row_starts, std::vector<VertexId> targets)
     : row_starts_(std::move(row_starts)), targets_(std::move(targets)) {
-  const auto fail = [&](Table table, std::size_t index, const std::string& what) {
-    throw TableError(table, index, "visibility graph: " + what);
+  const auto fail = [&](SnapshotArray array, std::size_t index, const std::string& what) {
+    throw SnapshotError(array, index, "visibility graph: " + what);
   };
-  if (row_starts_.empty()) fail(Table::kRowStarts, 0, "missing");
-  if (row_starts_.front() != 0) fail(Table::kRowStarts, 0, "the first one is " + std::to_string(row_starts_.front()));
+  if (row_starts_.empty()) fail(SnapshotArray::kRowStarts, 0, "missing");
+  if (row_starts_.front() != 0)
+    fail(SnapshotArray::kRowStarts, 0, "the first one is " + std::to_string(row_starts_.front()));
   for (std::size_t u = 0; u < vertex_count(); ++u) {
     if (row_starts_[u + 1] < row_starts_[u] || row_starts_[u + 1] > targets_.size())
-      fail(Table::kRowStarts, u + 1,
+      fail(SnapshotArray::kRowStarts, u + 1,
            std::to_string(row_starts_[u + 1]) + " follows " + std::to_string(row_starts_[u]) +
                ", row starts must rise to the number of targets, " + std::to_string(targets_.size()));
     std::uint64_t lower = u;
     for (std::uint64_t i = row_starts_[u]; i < row_starts_[u + 1]; ++i) {
       const VertexId v = targets_[i];
       if (v <= lower || v >= vertex_count())
-        fail(Table::kTargets, i,
+        fail(SnapshotArray::kTargets, i,
              "row " + std::to_string(u) + " has target " + std::to_string(v) + " out of order or range");
       lower = v;
     }
   }
   if (row_starts_.back() != targets_.size())
-    fail(Table::kRowStarts, vertex_count(),
+    fail(SnapshotArray::kRowStarts, vertex_count(),
          std::to_string(row_starts_.back()) + " at the end, row starts must rise to the number of targets, " +
              std::to_string(targets_.size()));
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "arcway/tables.h"
+#include "arcway/snapshot.h"
 #include "core/base/prefetch.h"
 
 namespace arcway {
@@ -57,13 +57,13 @@ class GraphRows final : public VisibilityRows {
 
 std::shared_ptr<const VisibilityRows> rows_of(const World& world, const VisibilityGraph& graph) {
   if (graph.vertex_count() != world.vertices().size())
-    throw TableError(Table::kRowStarts, graph.vertex_count(),
-                     "at the end, the world has " + std::to_string(world.vertices().size()) + " vertices");
+    throw SnapshotError(SnapshotArray::kRowStarts, graph.vertex_count(),
+                        "at the end, the world has " + std::to_string(world.vertices().size()) + " vertices");
   for (VertexId u = 0; u < graph.vertex_count(); ++u)
     for (std::uint64_t i = graph.row_starts()[u]; i < graph.row_starts()[u + 1]; ++i)
       if (const VertexId v = graph.targets()[i]; !world.is_graph_vertex(u) || !world.is_graph_vertex(v))
-        throw TableError(
-            Table::kTargets, i,
+        throw SnapshotError(
+            SnapshotArray::kTargets, i,
             "row " + std::to_string(u) + " joins it to " + std::to_string(v) + ", which are not both convex and free");
   return std::make_shared<const GraphRows>(world, graph);
 }

@@ -13,8 +13,8 @@
 #include "arcway/angle.h"
 #include "core/attach/circle_table.h"
 #include "core/attach/per_circle.h"
+#include "core/attach/search_attachments.h"
 #include "core/attach/search_context.h"
-#include "core/attach/search_ends.h"
 #include "core/attach/walk_links.h"
 #include "core/base/open_list.h"
 #include "core/base/prefetch.h"
@@ -113,7 +113,7 @@ Question question_of(const SearchContext& context) {
 }  // namespace
 
 struct SearchWorkspace::Data {
-  SearchEnds ends;
+  SearchAttachments attachments;
   SearchTimes times;
   struct Reached {
     std::weak_ptr<const CircleTable> map;  // its memory may have become another's
@@ -146,7 +146,7 @@ void SearchWorkspace::warm_up(std::size_t circles) {
   empty_with_memory(data_->steps, many);
   empty_with_memory(data_->labels, many);
   data_->first_label.reset(circles);
-  data_->ends.warm_up(circles);
+  data_->attachments.warm_up(circles);
 }
 void SearchWorkspace::reuse(Path&& path) { data_->path = std::move(path); }
 
@@ -163,10 +163,10 @@ class ArrivalSearch {
         weight_(1.0 + context.options.suboptimality),
         result_(context.result),
         w_(workspace),
-        ends_(workspace.ends) {
-    const bool adds_ends = has_begun_before();
-    w_.times.begin(context, adds_ends);
-    if (!adds_ends) forget();
+        attachments_(workspace.attachments) {
+    const bool adds_attachments = has_begun_before();
+    w_.times.begin(context, adds_attachments);
+    if (!adds_attachments) forget();
     w_.faster_than = context.options.faster_than;
     known_labels_ = w_.labels.size();
   }
@@ -178,15 +178,16 @@ class ArrivalSearch {
     // By the path that takes so long, if there is one.
     reachability_known_ = !context_.options.doubts_reachability || context_.options.faster_than < kInfinity;
     result_.start_connected = !w_.labels.empty();
-    const auto first_direct = static_cast<std::uint32_t>(ends_.direct_paths().size());
-    const auto first_goal_link = static_cast<std::uint32_t>(ends_.goal_links().size());
-    ends_.begin(context_);
-    for (std::uint32_t i = first_direct; i < ends_.direct_paths().size(); ++i)
-      push(Kind::kDirect, i, ends_.direct_paths()[i].time);
+    const auto first_direct = static_cast<std::uint32_t>(attachments_.direct_paths().size());
+    const auto first_goal_link = static_cast<std::uint32_t>(attachments_.goal_links().size());
+    attachments_.begin(context_);
+    for (std::uint32_t i = first_direct; i < attachments_.direct_paths().size(); ++i)
+      push(Kind::kDirect, i, attachments_.direct_paths()[i].time);
     push_goals_of_known_labels(first_goal_link);
     // A goal that nothing leads to would have the whole graph searched in vain.
-    for (std::uint32_t g = 0; g < ends_.goal_links().size() && !result_.goal_connected && !context_.interrupted(); ++g)
-      result_.goal_connected = ends_.is_free(ends_.goal_link(g));
+    for (std::uint32_t g = 0;
+         g < attachments_.goal_links().size() && !result_.goal_connected && !context_.interrupted(); ++g)
+      result_.goal_connected = attachments_.is_free(attachments_.goal_link(g));
     if (result_.interrupted) return finish_best();
     if (!result_.goal_connected) return;
     // Many attachments mean that few of them found no path: is there one at all?
@@ -216,7 +217,7 @@ class ArrivalSearch {
   [[nodiscard]] bool has_begun_before() const {
     return context_.options.warm_start && w_.map.lock() == context_.map.circles &&
            w_.question == question_of(context_) && context_.options.faster_than <= w_.faster_than &&
-           ends_.are_first_of(context_);
+           attachments_.are_first_of(context_);
   }
 
   void forget() {
@@ -235,7 +236,7 @@ class ArrivalSearch {
     w_.labels.reserve(enough);
     w_.times.reserve(enough);
     w_.first_label.reset(graph_.circles().size());
-    ends_.forget();
+    attachments_.forget();
   }
 
   // The same search, a little more greedily, in a thread of its own, for what it leaves in the caches of the graph.
@@ -261,7 +262,7 @@ class ArrivalSearch {
   // Whether any path leads from the start to the goal.
   bool goal_is_reachable() {
     reachability_known_ = true;
-    return !ends_.direct_paths().empty() || reached_before().goal_is_reachable(context_, ends_);
+    return !attachments_.direct_paths().empty() || reached_before().goal_is_reachable(context_, attachments_);
   }
 
   Reachability& reached_before() {
@@ -315,7 +316,7 @@ class ArrivalSearch {
       }
       circles_.prefetch(step.to);
       w_.first_label.prefetch(step.to);
-      ends_.prefetch(step.to);
+      attachments_.prefetch(step.to);
       will_need(&w_.labels[step.label]);
       if (i == 0) circles_.prefetch_links(step.to);
     }
@@ -333,12 +334,12 @@ class ArrivalSearch {
   bool finish(const Entry& entry) {
     if (entry.kind() == Kind::kDirect) {
       result_.path = std::move(w_.path);
-      ends_.take_path(ends_.direct_paths()[entry.index()], *result_.path);
+      attachments_.take_path(attachments_.direct_paths()[entry.index()], *result_.path);
       return true;
     }
     const Step& step = w_.steps[entry.index()];
-    SearchEnds::GoalLink& goal = ends_.goal_link(step.to);
-    if (ends_.is_free(goal)) result_.path = path_through(step.label, goal.link);
+    SearchAttachments::GoalLink& goal = attachments_.goal_link(step.to);
+    if (attachments_.is_free(goal)) result_.path = path_through(step.label, goal.link);
     return goal.free;
   }
 
@@ -353,12 +354,12 @@ class ArrivalSearch {
   Label arrival_by(const Entry& entry) {
     const auto index = static_cast<std::uint32_t>(entry.index());
     if (entry.kind() == Kind::kStart) {
-      const AttachmentLink& link = ends_.start_link(index);
-      const AttachmentCircle& from = ends_.start_circles()[link.terminal_circle];
+      const AttachmentLink& link = attachments_.start_link(index);
+      const AttachmentCircle& from = attachments_.start_circles()[link.attachment_circle];
       const double radius = circles_.circle(link.circle).radius;
       const std::uint32_t joint =
-          w_.times.add_drive(w_.start_joints[link.terminal_circle], link.turn * from.circle.radius, from.circle.radius,
-                             link.line.length, radius);
+          w_.times.add_drive(w_.start_joints[link.attachment_circle], link.turn * from.circle.radius,
+                             from.circle.radius, link.line.length, radius);
       return {link.circle, 0, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone};
     }
     const Step step = w_.steps[entry.index()];
@@ -370,24 +371,24 @@ class ArrivalSearch {
   }
 
   void push_start_circles() {
-    for (std::uint32_t& s = w_.pushed_start_circles; s < ends_.start_circles().size(); ++s) {
-      const Attachment& start = context_.starts[ends_.start_circles()[s].attachment];
-      if (ends_.start_circles()[s].reach >= 0.0)
+    for (std::uint32_t& s = w_.pushed_start_circles; s < attachments_.start_circles().size(); ++s) {
+      const Attachment& start = context_.starts[attachments_.start_circles()[s].attachment];
+      if (attachments_.start_circles()[s].reach >= 0.0)
         push(Kind::kStartCircle, s,
              length_of(start.connection) / top_speed_ + remaining(start.pose.position(), top_speed_));
     }
   }
 
   void push_start_links(std::uint32_t s) {
-    const AttachmentCircle& from = ends_.start_circles()[s];
+    const AttachmentCircle& from = attachments_.start_circles()[s];
     const std::uint32_t joint = w_.times.add_connection(from);
     w_.start_joints.resize(std::max(w_.start_joints.size(), std::size_t{s} + 1));
     w_.start_joints[s] = joint;
-    const auto range = ends_.links_from(s);
+    const auto range = attachments_.links_from(s);
     // In open country they may be ten thousand, and headings of a lazy graph take some ten microseconds each.
     StopTicker ticker(context_.options.clock);
     for (std::uint32_t i = range.first; i < range.last && !ticker.is_over(); ++i) {
-      const AttachmentLink& link = ends_.start_link(i);
+      const AttachmentLink& link = attachments_.start_link(i);
       if (link.circle == context_.options.not_first) continue;
       if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
       const double radius = circles_.circle(link.circle).radius;
@@ -412,7 +413,7 @@ class ArrivalSearch {
     if (label.next != kNone) label.number = w_.labels[label.next].number + 1;
     const double limit = undominated_turn(label, circle.side);
     if (limit < 0.0) return false;
-    const bool free = label.parent == kNone ? context_.is_free(ends_.start_link(label.index).line)
+    const bool free = label.parent == kNone ? context_.is_free(attachments_.start_link(label.index).line)
                                             : graph_.is_kept(w_.labels[label.parent].circle, label.index);
     if (!free) return false;
     result_.start_connected = true;
@@ -454,7 +455,7 @@ class ArrivalSearch {
     const Label label = w_.labels[index];
     const auto goes_on = [&](double turn) { return turn <= label.reach && turn < limit; };
 
-    for (std::uint32_t g = ends_.first_goal_link(label.circle); g != kNone; g = ends_.goal_link(g).next)
+    for (std::uint32_t g = attachments_.first_goal_link(label.circle); g != kNone; g = attachments_.goal_link(g).next)
       push_goal(index, g, circle.side, goes_on);
 
     const bool one_radius = circles_.has_one_radius();
@@ -474,11 +475,11 @@ class ArrivalSearch {
   void push_goal(std::uint32_t index, std::uint32_t g, Side side, Test&& goes_on) {
     const Label& label = w_.labels[index];
     if (label.circle == context_.options.not_last) return;
-    SearchEnds::GoalLink& goal = ends_.goal_link(g);
+    SearchAttachments::GoalLink& goal = attachments_.goal_link(g);
     const double turn = turn_between(label.heading, goal.link.line.start.heading, side);
     if (!goes_on(turn) || (goal.checked && !goal.free)) return;
     const double time = w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link,
-                                              ends_.goal_circles()[goal.link.terminal_circle]);
+                                              attachments_.goal_circles()[goal.link.attachment_circle]);
     if (time >= goal.best_time) return;
     goal.best_time = time;
     push(Kind::kGoal, {index, g, kNone, 0.0, 0.0, 0.0}, time);
@@ -487,8 +488,8 @@ class ArrivalSearch {
   // What labels of the search before lead to by new links.
   void push_goals_of_known_labels(std::uint32_t first_goal_link) {
     if (w_.labels.empty()) return;
-    for (std::uint32_t g = first_goal_link; g < ends_.goal_links().size(); ++g) {
-      const std::uint32_t c = ends_.goal_link(g).link.circle;
+    for (std::uint32_t g = first_goal_link; g < attachments_.goal_links().size(); ++g) {
+      const std::uint32_t c = attachments_.goal_link(g).link.circle;
       for (std::uint32_t i = w_.first_label.get(c); i != kNone; i = w_.labels[i].next)
         push_goal(i, g, circles_.circle(c).side, [&](double turn) { return turn <= w_.labels[i].reach; });
     }
@@ -500,8 +501,8 @@ class ArrivalSearch {
     for (std::uint32_t at = last; at != kNone; at = w_.labels[at].parent) chain.push_back(at);
     result_.first_circle = w_.labels[chain.back()].circle;
     result_.last_circle = w_.labels[last].circle;
-    const AttachmentLink& start = ends_.start_link(w_.labels[chain.back()].index);
-    const AttachmentCircle& from = ends_.start_circles()[start.terminal_circle];
+    const AttachmentLink& start = attachments_.start_link(w_.labels[chain.back()].index);
+    const AttachmentCircle& from = attachments_.start_circles()[start.attachment_circle];
     Path path = std::move(w_.path);
     path = context_.starts[from.attachment].connection;
     append_arc(path, from.circle, from.heading, start.turn);
@@ -516,7 +517,7 @@ class ArrivalSearch {
       append_arc(path, circle, label.heading, turn_between(label.heading, heading, circle.side));
       append_line(path, pose_on(circle, heading), at_end ? goal.line.length : link->length);
     }
-    const AttachmentCircle& to = ends_.goal_circles()[goal.terminal_circle];
+    const AttachmentCircle& to = attachments_.goal_circles()[goal.attachment_circle];
     append_arc(path, to.circle, goal.line.start.heading, goal.turn);
     const Path& connection = context_.goals[to.attachment].connection;
     path.insert(path.end(), connection.begin(), connection.end());
@@ -533,7 +534,7 @@ class ArrivalSearch {
   std::size_t known_labels_ = 0;  // of the search before
   SearchResult& result_;
   SearchWorkspace::Data& w_;
-  SearchEnds& ends_;
+  SearchAttachments& attachments_;
 };
 
 }  // namespace

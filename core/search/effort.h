@@ -38,13 +38,13 @@ inline constexpr std::array<TreePass, 4> kTreePasses{{{1.0 / 64.0, 4, 0.2, false
                                                       {1.0 / 512.0, 8, 0.2, true},
                                                       {1.0 / 4096.0, 8, 0.4, true}}};
 
-/// Passes where one end lies in a pocket. The ways out that are found at all are found by these: of some 480 driven
-/// worlds with 2 mm of room each that lies beside such a pocket and that `kTreePasses` solve.
-inline constexpr std::array<TreePass, 2> kPocketPasses{{{1.0 / 128.0, 4, 0.1, true}, {1.0 / 512.0, 8, 0.1, true}}};
+/// Passes where one end lies in a dead end. The ways out that are found at all are found by these: of some 480 driven
+/// worlds with 2 mm of room each that lies beside such a dead end and that `kTreePasses` solve.
+inline constexpr std::array<TreePass, 2> kDeadEndPasses{{{1.0 / 128.0, 4, 0.1, true}, {1.0 / 512.0, 8, 0.1, true}}};
 
 /// How a way out of the surroundings of one end is looked for.
 struct WayOutEffort {
-  double pocket;      ///< how far a tree gets that is hemmed in, in lengths of the body or turning radii
+  double dead_end;    ///< how far a tree gets in a dead end, in lengths of the body or turning radii
   TreePass coarse;    ///< of the first tree
   std::size_t poses;  ///< of it that have their turns at most
   std::size_t small;  ///< poses of a tree that is compared with a finer one: ways out of larger ones are often found
@@ -52,7 +52,7 @@ struct WayOutEffort {
   double more;        ///< times as many poses as the first tree has it may have at most
 };
 inline constexpr WayOutEffort kWayOut{
-    .pocket = 4.0,
+    .dead_end = 4.0,
     .coarse = kTreePasses[0],
     .poses = 1600,
     .small = 300,

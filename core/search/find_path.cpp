@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "arcway/angle.h"
-#include "core/attach/manoeuvres.h"
+#include "core/attach/maneuvers.h"
 
 namespace arcway::internal {
 
@@ -17,7 +17,7 @@ constexpr std::size_t kSparseFactor = 4;
 // One end of a path and the poses by which it may join the graph.
 class End {
  public:
-  End(const Roadmap& map, const Pose& pose, Direction direction, std::size_t max_poses, ManoeuvreWorkspace& workspace,
+  End(const Roadmap& map, const Pose& pose, Direction direction, std::size_t max_poses, ManeuverWorkspace& workspace,
       const StopClock& clock)
       : map_(map),
         direction_(direction),
@@ -45,15 +45,15 @@ class End {
  private:
   void find(std::size_t poses, Spread spread) {
     asked_ = poses;
-    attachments_ = find_manoeuvres(plain_.pose, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses,
-                                   spread, workspace_, clock_);
+    attachments_ = find_maneuvers(plain_.pose, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses,
+                                  spread, workspace_, clock_);
   }
 
   const Roadmap& map_;
   Direction direction_;
   std::size_t max_poses_;
   std::size_t asked_ = 0;
-  ManoeuvreWorkspace& workspace_;
+  ManeuverWorkspace& workspace_;
   const StopClock& clock_;
   Attachment plain_;
   std::span<const Attachment> attachments_;
@@ -94,20 +94,20 @@ FoundPath find_path(const Roadmap& map, const NarrowPlaces* places, const Pose& 
     if (!found.search.goal_connected) {
       found.obstruction = Obstruction::kGoal;
       const bool more = to.extend();
-      found.manoeuvre_poses += to.attachments().size();
+      found.maneuver_poses += to.attachments().size();
       return more;
     }
     if (!found.search.start_connected) {
       found.obstruction = Obstruction::kStart;
       const bool more = from.extend();
-      found.manoeuvre_poses += from.attachments().size();
+      found.maneuver_poses += from.attachments().size();
       return more;
     }
     found.obstruction = Obstruction::kBetween;
     // Who gets everywhere but to the goal is not helped by other ways to set out.
     const bool more_starts = !found.search.start_is_open && from.extend_far();
     const bool more_goals = to.extend_far();
-    found.manoeuvre_poses += from.attachments().size() + to.attachments().size();
+    found.maneuver_poses += from.attachments().size() + to.attachments().size();
     return more_starts || more_goals;
   };
 
@@ -126,23 +126,23 @@ FoundPath find_path(const Roadmap& map, const NarrowPlaces* places, const Pose& 
     End few_to(map, goal, Direction::kToGoal, std::min(max_poses, kFirstPoses), workspace.to, options.clock);
     if (found.obstruction != Obstruction::kGoal) few_from.extend();
     if (found.obstruction != Obstruction::kStart) few_to.extend();
-    found.manoeuvre_poses += few_from.attachments().size() + few_to.attachments().size();
+    found.maneuver_poses += few_from.attachments().size() + few_to.attachments().size();
     search(narrow, few_from, few_to);
   }
   return found;
 }
 
-FoundPath find_path_with_manoeuvres(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
-                                    const SearchOptions& options, FindWorkspace& workspace) {
-  const auto attachments = [&](const Pose& pose, Direction direction, ManoeuvreWorkspace& memory) {
-    return find_manoeuvres(pose, direction, map.vehicle, map.radii[0], *map.queries.sweep, poses, Spread::kSparse,
-                           memory, options.clock);
+FoundPath find_path_with_maneuvers(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
+                                   const SearchOptions& options, FindWorkspace& workspace) {
+  const auto attachments = [&](const Pose& pose, Direction direction, ManeuverWorkspace& memory) {
+    return find_maneuvers(pose, direction, map.vehicle, map.radii[0], *map.queries.sweep, poses, Spread::kSparse,
+                          memory, options.clock);
   };
   const auto from = attachments(start, Direction::kFromStart, workspace.from);
   const auto to = attachments(goal, Direction::kToGoal, workspace.to);
   FoundPath found;
   found.search = search_arrivals(map, from, to, options, workspace.search);
-  found.manoeuvre_poses = from.size() + to.size();
+  found.maneuver_poses = from.size() + to.size();
   return found;
 }
 

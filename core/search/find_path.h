@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/attach/manoeuvres.h"
+#include "core/attach/maneuvers.h"
 #include "core/attach/narrow_places.h"
 #include "core/search/arrival_search.h"
 
@@ -21,31 +21,31 @@ enum class Obstruction {
 struct FoundPath {
   SearchResult search;  ///< counters summed up over all searches
   Obstruction obstruction = Obstruction::kNothing;
-  std::size_t manoeuvre_poses = 0;  ///< tried
-  bool by_narrow_places = false;    ///< the path is one of the graph with circles in narrow places
+  std::size_t maneuver_poses = 0;  ///< tried
+  bool by_narrow_places = false;   ///< the path is one of the graph with circles in narrow places
 };
 
 /// Memory of both, kept for the next time.
 struct FindWorkspace {
   SearchWorkspace search;
-  ManoeuvreWorkspace from, to;
+  ManeuverWorkspace from, to;
 };
 
-/// The fastest path between two poses: by single arcs at both ends or, where these lead nowhere, by short manoeuvres of
+/// The fastest path between two poses: by single arcs at both ends or, where these lead nowhere, by short maneuvers of
 /// several arcs, first of few poses, then of more, at the end that is in trouble; last of sparse ones at both, if each
-/// joins the graph. Before the manoeuvres, and with few of them after all, the graph with circles in narrow places is
+/// joins the graph. Before the maneuvers, and with few of them after all, the graph with circles in narrow places is
 /// tried.
 /// @param places  of `map`; none: only the map itself is searched.
-/// @param max_poses  for the manoeuvres of each end, four times as many if sparse.
-/// @param no_passage  asked once, before the manoeuvres: whether it is known that there is no path at all.
+/// @param max_poses  for the maneuvers of each end, four times as many if sparse.
+/// @param no_passage  asked once, before the maneuvers: whether it is known that there is no path at all.
 FoundPath find_path(const Roadmap& map, const NarrowPlaces* places, const Pose& start, const Pose& goal,
                     std::size_t max_poses, const std::function<bool()>& no_passage, const SearchOptions& options,
                     FindWorkspace& workspace);
 
-/// The fastest path that may begin and end with a manoeuvre, out of a few sparse ones: faster than a path by single
+/// The fastest path that may begin and end with a maneuver, out of a few sparse ones: faster than a path by single
 /// arcs where a pose faces away from its way and there is room to turn, but slower to find.
-/// @param poses  for the manoeuvres of each end.
-FoundPath find_path_with_manoeuvres(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
-                                    const SearchOptions& options, FindWorkspace& workspace);
+/// @param poses  for the maneuvers of each end.
+FoundPath find_path_with_maneuvers(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
+                                   const SearchOptions& options, FindWorkspace& workspace);
 
 }  // namespace arcway::internal

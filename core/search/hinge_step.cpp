@@ -22,8 +22,8 @@ class HingeStep {
         then_(residuals.values),
         is_fixed_(static_cast<std::size_t>(step_.size()), 0) {}
 
-  Eigen::VectorXd run(int most_rounds) {
-    for (int round = 0; round < most_rounds && improve(); ++round) {
+  Eigen::VectorXd run(int most_iterations) {
+    for (int iteration = 0; iteration < most_iterations && improve(); ++iteration) {
     }
     return step_;
   }
@@ -131,8 +131,8 @@ class HingeStep {
 }  // namespace
 
 Eigen::VectorXd hinge_step(const LinearResiduals& residuals, const StepLimits& limits, double damping,
-                           int most_rounds) {
-  return HingeStep(residuals, limits, damping).run(most_rounds);
+                           int most_iterations) {
+  return HingeStep(residuals, limits, damping).run(most_iterations);
 }
 
 }  // namespace arcway::internal

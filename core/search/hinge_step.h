@@ -18,7 +18,8 @@ struct StepLimits {
 
 /// The step with the least sum of the squares of the residuals that count after it, plus `damping` times its own
 /// square, within limits: Newton's method on the quadratic pieces of that convex function, each step as long as is
-/// best. A part that has come to a limit stays there. Up to `most_rounds` solutions of the normal equations.
-Eigen::VectorXd hinge_step(const LinearResiduals& residuals, const StepLimits& limits, double damping, int most_rounds);
+/// best. A part that has come to a limit stays there. Up to `most_iterations` solutions of the normal equations.
+Eigen::VectorXd hinge_step(const LinearResiduals& residuals, const StepLimits& limits, double damping,
+                           int most_iterations);
 
 }  // namespace arcway::internal

@@ -7,7 +7,7 @@
 
 #include "arcway/angle.h"
 #include "arcway/visibility_graph.h"
-#include "core/attach/horizon.h"
+#include "core/attach/occlusion_horizon.h"
 #include "core/base/prefetch.h"
 #include "core/geometry/predicates.h"
 #include "core/roadmap/tangent_edges.h"
@@ -68,8 +68,8 @@ PointDistance::PointDistance(const World& world, std::shared_ptr<const Visibilit
                              std::shared_ptr<const Outlines> outlines)
     : world_(world), rows_(std::move(rows)), outlines_(std::move(outlines)) {}
 
-Horizon PointDistance::horizon_of(const Vec2& place) const {
-  Horizon horizon({place, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+OcclusionHorizon PointDistance::horizon_of(const Vec2& place) const {
+  OcclusionHorizon horizon({place, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
   horizon.shorten(*outlines_);
   return horizon;
 }
@@ -82,8 +82,8 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
   const std::span<const Vec2> places = world_.vertices();
   double proved = to_goal(start);  // of the path's length, whatever comes
   if (clock.is_over()) return proved;
-  const Horizon from_start = horizon_of(start);
-  std::optional<Horizon> from_goal;
+  const OcclusionHorizon from_start = horizon_of(start);
+  std::optional<OcclusionHorizon> from_goal;
   std::size_t asked = 0;
   const auto goal_may_see = [&](const Vec2& p) {
     if (++asked == kManyAsked) from_goal = horizon_of(goal);

@@ -8,7 +8,7 @@
 #include "arcway/visibility_query.h"
 #include "arcway/visibility_rows.h"
 #include "arcway/world.h"
-#include "core/attach/horizon.h"
+#include "core/attach/occlusion_horizon.h"
 #include "core/base/huge_pages.h"
 #include "core/base/open_list.h"
 #include "core/model/outlines.h"
@@ -66,7 +66,7 @@ class PointDistance {
                                   Workspace& workspace, const StopClock& clock = {}) const;
 
  private:
-  [[nodiscard]] Horizon horizon_of(const Vec2& place) const;
+  [[nodiscard]] OcclusionHorizon horizon_of(const Vec2& place) const;
 
   World world_;
   std::shared_ptr<const VisibilityRows> rows_;

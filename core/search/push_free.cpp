@@ -23,10 +23,10 @@ constexpr std::size_t kMostParts = 48;
 constexpr double kRoom = 2e-4;         // beside the body that is asked for, as contacts are found by rounding numbers
 constexpr double kMostDepth = 1.5e-4;  // of contacts with the body and that room that are none with the body
 constexpr double kEndError = 1e-9;     // [body lengths or rad]
-constexpr int kEndRounds = 4;          // of Newton's method, to end at the goal
-constexpr int kMostRounds = 80;
-constexpr int kPatience = 8;     // rounds in which the sum of squares is halved at least, or it ends
-constexpr int kStepRounds = 30;  // for one step
+constexpr int kEndIterations = 4;      // of Newton's method, to end at the goal
+constexpr int kMostIterations = 80;
+constexpr int kPatience = 8;         // iterations in which the sum of squares is halved at least, or it ends
+constexpr int kStepIterations = 30;  // for one step
 constexpr double kFirstDamping = 1e-5, kLeastDamping = 1e-8, kMostDamping = 1.0;
 constexpr double kSofter = 0.1, kHarder = 10.0;  // after a step that was better, or worse
 
@@ -48,18 +48,18 @@ class Pusher {
     if (parts_.size() > 2 * kMostParts) return std::nullopt;
     double damping = kFirstDamping, before_patience = std::numeric_limits<double>::infinity();
     double square_sum = look(parts_);
-    for (int round = 0; round < kMostRounds && damping <= kMostDamping && !clock.is_over(); ++round) {
+    for (int iteration = 0; iteration < kMostIterations && damping <= kMostDamping && !clock.is_over(); ++iteration) {
       if (is_free()) {
         if (!straighten()) return path();
         square_sum = look(parts_);
       }
-      if (round % kPatience == 0) {
+      if (iteration % kPatience == 0) {
         if (square_sum > 0.5 * before_patience) break;
         before_patience = square_sum;
       }
       const LinearResiduals residuals = contacts_.residuals();
       std::vector<Part> tried = parts_;
-      change(tried, hinge_step(residuals, limits(), damping, kStepRounds));
+      change(tried, hinge_step(residuals, limits(), damping, kStepIterations));
       end_at_goal(tried);
       const double now = look(tried);
       const bool is_better = now < square_sum;
@@ -128,7 +128,7 @@ class Pusher {
 
   // The least change after which a path ends at the goal.
   void end_at_goal(std::vector<Part>& parts) const {
-    for (int round = 0; round < kEndRounds; ++round) {
+    for (int iteration = 0; iteration < kEndIterations; ++iteration) {
       const std::vector<PathSegment> motions = motions_of(parts);
       const Pose end = motions.back().end();
       const Vec2 off = (goal_.position() - end.position()) / contacts_.unit();

@@ -16,7 +16,7 @@ namespace arcway::internal {
 /// @param path   from its start to `goal`, not empty.
 /// @param body   that the path is to be free for.
 /// @param clock  ends it, without a path.
-/// @returns nothing if contacts remain. Some tens of rounds, each O(steps x edges near by + contacts x parts^2).
+/// @returns nothing if contacts remain. Some tens of iterations, each O(steps x edges near by + contacts x parts^2).
 std::optional<Path> push_free(const Path& path, const Pose& goal, const Footprint& body, const Roadmap& map,
                               const StopClock& clock);
 

@@ -13,8 +13,8 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::size_t kLargestPocket = 4096;  // departures
-constexpr std::size_t kOpen = 5000;           // arcs, more than a pocket round the start has
+constexpr std::size_t kLargestBackwardSet = 4096;  // departures
+constexpr std::size_t kOpen = 5000;                // arcs, more than a dead end around the start has
 
 // Of a lazy graph: with all their rows made, which the walk from the start asks for as well where it is large.
 constexpr std::size_t kMostLazyCircles = 300'000;
@@ -26,28 +26,28 @@ void Reachability::forget() {
   arcs_.clear();
 }
 
-bool Reachability::goal_is_reachable(SearchContext& context, SearchEnds& ends) {
+bool Reachability::goal_is_reachable(SearchContext& context, SearchAttachments& attachments) {
   context_ = &context;
-  ends_ = &ends;
+  attachments_ = &attachments;
   if (arcs_.empty()) {
     first_arc_.reset(context.graph.circles().size());
   } else {
     context.result.start_connected = true;
   }
-  for (std::uint32_t g = 0; g < ends.goal_links().size(); ++g)
-    if (is_known(ends.goal_link(g))) return true;
+  for (std::uint32_t g = 0; g < attachments.goal_links().size(); ++g)
+    if (is_known(attachments.goal_link(g))) return true;
   // Indices of start links are those of other starts.
   open_.keep_if([](const Arrival& arrival) { return arrival.circle != kNone; });
-  for (std::uint32_t s = 0; s < ends.start_circles().size() && !context.interrupted(); ++s) {
-    if (ends.start_circles()[s].reach < 0.0) continue;
-    const auto range = ends.links_from(s);
+  for (std::uint32_t s = 0; s < attachments.start_circles().size() && !context.interrupted(); ++s) {
+    if (attachments.start_circles()[s].reach < 0.0) continue;
+    const auto range = attachments.links_from(s);
     for (std::uint32_t i = range.first; i < range.last; ++i) push(kNone, i);
   }
   for (;;) {
     // Most walks get to the goal long before.
     if (arcs_.size() >= kOpen && !context.result.start_is_open) {
       context.result.start_is_open = true;
-      if (goal_is_in_pocket()) return false;
+      if (goal_is_in_dead_end()) return false;
     }
     if (context.interrupted() || open_.empty()) return context.result.interrupted;
     if (reaches_goal(open_.pop())) return true;
@@ -55,16 +55,16 @@ bool Reachability::goal_is_reachable(SearchContext& context, SearchEnds& ends) {
 }
 
 // Whether so little leads to the goal that one sees, going backwards, that the start does not.
-bool Reachability::goal_is_in_pocket() {
+bool Reachability::goal_is_in_dead_end() {
   const CircleTable& circles = *context_->map.circles;
-  if (ends_->goal_links().size() > kLargestPocket || !has_links_to(circles)) return false;
+  if (attachments_->goal_links().size() > kLargestBackwardSet || !has_links_to(circles)) return false;
   std::vector<Departure> ends;
-  for (std::uint32_t g = 0; g < ends_->goal_links().size(); ++g) {
-    SearchEnds::GoalLink& goal = ends_->goal_link(g);
-    if (ends_->is_free(goal)) ends.push_back({goal.link.circle, goal.link.line.start.heading});
+  for (std::uint32_t g = 0; g < attachments_->goal_links().size(); ++g) {
+    SearchAttachments::GoalLink& goal = attachments_->goal_link(g);
+    if (attachments_->is_free(goal)) ends.push_back({goal.link.circle, goal.link.line.start.heading});
   }
-  const auto pocket = departures_towards(circles, std::move(ends), kLargestPocket);
-  return pocket && !start_leads_to(*pocket);
+  const auto backward_set = backward_reachable_set(circles, std::move(ends), kLargestBackwardSet);
+  return backward_set && !start_leads_to(*backward_set);
 }
 
 // Makes the rows of a lazy graph, if they are not too many, so that links can be asked for by where they lead to.
@@ -73,21 +73,21 @@ bool Reachability::has_links_to(const CircleTable& circles) {
   return circles.find_links_to(context_->options.clock);
 }
 
-bool Reachability::start_leads_to(const std::vector<Departure>& pocket) {
+bool Reachability::start_leads_to(const std::vector<Departure>& backward_set) {
   PerCircle first;
   first.reset(context_->graph.circles().size());
   std::vector<std::uint32_t> next;
-  for (std::uint32_t i = 0; i < pocket.size(); ++i) {
-    next.push_back(first.get(pocket[i].circle));
-    first.set(pocket[i].circle, i);
+  for (std::uint32_t i = 0; i < backward_set.size(); ++i) {
+    next.push_back(first.get(backward_set[i].circle));
+    first.set(backward_set[i].circle, i);
   }
-  for (std::uint32_t s = 0; s < ends_->start_circles().size() && !context_->interrupted(); ++s) {
-    if (ends_->start_circles()[s].reach < 0.0) continue;
-    const auto range = ends_->links_from(s);
+  for (std::uint32_t s = 0; s < attachments_->start_circles().size() && !context_->interrupted(); ++s) {
+    if (attachments_->start_circles()[s].reach < 0.0) continue;
+    const auto range = attachments_->links_from(s);
     for (std::uint32_t i = range.first; i < range.last; ++i) {
-      const AttachmentLink& link = ends_->start_link(i);
+      const AttachmentLink& link = attachments_->start_link(i);
       for (std::uint32_t d = first.get(link.circle); d != kNone; d = next[d])
-        if (leads_to(*context_->map.circles, link.line.start.heading, pocket[d]) && context_->is_free(link.line))
+        if (leads_to(*context_->map.circles, link.line.start.heading, backward_set[d]) && context_->is_free(link.line))
           return true;
     }
   }
@@ -95,7 +95,8 @@ bool Reachability::start_leads_to(const std::vector<Departure>& pocket) {
 }
 
 Reachability::Place Reachability::place_of(std::uint32_t circle, std::uint32_t index) const {
-  if (circle == kNone) return {ends_->start_link(index).circle, ends_->start_link(index).line.start.heading};
+  if (circle == kNone)
+    return {attachments_->start_link(index).circle, attachments_->start_link(index).line.start.heading};
   const FeasibleGraph::Link& link = context_->graph.links_from(circle)[index];
   return {link.to, link.heading};
 }
@@ -106,11 +107,11 @@ void Reachability::push(std::uint32_t circle, std::uint32_t index) {
   open_.push({(context_->goal - position).norm(), circle, index});
 }
 
-bool Reachability::is_known(SearchEnds::GoalLink& goal) {
+bool Reachability::is_known(SearchAttachments::GoalLink& goal) {
   const double heading = goal.link.line.start.heading;
   const Side side = context_->graph.circles()[goal.link.circle].side;
   for (std::uint32_t i = first_arc_.get(goal.link.circle); i != kNone; i = arcs_[i].next)
-    if (turn_between(arcs_[i].heading, heading, side) <= arcs_[i].reach) return ends_->is_free(goal);
+    if (turn_between(arcs_[i].heading, heading, side) <= arcs_[i].reach) return attachments_->is_free(goal);
   return false;
 }
 
@@ -128,7 +129,7 @@ bool Reachability::reaches_goal(const Arrival& arrival) {
     const double ahead = turn_between(heading, other.heading, side);
     if (ahead <= reach) limit = std::min(limit, ahead);
   }
-  const bool free = arrival.circle == kNone ? context_->is_free(ends_->start_link(arrival.index).line)
+  const bool free = arrival.circle == kNone ? context_->is_free(attachments_->start_link(arrival.index).line)
                                             : graph.is_kept(arrival.circle, arrival.index);
   if (!free) return false;
   context_->result.start_connected = true;
@@ -140,9 +141,9 @@ bool Reachability::reaches_goal(const Arrival& arrival) {
                push(from, index);
                return true;
              });
-  for (std::uint32_t g = ends_->first_goal_link(c); g != kNone; g = ends_->goal_link(g).next) {
-    SearchEnds::GoalLink& goal = ends_->goal_link(g);
-    if (turn_between(heading, goal.link.line.start.heading, side) <= reach && ends_->is_free(goal)) return true;
+  for (std::uint32_t g = attachments_->first_goal_link(c); g != kNone; g = attachments_->goal_link(g).next) {
+    SearchAttachments::GoalLink& goal = attachments_->goal_link(g);
+    if (turn_between(heading, goal.link.line.start.heading, side) <= reach && attachments_->is_free(goal)) return true;
   }
   return false;
 }

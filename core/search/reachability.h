@@ -5,24 +5,24 @@
 #include <vector>
 
 #include "core/attach/per_circle.h"
+#include "core/attach/search_attachments.h"
 #include "core/attach/search_context.h"
-#include "core/attach/search_ends.h"
 #include "core/base/open_list.h"
-#include "core/search/pocket.h"
+#include "core/search/backward_reachable_set.h"
 
 namespace arcway::internal {
 
 /// Finds out whether any path of the graph leads from the starts to the goals, without times and speeds: over all that
-/// the starts reach, nearest to the goal first, and where that is much, backwards out of the goal's pocket, if it is in
-/// one; not on a lazy graph of hundreds of thousands of circles. Asked again about other starts and goals, it goes on
-/// from what it knows.
+/// the starts reach, nearest to the goal first, and where that is much, backwards out of the goal's dead end, if it is
+/// in one; not on a lazy graph of hundreds of thousands of circles. Asked again about other starts and goals, it goes
+/// on from what it knows.
 class Reachability {
  public:
   /// Forgets all that starts have reached.
   void forget();
   /// What starts have reached counts as reached from then on, until forgotten: those of one pose, on one map. True also
   /// if the search was interrupted before that was known. Fills in the result's start_connected and start_is_open.
-  bool goal_is_reachable(SearchContext& context, SearchEnds& ends);
+  bool goal_is_reachable(SearchContext& context, SearchAttachments& attachments);
 
  private:
   // Part of a circle that some path turns on, whenever and however fast it gets there.
@@ -47,17 +47,17 @@ class Reachability {
     double heading;
   };
 
-  bool goal_is_in_pocket();
+  bool goal_is_in_dead_end();
   bool has_links_to(const CircleTable& circles);
-  bool start_leads_to(const std::vector<Departure>& pocket);
+  bool start_leads_to(const std::vector<Departure>& backward_set);
   [[nodiscard]] Place place_of(std::uint32_t circle, std::uint32_t index) const;
   void push(std::uint32_t circle, std::uint32_t index);
   // Whether a goal link leaves a part of a circle that is known to be reached.
-  bool is_known(SearchEnds::GoalLink& goal);
+  bool is_known(SearchAttachments::GoalLink& goal);
   bool reaches_goal(const Arrival& arrival);
 
   SearchContext* context_ = nullptr;
-  SearchEnds* ends_ = nullptr;
+  SearchAttachments* attachments_ = nullptr;
   OpenList<Arrival> open_;
   std::vector<Arc> arcs_;
   PerCircle first_arc_;

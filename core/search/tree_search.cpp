@@ -41,7 +41,7 @@ class TreeSearch {
     if (limits_.looks_around) {
       end_.surroundings = look_around();
       if (end_.surroundings == Surroundings::kClosed || interrupted()) return;
-      if (end_.surroundings == Surroundings::kPocket) passes = kPocketPasses;
+      if (end_.surroundings == Surroundings::kDeadEnd) passes = kDeadEndPasses;
     }
     fields_ = {field(1), field(0)};
     for (const TreePass& pass : passes) {
@@ -72,7 +72,7 @@ class TreeSearch {
       end_.poses += way.poses;
       worst = std::max(worst, way.surroundings);
       if (way.surroundings != Surroundings::kClosed) continue;
-      (at == 0 ? end_.start_hemmed_in : end_.goal_hemmed_in) = end_.ran_dry = true;
+      (at == 0 ? end_.start_in_dead_end : end_.goal_in_dead_end) = end_.ran_dry = true;
       break;
     }
     return worst;
@@ -99,7 +99,7 @@ class TreeSearch {
   void grow(const TreePass& pass) {
     std::array<Side, 2> sides{side(0, pass), side(1, pass)};
     std::size_t next_roadmap = kTreeJoints.first_roadmap;
-    terminals_joined_ = 0;
+    attachments_joined_ = 0;
     std::array<bool, 2> dry{false, false};
     auto most = static_cast<std::size_t>(pass.share * static_cast<double>(limits_.poses));
     const std::uint64_t most_edges = kTreeJoints.edges * most;
@@ -124,9 +124,9 @@ class TreeSearch {
       }
       if (result_.path) return;
     }
-    const double pocket = pocket_radius(map_);
-    end_.start_hemmed_in = sides[0].tree.extent() < pocket;
-    end_.goal_hemmed_in = sides[1].tree.extent() < pocket;
+    const double dead_end = dead_end_radius(map_);
+    end_.start_in_dead_end = sides[0].tree.extent() < dead_end;
+    end_.goal_in_dead_end = sides[1].tree.extent() < dead_end;
     end_.ran_dry = dry[0] || dry[1];
     if (!interrupted()) join_roadmap(sides);
   }
@@ -156,7 +156,7 @@ class TreeSearch {
     for (const NearPose& n : near_)
       if (connect(sides, at, at == 0 ? node : n.node, at == 0 ? n.node : node)) return;
     sides[at].near.add(node, pose);
-    add_terminal(sides[at], node);
+    add_attachment(sides[at], node);
   }
 
   // @param at  whose pose had its turn last.
@@ -208,7 +208,7 @@ class TreeSearch {
     return true;
   }
 
-  void add_terminal(Side& side, std::uint32_t node) {
+  void add_attachment(Side& side, std::uint32_t node) {
     if (node == ForwardTree::kRoot || side.attachments.size() >= kTreeJoints.attachments) return;
     side.attachments.push_back(node);
   }
@@ -224,8 +224,8 @@ class TreeSearch {
   }
 
   void join_roadmap(std::array<Side, 2>& sides) {
-    const std::size_t terminal_count = sides[0].attachments.size() + sides[1].attachments.size();
-    if (std::exchange(terminals_joined_, terminal_count) == terminal_count) return;
+    const std::size_t attachment_count = sides[0].attachments.size() + sides[1].attachments.size();
+    if (std::exchange(attachments_joined_, attachment_count) == attachment_count) return;
     const auto attachments = [&](std::size_t i) {
       std::vector<Attachment> found{{roots_[i], {}}};
       for (const std::uint32_t node : sides[i].attachments) {
@@ -256,8 +256,8 @@ class TreeSearch {
   ContactReach contact_;
   std::vector<RouteField> fields_;  // to the other end
   bool heed_turns_ = false;
-  std::size_t terminals_joined_ = 0;  // to the roadmap, of this pass
-  std::vector<NearPose> near_;        // memory
+  std::size_t attachments_joined_ = 0;  // to the roadmap, of this pass
+  std::vector<NearPose> near_;          // memory
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ struct TreesEnd {
   Surroundings surroundings = Surroundings::kOpen;  ///< if these were looked at: of the end that is in more trouble
   std::size_t refused = 0;                          ///< paths that were not accepted
   /// Of the last pass: no pose of the tree is far from its root.
-  bool start_hemmed_in = false, goal_hemmed_in = false;
+  bool start_in_dead_end = false, goal_in_dead_end = false;
   /// Of the last pass: no motion leads on from any pose of one tree, as far as its grid tells poses apart.
   bool ran_dry = false;
 };

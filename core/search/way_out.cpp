@@ -19,13 +19,13 @@ struct Growth {
 // Grows a tree outwards: poses far from the root take their turns first.
 Growth grow(const Roadmap& map, const Pose& root, Direction direction, const TreePass& pass, std::size_t most,
             const StopClock& clock) {
-  const double pocket = pocket_radius(map);
+  const double dead_end = dead_end_radius(map);
   ForwardTree tree(map, root, direction, pass, [&](const Pose& pose) {
-    return kTreeJoints.greed * (pocket - (pose.position() - root.position()).norm());
+    return kTreeJoints.greed * (dead_end - (pose.position() - root.position()).norm());
   });
   std::size_t poses = 0;
   for (; poses < most; ++poses) {
-    if (tree.extent() >= pocket || clock.is_over()) return {End::kOut, poses};
+    if (tree.extent() >= dead_end || clock.is_over()) return {End::kOut, poses};
     if (!tree.expand()) return {End::kDry, poses};
   }
   return {End::kLimit, poses};
@@ -33,14 +33,14 @@ Growth grow(const Roadmap& map, const Pose& root, Direction direction, const Tre
 
 }  // namespace
 
-double pocket_radius(const Roadmap& map) {
-  return kWayOut.pocket * std::max(map.vehicle.min_turning_radius(), map.body.front + map.body.rear);
+double dead_end_radius(const Roadmap& map) {
+  return kWayOut.dead_end * std::max(map.vehicle.min_turning_radius(), map.body.front + map.body.rear);
 }
 
 WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const StopClock& clock) {
   const Growth coarse = grow(map, root, direction, kWayOut.coarse, kWayOut.poses, clock);
   if (coarse.end != End::kDry) return {Surroundings::kOpen, coarse.poses};
-  if (coarse.poses > kWayOut.small) return {Surroundings::kPocket, coarse.poses};
+  if (coarse.poses > kWayOut.small) return {Surroundings::kDeadEnd, coarse.poses};
   const auto most = static_cast<std::size_t>(kWayOut.more * static_cast<double>(coarse.poses)) + 1;
   const Growth fine = grow(map, root, direction, kWayOut.fine, most, clock);
   return {fine.end == End::kDry ? Surroundings::kClosed : Surroundings::kOpen, coarse.poses + fine.poses};

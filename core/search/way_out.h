@@ -10,9 +10,9 @@ namespace arcway::internal {
 
 /// What forward motions from a start, or to a goal, find in its neighborhood.
 enum class Surroundings {
-  kOpen,    ///< motions lead out, or there are too many to tell
-  kPocket,  ///< a tree has found no more motions before it was out
-  kClosed   ///< a small tree has, and a finer one has found hardly any more
+  kOpen,     ///< motions lead out, or there are too many to tell
+  kDeadEnd,  ///< a tree has found no more motions before it was out
+  kClosed    ///< a small tree has, and a finer one has found hardly any more
 };
 
 struct WayOut {
@@ -21,7 +21,7 @@ struct WayOut {
 };
 
 /// How far a tree stays from its root at most that does not lead away from it [m].
-double pocket_radius(const Roadmap& map);
+double dead_end_radius(const Roadmap& map);
 
 /// Grows a tree of forward motions from one end alone until it leaves the neighborhood or finds no more poses. This is
 /// far cheaper than growing trees from both ends with an estimate of the way between them. It proves nothing.

@@ -25,12 +25,12 @@ using namespace internal;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kPieceTurn = 1.5;         // of the pieces that arcs are taken in, less than half a circle [rad]
-constexpr std::size_t kMostPassages = 10;  // of a path, the narrowest ones
+constexpr double kPieceTurn = 1.5;     // of the pieces that arcs are taken in, less than half a circle [rad]
+constexpr std::size_t kMostGaps = 10;  // of a path, the narrowest ones
 constexpr double kSamplesPerSegment = 8.0;
 
 // Where a path goes through between two obstacles.
-struct Passage {
+struct PassedGap {
   ObstacleId left, right;  // kNone: nothing on that side
   double width;
   std::array<LineSegment, 2> walls;  // from the path to either side
@@ -63,12 +63,12 @@ Nearest nearest_on_side(const World& world, const Vec2& from, const Vec2& normal
 }
 
 // None if the clock is over before they are found.
-std::vector<Passage> passages_of(const PlanResult& plan, const Planner& planner, const StopClock& clock) {
+std::vector<PassedGap> gaps_of(const PlanResult& plan, const Planner& planner, const StopClock& clock) {
   const World& world = planner.world();
   const Footprint body = planner.vehicle().footprint(planner.vehicle().safety_margin());
   const std::array<SweptRectangle, 2> ends = {swept_rectangle(plan.start, 0.0, body),
                                               swept_rectangle(plan.goal, 0.0, body)};
-  std::vector<Passage> passages;
+  std::vector<PassedGap> gaps;
   for (const TimedSegment& timed : plan.segments) {
     const PathSegment& s = timed.segment;
     for (double i = 1.0; i <= kSamplesPerSegment; ++i) {
@@ -78,28 +78,26 @@ std::vector<Passage> passages_of(const PlanResult& plan, const Planner& planner,
       const Nearest left = nearest_on_side(world, pose.position(), side);
       const Nearest right = nearest_on_side(world, pose.position(), -side);
       if (left.region == right.region) continue;
-      const Passage passage{left.region,
-                            right.region,
-                            left.distance + right.distance,
-                            {LineSegment{pose.position(), left.point}, LineSegment{pose.position(), right.point}}};
-      const bool at_an_end = std::any_of(passage.walls.begin(), passage.walls.end(), [&](const LineSegment& wall) {
+      const PassedGap gap{left.region,
+                          right.region,
+                          left.distance + right.distance,
+                          {LineSegment{pose.position(), left.point}, LineSegment{pose.position(), right.point}}};
+      const bool at_an_end = std::any_of(gap.walls.begin(), gap.walls.end(), [&](const LineSegment& wall) {
         return intersects(wall, ends[0]) || intersects(wall, ends[1]);
       });
       if (at_an_end) continue;
-      const auto known = std::find_if(passages.begin(), passages.end(), [&](const Passage& p) {
-        return p.left == passage.left && p.right == passage.right;
-      });
-      if (known == passages.end()) {
-        passages.push_back(passage);
-      } else if (passage.width < known->width) {
-        *known = passage;
+      const auto known = std::find_if(gaps.begin(), gaps.end(),
+                                      [&](const PassedGap& p) { return p.left == gap.left && p.right == gap.right; });
+      if (known == gaps.end()) {
+        gaps.push_back(gap);
+      } else if (gap.width < known->width) {
+        *known = gap;
       }
     }
   }
-  std::stable_sort(passages.begin(), passages.end(),
-                   [](const Passage& a, const Passage& b) { return a.width < b.width; });
-  if (passages.size() > kMostPassages) passages.resize(kMostPassages);
-  return passages;
+  std::stable_sort(gaps.begin(), gaps.end(), [](const PassedGap& a, const PassedGap& b) { return a.width < b.width; });
+  if (gaps.size() > kMostGaps) gaps.resize(kMostGaps);
+  return gaps;
 }
 
 // Whether a point lies between an arc of less than half a circle and its chord.
@@ -157,7 +155,7 @@ class AlternativeSearch {
   std::vector<PlanResult> run(std::size_t count) {
     const PlanResult fastest = planner_.plan(request_, limits_);
     if (count > 1 && fastest.solved()) choose_quick_options(fastest);
-    std::optional<Way> first = way_of(fastest, {});
+    std::optional<Route> first = route_of(fastest, {});
     if (!first) return {fastest};
     taken_.push_back(std::move(*first));
     while (taken_.back().plan.solved() && taken_.size() < count && !interrupted()) {
@@ -165,14 +163,14 @@ class AlternativeSearch {
       if (!take_next()) break;
     }
     std::vector<PlanResult> plans;
-    for (Way& way : taken_) plans.push_back(std::move(way.plan));
+    for (Route& route : taken_) plans.push_back(std::move(route.plan));
     std::stable_sort(plans.begin(), plans.end(),
                      [&](const PlanResult& a, const PlanResult& b) { return cost_of(a) < cost_of(b); });
     return plans;
   }
 
  private:
-  struct Way {
+  struct Route {
     PlanResult plan;
     double cost;                     // that the plan has, or will have once it is refined
     std::vector<double> turns;       // about the obstacles
@@ -190,37 +188,37 @@ class AlternativeSearch {
   }
 
   // Nothing if the time is over before it can be told from others.
-  [[nodiscard]] std::optional<Way> way_of(PlanResult plan, std::vector<LineSegment> walls) const {
+  [[nodiscard]] std::optional<Route> route_of(PlanResult plan, std::vector<LineSegment> walls) const {
     std::optional<std::vector<double>> turns = turns_of(plan.path(), planner_.world(), clock_);
     if (!turns) return std::nullopt;
     const double cost = cost_of(plan);
-    return Way{std::move(plan), cost, std::move(*turns), std::move(walls)};
+    return Route{std::move(plan), cost, std::move(*turns), std::move(walls)};
   }
 
   // Ways are compared by plans from one search, and refined: without other searches and, where the first way does
-  // without, without reversing, manoeuvres and circles in narrow places.
+  // without, without reversing, maneuvers and circles in narrow places.
   void choose_quick_options(const PlanResult& first) {
     const auto is_backward = [](const TimedSegment& s) { return s.segment.gear == Gear::kReverse; };
     quick_request_.reverse = std::any_of(first.segments.begin(), first.segments.end(), is_backward);
     quick_ = planner_.options();
     quick_.refinement.max_trials = 0;
-    quick_.point_robot_bound = false;
+    quick_.point_robot_lower_bound = false;
     PlannerOptions single_arcs = quick_;
-    single_arcs.manoeuvre_poses = 0;
+    single_arcs.maneuver_poses = 0;
     single_arcs.gap_circles = false;
     if (plan_with({}, single_arcs, quick_request_).solved()) quick_ = single_arcs;
   }
 
-  // Adds the ways that do without one of the passages of a way.
-  void branch(const Way& way) {
-    const std::vector<LineSegment> walls = way.walls;
-    for (const Passage& passage : passages_of(way.plan, planner_, clock_)) {
+  // Adds the ways that do without one of the gaps of a way.
+  void branch(const Route& route) {
+    const std::vector<LineSegment> walls = route.walls;
+    for (const PassedGap& gap : gaps_of(route.plan, planner_, clock_)) {
       if (interrupted()) return;
       std::vector<LineSegment> more = walls;
-      more.insert(more.end(), passage.walls.begin(), passage.walls.end());
+      more.insert(more.end(), gap.walls.begin(), gap.walls.end());
       PlanResult plan = plan_with(more, quick_, quick_request_);
       if (!plan.solved()) continue;
-      std::optional<Way> other = way_of(std::move(plan), std::move(more));
+      std::optional<Route> other = route_of(std::move(plan), std::move(more));
       if (!other || !is_new(*other, taken_) || !is_new(*other, open_)) continue;
       other->cost = std::min(other->cost, refined_cost(*other));
       open_.push_back(std::move(*other));
@@ -228,10 +226,10 @@ class AlternativeSearch {
   }
 
   // What the path of a quick plan costs once refined. One with changes of gear is taken as it is.
-  [[nodiscard]] double refined_cost(const Way& way) const {
-    if (quick_request_.reverse) return way.cost;
-    const WalledSweep sweep(remembered_, way.walls);
-    return refine_path(way.plan.path(), request_.start, request_.goal, planner_.vehicle(), sweep,
+  [[nodiscard]] double refined_cost(const Route& route) const {
+    if (quick_request_.reverse) return route.cost;
+    const WalledSweep sweep(remembered_, route.walls);
+    return refine_path(route.plan.path(), request_.start, request_.goal, planner_.vehicle(), sweep,
                        planner_.options().refinement, clock_)
         .travel_time;
   }
@@ -239,16 +237,16 @@ class AlternativeSearch {
   // Plans the cheapest of the open ways as well as the planner can, and takes it; false if there is none.
   bool take_next() {
     while (!open_.empty()) {
-      const auto best = std::ranges::min_element(open_, {}, &Way::cost);
-      Way way = std::move(*best);
+      const auto best = std::ranges::min_element(open_, {}, &Route::cost);
+      Route route = std::move(*best);
       open_.erase(best);
-      PlanResult better = plan_with(way.walls, planner_.options(), request_);
-      if (better.solved() && cost_of(better) < cost_of(way.plan)) {
-        std::optional<Way> other = way_of(std::move(better), way.walls);
-        if (other) way = std::move(*other);
+      PlanResult better = plan_with(route.walls, planner_.options(), request_);
+      if (better.solved() && cost_of(better) < cost_of(route.plan)) {
+        std::optional<Route> other = route_of(std::move(better), route.walls);
+        if (other) route = std::move(*other);
       }
-      if (!is_new(way, taken_)) continue;
-      taken_.push_back(std::move(way));
+      if (!is_new(route, taken_)) continue;
+      taken_.push_back(std::move(route));
       return true;
     }
     return false;
@@ -270,13 +268,13 @@ class AlternativeSearch {
       // 32,000 in all found none in eight worlds driven/..., in four to ten times as long.
       limits.tree_poses = 0;
       return walled.plan(request, limits);
-    } catch (const Cancelled&) {
+    } catch (const Canceled&) {
       return {};
     }
   }
 
-  static bool is_new(const Way& way, const std::vector<Way>& known) {
-    return std::ranges::none_of(known, [&](const Way& other) { return are_same(other.turns, way.turns); });
+  static bool is_new(const Route& route, const std::vector<Route>& known) {
+    return std::ranges::none_of(known, [&](const Route& other) { return are_same(other.turns, route.turns); });
   }
 
   const Planner& planner_;
@@ -286,7 +284,7 @@ class AlternativeSearch {
   std::shared_ptr<const SweepQuery> remembered_;  // of the world without walls
   PlannerOptions quick_;
   PlanRequest quick_request_ = request_;
-  std::vector<Way> taken_, open_;
+  std::vector<Route> taken_, open_;
 };
 
 }  // namespace
@@ -297,7 +295,7 @@ std::vector<PlanResult> plan_alternatives(const Planner& planner, const PlanRequ
   return AlternativeSearch(planner, request, limits).run(count);
 }
 
-bool same_way(std::span<const PathSegment> a, std::span<const PathSegment> b, const World& world) {
+bool same_route(std::span<const PathSegment> a, std::span<const PathSegment> b, const World& world) {
   const StopClock never;
   return are_same(*turns_of(a, world, never), *turns_of(b, world, never));
 }

@@ -149,7 +149,7 @@ CurvedPlan plan_among_curves(const CurvedWorld& world, const PlanRequest& reques
     throw std::invalid_argument("curve tolerances: need 0 < last <= first, finite");
   if (!(tolerances.factor > 0.0 && tolerances.factor < 1.0))
     throw std::invalid_argument("curve tolerances: factor must be in (0, 1)");
-  if (tolerances.max_rounds < 1) throw std::invalid_argument("curve tolerances: max_rounds must be at least 1");
+  if (tolerances.max_iterations < 1) throw std::invalid_argument("curve tolerances: max_iterations must be at least 1");
   const Stopwatch watch;
   const auto rest = [&] {
     PlanLimits left = limits;
@@ -158,18 +158,18 @@ CurvedPlan plan_among_curves(const CurvedWorld& world, const PlanRequest& reques
   };
   CurvedPlanner curved(world, tolerances);
   CurvedPlan plan{make_planner(curved.make_world()), {}, {}};
-  const auto plan_round = [&] {
+  const auto plan_iteration = [&] {
     PlanResult found = plan.planner.plan(request, rest());
-    plan.rounds.push_back({curved.level(), plan.planner.world().vertices().size(), found.status,
-                           found.solved() ? found.travel_time : kInfinity});
+    plan.iterations.push_back({curved.level(), plan.planner.world().vertices().size(), found.status,
+                               found.solved() ? found.travel_time : kInfinity});
     return found;
   };
-  plan.result = plan_round();
-  for (std::size_t round = 1; round < tolerances.max_rounds && !plan.result.interrupted; ++round) {
+  plan.result = plan_iteration();
+  for (std::size_t iteration = 1; iteration < tolerances.max_iterations && !plan.result.interrupted; ++iteration) {
     if (!curved.refine(plan.result, plan.planner.vehicle())) break;
     const World rings = curved.make_world();
     if (std::ranges::equal(rings.vertices(), plan.planner.world().vertices())) {
-      plan.rounds.back().tolerance = curved.level();  // the rings lie within that as well
+      plan.iterations.back().tolerance = curved.level();  // the rings lie within that as well
       continue;
     }
     if (limits.stop.stop_requested() || rest().time <= 0.0) {
@@ -178,11 +178,11 @@ CurvedPlan plan_among_curves(const CurvedWorld& world, const PlanRequest& reques
     }
     try {
       plan.planner = make_planner(rings);
-    } catch (const Cancelled&) {
+    } catch (const Canceled&) {
       plan.result.interrupted = true;
       break;
     }
-    keep_cheaper(plan.planner, request.cusp_cost, plan_round(), plan.result);
+    keep_cheaper(plan.planner, request.cusp_cost, plan_iteration(), plan.result);
   }
   if (plan.result.interrupted && !plan.result.solved()) explain_interruption(limits, plan.result);
   return plan;

@@ -19,8 +19,8 @@ std::vector<PlanResult> plan_batch(const Planner& planner, std::span<const PlanR
   watched.for_ranges(requests.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (options.stop.stop_requested()) {
-        results[i].status = PlanStatus::kCancelled;
-        results[i].reason = "the batch was cancelled before this query began";
+        results[i].status = PlanStatus::kCanceled;
+        results[i].reason = "the batch was canceled before this query began";
         results[i].start = requests[i].start;
         results[i].goal = requests[i].goal;
         continue;

@@ -12,7 +12,7 @@
 #include "core/base/stopwatch.h"
 #include "core/model/pose_text.h"
 #include "core/motion/speed_profile.h"
-#include "core/motion/travel_time_bound.h"
+#include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/no_path.h"
 #include "core/planner/planner_inputs.h"
 
@@ -37,7 +37,7 @@ struct Stop {
   double cost = kInfinity;  // of the way from the start, which ends here at rest
   std::size_t from = 0;     // stop of the stage before
   PlanResult leg = {};      // from there
-  Path way = {};            // from the start
+  Path path = {};           // from the start
 };
 using Stage = std::vector<Stop>;
 
@@ -49,7 +49,7 @@ class TourPlanner {
   }
 
   Tour run() {
-    for (const Place& place : request_.via) {
+    for (const Place& place : request_.waypoints) {
       add_stage({&place, 1});
       reach_all();
       if (!any_reached() && reach_by_trees() == nullptr) return finish(nullptr);
@@ -97,8 +97,9 @@ class TourPlanner {
   // Whether there are several poses from which the leg now looked for may begin, or at which it may end.
   [[nodiscard]] bool has_choice() const { return stages_.back().size() > 1 || stages_[stages_.size() - 2].size() > 1; }
 
-  [[nodiscard]] double bound(const Pose& from, const Pose& to) const {
-    return travel_time_bound(from, to, (to.position() - from.position()).norm(), planner_.vehicle(), request_.reverse);
+  [[nodiscard]] double leg_lower_bound(const Pose& from, const Pose& to) const {
+    return travel_time_lower_bound(from, to, (to.position() - from.position()).norm(), planner_.vehicle(),
+                                   request_.reverse);
   }
   // At most what a stop there takes longer than driving on [s]; the start is one.
   [[nodiscard]] double cost_of_a_stop(std::size_t stage) const {
@@ -111,7 +112,8 @@ class TourPlanner {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < before.size(); ++i)
       if (before[i].cost < kInfinity)
-        order.emplace_back(before[i].cost - cost_of_a_stop(stages_.size() - 2) + bound(before[i].pose, stop.pose), i);
+        order.emplace_back(
+            before[i].cost - cost_of_a_stop(stages_.size() - 2) + leg_lower_bound(before[i].pose, stop.pose), i);
     std::sort(order.begin(), order.end());
     for (const auto& [least, i] : order) {
       // Infinite where the planner refuses a pose, and says why.
@@ -134,15 +136,15 @@ class TourPlanner {
       failure_stage_ = stages_.size();
       return certainty;
     }
-    Path way = before.way;
+    Path path = before.path;
     const Path on = leg.path();
-    way.insert(way.end(), on.begin(), on.end());
-    const double cost = travel_cost(way, planner_.vehicle(), request_.cusp_cost);
+    path.insert(path.end(), on.begin(), on.end());
+    const double cost = travel_cost(path, planner_.vehicle(), request_.cusp_cost);
     if (cost >= stop.cost) return certainty;
     stop.cost = cost;
     stop.from = from;
     stop.leg = std::move(leg);
-    stop.way = std::move(way);
+    stop.path = std::move(path);
     return certainty;
   }
 
@@ -168,9 +170,9 @@ class TourPlanner {
     };
     rename("the start " + shortest_text(leg.start), name_of(from, stages_.size() - 2));
     rename("the goal " + shortest_text(leg.goal), name_of(to, stages_.size() - 1));
-    if (is_on_the_way(stages_.size() - 2) && leg.status == PlanStatus::kStartBlocked)
+    if (is_waypoint_stage(stages_.size() - 2) && leg.status == PlanStatus::kStartBlocked)
       leg.status = PlanStatus::kWaypointBlocked;
-    if (is_on_the_way(stages_.size() - 1)) {
+    if (is_waypoint_stage(stages_.size() - 1)) {
       if (leg.status == PlanStatus::kGoalInCollision) leg.status = PlanStatus::kWaypointInCollision;
       if (leg.status == PlanStatus::kGoalOutsideBounds) leg.status = PlanStatus::kWaypointOutsideBounds;
       if (leg.status == PlanStatus::kGoalBlocked) leg.status = PlanStatus::kWaypointBlocked;
@@ -181,16 +183,18 @@ class TourPlanner {
       leg.certainty = Certainty::kGaveUp;
     return leg;
   }
-  [[nodiscard]] bool is_on_the_way(std::size_t stage) const { return stage > 0 && stage <= request_.via.size(); }
+  [[nodiscard]] bool is_waypoint_stage(std::size_t stage) const {
+    return stage > 0 && stage <= request_.waypoints.size();
+  }
   [[nodiscard]] Pose first_goal() const {
     const Place& goal = request_.goals.front();
     return {goal.position.x(), goal.position.y(), goal.heading.value_or(0.0)};
   }
   [[nodiscard]] std::string name_of(const Stop& stop, std::size_t stage) const {
     if (stage == 0) return "the start " + shortest_text(stop.pose);
-    const bool on_the_way = is_on_the_way(stage);
-    const Place& place = on_the_way ? request_.via[stage - 1] : request_.goals[stop.place];
-    return (on_the_way ? "the waypoint " : "the goal ") +
+    const bool is_waypoint = is_waypoint_stage(stage);
+    const Place& place = is_waypoint ? request_.waypoints[stage - 1] : request_.goals[stop.place];
+    return (is_waypoint ? "the waypoint " : "the goal ") +
            (place.heading ? shortest_text(stop.pose) : shortest_text(place.position));
   }
 
@@ -247,9 +251,9 @@ class TourPlanner {
       plan = std::move(failure_.value());
       // A leg had only the time that those before left.
       if (plan.status == PlanStatus::kTimeLimit) plan.reason = time_limit_reason(limits_);
-      if (!request_.via.empty())
-        plan.reason = "leg " + std::to_string(stages_.size() - 1) + " of " + std::to_string(request_.via.size() + 1) +
-                      ": " + plan.reason;
+      if (!request_.waypoints.empty())
+        plan.reason = "leg " + std::to_string(stages_.size() - 1) + " of " +
+                      std::to_string(request_.waypoints.size() + 1) + ": " + plan.reason;
     } else {
       tour.goal = last->place;
       join(legs_to(*last), tour);
@@ -279,7 +283,7 @@ class TourPlanner {
     plan.min_clearance = kInfinity;
     for (const PlanResult* leg : legs) {
       if (leg != legs.front()) tour.passed.push_back(plan.segments.size());
-      plan.clearance_is_bound = plan.clearance_is_bound || leg->clearance_is_bound;
+      plan.clearance_is_lower_bound = plan.clearance_is_lower_bound || leg->clearance_is_lower_bound;
       if (leg->min_clearance < plan.min_clearance) {
         plan.min_clearance = leg->min_clearance;
         plan.clearance_segment = leg->clearance_segment;
@@ -298,16 +302,16 @@ class TourPlanner {
     if (one_plan) {
       plan.lower_bound = legs.front()->lower_bound;
     } else {
-      plan.lower_bound = line_bound();
+      plan.lower_bound = straight_line_lower_bound();
     }
   }
 
   // Along straight lines by all places to the nearest goal, from rest to rest. Inside of an obstacle is none that can
   // be reached, unless the body lies beside the reference point.
-  [[nodiscard]] double line_bound() const {
+  [[nodiscard]] double straight_line_lower_bound() const {
     Vec2 at = request_.start.position();
     double length = 0.0;
-    for (const Place& place : request_.via) {
+    for (const Place& place : request_.waypoints) {
       length += (place.position - at).norm();
       at = place.position;
     }
@@ -352,7 +356,7 @@ void require_places(const std::string& name, std::span<const Place> places, cons
 
 Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLimits& limits) {
   if (request.goals.empty()) throw std::invalid_argument("tour: no goal");
-  require_places("waypoint", request.via, planner.vehicle());
+  require_places("waypoint", request.waypoints, planner.vehicle());
   require_places("goal", request.goals, planner.vehicle());
   return TourPlanner(planner, request, limits).run();
 }

@@ -258,7 +258,7 @@ double MotionCheck::travel_per_meter(double curvature) const {
 /// First order: no body point moves further than `travel` from its place at the middle. Second order: seen from the
 /// body the edge's ends move on arcs about the rotation center, so that the edge keeps to the hull of its two extreme
 /// places, grown by those arcs' height. Boxes around these places decide most of it.
-double MotionCheck::bound(double curvature, const Interval& interval, double travel, bool& contact) {
+double MotionCheck::lower_bound_of(double curvature, const Interval& interval, double travel, bool& contact) {
   const auto& [before, middle, after] = std::tie(interval.before, interval.middle, interval.after);
   contact = false;
   const double beside = body_.gap_to(box_of(middle)) - travel - rounding_;
@@ -294,7 +294,7 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
     const auto [s0, s1] = std::pair(interval.s0, interval.s1);
     bool contact = false;
     const double travel = swing * (s1 - s0);
-    interval.lower = bound(curvature, interval, 0.5 * travel, contact);
+    interval.lower = lower_bound_of(curvature, interval, 0.5 * travel, contact);
     const bool is_shortest = travel < shortest_travel_ || s1 - s0 < kShortestInterval * length;
     if (contact || (is_shortest && !(interval.lower > 0.0))) {
       add_hit(hits, {world_.obstacle_of(interval.edge), 0.5 * (s0 + s1), interval.edge});

@@ -59,7 +59,7 @@ class MotionCheck {
   void add_hit(std::vector<Hit>& hits, const Hit& hit) const;
   void check_line(const PathSegment& line, std::vector<Hit>& hits);
   [[nodiscard]] double travel_per_meter(double curvature) const;
-  double bound(double curvature, const Interval& interval, double travel, bool& contact);
+  double lower_bound_of(double curvature, const Interval& interval, double travel, bool& contact);
   [[nodiscard]] bool proved(double lower) const;
   void check_arc(const PathSegment& arc, std::vector<Hit>& hits);
 

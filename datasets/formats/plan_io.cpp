@@ -169,7 +169,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   append_member(out, "nodes_pushed", result.statistics.nodes_pushed);
   append_member(out, "straights_checked", result.statistics.straights_checked);
   append_member(out, "turns_checked", result.statistics.turns_checked);
-  append_member(out, "manoeuvre_poses", result.statistics.manoeuvre_poses);
+  append_member(out, "maneuver_poses", result.statistics.maneuver_poses);
   append_member(out, "tree_poses", result.statistics.tree_poses);
   append_member(out, "unrefined_travel_time", result.statistics.unrefined_travel_time);
   append_member(out, "first_travel_time", result.statistics.first_travel_time);
@@ -178,7 +178,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   append_member(out, "refine_improvements", result.statistics.refine_improvements);
   append_member(out, "suboptimality", result.statistics.suboptimality);
   append_member(out, "refine_seconds", result.statistics.refine_seconds);
-  append_member(out, "bound_seconds", result.statistics.bound_seconds);
+  append_member(out, "lower_bound_seconds", result.statistics.lower_bound_seconds);
   append_member(out, "search_seconds", result.statistics.search_seconds);
   append_member(out, "profile_seconds", result.statistics.profile_seconds);
   append_member(out, "total_seconds", result.statistics.total_seconds);

@@ -30,7 +30,7 @@ constexpr std::uint32_t kHasBounds = 1;
 constexpr std::uint64_t kAlignment = 64;
 constexpr std::uint32_t kMaxSections = 64;
 
-// Sections that are no Table.
+// Sections that are no SnapshotArray.
 constexpr std::uint32_t kStart = 101, kGoal = 102, kRobot = 103;
 
 struct Header {
@@ -62,8 +62,8 @@ class Writer {
                          reinterpret_cast<const char*>(values.data())});
   }
   template <class T>
-  void add(Table table, const std::vector<T>& values) {
-    add(static_cast<std::uint32_t>(table), std::span<const T>(values));
+  void add(SnapshotArray array, const std::vector<T>& values) {
+    add(static_cast<std::uint32_t>(array), std::span<const T>(values));
   }
 
   std::string bytes(std::uint32_t flags) {
@@ -130,17 +130,17 @@ class Reader {
     return std::move(*values);
   }
   template <class T>
-  std::vector<T> get(Table table) {
-    note_place(table);
-    return get<T>(static_cast<std::uint32_t>(table));
+  std::vector<T> get(SnapshotArray array) {
+    note_place(array);
+    return get<T>(static_cast<std::uint32_t>(array));
   }
   /// The values of an optional section; empty if it is left out.
   template <class T>
-  std::vector<T> get_or_none(Table table) {
-    const auto id = static_cast<std::uint32_t>(table);
+  std::vector<T> get_or_none(SnapshotArray array) {
+    const auto id = static_cast<std::uint32_t>(array);
     if (const auto at = entries_.find(id); at != entries_.end() && at->second.entry.count == 0)
       fail(at->second.place + offsetof(Entry, count), "section " + std::to_string(id) + " is empty, not left out");
-    note_place(table);
+    note_place(array);
     return find<T>(id).value_or(std::vector<T>{});
   }
   std::optional<Pose> pose(std::uint32_t id) {
@@ -155,12 +155,12 @@ class Reader {
     if (!entries_.empty())
       fail(entries_.begin()->second.place, "unknown section " + std::to_string(entries_.begin()->first));
   }
-  [[nodiscard]] std::map<Table, PreparedMap::Source::Section> take_places() { return std::move(places_); }
+  [[nodiscard]] std::map<SnapshotArray, PreparedMap::Source::Section> take_places() { return std::move(places_); }
 
  private:
-  void note_place(Table table) {
-    if (const auto at = entries_.find(static_cast<std::uint32_t>(table)); at != entries_.end())
-      places_[table] = {at->second.entry.offset, at->second.entry.element_bytes};
+  void note_place(SnapshotArray array) {
+    if (const auto at = entries_.find(static_cast<std::uint32_t>(array)); at != entries_.end())
+      places_[array] = {at->second.entry.offset, at->second.entry.element_bytes};
   }
 
   [[noreturn]] void fail(std::uint64_t byte, const std::string& what) const {
@@ -239,19 +239,19 @@ class Reader {
     std::uint64_t place;  // offset of the entry
   };
   std::map<std::uint32_t, Found> entries_;
-  std::map<Table, PreparedMap::Source::Section> places_;
+  std::map<SnapshotArray, PreparedMap::Source::Section> places_;
 };
 
-WorldTables read_world(Reader& reader) {
-  WorldTables tables;
-  tables.vertices = reader.get<Vec2>(Table::kVertices);
-  tables.next = reader.get<std::uint32_t>(Table::kNext);
-  tables.covered = reader.get<std::uint8_t>(Table::kCovered);
-  tables.ring_starts = reader.get<std::uint32_t>(Table::kRingStarts);
-  tables.region_rings = reader.get<std::uint32_t>(Table::kRegionRings);
-  tables.self_contacts = reader.get_or_none<SelfContact>(Table::kSelfContacts);
-  tables.has_bounds = (reader.flags() & kHasBounds) != 0;
-  return tables;
+WorldSnapshot read_world(Reader& reader) {
+  WorldSnapshot snapshot;
+  snapshot.vertices = reader.get<Vec2>(SnapshotArray::kVertices);
+  snapshot.next = reader.get<std::uint32_t>(SnapshotArray::kNext);
+  snapshot.covered = reader.get<std::uint8_t>(SnapshotArray::kCovered);
+  snapshot.ring_starts = reader.get<std::uint32_t>(SnapshotArray::kRingStarts);
+  snapshot.region_rings = reader.get<std::uint32_t>(SnapshotArray::kRegionRings);
+  snapshot.self_contacts = reader.get_or_none<SelfContact>(SnapshotArray::kSelfContacts);
+  snapshot.has_bounds = (reader.flags() & kHasBounds) != 0;
+  return snapshot;
 }
 
 std::optional<PreparedMap::ForRobot> read_for_robot(Reader& reader, std::string_view name) {
@@ -259,20 +259,20 @@ std::optional<PreparedMap::ForRobot> read_for_robot(Reader& reader, std::string_
   if (!json) return std::nullopt;
   PreparedMap::ForRobot robot;
   robot.parameters = read_robot(std::string_view(json->data(), json->size()), std::string(name) + ", robot");
-  robot.radii = reader.get<double>(Table::kRadii);
-  robot.feasible.interval_starts = reader.get<std::uint64_t>(Table::kIntervalStarts);
-  robot.feasible.intervals = reader.get<HeadingInterval>(Table::kIntervals);
-  robot.feasible.link_starts = reader.get<std::uint64_t>(Table::kLinkStarts);
-  robot.feasible.links = reader.get<FeasibleGraph::Link>(Table::kLinks);
-  robot.feasible.link_counts = reader.get<LinkCounts>(Table::kLinkCounts);
+  robot.radii = reader.get<double>(SnapshotArray::kRadii);
+  robot.feasible.interval_starts = reader.get<std::uint64_t>(SnapshotArray::kIntervalStarts);
+  robot.feasible.intervals = reader.get<HeadingInterval>(SnapshotArray::kIntervals);
+  robot.feasible.link_starts = reader.get<std::uint64_t>(SnapshotArray::kLinkStarts);
+  robot.feasible.links = reader.get<FeasibleGraph::Link>(SnapshotArray::kLinks);
+  robot.feasible.link_counts = reader.get<LinkCounts>(SnapshotArray::kLinkCounts);
   return robot;
 }
 
 }  // namespace
 
-std::string PreparedMap::Source::complaint(const TableError& error) const {
+std::string PreparedMap::Source::complaint(const SnapshotError& error) const {
   std::string text = name;
-  if (const auto at = tables.find(error.table()); at != tables.end())
+  if (const auto at = sections.find(error.array()); at != sections.end())
     text += ": byte " + std::to_string(at->second.offset + error.index() * at->second.element_bytes);
   return text + ": " + error.what();
 }
@@ -289,21 +289,21 @@ bool is_prepared_map_file(const std::filesystem::path& path) {
 
 PreparedMap read_prepared_map(std::string_view bytes, std::string_view name) {
   Reader reader(bytes, name);
-  WorldTables world = read_world(reader);
-  auto row_starts = reader.get<std::uint64_t>(Table::kRowStarts);
-  auto targets = reader.get<VertexId>(Table::kTargets);
+  WorldSnapshot world = read_world(reader);
+  auto row_starts = reader.get<std::uint64_t>(SnapshotArray::kRowStarts);
+  auto targets = reader.get<VertexId>(SnapshotArray::kTargets);
   const std::optional<Pose> start = reader.pose(kStart), goal = reader.pose(kGoal);
   std::optional<PreparedMap::ForRobot> robot = read_for_robot(reader, name);
   reader.expect_no_more();
   PreparedMap::Source source{std::string(name), reader.take_places()};
   try {
-    return {World::from_tables(std::move(world)),
+    return {World::from_snapshot(std::move(world)),
             VisibilityGraph(std::move(row_starts), std::move(targets)),
             start,
             goal,
             std::move(robot),
             source};
-  } catch (const TableError& error) {
+  } catch (const SnapshotError& error) {
     throw FormatError(source.complaint(error));
   } catch (const WorldError& error) {
     throw FormatError(source.name + ": " + error.what());
@@ -326,15 +326,15 @@ PreparedMap prepared_map_of(const Planner& planner, const std::optional<Pose>& s
 
 std::string to_bytes(const PreparedMap& map) {
   Writer writer;
-  const WorldTables world = map.world.tables();
-  writer.add(Table::kVertices, world.vertices);
-  writer.add(Table::kNext, world.next);
-  writer.add(Table::kCovered, world.covered);
-  writer.add(Table::kRingStarts, world.ring_starts);
-  writer.add(Table::kRegionRings, world.region_rings);
-  if (!world.self_contacts.empty()) writer.add(Table::kSelfContacts, world.self_contacts);
-  writer.add(static_cast<std::uint32_t>(Table::kRowStarts), map.reduced_graph.row_starts());
-  writer.add(static_cast<std::uint32_t>(Table::kTargets), map.reduced_graph.targets());
+  const WorldSnapshot world = map.world.snapshot();
+  writer.add(SnapshotArray::kVertices, world.vertices);
+  writer.add(SnapshotArray::kNext, world.next);
+  writer.add(SnapshotArray::kCovered, world.covered);
+  writer.add(SnapshotArray::kRingStarts, world.ring_starts);
+  writer.add(SnapshotArray::kRegionRings, world.region_rings);
+  if (!world.self_contacts.empty()) writer.add(SnapshotArray::kSelfContacts, world.self_contacts);
+  writer.add(static_cast<std::uint32_t>(SnapshotArray::kRowStarts), map.reduced_graph.row_starts());
+  writer.add(static_cast<std::uint32_t>(SnapshotArray::kTargets), map.reduced_graph.targets());
   const auto numbers = [](const std::optional<Pose>& pose) {
     return pose ? std::vector<double>{pose->x, pose->y, pose->heading} : std::vector<double>{};
   };
@@ -345,12 +345,12 @@ std::string to_bytes(const PreparedMap& map) {
   if (map.robot) {
     robot = to_json(map.robot->parameters);
     writer.add(kRobot, std::span<const char>(robot));
-    writer.add(Table::kRadii, map.robot->radii);
-    writer.add(Table::kIntervalStarts, map.robot->feasible.interval_starts);
-    writer.add(Table::kIntervals, map.robot->feasible.intervals);
-    writer.add(Table::kLinkStarts, map.robot->feasible.link_starts);
-    writer.add(Table::kLinks, map.robot->feasible.links);
-    writer.add(Table::kLinkCounts, map.robot->feasible.link_counts);
+    writer.add(SnapshotArray::kRadii, map.robot->radii);
+    writer.add(SnapshotArray::kIntervalStarts, map.robot->feasible.interval_starts);
+    writer.add(SnapshotArray::kIntervals, map.robot->feasible.intervals);
+    writer.add(SnapshotArray::kLinkStarts, map.robot->feasible.link_starts);
+    writer.add(SnapshotArray::kLinks, map.robot->feasible.links);
+    writer.add(SnapshotArray::kLinkCounts, map.robot->feasible.link_counts);
   }
   return writer.bytes(world.has_bounds ? kHasBounds : 0);
 }

@@ -12,7 +12,7 @@
 #include "core/base/shortest_text.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
-#include "core/motion/travel_time_bound.h"
+#include "core/motion/travel_time_lower_bound.h"
 #include "datasets/generators/drive_clearance.h"
 #include "datasets/generators/layout.h"
 #include "datasets/io/random.h"
@@ -271,7 +271,7 @@ PlanResult plan_of_drive(const DrivenWorld& world) {
   result.travel_time = profile.total_time;
   result.length = length_of(world.drive);
   const double straight = (result.goal.position() - result.start.position()).norm();
-  result.lower_bound = travel_time_bound(result.start, result.goal, straight, vehicle, reverses);
+  result.lower_bound = travel_time_lower_bound(result.start, result.goal, straight, vehicle, reverses);
   result.min_clearance = std::numeric_limits<double>::infinity();
   const World obstacles = to_world(world.map, "driven world");
   for (std::size_t i = 0; i < world.drive.size(); ++i) {

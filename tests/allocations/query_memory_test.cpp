@@ -23,7 +23,7 @@ World touching_cells(int side) {
   return World(std::move(cells));
 }
 
-// Poses of manoeuvres in the open see nearly all of the cells near them, as each hides next to nothing.
+// Poses of maneuvers in the open see nearly all of the cells near them, as each hides next to nothing.
 TEST(QueryMemory, IsBoundedWhereManyPosesSeeManyObstacles) {
   if (!test::counts_memory()) GTEST_SKIP() << "a sanitizer's operator new does not count";
   constexpr int kSide = 200;
@@ -34,9 +34,9 @@ TEST(QueryMemory, IsBoundedWhereManyPosesSeeManyObstacles) {
   const std::int64_t before = bench::heap_use().live_bytes;
   const PlanResult result = planner.plan({{-30.0, 0.5 * kSide, kPi}, {kSide + 30.0, 0.5 * kSide, kPi}});
   ASSERT_TRUE(result.solved());
-  ASSERT_GT(result.statistics.manoeuvre_poses, 1000u);
+  ASSERT_GT(result.statistics.maneuver_poses, 1000u);
   const auto bytes = static_cast<std::size_t>(bench::heap_use().peak_bytes - before);
-  EXPECT_LT(bytes, 500 * world.vertices().size() + 300 * result.statistics.manoeuvre_poses);
+  EXPECT_LT(bytes, 500 * world.vertices().size() + 300 * result.statistics.maneuver_poses);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
   std::vector<PlanRequest> requests = random_queries(world, queries, vehicle, {.count = c.queries, .seed = 3});
   // Where single arcs reach no path, the planner looks for the narrowest passage, which takes memory.
   const Planner plain(world, vehicle, backend_of(world, queries, planner.visibility_graph()),
-                      {.radii = {vehicle.min_turning_radius()}, .manoeuvre_poses = 0, .gap_circles = false});
+                      {.radii = {vehicle.min_turning_radius()}, .maneuver_poses = 0, .gap_circles = false});
   std::erase_if(requests, [&](const PlanRequest& request) { return !plain.plan(request).solved(); });
   ASSERT_GT(requests.size(), c.queries / 2);
 
@@ -54,15 +54,15 @@ TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
   // Where memory goes back and forth between two places, both have grown only after a few times.
   for (int round = 0; round < 4; ++round)
     for (const PlanRequest& request : requests) planner.plan(request, limits, result);
-  std::uint64_t manoeuvres = 0;
+  std::uint64_t maneuvers = 0;
   for (const PlanRequest& request : requests) {
     const std::uint64_t before = bench::heap_use().allocations;
     planner.plan(request, limits, result);
     EXPECT_EQ(bench::heap_use().allocations, before) << "query " << &request - requests.data();
     EXPECT_TRUE(result.solved());
-    manoeuvres += result.statistics.manoeuvre_poses;
+    maneuvers += result.statistics.maneuver_poses;
   }
-  EXPECT_GT(manoeuvres, 0U);  // they have memory of their own
+  EXPECT_GT(maneuvers, 0U);  // they have memory of their own
 }
 
 // What a planner's first query asks for, most of it memory of the search.

@@ -21,7 +21,7 @@ using test::expect_same_plan;
 using test::expect_valid;
 using test::StoppingQueries;
 
-// Questions that follow a stop: of one round of a loop, that is of one manoeuvre pose or gear motion, of the complete
+// Questions that follow a stop: of one round of a loop, that is of one maneuver pose or gear motion, of the complete
 // paths that are left on the open list, or of one change of a path.
 constexpr std::size_t kMostAfterStop = 250;
 constexpr std::size_t kStops = 40;  // tried in each case, over the whole query
@@ -55,12 +55,12 @@ std::vector<Case> cases() {
   // The goal lies in a box with a wall around it.
   const Polygon cell{{{20, 20}, {40, 20}, {40, 40}, {20, 40}}, {{{24, 24}, {24, 36}, {36, 36}, {36, 24}}}};
   all.push_back({"no passage", room({cell}, 60, 60), Vehicle{}, {{5, 5, 0}, {30, 30, 0}}, PlanStatus::kNoPassage});
-  // A pocket that is left backwards only.
-  const Polygon pocket{{{20, 20}, {32, 20}, {32, 21}, {21, 21}, {21, 23}, {32, 23}, {32, 24}, {20, 24}}, {}};
+  // A dead end that is left backwards only.
+  const Polygon u_shape{{{20, 20}, {32, 20}, {32, 21}, {21, 21}, {21, 23}, {32, 23}, {32, 24}, {20, 24}}, {}};
   all.push_back(
-      {"dead end", room({pocket}, 60, 60), Vehicle{}, {{22.5, 22, kPi}, {5, 5, 0}}, PlanStatus::kStartBlocked});
-  all.push_back({"pocket, both gears",
-                 room({pocket}, 60, 60),
+      {"dead end", room({u_shape}, 60, 60), Vehicle{}, {{22.5, 22, kPi}, {5, 5, 0}}, PlanStatus::kStartBlocked});
+  all.push_back({"dead end, both gears",
+                 room({u_shape}, 60, 60),
                  Vehicle{},
                  {.start = {22.5, 22, kPi}, .goal = {5, 5, 0}, .reverse = true},
                  kSolved});
@@ -99,7 +99,7 @@ TEST(Limits, AQueryEndsSoonAfterAStopWhereverThatComes) {
         if (result.solved()) {
           expect_valid(planner, result, c.request.reverse);
         } else if (result.interrupted) {
-          EXPECT_EQ(result.status, PlanStatus::kCancelled);
+          EXPECT_EQ(result.status, PlanStatus::kCanceled);
         }
       });
     }

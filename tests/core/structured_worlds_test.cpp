@@ -9,7 +9,7 @@
 namespace arcway::internal {
 namespace {
 
-// Random poses may stand in a pocket that cannot be left forwards: not all of the queries have a path.
+// Random poses may stand in a dead end that cannot be left forwards: not all of the queries have a path.
 struct Case {
   const char* world;
   std::size_t solved;  // of 20 queries, at least

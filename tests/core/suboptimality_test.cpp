@@ -19,7 +19,7 @@ namespace {
 PlannerOptions graph_alone(double suboptimality) {
   PlannerOptions options;
   options.suboptimality = suboptimality;
-  options.manoeuvre_poses = 0;
+  options.maneuver_poses = 0;
   options.gap_circles = false;
   options.refinement.max_trials = 0;
   return options;

@@ -127,7 +127,7 @@ TEST(Symmetry, ReducedGraphsAreThoseOfTheMovedMap) {
 
 // Nothing but the graph's fastest path: what is tried beside it goes by grids.
 TEST(Symmetry, PlansTakeAsLongOnTheMovedMap) {
-  const PlannerOptions options{.manoeuvre_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}};
+  const PlannerOptions options{.maneuver_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}};
   VehicleParameters gentle;
   gentle.turn_speed = LateralAccelerationLimit{2.0};
   gentle.max_acceleration = 2.0;

@@ -10,7 +10,7 @@ int main() {
   const arcway::World world({{{{8, -4}, {12, -4}, {12, 4}, {8, 4}}, {}}});
   const arcway::Planner planner(world, arcway::Vehicle{});
   const arcway::Tour tour = arcway::plan_tour(
-      planner, {.start = {0, 0, 0}, .via = {{{10, 8}}}, .goals = {{{20, 0}, 0.0}, {{20, 30}, arcway::kPi / 2}}});
+      planner, {.start = {0, 0, 0}, .waypoints = {{{10, 8}}}, .goals = {{{20, 0}, 0.0}, {{20, 30}, arcway::kPi / 2}}});
   std::cout << "goal " << tour.goal << " after " << tour.plan.travel_time << " s\n";
   const std::vector<arcway::PlanResult> ways =
       arcway::plan_alternatives(planner, {.start = {0, 0, 0}, .goal = {20, 0, 0}}, 2);

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "arcway/feasible_tables.h"
+#include "arcway/feasible_graph_snapshot.h"
 #include "core/roadmap/feasible_graph.h"
 
 namespace arcway::internal::test {
@@ -17,7 +17,7 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 
 /// Two eager graphs, bit for bit.
 inline void expect_same(const FeasibleGraph& a, const FeasibleGraph& b) {
-  const FeasibleTables x = a.tables(), y = b.tables();
+  const FeasibleGraphSnapshot x = a.snapshot(), y = b.snapshot();
   EXPECT_TRUE(same_bytes(x.interval_starts, y.interval_starts));
   EXPECT_TRUE(same_bytes(x.intervals, y.intervals));
   EXPECT_TRUE(same_bytes(x.link_starts, y.link_starts));

@@ -12,7 +12,7 @@
 namespace arcway {
 
 /// Up to `count` plans that take different ways, the cheapest first: any two pass at least one obstacle on different
-/// sides, see same_way. That of Planner::plan is one of them: the first, unless another way turns out to be cheaper;
+/// sides, see same_route. That of Planner::plan is one of them: the first, unless another way turns out to be cheaper;
 /// the only one without a path.
 ///
 /// Further ones come from plans that may not use some of the passages of those before: in a passage of a path, where
@@ -28,6 +28,6 @@ ARCWAY_API std::vector<PlanResult> plan_alternatives(const Planner& planner, con
 
 /// Whether two paths with the same ends pass every obstacle on the same side: the reference point, there by one and
 /// back by the other, winds round none. Neither may touch an obstacle. O(segments * obstacles).
-ARCWAY_API bool same_way(std::span<const PathSegment> a, std::span<const PathSegment> b, const World& world);
+ARCWAY_API bool same_route(std::span<const PathSegment> a, std::span<const PathSegment> b, const World& world);
 
 }  // namespace arcway

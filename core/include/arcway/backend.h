@@ -22,7 +22,7 @@ namespace arcway {
 class ARCWAY_API Backend {
  public:
   using Graph = std::shared_ptr<const VisibilityGraph>;
-  /// How the parts are made, from what the backend has: each when a planner first needs it. All throw Cancelled if the
+  /// How the parts are made, from what the backend has: each when a planner first needs it. All throw Canceled if the
   /// executor's clock is over.
   struct Parts {
     std::function<QuerySet(const Backend&)> queries;

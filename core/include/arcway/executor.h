@@ -43,19 +43,19 @@ class ARCWAY_API SerialExecutor final : public Executor {
 /// For whoever keeps a reference for longer than a call.
 inline const SerialExecutor kSerialExecutor;
 
-/// Thrown by work that was cancelled.
-class ARCWAY_API Cancelled : public std::runtime_error {
+/// Thrown by work that was canceled.
+class ARCWAY_API Canceled : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Ends a serial part of a build that has to end. @throws Cancelled
+/// Ends a serial part of a build that has to end. @throws Canceled
 inline void end_if_over(const Executor& executor) {
-  if (executor.clock().is_over()) throw Cancelled("cancelled");
+  if (executor.clock().is_over()) throw Canceled("canceled");
 }
 /// The same in a loop of short rounds.
 inline void end_if_over(StopTicker& ticker) {
-  if (ticker.is_over()) throw Cancelled("cancelled");
+  if (ticker.is_over()) throw Canceled("canceled");
 }
 
 /// Calls two functions that do not depend on each other, at the same time if the executor can.
@@ -81,7 +81,7 @@ class ARCWAY_API StoppableExecutor final : public Executor {
 
   void begin_stage(const char* name) const override { executor_.begin_stage(name); }
   [[nodiscard]] StopClock clock() const override { return clock_.first_of(executor_.clock()); }
-  /// @throws Cancelled once its own clock is over, when all pieces under way have ended.
+  /// @throws Canceled once its own clock is over, when all pieces under way have ended.
   void for_ranges(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) const override {
     using Clock = StopClock::Clock;
@@ -89,7 +89,7 @@ class ARCWAY_API StoppableExecutor final : public Executor {
     executor_.for_ranges(count, grain, [&](std::size_t begin, std::size_t end) {
       std::size_t piece = least;
       for (std::size_t first = begin; first < end;) {
-        if (clock_.is_over()) throw Cancelled("cancelled");
+        if (clock_.is_over()) throw Canceled("canceled");
         const auto piece_begin = Clock::now();
         const std::size_t last = first + std::min(piece, end - first);
         body(first, last);

@@ -23,7 +23,7 @@ struct ARCWAY_API BatchOptions {
 ///
 ///     const std::vector<PlanResult> plans = plan_batch(planner, requests, TbbExecutor());
 ///
-/// Once a stop is requested, searches end as PlanLimits says, and queries not begun have the status kCancelled.
+/// Once a stop is requested, searches end as PlanLimits says, and queries not begun have the status kCanceled.
 /// @throws std::invalid_argument as Planner::plan does, naming the first request at fault, when all others are done.
 ARCWAY_API std::vector<PlanResult> plan_batch(const Planner& planner, std::span<const PlanRequest> requests,
                                               const Executor& executor, const BatchOptions& options = {});

@@ -52,19 +52,19 @@ struct PlannerOptions {
   /// If there are wider ones than those of tightest_radii, a path with these alone is looked for as well, and the
   /// faster one is taken, so that wider turns hardly ever make a plan slower; so are some others.
   std::vector<double> radii = {};
-  /// Poses tried from start and goal by short manoeuvres of several arcs when single arcs reach no graph; four times as
-  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no manoeuvres, and
-  /// none of the trees of PlanLimits. At most kMostManoeuvrePoses; some 300 bytes each, and beside that 65,536
+  /// Poses tried from start and goal by short maneuvers of several arcs when single arcs reach no graph; four times as
+  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no maneuvers, and
+  /// none of the trees of PlanLimits. At most kMostManeuverPoses; some 300 bytes each, and beside that 65,536
   /// straights to the graph at each end, or half as many as vertices where those are more, of some 60 bytes.
-  std::uint32_t manoeuvre_poses = 400;
-  static constexpr std::uint32_t kMostManoeuvrePoses = 1'000'000;
+  std::uint32_t maneuver_poses = 400;
+  static constexpr std::uint32_t kMostManeuverPoses = 1'000'000;
   /// Where single arcs find no path, or the plan may be 5 % slower than the best one (10 % without refinement, or with
   /// several radii), the graph with more circles in narrow places is searched as well: see find_gap_circles. It is made
   /// when the first query needs it, or by Planner::warm_up. On maps of at most 50,000 vertices: beyond that a query
   /// without a path would take seconds.
   bool gap_circles = true;
   /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
-  bool point_robot_bound = true;
+  bool point_robot_lower_bound = true;
   /// Of each path found; `max_trials = 0` turns it off. With wider radii than the tightest there are up to some
   /// fifty times as many in all.
   RefineOptions refinement = {};
@@ -93,7 +93,7 @@ struct ARCWAY_API PlanLimits {
   /// run.
   bool prefetch = false;
   /// Poses that trees of forward motions grow, in all, where nothing else finds a path, see search_trees; none with
-  /// PlannerOptions::manoeuvre_poses = 0. A twentieth to some tenths of a millisecond each; fewer where very many edges
+  /// PlannerOptions::maneuver_poses = 0. A twentieth to some tenths of a millisecond each; fewer where very many edges
   /// are near. 0: no trees.
   std::uint32_t tree_poses = 16'000;
 };
@@ -114,7 +114,7 @@ enum class PlanStatus {
   kNoPassage,              ///< proved: no passage is wide enough for the body, whichever way it is driven
   kNoPath,                 ///< nothing that was tried joins start and goal
   kTimeLimit,              ///< the time limit ended the search before it found a path
-  kCancelled               ///< the stop token did
+  kCanceled                ///< the stop token did
 };
 /// "solved", "start in collision", ...
 ARCWAY_API const char* name_of(PlanStatus status);
@@ -140,7 +140,7 @@ struct ARCWAY_API PlanStatistics {
   std::uint64_t nodes_pushed = 0;         ///< arrivals put on it
   std::uint64_t straights_checked = 0;    ///< swept rectangles of starts and goals decided
   std::uint64_t turns_checked = 0;        ///< heading sets of starts and goals computed
-  std::uint64_t manoeuvre_poses = 0;      ///< poses of start and goal manoeuvres tried
+  std::uint64_t maneuver_poses = 0;       ///< poses of start and goal maneuvers tried
   std::uint64_t tree_poses = 0;           ///< those of trees of forward motions
   std::uint64_t refine_trials = 0;        ///< paths that refinement tried
   std::uint64_t refine_improvements = 0;  ///< those of them that it took
@@ -150,8 +150,8 @@ struct ARCWAY_API PlanStatistics {
   double suboptimality = 0.0;             ///< that the searches were allowed: PlannerOptions::suboptimality
   double search_seconds = 0.0;
   double refine_seconds = 0.0;
-  double bound_seconds = 0.0;    ///< lower bound
-  double profile_seconds = 0.0;  ///< speed profile and clearance
+  double lower_bound_seconds = 0.0;  ///< lower bound
+  double profile_seconds = 0.0;      ///< speed profile and clearance
   double total_seconds = 0.0;
 
   /// Adds the counters and the stages' times of another query; travel times and total_seconds stay, and of both
@@ -171,13 +171,14 @@ struct ARCWAY_API PlanResult {
   double travel_time = 0.0;  ///< [s]
   double length = 0.0;       ///< [m]
   Path first_path;           ///< the first one found, as free, before refinement; none for tours
-  /// No path can take less [s]: travel_time_bound with the length of the straight line; if solved, `point_robot_bound`
-  /// is set and the body covers the reference point, with that of a point's shortest path among the obstacles.
+  /// No path can take less [s]: travel_time_lower_bound with the length of the straight line; if solved,
+  /// `point_robot_lower_bound` is set and the body covers the reference point, with that of a point's shortest path
+  /// among the obstacles.
   double lower_bound = 0.0;
   double min_clearance = 0.0;  ///< of the bare body along the path [m]; infinity in a world without obstacles
   /// The time was over before the clearance of the whole path was measured: `min_clearance` is what the checks of the
   /// path prove, half of the safety margin, or less where less was measured; it belongs to no segment.
-  bool clearance_is_bound = false;
+  bool clearance_is_lower_bound = false;
   PathSegment clearance_segment;  ///< the segment where that is
   std::size_t clearance_index = 0;
   /// Unless solved: the narrowest place of the widest way from start to goal. Nothing if that is wide enough for the
@@ -214,7 +215,7 @@ class ARCWAY_API Planner {
   /// By brute force, see reference_backend.
   Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options = {});
   /// @param backend  of `world`. Its executor is used during construction only: a StoppableExecutor makes that
-  ///   cancellable, a ReportingExecutor tells how far it is.
+  ///   cancelable, a ReportingExecutor tells how far it is.
   /// @throws std::invalid_argument if an option is out of its range, the backend is of another world, or the safety
   /// margin is too small. It is, below 2^20 units in the last place of the largest of the map's coordinates, the body
   /// and its smallest turning radius.
@@ -222,7 +223,7 @@ class ARCWAY_API Planner {
 
   /// From all graphs of another planner for an equal map and vehicle: nothing is checked again. The options' radii and
   /// mode are those of the graphs, whatever they say.
-  /// @throws TableError if the graphs are not of this map, as far as ranges and order tell.
+  /// @throws SnapshotError if the graphs are not of this map, as far as ranges and order tell.
   static Planner restored(const World& world, const Vehicle& vehicle, const Backend& backend, PreparedGraph graphs,
                           const PlannerOptions& options = {});
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "arcway/feasible_tables.h"
+#include "arcway/feasible_graph_snapshot.h"
 #include "arcway/visibility_graph.h"
 
 namespace arcway {
@@ -11,7 +11,7 @@ namespace arcway {
 struct PreparedGraph {
   VisibilityGraph reduced_graph;
   std::vector<double> radii;  ///< of the turn circles [m]
-  FeasibleTables feasible;
+  FeasibleGraphSnapshot feasible;
 };
 
 }  // namespace arcway

@@ -69,8 +69,8 @@ class ARCWAY_API StopClock {
   std::shared_ptr<const StopClock> beside_;  // may be null: another stop, where there are two
 };
 
-/// Asks a clock once in kEvery rounds of a loop: below a nanosecond a round. For rounds of at most some microseconds.
-/// For one thread.
+/// Asks a clock once in kEvery iterations of a loop: below a nanosecond a round. For rounds of at most some
+/// microseconds. For one thread.
 class ARCWAY_API StopTicker {
  public:
   static constexpr int kEvery = 64;

@@ -19,10 +19,10 @@ struct Place {
 
 struct TourRequest {
   Pose start;
-  std::vector<Place> via = {};  ///< passed in this order, without a stop
-  std::vector<Place> goals;     ///< to one of them, whichever is reached first; at least one
-  bool reverse = false;         ///< as in PlanRequest
-  double cusp_cost = 0.0;       ///< as in PlanRequest [s]
+  std::vector<Place> waypoints = {};  ///< passed in this order, without a stop
+  std::vector<Place> goals;           ///< to one of them, whichever is reached first; at least one
+  bool reverse = false;               ///< as in PlanRequest
+  double cusp_cost = 0.0;             ///< as in PlanRequest [s]
   /// As in PlanRequest, of each leg; at each waypoint there may be one more.
   std::optional<std::uint32_t> max_gear_changes = std::nullopt;
 };

@@ -91,12 +91,12 @@ class ARCWAY_API Vehicle {
   [[nodiscard]] Vehicle with_gears_swapped() const;
 
   /// (6): whether a passage of this width lets the vehicle go straight, D_min > 2b.
-  [[nodiscard]] bool fits_straight(double passage_width) const;
+  [[nodiscard]] bool fits_straight(double gap_width) const;
   /// (7): whether a passage of this width lets it turn with this radius, D_min > w_s(radius).
-  [[nodiscard]] bool fits_turn(double passage_width, double radius) const;
+  [[nodiscard]] bool fits_turn(double gap_width, double radius) const;
   /// (7) solved: the smallest radius >= min_turning_radius beyond which every radius fits a passage of this width;
   /// nothing if none does, (6). Closed form, to a few units in the last place.
-  [[nodiscard]] std::optional<double> smallest_fitting_radius(double passage_width) const;
+  [[nodiscard]] std::optional<double> smallest_fitting_radius(double gap_width) const;
 
   /// Whether all parameters are the same.
   friend bool operator==(const Vehicle&, const Vehicle&) = default;

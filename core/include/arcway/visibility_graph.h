@@ -18,7 +18,7 @@ class ARCWAY_API VisibilityGraph {
  public:
   VisibilityGraph() = default;
   /// @param row_starts  vertex count + 1 offsets into `targets`; targets of row u are > u and ascending.
-  /// @throws TableError (std::invalid_argument) naming the first entry that breaks this.
+  /// @throws SnapshotError (std::invalid_argument) naming the first entry that breaks this.
   VisibilityGraph(std::vector<std::uint64_t> row_starts, std::vector<VertexId> targets);
 
   [[nodiscard]] std::size_t vertex_count() const { return row_starts_.empty() ? 0 : row_starts_.size() - 1; }

@@ -34,7 +34,7 @@ class ARCWAY_API VisibilityRows {
 };
 
 /// The rows of a graph of `world` that is all there: 8 bytes an edge and 8 a vertex, copied.
-/// @throws TableError (std::invalid_argument) if the graph has another number of vertices than the world, or an edge
+/// @throws SnapshotError (std::invalid_argument) if the graph has another number of vertices than the world, or an edge
 ///   to one that is not convex and free (World::is_graph_vertex).
 ARCWAY_API std::shared_ptr<const VisibilityRows> rows_of(const World& world, const VisibilityGraph& graph);
 

@@ -10,7 +10,7 @@
 
 #include "arcway/export.h"
 #include "arcway/polygon.h"
-#include "arcway/tables.h"
+#include "arcway/snapshot.h"
 #include "arcway/vec2.h"
 
 namespace arcway {
@@ -66,11 +66,11 @@ class ARCWAY_API World {
   /// Memory about 120 bytes a vertex; where boxes nest or overlap all over, up to 250 while it is made.
   explicit World(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt);
 
-  /// The world that `tables()` of another one are of, in O(n) and without the checks and searches that took the other
-  /// one longest: whether rings cross, and which vertices are covered, is taken from the tables.
-  /// @throws TableError if the tables are those of no world: a value out of range or order.
-  static World from_tables(WorldTables tables);
-  [[nodiscard]] WorldTables tables() const;
+  /// The world that `snapshot()` of another one are of, in O(n) and without the checks and searches that took the other
+  /// one longest: whether rings cross, and which vertices are covered, is taken from the snapshot.
+  /// @throws SnapshotError if the snapshot is that of no world: a value out of range or order.
+  static World from_snapshot(WorldSnapshot snapshot);
+  [[nodiscard]] WorldSnapshot snapshot() const;
 
   /// The world without some of the obstacles and with others after its last one. Those that stay keep their order.
   /// Checks what is new, and looks again at what is covered near what changed: O(n + m log m) for m vertices that come

@@ -48,7 +48,7 @@ TEST(AccelBackend, EndsWhenItsExecutorsClockIsOver) {
   const World world = catalog_world("clutter/convex/n1000/m10/f15/s1");
   const TbbExecutor threads;
   const StoppableExecutor over(threads, StopClock(0.0));
-  EXPECT_THROW(Planner(world, Vehicle{}, accel_backend(world, over)), Cancelled);
+  EXPECT_THROW(Planner(world, Vehicle{}, accel_backend(world, over)), Canceled);
 }
 
 }  // namespace

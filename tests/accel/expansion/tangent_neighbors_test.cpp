@@ -77,7 +77,7 @@ TEST(TangentNeighbors, AskForTheTimeBeforeEachWalkOfASample) {
   const TangentNeighbors neighbors(box, patient);
   EXPECT_GE(patient.asked(), kWalks);
   const EndingExecutor ending(patient.asked() - kWalks / 2);
-  EXPECT_THROW(TangentNeighbors(box, ending), Cancelled);
+  EXPECT_THROW(TangentNeighbors(box, ending), Canceled);
   EXPECT_EQ(ending.asked(), patient.asked() - kWalks / 2);
 }
 

@@ -116,7 +116,7 @@ TEST(PairwiseGraph, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(PairwiseGraph, CanBeCancelled) {
+TEST(PairwiseGraph, CanBeCanceled) {
   const World world = random_world({.obstacles = 100, .seed = 2});
   const QuerySet queries = make_embree_queries(world);
   const TbbExecutor threads(2);
@@ -124,7 +124,7 @@ TEST(PairwiseGraph, CanBeCancelled) {
   const StoppableExecutor executor(threads, stop.get_token());
   EXPECT_GT(build_pairwise_visibility_graph(world, *queries.visibility, executor).edge_count(), 0u);
   stop.request_stop();
-  EXPECT_THROW(build_pairwise_visibility_graph(world, *queries.visibility, executor), Cancelled);
+  EXPECT_THROW(build_pairwise_visibility_graph(world, *queries.visibility, executor), Canceled);
 }
 
 }  // namespace

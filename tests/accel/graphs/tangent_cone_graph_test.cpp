@@ -235,7 +235,7 @@ TEST(TangentConeGraph, LongFansEndAtTheirClock) {
   test::Random random(7);
   const FreeSpaceTriangulation triangulation(World({{saw(random, 200, 400.0, 50.0, false), {}}}));
   EXPECT_FALSE(LongFans(triangulation, 32).empty());
-  EXPECT_THROW((void)LongFans(triangulation, 32, StopClock(0.0)), Cancelled);
+  EXPECT_THROW((void)LongFans(triangulation, 32, StopClock(0.0)), Canceled);
 }
 
 // Needles side by side, each with a vertex on the next one's long edge. The boxes of all edges overlap, so contacts are
@@ -359,7 +359,7 @@ TEST(TangentConeGraph, NamesItsStagesAndStopsAtEachOfThem) {
       if (stages.empty() || stages.back() != progress.stage) stages.emplace_back(progress.stage);
       if (progress.stage == all[end]) stop.request_stop();
     });
-    EXPECT_THROW((void)build_reduced_visibility_graph_by_tangent_cones(world, executor), Cancelled);
+    EXPECT_THROW((void)build_reduced_visibility_graph_by_tangent_cones(world, executor), Canceled);
     EXPECT_EQ(stages, std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(end) + 1));
   }
 }

@@ -31,9 +31,9 @@ TEST(CirclePlaces, HoldEachCircleOnce) {
   const auto outlines = std::make_shared<const Outlines>(world);
   AddedCircles added;
   for (const VertexId v : world.convex_vertices())
-    added.round.push_back(turn_circle(world, v, 20.0, Side::kLeft, vehicle.footprint()));
-  const TurnCircle of_gate = added.round[0];
-  added.gates.push_back({{of_gate}, {of_gate}});
+    added.around_vertices.push_back(turn_circle(world, v, 20.0, Side::kLeft, vehicle.footprint()));
+  const TurnCircle of_gap_straight = added.around_vertices[0];
+  added.gap_straights.push_back({{of_gap_straight}, {of_gap_straight}});
   for (const TurnCircles& circles : {base, TurnCircles(base, added)}) {
     const CirclePlaces places(circles, outlines);
     std::vector<std::uint32_t> found;

@@ -118,9 +118,9 @@ TEST(NarrowPlaces, LeadRoundACornerAsNarrowAsItCanBe) {
     const double second = swept.outer - swept.inner * std::sin(angle) + 1e-3;
     const World world({test::box(first, -20, 20, 0)}, Ring{{0, -20.5}, {20.5, -20.5}, {20.5, second}, {0, second}});
     const PlanRequest request{.start = {0.5 * first, -15, 0.5 * kPi}, .goal = {15, 0.5 * second, 0.0}};
-    // By circles alone: without manoeuvres.
-    const Planner with(world, Vehicle(), {.manoeuvre_poses = 0});
-    const Planner without(world, Vehicle(), {.manoeuvre_poses = 0, .gap_circles = false});
+    // By circles alone: without maneuvers.
+    const Planner with(world, Vehicle(), {.maneuver_poses = 0});
+    const Planner without(world, Vehicle(), {.maneuver_poses = 0, .gap_circles = false});
     const PlanResult result = with.plan(request);
     EXPECT_EQ(without.plan(request).solved(), angle == 0.25 * kPi);
     if (result.solved()) test::expect_valid(with, result);
@@ -129,10 +129,10 @@ TEST(NarrowPlaces, LeadRoundACornerAsNarrowAsItCanBe) {
   }
 }
 
-TEST(NarrowPlaces, AreReachedByManoeuvres) {
+TEST(NarrowPlaces, AreReachedByManeuvers) {
   // Beside the door, too near for an arc from the start and one onto the door's line.
   Rooms near = rooms(0.9, 1.0, {10.0});
-  const Planner planner(near.world, Vehicle()), single(near.world, Vehicle(), {.manoeuvre_poses = 0});
+  const Planner planner(near.world, Vehicle()), single(near.world, Vehicle(), {.maneuver_poses = 0});
   for (const Pose& start : {Pose{8.0, 9.0, 0.5 * kPi}, Pose{8.0, 8.0, 0.25 * kPi}, Pose{7.5, 12.0, -0.5 * kPi}}) {
     near.request.start = start;
     EXPECT_FALSE(single.plan(near.request).solved());

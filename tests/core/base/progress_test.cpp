@@ -87,7 +87,7 @@ TEST(Progress, AReporterCanStopTheBuildThatItWatches) {
     last = progress.stage;
     if (last == "turn circles") stop.request_stop();
   });
-  EXPECT_THROW(Planner(world, Vehicle{}, backend_of(world, make_reference_queries(world), executor)), Cancelled);
+  EXPECT_THROW(Planner(world, Vehicle{}, backend_of(world, make_reference_queries(world), executor)), Canceled);
   EXPECT_EQ(last, "turn circles");
 }
 

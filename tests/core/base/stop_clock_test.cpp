@@ -82,10 +82,10 @@ TEST(StoppableExecutor, EndsAtItsClock) {
     done += end - begin;
     stop.request_stop();
   };
-  EXPECT_THROW(executor.for_ranges(1000000, 16, stop_at_once), Cancelled);
+  EXPECT_THROW(executor.for_ranges(1000000, 16, stop_at_once), Canceled);
   EXPECT_EQ(done, 16u);  // a single piece of one grain
   EXPECT_TRUE(executor.clock().is_over());
-  EXPECT_THROW(end_if_over(executor), Cancelled);
+  EXPECT_THROW(end_if_over(executor), Canceled);
 }
 
 TEST(StoppableExecutor, HearsTheClockOfTheOneInside) {
@@ -96,7 +96,7 @@ TEST(StoppableExecutor, HearsTheClockOfTheOneInside) {
   EXPECT_FALSE(outer.clock().is_over());
   inner_stop.request_stop();
   EXPECT_TRUE(outer.clock().is_over());
-  EXPECT_THROW(end_if_over(outer), Cancelled);
+  EXPECT_THROW(end_if_over(outer), Canceled);
   const StoppableExecutor late(serial, StopClock(0.0));
   EXPECT_LE(StoppableExecutor(late, StopClock(1e9)).clock().seconds_left(), 0.0);
 }
@@ -116,7 +116,7 @@ TEST(StoppableExecutor, CoversAllOnceInGrowingPieces) {
 
 TEST(LateValue, IsMadeOnceAndNotAtAllWhereThatWasEnded) {
   const LateValue<int> value;
-  EXPECT_EQ(value.get(StopClock(), []() -> int { throw Cancelled("cancelled"); }), nullptr);
+  EXPECT_EQ(value.get(StopClock(), []() -> int { throw Canceled("canceled"); }), nullptr);
   int made = 0;
   const auto make = [&] { return ++made; };
   const int* first = value.get(StopClock(), make);

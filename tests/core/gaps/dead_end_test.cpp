@@ -57,27 +57,27 @@ TEST(DeadEnd, SmallerBoxesProveMore) {
   EXPECT_TRUE(proved({.halvings = 2, .max_checks = 100'000}));
   const PlanResult plan = Planner(world, vehicle).plan({.start = {0, 0, 0}, .goal = kFarGoal});
   EXPECT_EQ(plan.certainty, Certainty::kProved) << plan.reason;
-  EXPECT_GT(plan.statistics.manoeuvre_poses, 0u);
+  EXPECT_GT(plan.statistics.maneuver_poses, 0u);
   EXPECT_EQ(plan.statistics.tree_poses, 0u);
 }
 
 // A step of the proof would leave all that is near: no proof, at once.
 TEST(DeadEnd, IsNotLookedForByVehiclesThatTurnVeryWide) {
-  const World pocket({box(-5, 1, 5, 2), box(-5, -2, 5, -1), box(2, -2, 3, 2)});
+  const World blocked_lane({box(-5, 1, 5, 2), box(-5, -2, 5, -1), box(2, -2, 3, 2)});
   for (const double radius : {30.0, 650.0, 2e4, 1e6}) {
     VehicleParameters parameters;
     parameters.max_steering_angle = std::atan(parameters.wheelbase / radius);
-    EXPECT_FALSE(dead_end(pocket, Vehicle(parameters), {0, 0, 0.25 * kPi}, kFarGoal)) << radius;
+    EXPECT_FALSE(dead_end(blocked_lane, Vehicle(parameters), {0, 0, 0.25 * kPi}, kFarGoal)) << radius;
   }
 }
 
 // Nor by those that turn on the spot: a step of the proof is as long as a box at least, and would be many turns.
 TEST(DeadEnd, IsNotLookedForByVehiclesThatTurnOnTheSpot) {
-  const World pocket({box(-5, 1, 5, 2), box(-5, -2, 5, -1), box(2, -2, 3, 2)});
+  const World blocked_lane({box(-5, 1, 5, 2), box(-5, -2, 5, -1), box(2, -2, 3, 2)});
   for (const double radius : {1e-3, 1e-6, 1e-9}) {
     VehicleParameters parameters;
     parameters.max_steering_angle = std::atan(parameters.wheelbase / radius);
-    EXPECT_FALSE(dead_end(pocket, Vehicle(parameters), {0, 0, 0.25 * kPi}, kFarGoal)) << radius;
+    EXPECT_FALSE(dead_end(blocked_lane, Vehicle(parameters), {0, 0, 0.25 * kPi}, kFarGoal)) << radius;
   }
 }
 
@@ -145,7 +145,7 @@ TEST(DeadEnd, IsTheReasonThatAPlanGives) {
   const PlanResult plan = planner.plan({.start = {0, 0, 0}, .goal = kFarGoal});
   EXPECT_EQ(plan.status, PlanStatus::kStartBlocked);
   EXPECT_NE(plan.reason.find("is a dead end: every forward motion from it"), std::string::npos) << plan.reason;
-  EXPECT_EQ(plan.statistics.manoeuvre_poses, 0u);
+  EXPECT_EQ(plan.statistics.maneuver_poses, 0u);
   EXPECT_TRUE(planner.plan({.start = {0, 0, 0}, .goal = kFarGoal, .reverse = true}).solved());
   const PlanResult back = planner.plan({.start = {-30, 0, kPi}, .goal = {1.0, 0, kPi}});
   EXPECT_EQ(back.status, PlanStatus::kGoalBlocked) << back.reason;

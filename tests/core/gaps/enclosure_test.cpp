@@ -49,7 +49,7 @@ TEST(Enclosure, IsKnownBeforeAWayOutIsLookedFor) {
   const PlanResult plan = planner.plan({.start = {2, 0.5, 0}, .goal = {9.5, 15, kPi / 2.0}, .reverse = true});
   EXPECT_EQ(plan.status, PlanStatus::kNoPassage);
   EXPECT_NE(plan.reason.find("however the body is moved"), std::string::npos) << plan.reason;
-  EXPECT_LT(plan.statistics.manoeuvre_poses, 2000u);
+  EXPECT_LT(plan.statistics.maneuver_poses, 2000u);
 }
 
 // No part of a body that is far shorter than wide stays covered while it moves and turns in a large box.

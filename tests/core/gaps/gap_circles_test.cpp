@@ -27,7 +27,7 @@ AddedCircles circles_of(const World& world) {
   return find_gap_circles(world, VehicleGaps(world, kVehicle, kRadius).map(), kVehicle, kRadius);
 }
 
-// How far a path may turn on a circle that leaves a gate at a heading, or comes onto it.
+// How far a path may turn on a circle that leaves a gap straight at a heading, or comes onto it.
 double turn_at(const World& world, const TurnCircle& circle, double heading, bool exit) {
   const QuerySet queries = make_reference_queries(world);
   const HeadingSet free = queries.sweep->free_headings(
@@ -50,9 +50,9 @@ TEST(GapCircles, LeadThroughADoorThatIsTooNarrowToTurnIn) {
           if (c.side == side && heading == ahead) most = std::max(most, turn_at(world, c, heading, exit));
         }
       };
-      for (const Gate& gate : added.gates) {
-        widest(gate.exits, true, most_off);
-        widest(gate.entries, false, most_onto);
+      for (const GapStraight& straight : added.gap_straights) {
+        widest(straight.exits, true, most_off);
+        widest(straight.entries, false, most_onto);
       }
       EXPECT_GE(most_off, 0.5 * kPi);
       EXPECT_GE(most_onto, 0.5 * kPi);
@@ -65,8 +65,8 @@ TEST(GapCircles, HaveTheRadiusThatANarrowPlaceDemands) {
   ASSERT_LT(width, swept_annulus(kGrown, kRadius).width());
   const World world({test::box(-40, -41, 40, -40), {{{0, -40 + width}, {10, -20}, {-10, -20}}, {}}});
   const AddedCircles added = circles_of(world);
-  ASSERT_EQ(added.round.size(), 1u);
-  const TurnCircle& circle = added.round.front();
+  ASSERT_EQ(added.around_vertices.size(), 1u);
+  const TurnCircle& circle = added.around_vertices.front();
   EXPECT_GT(circle.radius, kRadius);
   const SweptAnnulus swept = swept_annulus(kGrown, circle.radius);
   EXPECT_LE(swept.width(), width);
@@ -81,8 +81,9 @@ TEST(GapCircles, TouchWhatTheirVertexFaces) {
   const double width = 0.5 * (swept.width() + swept.outer - swept.inner * std::sqrt(0.5));
   const World world({test::box(-40, -41, 40, -40), test::box(0, -40 + width, 30, 0)});
   const AddedCircles added = circles_of(world);
-  const auto touching = std::ranges::find_if(added.round, [](const TurnCircle& c) { return c.center.x() < 15.0; });
-  ASSERT_NE(touching, added.round.end());
+  const auto touching =
+      std::ranges::find_if(added.around_vertices, [](const TurnCircle& c) { return c.center.x() < 15.0; });
+  ASSERT_NE(touching, added.around_vertices.end());
   EXPECT_NEAR((touching->center - Vec2(0, -40 + width)).norm(), swept.inner, 1e-9);
   EXPECT_NEAR(touching->center.y() + 40.0, swept.outer, 1e-9);
   EXPECT_GT(touching->center.x(), 0.0);
@@ -91,21 +92,21 @@ TEST(GapCircles, TouchWhatTheirVertexFaces) {
 TEST(GapCircles, AreNotMadeWhereTheBodyDoesNotFitOrHasRoom) {
   for (const double width : {0.0, 0.5, 0.8, 2.0 * kGrown.half_width, 2.3}) {
     const AddedCircles added = circles_of(door(width, 1.0));
-    EXPECT_TRUE(added.round.empty()) << width;
-    EXPECT_TRUE(added.gates.empty()) << width;
+    EXPECT_TRUE(added.around_vertices.empty()) << width;
+    EXPECT_TRUE(added.gap_straights.empty()) << width;
   }
   const double most = swept_annulus(kGrown, kRadius).outer;
-  EXPECT_FALSE(circles_of(door(0.99 * most, 1.0)).gates.empty());
-  EXPECT_TRUE(circles_of(door(1.01 * most, 1.0)).gates.empty());
-  EXPECT_TRUE(circles_of(World({})).gates.empty());
+  EXPECT_FALSE(circles_of(door(0.99 * most, 1.0)).gap_straights.empty());
+  EXPECT_TRUE(circles_of(door(1.01 * most, 1.0)).gap_straights.empty());
+  EXPECT_TRUE(circles_of(World({})).gap_straights.empty());
 }
 
 TEST(GapCircles, KnowVerticesNearBy) {
   const AddedCircles added = circles_of(door(0.9, 30.0));
-  ASSERT_FALSE(added.gates.empty());
+  ASSERT_FALSE(added.gap_straights.empty());
   const World world = door(0.9, 30.0);
-  for (const Gate& gate : added.gates)
-    for (const auto& circles : {gate.entries, gate.exits})
+  for (const GapStraight& straight : added.gap_straights)
+    for (const auto& circles : {straight.entries, straight.exits})
       for (const TurnCircle& c : circles) {
         ASSERT_NE(c.vertex, kNone);
         EXPECT_LT((c.center - world.vertex(c.vertex)).norm(), 7.0);

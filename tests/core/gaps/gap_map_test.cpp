@@ -278,7 +278,7 @@ TEST(GapMap, LiesBetweenTheWidestWaysOfGrids) {
     test::Random random(seed);
     while (cells.size() < 8) {  // each with more room than most, so that what lies between is narrower
       int best = -1;
-      for (int tries = 0; tries < 60; ++tries) {
+      for (int trial = 0; trial < 60; ++trial) {
         const auto i = static_cast<int>(random.integer(0, kCells * kCells - 1));
         const bool free = regions.distance->containing(grid.center(i)) == kNone && world.box().contains(grid.center(i));
         if (free && (best < 0 || grid.clearance(i) > grid.clearance(best))) best = i;

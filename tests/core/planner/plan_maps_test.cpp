@@ -92,7 +92,7 @@ TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
 TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
   const std::vector<double>& radii = planner_.options().radii;
   const Roadmap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
-  const std::vector<Roadmap> maps = maps_of_other_ways(all, smallest, planner_.visibility_rows(), SerialExecutor());
+  const std::vector<Roadmap> maps = maps_of_other_routes(all, smallest, planner_.visibility_rows(), SerialExecutor());
   EXPECT_GT(maps.size(), 3u);
   SearchWorkspace workspace;
   int other = 0;
@@ -122,7 +122,7 @@ TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
     const PlanMaps all(lazy_map(planner_, {radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count)}), false);
     const PlanMaps smallest(lazy_map(planner_, {radii.front()}), false);
     const std::vector<Roadmap> more =
-        maps_of_other_ways(all.plain, smallest.plain, planner_.visibility_rows(), SerialExecutor());
+        maps_of_other_routes(all.plain, smallest.plain, planner_.visibility_rows(), SerialExecutor());
     std::vector<std::pair<std::vector<double>, double>> ways;
     const auto add = [&](const Roadmap& map) {
       const double limit = std::get<LateralAccelerationLimit>(map.vehicle.parameters().turn_speed).lateral_acceleration;
@@ -140,7 +140,7 @@ TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
 }
 
 TEST_P(SeveralRadii, WithoutRefinementTheGraphsFastestPathIsThePlan) {
-  const Planner plain = with_radii({}, {.manoeuvre_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}});
+  const Planner plain = with_radii({}, {.maneuver_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}});
   int solved = 0;
   for (const PlanRequest& request : requests_) {
     const PlanResult plan = plain.plan(request);

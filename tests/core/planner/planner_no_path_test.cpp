@@ -40,7 +40,7 @@ TEST(PlannerNoPath, ADoorTooNarrowIsNamed) {
     EXPECT_NEAR(plan.bottleneck->needed, 0.8 + vehicle.safety_margin(), 1e-5);
     EXPECT_NE(plan.reason.find("narrows to 0.75 m between obstacle 0 at (1"), std::string::npos) << plan.reason;
     EXPECT_NE(plan.reason.find("takes more than 0.801 m"), std::string::npos) << plan.reason;
-    EXPECT_EQ(plan.statistics.manoeuvre_poses, 0u);  // it did not take any to know
+    EXPECT_EQ(plan.statistics.maneuver_poses, 0u);  // it did not take any to know
     EXPECT_STREQ(name_of(plan.status), "no passage");
   }
   const Planner wide(rooms(1.5), vehicle);
@@ -101,7 +101,7 @@ TEST(PlannerNoPath, NoPathThatExistsIsDisproved) {
     SCOPED_TRACE(seed);
     const World world = random_world({.obstacles = 40, .vertices = 6, .fill = 0.5, .seed = seed});
     const Vehicle vehicle({.length = 3.0, .width = 1.8, .wheelbase = 2.0});
-    const Planner planner(world, vehicle, {.manoeuvre_poses = 100});
+    const Planner planner(world, vehicle, {.maneuver_poses = 100});
     const BottleneckFinder bottleneck(world, vehicle);
     for (const PlanRequest& request :
          random_queries(world, make_reference_queries(world), vehicle, {.count = 8, .min_distance = 0.2})) {
@@ -123,7 +123,7 @@ TEST(PlannerNoPath, NoPathThatExistsIsDisproved) {
 TEST(PlannerNoPath, AProofIsToldFromALimit) {
   const auto certainty = [](const World& world, const Pose& start, const Pose& goal) {
     const PlanResult plan =
-        Planner(world, Vehicle{}, {.manoeuvre_poses = 20}).plan({.start = start, .goal = goal}, {.tree_poses = 300});
+        Planner(world, Vehicle{}, {.maneuver_poses = 20}).plan({.start = start, .goal = goal}, {.tree_poses = 300});
     EXPECT_FALSE(plan.solved());
     return plan.certainty;
   };
@@ -139,7 +139,7 @@ TEST(PlannerNoPath, AProofIsToldFromALimit) {
 TEST(PlannerNoPath, ReasonsAreTheSameForLazyAndEagerGraphs) {
   const World hall({box(20, -0.3, 21, 0.3)}, box(-60, -1, 60, 1).outer);
   const auto reason = [&](GraphMode mode) {
-    const Planner planner(hall, Vehicle{}, {.graph_mode = mode, .manoeuvre_poses = 20});
+    const Planner planner(hall, Vehicle{}, {.graph_mode = mode, .maneuver_poses = 20});
     return planner.plan({.start = {-10, 0, 0}, .goal = {-15, 0, 0}}, {.tree_poses = 300}).reason;
   };
   EXPECT_FALSE(reason(GraphMode::kEager).empty());

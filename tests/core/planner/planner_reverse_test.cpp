@@ -195,7 +195,7 @@ TEST(PlannerReverse, EndsInTime) {
   const PlanRequest request{.start = {0, 0, 0}, .goal = {10, 0, 0}, .reverse = true};
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_EQ(planner.plan(request, {.stop = stop.get_token()}).status, PlanStatus::kCancelled);
+  EXPECT_EQ(planner.plan(request, {.stop = stop.get_token()}).status, PlanStatus::kCanceled);
   EXPECT_EQ(planner.plan(request, {.time = 0.0}).status, PlanStatus::kTimeLimit);
   const PlanResult all = planner.plan(request);
   EXPECT_FALSE(all.solved());

@@ -74,9 +74,9 @@ TEST(Planner, AGoalNextToNothingBehindTheStartTakesAWholeTurn) {
   }
 }
 
-// Three turns to one side, the middle one round nothing: a word that begins where a manoeuvre ends. The ways by the
+// Three turns to one side, the middle one round nothing: a word that begins where a maneuver ends. The ways by the
 // obstacle's vertices take 2.09 s.
-TEST(Planner, AManoeuvreLeadsToTheGoalByAWord) {
+TEST(Planner, AManeuverLeadsToTheGoalByAWord) {
   const World world({{{{18.783, 7.395}, {17.357, 7.183}, {17.444, 5.632}, {18.989, 4.853}}, {}}});
   const Planner planner(world,
                         Vehicle({.length = 1.887, .width = 0.62, .wheelbase = 1.334, .steering = Steering::kRear}));
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Clutters, PlannerInClutter,
                          testing::Combine(testing::Values(ClutterKind::kConvex, ClutterKind::kStar),
                                           testing::Values(0.15, 0.3, 0.45)));
 
-// Some of the queries need circles in narrow places, some manoeuvres.
+// Some of the queries need circles in narrow places, some maneuvers.
 TEST(Planner, WarmedUpPlansTheSame) {
   const World world = random_world({.obstacles = 100, .vertices = 6, .fill = 0.3, .seed = 3});
   for (const bool several_radii : {false, true}) {
@@ -221,7 +221,7 @@ TEST(Planner, DrivesThroughADoorWhoseWallsAreDivided) {
   for (const bool is_divided : {false, true}) {
     const World world = is_divided ? World({{divided(low), {}}, {divided(high), {}}}, divided(bounds))
                                    : World({{low, {}}, {high, {}}}, bounds);
-    const Planner planner(world, Vehicle{}, {.manoeuvre_poses = 0});
+    const Planner planner(world, Vehicle{}, {.maneuver_poses = 0});
     const PlanResult plan = planner.plan(request);
     ASSERT_TRUE(plan.solved()) << plan.reason;
     expect_valid(planner, plan);
@@ -237,7 +237,7 @@ TEST(Planner, HeuristicsAgreeWhereTheyMust) {
       generate_clutter({.kind = ClutterKind::kConvex, .obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 2});
   const World world(clutter.obstacles, clutter.bounds);
   // The graph's fastest, with nothing done to them.
-  PlannerOptions plain{.manoeuvre_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}};
+  PlannerOptions plain{.maneuver_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}};
   const Planner best(world, Vehicle{}, plain);
   plain.heuristic = Heuristic::kDijkstra;
   const Planner dijkstra(world, Vehicle{}, plain);
@@ -285,7 +285,7 @@ TEST(Planner, EndsASearchThatIsStopped) {
   EXPECT_TRUE(planner.plan(request, {.stop = stop.get_token()}).solved());
   stop.request_stop();
   const PlanResult result = planner.plan(request, {.stop = stop.get_token()});
-  EXPECT_EQ(result.status, PlanStatus::kCancelled);
+  EXPECT_EQ(result.status, PlanStatus::kCanceled);
   EXPECT_TRUE(result.interrupted);
 }
 
@@ -455,7 +455,7 @@ TEST(Planner, RefusesPosesAndOptionsThatCannotBe) {
   EXPECT_THROW((void)planner.plan({{NAN, 5, 0}, {8, 5, 0}}), std::invalid_argument);
   for (const double radius : {0.5, 1e9, 1e200, static_cast<double>(INFINITY), static_cast<double>(NAN)})
     EXPECT_THROW(Planner(walled(), Vehicle{}, {.radii = {2.0, radius}}), std::invalid_argument) << radius;
-  EXPECT_THROW(Planner(walled(), Vehicle{}, {.manoeuvre_poses = 4'000'000'000}), std::invalid_argument);
+  EXPECT_THROW(Planner(walled(), Vehicle{}, {.maneuver_poses = 4'000'000'000}), std::invalid_argument);
   const World far({{{{1e9, 1e9}, {1e9 + 4, 1e9}, {1e9, 1e9 + 4}}, {}}});
   EXPECT_THROW(Planner(far, Vehicle{}), std::invalid_argument);
   EXPECT_THROW((void)planner.plan({{2, 5, 1e10}, {8, 5, 0}}), std::invalid_argument);
@@ -522,7 +522,7 @@ TEST(Planner, RefusesVehiclesThatDoublesAreTooCoarseFor) {
 TEST(Planner, SegmentTimesFindNothingFasterThanTrueTimes) {
   const World world = random_world({.obstacles = 40, .vertices = 6, .fill = 0.3, .seed = 4});
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
-  PlannerOptions options{.manoeuvre_poses = 0};
+  PlannerOptions options{.maneuver_poses = 0};
   options.refinement.max_trials = 0;
   const Planner exact(world, vehicle, options);
   options.time_model = TimeModel::kSegments;

@@ -273,8 +273,8 @@ TEST(FeasibleGraph, StopsWhenAsked) {
   stop.request_stop();
   const SerialExecutor serial;
   const StoppableExecutor executor(serial, stop.get_token());
-  EXPECT_THROW(FeasibleGraph(c.world, c.vehicle, c.visibility, c.queries, c.radii, executor), Cancelled);
-  EXPECT_THROW((void)build_reduced_visibility_graph(c.world, *c.queries.visibility, executor), Cancelled);
+  EXPECT_THROW(FeasibleGraph(c.world, c.vehicle, c.visibility, c.queries, c.radii, executor), Canceled);
+  EXPECT_THROW((void)build_reduced_visibility_graph(c.world, *c.queries.visibility, executor), Canceled);
 }
 
 TEST(FeasibleGraph, KeepsItsStraightsAmongMoreCircles) {
@@ -285,15 +285,16 @@ TEST(FeasibleGraph, KeepsItsStraightsAmongMoreCircles) {
   const FeasibleGraph base = c.graph(GraphMode::kEager);
   const AddedCircles added =
       find_gap_circles(c.world, VehicleGaps(c.world, c.vehicle, c.radii[0]).map(), c.vehicle, c.radii[0]);
-  ASSERT_FALSE(added.round.empty());
-  ASSERT_FALSE(added.gates.empty());
+  ASSERT_FALSE(added.around_vertices.empty());
+  ASSERT_FALSE(added.gap_straights.empty());
   const FeasibleGraph more(base, c.vehicle, added);
   const std::size_t count = base.circles().size();
   const TurnCircles& circles = more.turn_circles();
   ASSERT_EQ(circles.base_count(), count);
-  std::size_t gate_circles = 0;
-  for (const Gate& gate : added.gates) gate_circles += gate.entries.size() + gate.exits.size();
-  ASSERT_EQ(more.circles().size(), count + 2 * added.round.size() + gate_circles);
+  std::size_t gap_straight_circles = 0;
+  for (const GapStraight& straight : added.gap_straights)
+    gap_straight_circles += straight.entries.size() + straight.exits.size();
+  ASSERT_EQ(more.circles().size(), count + 2 * added.around_vertices.size() + gap_straight_circles);
 
   const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
   std::vector<FeasibleGraph::Link> among_base;
@@ -307,11 +308,13 @@ TEST(FeasibleGraph, KeepsItsStraightsAmongMoreCircles) {
         swept_rectangle(pose_on(more.circles()[link.from], link.heading), link.length, body)));
     EXPECT_TRUE(more.free_headings(link.from).contains(link.heading));
     EXPECT_TRUE(more.free_headings(link.to).contains(link.heading));
-    const bool from_gate = circles.is_of_gate(link.from), to_gate = circles.is_of_gate(link.to);
-    const bool in_gate = from_gate && !circles.is_exit(link.from);
-    EXPECT_EQ(in_gate,
-              to_gate && circles.is_exit(link.to));  // an entry leads to its gate's exits, and nothing else does
-    (in_gate ? through : to_gate ? onto : from_gate ? off : round) += 1;
+    const bool from_gap_straight = circles.is_of_gap_straight(link.from),
+               to_gap_straight = circles.is_of_gap_straight(link.to);
+    const bool in_gap_straight = from_gap_straight && !circles.is_exit(link.from);
+    EXPECT_EQ(in_gap_straight,
+              to_gap_straight &&
+                  circles.is_exit(link.to));  // an entry leads to its gap straight's exits, and nothing else does
+    (in_gap_straight ? through : to_gap_straight ? onto : from_gap_straight ? off : round) += 1;
   }
   expect_same(among_base, base.links());
   for (const std::size_t kind : {onto, through, off, round}) EXPECT_GT(kind, 0u);

@@ -41,7 +41,7 @@ TEST(TurnCircles, GoRoundBothCornersAtTheEndOfAThinWall) {
   for (const VertexId v : world.convex_vertices()) {
     for (const Side side : {Side::kLeft, Side::kRight}) {
       std::size_t visited = 0;
-      circles.visit_round(v, side, [&](std::uint32_t c) {
+      circles.visit_around(v, side, [&](std::uint32_t c) {
         const TurnCircle& circle = circles.all()[c];
         EXPECT_EQ(circle.side, side);
         EXPECT_TRUE(circle.vertex == v || circle.second == v);

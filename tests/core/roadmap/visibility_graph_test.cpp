@@ -223,26 +223,26 @@ TEST(VisibilityGraph, TakesRowsInOrderOnly) {
   struct Case {
     std::vector<std::uint64_t> row_starts;
     std::vector<VertexId> targets;
-    Table table;
+    SnapshotArray array;
     std::size_t index;
   };
-  const Case cases[] = {{{}, {}, Table::kRowStarts, 0},
-                        {{1, 1}, {0}, Table::kRowStarts, 0},
-                        {{0, 2, 1, 2}, {1, 2}, Table::kRowStarts, 2},
-                        {{0, 1}, {}, Table::kRowStarts, 1},
-                        {{0, 0, 0}, {1}, Table::kRowStarts, 2},
-                        {{0, 1, 1}, {0}, Table::kTargets, 0},
-                        {{0, 0, 1}, {0}, Table::kTargets, 0},
-                        {{0, 1, 1}, {2}, Table::kTargets, 0},
-                        {{0, 2, 2, 2}, {1, 1}, Table::kTargets, 1},
-                        {{0, 2, 2, 2}, {2, 1}, Table::kTargets, 1}};
+  const Case cases[] = {{{}, {}, SnapshotArray::kRowStarts, 0},
+                        {{1, 1}, {0}, SnapshotArray::kRowStarts, 0},
+                        {{0, 2, 1, 2}, {1, 2}, SnapshotArray::kRowStarts, 2},
+                        {{0, 1}, {}, SnapshotArray::kRowStarts, 1},
+                        {{0, 0, 0}, {1}, SnapshotArray::kRowStarts, 2},
+                        {{0, 1, 1}, {0}, SnapshotArray::kTargets, 0},
+                        {{0, 0, 1}, {0}, SnapshotArray::kTargets, 0},
+                        {{0, 1, 1}, {2}, SnapshotArray::kTargets, 0},
+                        {{0, 2, 2, 2}, {1, 1}, SnapshotArray::kTargets, 1},
+                        {{0, 2, 2, 2}, {2, 1}, SnapshotArray::kTargets, 1}};
   for (const Case& c : cases) {
     SCOPED_TRACE(&c - cases);
     try {
       const VisibilityGraph graph(c.row_starts, c.targets);
       ADD_FAILURE() << "took it";
-    } catch (const TableError& error) {
-      EXPECT_EQ(error.table(), c.table) << error.what();
+    } catch (const SnapshotError& error) {
+      EXPECT_EQ(error.array(), c.array) << error.what();
       EXPECT_EQ(error.index(), c.index) << error.what();
     }
   }

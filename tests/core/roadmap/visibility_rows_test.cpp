@@ -38,8 +38,8 @@ TEST(VisibilityRows, AreThoseOfTheWorldsOwnGraph) {
   try {
     (void)rows_of(dart, VisibilityGraph({0, 2, 2, 2, 2}, {1, 2}));
     ADD_FAILURE() << "no error";
-  } catch (const TableError& error) {
-    EXPECT_EQ(error.table(), Table::kTargets);
+  } catch (const SnapshotError& error) {
+    EXPECT_EQ(error.array(), SnapshotArray::kTargets);
     EXPECT_EQ(error.index(), 1u);
   }
 }

@@ -8,7 +8,7 @@
 
 #include "arcway/angle.h"
 #include "arcway/datasets/clutter.h"
-#include "core/attach/manoeuvres.h"
+#include "core/attach/maneuvers.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
 #include "core/roadmap/feasible_graph.h"
@@ -307,7 +307,7 @@ TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
       };
       const Pose start = pose(), goal = pose();
       const auto find = [&](const Pose& at, Direction direction) {
-        return find_manoeuvres(at, direction, vehicle, map.radii[0], *map.queries.sweep, 12, Spread::kSparse);
+        return find_maneuvers(at, direction, vehicle, map.radii[0], *map.queries.sweep, 12, Spread::kSparse);
       };
       const auto starts = find(start, Direction::kFromStart), goals = find(goal, Direction::kToGoal);
       if (starts.size() * goals.size() <= 64) continue;  // else Dubins words as well, of other pairs

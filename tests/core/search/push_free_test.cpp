@@ -35,19 +35,19 @@ Roadmap map_of(const World& world, const Vehicle& vehicle) {
 }
 
 // Two posts, a little to the left of a straight line, with 2 mm beside the body and its margin on either side.
-World gate(double aside, double by, const Vec2& moved) {
+World two_posts(double aside, double by, const Vec2& moved) {
   const Vehicle vehicle;
   const double half = vehicle.footprint(0.5 * vehicle.safety_margin()).half_width + 0.002;
   return World({{turned(test::box(6.0, aside + half, 6.4, aside + half + 2.0).outer, by, moved), {}},
                 {turned(test::box(6.1, aside - half - 2.0, 6.5, aside - half).outer, by, moved), {}}});
 }
 
-TEST(PushFree, LeadsThroughAGateBesideThePath) {
+TEST(PushFree, LeadsThroughAGapBesideThePath) {
   const Vehicle vehicle;
   for (const double aside : {0.05, -0.1})
     for (const double by : {0.0, 37.0 * std::numbers::pi / 180.0}) {
       const Vec2 moved(by == 0.0 ? 0.0 : 1000.0, -by);
-      const Roadmap map = map_of(gate(aside, by, moved), vehicle);
+      const Roadmap map = map_of(two_posts(aside, by, moved), vehicle);
       const Pose start = turned({0.0, 0.0, 0.0}, by, moved), goal = turned({12.0, 0.0, 0.0}, by, moved);
       const Path line{{start, 12.0, 0.0}};
       ASSERT_FALSE(motion_free(*map.queries.sweep, map.body, line));

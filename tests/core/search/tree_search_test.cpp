@@ -99,7 +99,7 @@ TEST(TreeSearch, CanBeStopped) {
   std::stop_source stopped;
   stopped.request_stop();
   const PlanResult result = planner.plan({.start = query.start, .goal = query.goal}, {.stop = stopped.get_token()});
-  EXPECT_EQ(result.status, PlanStatus::kCancelled);
+  EXPECT_EQ(result.status, PlanStatus::kCanceled);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(Alternatives, InClutterDifferPairwiseAndAreSorted) {
       if (i > 0) {
         EXPECT_LE(plans[i - 1].travel_time, plans[i].travel_time);
       }
-      for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(same_way(plans[i].path(), plans[j].path(), world));
+      for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(same_route(plans[i].path(), plans[j].path(), world));
     }
   }
   EXPECT_GE(solved, 2);
@@ -119,23 +119,23 @@ TEST(Alternatives, InBothGears) {
   for (const PlanResult& plan : plans) expect_valid(planner, plan, true);
 }
 
-TEST(SameWay, CountsTheWindingRoundEveryObstacle) {
+TEST(SameRoute, CountsTheWindingRoundEveryObstacle) {
   const World world({box(4, -1, 6, 1), box(4, 5, 6, 6)});
   const auto over = [](double height) {  // (0, 0) up, across, down
     return Path{{{0, 0, 0.5 * kPi}, height, 0.0}, {{0, height, 0}, 10, 0.0}, {{10, height, -0.5 * kPi}, height, 0.0}};
   };
   Path under = over(2.0);
   for (PathSegment& s : under) s.start = {s.start.x, -s.start.y, -s.start.heading};
-  EXPECT_TRUE(same_way(over(2.0), over(4.0), world));
-  EXPECT_FALSE(same_way(over(2.0), over(8.0), world));
-  EXPECT_FALSE(same_way(over(2.0), under, world));
+  EXPECT_TRUE(same_route(over(2.0), over(4.0), world));
+  EXPECT_FALSE(same_route(over(2.0), over(8.0), world));
+  EXPECT_FALSE(same_route(over(2.0), under, world));
   // A full turn round an obstacle is a different way as well.
   Path loop = over(2.0);
   loop.insert(loop.begin() + 1, PathSegment{{0, 2, 0}, kTwoPi * 10.0, 0.1});
-  EXPECT_FALSE(same_way(over(2.0), loop, world));
+  EXPECT_FALSE(same_route(over(2.0), loop, world));
 }
 
-TEST(SameWay, SeesWhatLiesBetweenAWideArcAndItsChord) {
+TEST(SameRoute, SeesWhatLiesBetweenAWideArcAndItsChord) {
   const double radius = 1e4, turn = 0.04;  // 2 m between the arc and its chord, 400 m long
   for (const Gear gear : {Gear::kForward, Gear::kReverse})
     for (const double side : {1.0, -1.0}) {
@@ -148,16 +148,16 @@ TEST(SameWay, SeesWhatLiesBetweenAWideArcAndItsChord) {
         const Vec2 p = middle + distance * away;
         return World({box(p.x() - 0.01, p.y() - 0.01, p.x() + 0.01, p.y() + 0.01)});
       };
-      EXPECT_FALSE(same_way({&arc, 1}, straight, obstacle_at(1.0)));
-      EXPECT_TRUE(same_way({&arc, 1}, straight, obstacle_at(-1.0)));
-      EXPECT_TRUE(same_way({&arc, 1}, straight, obstacle_at(3.0)));
+      EXPECT_FALSE(same_route({&arc, 1}, straight, obstacle_at(1.0)));
+      EXPECT_TRUE(same_route({&arc, 1}, straight, obstacle_at(-1.0)));
+      EXPECT_TRUE(same_route({&arc, 1}, straight, obstacle_at(3.0)));
     }
   // Most of a circle, which starts and ends near the obstacle.
   const Path loop{{{0, 0, 0}, 6.0, 1.0}};
   const Vec2 to = loop[0].end().position();
   const Path back{{{0, 0, std::atan2(to.y(), to.x())}, to.norm(), 0.0}};
-  EXPECT_FALSE(same_way(loop, back, World({box(-0.1, 0.9, 0.1, 1.1)})));
-  EXPECT_TRUE(same_way(loop, back, World({box(-0.1, 2.1, 0.1, 2.2)})));
+  EXPECT_FALSE(same_route(loop, back, World({box(-0.1, 0.9, 0.1, 1.1)})));
+  EXPECT_TRUE(same_route(loop, back, World({box(-0.1, 2.1, 0.1, 2.2)})));
 }
 
 }  // namespace

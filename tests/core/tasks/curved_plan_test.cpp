@@ -39,9 +39,9 @@ CurvedWorld pond() {
 }
 const PlanRequest kAroundThePond{.start = {5, 5, 0}, .goal = {55, 35, 0}};
 
-double fastest_of(const std::vector<CurvedPlanRound>& rounds) {
+double fastest_of(const std::vector<CurvedPlanIteration>& iterations) {
   double fastest = std::numeric_limits<double>::infinity();
-  for (const CurvedPlanRound& round : rounds) fastest = std::min(fastest, round.travel_time);
+  for (const CurvedPlanIteration& iteration : iterations) fastest = std::min(fastest, iteration.travel_time);
   return fastest;
 }
 
@@ -67,10 +67,10 @@ TEST(CurvedPlan, RefinesWhereItMattersAlone) {
   const CurvedPlan adaptive = plan_among_curves(world, robot, across(world), {.first = 0.5, .last = 0.005});
   const CurvedPlan uniform = plan_among_curves(world, robot, across(world), {.first = 0.005, .last = 0.005});
   ASSERT_TRUE(adaptive.result.solved() && uniform.result.solved());
-  EXPECT_EQ(uniform.rounds.size(), 1u);
-  EXPECT_GE(adaptive.rounds.size(), 4u);
-  EXPECT_EQ(adaptive.rounds.back().tolerance, 0.005);
-  EXPECT_LT(adaptive.rounds.back().vertices, uniform.rounds.back().vertices * 3 / 4);
+  EXPECT_EQ(uniform.iterations.size(), 1u);
+  EXPECT_GE(adaptive.iterations.size(), 4u);
+  EXPECT_EQ(adaptive.iterations.back().tolerance, 0.005);
+  EXPECT_LT(adaptive.iterations.back().vertices, uniform.iterations.back().vertices * 3 / 4);
   EXPECT_NEAR(adaptive.result.travel_time, uniform.result.travel_time, 0.01 * uniform.result.travel_time);
   test::expect_valid(adaptive.planner, adaptive.result);
 }
@@ -121,21 +121,21 @@ TEST(CurvedPlan, ReplacesHolesAndBounds) {
   EXPECT_THROW(plan_among_curves(world, robot, {{-20, 0, 0}, {20, 0, 0}}), std::invalid_argument);
 }
 
-// From its second round on, planners do not refine paths, which makes those rounds slower.
-TEST(CurvedPlan, KeepsTheFastestPlanOfAllRounds) {
-  int round = 0;
+// From its second iteration on, planners do not refine paths, which makes those iterations slower.
+TEST(CurvedPlan, KeepsTheFastestPlanOfAllIterations) {
+  int iteration = 0;
   const auto make_planner = [&](const World& rings) {
     PlannerOptions options;
-    if (++round > 1) options.refinement.max_trials = 0;
+    if (++iteration > 1) options.refinement.max_trials = 0;
     return Planner(rings, Vehicle(), options);
   };
   const CurvedPlan plan = plan_among_curves(pond(), kAroundThePond, {.last = 0.01}, make_planner);
   ASSERT_TRUE(plan.result.solved()) << plan.result.reason;
   EXPECT_FALSE(plan.result.interrupted);
-  EXPECT_EQ(plan.rounds.size(), 4u);
-  EXPECT_EQ(plan.result.travel_time, plan.rounds.front().travel_time);
-  EXPECT_LT(plan.result.travel_time, plan.rounds.back().travel_time);
-  EXPECT_EQ(plan.planner.world().vertices().size(), plan.rounds.back().vertices);
+  EXPECT_EQ(plan.iterations.size(), 4u);
+  EXPECT_EQ(plan.result.travel_time, plan.iterations.front().travel_time);
+  EXPECT_LT(plan.result.travel_time, plan.iterations.back().travel_time);
+  EXPECT_EQ(plan.planner.world().vertices().size(), plan.iterations.back().vertices);
   test::expect_valid(plan.planner, plan.result);
   // What it says of the path is so among the last rings.
   double clearance = std::numeric_limits<double>::infinity();
@@ -150,7 +150,7 @@ TEST(CurvedPlan, IsNeverSlowerWithAFinerTolerance) {
   const auto time = [&](const CurvedWorld& world, const PlanRequest& request, double last) {
     const CurvedPlan plan = plan_among_curves(world, robot, request, {.last = last});
     EXPECT_TRUE(plan.result.solved()) << plan.result.reason;
-    EXPECT_EQ(plan.result.travel_time, fastest_of(plan.rounds)) << last;
+    EXPECT_EQ(plan.result.travel_time, fastest_of(plan.iterations)) << last;
     test::expect_valid(plan.planner, plan.result);
     return plan.result.travel_time;
   };
@@ -171,14 +171,14 @@ TEST(CurvedPlan, EndsWhereFinerRingsCannotMatter) {
   const double finest = robot.safety_margin() / 16.0;
   const CurvedPlan plan = plan_among_curves(pond(), robot, kAroundThePond, {.last = 1e-12});
   ASSERT_TRUE(plan.result.solved()) << plan.result.reason;
-  EXPECT_EQ(plan.rounds.back().tolerance, finest);
-  EXPECT_LE(plan.rounds.size(), 7u);
-  EXPECT_LT(plan.rounds.back().vertices, 1000u);
+  EXPECT_EQ(plan.iterations.back().tolerance, finest);
+  EXPECT_LE(plan.iterations.size(), 7u);
+  EXPECT_LT(plan.iterations.back().vertices, 1000u);
   test::expect_valid(plan.planner, plan.result);
   // Nor without a path: here the start is inside the pond.
   const CurvedPlan blocked = plan_among_curves(pond(), robot, {{25, 20, 0}, {55, 35, 0}}, {.last = 1e-12});
   EXPECT_EQ(blocked.result.status, PlanStatus::kStartInCollision);
-  EXPECT_EQ(blocked.rounds.back().tolerance, finest);
+  EXPECT_EQ(blocked.iterations.back().tolerance, finest);
 }
 
 // Lines are what they are at any tolerance.
@@ -188,54 +188,54 @@ TEST(CurvedPlan, DoesNotPlanOnTheSameRingsAgain) {
   for (CubicBezier& piece : pieces) piece = {{piece.p[0], piece.p[0], piece.p[3], piece.p[3]}};
   const CurvedPlan plan = plan_among_curves(world, Vehicle(), kAroundThePond, {.last = 0.002});
   ASSERT_TRUE(plan.result.solved()) << plan.result.reason;
-  ASSERT_EQ(plan.rounds.size(), 1u);
-  EXPECT_EQ(plan.rounds[0].vertices, 4 + pieces.size());
-  EXPECT_EQ(plan.rounds[0].tolerance, 0.002);
+  ASSERT_EQ(plan.iterations.size(), 1u);
+  EXPECT_EQ(plan.iterations[0].vertices, 4 + pieces.size());
+  EXPECT_EQ(plan.iterations[0].tolerance, 0.002);
 }
 
-TEST(CurvedPlan, GivesTheBestPlanFoundByThenWhenItIsCancelled) {
+TEST(CurvedPlan, GivesTheBestPlanFoundByThenWhenItIsCanceled) {
   std::stop_source stop;
-  int round = 0;
+  int iteration = 0;
   const auto make_planner = [&](const World& rings) {
-    if (++round == 3) stop.request_stop();
+    if (++iteration == 3) stop.request_stop();
     return Planner(rings, Vehicle());
   };
   const CurvedPlan plan =
       plan_among_curves(pond(), kAroundThePond, {.last = 1e-4}, make_planner, {.stop = stop.get_token()});
   ASSERT_TRUE(plan.result.solved()) << plan.result.reason;
   EXPECT_TRUE(plan.result.interrupted);
-  ASSERT_EQ(plan.rounds.size(), 3u);
-  EXPECT_EQ(plan.rounds[2].status, PlanStatus::kCancelled);
-  EXPECT_EQ(plan.result.travel_time, fastest_of(plan.rounds));
+  ASSERT_EQ(plan.iterations.size(), 3u);
+  EXPECT_EQ(plan.iterations[2].status, PlanStatus::kCanceled);
+  EXPECT_EQ(plan.result.travel_time, fastest_of(plan.iterations));
   test::expect_valid(plan.planner, plan.result);
-  // Without a plan, and before a round: a start that collides ends the first one before it looks at the token.
+  // Without a plan, and before an iteration: a start that collides ends the first one before it looks at the token.
   const CurvedPlan none =
       plan_among_curves(pond(), {{25, 20, 0}, {55, 35, 0}}, {.last = 1e-4}, make_planner, {.stop = stop.get_token()});
-  EXPECT_EQ(none.result.status, PlanStatus::kCancelled);
+  EXPECT_EQ(none.result.status, PlanStatus::kCanceled);
   EXPECT_TRUE(none.result.interrupted);
-  ASSERT_EQ(none.rounds.size(), 1u);
-  EXPECT_EQ(none.rounds[0].status, PlanStatus::kStartInCollision);
+  ASSERT_EQ(none.iterations.size(), 1u);
+  EXPECT_EQ(none.iterations[0].status, PlanStatus::kStartInCollision);
 }
 
-TEST(CurvedPlan, CountsTheTimeLimitOverAllRounds) {
+TEST(CurvedPlan, CountsTheTimeLimitOverAllIterations) {
   constexpr double kLimit = 2.0;
-  int round = 0;
+  int iteration = 0;
   const auto make_planner = [&](const World& rings) {
-    if (++round == 2) std::this_thread::sleep_for(std::chrono::duration<double>(kLimit));
+    if (++iteration == 2) std::this_thread::sleep_for(std::chrono::duration<double>(kLimit));
     return Planner(rings, Vehicle());
   };
   const CurvedPlan plan = plan_among_curves(pond(), kAroundThePond, {.last = 1e-4}, make_planner, {.time = kLimit});
   ASSERT_TRUE(plan.result.solved()) << plan.result.reason;
   EXPECT_TRUE(plan.result.interrupted);
-  ASSERT_EQ(plan.rounds.size(), 2u);
-  EXPECT_EQ(plan.rounds[1].status, PlanStatus::kTimeLimit);
-  EXPECT_EQ(plan.result.travel_time, plan.rounds[0].travel_time);
+  ASSERT_EQ(plan.iterations.size(), 2u);
+  EXPECT_EQ(plan.iterations[1].status, PlanStatus::kTimeLimit);
+  EXPECT_EQ(plan.result.travel_time, plan.iterations[0].travel_time);
   test::expect_valid(plan.planner, plan.result);
-  // The reason names the limit that was given, not what a round had of it.
+  // The reason names the limit that was given, not what an iteration had of it.
   const CurvedPlan none = plan_among_curves(pond(), kAroundThePond, {}, make_planner, {.time = 0.0});
   EXPECT_EQ(none.result.status, PlanStatus::kTimeLimit);
   EXPECT_TRUE(none.result.interrupted);
-  EXPECT_EQ(none.rounds.size(), 1u);
+  EXPECT_EQ(none.iterations.size(), 1u);
   EXPECT_NE(none.result.reason.find("time limit of 0 s"), std::string::npos) << none.result.reason;
 }
 

@@ -28,7 +28,7 @@ struct Case {
 
 // Everything but times.
 std::string bits_of(PlanResult result) {
-  result.statistics.search_seconds = result.statistics.refine_seconds = result.statistics.bound_seconds =
+  result.statistics.search_seconds = result.statistics.refine_seconds = result.statistics.lower_bound_seconds =
       result.statistics.profile_seconds = result.statistics.total_seconds = result.statistics.first_path_seconds = 0.0;
   return plan_to_json(result, 0) + result.reason;
 }
@@ -62,7 +62,7 @@ TEST(PlanBatch, TellsHowManyQueriesAreDone) {
   EXPECT_EQ(done.back(), c.requests.size());
 }
 
-TEST(PlanBatch, QueriesNotBegunWhenItIsStoppedAreCancelled) {
+TEST(PlanBatch, QueriesNotBegunWhenItIsStoppedAreCanceled) {
   const Case c;
   std::stop_source stop;
   const auto stop_after_five = [&](const Progress& progress) {
@@ -72,9 +72,9 @@ TEST(PlanBatch, QueriesNotBegunWhenItIsStoppedAreCancelled) {
       plan_batch(c.planner, c.requests, SerialExecutor(), {.stop = stop.get_token(), .progress = stop_after_five});
   ASSERT_EQ(results.size(), c.requests.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
-    EXPECT_EQ(results[i].status == PlanStatus::kCancelled, i >= 5) << i;
+    EXPECT_EQ(results[i].status == PlanStatus::kCanceled, i >= 5) << i;
     EXPECT_EQ(results[i].goal.x, c.requests[i].goal.x);
-    EXPECT_EQ(results[i].reason.find("the batch was cancelled") == 0, i >= 5);
+    EXPECT_EQ(results[i].reason.find("the batch was canceled") == 0, i >= 5);
   }
 }
 

@@ -24,7 +24,7 @@ Place place_of(const Pose& pose) { return {pose.position(), pose.heading}; }
 
 // The least cost of all ways by one place with any of the headings that are tried there.
 double least_cost(const Planner& planner, const TourRequest& request) {
-  const Vec2 middle = request.via[0].position, ahead = middle - request.start.position();
+  const Vec2 middle = request.waypoints[0].position, ahead = middle - request.start.position();
   const Pose goal{request.goals[0].position.x(), request.goals[0].position.y(), *request.goals[0].heading};
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 24; ++k) {
@@ -122,7 +122,8 @@ TEST_F(TourInClutter, PassesAllPlacesWithoutAStop) {
     const PlanResult one = planner_.plan({.start = start, .goal = middle});
     const PlanResult two = planner_.plan({.start = middle, .goal = goal});
     if (!one.solved() || !two.solved()) continue;
-    const Tour fixed = plan_tour(planner_, {.start = start, .via = {place_of(middle)}, .goals = {place_of(goal)}});
+    const Tour fixed =
+        plan_tour(planner_, {.start = start, .waypoints = {place_of(middle)}, .goals = {place_of(goal)}});
     ASSERT_TRUE(fixed.plan.solved());
     expect_valid(planner_, fixed.plan);
     EXPECT_NEAR(fixed.plan.length, one.length + two.length, 1e-9);
@@ -134,7 +135,8 @@ TEST_F(TourInClutter, PassesAllPlacesWithoutAStop) {
     EXPECT_GT(next.speed_in, 0.0);
     ++passed;
 
-    const Tour open = plan_tour(planner_, {.start = start, .via = {{middle.position()}}, .goals = {place_of(goal)}});
+    const Tour open =
+        plan_tour(planner_, {.start = start, .waypoints = {{middle.position()}}, .goals = {place_of(goal)}});
     ASSERT_TRUE(open.plan.solved());
     expect_valid(planner_, open.plan);
     EXPECT_NEAR((open.plan.segments[open.passed[0]].segment.start.position() - middle.position()).norm(), 0.0, 1e-9);
@@ -148,7 +150,7 @@ TEST_F(TourInClutter, TakesThePlaceOnTheWayWithTheBestOfAllHeadings) {
   int passed = 0;
   for (std::size_t i = 0; i + 2 < queries_.size(); i += 6) {
     const TourRequest request{.start = queries_[i].start,
-                              .via = {{queries_[i + 1].start.position()}},
+                              .waypoints = {{queries_[i + 1].start.position()}},
                               .goals = {place_of(queries_[i + 2].goal)}};
     const Tour tour = plan_tour(planner, request);
     const double least = least_cost(planner, request);
@@ -165,7 +167,7 @@ TEST(Tour, CountsChangesOfGearAtAPlaceOnTheWay) {
   const Planner planner(World({}), Vehicle{});
   for (const double cusp_cost : {0.3, 3.0}) {
     const TourRequest request{.start = {0, 0, 0},
-                              .via = {{Vec2(6, 0)}},
+                              .waypoints = {{Vec2(6, 0)}},
                               .goals = {place_of({1, 1, 0})},
                               .reverse = true,
                               .cusp_cost = cusp_cost};
@@ -193,7 +195,7 @@ TEST_F(TourInClutter, DrivesBackwardsIfAllowed) {
 
 TEST(Tour, SaysWhereOnAllOfItsWayItIsNearest) {
   const Planner planner(World({test::box(30, 0.5, 31, 1.5)}), Vehicle{});
-  const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .via = {{{20, 0}, 0.0}}, .goals = {{{40, 0}, 0.0}}});
+  const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .waypoints = {{{20, 0}, 0.0}}, .goals = {{{40, 0}, 0.0}}});
   ASSERT_EQ(tour.plan.segments.size(), 2u);
   EXPECT_NEAR(tour.plan.min_clearance, 0.1, 1e-9);
   EXPECT_EQ(tour.plan.clearance_index, 1u);
@@ -224,7 +226,7 @@ TEST(Tour, SaysWhichLegHasNoPath) {
   const World world({{{Vec2(10, 10), Vec2(12, 10), Vec2(12, 12), Vec2(10, 12)}, {}}});
   const Planner planner(world, Vehicle{});
   const Place free{{20, 0}, 0.0}, inside{{11, 11}, 0.0};
-  const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .via = {free, inside}, .goals = {{{40, 0}, 0.0}}});
+  const Tour tour = plan_tour(planner, {.start = {0, 0, 0}, .waypoints = {free, inside}, .goals = {{{40, 0}, 0.0}}});
   EXPECT_EQ(tour.plan.status, PlanStatus::kWaypointInCollision);
   EXPECT_EQ(tour.plan.reason.rfind("leg 2 of 3: the waypoint (11, 11, 0): ", 0), 0u) << tour.plan.reason;
   EXPECT_EQ(tour.plan.start.position(), Vec2(0, 0));
@@ -240,7 +242,7 @@ TEST(Tour, SaysWhichLegHasNoPath) {
   const Tour none = plan_tour(planner, {.start = {0, 0, 0}, .goals = {{{11, 11}}}});
   EXPECT_FALSE(none.plan.solved());
   EXPECT_EQ(none.plan.reason.rfind("the goal (11, 11): ", 0), 0u) << none.plan.reason;
-  const Tour by = plan_tour(planner, {.start = {0, 0, 0}, .via = {{{11, 11}}}, .goals = {free}});
+  const Tour by = plan_tour(planner, {.start = {0, 0, 0}, .waypoints = {{{11, 11}}}, .goals = {free}});
   EXPECT_EQ(by.plan.reason.rfind("leg 1 of 2: the waypoint (11, 11): ", 0), 0u) << by.plan.reason;
 }
 
@@ -251,7 +253,7 @@ TEST(Tour, CallsWhatIsWrongWithAPlaceOnTheWayByItsName) {
   const Planner planner(world, Vehicle{});
   const Place outside{{99, 0}, 0.0}, free{{40, 0}, 0.0};
   const auto by = [&](const Place& place) {
-    return plan_tour(planner, {.start = {0, 0, 0}, .via = {place}, .goals = {free}}).plan;
+    return plan_tour(planner, {.start = {0, 0, 0}, .waypoints = {place}, .goals = {free}}).plan;
   };
   EXPECT_EQ(by(outside).status, PlanStatus::kWaypointOutsideBounds);
   EXPECT_EQ(plan_tour(planner, {.start = {0, 0, 0}, .goals = {outside}}).plan.status, PlanStatus::kGoalOutsideBounds);
@@ -270,7 +272,8 @@ TEST(Tour, CallsWhatIsWrongWithAPlaceOnTheWayByItsName) {
     return "no error";
   };
   const Place far{{1e10, 0}};
-  EXPECT_EQ(refusal({.start = {0, 0, 0}, .via = {far}, .goals = {free}}).rfind("waypoint (1e+10, 0, 0): ", 0), 0u);
+  EXPECT_EQ(refusal({.start = {0, 0, 0}, .waypoints = {far}, .goals = {free}}).rfind("waypoint (1e+10, 0, 0): ", 0),
+            0u);
   EXPECT_EQ(refusal({.start = {0, 0, 0}, .goals = {free, far}}).rfind("goal 2 (1e+10, 0, 0): ", 0), 0u);
 }
 
@@ -302,24 +305,25 @@ TEST(Tour, KeepsItsLimits) {
   const Planner planner(World({}), Vehicle{});
   EXPECT_THROW(plan_tour(planner, {.start = {}, .goals = {}}), std::invalid_argument);
   EXPECT_THROW(plan_tour(planner, {.start = {1e200, 0, 0}, .goals = {{{5, 5}, 0.0}}}), std::invalid_argument);
-  EXPECT_THROW(plan_tour(planner, {.start = {}, .via = {{{1e200, 0}}}, .goals = {{{5, 5}}}}), std::invalid_argument);
+  EXPECT_THROW(plan_tour(planner, {.start = {}, .waypoints = {{{1e200, 0}}}, .goals = {{{5, 5}}}}),
+               std::invalid_argument);
   std::stop_source stop;
   stop.request_stop();
   const Tour tour = plan_tour(planner, {.start = {}, .goals = {{{5, 5}}}}, {.stop = stop.get_token()});
-  EXPECT_EQ(tour.plan.status, PlanStatus::kCancelled);
+  EXPECT_EQ(tour.plan.status, PlanStatus::kCanceled);
   EXPECT_TRUE(tour.plan.interrupted);
-  const Tour late = plan_tour(planner, {.start = {}, .via = {{{1, 5}}}, .goals = {{{5, 5}}}}, {.time = 0.0});
+  const Tour late = plan_tour(planner, {.start = {}, .waypoints = {{{1, 5}}}, .goals = {{{5, 5}}}}, {.time = 0.0});
   EXPECT_EQ(late.plan.status, PlanStatus::kTimeLimit);
   EXPECT_EQ(late.plan.reason, "leg 1 of 2: no path was found within the time limit of 0 s");
 }
 
-TEST(Tour, SaysThatItWasCancelledWhateverIsWrongWithAnotherGoal) {
+TEST(Tour, SaysThatItWasCanceledWhateverIsWrongWithAnotherGoal) {
   const Planner planner(World({test::box(5, 5, 8, 8)}), Vehicle{});
   std::stop_source stop;
   stop.request_stop();
   const Tour tour =
       plan_tour(planner, {.start = {}, .goals = {{{6, 6}, 0.0}, {{20, 0}, 0.0}}}, {.stop = stop.get_token()});
-  EXPECT_EQ(tour.plan.status, PlanStatus::kCancelled);
+  EXPECT_EQ(tour.plan.status, PlanStatus::kCanceled);
   EXPECT_TRUE(tour.plan.interrupted);
 }
 

@@ -124,7 +124,7 @@ TEST(PreparedMap, SaysWhatIsWrongAndWhere) {
 
   // A file that somebody made with care: the checksums are right, the content is not.
   other = bytes;
-  const test::PreparedSection targets = test::section_of(other, static_cast<std::uint32_t>(Table::kTargets));
+  const test::PreparedSection targets = test::section_of(other, static_cast<std::uint32_t>(SnapshotArray::kTargets));
   const std::uint32_t nowhere = 4711;
   std::memcpy(other.data() + targets.offset + 8, &nowhere, sizeof nowhere);
   test::mend_checksums(other);
@@ -169,8 +169,8 @@ TEST(PreparedMap, IsRefusedWhenItsLayoutIsAnother) {
 TEST(PreparedMap, IsRefusedWithAnEmptySectionOfContacts) {
   std::string bytes = to_bytes(prepare(World({}), SerialExecutor()));
   const std::size_t targets = 40 + 32 * 6;  // entry of the targets, of which there are none
-  ASSERT_EQ(test::number_at<std::uint32_t>(bytes, targets), static_cast<std::uint32_t>(Table::kTargets));
-  bytes[targets] = static_cast<char>(Table::kSelfContacts);
+  ASSERT_EQ(test::number_at<std::uint32_t>(bytes, targets), static_cast<std::uint32_t>(SnapshotArray::kTargets));
+  bytes[targets] = static_cast<char>(SnapshotArray::kSelfContacts);
   test::mend_checksums(bytes);
   EXPECT_EQ(complaint_about(bytes),
             "m.arcway: byte " + std::to_string(targets + 16) + ": section 14 is empty, not left out");

@@ -12,7 +12,7 @@
 #include "arcway/path.h"
 #include "arcway/planner.h"
 #include "arcway/prepared_graph.h"
-#include "arcway/tables.h"
+#include "arcway/snapshot.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 
@@ -38,7 +38,7 @@ struct ARCWAY_API PreparedMap {
   struct ForRobot {
     VehicleParameters parameters;
     std::vector<double> radii;
-    FeasibleTables feasible;
+    FeasibleGraphSnapshot feasible;
   };
   std::optional<ForRobot> robot;
 
@@ -49,9 +49,9 @@ struct ARCWAY_API PreparedMap {
       std::uint64_t offset;
       std::uint32_t element_bytes;
     };
-    std::map<Table, Section> tables;
+    std::map<SnapshotArray, Section> sections;
     /// "yard.arcway: byte 4711: links, entry 3: ..."
-    [[nodiscard]] std::string complaint(const TableError& error) const;
+    [[nodiscard]] std::string complaint(const SnapshotError& error) const;
   };
   Source source;
 };

@@ -1,4 +1,4 @@
-#include "core/search/pocket.h"
+#include "core/search/backward_reachable_set.h"
 
 #include <unordered_set>
 
@@ -11,8 +11,8 @@ bool leads_to(const CircleTable& circles, double arrival, const Departure& depar
   return reach >= 0.0 && turn_between(arrival, departure.heading, circles.circle(departure.circle).side) <= reach;
 }
 
-std::optional<std::vector<Departure>> departures_towards(const CircleTable& circles, std::vector<Departure> ends,
-                                                         std::size_t most) {
+std::optional<std::vector<Departure>> backward_reachable_set(const CircleTable& circles, std::vector<Departure> ends,
+                                                             std::size_t most) {
   std::unordered_set<std::uint64_t> seen;  // links
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (ends.size() > most) return std::nullopt;

@@ -1,4 +1,4 @@
-#include "core/motion/travel_time_bound.h"
+#include "core/motion/travel_time_lower_bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,9 +64,10 @@ double time_lost_on_arcs(double length, double turn_speed, const Vehicle& vehicl
 
 }  // namespace
 
-double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle, bool reverse) {
+double travel_time_lower_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
+                               bool reverse) {
   if (reverse && vehicle.max_reverse_speed() > vehicle.max_speed())
-    return travel_time_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse);
+    return travel_time_lower_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse);
   const double radius = vehicle.min_turning_radius();
   const double heading_error = kUlps * (1.0 + std::abs(start.heading) + std::abs(goal.heading));
   const double place_error = radius * heading_error + kUlps * std::max(start.position().cwiseAbs().maxCoeff(),

@@ -1,4 +1,4 @@
-#include "core/attach/manoeuvres.h"
+#include "core/attach/maneuvers.h"
 
 #include <array>
 #include <bit>
@@ -66,7 +66,7 @@ class CellSet {
 
 }  // namespace
 
-struct ManoeuvreWorkspace::Data {
+struct ManeuverWorkspace::Data {
   std::vector<Attachment> attachments;  // those of before have memory for connections
   std::vector<double> lengths;
   OpenList<Waiting> open;
@@ -74,20 +74,20 @@ struct ManoeuvreWorkspace::Data {
   HeadingSet headings;
 };
 
-ManoeuvreWorkspace::ManoeuvreWorkspace() : data_(std::make_unique<Data>()) {}
-ManoeuvreWorkspace::~ManoeuvreWorkspace() = default;
-ManoeuvreWorkspace::ManoeuvreWorkspace(ManoeuvreWorkspace&&) noexcept = default;
-ManoeuvreWorkspace& ManoeuvreWorkspace::operator=(ManoeuvreWorkspace&&) noexcept = default;
+ManeuverWorkspace::ManeuverWorkspace() : data_(std::make_unique<Data>()) {}
+ManeuverWorkspace::~ManeuverWorkspace() = default;
+ManeuverWorkspace::ManeuverWorkspace(ManeuverWorkspace&&) noexcept = default;
+ManeuverWorkspace& ManeuverWorkspace::operator=(ManeuverWorkspace&&) noexcept = default;
 
-std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle,
-                                            double radius, const SweepQuery& sweep, std::size_t max_poses,
-                                            Spread spread, ManoeuvreWorkspace& workspace, const StopClock& clock) {
+std::span<const Attachment> find_maneuvers(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+                                           const SweepQuery& sweep, std::size_t max_poses, Spread spread,
+                                           ManeuverWorkspace& workspace, const StopClock& clock) {
   const bool forwards = direction == Direction::kFromStart;
   const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
   const double step = radius * kStepTurn;
   const Grid grid = spread == Spread::kDense ? Grid{0.5 * step, 128} : Grid{0.5 * radius, 32};
 
-  ManoeuvreWorkspace::Data& w = *workspace;
+  ManeuverWorkspace::Data& w = *workspace;
   std::vector<Attachment>& attachments = w.attachments;
   std::vector<double>& lengths = w.lengths;
   OpenList<Waiting>& open = w.open;
@@ -138,26 +138,26 @@ std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction directio
       sweep.free_headings({&turning, 1}, {&w.headings, 1});
       const double room = w.headings.reach(here.heading, forwards ? side : opposite(side));
       // Where an obstacle ends the turn early, the way on may lie in a narrow range of headings before its end.
-      const bool hemmed = room < kStepTurn;
+      const bool cut_short = room < kStepTurn;
       for (const double share : kShares) {
-        const double angle = hemmed ? share * room : kStepTurn;
+        const double angle = cut_short ? share * room : kStepTurn;
         if (angle < kLeastTurn) break;
         const double turn = (forwards ? 1.0 : -1.0) * sign_of(side) * angle;
         const Pose reached = pose_on(TurnCircle{center, radius, side, kNone}, here.heading + turn);
         const PathSegment arc{forwards ? here : reached, radius * angle, sign_of(side) / radius};
         reach(at, arc, reached, side);
-        if (!hemmed) break;
+        if (!cut_short) break;
       }
     }
   }
   return std::span(attachments).first(lengths.size());
 }
 
-std::vector<Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                        const SweepQuery& sweep, std::size_t max_poses, Spread spread,
-                                        const StopClock& clock) {
-  ManoeuvreWorkspace workspace;
-  const auto found = find_manoeuvres(pose, direction, vehicle, radius, sweep, max_poses, spread, workspace, clock);
+std::vector<Attachment> find_maneuvers(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+                                       const SweepQuery& sweep, std::size_t max_poses, Spread spread,
+                                       const StopClock& clock) {
+  ManeuverWorkspace workspace;
+  const auto found = find_maneuvers(pose, direction, vehicle, radius, sweep, max_poses, spread, workspace, clock);
   return {found.begin(), found.end()};
 }
 

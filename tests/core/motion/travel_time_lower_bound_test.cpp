@@ -1,4 +1,4 @@
-#include "core/motion/travel_time_bound.h"
+#include "core/motion/travel_time_lower_bound.h"
 
 #include <gtest/gtest.h>
 
@@ -27,20 +27,20 @@ double straight_time(double length, const Vehicle& vehicle) {
   return segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());
 }
 
-TEST(TravelTimeBound, IsMetByAStraightLine) {
+TEST(TravelTimeLowerBound, IsMetByAStraightLine) {
   const Vehicle vehicle;
-  const double bound = travel_time_bound({1, 2, 0.0}, {31, 2, 0.0}, 30.0, vehicle);
+  const double bound = travel_time_lower_bound({1, 2, 0.0}, {31, 2, 0.0}, 30.0, vehicle);
   EXPECT_NEAR(bound, straight_time(30.0, vehicle), 1e-10);
   EXPECT_LE(bound, straight_time(30.0, vehicle));
-  EXPECT_EQ(travel_time_bound({1, 2, 0.5}, {1, 2, 0.5}, 0.0, vehicle), 0.0);
+  EXPECT_EQ(travel_time_lower_bound({1, 2, 0.5}, {1, 2, 0.5}, 0.0, vehicle), 0.0);
 }
 
-TEST(TravelTimeBound, IsInfiniteWithoutAWay) {
-  EXPECT_EQ(travel_time_bound({0, 0, 0}, {5, 0, 0}, std::numeric_limits<double>::infinity(), Vehicle{}),
+TEST(TravelTimeLowerBound, IsInfiniteWithoutAWay) {
+  EXPECT_EQ(travel_time_lower_bound({0, 0, 0}, {5, 0, 0}, std::numeric_limits<double>::infinity(), Vehicle{}),
             std::numeric_limits<double>::infinity());
 }
 
-TEST(TravelTimeBound, CountsTheTimeLostOnArcs) {
+TEST(TravelTimeLowerBound, CountsTheTimeLostOnArcs) {
   // Facing away at both ends: the headings turn by pi at least. 0.5 * 1.3 * pi meters of arc at each end, at 8 of 12
   // m/s.
   const Vehicle vehicle;
@@ -53,19 +53,19 @@ TEST(TravelTimeBound, CountsTheTimeLostOnArcs) {
   for (const DubinsWord w : kDubinsWords)
     if (const auto path = dubins_path(w, start, goal, vehicle.min_turning_radius()))
       word = std::min(word, length_of(*path));
-  EXPECT_NEAR(travel_time_bound(start, goal, 100.0, vehicle), straight_time(word, vehicle) + 2.0 * lost, 1e-9);
+  EXPECT_NEAR(travel_time_lower_bound(start, goal, 100.0, vehicle), straight_time(word, vehicle) + 2.0 * lost, 1e-9);
   // Where arcs are as fast as lines nothing is lost.
   const Vehicle even = vehicle_with(ConstantTurnSpeed{12.0}, 50.0);
-  EXPECT_NEAR(travel_time_bound(start, goal, 100.0, even), straight_time(word, even), 1e-9);
+  EXPECT_NEAR(travel_time_lower_bound(start, goal, 100.0, even), straight_time(word, even), 1e-9);
   // Of a table the highest speed counts, wherever it is.
   for (const TurnSpeedTable& table :
        {TurnSpeedTable{{{1.0, 3.0}, {4.0, 8.0}, {9.0, 6.0}}}, TurnSpeedTable{{{1.0, 8.0}, {4.0, 3.0}}},
         TurnSpeedTable{{{1.0, 3.0}, {4.0, 8.0}}}})
-    EXPECT_EQ(travel_time_bound(start, goal, 100.0, vehicle_with(table, a)),
-              travel_time_bound(start, goal, 100.0, vehicle));
+    EXPECT_EQ(travel_time_lower_bound(start, goal, 100.0, vehicle_with(table, a)),
+              travel_time_lower_bound(start, goal, 100.0, vehicle));
 }
 
-TEST(TravelTimeBound, NoWordIsFaster) {
+TEST(TravelTimeLowerBound, NoWordIsFaster) {
   test::Random random(4);
   const TurnSpeedTable table{{{1.0, 3.0}, {4.0, 9.0}, {9.0, 6.0}}};
   for (const TurnSpeedLaw& law : {TurnSpeedLaw{ConstantTurnSpeed{8.0}}, TurnSpeedLaw{ConstantTurnSpeed{1.0}},
@@ -78,7 +78,7 @@ TEST(TravelTimeBound, NoWordIsFaster) {
           return Pose{random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(-kPi, kPi)};
         };
         const Pose start = pose(), goal = pose();
-        const double bound = travel_time_bound(start, goal, (goal.position() - start.position()).norm(), vehicle);
+        const double bound = travel_time_lower_bound(start, goal, (goal.position() - start.position()).norm(), vehicle);
         for (const DubinsWord word : kDubinsWords)
           for (const double factor : {1.0, 1.5, 4.0}) {
             const auto path = dubins_path(word, start, goal, factor * vehicle.min_turning_radius());
@@ -89,12 +89,12 @@ TEST(TravelTimeBound, NoWordIsFaster) {
     }
 }
 
-TEST(TravelTimeBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
+TEST(TravelTimeLowerBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
   for (const bool real : {false, true}) {
     const Vehicle vehicle = real ? vehicle_with(LateralAccelerationLimit{2.0}, 2.0) : Vehicle{};
     const World world = random_world({.kind = ClutterKind::kStar, .obstacles = 40, .vertices = 8, .fill = 0.3});
     const Planner planner(world, vehicle, {.refinement = {.max_trials = 1000}});
-    const Planner weaker(world, vehicle, {.point_robot_bound = false, .refinement = {.max_trials = 0}});
+    const Planner weaker(world, vehicle, {.point_robot_lower_bound = false, .refinement = {.max_trials = 0}});
     test::Random random(8);
     int solved = 0, sharper = 0;
     for (int i = 0; i < 60; ++i) {
@@ -120,7 +120,7 @@ TEST(TravelTimeBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
 }
 
 // Segments miss each other by the rounding of their coordinates.
-TEST(TravelTimeBound, NoPlanIsFasterFarFromTheOrigin) {
+TEST(TravelTimeLowerBound, NoPlanIsFasterFarFromTheOrigin) {
   const Planner planner(World({}), Vehicle{});
   test::Random random(5);
   for (int i = 0; i < 20; ++i) {
@@ -136,12 +136,12 @@ TEST(TravelTimeBound, NoPlanIsFasterFarFromTheOrigin) {
   }
 }
 
-TEST(TravelTimeBound, HoldsInBothGearsIfBothAreAllowed) {
+TEST(TravelTimeLowerBound, HoldsInBothGearsIfBothAreAllowed) {
   const Vehicle vehicle;
   // Straight back: far less than what it takes forwards.
-  const double back = travel_time_bound({0, 0, 0}, {-10, 0, 0}, 10.0, vehicle, true);
+  const double back = travel_time_lower_bound({0, 0, 0}, {-10, 0, 0}, 10.0, vehicle, true);
   EXPECT_NEAR(back, straight_time(10.0, vehicle), 1e-10);
-  EXPECT_GT(travel_time_bound({0, 0, 0}, {-10, 0, 0}, 10.0, vehicle), back);
+  EXPECT_GT(travel_time_lower_bound({0, 0, 0}, {-10, 0, 0}, 10.0, vehicle), back);
   test::Random random(3);
   for (int i = 0; i < 2000; ++i) {
     const auto pose = [&] {
@@ -149,8 +149,8 @@ TEST(TravelTimeBound, HoldsInBothGearsIfBothAreAllowed) {
     };
     const Pose start = pose(), goal = pose();
     const double distance = (goal.position() - start.position()).norm();
-    const double bound = travel_time_bound(start, goal, distance, vehicle, true);
-    EXPECT_LE(bound, travel_time_bound(start, goal, distance, vehicle) * (1.0 + 1e-9));
+    const double bound = travel_time_lower_bound(start, goal, distance, vehicle, true);
+    EXPECT_LE(bound, travel_time_lower_bound(start, goal, distance, vehicle) * (1.0 + 1e-9));
     for (std::size_t word = 0; word < kReedsSheppWords; ++word) {
       const auto path = reeds_shepp_path(word, start, goal, vehicle.min_turning_radius());
       if (path) {
@@ -161,7 +161,7 @@ TEST(TravelTimeBound, HoldsInBothGearsIfBothAreAllowed) {
 }
 
 // The rounding of the places turns the line between them.
-TEST(TravelTimeBound, NoPlanBetweenPlacesNextToEachOtherIsFaster) {
+TEST(TravelTimeLowerBound, NoPlanBetweenPlacesNextToEachOtherIsFaster) {
   const Vehicle vehicle({.length = 0.375, .width = 1.018, .wheelbase = 0.08956});
   const Planner planner(World({}), vehicle, {.radii = {0.0896, 6.9}});
   test::Random random(2);
@@ -175,7 +175,7 @@ TEST(TravelTimeBound, NoPlanBetweenPlacesNextToEachOtherIsFaster) {
 }
 
 // An arc that leads there up to the rounding of places may have another heading there.
-TEST(TravelTimeBound, NoSingleArcIsFasterFarFromTheOrigin) {
+TEST(TravelTimeLowerBound, NoSingleArcIsFasterFarFromTheOrigin) {
   const Vehicle vehicle({.wheelbase = 0.2, .safety_margin = 0.1});
   const Planner planner(World({}), vehicle);
   test::Random random(4);
@@ -189,12 +189,12 @@ TEST(TravelTimeBound, NoSingleArcIsFasterFarFromTheOrigin) {
 }
 
 // What is beside a pose by the rounding of its place alone is no way off in both gears.
-TEST(TravelTimeBound, IsThatOfALineToAPlaceAheadWhateverRoundingPutsItBeside) {
+TEST(TravelTimeLowerBound, IsThatOfALineToAPlaceAheadWhateverRoundingPutsItBeside) {
   const Vehicle vehicle({.wheelbase = 0.0017108857310877202, .max_steering_angle = 0.88284777485843047});
   const Pose start{964.42284843218351, -985.27088661988967, 1.8039582235336526};
   const Pose goal{964.42284843314758, -985.27088662394942, 1.8039582235336526};
   const double distance = (goal.position() - start.position()).norm();
-  EXPECT_LE(travel_time_bound(start, goal, distance, vehicle, true), straight_time(distance, vehicle));
+  EXPECT_LE(travel_time_lower_bound(start, goal, distance, vehicle, true), straight_time(distance, vehicle));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/search/pocket.h"
+#include "core/search/backward_reachable_set.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(LinksTo, AreTheLinksThatEndThere) {
 }
 
 TEST(DeparturesTowards, AreThoseThatLeadThereGoingForwards) {
-  std::size_t pockets = 0;
+  std::size_t small_sets = 0;
   for (const std::uint64_t seed : {1, 2, 3}) {
     const World world = dense_world(seed);
     const Planner planner(world, Vehicle{});
@@ -88,17 +88,18 @@ TEST(DeparturesTowards, AreThoseThatLeadThereGoingForwards) {
         for (const Departure& d : departures) all.insert({d.circle, d.heading});
         return all;
       };
-      const auto found = departures_towards(circles, {{links[end].from, links[end].heading}}, links.size() + 1);
+      const auto found = backward_reachable_set(circles, {{links[end].from, links[end].heading}}, links.size() + 1);
       ASSERT_TRUE(found);
       EXPECT_EQ(sorted(*found), expected) << "seed " << seed << ", link " << end;
-      EXPECT_FALSE(departures_towards(circles, {{links[end].from, links[end].heading}}, found->size() - 1));
-      const auto lazily = departures_towards(lazy_circles, {{links[end].from, links[end].heading}}, links.size() + 1);
+      EXPECT_FALSE(backward_reachable_set(circles, {{links[end].from, links[end].heading}}, found->size() - 1));
+      const auto lazily =
+          backward_reachable_set(lazy_circles, {{links[end].from, links[end].heading}}, links.size() + 1);
       ASSERT_TRUE(lazily);
       EXPECT_EQ(sorted(*lazily), expected) << "seed " << seed << ", link " << end;
-      pockets += found->size() < links.size() / 2 ? 1 : 0;
+      small_sets += found->size() < links.size() / 2 ? 1 : 0;
     }
   }
-  EXPECT_GT(pockets, 0U);  // else the walk could take everything
+  EXPECT_GT(small_sets, 0U);  // else the walk could take everything
 }
 
 // Whether the links of an eager graph lead from one pose to the other, going forwards alone.
@@ -108,7 +109,7 @@ bool is_reachable(const Roadmap& map, const PlanRequest& request) {
   HugeVector<AttachmentLink> start_links, goal_links;
   std::vector<std::uint32_t> pieces;
   const Attachment start{request.start, {}}, goal{request.goal, {}};
-  const WayLimit anywhere{request.goal.position(), std::numeric_limits<double>::infinity()};
+  const LengthLimit anywhere{request.goal.position(), std::numeric_limits<double>::infinity()};
   append_circles(map, {&start, 1}, 0, Direction::kFromStart, headings, starts);
   append_circles(map, {&goal, 1}, 0, Direction::kToGoal, headings, goals);
   for (std::uint32_t i = 0; i < starts.size(); ++i)
@@ -135,11 +136,11 @@ bool is_reachable(const Roadmap& map, const PlanRequest& request) {
   return false;
 }
 
-TEST(Pocket, ChangesNoAnswer) {
+TEST(BackwardReachableSet, ChangesNoAnswer) {
   std::size_t without_path = 0;
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     const World world = dense_world(seed);
-    const PlannerOptions options{.manoeuvre_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}};
+    const PlannerOptions options{.maneuver_poses = 0, .gap_circles = false, .refinement = {.max_trials = 0}};
     const Planner eager(world, Vehicle{}, options);
     PlannerOptions lazily = options;
     lazily.graph_mode = GraphMode::kLazy;

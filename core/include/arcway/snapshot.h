@@ -12,7 +12,7 @@
 namespace arcway {
 
 /// The arrays that hold what was found out about a map, so that it can be stored and taken up again.
-enum class Table : std::uint32_t {
+enum class SnapshotArray : std::uint32_t {
   kVertices = 1,
   kNext,
   kCovered,
@@ -29,20 +29,20 @@ enum class Table : std::uint32_t {
   kSelfContacts
 };
 /// "vertices", "row starts", ...
-ARCWAY_API const char* name_of(Table table);
+ARCWAY_API const char* name_of(SnapshotArray array);
 
-/// An entry of a table that cannot be.
-class ARCWAY_API TableError : public std::invalid_argument {
+/// An entry of an array that cannot be.
+class ARCWAY_API SnapshotError : public std::invalid_argument {
  public:
-  TableError(Table table, std::size_t index, const std::string& message)
-      : std::invalid_argument(std::string(name_of(table)) + ", entry " + std::to_string(index) + ": " + message),
-        table_(table),
+  SnapshotError(SnapshotArray array, std::size_t index, const std::string& message)
+      : std::invalid_argument(std::string(name_of(array)) + ", entry " + std::to_string(index) + ": " + message),
+        array_(array),
         index_(index) {}
-  [[nodiscard]] Table table() const { return table_; }
+  [[nodiscard]] SnapshotArray array() const { return array_; }
   [[nodiscard]] std::size_t index() const { return index_; }
 
  private:
-  Table table_;
+  SnapshotArray array_;
   std::size_t index_;
 };
 
@@ -52,8 +52,8 @@ struct SelfContact {
   friend bool operator==(const SelfContact&, const SelfContact&) = default;
 };
 
-/// A world as arrays, by vertex, ring and region: World::tables, World::from_tables.
-struct WorldTables {
+/// A world as arrays, by vertex, ring and region: World::snapshot, World::from_snapshot.
+struct WorldSnapshot {
   std::vector<Vec2> vertices;
   std::vector<std::uint32_t> next;          ///< World::next
   std::vector<std::uint8_t> covered;        ///< World::is_covered, 0 or 1

@@ -15,13 +15,13 @@ namespace arcway::internal {
 /// How far poses are from each other: dense ones find the way out of a narrow place, sparse ones a place to turn back.
 enum class Spread { kDense, kSparse };
 
-/// Memory of find_manoeuvres, kept for the next time: for one at a time, of any map.
-class ManoeuvreWorkspace {
+/// Memory of find_maneuvers, kept for the next time: for one at a time, of any map.
+class ManeuverWorkspace {
  public:
-  ManoeuvreWorkspace();
-  ~ManoeuvreWorkspace();
-  ManoeuvreWorkspace(ManoeuvreWorkspace&&) noexcept;
-  ManoeuvreWorkspace& operator=(ManoeuvreWorkspace&&) noexcept;
+  ManeuverWorkspace();
+  ~ManeuverWorkspace();
+  ManeuverWorkspace(ManeuverWorkspace&&) noexcept;
+  ManeuverWorkspace& operator=(ManeuverWorkspace&&) noexcept;
 
   struct Data;
   Data& operator*() { return *data_; }
@@ -37,12 +37,12 @@ class ManoeuvreWorkspace {
 /// of the way and shares of it. Steps are checked exactly; only their number is limited, so a missing pose proves
 /// nothing. O(max_poses) queries and memory.
 /// @param clock  ends that, with the poses found by then.
-std::vector<Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                        const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense,
-                                        const StopClock& clock = {});
+std::vector<Attachment> find_maneuvers(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+                                       const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense,
+                                       const StopClock& clock = {});
 /// The same in memory that is used again: theirs is the workspace's.
-std::span<const Attachment> find_manoeuvres(const Pose& pose, Direction direction, const Vehicle& vehicle,
-                                            double radius, const SweepQuery& sweep, std::size_t max_poses,
-                                            Spread spread, ManoeuvreWorkspace& workspace, const StopClock& clock = {});
+std::span<const Attachment> find_maneuvers(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
+                                           const SweepQuery& sweep, std::size_t max_poses, Spread spread,
+                                           ManeuverWorkspace& workspace, const StopClock& clock = {});
 
 }  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/attach/horizon.h"
+#include "core/attach/occlusion_horizon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ Headings headings_towards(const Ball& ball, double near, const TurnCircle& circl
 
 }  // namespace
 
-Horizon::Horizon(const TurnCircle& circle, double heading, double turn) : circle_(circle) {
+OcclusionHorizon::OcclusionHorizon(const TurnCircle& circle, double heading, double turn) : circle_(circle) {
   far_.setConstant(-std::numeric_limits<double>::infinity());
   const double low = heading - (circle.side == Side::kLeft ? 0.0 : turn) - kSlack;
   const auto first = static_cast<long>(std::floor(wrap_positive(low) * (kHeadings / kTwoPi)));
@@ -77,13 +77,13 @@ Horizon::Horizon(const TurnCircle& circle, double heading, double turn) : circle
     far_[k % kHeadings] = std::numeric_limits<double>::infinity();
 }
 
-void Horizon::shorten(const Outlines& outlines) {
+void OcclusionHorizon::shorten(const Outlines& outlines) {
   outlines.visit_near_first(
       circle_.center, [this](const Box& box) { return !hides(box); },
       [this](const Outlines::Piece& piece) { shorten(piece.points, piece.box); });
 }
 
-void Horizon::shorten(std::span<const Vec2> outline, const Box& box) {
+void OcclusionHorizon::shorten(std::span<const Vec2> outline, const Box& box) {
   const double half = 0.5 * (box.max - box.min).norm();
   const double distance = (0.5 * (box.min + box.max) - circle_.center).norm();
   if (half > kWidestPiece * distance || distance - half <= circle_.radius * (1.0 + kSlack)) {
@@ -100,7 +100,7 @@ void Horizon::shorten(std::span<const Vec2> outline, const Box& box) {
 }
 
 // An edge outside of the circle spans less than pi of headings, however long it is.
-void Horizon::shorten_by_edge(const std::array<Vec2, 2>& edge) {
+void OcclusionHorizon::shorten_by_edge(const std::array<Vec2, 2>& edge) {
   const Vec2 along = edge[1] - edge[0];
   const double t = std::clamp((circle_.center - edge[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
   const double distance = (edge[0] + t * along - circle_.center).norm();
@@ -108,7 +108,7 @@ void Horizon::shorten_by_edge(const std::array<Vec2, 2>& edge) {
   if (clear) shorten_by(edge);
 }
 
-void Horizon::shorten_by(std::span<const Vec2> outline) {
+void OcclusionHorizon::shorten_by(std::span<const Vec2> outline) {
   // Between the straights through two of the points all others meet the outline: the first and the last as the center
   // sees them are nearly the ends of the range, and sooner found.
   Vec2 first_seen = outline[0] - circle_.center, last_seen = first_seen;
@@ -139,7 +139,7 @@ void Horizon::shorten_by(std::span<const Vec2> outline) {
   shorten(far_.head(count - before_end));
 }
 
-Horizon::Sight Horizon::sight_of(const TurnCircle& to) const {
+OcclusionHorizon::TangentLine OcclusionHorizon::tangent_to(const TurnCircle& to) const {
   const Vec2 d = to.center - circle_.center;
   const double offset = sign_of(to.side) * to.radius - sign_of(circle_.side) * circle_.radius;
   const double square = d.squaredNorm() - offset * offset;
@@ -149,19 +149,19 @@ Horizon::Sight Horizon::sight_of(const TurnCircle& to) const {
   return {heading < 0.0 ? heading + kTwoPi : heading, length};
 }
 
-bool Horizon::hides(const Sight& sight) const {
-  if (sight.length == 0.0) return false;
+bool OcclusionHorizon::hides(const TangentLine& tangent) const {
+  if (tangent.length == 0.0) return false;
   const double slack = kDirectionError + kSlack;
-  const double end = std::max(far_[range_of(sight.heading - slack)], far_[range_of(sight.heading + slack)]);
-  return end < sight.length * (1.0 - kSlack);
+  const double end = std::max(far_[range_of(tangent.heading - slack)], far_[range_of(tangent.heading + slack)]);
+  return end < tangent.length * (1.0 - kSlack);
 }
 
-double Horizon::reach(double heading) const {
+double OcclusionHorizon::reach(double heading) const {
   const int range = static_cast<int>(wrap_positive(heading) * (kHeadings / kTwoPi));
   return far_[std::min(range, kHeadings - 1)];
 }
 
-bool Horizon::end_before(double distance, int first, int last) const {
+bool OcclusionHorizon::end_before(double distance, int first, int last) const {
   constexpr int kAtOnce = 8;
   int k = first;
   for (; k <= last - kAtOnce; k += kAtOnce)
@@ -171,7 +171,7 @@ bool Horizon::end_before(double distance, int first, int last) const {
   return true;
 }
 
-bool Horizon::hides(const Box& box) const {
+bool OcclusionHorizon::hides(const Box& box) const {
   // No tangent enters the disc.
   const double disc = circle_.radius * (1.0 - kSlack);
   const Vec2 farthest = (0.5 * (box.min + box.max) - circle_.center).cwiseAbs() + 0.5 * (box.max - box.min);
@@ -188,7 +188,7 @@ bool Horizon::hides(const Box& box) const {
   return end_before(closest, first, kHeadings) && end_before(closest, 0, last);
 }
 
-Sectors Horizon::sectors_towards(const Box& box) const {
+Sectors OcclusionHorizon::sectors_towards(const Box& box) const {
   const auto ball = ball_around(box, circle_.center);
   if (!ball) return kAllSectors;
   const auto [low, high] = headings_towards(*ball, nearest_of(box, circle_), circle_);

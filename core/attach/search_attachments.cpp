@@ -1,4 +1,4 @@
-#include "core/attach/search_ends.h"
+#include "core/attach/search_attachments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMostDirectPairs = 64;
-// Straights between the poses of manoeuvres at one end and the graph, in all: so many, or half as many as vertices
+// Straights between the poses of maneuvers at one end and the graph, in all: so many, or half as many as vertices
 // where those are more; each circle of a pose has two in any case. 48 bytes each at the start, 64 at the goal. In open
 // places 400 poses see millions of circles: among 20,000 cells that touch at corners, their links took 1.2 GB, now 8
 // MB.
@@ -24,7 +24,7 @@ constexpr std::size_t kLeastLinks = 2;
 
 bool is_same(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.heading == b.heading; }
 
-// How many straights each new circle of manoeuvres may join the graph by: together they take half of what is left.
+// How many straights each new circle of maneuvers may join the graph by: together they take half of what is left.
 std::size_t links_a_circle(std::size_t vertices, std::size_t known_links, std::size_t new_circles) {
   const std::size_t most = std::max(kLinksOfPoses, vertices / kVerticesALink);
   const std::size_t left = most - std::min(most, known_links);
@@ -39,7 +39,7 @@ bool begin_with(std::span<const Attachment> all, const std::vector<Pose>& some) 
 
 }  // namespace
 
-void SearchEnds::forget() {
+void SearchAttachments::forget() {
   starts_.clear();
   goals_.clear();
   start_circles_.clear();
@@ -50,18 +50,18 @@ void SearchEnds::forget() {
   direct_paths_.clear();
 }
 
-void SearchEnds::warm_up(std::size_t circles) {
+void SearchAttachments::warm_up(std::size_t circles) {
   forget();
   first_goal_link_.reset(circles);
 }
 
-bool SearchEnds::are_first_of(const SearchContext& context) const {
+bool SearchAttachments::are_first_of(const SearchContext& context) const {
   return begin_with(context.starts, starts_) && begin_with(context.goals, goals_);
 }
 
-void SearchEnds::begin(SearchContext& context) {
+void SearchAttachments::begin(SearchContext& context) {
   context_ = &context;
-  longest_way_ = context.options.faster_than * context.vehicle.top_speed();
+  longest_path_ = context.options.faster_than * context.vehicle.top_speed();
   const std::size_t known_starts = starts_.size(), known_goals = goals_.size();
   const auto first_start_circle = start_circles_.size();
   const auto first_goal_circle = static_cast<std::uint32_t>(goal_circles_.size());
@@ -83,7 +83,7 @@ void SearchEnds::begin(SearchContext& context) {
   for (std::uint32_t g = first_goal_circle; g < goal_circles_.size() && !context.interrupted(); ++g) add_goal_links(g);
 }
 
-void SearchEnds::find_direct_paths(std::size_t known_starts, std::size_t known_goals) {
+void SearchAttachments::find_direct_paths(std::size_t known_starts, std::size_t known_goals) {
   const auto starts = static_cast<std::uint32_t>(context_->starts.size());
   const auto goals = static_cast<std::uint32_t>(context_->goals.size());
   const bool are_many = context_->starts.size() * context_->goals.size() > kMostDirectPairs;
@@ -92,7 +92,7 @@ void SearchEnds::find_direct_paths(std::size_t known_starts, std::size_t known_g
       const bool plain_start = context_->starts[s].connection.empty();
       const bool plain_goal = context_->goals[g].connection.empty();
       if (context_->interrupted()) return;
-      // Of many manoeuvres at both ends one is enough for a path that goes round nothing in between.
+      // Of many maneuvers at both ends one is enough for a path that goes round nothing in between.
       if (are_many && !plain_start && !plain_goal) continue;
       const bool few_radii = are_many && !(plain_start && plain_goal);
       const std::span<const double> radii = context_->map.radii;
@@ -101,14 +101,14 @@ void SearchEnds::find_direct_paths(std::size_t known_starts, std::size_t known_g
     }
 }
 
-void SearchEnds::try_direct(std::uint32_t start, std::uint32_t goal, double radius, DubinsWord word) {
+void SearchAttachments::try_direct(std::uint32_t start, std::uint32_t goal, double radius, DubinsWord word) {
   const Attachment& from = context_->starts[start];
   const Attachment& to = context_->goals[goal];
   const auto between = dubins_word(word, from.pose, to.pose, radius);
   if (!between) return;
   double length = length_of(from.connection) + length_of(to.connection);
   for (const PathSegment& segment : between->segments()) length += segment.length;
-  if (length >= longest_way_) return;
+  if (length >= longest_path_) return;
   // Lines first: they are longer and sooner asked about.
   for (const bool lines : {true, false})
     for (const PathSegment& segment : between->segments())
@@ -119,7 +119,7 @@ void SearchEnds::try_direct(std::uint32_t start, std::uint32_t goal, double radi
   direct_paths_.back().time = travel_cost(path_, context_->vehicle, context_->options.cusp_cost, profile_);
 }
 
-void SearchEnds::take_path(const DirectPath& direct, Path& path) const {
+void SearchAttachments::take_path(const DirectPath& direct, Path& path) const {
   path = context_->starts[direct.start].connection;
   const std::span<const PathSegment> between = direct.word.segments();
   path.insert(path.end(), between.begin(), between.end());
@@ -127,19 +127,19 @@ void SearchEnds::take_path(const DirectPath& direct, Path& path) const {
   path.insert(path.end(), after.begin(), after.end());
 }
 
-bool SearchEnds::is_free(const PathSegment& segment) {
+bool SearchAttachments::is_free(const PathSegment& segment) {
   if (segment.is_line()) return context_->is_free({segment.start, segment.length});
   ++context_->result.turns_checked;
   return turn_free(*context_->map.queries.sweep, context_->map.body, segment, headings_);
 }
 
-SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
+SearchAttachments::Range SearchAttachments::links_from(std::uint32_t start_circle) {
   Range& range = start_link_ranges_[start_circle];
   if (range.first == kNone) {
     range.first = static_cast<std::uint32_t>(start_links_.size());
     const Attachment& start = context_->starts[start_circles_[start_circle].attachment];
     append_links(context_->map, start_circles_, start_circle, Direction::kFromStart,
-                 {context_->goal, longest_way_ - length_of(start.connection),
+                 {context_->goal, longest_path_ - length_of(start.connection),
                   start.connection.empty() ? kUnlimited : most_start_links_},
                  pieces_, start_links_);
     range.last = static_cast<std::uint32_t>(start_links_.size());
@@ -147,10 +147,10 @@ SearchEnds::Range SearchEnds::links_from(std::uint32_t start_circle) {
   return range;
 }
 
-void SearchEnds::add_goal_links(std::uint32_t goal_circle) {
+void SearchAttachments::add_goal_links(std::uint32_t goal_circle) {
   const Attachment& goal = context_->goals[goal_circles_[goal_circle].attachment];
-  const WayLimit limit{context_->starts[0].pose.position(), longest_way_ - length_of(goal.connection),
-                       goal.connection.empty() ? kUnlimited : most_goal_links_};
+  const LengthLimit limit{context_->starts[0].pose.position(), longest_path_ - length_of(goal.connection),
+                          goal.connection.empty() ? kUnlimited : most_goal_links_};
   if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
   found_.clear();
   append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, limit, pieces_, found_);
@@ -160,7 +160,7 @@ void SearchEnds::add_goal_links(std::uint32_t goal_circle) {
   }
 }
 
-bool SearchEnds::is_free(GoalLink& goal) {
+bool SearchAttachments::is_free(GoalLink& goal) {
   if (!goal.checked) {
     const Bitangent& line = goal.link.line;
     goal.free = context_->graph.free_headings(goal.link.circle).contains(line.start.heading) && context_->is_free(line);

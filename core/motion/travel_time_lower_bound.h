@@ -24,7 +24,7 @@ namespace arcway::internal {
 /// With `reverse` the shortest word is that of Reeds and Shepp, Theta = |h1 - h0|, and speeds are those of the faster
 /// gear.
 /// Rounding is taken off, that of coordinates too. Constant time.
-double travel_time_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
-                         bool reverse = false);
+double travel_time_lower_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
+                               bool reverse = false);
 
 }  // namespace arcway::internal

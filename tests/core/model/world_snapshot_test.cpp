@@ -40,73 +40,74 @@ void expect_same(const World& a, const World& b) {
   ASSERT_EQ(a.box().max, b.box().max);
 }
 
-TEST(WorldTables, GiveTheSameWorldAgain) {
+TEST(WorldSnapshot, GiveTheSameWorldAgain) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE(seed);
     const World world = test::nasty_world(seed, 9);
-    expect_same(World::from_tables(world.tables()), world);
+    expect_same(World::from_snapshot(world.snapshot()), world);
     const World touching = test::touching_world(seed, 3);
-    expect_same(World::from_tables(touching.tables()), touching);
+    expect_same(World::from_snapshot(touching.snapshot()), touching);
   }
 }
 
-TEST(WorldTables, ThoseOfNoWorldAreRefusedWithTheEntryAtFault) {
+TEST(WorldSnapshot, ThoseOfNoWorldAreRefusedWithTheEntryAtFault) {
   const World world({{test::square(0, 0, 4), {test::reversed(test::square(1, 1, 1))}}, {test::square(9, 9, 2), {}}},
                     test::square(-5, -5, 30));
   struct Case {
-    Table table;
+    SnapshotArray array;
     std::size_t index;
-    std::function<void(WorldTables&)> spoil;
+    std::function<void(WorldSnapshot&)> spoil;
   };
   const Case cases[] = {
-      {Table::kVertices, 5, [](WorldTables& t) { t.vertices[5].x() = std::numeric_limits<double>::quiet_NaN(); }},
-      {Table::kVertices, 0, [](WorldTables& t) { t.vertices[0].y() = 1e300; }},
-      {Table::kNext, 3, [](WorldTables& t) { t.next[3] = 99; }},
-      {Table::kNext, 3, [](WorldTables& t) { t.next[3] = 8; }},  // of the next obstacle
-      {Table::kNext, 3, [](WorldTables& t) { t.next[3] = t.next[2]; }},
-      {Table::kNext, 3, [](WorldTables& t) { t.next[3] = t.next[0]; }},
-      {Table::kNext, 6, [](WorldTables& t) { t.vertices[6] = t.vertices[t.next[6]]; }},
-      {Table::kNext, 2, [](WorldTables& t) { t.next.resize(2); }},
-      {Table::kCovered, 7, [](WorldTables& t) { t.covered[7] = 2; }},
-      {Table::kRingStarts, 0, [](WorldTables& t) { t.ring_starts[0] = 1; }},
-      {Table::kRingStarts, 2, [](WorldTables& t) { t.ring_starts[1] = 6; }},  // leaves two vertices
-      {Table::kRingStarts, 2, [](WorldTables& t) { t.ring_starts[2] = 4000000000u; }},
-      {Table::kRegionRings, 1, [](WorldTables& t) { t.region_rings[1] = 0; }},
-      {Table::kRegionRings, 3, [](WorldTables& t) { t.region_rings.back() = 9; }},
-      {Table::kRegionRings, 0, [](WorldTables& t) { t.region_rings.clear(); }},
-      {Table::kRegionRings, 0,
-       [](WorldTables& t) {
+      {SnapshotArray::kVertices, 5,
+       [](WorldSnapshot& t) { t.vertices[5].x() = std::numeric_limits<double>::quiet_NaN(); }},
+      {SnapshotArray::kVertices, 0, [](WorldSnapshot& t) { t.vertices[0].y() = 1e300; }},
+      {SnapshotArray::kNext, 3, [](WorldSnapshot& t) { t.next[3] = 99; }},
+      {SnapshotArray::kNext, 3, [](WorldSnapshot& t) { t.next[3] = 8; }},  // of the next obstacle
+      {SnapshotArray::kNext, 3, [](WorldSnapshot& t) { t.next[3] = t.next[2]; }},
+      {SnapshotArray::kNext, 3, [](WorldSnapshot& t) { t.next[3] = t.next[0]; }},
+      {SnapshotArray::kNext, 6, [](WorldSnapshot& t) { t.vertices[6] = t.vertices[t.next[6]]; }},
+      {SnapshotArray::kNext, 2, [](WorldSnapshot& t) { t.next.resize(2); }},
+      {SnapshotArray::kCovered, 7, [](WorldSnapshot& t) { t.covered[7] = 2; }},
+      {SnapshotArray::kRingStarts, 0, [](WorldSnapshot& t) { t.ring_starts[0] = 1; }},
+      {SnapshotArray::kRingStarts, 2, [](WorldSnapshot& t) { t.ring_starts[1] = 6; }},  // leaves two vertices
+      {SnapshotArray::kRingStarts, 2, [](WorldSnapshot& t) { t.ring_starts[2] = 4000000000u; }},
+      {SnapshotArray::kRegionRings, 1, [](WorldSnapshot& t) { t.region_rings[1] = 0; }},
+      {SnapshotArray::kRegionRings, 3, [](WorldSnapshot& t) { t.region_rings.back() = 9; }},
+      {SnapshotArray::kRegionRings, 0, [](WorldSnapshot& t) { t.region_rings.clear(); }},
+      {SnapshotArray::kRegionRings, 0,
+       [](WorldSnapshot& t) {
          t = {};
          t.region_rings = {0};
          t.has_bounds = true;
        }},
   };
   for (const Case& c : cases) {
-    WorldTables tables = world.tables();
-    c.spoil(tables);
+    WorldSnapshot snapshot = world.snapshot();
+    c.spoil(snapshot);
     try {
-      static_cast<void>(World::from_tables(std::move(tables)));
-      ADD_FAILURE() << "took " << name_of(c.table) << " " << c.index;
-    } catch (const TableError& error) {
-      EXPECT_EQ(error.table(), c.table) << error.what();
+      static_cast<void>(World::from_snapshot(std::move(snapshot)));
+      ADD_FAILURE() << "took " << name_of(c.array) << " " << c.index;
+    } catch (const SnapshotError& error) {
+      EXPECT_EQ(error.array(), c.array) << error.what();
       EXPECT_EQ(error.index(), c.index) << error.what();
     }
   }
 }
 
-TEST(WorldTables, ContactsThatAreNoneAreRefused) {
+TEST(WorldSnapshot, ContactsThatAreNoneAreRefused) {
   const World world({{test::square(0, 0, 8), {{{4, 0}, {6, 4}, {2, 4}}, {{4, 8}, {3, 6}, {5, 6}}}}});
-  ASSERT_EQ(world.tables().self_contacts, (std::vector<SelfContact>{{0, 4}, {2, 7}}));
+  ASSERT_EQ(world.snapshot().self_contacts, (std::vector<SelfContact>{{0, 4}, {2, 7}}));
   const std::vector<std::vector<SelfContact>> wrong{{{0, 4}, {2, 99}}, {{0, 4}, {99, 7}}, {{0, 4}, {0, 4}},
                                                     {{2, 7}, {0, 4}},  {{0, 4}, {2, 6}},  {{0, 4}, {6, 7}}};
   for (const std::vector<SelfContact>& contacts : wrong) {
-    WorldTables tables = world.tables();
-    tables.self_contacts = contacts;
+    WorldSnapshot snapshot = world.snapshot();
+    snapshot.self_contacts = contacts;
     try {
-      static_cast<void>(World::from_tables(std::move(tables)));
+      static_cast<void>(World::from_snapshot(std::move(snapshot)));
       ADD_FAILURE() << "took " << contacts[1].edge << " " << contacts[1].vertex;
-    } catch (const TableError& error) {
-      EXPECT_EQ(error.table(), Table::kSelfContacts) << error.what();
+    } catch (const SnapshotError& error) {
+      EXPECT_EQ(error.array(), SnapshotArray::kSelfContacts) << error.what();
       EXPECT_EQ(error.index(), 1u) << error.what();
     }
   }

@@ -17,10 +17,10 @@ namespace arcway::internal {
 /// A piece of outline that all straights within a range of headings cross ends all of them. The bound holds whatever
 /// the rounding: ranges are narrowed and distances raised by far more than it. It needs a body that covers its
 /// reference point.
-class Horizon {
+class OcclusionHorizon {
  public:
   /// Of the straights that leave the circle within a turn from a heading on [rad], and of no others.
-  Horizon(const TurnCircle& circle, double heading, double turn);
+  OcclusionHorizon(const TurnCircle& circle, double heading, double turn);
   /// Takes the outlines into account, those near by first.
   void shorten(const Outlines& outlines);
   /// The same of a single piece.
@@ -33,14 +33,14 @@ class Horizon {
   /// Those in which straights leave that get to points of a box, and maybe others.
   [[nodiscard]] Sectors sectors_towards(const Box& box) const;
   /// The straight onto another directed circle, as far as it is needed to look it up.
-  struct Sight {
-    double heading;  ///< [0, 2 pi] within kSightError
+  struct TangentLine {
+    double heading;  ///< [0, 2 pi] within kTangentError
     double length;   ///< [m]; 0: there may be none
   };
-  static constexpr double kSightError = 1e-4;
-  [[nodiscard]] Sight sight_of(const TurnCircle& to) const;
+  static constexpr double kTangentError = 1e-4;
+  [[nodiscard]] TangentLine tangent_to(const TurnCircle& to) const;
   /// Whether it is certainly not free; false also where there is none.
-  [[nodiscard]] bool hides(const Sight& sight) const;
+  [[nodiscard]] bool hides(const TangentLine& tangent) const;
 
  private:
   static constexpr int kHeadings = 512;

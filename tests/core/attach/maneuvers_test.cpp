@@ -1,4 +1,4 @@
-#include "core/attach/manoeuvres.h"
+#include "core/attach/maneuvers.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace arcway::internal {
 namespace {
 
 // Goals that are entered through a narrow range of headings only: between a wall and a corner, and along the bounds.
-TEST(Manoeuvres, ReachGoalsBesideAWall) {
+TEST(Maneuvers, ReachGoalsBesideAWall) {
   const Planner planner(catalog_world("clutter/convex/n100/m10/f45"), Vehicle());
   const PlanRequest requests[] = {
       {{7.390247560079878, 71.2415520058915, -0.3152196150963773},
@@ -32,7 +32,7 @@ TEST(Manoeuvres, ReachGoalsBesideAWall) {
 }
 
 // Goals that are entered after turning back in the open, round no vertex.
-TEST(Manoeuvres, TurnBackWhereThereIsRoom) {
+TEST(Maneuvers, TurnBackWhereThereIsRoom) {
   struct Case {
     const char* world;
     std::size_t query;
@@ -46,7 +46,7 @@ TEST(Manoeuvres, TurnBackWhereThereIsRoom) {
 }
 
 // A circle that a pose shares is looked at once, from where most of it lies ahead.
-TEST(Manoeuvres, ShareCirclesWithPosesThatTurnOnThemEarlier) {
+TEST(Maneuvers, ShareCirclesWithPosesThatTurnOnThemEarlier) {
   const World world = catalog_world("clutter/star/n100/m10/f30");
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
@@ -57,7 +57,7 @@ TEST(Manoeuvres, ShareCirclesWithPosesThatTurnOnThemEarlier) {
     for (const Direction direction : {Direction::kFromStart, Direction::kToGoal}) {
       const bool forwards = direction == Direction::kFromStart;
       const auto attachments =
-          find_manoeuvres(forwards ? request.start : request.goal, direction, vehicle, radius, *queries.sweep, 60);
+          find_maneuvers(forwards ? request.start : request.goal, direction, vehicle, radius, *queries.sweep, 60);
       for (const Attachment& attachment : attachments) {
         if (!attachment.shared) continue;
         ++shared;
@@ -77,11 +77,11 @@ TEST(Manoeuvres, ShareCirclesWithPosesThatTurnOnThemEarlier) {
 }
 
 // Poses that face away from their way, with room to turn beside them.
-TEST(Manoeuvres, MakePathsFaster) {
+TEST(Maneuvers, MakePathsFaster) {
   const std::string name = "clutter/star/n100/m10/f15";
   const World world = catalog_world(name);
   const Planner planner(world, Vehicle());
-  const Planner without(world, Vehicle(), {.manoeuvre_poses = 0});
+  const Planner without(world, Vehicle(), {.maneuver_poses = 0});
   const auto queries = catalog_queries(name, 40, 1);
   for (const std::size_t q : {1, 2, 3, 11, 35, 39}) {
     const PlanResult result = planner.plan(queries[q]);
@@ -95,13 +95,13 @@ TEST(Manoeuvres, MakePathsFaster) {
   }
 }
 
-TEST(Manoeuvres, AreFurtherApartWhereSparse) {
+TEST(Maneuvers, AreFurtherApartWhereSparse) {
   const World world = catalog_world("corridor/v300/s1");
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
   const auto count_near = [&](Spread spread) {
-    const auto found = find_manoeuvres({5.0, 2.5, 0.0}, Direction::kFromStart, vehicle, vehicle.min_turning_radius(),
-                                       *queries.sweep, 400, spread);
+    const auto found = find_maneuvers({5.0, 2.5, 0.0}, Direction::kFromStart, vehicle, vehicle.min_turning_radius(),
+                                      *queries.sweep, 400, spread);
     return std::count_if(found.begin(), found.end(), [](const Attachment& t) { return length_of(t.connection) < 3.0; });
   };
   EXPECT_GT(count_near(Spread::kSparse), 10);
@@ -109,14 +109,14 @@ TEST(Manoeuvres, AreFurtherApartWhereSparse) {
 }
 
 // The corner of the nose that swings outwards meets a wall ahead before the turn is whole.
-TEST(Manoeuvres, EndATurnWhereAnObstacleDoes) {
+TEST(Maneuvers, EndATurnWhereAnObstacleDoes) {
   const Vehicle vehicle;
   const double wall = vehicle.footprint().front + 0.2;
   const World world({{{{wall, -50}, {wall + 1, -50}, {wall + 1, 50}, {wall, 50}}, {}}});
   const Pose pose{0.0, 0.0, 0.0};
   const QuerySet queries = make_reference_queries(world);
   const auto found =
-      find_manoeuvres(pose, Direction::kFromStart, vehicle, vehicle.min_turning_radius(), *queries.sweep, 50);
+      find_maneuvers(pose, Direction::kFromStart, vehicle, vehicle.min_turning_radius(), *queries.sweep, 50);
   bool partial = false;
   for (const Attachment& attachment : found)
     for (const PathSegment& segment : attachment.connection)

@@ -41,7 +41,7 @@ struct LinkCounts {
 };
 
 /// All that an eager feasible graph has found out, in compressed rows, one a circle.
-struct FeasibleTables {
+struct FeasibleGraphSnapshot {
   std::vector<std::uint64_t> interval_starts;  ///< circles + 1, into `intervals`
   std::vector<HeadingInterval> intervals;      ///< free headings
   std::vector<std::uint64_t> link_starts;      ///< circles + 1, into `links`

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "arcway/datasets/clutter.h"
-#include "arcway/feasible_tables.h"
+#include "arcway/feasible_graph_snapshot.h"
 #include "arcway/planner.h"
 #include "core/roadmap/feasible_graph.h"
 #include "tests/support/same_graphs.h"
@@ -24,13 +24,13 @@ struct Case {
   FeasibleGraph graph{world, vehicle, visibility, queries, radii, SerialExecutor()};
 };
 
-TEST(FeasibleTables, GiveTheSameGraphAgain) {
+TEST(FeasibleGraphSnapshot, GiveTheSameGraphAgain) {
   const Case c;
   ASSERT_GT(c.graph.links().size(), 100u);
-  test::expect_same(FeasibleGraph(c.world, c.vehicle, c.rows, c.queries, c.radii, c.graph.tables()), c.graph);
+  test::expect_same(FeasibleGraph(c.world, c.vehicle, c.rows, c.queries, c.radii, c.graph.snapshot()), c.graph);
 }
 
-TEST(FeasibleTables, AProcessGroupBuildsTheSameGraph) {
+TEST(FeasibleGraphSnapshot, AProcessGroupBuildsTheSameGraph) {
   const Case c;
   for (const std::size_t size : {2u, 3u, 7u, 500u}) {
     std::mutex mutex;
@@ -43,36 +43,37 @@ TEST(FeasibleTables, AProcessGroupBuildsTheSameGraph) {
   }
 }
 
-TEST(FeasibleTables, ThoseOfNoGraphAreRefusedWithTheEntryAtFault) {
+TEST(FeasibleGraphSnapshot, ThoseOfNoGraphAreRefusedWithTheEntryAtFault) {
   const Case c;
-  const FeasibleTables tables = c.graph.tables();
+  const FeasibleGraphSnapshot snapshot = c.graph.snapshot();
   const std::size_t circles = c.graph.circles().size();
-  const std::size_t busy = tables.links[0].from;
+  const std::size_t busy = snapshot.links[0].from;
   struct Spoiled {
-    Table table;
+    SnapshotArray array;
     std::size_t index;
-    std::function<void(FeasibleTables&)> spoil;
+    std::function<void(FeasibleGraphSnapshot&)> spoil;
   };
   const Spoiled cases[] = {
-      {Table::kIntervalStarts, circles, [](FeasibleTables& t) { t.interval_starts.pop_back(); }},
-      {Table::kIntervalStarts, circles, [](FeasibleTables& t) { ++t.interval_starts.back(); }},
-      {Table::kIntervalStarts, 0, [](FeasibleTables& t) { t.interval_starts.front() = 1; }},
-      {Table::kIntervals, 0, [](FeasibleTables& t) { t.intervals[0].low = -1.0; }},
-      {Table::kLinkStarts, busy + 2, [&](FeasibleTables& t) { t.link_starts[busy + 1] = t.links.size(); }},
-      {Table::kLinks, 0, [](FeasibleTables& t) { t.links[0].to = 0xFFFFFFFF; }},
-      {Table::kLinks, 0, [](FeasibleTables& t) { ++t.links[0].from; }},
-      {Table::kLinks, 0, [](FeasibleTables& t) { t.links[0].heading = 7.0; }},
-      {Table::kLinks, 0, [](FeasibleTables& t) { t.links[0].length = -1.0; }},
-      {Table::kLinkCounts, circles - 1, [](FeasibleTables& t) { t.link_counts.pop_back(); }},
+      {SnapshotArray::kIntervalStarts, circles, [](FeasibleGraphSnapshot& t) { t.interval_starts.pop_back(); }},
+      {SnapshotArray::kIntervalStarts, circles, [](FeasibleGraphSnapshot& t) { ++t.interval_starts.back(); }},
+      {SnapshotArray::kIntervalStarts, 0, [](FeasibleGraphSnapshot& t) { t.interval_starts.front() = 1; }},
+      {SnapshotArray::kIntervals, 0, [](FeasibleGraphSnapshot& t) { t.intervals[0].low = -1.0; }},
+      {SnapshotArray::kLinkStarts, busy + 2,
+       [&](FeasibleGraphSnapshot& t) { t.link_starts[busy + 1] = t.links.size(); }},
+      {SnapshotArray::kLinks, 0, [](FeasibleGraphSnapshot& t) { t.links[0].to = 0xFFFFFFFF; }},
+      {SnapshotArray::kLinks, 0, [](FeasibleGraphSnapshot& t) { ++t.links[0].from; }},
+      {SnapshotArray::kLinks, 0, [](FeasibleGraphSnapshot& t) { t.links[0].heading = 7.0; }},
+      {SnapshotArray::kLinks, 0, [](FeasibleGraphSnapshot& t) { t.links[0].length = -1.0; }},
+      {SnapshotArray::kLinkCounts, circles - 1, [](FeasibleGraphSnapshot& t) { t.link_counts.pop_back(); }},
   };
   for (const Spoiled& spoiled : cases) {
-    FeasibleTables other = tables;
+    FeasibleGraphSnapshot other = snapshot;
     spoiled.spoil(other);
     try {
       const FeasibleGraph graph(c.world, c.vehicle, c.rows, c.queries, c.radii, std::move(other));
-      ADD_FAILURE() << "took " << name_of(spoiled.table) << " " << spoiled.index;
-    } catch (const TableError& error) {
-      EXPECT_EQ(error.table(), spoiled.table) << error.what();
+      ADD_FAILURE() << "took " << name_of(spoiled.array) << " " << spoiled.index;
+    } catch (const SnapshotError& error) {
+      EXPECT_EQ(error.array(), spoiled.array) << error.what();
       EXPECT_EQ(error.index(), spoiled.index) << error.what();
     }
   }
@@ -86,7 +87,7 @@ TEST(PreparedGraph, PlansAsThePlannerThatBuiltIt) {
   const PlanRequest request{{1, 1, 0}, {20, 20, 1}};
   EXPECT_EQ(taken.plan(request).travel_time, built.plan(request).travel_time);
   const World other = random_world({.obstacles = 7, .vertices = 5, .fill = 0.3, .seed = 5});
-  EXPECT_THROW(Planner::restored(other, c.vehicle, reference_backend(other), built.prepared_graph()), TableError);
+  EXPECT_THROW(Planner::restored(other, c.vehicle, reference_backend(other), built.prepared_graph()), SnapshotError);
 }
 
 }  // namespace

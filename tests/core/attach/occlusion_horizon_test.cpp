@@ -1,4 +1,4 @@
-#include "core/attach/horizon.h"
+#include "core/attach/occlusion_horizon.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace arcway::internal {
 namespace {
 
-TEST(Horizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
+TEST(OcclusionHorizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
   const Footprint body = Vehicle{}.footprint();
   int limited = 0, hidden = 0, reached = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -25,7 +25,7 @@ TEST(Horizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
       const double far = world.box().max.x();
       const Side side = i % 2 == 0 ? Side::kLeft : Side::kRight;
       const TurnCircle circle{random.point(0.0, far), i % 4 == 0 ? 20.0 : 1.3, side, kNone};
-      Horizon horizon(circle, 0.0, kTwoPi);
+      OcclusionHorizon horizon(circle, 0.0, kTwoPi);
       horizon.shorten(outlines);
       for (int k = 0; k < 100; ++k) {
         const double heading = random.uniform(0.0, kTwoPi);
@@ -50,7 +50,7 @@ TEST(Horizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
   EXPECT_GT(reached, 500);
 }
 
-TEST(Horizon, HidesNoCircleOntoWhichAStraightIsFree) {
+TEST(OcclusionHorizon, HidesNoCircleOntoWhichAStraightIsFree) {
   const Footprint body = Vehicle{}.footprint();
   int hidden = 0, free = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -61,7 +61,7 @@ TEST(Horizon, HidesNoCircleOntoWhichAStraightIsFree) {
     for (int i = 0; i < 20; ++i) {
       const double far = world.box().max.x();
       const TurnCircle circle{random.point(0.0, far), 1.3, i % 2 == 0 ? Side::kLeft : Side::kRight, kNone};
-      Horizon horizon(circle, 0.0, kTwoPi);
+      OcclusionHorizon horizon(circle, 0.0, kTwoPi);
       horizon.shorten(outlines);
       for (int k = 0; k < 200; ++k) {
         // Far away, near by, overlapping, and of another radius.
@@ -70,15 +70,15 @@ TEST(Horizon, HidesNoCircleOntoWhichAStraightIsFree) {
                             k % 3 == 0 ? 2.6 : 1.3, k % 2 == 0 ? Side::kLeft : Side::kRight, kNone};
         const auto line = directed_bitangent(circle, to);
         const bool is_free = line && queries.sweep->straight_free(swept_rectangle(line->start, line->length, body));
-        const Horizon::Sight sight = horizon.sight_of(to);
-        EXPECT_FALSE(is_free && horizon.hides(sight)) << seed << " " << i << " " << k;
-        EXPECT_TRUE(line || !horizon.hides(sight));
-        if (line && sight.length > 0.0) {
-          EXPECT_LT(std::abs(wrap_signed(sight.heading - line->start.heading)), Horizon::kSightError);
-          EXPECT_NEAR(sight.length, line->length, 1e-6 * line->length);
-          EXPECT_TRUE(sight.heading >= 0.0 && sight.heading < kTwoPi);
+        const OcclusionHorizon::TangentLine tangent = horizon.tangent_to(to);
+        EXPECT_FALSE(is_free && horizon.hides(tangent)) << seed << " " << i << " " << k;
+        EXPECT_TRUE(line || !horizon.hides(tangent));
+        if (line && tangent.length > 0.0) {
+          EXPECT_LT(std::abs(wrap_signed(tangent.heading - line->start.heading)), OcclusionHorizon::kTangentError);
+          EXPECT_NEAR(tangent.length, line->length, 1e-6 * line->length);
+          EXPECT_TRUE(tangent.heading >= 0.0 && tangent.heading < kTwoPi);
         }
-        hidden += horizon.hides(sight) ? 1 : 0;
+        hidden += horizon.hides(tangent) ? 1 : 0;
         free += is_free ? 1 : 0;
       }
     }
@@ -89,14 +89,14 @@ TEST(Horizon, HidesNoCircleOntoWhichAStraightIsFree) {
 
 // Ranges of headings begin at every 512th part of a turn: what lies just beside an obstacle that ends there is not
 // hidden.
-TEST(Horizon, HidesNothingJustBesideAnObstacle) {
+TEST(OcclusionHorizon, HidesNothingJustBesideAnObstacle) {
   constexpr double kRange = kTwoPi / 512, kBeside = 1e-5;
   const auto at = [](double heading) { return Vec2(5.0 * direction_of(heading)); };
   int limited = 0;
   for (int k = 0; k < 512; ++k) {
     const double first = k * kRange, last = first + 4.0 * kRange;
     const World world({{{at(first + kBeside), at(first + 2.0 * kRange) * 1.1, at(last - kBeside)}, {}}});
-    Horizon horizon({{0.0, 0.0}, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+    OcclusionHorizon horizon({{0.0, 0.0}, 0.0, Side::kLeft, kNone}, 0.0, kTwoPi);
     horizon.shorten(Outlines(world));
     EXPECT_TRUE(std::isinf(horizon.reach(first + 0.5 * kBeside))) << k;
     EXPECT_TRUE(std::isinf(horizon.reach(last - 0.5 * kBeside))) << k;
@@ -105,27 +105,27 @@ TEST(Horizon, HidesNothingJustBesideAnObstacle) {
   EXPECT_EQ(limited, 512);
 }
 
-TEST(Horizon, HidesNothingFromWhereItBegins) {
+TEST(OcclusionHorizon, HidesNothingFromWhereItBegins) {
   for (int k = 0; k < 512; ++k) {
     const double heading = (k * kTwoPi) / 512 + 2e-6;
     const TurnCircle circle{{1.0, 2.0}, 1.3, k % 2 == 0 ? Side::kLeft : Side::kRight, kNone};
-    const Horizon horizon(circle, heading, 0.1);
+    const OcclusionHorizon horizon(circle, heading, 0.1);
     const TurnCircle to{circle.center + 20.0 * direction_of(heading), circle.radius, circle.side, kNone};
-    EXPECT_FALSE(horizon.hides(horizon.sight_of(to))) << k;
+    EXPECT_FALSE(horizon.hides(horizon.tangent_to(to))) << k;
   }
 }
 
-TEST(Horizon, IsUnlimitedWithoutObstacles) {
+TEST(OcclusionHorizon, IsUnlimitedWithoutObstacles) {
   const Outlines outlines{World({})};
-  Horizon horizon({{3, 4}, 2.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+  OcclusionHorizon horizon({{3, 4}, 2.0, Side::kLeft, kNone}, 0.0, kTwoPi);
   horizon.shorten(outlines);
   EXPECT_TRUE(std::isinf(horizon.reach(1.0)));
   EXPECT_FALSE(horizon.hides({{10, 10}, {20, 20}}));
 }
 
-TEST(Horizon, HasOnlyTheHeadingsWithinTheTurn) {
+TEST(OcclusionHorizon, HasOnlyTheHeadingsWithinTheTurn) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const Horizon horizon({{3, 4}, 2.0, side, kNone}, 0.2, 0.5);
+    const OcclusionHorizon horizon({{3, 4}, 2.0, side, kNone}, 0.2, 0.5);
     for (double turn = -3.0; turn < 3.0; turn += 0.1) {
       const double heading = 0.2 + sign_of(side) * turn;
       const bool within = turn >= 0.0 && turn <= 0.5;
@@ -136,10 +136,10 @@ TEST(Horizon, HasOnlyTheHeadingsWithinTheTurn) {
   }
 }
 
-TEST(Horizon, IsCutOffByALongWall) {
+TEST(OcclusionHorizon, IsCutOffByALongWall) {
   const World world({{{{-50, 10}, {50, 10}, {50, 12}, {-50, 12}}, {}}});
   const Outlines outlines(world);
-  Horizon below({{0, 0}, 1.0, Side::kLeft, kNone}, 0.0, kTwoPi);
+  OcclusionHorizon below({{0, 0}, 1.0, Side::kLeft, kNone}, 0.0, kTwoPi);
   below.shorten(outlines);
   EXPECT_LT(below.reach(0.5 * kPi), 60.0);
   EXPECT_TRUE(std::isinf(below.reach(1.5 * kPi)));

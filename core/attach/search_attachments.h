@@ -14,7 +14,7 @@
 namespace arcway::internal {
 
 /// How start and goal attachments join the graph, and each other.
-class SearchEnds {
+class SearchAttachments {
  public:
   struct GoalLink {
     AttachmentLink link;
@@ -22,7 +22,7 @@ class SearchEnds {
     std::uint32_t next;  ///< on the same circle, or kNone
     bool checked, free;
   };
-  /// A word that leads from a start to a goal, and the manoeuvres there.
+  /// A word that leads from a start to a goal, and the maneuvers there.
   struct DirectPath {
     std::uint32_t start, goal;  ///< attachments
     DubinsPath word;            ///< from the one to the other
@@ -68,8 +68,8 @@ class SearchEnds {
   void add_goal_links(std::uint32_t goal_circle);
 
   SearchContext* context_ = nullptr;
-  double longest_way_ = 0.0;                                // of paths that are wanted [m]
-  std::size_t most_start_links_ = 0, most_goal_links_ = 0;  // of a circle of manoeuvres
+  double longest_path_ = 0.0;                               // of paths that are wanted [m]
+  std::size_t most_start_links_ = 0, most_goal_links_ = 0;  // of a circle of maneuvers
   HeadingSet headings_;                                     // memory
   std::vector<std::uint32_t> pieces_;                       // likewise
   std::vector<Pose> starts_, goals_;
