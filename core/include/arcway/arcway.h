@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// All of core.
+/// Includes all public headers of core.
 
 /// \mainpage
 /// arcway plans the fastest smooth path of a car-like vehicle among polygons. Begin with arcway::World,

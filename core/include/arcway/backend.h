@@ -13,46 +13,49 @@
 
 namespace arcway {
 
-/// What a planner is made with: the queries about one map, the builders of its reduced visibility graph, and the
-/// executor that both run on. All backends give the same answers and graphs, bit for bit; they differ in time.
+/// How a planner gets its geometry: queries about one map, builders of its reduced visibility graph, and the executor
+/// that runs both. All backends give the same answers and graphs, bit for bit; they differ in time.
 ///
 ///     const Planner planner(world, vehicle, accel_backend(world));
 ///
-/// Copies share all. Thread-safe.
+/// Copies share everything. Thread-safe.
 class ARCWAY_API Backend {
  public:
   using Graph = std::shared_ptr<const VisibilityGraph>;
-  /// How the parts are made, from what the backend has: each when a planner first needs it. All throw Canceled if the
-  /// executor's clock is over.
+  /// Functions that make the parts of a backend. Each is called when a planner first needs its part, and gets the
+  /// backend. All throw Canceled if the executor's clock is over.
   struct Parts {
+    /// The queries; required.
     std::function<QuerySet(const Backend&)> queries;
-    /// The whole reduced graph; none: only rows.
+    /// The reduced visibility graph; empty: the backend has only rows.
     std::function<Graph(const Backend&)> reduced_graph = nullptr;
-    /// Its rows, each found when it is first asked for; none: only whole graphs.
+    /// The rows of that graph, each computed when first asked for; empty: the backend has only whole graphs.
     std::function<std::shared_ptr<const VisibilityRows>(const Backend&)> lazy_rows = nullptr;
-    /// The reduced graph from that of the world before a change; none: built anew.
+    /// The reduced graph after a change, from that of the world before; empty: the graph is built anew.
     std::function<Graph(const Backend&, const VisibilityGraph& before, const WorldChange&)> changed_graph = nullptr;
   };
 
-  /// @param executor  of the parts, and of the construction of planners; must outlive that.
-  /// @throws std::invalid_argument if there is no maker of queries, or neither of graphs nor of rows.
+  /// @param executor  runs the functions above and the construction of planners; must outlive both.
+  /// @throws std::invalid_argument if there is no maker of queries, or neither one of graphs nor one of rows.
   Backend(const World& world, Parts parts, const Executor& executor);
-  /// The same, and keeps the executor.
+  /// As above; the backend shares the ownership of the executor.
   Backend(const World& world, Parts parts, std::shared_ptr<const Executor> executor);
 
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Executor& executor() const;
-  /// Made by the first call, and kept.
-  /// @throws std::invalid_argument if one of them is missing.
+  /// The queries: made by the first call, and kept.
+  /// @throws std::invalid_argument if the maker leaves one of them null.
   [[nodiscard]] const QuerySet& queries() const;
-  /// Whether searches need not wait for a whole reduced graph.
+  /// Whether rows are computed one by one, so that the first search need not wait for the whole reduced graph.
   [[nodiscard]] bool has_lazy_rows() const;
+  /// Whether the backend builds whole reduced graphs.
   [[nodiscard]] bool has_graphs() const;
-  /// Precondition: has_lazy_rows().
+  /// Rows that are computed when first asked for. Precondition: has_lazy_rows().
   [[nodiscard]] std::shared_ptr<const VisibilityRows> lazy_rows() const;
-  /// Precondition: has_graphs().
+  /// The reduced visibility graph, built by each call. Precondition: has_graphs().
   [[nodiscard]] Graph reduced_graph() const;
-  /// The same graph, sooner: of what is far from the change the rows are kept.
+  /// The reduced visibility graph of this world from that of the world before a change. It equals reduced_graph(), bit
+  /// for bit, and takes less time: rows far from the change are kept. Precondition: has_graphs().
   /// @param change  from the world of `before` to this one.
   [[nodiscard]] Graph changed_graph(const VisibilityGraph& before, const WorldChange& change) const;
 
@@ -61,11 +64,11 @@ class ARCWAY_API Backend {
   std::shared_ptr<const Data> data_;
 };
 
-/// Brute force on one thread: the reference of all others. O(n^2) pairs of vertices, each against all edges: for maps
-/// of some hundred vertices.
+/// The brute-force backend on one thread: the reference that all others are tested against. O(n^2) pairs of vertices,
+/// each against all edges: for maps of some hundred vertices.
 ARCWAY_API Backend reference_backend(const World& world);
 
-/// Parts that were made elsewhere: for those who measure or test one of them alone.
+/// Backends of parts that exist already, for tests and measurements of single parts.
 ARCWAY_API Backend backend_of(const World& world, const QuerySet& queries, const Executor& executor = kSerialExecutor);
 ARCWAY_API Backend backend_of(const World& world, const QuerySet& queries, VisibilityGraph graph,
                               const Executor& executor = kSerialExecutor);

@@ -14,24 +14,23 @@
 
 namespace arcway {
 
-/// Runs loops whose iterations are independent. Every builder of core takes one and writes each
-/// iteration's result to a place of its own, so that results do not depend on the executor.
+/// Runs loops whose iterations are independent of each other. Every builder of core takes an executor and writes the
+/// result of each iteration to its own place, so that results do not depend on the executor.
 class ARCWAY_API Executor {
  public:
   virtual ~Executor() = default;
-  /// Calls body(begin, end) on disjoint ranges that cover [0, count), perhaps at the same time on
-  /// several threads, and returns when all are done. An exception of the body is passed on. The body may run loops
-  /// of its own on the same executor.
-  /// @param grain  smallest sensible range, >= 1.
+  /// Calls body(begin, end) on disjoint ranges that cover [0, count), perhaps on several threads at once, and returns
+  /// when all are done. An exception of the body is passed on. The body may run loops on the same executor.
+  /// @param grain  smallest range worth a call, >= 1.
   virtual void for_ranges(std::size_t count, std::size_t grain,
                           const std::function<void(std::size_t, std::size_t)>& body) const = 0;
-  /// What the loops that follow are for, for who watches: "bitangents".
+  /// Names the loops that follow, for progress displays: "bitangents".
   virtual void begin_stage(const char* /*name*/) const {}
-  /// Says when the work has to end: for long serial parts of builders, see end_if_over, and long single pieces.
+  /// When the work has to end. Long serial parts of builders ask it, see end_if_over.
   [[nodiscard]] virtual StopClock clock() const { return {}; }
 };
 
-/// One range, on the calling thread.
+/// Runs a loop as one range on the calling thread.
 class ARCWAY_API SerialExecutor final : public Executor {
  public:
   void for_ranges(std::size_t count, std::size_t /*grain*/,
@@ -40,7 +39,7 @@ class ARCWAY_API SerialExecutor final : public Executor {
   }
 };
 
-/// For whoever keeps a reference for longer than a call.
+/// A serial executor that lives as long as the program.
 inline const SerialExecutor kSerialExecutor;
 
 /// Thrown by work that was canceled.
@@ -49,11 +48,13 @@ class ARCWAY_API Canceled : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Ends a serial part of a build that has to end. @throws Canceled
+/// Throws if the executor's clock is over: for serial parts of builders.
+/// @throws Canceled
 inline void end_if_over(const Executor& executor) {
   if (executor.clock().is_over()) throw Canceled("canceled");
 }
-/// The same in a loop of short rounds.
+/// Throws if the ticker's clock is over: for loops of short iterations.
+/// @throws Canceled
 inline void end_if_over(StopTicker& ticker) {
   if (ticker.is_over()) throw Canceled("canceled");
 }
@@ -66,12 +67,12 @@ void run_both(const Executor& executor, First&& first, Second&& second) {
   });
 }
 
-/// Another executor's loops, ended by a stop token or a deadline, and by the other executor's clock. Asks before each
-/// piece of a range; pieces grow and shrink so that each takes about kPieceSeconds.
+/// Runs loops on another executor, and ends them at a stop request or a deadline. The other executor's clock ends them
+/// too. It asks the clock before each piece of a range; pieces grow and shrink so that each takes about kPieceSeconds.
 class ARCWAY_API StoppableExecutor final : public Executor {
  public:
-  /// What a stop waits for on each thread, unless a single grain takes longer [s]. Smaller pieces cost time: each asks
-  /// the clock twice, some 50 ns.
+  /// Time of a piece [s]: a stop waits for one on each thread, or for one grain if that takes longer. Each piece asks
+  /// the clock twice, some 50 ns, so that much smaller ones cost time.
   static constexpr double kPieceSeconds = 200e-6;
 
   /// @param executor  must outlive this one.
@@ -81,7 +82,7 @@ class ARCWAY_API StoppableExecutor final : public Executor {
 
   void begin_stage(const char* name) const override { executor_.begin_stage(name); }
   [[nodiscard]] StopClock clock() const override { return clock_.first_of(executor_.clock()); }
-  /// @throws Canceled once its own clock is over, when all pieces under way have ended.
+  /// @throws Canceled once its own clock is over, after all running pieces have ended.
   void for_ranges(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) const override {
     using Clock = StopClock::Clock;

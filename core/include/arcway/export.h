@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// What the shared libraries export. All else in them is hidden.
+/// ARCWAY_API marks what the shared libraries export. All other symbols are hidden.
 
 #if defined(__GNUC__)
 #define ARCWAY_API [[gnu::visibility("default")]]

@@ -8,17 +8,17 @@
 
 namespace arcway {
 
-/// Bitangents in, and why the others are out.
+/// How many bitangents a feasible visibility graph has, and why others were rejected.
 struct FeasibleGraphCounts {
   std::uint64_t circles = 0;          ///< turn circles of convex vertices, see TurnCircles
-  std::uint64_t circles_blocked = 0;  ///< those without any free heading
-  std::uint64_t candidates = 0;       ///< directed, between circles of the reduced graph's neighbors and beyond;
-                                      ///< if lazy, those looked at so far
-  std::uint64_t repeated = 0;         ///< those of circles round two vertices that were candidates before
-  std::uint64_t kept = 0;
-  std::uint64_t rejected_overlap = 0;    ///< no bitangent: circles overlap
+  std::uint64_t circles_blocked = 0;  ///< circles without any free heading
+  std::uint64_t candidates =
+      0;  ///< directed circle pairs from neighbors in the reduced graph; in a lazy graph, those examined so far
+  std::uint64_t repeated = 0;            ///< candidates met before, of circles around two vertices
+  std::uint64_t kept = 0;                ///< feasible bitangents
+  std::uint64_t rejected_overlap = 0;    ///< the circles overlap, so that there is no bitangent
   std::uint64_t rejected_departure = 0;  ///< (7): the body collides on the first circle at that heading
-  std::uint64_t rejected_arrival = 0;    ///< (7): ... on the second circle
+  std::uint64_t rejected_arrival = 0;    ///< (7): the body collides on the second circle at that heading
   std::uint64_t rejected_straight = 0;   ///< (6): the swept rectangle meets an obstacle
 };
 
@@ -26,11 +26,11 @@ struct FeasibleGraphCounts {
 struct FeasibleLink {
   std::uint32_t from;  ///< circle
   std::uint32_t to;    ///< circle
-  double heading;      ///< [0, 2 pi)
+  double heading;      ///< of the bitangent [rad], in [0, 2 pi)
   double length;       ///< [m]
 };
 
-/// Bitangents that leave one circle, and why they are out; FeasibleGraphCounts adds them up.
+/// The counts of FeasibleGraphCounts for the bitangents that leave one circle.
 struct LinkCounts {
   std::uint32_t candidates = 0;
   std::uint32_t repeated = 0;
@@ -40,12 +40,12 @@ struct LinkCounts {
   std::uint32_t straights = 0;
 };
 
-/// All that an eager feasible graph has found out, in compressed rows, one a circle.
+/// An eager feasible visibility graph as flat arrays, in compressed rows of one circle each.
 struct FeasibleGraphSnapshot {
-  std::vector<std::uint64_t> interval_starts;  ///< circles + 1, into `intervals`
-  std::vector<HeadingInterval> intervals;      ///< free headings
-  std::vector<std::uint64_t> link_starts;      ///< circles + 1, into `links`
-  std::vector<FeasibleLink> links;             ///< those kept, by heading, then `to`
+  std::vector<std::uint64_t> interval_starts;  ///< circles + 1 offsets into `intervals`
+  std::vector<HeadingInterval> intervals;      ///< free headings [rad]
+  std::vector<std::uint64_t> link_starts;      ///< circles + 1 offsets into `links`
+  std::vector<FeasibleLink> links;             ///< feasible bitangents, by heading, then `to`
   std::vector<LinkCounts> link_counts;         ///< by circle
 };
 

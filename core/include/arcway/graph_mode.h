@@ -2,10 +2,10 @@
 
 namespace arcway {
 
-/// When a feasible visibility graph is checked.
+/// When the free headings and bitangents of a feasible visibility graph are checked.
 enum class GraphMode {
-  kEager,  ///< everything is checked when the graph is built: for many queries on one map
-  kLazy    ///< headings and bitangents are checked when a search first asks for them, and remembered: for few
+  kEager,  ///< all when the graph is built: for many queries on one map
+  kLazy    ///< each when a search first needs it, and then kept: for few queries
 };
 
 }  // namespace arcway

@@ -34,99 +34,105 @@ namespace internal {
 class FeasibleGraph;
 }
 
+/// What a planner may do in every query, and how it is built. The defaults suit most maps.
 struct PlannerOptions {
-  Heuristic heuristic = Heuristic::kTravelTime;
-  TimeModel time_model = TimeModel::kProfile;  ///< of searches
-  /// w, from 0 to 1e6: before refinement, a path by single arcs may take up to 1 + w times as long as the fastest one
-  /// of the graph, and is found with fewer expansions; see search_arrivals. Empty: 0, and kLargeMapSuboptimality on
-  /// maps of more than kExactVertices convex vertices, where the proof that no other path is faster takes most of a
-  /// query.
+  Heuristic heuristic = Heuristic::kTravelTime;  ///< what the graph search adds to the time so far
+  TimeModel time_model = TimeModel::kProfile;    ///< how the graph search times paths
+  /// Suboptimality w of the graph search, from 0 to 1e6. Before refinement, a path by single arcs may take up to 1 + w
+  /// times as long as the fastest path of the graph. A larger w expands fewer nodes. Empty: 0, or
+  /// kLargeMapSuboptimality on maps of more than kExactVertices convex vertices. On those maps the proof that no other
+  /// path is faster takes most of a query.
   std::optional<double> suboptimality = std::nullopt;
   static constexpr std::size_t kExactVertices = 250'000;
   static constexpr double kLargeMapSuboptimality = 0.025;
-  /// Of the feasible graph; plans are the same, bit for bit. Empty: lazy with a backend that has lazy rows, where a
-  /// first query then need not wait for whole graphs; else eager. For many queries on one map kEager costs less in all.
+  /// When the feasible graph is checked. Plans are the same in both modes, bit for bit. Empty: lazy if the backend has
+  /// lazy rows, else eager. A lazy planner answers its first query sooner. For many queries on one map, kEager costs
+  /// less in all.
   std::optional<GraphMode> graph_mode = std::nullopt;
-  /// Turning radii of the turn circles [m], each from the vehicle's smallest to kLargestVehicleNumber; empty:
-  /// turning_radii(vehicle, world).
-  /// If there are wider ones than those of tightest_radii, a path with these alone is looked for as well, and the
-  /// faster one is taken, so that wider turns hardly ever make a plan slower; so are some others.
+  /// Turning radii of the turn circles [m], each from the vehicle's smallest one to kLargestVehicleNumber. Empty:
+  /// turning_radii(vehicle, world). If some are wider than those of tightest_radii, every query also plans with the
+  /// tightest ones alone and takes the faster plan. Wider turns then hardly ever make a plan slower.
   std::vector<double> radii = {};
-  /// Poses tried from start and goal by short maneuvers of several arcs when single arcs reach no graph; four times as
-  /// many sparse ones where both ends reach it but not each other, a few where the gap is large. 0: no maneuvers, and
-  /// none of the trees of PlanLimits. At most kMostManeuverPoses; some 300 bytes each, and beside that 65,536
-  /// straights to the graph at each end, or half as many as vertices where those are more, of some 60 bytes.
+  /// Number of poses that maneuvers may try at start and goal, at most kMostManeuverPoses. A maneuver is a chain of a
+  /// few short arcs and straights; it is tried where single arcs reach no circle of the graph. 0: no maneuvers, and no
+  /// trees (PlanLimits). If both ends reach the graph but not each other, four times as many poses are tried, farther
+  /// apart. If the optimality gap is large, a few are tried. Memory: some 300 bytes a pose. Each end also keeps up to
+  /// 65,536 straights to the graph, or half as many as the map has vertices if that is more, of some 60 bytes each.
   std::uint32_t maneuver_poses = 400;
   static constexpr std::uint32_t kMostManeuverPoses = 1'000'000;
-  /// Where single arcs find no path, or the plan may be 5 % slower than the best one (10 % without refinement, or with
-  /// several radii), the graph with more circles in narrow places is searched as well: see find_gap_circles. It is made
-  /// when the first query needs it, or by Planner::warm_up. On maps of at most 50,000 vertices: beyond that a query
-  /// without a path would take seconds.
+  /// Whether to search a second graph with added circles in narrow gaps, see find_gap_circles. It is searched where
+  /// single arcs find no path, or where the plan may be 5 % slower than the best one. That share is 10 % without
+  /// refinement or with several radii. The graph is made when a query first needs it, or by Planner::warm_up. Maps of
+  /// more than 50,000 vertices have none, as a query without a path would take seconds there.
   bool gap_circles = true;
-  /// Lower bounds count the way round the obstacles: PlanResult::lower_bound.
+  /// Whether PlanResult::lower_bound counts the detour around obstacles, not only the straight line from start to goal.
   bool point_robot_lower_bound = true;
-  /// Of each path found; `max_trials = 0` turns it off. With wider radii than the tightest there are up to some
-  /// fifty times as many in all.
+  /// Local optimization of each path found; `max_trials = 0` turns it off. With radii wider than the tightest ones, a
+  /// query may run up to some fifty times as many trials in all.
   RefineOptions refinement = {};
-  /// Processes that build the same eager feasible graph together; used during construction only, and not part of
-  /// Planner::options. None: this one alone.
+  /// Processes that build one eager graph together; null: this process alone. Used during construction only, and not
+  /// part of Planner::options.
   const ProcessGroup* process_group = nullptr;
 };
 
+/// One query: from a pose to a pose.
 struct PlanRequest {
   Pose start;
   Pose goal;
-  bool reverse = false;    ///< may drive backwards as well
-  double cusp_cost = 0.0;  ///< of a change of gear, beside the time that stopping takes; no part of travel times [s]
-  /// Only paths with at most so many changes of gear are of interest; none: any number.
+  bool reverse = false;    ///< whether the vehicle may drive backwards as well
+  double cusp_cost = 0.0;  ///< added to the cost of a plan for each gear change, beside the time that stopping takes
+                           ///< [s]; no part of travel times
+  /// Largest number of gear changes of a plan; none: any number.
   std::optional<std::uint32_t> max_gear_changes = std::nullopt;
 };
 
-/// When to end a plan before it is done, which then gives the best path found by then, if any; and what it may take.
-/// Every stage of a query asks for both ends within a millisecond or so. What follows them, the speeds and the
+/// When to end a query early, and what it may spend. A query that ends early gives the best path found by then, if any.
+/// Every stage of a query checks the clock within about a millisecond. What follows the stages, the speeds and the
 /// clearance of the path, takes at most 2 ms and a twentieth of the time limit more.
 struct ARCWAY_API PlanLimits {
   double time = std::numeric_limits<double>::infinity();  ///< from the call on [s]
-  std::stop_token stop = {};                              ///< asked from any thread
-  /// On a lazy graph another thread runs ahead of a search that is long, and finds what it will ask for: the same plan,
+  std::stop_token stop = {};                              ///< may be requested from any thread
+  /// Whether a second thread runs ahead of a long search on a lazy graph and fills its caches. The plan is the same,
   /// bit for bit, in some two thirds of the time where a core is free. FeasibleGraph::counts then differs from run to
   /// run.
   bool prefetch = false;
-  /// Poses that trees of forward motions grow, in all, where nothing else finds a path, see search_trees; none with
-  /// PlannerOptions::maneuver_poses = 0. A twentieth to some tenths of a millisecond each; fewer where very many edges
-  /// are near. 0: no trees.
+  /// Number of poses that trees of forward motions may grow in all, see search_trees. They grow where nothing else
+  /// finds a path. 0: no trees; none grow with PlannerOptions::maneuver_poses = 0 either. A pose takes 0.05 to some 0.3
+  /// ms.
   std::uint32_t tree_poses = 16'000;
 };
 
+/// How a query ended.
 enum class PlanStatus {
   kSolved,
   kStartInCollision,  ///< the body grown by half of the safety margin touches an obstacle at the start
   kGoalInCollision,
   kStartOutsideBounds,
   kGoalOutsideBounds,
-  /// No motion tried leads far from the start; see PlanResult::certainty for whether that is proved. If the goal is
-  /// hemmed in as well, the reason says so. With `reverse` only where it is proved.
+  /// No motion that was tried leads far from the start. PlanResult::certainty says whether that is proved. If the goal
+  /// is in a dead end too, the reason says so. With `reverse`, this status is given only where it is proved.
   kStartBlocked,
-  kGoalBlocked,            ///< no motion tried leads to the goal from afar; likewise
-  kWaypointInCollision,    ///< of a tour: as at a start or goal, at a waypoint
+  kGoalBlocked,            ///< no motion that was tried leads to the goal from afar; as kStartBlocked otherwise
+  kWaypointInCollision,    ///< of a tour: as kStartInCollision, at a waypoint
   kWaypointOutsideBounds,  ///< of a tour
-  kWaypointBlocked,        ///< of a tour: no motion leads on from a waypoint, or to it
-  kNoPassage,              ///< proved: no passage is wide enough for the body, whichever way it is driven
-  kNoPath,                 ///< nothing that was tried joins start and goal
+  kWaypointBlocked,        ///< of a tour: no motion leads to a waypoint, or on from it
+  kNoPassage,              ///< proved: no gap is wide enough for the body, in any direction of travel
+  kNoPath,                 ///< no path was found, and none is proved not to exist
   kTimeLimit,              ///< the time limit ended the search before it found a path
-  kCanceled                ///< the stop token did
+  kCanceled                ///< a stop was requested before a path was found
 };
-/// "solved", "start in collision", ...
+/// The status in words: "solved", "start in collision", ...
 ARCWAY_API const char* name_of(PlanStatus status);
 
-/// What it is worth that a plan has no path.
+/// Whether a query without a path proves that there is none.
 enum class Certainty {
-  kProved,  ///< there is none: of the body in a pose, through a passage, or out of a dead end without reversing
-  kGaveUp   ///< nothing that was tried leads there, or the time was up: there may be one
+  kProved,  ///< no path exists: the body collides in a pose, no gap is wide enough, or an end is a dead end
+  kGaveUp   ///< nothing that was tried leads there, or the time was up; a path may exist
 };
-/// "proved", "gave up".
+/// The certainty in words: "proved" or "gave up".
 ARCWAY_API const char* name_of(Certainty certainty);
 
+/// A segment of a plan with its speeds. Between them the speed changes as fast as the vehicle and its limits allow.
 struct TimedSegment {
   PathSegment segment;
   double speed_in = 0.0;   ///< [m/s]
@@ -137,132 +143,142 @@ struct TimedSegment {
 /// Counters and stage times of one query.
 struct ARCWAY_API PlanStatistics {
   std::uint64_t nodes_expanded = 0;       ///< arrivals taken from the open list
-  std::uint64_t nodes_pushed = 0;         ///< arrivals put on it
-  std::uint64_t straights_checked = 0;    ///< swept rectangles of starts and goals decided
-  std::uint64_t turns_checked = 0;        ///< heading sets of starts and goals computed
-  std::uint64_t maneuver_poses = 0;       ///< poses of start and goal maneuvers tried
-  std::uint64_t tree_poses = 0;           ///< those of trees of forward motions
-  std::uint64_t refine_trials = 0;        ///< paths that refinement tried
-  std::uint64_t refine_improvements = 0;  ///< those of them that it took
-  double unrefined_travel_time = 0.0;     ///< of the path before refinement [s]
-  double first_travel_time = 0.0;         ///< of `first_path` [s]
-  double first_path_seconds = 0.0;        ///< until that was found, of total_seconds
-  double suboptimality = 0.0;             ///< that the searches were allowed: PlannerOptions::suboptimality
-  double search_seconds = 0.0;
-  double refine_seconds = 0.0;
-  double lower_bound_seconds = 0.0;  ///< lower bound
-  double profile_seconds = 0.0;      ///< speed profile and clearance
-  double total_seconds = 0.0;
+  std::uint64_t nodes_pushed = 0;         ///< arrivals put on the open list
+  std::uint64_t straights_checked = 0;    ///< swept rectangles decided between start or goal and the graph
+  std::uint64_t turns_checked = 0;        ///< sets of free headings computed on circles of start and goal
+  std::uint64_t maneuver_poses = 0;       ///< poses tried by maneuvers at start and goal
+  std::uint64_t tree_poses = 0;           ///< poses grown by trees of forward motions
+  std::uint64_t refine_trials = 0;        ///< paths that refinement timed
+  std::uint64_t refine_improvements = 0;  ///< trials that refinement kept
+  double unrefined_travel_time = 0.0;     ///< of the plan's path before refinement [s]
+  double first_travel_time = 0.0;         ///< of PlanResult::first_path [s]
+  double first_path_seconds = 0.0;        ///< from the call until the first path was found [s]
+  double suboptimality = 0.0;             ///< PlannerOptions::suboptimality that the searches used
+  double search_seconds = 0.0;            ///< in graph searches, maneuvers and trees [s]
+  double refine_seconds = 0.0;            ///< [s]
+  double lower_bound_seconds = 0.0;       ///< [s]
+  double profile_seconds = 0.0;           ///< for speed profile and clearance [s]
+  double total_seconds = 0.0;             ///< from call to return [s]
 
-  /// Adds the counters and the stages' times of another query; travel times and total_seconds stay, and of both
-  /// suboptimalities the larger one.
+  /// Adds the counters and stage times of another query, and keeps the larger suboptimality. Travel times,
+  /// first_path_seconds and total_seconds stay.
   PlanStatistics& operator+=(const PlanStatistics& other);
 };
 
+/// The answer to one query. Segments, times and lengths are empty or 0 unless it is solved.
 struct ARCWAY_API PlanResult {
   PlanStatus status = PlanStatus::kNoPath;
-  std::string reason;                        ///< in words, with the condition that failed and where, unless solved
-  Certainty certainty = Certainty::kGaveUp;  ///< of the status, unless solved
+  std::string reason;                        ///< unless solved: what failed, where, by which value and limit
+  Certainty certainty = Certainty::kGaveUp;  ///< unless solved: whether that is proved
   Pose start, goal;                          ///< as requested
-  /// The search or the refinement was ended by the time limit or the stop token: the path, if any, is the best one
-  /// found by then.
+  /// Whether the time limit or the stop token ended the query. The path, if any, is the best one found by then.
   bool interrupted = false;
   std::vector<TimedSegment> segments;
   double travel_time = 0.0;  ///< [s]
   double length = 0.0;       ///< [m]
-  Path first_path;           ///< the first one found, as free, before refinement; none for tours
-  /// No path can take less [s]: travel_time_lower_bound with the length of the straight line; if solved,
-  /// `point_robot_lower_bound` is set and the body covers the reference point, with that of a point's shortest path
-  /// among the obstacles.
+  Path first_path;           ///< the first free path found, before refinement; empty for tours
+  /// No path can take less [s]. It is travel_time_lower_bound of the straight line from start to goal, or of the
+  /// shortest path of a point among the obstacles. The latter holds for a plan that is solved, if
+  /// `point_robot_lower_bound` is set and the body covers the reference point.
   double lower_bound = 0.0;
-  double min_clearance = 0.0;  ///< of the bare body along the path [m]; infinity in a world without obstacles
-  /// The time was over before the clearance of the whole path was measured: `min_clearance` is what the checks of the
-  /// path prove, half of the safety margin, or less where less was measured; it belongs to no segment.
+  double min_clearance = 0.0;  ///< least distance of the bare body from obstacles along the path [m]; infinity in a
+                               ///< world without obstacles
+  /// Whether the clock was over before the clearance of the whole path was measured. `min_clearance` is then a lower
+  /// bound: half of the safety margin, which the checks of the path prove, or less where less was measured. It belongs
+  /// to no segment.
   bool clearance_is_lower_bound = false;
-  PathSegment clearance_segment;  ///< the segment where that is
-  std::size_t clearance_index = 0;
-  /// Unless solved: the narrowest place of the widest way from start to goal. Nothing if that is wide enough for the
-  /// tightest turn, or as wide as the room around start or goal; or if the search was interrupted.
+  PathSegment clearance_segment;    ///< the segment where the clearance is least
+  std::size_t clearance_index = 0;  ///< its index
+  /// Unless solved: the narrowest gap of the widest route from start to goal. Nothing if that gap is wide enough for
+  /// the tightest turn, or as wide as the room around start or goal, or if the query was interrupted.
   std::optional<Bottleneck> bottleneck;
   PlanStatistics statistics;
-  /// By how much the plan may be slower than the best one at most: travel_time / lower_bound - 1; 0 for no time.
+  /// By which share the plan may be slower than the best one at most: travel_time / lower_bound - 1, or 0 if the plan
+  /// takes no time.
   [[nodiscard]] double optimality_gap() const { return travel_time > 0.0 ? travel_time / lower_bound - 1.0 : 0.0; }
   [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
-  [[nodiscard]] Path path() const;
-  /// With its speeds, for the validator.
+  [[nodiscard]] Path path() const;  ///< the segments without speeds
+  /// The segments with speeds and durations, as the validator takes them.
   [[nodiscard]] TimedPath timed_path() const;
 };
 
-/// What it took to prepare a map.
+/// What it took to build a planner.
 struct PrepareStatistics {
-  double visibility_seconds = 0.0;
-  double feasible_seconds = 0.0;
+  double visibility_seconds = 0.0;  ///< for the reduced visibility graph [s]
+  double feasible_seconds = 0.0;    ///< for the feasible visibility graph [s]
   FeasibleGraphCounts counts;
 };
 
-/// Plans on one map for one vehicle: builds the reduced and the feasible visibility graph once, then answers any number
-/// of queries.
+/// Plans on one map for one vehicle. The constructor builds the reduced and the feasible visibility graph, and `plan`
+/// answers any number of queries.
 ///
 ///     const Planner planner(world, Vehicle{});
 ///     const PlanResult result = planner.plan({.start = {1, 1, 0}, .goal = {50, 40, kPi / 2}});
 ///     if (!result.solved()) return report(result.reason);
 ///     for (const TimedSegment& s : result.segments) drive(s);
 ///
-/// Everything is copied or shared: no argument need outlive the call. `plan` is const and may be called from many
-/// threads at once.
+/// Arguments are copied or shared: none need outlive the call. Copies of a planner share its graphs. `plan` is const
+/// and thread-safe.
 class ARCWAY_API Planner {
  public:
-  /// By brute force, see reference_backend.
+  /// A planner with reference_backend, for maps of some hundred vertices.
+  /// @throws std::invalid_argument as the constructor below.
   Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options = {});
-  /// @param backend  of `world`. Its executor is used during construction only: a StoppableExecutor makes that
-  ///   cancelable, a ReportingExecutor tells how far it is.
+  /// A planner with the queries and graph builders of a backend.
+  /// @param backend  of `world`. Its executor runs the construction only: a StoppableExecutor makes that cancelable, a
+  ///   ReportingExecutor reports its progress.
   /// @throws std::invalid_argument if an option is out of its range, the backend is of another world, or the safety
-  /// margin is too small. It is, below 2^20 units in the last place of the largest of the map's coordinates, the body
-  /// and its smallest turning radius.
+  ///   margin is too small. The margin must be at least 2^20 units in the last place of the largest number among the
+  ///   map's coordinates, the body's size and its smallest turning radius.
+  /// @throws Canceled if the executor's clock is over before the graphs are built.
   Planner(const World& world, const Vehicle& vehicle, const Backend& backend, const PlannerOptions& options = {});
 
-  /// From all graphs of another planner for an equal map and vehicle: nothing is checked again. The options' radii and
-  /// mode are those of the graphs, whatever they say.
+  /// A planner with the graphs of another planner for an equal map and vehicle. Nothing is checked again. Radii and
+  /// graph mode are those of the graphs; the options' are ignored.
   /// @throws SnapshotError if the graphs are not of this map, as far as ranges and order tell.
   static Planner restored(const World& world, const Vehicle& vehicle, const Backend& backend, PreparedGraph graphs,
                           const PlannerOptions& options = {});
 
-  /// The planner after a change of the map, which plans as one built anew, bit for bit. What lies where nothing came or
-  /// went is taken from the planner before, what it found out lazily included; the rest is checked now with an eager
-  /// graph, and when a search first asks for it with a lazy one.
+  /// A planner for the map after a change. It plans as a planner built anew, bit for bit. Rows and links far from the
+  /// change are taken from the old planner, those it found lazily included. The rest is checked now in an eager graph,
+  /// or when a search first needs it in a lazy one.
   ///
   ///     const World after = before.world().changed(removed, added);
   ///     const Planner planner = Planner::changed(before, WorldChange(before.world(), after, removed),
   ///                                              accel_backend(after));
   ///
-  /// @param before   for the same vehicle. Of one with a whole reduced graph that is changed as well. Where the map's
-  /// extent changes so much that other radii
-  ///   are chosen, nothing is taken from it.
-  /// @param change   from the world of `before` to that of the backend.
-  /// @param options  of the new planner; empty ones and the mode of `before` if that says nothing. A process group is
-  /// not asked.
-  /// @throws std::invalid_argument as above, or if the change is not one between the two worlds.
+  /// @param before  a planner for the same vehicle. If the change alters the map's extent so much that other radii are
+  ///   chosen, nothing is taken from it.
+  /// @param change  from the world of `before` to that of the backend.
+  /// @param options  of the new planner. Empty members are chosen anew; an empty graph mode is that of `before`. A
+  ///   process group is ignored.
+  /// @throws std::invalid_argument as the constructor does, or if the change is not one between the two worlds.
   static Planner changed(const Planner& before, const WorldChange& change, const Backend& backend,
                          const PlannerOptions& options = {});
 
-  /// The fastest path of the graph under the true speed profile, as far as PlannerOptions::suboptimality asks for it,
-  /// refined. With `reverse` the cheapest found of that one, of paths by the graph with motions in both gears at their
-  /// ends, and of short ones in both gears all the way: never dearer than without. Without it no segment is driven
-  /// backwards. Never throws for want of a path: see PlanResult::status.
-  /// Headings of so many turns that their rounding would show at the goal are taken for those within one: segments say
-  /// these, the result's start and goal those asked for.
-  /// @throws std::invalid_argument if a number of a pose is neither 0 nor of magnitude 1e-50 to 1e9, or the safety
-  /// margin is too small for its coordinates, as for the map's. Also if the time limit is not a number, or the cost of
-  /// a cusp is negative or not finite.
+  /// The fastest path of the roadmap under the true speed profile, within PlannerOptions::suboptimality, after
+  /// refinement. Without `reverse`, no segment is driven backwards. With `reverse`, the result is the cheapest path of
+  /// three searches:
+  /// 1. without reversing;
+  /// 2. over the roadmap, with motions in both gears at start and goal;
+  /// 3. by short motions in both gears all the way.
+  ///
+  /// A query without a path is no error: see PlanResult::status. A heading of very many turns is reduced to one turn
+  /// where its rounding would show at the goal. Segments then start and end at the reduced heading; the result's start
+  /// and goal are those of the request. Thread-safe. Cost: see the table in README.md.
+  /// @throws std::invalid_argument if a number of a pose is neither 0 nor of magnitude 1e-50 to 1e9, or the time limit
+  ///   is not a number.
+  /// @throws std::invalid_argument if the safety margin is too small for the poses' coordinates (see the constructor),
+  ///   or the cusp cost is negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
-  /// The same into a result whose memory is used again. With accel's queries and an eager graph, a request that was
-  /// answered before then asks the heap for nothing. This holds without `reverse`, if single arcs join its ends to a
-  /// path on circles of the smallest radius, and `limits` leave out trees.
+  /// As above, into a result whose memory is used again. With accel's queries and an eager graph, a request that was
+  /// answered before allocates nothing. This holds without `reverse` and trees, if single arcs join start and goal to a
+  /// path on circles of the smallest radius.
   void plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const;
 
-  /// Does now what the first queries would wait for: makes the graph with circles in narrow places, and takes memory
-  /// for searches. For those to whom the slowest query matters; plans are the same. Thread-safe.
-  /// @param queries_at_once  threads that will plan at the same time.
+  /// Does now what the first queries would have to do: builds the graph with added circles in narrow gaps, and takes
+  /// memory for searches. It makes the slowest query faster and changes no plan. Thread-safe.
+  /// @param queries_at_once  number of threads that will plan at the same time.
   void warm_up(std::size_t queries_at_once = 1) const;
 
   [[nodiscard]] const World& world() const;
@@ -270,13 +286,13 @@ class ARCWAY_API Planner {
   [[nodiscard]] const QuerySet& queries() const;
   [[nodiscard]] const PlannerOptions& options()
       const;  ///< with the radii and the suboptimality used, without a process group
-  /// Without vertices if the planner was made from rows.
+  /// The reduced visibility graph. It has no vertices if the planner was made from lazy rows.
   [[nodiscard]] const VisibilityGraph& visibility_graph() const;
-  /// The rows of the same graph, however the planner was made: for another planner on the map, say.
+  /// The rows of the reduced visibility graph, however the planner was made. Another planner on the same map can use
+  /// them.
   [[nodiscard]] std::shared_ptr<const VisibilityRows> visibility_rows() const;
   [[nodiscard]] const internal::FeasibleGraph& feasible_graph() const;
-  /// All graphs, for another planner.
-  /// @throws std::logic_error if the feasible graph is lazy, or the planner was made from rows.
+  /// All graphs, for Planner::restored.
   [[nodiscard]] PreparedGraph prepared_graph() const;
   [[nodiscard]] const PrepareStatistics& prepare_statistics() const;
 

@@ -7,10 +7,10 @@
 
 namespace arcway {
 
-/// What a planner builds for a map and a vehicle, to be kept or sent elsewhere and taken up again without building it.
+/// All graphs of a planner, to be stored or sent and then used by Planner::restored.
 struct PreparedGraph {
   VisibilityGraph reduced_graph;
-  std::vector<double> radii;  ///< of the turn circles [m]
+  std::vector<double> radii;  ///< of the turn circles [m], ascending
   FeasibleGraphSnapshot feasible;
 };
 

@@ -9,17 +9,18 @@
 
 namespace arcway {
 
-/// Processes that build the same graph together: each works out a share of the rows, then all give theirs to all. Every
-/// process makes the same calls in the same order.
+/// Processes that build one graph together. Each computes a share of the rows, then all exchange them. Every process
+/// makes the same calls in the same order.
 class ARCWAY_API ProcessGroup {
  public:
   virtual ~ProcessGroup() = default;
   [[nodiscard]] virtual std::size_t size() const = 0;
-  [[nodiscard]] virtual std::size_t rank() const = 0;  ///< below size()
-  /// What every process gave, in the order of their ranks.
+  [[nodiscard]] virtual std::size_t rank() const = 0;  ///< of this process, in [0, size())
+  /// Gives `bytes` to all processes, and returns what all of them gave, in the order of their ranks. Waits for all.
   [[nodiscard]] virtual std::vector<std::string> gather(std::string bytes) const = 0;
 
-  /// [begin, end) of this process's share of `count` items: those of the ranks follow each other.
+  /// A share of `count` items: the range [begin, end). The shares of ascending ranks follow each other and differ in
+  /// size by at most 1.
   struct Share {
     std::size_t begin, end;
   };
@@ -31,7 +32,7 @@ class ARCWAY_API ProcessGroup {
   }
 };
 
-/// One process alone.
+/// A group of one process.
 class ARCWAY_API SingleProcess final : public ProcessGroup {
  public:
   [[nodiscard]] std::size_t size() const override { return 1; }

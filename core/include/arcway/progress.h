@@ -13,24 +13,25 @@
 
 namespace arcway {
 
-/// How far a build or a batch is.
+/// How far a build or a batch of queries is.
 struct Progress {
   const char* stage;    ///< "turn circles", "bitangents", ...
-  std::uint64_t done;   ///< never falls within one loop of a stage
-  std::uint64_t total;  ///< > 0
+  std::uint64_t done;   ///< items; never falls within one loop of a stage
+  std::uint64_t total;  ///< items, > 0
 };
 
-/// Called from one thread at a time, on the threads that do the work: it should return at once. Must not throw.
+/// Receives progress. It is called by the threads that do the work, one at a time: it should return at once and must
+/// not throw.
 using ProgressCallback = std::function<void(const Progress&)>;
 
-/// Another executor's loops, watched: about 250 calls for each loop, whatever its length, the last one with `done`
-/// equal to `total`.
+/// Runs loops on another executor and reports their progress. A loop of any length makes about 250 calls, the last one
+/// with `done` equal to `total`.
 ///
 ///     const TbbExecutor threads;
 ///     const ReportingExecutor watched(threads, [](const Progress& p) { bar.show(p.stage, p.done, p.total); });
 ///     const Planner planner(world, vehicle, accel_backend(world, watched));
 ///
-/// For one build at a time. Goes with StoppableExecutor, either around the other.
+/// For one build at a time. It may wrap a StoppableExecutor, or be wrapped by one.
 class ARCWAY_API ReportingExecutor final : public Executor {
  public:
   /// @param executor  must outlive this one.

@@ -10,14 +10,14 @@
 
 namespace arcway {
 
-/// The queries a planner works with, all about one world. Copies share the implementations.
+/// The queries that a planner asks, all about one world. Copies share the implementations. A planner's are not null.
 struct QuerySet {
   std::shared_ptr<const VisibilityQuery> visibility;
   std::shared_ptr<const DistanceQuery> distance;
   std::shared_ptr<const SweepQuery> sweep;
 };
 
-/// The exact brute-force reference implementation.
+/// The brute-force reference implementations: exact; every query checks all edges.
 ARCWAY_API QuerySet make_reference_queries(const World& world);
 
 }  // namespace arcway

@@ -4,11 +4,12 @@
 
 namespace arcway {
 
+/// Local optimization of a path.
 struct RefineOptions {
-  /// Paths whose travel time is tried, at most; some microseconds each. Beside that, pairs of places on the lines of a
-  /// path of n turns are told from their distances, O(n^2) after each change. 0: no refinement.
+  /// Number of paths whose travel time is tried, at most; some microseconds each. 0: no refinement. For a path of n
+  /// turns, refinement also compares distances of pairs of points on its lines, O(n^2) after each change.
   std::uint32_t max_trials = 4000;
-  /// Centers and radii slide in steps down to this part of the smallest turning radius, > 0.
+  /// Smallest step by which centers and radii move, as a share of the smallest turning radius, > 0.
   double smallest_step = 1.0 / 128.0;
 };
 

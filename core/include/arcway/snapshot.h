@@ -11,7 +11,7 @@
 
 namespace arcway {
 
-/// The arrays that hold what was found out about a map, so that it can be stored and taken up again.
+/// The arrays of the snapshots of worlds and graphs, for files and error messages. Prepared files store the numbers.
 enum class SnapshotArray : std::uint32_t {
   kVertices = 1,
   kNext,
@@ -28,10 +28,10 @@ enum class SnapshotArray : std::uint32_t {
   kLinkCounts,
   kSelfContacts
 };
-/// "vertices", "row starts", ...
+/// The array in words: "vertices", "row starts", ...
 ARCWAY_API const char* name_of(SnapshotArray array);
 
-/// An entry of an array that cannot be.
+/// Thrown for an entry of a snapshot that no world or graph can have.
 class ARCWAY_API SnapshotError : public std::invalid_argument {
  public:
   SnapshotError(SnapshotArray array, std::size_t index, const std::string& message)
@@ -46,21 +46,21 @@ class ARCWAY_API SnapshotError : public std::invalid_argument {
   std::size_t index_;
 };
 
-/// A vertex inside an edge of its own region, with the vertex's ring on the edge's left. See World::self_contacts.
+/// A vertex inside an edge of its own region, with the vertex's ring on the edge's left: see World::self_contacts.
 struct SelfContact {
   std::uint32_t edge, vertex;
   friend bool operator==(const SelfContact&, const SelfContact&) = default;
 };
 
-/// A world as arrays, by vertex, ring and region: World::snapshot, World::from_snapshot.
+/// A world as flat arrays, see World::snapshot and World::from_snapshot.
 struct WorldSnapshot {
-  std::vector<Vec2> vertices;
-  std::vector<std::uint32_t> next;          ///< World::next
-  std::vector<std::uint8_t> covered;        ///< World::is_covered, 0 or 1
+  std::vector<Vec2> vertices;               ///< World::vertices [m]
+  std::vector<std::uint32_t> next;          ///< by vertex: World::next
+  std::vector<std::uint8_t> covered;        ///< by vertex: World::is_covered, 0 or 1
   std::vector<std::uint32_t> ring_starts;   ///< first vertex of each ring, ascending
   std::vector<std::uint32_t> region_rings;  ///< first ring of each region, ascending; then the number of rings
   std::vector<SelfContact> self_contacts;   ///< World::self_contacts
-  bool has_bounds = false;                  ///< the last region is the bounds
+  bool has_bounds = false;                  ///< whether the last region is the bounds
 };
 
 }  // namespace arcway

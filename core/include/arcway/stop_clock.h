@@ -13,17 +13,17 @@
 
 namespace arcway {
 
-/// Says when work has to end: at a deadline, or once a stop is requested. Once over it stays over. A copy takes a few
-/// words; any thread may ask. Asking reads the system's clock, some 25 ns: every loop that can take longer than a
-/// millisecond asks once a round, one with shorter rounds by way of a StopTicker.
+/// Says when work has to end: at a deadline, or once a stop is requested. Once over, it stays over. Thread-safe; a copy
+/// is a few words. Asking reads the system's clock, some 25 ns. Every loop that can take longer than a millisecond asks
+/// once an iteration, or through a StopTicker if its iterations are short.
 class ARCWAY_API StopClock {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Never over.
+  /// A clock that is never over.
   StopClock() = default;
-  /// @param seconds  from now on; infinity: no deadline. Negative ones count as 0. Precondition: not NaN.
-  /// @param stop     may be asked from any thread.
+  /// @param seconds  from now on [s]; infinity: no deadline. Negative numbers count as 0. Precondition: not NaN.
+  /// @param stop  may be requested from any thread.
   explicit StopClock(double seconds, std::stop_token stop = {}) : stop_(std::move(stop)) {
     const auto now = Clock::now();
     const std::chrono::duration<double> limit(seconds > 0.0 ? seconds : 0.0);
@@ -34,19 +34,19 @@ class ARCWAY_API StopClock {
     return stop_.stop_requested() || (deadline_ != kNever && Clock::now() >= deadline_) ||
            (beside_ && beside_->is_over());
   }
-  /// Until the deadline [s], negative behind it; infinity where there is none.
+  /// Time until the deadline [s]: negative after it, infinity without one.
   [[nodiscard]] double seconds_left() const {
     if (deadline_ == kNever) return std::numeric_limits<double>::infinity();
     return std::chrono::duration<double>(deadline_ - Clock::now()).count();
   }
-  /// The same deadline, with another stop.
+  /// A clock with the same deadline and another stop token.
   [[nodiscard]] StopClock with_stop(std::stop_token stop) const {
     StopClock other;
     other.deadline_ = deadline_;
     other.stop_ = std::move(stop);
     return other;
   }
-  /// Over as soon as this one or another one is.
+  /// A clock that is over as soon as one of the two is.
   [[nodiscard]] StopClock first_of(const StopClock& other) const {
     StopClock first = *this;
     first.deadline_ = std::min(deadline_, other.deadline_);
@@ -69,8 +69,8 @@ class ARCWAY_API StopClock {
   std::shared_ptr<const StopClock> beside_;  // may be null: another stop, where there are two
 };
 
-/// Asks a clock once in kEvery iterations of a loop: below a nanosecond a round. For rounds of at most some
-/// microseconds. For one thread.
+/// Asks a clock once in kEvery iterations, at a cost below a nanosecond an iteration. For loops whose iterations take
+/// at most some microseconds. For one thread.
 class ARCWAY_API StopTicker {
  public:
   static constexpr int kEvery = 64;
@@ -92,11 +92,11 @@ class ARCWAY_API StopTicker {
   bool over_ = false;
 };
 
-/// What is left to do about a result once its clock is over: work that ends soon after, within some milliseconds and a
-/// small share of the time limit. For one thread.
+/// The time for work that remains once a clock is over, such as the speeds of the path found. It ends some milliseconds
+/// and a small share of the time limit later. For one thread.
 class ARCWAY_API Grace {
  public:
-  static constexpr double kSeconds = 2e-3;  // [s]: the clearance of a path of a hundred segments
+  static constexpr double kSeconds = 2e-3;  // [s]; the clearance of a path of a hundred segments takes as long
   static constexpr double kShare = 0.05;    // of the time limit
 
   /// @param clock  must outlive this.

@@ -2,11 +2,11 @@
 
 namespace arcway {
 
-/// How a search times paths; what it finds has its true time whatever this is.
+/// How a graph search times paths. Every path that it returns has its true time in either model.
 enum class TimeModel {
-  kProfile,  ///< by the true speed profile, whatever number of segments speeding up and braking take
-  kSegments  ///< segment by segment by (9) and (10), as the paper has it: arcs at v_mc however short the lines between
-             ///< them are
+  kProfile,  ///< the true speed profile, over as many segments as speeding up and braking take
+  kSegments  ///< each segment on its own by (9) and (10), as in the paper; arcs at v_mc, however short the lines beside
+             ///< them them are
 };
 
 }  // namespace arcway

@@ -10,15 +10,19 @@
 
 namespace arcway {
 
-/// The radii that are worth a turn circle [m], ascending: the smallest one of the vehicle and, as long as a wider turn
-/// is a faster one, each at least twice the one before. The last one is the smallest with the highest v_mc, or the
-/// map's extent; the last one at least 1.4 times the one before. Five of them at most; one if v_mc is constant. And if
-/// the widest leads round no vertex, 1.5 half widths of the body as well.
+/// The radii of the turn circles that a planner chooses [m], ascending, at most five:
+/// 1. The first is the vehicle's smallest radius. It is the only one if the speed on arcs does not depend on the
+///    radius.
+/// 2. Each further one is at least twice the one before, as long as a wider turn is a faster one.
+/// 3. The last is the smallest radius with the highest v_mc, or the map's extent. It is at least 1.4 times the one
+///    before.
+/// 4. If none of these leads around a vertex, 1.5 half widths of the body is added.
 ARCWAY_API std::vector<double> turning_radii(const Vehicle& vehicle, const World& world);
 
-/// How many of some ascending radii it takes until one of them leads round vertices, all of them if none does: on a
-/// circle of no more than half the body's width the body gets over the middle, where the vertex would be.
-/// @param grown_body  by the safety margin.
+/// The number of radii, from the first, up to the first one that leads around a vertex; all of them if none does. On a
+/// circle of at most half the body's width the body covers the center, where the vertex would be.
+/// @param grown_body  the body grown by the safety margin [m].
+/// @param radii  ascending [m].
 ARCWAY_API std::size_t tightest_radii(const Footprint& grown_body, std::span<const double> radii);
 
 }  // namespace arcway

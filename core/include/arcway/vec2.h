@@ -9,26 +9,26 @@
 
 namespace arcway {
 
-/// A point or a vector of the plane, in meters: x to the right, y up.
+/// A point or a vector of the plane [m]: x to the right, y up.
 using Vec2 = Eigen::Vector2d;
 
-/// The closed straight segment from `a` to `b`; may be a single point.
+/// The closed straight segment from `a` to `b`, which may be a single point [m].
 struct LineSegment {
   Vec2 a;
   Vec2 b;
 };
 
-/// z component of the cross product; positive if `v` points to the left of `u`. Rounded: use
-/// `orientation` of predicates.h where the sign decides.
+/// The z component of the cross product, positive if `v` points to the left of `u`. It is rounded: use `orientation` of
+/// predicates.h where the sign decides.
 inline double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
-/// `v` turned by 90 degrees counter-clockwise.
+/// `v` turned counter-clockwise by 90 degrees.
 inline Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
 
-/// Unit vector of a heading [rad].
+/// The unit vector of a heading [rad].
 inline Vec2 direction_of(double heading) { return {std::cos(heading), std::sin(heading)}; }
 
-/// Closed axis-parallel box. Default-constructed it is empty: min > max, overlaps nothing.
+/// A closed axis-parallel box [m]. A default-constructed box is empty: min > max, and it overlaps nothing.
 struct ARCWAY_API Box {
   Vec2 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Vec2 max{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -48,17 +48,17 @@ struct ARCWAY_API Box {
     return min.x() <= p.x() && p.x() <= max.x() && min.y() <= p.y() && p.y() <= max.y();
   }
   [[nodiscard]] bool empty() const { return min.x() > max.x(); }
-  /// The point of the box, which must not be empty, nearest to `p`.
+  /// The point of the box nearest to `p`. Precondition: the box is not empty.
   [[nodiscard]] Vec2 closest_point(const Vec2& p) const { return p.cwiseMax(min).cwiseMin(max); }
-  /// 0 inside.
+  /// The distance of `p` from the box [m]; 0 inside.
   [[nodiscard]] double distance_to(const Vec2& p) const { return (closest_point(p) - p).norm(); }
-  /// 0 if they meet. Neither may be empty.
+  /// The distance between two boxes [m]; 0 if they meet. Precondition: neither is empty.
   [[nodiscard]] double distance_to(const Box& o) const {
     return (min - o.max).cwiseMax(o.min - max).cwiseMax(Vec2::Zero()).norm();
   }
-  /// The box with all sides moved outwards.
+  /// The box with all sides moved outwards [m].
   [[nodiscard]] Box grown(double by) const { return {min - Vec2::Constant(by), max + Vec2::Constant(by)}; }
-  /// Counter-clockwise, from `min` on.
+  /// The corners, counter-clockwise from `min` on.
   [[nodiscard]] std::array<Vec2, 4> corners() const {
     return {min, Vec2(max.x(), min.y()), max, Vec2(min.x(), max.y())};
   }

@@ -12,18 +12,19 @@
 
 namespace arcway {
 
-/// An undirected graph on a world's vertices in compressed rows: each edge is stored once in the row of its lower
-/// vertex, rows ascending.
+/// An undirected graph on a world's vertices, in compressed rows: each edge is stored once, in the row of its lower
+/// vertex.
 class ARCWAY_API VisibilityGraph {
  public:
   VisibilityGraph() = default;
-  /// @param row_starts  vertex count + 1 offsets into `targets`; targets of row u are > u and ascending.
-  /// @throws SnapshotError (std::invalid_argument) naming the first entry that breaks this.
+  /// @param row_starts  vertex count + 1 offsets into `targets`.
+  /// @param targets  by row, those of row u > u and ascending.
+  /// @throws SnapshotError (std::invalid_argument) naming the first entry that breaks this. O(edges).
   VisibilityGraph(std::vector<std::uint64_t> row_starts, std::vector<VertexId> targets);
 
   [[nodiscard]] std::size_t vertex_count() const { return row_starts_.empty() ? 0 : row_starts_.size() - 1; }
   [[nodiscard]] std::size_t edge_count() const { return targets_.size(); }
-  /// Neighbors v > u of u.
+  /// The neighbors v > u of u.
   [[nodiscard]] std::span<const VertexId> row(VertexId u) const;
   [[nodiscard]] std::span<const std::uint64_t> row_starts() const { return row_starts_; }
   [[nodiscard]] std::span<const VertexId> targets() const { return targets_; }
@@ -34,15 +35,22 @@ class ARCWAY_API VisibilityGraph {
   std::vector<VertexId> targets_;
 };
 
-/// All pairs of vertices that are not covered, convex and reflex ones, and see each other; the paper's figure 1, all
-/// lines. A line may pass through other vertices. Coincident vertices are not joined. O(n^2) segments.
+/// The full visibility graph: all pairs of vertices that see each other and are not covered, convex and reflex ones;
+/// figure 1 of the paper, all lines. Lines may pass through other vertices. Coincident vertices are not joined. O(n^2)
+/// visibility queries.
+/// @throws Canceled if the executor's clock is over before it is built.
 ARCWAY_API VisibilityGraph build_full_visibility_graph(const World& world, const VisibilityQuery& visibility,
                                                        const Executor& executor = SerialExecutor());
 
-/// The reduced visibility graph [Rohnert 1986; the paper's section 2]: pairs of convex vertices
-/// (World::convex_vertices) that (i) see each other, (ii) whose line is tangent at both, (iii) with no other convex
-/// vertex on the open segment. Pairwise: a tangency test for each pair, a visibility query for the survivors. O(n^2 + s
-/// q) for s tangent pairs and queries of cost q.
+/// The reduced visibility graph [Rohnert 1986; section 2 of the paper]. Its vertices are World::convex_vertices. Two of
+/// them are joined if
+/// - they see each other,
+/// - their line is tangent at both, and
+/// - no other convex vertex lies on the open segment between them.
+///
+/// Every pair is tested for tangency, and the s tangent pairs for visibility. O(n^2 + s q) with visibility queries of
+/// cost q.
+/// @throws Canceled if the executor's clock is over before it is built.
 ARCWAY_API VisibilityGraph build_reduced_visibility_graph(const World& world, const VisibilityQuery& visibility,
                                                           const Executor& executor = SerialExecutor());
 
