@@ -14,27 +14,28 @@
 
 namespace arcway::internal {
 
-/// A pose from which, or to which, the search connects to the graph.
+/// A pose from which a search joins the roadmap, or to which it leads from there.
 struct Attachment {
   Pose pose;
   Path connection;  ///< from the start to `pose`, or from `pose` to the goal; empty for start and goal themselves
-  /// Another attachment's circle to this side passes through `pose`, so that it has all straights of this one's.
+  /// Set if the circle of another attachment to this side passes through `pose`. That circle then has all straights of
+  /// this one's.
   std::optional<Side> shared = {};
 };
 
-/// Which end of the path.
+/// The end of the path that a function works at.
 enum class Direction { kFromStart, kToGoal };
 
-/// One of the circles by which a attachment joins the graph.
+/// A circle by which an attachment joins the roadmap: it starts at the attachment's pose.
 struct AttachmentCircle {
   std::uint32_t attachment;
   TurnCircle circle;
-  double heading;  ///< of the attachment's pose
-  double reach;    ///< how far the circle is free from there [rad], backwards for goals; negative: not at all
+  double heading;  ///< of the attachment's pose [rad]
+  double reach;    ///< free turn from there [rad], backwards for goals; negative: not even the pose is free
 };
 
-/// A straight between a attachment's circle and one of the graph. The body is free on the attachment's circle; the
-/// graph's circle and the swept rectangle remain to be checked.
+/// A straight between a circle of an attachment and a circle of the roadmap. The body is free on the attachment's
+/// circle. The roadmap's circle and the swept rectangle remain to be checked.
 struct AttachmentLink {
   std::uint32_t attachment_circle;
   std::uint32_t circle;
@@ -42,23 +43,26 @@ struct AttachmentLink {
   double turn;  ///< on the attachment's circle [rad]
 };
 
-/// Appends the left and right circles of every radius for each attachment from the `first` on, of the smallest for
-/// those with a connection; none that another attachment has as well. O(attachments * radii) heading sets, each in
-/// `headings`, whose memory is used again.
-/// @param clock  ends that before all attachments have theirs.
+/// Appends the circles of all attachments from `first` on: left and right ones of every radius, or of the smallest
+/// radius for attachments with a connection. Circles that another attachment has too are left out. O(attachments *
+/// radii) heading sets.
+/// @param headings  memory for one set.
+/// @param clock  may end that before all attachments have their circles.
 void append_circles(const Roadmap& map, std::span<const Attachment> attachments, std::size_t first, Direction direction,
                     HeadingSet& headings, std::vector<AttachmentCircle>& circles, const StopClock& clock = {});
 
-/// How long a path may be between a attachment and the other end of the path, and how many straights it may join by.
+/// Limits for the straights of one attachment.
 struct LengthLimit {
+  /// The other end of the path [m]. Straights on no path of at most `length` [m] between it and the attachment are left
+  /// out.
   Vec2 other_end;
-  double length;  ///< [m]; infinity: as long as it likes
+  double length;  ///< [m]; infinity: no limit
   std::size_t most_links = std::numeric_limits<std::size_t>::max();
 };
 
-/// Appends the straights between circles[index] and the graph, but for some that are certainly blocked, or on no path
-/// within the limit. Looks only at circles of pieces of outline that those nearer by do not hide. Of more straights
-/// than the limit allows, those to the nearest pieces are kept.
+/// Appends the straights between circles[index] and the roadmap. Those are left out that are certainly blocked, or on
+/// no path within the limit. Only circles at pieces of outline that nearer ones do not hide are examined. Of more
+/// straights than the limit allows, those to the nearest pieces are kept.
 /// @param pieces  memory.
 void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles, std::uint32_t index,
                   Direction direction, const LengthLimit& limit, std::vector<std::uint32_t>& pieces,

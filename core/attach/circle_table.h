@@ -15,8 +15,9 @@
 
 namespace arcway::internal {
 
-/// A feasible graph as searches read it: of an eager graph all that they ask about a circle lies in one cache line, as
-/// a search on a large map waits for memory most of the time; a lazy graph is asked itself. Immutable, thread-safe.
+/// A feasible graph as searches read it. In an eager graph, all that a search asks about a circle lies in one cache
+/// line, since searches on large maps mostly wait for memory. Questions about a lazy graph are passed on to it.
+/// Immutable, thread-safe.
 class CircleTable {
  public:
   explicit CircleTable(const FeasibleGraph& graph);
@@ -38,7 +39,9 @@ class CircleTable {
     if (const Record* r = record(c); r && r->has_one_interval) return reach_within(r->free, heading, r->side);
     return graph_.free_headings(c).reach(heading, graph_.circles()[c].side);
   }
-  /// Whether a heading in [0, 2 pi), known within less than `slack`, may be free, as far as is known without a search.
+  /// Whether a heading may be free, as far as is known without computing headings. False only if it is certainly
+  /// blocked.
+  /// @param heading  in [0, 2 pi), known up to `slack` [rad].
   [[nodiscard]] bool may_be_free(std::uint32_t c, double heading, double slack) const {
     const Record* r = record(c);
     if (!r || !r->has_one_interval) return true;
@@ -46,7 +49,7 @@ class CircleTable {
     const double width = r->free.high - r->free.low + 2.0 * slack;
     return (ahead >= 0.0 && ahead <= width) || ahead + kTwoPi <= width || ahead >= kTwoPi;
   }
-  /// Sectors of headings that may be free, as far as is known without a search.
+  /// The sectors of headings that may be free, as far as is known without computing headings.
   [[nodiscard]] Sectors free_sectors(std::uint32_t c) const { return sectors_.empty() ? kAllSectors : sectors_[c]; }
   /// See FeasibleGraph::links_from.
   [[nodiscard]] std::span<const FeasibleGraph::Link> links_from(std::uint32_t c, const StopClock& clock = {}) const {
@@ -59,21 +62,21 @@ class CircleTable {
   struct LinkOf {
     std::uint32_t circle, index;
   };
-  /// Sorts all links by where they lead to, for which a lazy graph finds all rows, none of them being decided by that:
-  /// 8 bytes a link, kept. Nothing to do the next time.
-  /// @returns false if the clock is over before that is done.
+  /// Sorts all links by their destination, 8 bytes each, kept from then on. A lazy graph first finds all of its rows,
+  /// without checking their links.
+  /// @return false if the clock is over before that is done.
   [[nodiscard]] bool find_links_to(const StopClock& clock = {}) const;
-  /// Whether that has been done.
+  /// Whether find_links_to has succeeded before.
   [[nodiscard]] bool knows_links_to() const { return incoming_.find(0) != nullptr; }
-  /// The links that lead to a circle, by the one that they leave. Finds them first if need be.
+  /// The links that lead to a circle, by the circle that they leave. Calls find_links_to first if need be.
   [[nodiscard]] std::span<const LinkOf> links_to(std::uint32_t c) const;
   [[nodiscard]] std::size_t size() const { return graph_.circles().size(); }
   [[nodiscard]] bool is_lazy() const { return graph_.mode() == GraphMode::kLazy; }
-  /// Says that a circle will be asked about soon.
+  /// Prefetches what is known about a circle.
   void prefetch(std::uint32_t c) const {
     if (const Record* r = record(c)) will_need(r);
   }
-  /// Says that the links will be asked for that leave a circle; best some time after `prefetch`.
+  /// Prefetches the links that leave a circle; best some time after `prefetch`.
   void prefetch_links(std::uint32_t c) const {
     if (const Record* r = record(c)) will_need(links_.data() + r->first_link);
   }

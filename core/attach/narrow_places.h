@@ -8,16 +8,16 @@
 
 namespace arcway::internal {
 
-/// A map with added circles in its narrow places, see find_gap_circles. If it has such places, but one radius and v_mc
-/// is the same on wider turns, circles four times as wide go round all vertices as well. Made when first asked for.
-/// Thread-safe.
+/// A roadmap with added circles in narrow gaps, see find_gap_circles. If there are such gaps, but only one radius, and
+/// v_mc does not depend on the radius, it also has circles four times as wide around all vertices. Made when first
+/// asked for. Thread-safe.
 class NarrowPlaces {
  public:
   /// @param map  must outlive this.
   explicit NarrowPlaces(const Roadmap& map) : map_(map) {}
 
-  /// The same map but for the graph, which is lazy and has all straights of the map's own and more. The map itself if
-  /// it has no narrow place, or if the clock is over before they are known. The first call takes as long as GapMap.
+  /// The roadmap with a lazy graph that has all straights of the given one and more. The given roadmap itself if the
+  /// map has no narrow gaps, or if the clock is over before they are known. The first call takes as long as GapMap.
   [[nodiscard]] const Roadmap& map(const StopClock& clock = {}) const;
 
  private:

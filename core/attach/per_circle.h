@@ -10,7 +10,7 @@
 
 namespace arcway::internal {
 
-/// An index for each circle of a graph, kNone at first; forgets all of them in constant time.
+/// An index for each circle of a graph, at first kNone. All are forgotten in constant time.
 class PerCircle {
  public:
   void reset(std::size_t circles) {
@@ -23,7 +23,7 @@ class PerCircle {
   [[nodiscard]] std::uint32_t get(std::uint32_t circle) const {
     return values_[circle].epoch == epoch_ ? values_[circle].index : kNone;
   }
-  /// Says that a circle will be asked about soon.
+  /// Prefetches the index of a circle.
   void prefetch(std::uint32_t circle) const { will_need(&values_[circle]); }
   void set(std::uint32_t circle, std::uint32_t index) { values_[circle] = {epoch_, index}; }
 

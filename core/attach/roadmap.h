@@ -15,13 +15,15 @@ namespace arcway::internal {
 class CircleTable;
 class CirclePlaces;
 
-/// What all searches on one map share. Immutable.
+/// The roadmap: the world, the vehicle, their queries and the feasible graph. All searches on one map share it.
+/// Immutable.
 struct Roadmap {
-  /// @param radii  those of the graph;  @param outlines  of the world.
+  /// @param radii  of the graph [m], ascending.
+  /// @param outlines  of the world.
   Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii, FeasibleGraph graph,
           std::shared_ptr<const Outlines> outlines);
-  /// The same map with another graph.
-  /// @param other_radii  those of that graph; the smallest as here.
+  /// A roadmap of the same world and vehicle with another graph.
+  /// @param other_radii  of that graph [m]; the smallest one as here.
   [[nodiscard]] Roadmap with_graph(FeasibleGraph other, std::vector<double> other_radii) const;
 
   World world;

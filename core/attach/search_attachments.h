@@ -13,52 +13,54 @@
 
 namespace arcway::internal {
 
-/// How start and goal attachments join the graph, and each other.
+/// The attachments of one search: how starts and goals join the roadmap, and each other.
 class SearchAttachments {
  public:
   struct GoalLink {
     AttachmentLink link;
-    double best_time;    ///< of complete paths by this link, for the search to keep
+    double best_time;    ///< of complete paths by this link [s]; kept for the search
     std::uint32_t next;  ///< on the same circle, or kNone
     bool checked, free;
   };
-  /// A word that leads from a start to a goal, and the maneuvers there.
+  /// A Dubins word from a start attachment to a goal attachment.
   struct DirectPath {
     std::uint32_t start, goal;  ///< attachments
-    DubinsPath word;            ///< from the one to the other
-    double time;
+    DubinsPath word;            ///< between their poses
+    double time;                ///< of the path with both connections [s]
   };
 
   /// Forgets the search before.
   void forget();
-  /// The same, with memory for a graph of so many circles at hand.
+  /// Forgets the search before, and takes memory for a graph of `circles` circles.
   void warm_up(std::size_t circles);
-  /// Whether the attachments of the search before are the first ones of this.
+  /// Whether the attachments of the search before are the first ones of this search.
   [[nodiscard]] bool are_first_of(const SearchContext& context) const;
-  /// Finds the circles of all attachments, the free words between them, and the links to the goals, unless interrupted;
-  /// those that the search before had found stay, and keep their indices.
+  /// Finds the circles of all attachments, the free words between them and the links to the goals, unless interrupted.
+  /// Results of the search before are kept, with their indices.
   void begin(SearchContext& context);
 
   [[nodiscard]] std::span<const AttachmentCircle> start_circles() const { return start_circles_; }
   [[nodiscard]] std::span<const AttachmentCircle> goal_circles() const { return goal_circles_; }
   [[nodiscard]] std::span<const DirectPath> direct_paths() const { return direct_paths_; }
-  /// @param path  becomes the whole path; its memory is used again.
+  /// The path of a word, with both connections.
+  /// @param path  receives it; its memory is used again.
   void take_path(const DirectPath& direct, Path& path) const;
 
-  /// Indices, from `first` to before `last`, of the links that leave a start circle; found when first asked for.
+  /// A range [first, last) of start links.
   struct Range {
     std::uint32_t first = kNone, last = kNone;
   };
+  /// The links that leave a start circle, found by the first call.
   Range links_from(std::uint32_t start_circle);
   [[nodiscard]] const AttachmentLink& start_link(std::uint32_t index) const { return start_links_[index]; }
 
   [[nodiscard]] std::span<const GoalLink> goal_links() const { return goal_links_; }
   [[nodiscard]] GoalLink& goal_link(std::uint32_t index) { return goal_links_[index]; }
-  /// The first one that leaves a circle of the graph; the others by `next`.
+  /// The first goal link that leaves a circle of the roadmap, or kNone; GoalLink::next gives the others.
   [[nodiscard]] std::uint32_t first_goal_link(std::uint32_t circle) const { return first_goal_link_.get(circle); }
-  /// Says that the links will be asked for that leave a circle of the graph.
+  /// Prefetches the goal links of a circle of the roadmap.
   void prefetch(std::uint32_t circle) const { first_goal_link_.prefetch(circle); }
-  /// Whether the swept rectangle, and the body on the graph's circle where it begins, is free.
+  /// Whether the link is free: its swept rectangle, and the body on the roadmap's circle where it begins. Checked once.
   bool is_free(GoalLink& goal);
 
  private:
@@ -68,10 +70,10 @@ class SearchAttachments {
   void add_goal_links(std::uint32_t goal_circle);
 
   SearchContext* context_ = nullptr;
-  double longest_path_ = 0.0;                               // of paths that are wanted [m]
-  std::size_t most_start_links_ = 0, most_goal_links_ = 0;  // of a circle of maneuvers
+  double longest_path_ = 0.0;                               // longest path that is wanted [m]
+  std::size_t most_start_links_ = 0, most_goal_links_ = 0;  // for each circle of a maneuver
   HeadingSet headings_;                                     // memory
-  std::vector<std::uint32_t> pieces_;                       // likewise
+  std::vector<std::uint32_t> pieces_;                       // memory
   std::vector<Pose> starts_, goals_;
   std::vector<AttachmentCircle> start_circles_, goal_circles_;
   HugeVector<AttachmentLink> start_links_, found_;
@@ -80,7 +82,7 @@ class SearchAttachments {
   PerCircle first_goal_link_;
   std::vector<DirectPath> direct_paths_;
   Path path_;             // memory
-  SpeedProfile profile_;  // likewise
+  SpeedProfile profile_;  // memory
 };
 
 }  // namespace arcway::internal

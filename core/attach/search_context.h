@@ -11,7 +11,7 @@
 
 namespace arcway::internal {
 
-/// What the parts of one search have in common.
+/// What all parts of one search share.
 class SearchContext {
  public:
   SearchContext(const Roadmap& m, std::span<const Attachment> s, std::span<const Attachment> g, const SearchOptions& o,
@@ -30,7 +30,7 @@ class SearchContext {
     return result.interrupted;
   }
 
-  /// The links that leave a circle: none, and the search is interrupted, if the time is over before a lazy graph has
+  /// The links that leave a circle. None, and the search is interrupted, if the clock is over before a lazy graph has
   /// found them.
   std::span<const FeasibleGraph::Link> links_from(std::uint32_t circle) {
     try {
@@ -48,11 +48,11 @@ class SearchContext {
 
   const Roadmap& map;
   const FeasibleGraph& graph;
-  const Vehicle vehicle;  ///< with the gears as the path will be driven
+  const Vehicle vehicle;  ///< with the speeds of the gear in which the path is driven
   std::span<const Attachment> starts;
   std::span<const Attachment> goals;
   const SearchOptions& options;
-  const Vec2 goal;  ///< where all paths end
+  const Vec2 goal;  ///< position where all paths end [m]
   SearchResult& result;
 };
 

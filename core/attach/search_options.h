@@ -13,44 +13,47 @@
 
 namespace arcway::internal {
 
+/// Options of one search on a roadmap.
 struct SearchOptions {
   Heuristic heuristic = Heuristic::kTravelTime;
-  StopClock clock = {};    ///< ends the search, with the best path found by then
-  double cusp_cost = 0.0;  ///< of a change of gear in a connection, beside the time for it [s]
-  /// Gear in which the vehicle is driven where the search drives forwards; if backwards, the path found is to be driven
-  /// the other way, and has the speeds of that.
+  StopClock clock = {};    ///< ends the search; the best path found by then is returned
+  double cusp_cost = 0.0;  ///< cost of a gear change in a connection, beside the time for it [s]
+  /// The gear in which the search's forward motions are driven. In kReverse the path found is to be driven from its end
+  /// to its start, and has the speeds of the reverse gear.
   Gear gear = Gear::kForward;
   TimeModel time_model = TimeModel::kProfile;
-  double suboptimality = 0.0;  ///< w >= 0: the path found may take 1 + w times as long as the fastest one
-  /// The search before in the same workspace was asked for a path between the same poses: what its starts reach is
-  /// known. If it was a part of this one, on the same map, of the same vehicle, and with the first of the attachments,
-  /// only paths that it has not found are looked for.
+  double suboptimality = 0.0;  ///< w >= 0: the path may take 1 + w times as long as the fastest one
+  /// Whether to continue the search before in the same workspace, which was for a path between the same poses. What its
+  /// starts reach is known then. If it had the same map and vehicle, and the first of these attachments, only new paths
+  /// are searched.
   bool warm_start = false;
-  /// Where many attachments or a long search say that there may be no path, ask whether there is one at all.
+  /// Whether to test reachability before searching on, where many attachments or a long search suggest that there is no
+  /// path.
   bool doubts_reachability = true;
-  /// Only paths that take less than one that is known are wanted [s].
+  /// Only faster paths are wanted [s].
   double faster_than = std::numeric_limits<double>::infinity();
-  /// Of a search that goes on from one that found a path: what saves less than this does not matter [s].
+  /// With a warm start: gains of less time do not matter [s].
   double least_gain = 0.0;
-  /// After so many expansions the best path found by then, if any, will do.
+  /// Number of expansions after which the best path found by then, if any, is good enough.
   std::uint64_t most_expanded = std::numeric_limits<std::uint64_t>::max();
-  /// Circles of the graph that a path may not join first, or leave for the goal: those of a path that is known, where
-  /// another one is wanted. kNone: any may be.
+  /// Circles of the graph that a path may not join first, or leave for the goal; kNone: all allowed. They are those of
+  /// a known path, where another route is wanted.
   std::uint32_t not_first = kNone, not_last = kNone;
-  /// Another thread, with a workspace of its own, runs ahead of a long search on a lazy graph. It finds rows, headings
-  /// and bitangents that this one will ask for; what it misses, this one finds itself.
+  /// Whether a second thread runs ahead of a long search on a lazy graph, in a workspace of its own. It computes rows,
+  /// headings and bitangents that the search will ask for.
   bool prefetch = false;
   [[nodiscard]] bool interrupted() const { return clock.is_over(); }
 };
 
+/// The result of one search.
 struct SearchResult {
-  std::optional<Path> path;  ///< from start to goal, connections in
-  /// Circles of the graph that the path joins first, and leaves for the goal; kNone if it touches none.
+  std::optional<Path> path;  ///< from start to goal, connections included
+  /// The circles of the graph that the path joins first, and leaves for the goal; kNone if it touches none.
   std::uint32_t first_circle = kNone, last_circle = kNone;
-  bool interrupted = false;      ///< by the stop token or the deadline; a path is then the best one found by then
+  bool interrupted = false;      ///< by the clock; a path is then the best one found by then
   bool start_connected = false;  ///< some motion leads from a start attachment to the graph or the goal
-  bool goal_connected = false;   ///< some straight leads from a circle, reached or not, to a goal attachment's circle
-  bool start_is_open = false;    ///< without a path: thousands of arcs can be reached from the start attachments
+  bool goal_connected = false;  ///< some straight leads from a circle, reached or not, to a circle of a goal attachment
+  bool start_is_open = false;   ///< without a path: the starts reach thousands of arcs
   std::uint64_t nodes_expanded = 0;
   std::uint64_t nodes_pushed = 0;
   std::uint64_t straights_checked = 0;

@@ -8,12 +8,12 @@
 
 namespace arcway::internal {
 
-/// A set of headings by 64 equal sectors of a full turn, from heading 0 on: bit k for the k-th.
+/// A set of headings as 64 equal sectors of the full turn: bit k is the sector of headings [k, k + 1) * 2 pi / 64.
 using Sectors = std::uint64_t;
 
 constexpr Sectors kAllSectors = ~Sectors{0};
 
-/// The sectors that headings from `low` to `high` >= low lie in, and a rounding beyond.
+/// The sectors of the headings from `low` to `high` >= low [rad], widened by rounding.
 inline Sectors sectors_of(double low, double high) {
   constexpr double kPerRadian = 64.0 / kTwoPi, kRounding = 1e-6;
   const auto first = static_cast<std::int64_t>(std::floor(low * kPerRadian - kRounding));

@@ -10,7 +10,8 @@
 
 namespace arcway::internal {
 
-/// Position of the first of a circle's links at or ahead of a heading in turning direction. Precondition: not empty.
+/// The index of the first link at or ahead of a heading, in the circle's turning direction. Precondition: `links` is
+/// not empty.
 inline std::size_t first_ahead(std::span<const FeasibleGraph::Link> links, double heading, Side side) {
   const bool left = side == Side::kLeft;
   const double from = wrap_positive(left ? heading - kNoTurn : heading + kNoTurn);
@@ -22,7 +23,8 @@ inline std::size_t first_ahead(std::span<const FeasibleGraph::Link> links, doubl
   return count > 0 ? count - 1 : links.size() - 1;
 }
 
-/// Calls visit(index, link, turn) for the links that leave a circle, from a heading on, until a call returns false.
+/// Calls visit(index, link, turn) for the links that leave a circle, in turning direction from a heading, until a call
+/// returns false. `turn` is the angle from the heading [rad].
 template <class Visitor>
 void walk_links(std::span<const FeasibleGraph::Link> links, Side side, double heading, Visitor&& visit) {
   if (links.empty()) return;

@@ -11,7 +11,7 @@
 
 namespace arcway::internal {
 
-/// Values as the bytes that they have in memory, for processes of one machine type.
+/// Appends values as their bytes in memory, for processes on machines of one type.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 void append_bytes(std::string& bytes, std::span<const T> values) {
@@ -21,14 +21,16 @@ template <class T>
 requires std::is_trivially_copyable_v<T>
 void append_bytes(std::string& bytes, const T& value) { append_bytes(bytes, std::span<const T>(&value, 1)); }
 
-/// Throws unless there are so many values.
+/// Checks that `bytes` holds at least `count` values.
+/// @throws std::length_error
 template <class T>
 void require_bytes(std::string_view bytes, std::size_t count) {
   if (bytes.size() / sizeof(T) < count)
     throw std::length_error(std::to_string(bytes.size()) + " bytes left for " + std::to_string(count) + " values of " +
                             std::to_string(sizeof(T)) + " bytes");
 }
-/// The first values, which are then taken off: so many, or one.
+/// Takes the first `count` values, or one value, off the front of `bytes`.
+/// @throws std::length_error if it holds fewer.
 template <class T>
 std::vector<T> take_bytes(std::string_view& bytes, std::size_t count) {
   require_bytes<T>(bytes, count);

@@ -5,7 +5,7 @@
 
 namespace arcway::internal {
 
-/// A hash of some numbers in their order: each is mixed in by a product, whose high bits are folded into the low ones.
+/// A hash of numbers in their order. Each is mixed in by a product, whose high bits are folded into the low ones.
 /// O(numbers).
 inline std::uint64_t hash_of(std::span<const std::uint64_t> numbers) {
   constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // 2^64 over the golden ratio (Knuth's multiplicative hashing)

@@ -12,14 +12,14 @@
 
 namespace arcway::internal {
 
-/// Told of what is mapped for large arrays, and with a minus of what is given back [bytes], as none of it passes
-/// through operator new: for programs that count their memory. Called by any thread; none at first.
+/// Observer of the memory mapped for large arrays, for programs that count their memory: none of it passes through
+/// operator new. It is told the bytes mapped, and minus the bytes given back, by any thread. Null at first.
 inline std::atomic<void (*)(std::ptrdiff_t bytes)> huge_pages_observer{nullptr};
 
-/// Memory in pages of 2 MB, where the system has them, for large arrays. An address of a small page is often not known
-/// to the processor, which costs as much as the memory itself where an array is read here and there; and to get a page
-/// from the system costs as much as to fill it. Large arrays are mapped each by itself, as the heap would keep what
-/// lies between two of them.
+/// Allocates large arrays in pages of 2 MB, where the system has them. With small pages, random access misses the
+/// processor's address translation cache, which costs as much as the memory access itself. To get a small page from the
+/// system costs as much as to fill it. Each large array is mapped on its own, since the heap would keep the memory
+/// between two of them.
 template <class T>
 class HugePageAllocator {
  public:
@@ -51,7 +51,8 @@ class HugePageAllocator {
   static constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
   static bool is_mapped(std::size_t bytes) { return bytes >= kHugePage; }
-  // In whole huge pages, as the small ones of a rest would take longer than all others: the ends are given back.
+  // Lengths are multiples of a huge page, as the remaining small pages would take longer than all others. The unaligned
+  // ends are given back.
   static void* map(std::size_t bytes) {
     if (bytes > SIZE_MAX - 2 * kHugePage) throw std::bad_alloc();
     const std::size_t length = whole_pages(bytes);
@@ -83,7 +84,7 @@ class HugePageAllocator {
 template <class T>
 using HugeVector = std::vector<T, HugePageAllocator<T>>;
 
-/// Empties an array, with memory for so many elements that need not be asked of the system any more.
+/// Empties an array but keeps memory for `count` elements.
 template <class T>
 void empty_with_memory(HugeVector<T>& array, std::size_t count) {
   array.resize(count);

@@ -12,13 +12,13 @@
 
 namespace arcway::internal {
 
-/// A value that takes long to make: made when it is first asked for, then kept. Thread-safe: one thread makes it, the
-/// others wait for it, each until its own clock is over. What was begun and not completed leaves no trace.
+/// A value that is made when first asked for, then kept. Thread-safe: one thread makes it while the others wait, each
+/// until its own clock is over. A making that is canceled leaves no trace.
 template <class Value>
 class LateValue {
  public:
-  /// @param make  gives the value; throws Canceled where the clock is over before.
-  /// @returns nullptr if the clock was over before the value was there.
+  /// The value; null if the clock was over before it was made.
+  /// @param make  returns the value, or throws Canceled if the clock is over before.
   template <class Make>
   const Value* get(const StopClock& clock, Make&& make) const {
     if (const Value* known = known_.load(std::memory_order_acquire)) return known;
@@ -39,7 +39,7 @@ class LateValue {
   }
 
  private:
-  static constexpr std::chrono::microseconds kWait{200};  // between two looks at whether another thread is done
+  static constexpr std::chrono::microseconds kWait{200};  // between two attempts to lock
 
   mutable std::mutex mutex_;
   mutable std::optional<Value> value_;  // guarded by mutex_ until it is known

@@ -8,9 +8,9 @@
 
 namespace arcway::internal {
 
-/// A heap of entries with four children a node, which moves through less memory than one with two; siblings of 16 bytes
-/// share a cache line. Entries come off in the order of `before(a, b)`, found by argument-dependent lookup; a total
-/// order makes it that of the entries alone.
+/// A priority queue as a heap with four children a node, which moves through less memory than a binary heap. Siblings
+/// of 16 bytes share a cache line. Entries come off in the order of `before(a, b)`, found by argument-dependent lookup.
+/// If that is a total order, the sequence depends on the entries alone.
 template <class Entry>
 class OpenList {
  public:
@@ -18,13 +18,14 @@ class OpenList {
   [[nodiscard]] std::size_t size() const { return empty() ? 0 : heap_.size() - kRoot; }
   /// Precondition: not empty.
   [[nodiscard]] const Entry& top() const { return heap_[kRoot]; }
-  /// The first entry, then its children, of which one is the second, then theirs: so many, or all.
+  /// The first `count` entries of the heap in memory, or all if there are fewer. The first one is the top; the second
+  /// to come off is one of its children.
   [[nodiscard]] std::span<const Entry> first_few(std::size_t count) const {
     return empty() ? std::span<const Entry>() : std::span(heap_).subspan(kRoot, std::min(count, size()));
   }
   void clear() { heap_.clear(); }
   void reserve(std::size_t count) { heap_.reserve(kRoot + count); }
-  /// Empty, with memory for so many entries at hand.
+  /// Empties the queue but keeps memory for `count` entries.
   void warm_up(std::size_t count) { empty_with_memory(heap_, kRoot + count); }
 
   void push(const Entry& entry) {

@@ -2,9 +2,9 @@
 
 namespace arcway::internal {
 
-/// Says that what lies there will be read or written soon. Any address will do.
+/// Prefetches the memory at any address for reading or writing.
 ///
-/// GCC takes a function that does nothing but __builtin_prefetch for one without effect, and drops its calls; the empty
+/// GCC drops calls of functions that contain nothing but __builtin_prefetch, as if they had no effect. The empty
 /// statement is an effect.
 [[gnu::always_inline]] inline void will_need(const void* address) {
   __builtin_prefetch(address);

@@ -4,7 +4,7 @@
 
 namespace arcway::internal {
 
-/// Shortest text that reads back to the same double, in any locale; "inf", "nan" if not finite.
+/// The shortest text that reads back to the same double, in any locale; "inf" or "nan" if not finite.
 std::string shortest_text(double value);
 
 }  // namespace arcway::internal

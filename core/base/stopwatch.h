@@ -4,7 +4,7 @@
 
 namespace arcway::internal {
 
-/// The time since it was made, by a clock that never goes back.
+/// Measures the time since its construction, by a monotonic clock.
 class Stopwatch {
  public:
   [[nodiscard]] double seconds() const {

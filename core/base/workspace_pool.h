@@ -7,11 +7,11 @@
 
 namespace arcway::internal {
 
-/// Workspaces for queries at the same time: as many as there ever were at once. Thread-safe.
+/// Workspaces that are lent to queries and used again: as many as there ever were queries at once. Thread-safe.
 template <class Workspace>
 class WorkspacePool {
  public:
-  /// A workspace for as long as this lives.
+  /// A workspace, borrowed for the lifetime of this object.
   class Lease {
    public:
     explicit Lease(WorkspacePool& pool) : pool_(pool), workspace_(pool.take()) {}

@@ -7,8 +7,8 @@
 
 namespace arcway::internal {
 
-/// All three query interfaces by trying every edge: the reference that all other implementations must agree with.
-/// O(edges) a query.
+/// The brute-force implementation of all three query interfaces: it tries every edge. All other implementations must
+/// agree with it. O(edges) a query.
 class BruteForceQuery final : public VisibilityQuery, public DistanceQuery, public SweepQuery {
  public:
   explicit BruteForceQuery(World world) : world_(std::move(world)) {}

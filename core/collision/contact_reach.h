@@ -10,23 +10,23 @@
 
 namespace arcway::internal {
 
-/// How far a body that is free at a pose drives on a line or an arc before it touches an edge of the world: computed
-/// from the edges near by, however wide the arc is. Rounded: a motion proposed by it is decided by the sweep query.
-/// Not thread-safe: keeps the edges of one place.
+/// Distance to contact: how far a body that is free at a pose drives on a line or an arc before it touches an edge. It
+/// compares with the edges near by, however wide the arc is. Results are rounded: motions are decided by the sweep
+/// query. Not thread-safe: it keeps the edges near one pose.
 class ContactReach {
  public:
   /// @param outlines  must outlive this.
   ContactReach(const Outlines& outlines, const Footprint& body);
 
-  /// Looks at the edges that motions of length `most` from a pose may touch. O(log n + edges near by).
+  /// Collects the edges that motions of length `most` [m] from a pose may touch. O(log n + edges near by).
   void begin(const Pose& pose, double most);
 
-  /// Length of the motion from the pose until the body touches an edge, at most that given to `begin` and less than one
-  /// full turn [m]. O(edges near by).
-  /// @param curvature  positive to the left of the body; 0: a line.
+  /// Length of the motion from the pose of `begin` until the body touches an edge [m]. At most the length given to
+  /// `begin`, and less than a full turn. O(edges near by).
+  /// @param curvature  [1/m], positive to the left of the body; 0: a line.
   [[nodiscard]] double operator()(double curvature, Gear gear) const;
 
-  /// Edges that all motions so far were compared with: what they cost.
+  /// Number of edges compared with motions so far, as a measure of cost.
   [[nodiscard]] std::uint64_t edges_compared() const { return edges_compared_; }
 
  private:
@@ -39,7 +39,7 @@ class ContactReach {
 
   const Outlines* outlines_;
   Footprint body_;
-  double around_;  // the body lies within, of its reference point
+  double around_;  // radius about the reference point that holds the body [m]
   double most_ = 0.0;
   mutable std::uint64_t edges_compared_ = 0;
   std::vector<Edge> edges_;  // in the frame of the body, nearest first

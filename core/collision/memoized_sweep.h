@@ -6,9 +6,9 @@
 
 namespace arcway::internal {
 
-/// Answers as another sweep query does, bit for bit, and remembers the answers: for planners on one world that ask
-/// nearly the same questions one after the other. Remembers a million questions at most, some 100 bytes each; later
-/// ones are passed on. A remembered answer takes less than a microsecond. Thread-safe.
+/// A sweep query that remembers the answers of another one, bit for bit. It serves planners on one world that ask
+/// nearly the same questions in turn. It remembers up to a million questions, some 100 bytes each, and passes later
+/// ones on. A remembered answer takes less than a microsecond. Thread-safe.
 class MemoizedSweep final : public SweepQuery {
  public:
   explicit MemoizedSweep(std::shared_ptr<const SweepQuery> base);

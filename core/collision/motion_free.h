@@ -9,12 +9,13 @@
 
 namespace arcway::internal {
 
-/// Whether the body touches nothing along all segments, in whichever gear: the swept rectangle for each line, a free
-/// interval of headings for each arc. Exact as the sweep query is; no step size. Lines are asked for first: a rectangle
-/// costs less than a set of headings.
+/// Whether the body touches nothing along all segments, in whichever gear: the swept rectangle of each line and an
+/// interval of free headings on each arc. As exact as the sweep query, without steps. Lines are asked first, as they
+/// cost less.
 bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion);
 
-/// The same for one arc driven forwards; `headings` is memory that is used again.
+/// Whether the body touches nothing along one arc driven forwards.
+/// @param headings  memory that is used again.
 bool turn_free(const SweepQuery& sweep, const Footprint& body, const PathSegment& arc, HeadingSet& headings);
 
 }  // namespace arcway::internal

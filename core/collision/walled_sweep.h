@@ -7,11 +7,11 @@
 
 namespace arcway::internal {
 
-/// A sweep query's world with walls without thickness in it: line segments that the body may not touch. For walls that
-/// come and go while the world stays; each costs a test on every question. Exact as the query that it is made from.
+/// A sweep query with added walls of no thickness: line segments that the body may not touch. It serves walls that come
+/// and go while the world stays. Each wall costs a test in every query. As exact as the query that it wraps.
 class WalledSweep final : public SweepQuery {
  public:
-  /// @param walls  their ends are finite and differ.
+  /// @param walls  with finite and distinct ends [m].
   WalledSweep(std::shared_ptr<const SweepQuery> base, std::vector<LineSegment> walls)
       : base_(std::move(base)), walls_(std::move(walls)) {}
 

@@ -22,20 +22,20 @@ std::string rounded_text(double meters);
 class BottleneckFinder {
  public:
   BottleneckFinder(const World& world, const Vehicle& vehicle);
-  /// @param gaps  of the same map and vehicle, known to others as well.
+  /// @param gaps  of the same map and vehicle, shared with other users.
   BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps);
 
-  /// Nothing if the widest way is wide enough for the tightest turn, or as wide as the room around one of the poses.
-  /// Precondition: the body grown by half of the safety margin is free at both poses.
-  /// Time as GapMap::bottleneck, where the gaps were asked for before.
-  /// @param clock  ends the search: then nothing.
+  /// The bottleneck between two poses. Nothing if it is wide enough for the tightest turn, or as wide as the room
+  /// around one of the poses. Precondition: the body grown by half of the safety margin is free at both poses. Takes as
+  /// long as GapMap::bottleneck, after the first call.
+  /// @param clock  may end the search; the result is nothing then.
   [[nodiscard]] std::optional<Bottleneck> operator()(const Pose& from, const Pose& to,
                                                      const StopClock& clock = {}) const;
 
  private:
   World world_;
   Footprint body_;
-  Bottleneck vehicle_takes_;  // no place yet
+  Bottleneck vehicle_takes_;  // widths that the vehicle needs; no place yet
   std::shared_ptr<const VehicleGaps> gaps_;
 };
 

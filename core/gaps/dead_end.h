@@ -11,32 +11,35 @@
 
 namespace arcway::internal {
 
-/// Proof that a vehicle which does not reverse has no path between two poses: whatever it does, it collides near the
-/// start, or comes from near the goal.
+/// Proof that a vehicle which does not reverse has no path between two poses. Either it collides near the start
+/// whatever it does, or no motion from afar arrives at the goal.
 struct DeadEnd {
-  bool at_start;  ///< it is the start that cannot be left with its heading, else the goal that cannot be reached so
-  double reach;   ///< the reference point gets no further from there, or comes from no further away [m]
+  bool at_start;  ///< the start cannot be left with its heading; false: the goal cannot be reached with its heading
+  double reach;   ///< the reference point gets no further from the start, or comes from no further away [m]
 };
 
-/// How long to look for such a proof.
+/// How much work a search for a dead end may do.
 struct DeadEndEffort {
-  int halvings;            ///< of the boxes; each takes some eight times as many
-  std::size_t max_checks;  ///< of the largest boxes from one end, and after each halving twice as many
+  int halvings;            ///< of the boxes; each makes some eight times as many
+  std::size_t max_checks;  ///< of the largest boxes from one end; twice as many after each halving
 };
 
-/// Looks for such a proof: positions and headings are divided into boxes. A box is followed if the reference point may
-/// be in it after a step forwards of a certain length from a box reached before, with any curvatures of at most 1 /
-/// radius. Boxes in which the body collides everywhere are left out. Backwards from the goal likewise. If there are no
-/// more of them before they are some body widths away or near the other end, that is a proof; else boxes are halved,
-/// unless they were too many before or all free. What is near is decided, not what is far: enclosures of any size that
-/// also hold for reversing are found by find_enclosure. No proof is found for vehicles that turn within no less than
-/// some 24 times the body's width.
-/// @param footprint  of the body that must not touch anything.
-/// @param radius  smallest turning radius, > 0.
+/// Searches for a proof that an end is a dead end, by reachability over boxes of positions and headings:
+/// 1. From a box that is reached, the vehicle takes a step forwards of a certain length, with any curvature up to 1 /
+///    radius.
+/// 2. The boxes that may hold the reference point then are reached, unless the body collides everywhere in them.
+/// 3. If no box is left before they are some body widths away or near the other end, that is a proof.
+/// 4. Else boxes are halved, unless they were too many before, or all free.
+///
+/// The goal is examined in the same way backwards. Only the neighborhood of the ends is decided. Enclosures of any
+/// size, which also hold for vehicles that reverse, are found by find_enclosure. No proof is found for vehicles whose
+/// smallest radius is at least some 24 times the body's width.
+/// @param footprint  of the body that must not touch anything [m].
+/// @param radius  smallest turning radius [m], > 0.
 /// @param outlines  of the query's world.
-/// @param effort  some tenths of a microsecond a check.
-/// @param clock  ends the search.
-/// @returns nothing if no proof is found: there may be a path or none.
+/// @param effort  a check takes some tenths of a microsecond.
+/// @param clock  may end the search.
+/// @return nothing if no proof is found; a path may exist or not.
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
                                      const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort,
                                      const StopClock& clock = {});

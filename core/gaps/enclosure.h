@@ -10,20 +10,23 @@
 
 namespace arcway::internal {
 
-/// Proof that a body cannot be moved from one pose to another, in whatever direction, even if it could turn on the
-/// spot: no vehicle with that body has a path, forwards or backwards.
+/// Proof that no motion takes a body from one pose to another, in whatever direction, even if it could turn on the
+/// spot. No vehicle with that body has a path, forwards or backwards.
 struct Enclosure {
-  bool at_start;  ///< it is the start that is enclosed, else the goal
-  double reach;   ///< however the body is moved, its middle gets no further from there [m]
+  bool at_start;  ///< the start is enclosed; false: the goal is
+  double reach;   ///< the middle of the body gets no further from there [m]
 };
 
-/// Looks for such a proof: positions and headings are divided into boxes, and those that are reached from an end by
-/// boxes in which the body does not collide everywhere are followed, towards the other end first. If there are no more
-/// of them before the other end is reached, that is a proof; then boxes are halved, a few times.
-/// @param footprint  of the body that must not touch anything.
+/// Searches for a proof that an end is enclosed, by flooding boxes of positions and headings:
+/// 1. From the end's box, neighboring boxes are reached unless the body collides everywhere in them, towards the other
+///    end first.
+/// 2. If no box is left before the other end is reached, that is a proof.
+/// 3. Else boxes are halved, a few times.
+///
+/// @param footprint  of the body that must not touch anything [m].
 /// @param max_boxes  of one size from one end; some tenths of a microsecond each.
-/// @param clock  ends the search.
-/// @returns nothing if no proof is found: there may be a path or none.
+/// @param clock  may end the search.
+/// @return nothing if no proof is found; a path may exist or not.
 std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, const Footprint& footprint,
                                         const SweepQuery& sweep, std::size_t max_boxes, const StopClock& clock = {});
 

@@ -8,22 +8,24 @@
 
 namespace arcway::internal {
 
-/// Circles for the gaps of a world that are wide enough to drive through, but narrow. There the circle on the bisector
-/// of a vertex beside the gap may collide, or turn too early or too late:
+/// Added circles for the gaps of a world that are narrow but wide enough to drive through. There, the circle on the
+/// bisector of a vertex beside the gap may collide, or turn too early or too late.
 ///
-/// - Where a vertex faces an edge or another vertex, circles round it whose outer swept circle touches what it faces:
-///   if the gap is too narrow for the tightest turn, the circle of the smallest radius that condition (7) allows, on
-///   the line across the gap; if it is wider, the circles of the given radius to both sides of that line.
-/// - Gap straights: the straight across the middle of a gap, and circles of the given radius tangent to it. A path may
-/// turn off
-///   it as early, and onto it as late, as one of the vertices beside it lets it: where the inner swept circle passes
-///   through a vertex on the inside, or a corner's circle through one on the outside.
+/// | circles | where |
+/// |---|---|
+/// | around a vertex that faces an edge or another vertex | the outer swept circle touches what the vertex faces |
+/// | tangent to a gap straight | the turn onto it or off it is as late or as early as a vertex beside it allows |
 ///
-/// Contacts are those of the body grown by the safety margin; whether circles are free is not asked. Gaps are looked at
-/// up to the width that a turn takes at a right angle to a wall, the outer radius of the swept annulus.
-/// @param gaps    those of VehicleGaps.
-/// @param radius  the smallest turning radius.
-/// O(gaps log gaps), O(gaps) circles.
+/// If a gap is too narrow for the tightest turn, the circle around its vertex has the smallest radius that (7) allows,
+/// and lies on the line across the gap. In a wider gap two circles of the given radius lie to both sides of that line.
+/// A gap straight is a straight through the middle of a gap. A turn at its limit has a vertex on the inner swept
+/// circle, or on the circle of a corner of the body.
+///
+/// Contacts are those of the body grown by the safety margin. Whether circles are free is not checked. Gaps are
+/// examined up to the width of a turn at a right angle to a wall: the outer radius of the swept annulus. O(gaps log
+/// gaps), O(gaps) circles.
+/// @param gaps  of VehicleGaps.
+/// @param radius  the smallest turning radius [m].
 /// @throws Canceled if the clock is over before all are found.
 AddedCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
                               const StopClock& clock = {});

@@ -9,15 +9,15 @@
 
 namespace arcway::internal {
 
-/// Answers thousands of questions about one place with a sweep query, which most of the time need not be asked: the
-/// same few edges are in the way again and again, and what meets none of them is free if no edge lies between it and
-/// what was free before. Refers to the query. Not thread-safe.
+/// Answers thousands of sweep queries about one place, most of them without asking the sweep query. First it tests the
+/// few edges that blocked lately. If none blocks, a rectangle is free if no edge lies between it and a point known to
+/// be free. Refers to the query. Not thread-safe.
 class LocalSweep {
  public:
-  /// @param place  edges of the world that get here are remembered, as long as they are few.
+  /// @param place  edges of the world that reach into it are kept, if they are few [m].
   LocalSweep(const SweepQuery& sweep, const Outlines& outlines, const Box& place);
 
-  /// As SweepQuery::straight_free.
+  /// See SweepQuery::straight_free.
   [[nodiscard]] bool straight_free(const SweptRectangle& rectangle);
 
  private:
@@ -31,8 +31,8 @@ class LocalSweep {
 
   const SweepQuery& sweep_;
   Box place_;
-  std::vector<Edge> edges_;   // near the place, those that were in the way lately first
-  bool has_all_edges_;        // that get to the place
+  std::vector<Edge> edges_;   // near the place, those that blocked lately first
+  bool has_all_edges_;        // of those that reach into the place
   std::optional<Vec2> free_;  // a point in the place that no obstacle holds or touches
 };
 

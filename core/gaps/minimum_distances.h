@@ -10,7 +10,7 @@
 
 namespace arcway::internal {
 
-/// Obstacles of one path segment's region, ascending.
+/// The obstacles of one path segment's region by side, ascending.
 struct RadialSet {
   std::vector<ObstacleId> left;
   std::vector<ObstacleId> right;
@@ -33,6 +33,7 @@ struct SegmentObstacleDistance {
   Vec2 on_segment, on_obstacle;
 };
 
+/// The result of minimum_distances.
 struct MinimumDistances {
   RadialSet obstacles;                ///< all obstacles, by the side they lie on at the nearest of their segments
   std::vector<RadialSet> by_segment;  ///< one a segment
@@ -40,13 +41,12 @@ struct MinimumDistances {
   std::vector<SegmentObstacleDistance> to_segments;
 };
 
-/// The minimum distances along a point path (a polyline from start to goal): how much room it leaves to a body.
+/// The minimum distances along a polyline from start to goal: how much room it leaves to a body.
 ///
-/// At each turn point the bisector of the turn divides the plane; the region of a segment lies between the bisectors
-/// at its two ends, the first and the last region being open at start and goal. An obstacle belongs to every region it
-/// overlaps, so perhaps to several, and there to the side of the segment's line that it reaches further out on. Only
-/// pairs across a segment and pairs of a segment with an obstacle of its region are measured. Bounds are left out.
-/// Time O(segments * vertices + sum of vertex pairs measured, most of them ruled out by boxes).
+/// The bisectors of the turns divide the plane into one region for each segment; the first and the last region are
+/// open. An obstacle belongs to every region that it overlaps, on the side of the segment's line that it reaches
+/// further out on. Distances are measured between obstacles across a segment, and between a segment and the obstacles
+/// of its region. Bounds are left out. O(segments * vertices + vertex pairs measured); boxes rule out most pairs.
 /// @throws std::invalid_argument for fewer than two points, repeated consecutive points, or one that is not finite.
 MinimumDistances minimum_distances(const World& world, std::span<const Vec2> path);
 

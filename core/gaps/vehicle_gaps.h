@@ -8,18 +8,18 @@
 
 namespace arcway::internal {
 
-/// The gaps of a map that are not too wide to matter to a vehicle: what BottleneckFinder and find_gap_circles look at.
+/// The gaps of a map up to the largest width that matters to a vehicle, for BottleneckFinder and find_gap_circles.
 /// Found when first asked for. Thread-safe.
 class VehicleGaps {
  public:
-  /// @param radius  the smallest turning radius of the paths.
+  /// @param radius  the smallest turning radius of the paths [m].
   VehicleGaps(const World& world, const Vehicle& vehicle, double radius);
 
-  /// The first call takes as long as GapMap.
+  /// The gaps. The first call takes as long as GapMap.
   [[nodiscard]] const GapMap& map() const { return *map(StopClock()); }
-  /// Nothing if the clock is over before the gaps are known.
+  /// The gaps, or null if the clock is over before they are known.
   [[nodiscard]] const GapMap* map(const StopClock& clock) const;
-  /// Of the vehicle, see widest_hopeless_gap [m].
+  /// See widest_hopeless_gap [m].
   [[nodiscard]] double widest_hopeless() const { return hopeless_; }
 
  private:
@@ -28,8 +28,8 @@ class VehicleGaps {
   LateValue<GapMap> map_;
 };
 
-/// No motion of the vehicle, forwards or backwards, leads through a gap that is not wider: the body grown by half of
-/// the safety margin, less a thousandth for rounding, has a disc of this diameter in its middle [m].
+/// The widest gap that no motion of the vehicle can pass, forwards or backwards [m]. It is the diameter of the largest
+/// disc in the body, grown by half of the safety margin, less a thousandth for rounding.
 double widest_hopeless_gap(const Vehicle& vehicle);
 
 }  // namespace arcway::internal

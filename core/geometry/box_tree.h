@@ -10,34 +10,34 @@
 
 namespace arcway::internal {
 
-/// Static bounding-box tree over a set of boxes, for overlap queries.
+/// A static bounding-box tree, for overlap queries.
 ///
 ///     const BoxTree tree(boxes);
 ///     tree.visit_overlaps(query, [&](std::uint32_t i) { hits.push_back(i); return true; });
 ///
-/// Split at the median of the longer side, or of the other one where the middles of boxes spread much further along it.
-/// Nodes are packed in preorder. Build O(n log n); a query is
-/// O(log n + hits) for boxes that are small beside their spread. Immutable and thread-safe.
+/// Nodes are split at the median of the longer side, or of the other side if the middles of the boxes spread much
+/// further along it. They are packed in preorder. O(n log n) to build; O(log n + hits) a query, for boxes that are
+/// small beside their spread. Immutable and thread-safe.
 class BoxTree {
  public:
   BoxTree() = default;
-  /// Item i is boxes[i]; the boxes must not be empty. They are copied. Fewer than 2^31 of them.
+  /// @param boxes  of items 0, 1, ...; not empty, fewer than 2^31. They are copied.
   explicit BoxTree(std::span<const Box> boxes);
 
-  /// The tree of as many other boxes, divided like this one, which is good for boxes that lie much as those here: O(n).
+  /// A tree of as many other boxes, divided like this one: good for boxes that lie much as these. O(n).
   [[nodiscard]] BoxTree with_boxes(std::span<const Box> boxes) const;
 
   [[nodiscard]] std::size_t size() const { return items_.size(); }
 
-  /// Calls `visit(index)` for each item whose closed box meets `query`, in no useful but always the
-  /// same order, until a call returns false. Returns whether all calls returned true.
+  /// Calls visit(index) for each item whose closed box meets `query`, until a call returns false. The order is the same
+  /// every time, but has no meaning. Returns whether all calls returned true.
   template <class Visitor>
   bool visit_overlaps(const Box& query, Visitor&& visit) const {
     return visit_if([&query](const Box& box) { return box.overlaps(query); }, visit);
   }
 
-  /// The same for each item whose own box and all boxes around it pass a test that no box passes unless every box
-  /// around it does.
+  /// Calls visit(index) for each item whose own box, and all boxes around it, pass a test, until a call returns false.
+  /// A box may pass only if every box around it passes. Returns whether all calls returned true.
   template <class Test, class Visitor>
   bool visit_if(Test&& passes, Visitor&& visit) const {
     for (std::uint32_t i = 0; i < nodes_.size();) {
@@ -54,9 +54,9 @@ class BoxTree {
     return true;
   }
 
-  /// Calls visit(index) for the items that visit_if visits, those near a place early: of the two halves of a box the
-  /// nearer one comes first, of two that hold the place the smaller one, so that what lies there may decide whether the
-  /// other passes.
+  /// Calls visit(index) for the items of visit_if, those near a place early. Of two halves of a box, the nearer one
+  /// comes first; if both contain the place, the smaller one does. What is found there may decide whether the other one
+  /// passes.
   template <class Test, class Visitor>
   void visit_near_first(const Vec2& place, Test&& passes, Visitor&& visit) const {
     const auto is_nearer = [&](const Box& a, const Box& b) {

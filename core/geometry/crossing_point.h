@@ -4,8 +4,9 @@
 
 namespace arcway::internal {
 
-/// Where a segment meets the line through two points that its ends do not lie on the same side of, nor both on:
-/// rounded, however small the angle between them; the end itself if that is on the line.
+/// The point where a segment meets the line through two points, rounded, however small their angle. Precondition: the
+/// ends of the segment do not both lie on the line, or on the same side of it. If one lies on the line, it is the
+/// result.
 inline Vec2 crossing_point(const LineSegment& s, const LineSegment& line) {
   // The ends' distances from the line have opposite signs, so that nothing cancels.
   const double from_a = doubled_area(line.a, line.b, s.a), from_b = doubled_area(line.a, line.b, s.b);

@@ -8,10 +8,9 @@
 namespace arcway::internal {
 
 /// \file
-/// Distances between closed sets [m]: never negative, 0 if the two meet. Where only points, segments
-/// and polygons take part, meeting is decided exactly (predicates.h), so that 0 is never a rounded
-/// small distance nor the reverse; other values carry a few roundings, relative to the size of the
-/// coordinates' differences. Pure, thread-safe, no allocation.
+/// Distances between closed sets [m]: never negative, 0 if the two meet. Between points, segments and polygons, meeting
+/// is decided exactly (predicates.h), so that 0 is given if and only if they meet. Between an arc and another set it is
+/// decided up to rounding.
 
 /// The point of `s` nearest to `p`, rounded; an end of `s` is given exactly.
 Vec2 closest_point(const Vec2& p, const LineSegment& s);

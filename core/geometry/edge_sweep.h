@@ -85,7 +85,7 @@ class SweptDepths {
       : edges_(edges), outside_(outside), above_(edges.size(), 0) {}
 
   [[nodiscard]] bool is_region_above(std::uint32_t e) const;
-  /// Of an edge that a sweep is at.
+  /// State of an edge at the sweep line.
   [[nodiscard]] std::int32_t above(std::uint32_t e) const { return above_[e]; }
   /// Just below the event's point.
   [[nodiscard]] std::int32_t below(const EdgeSweep::Event& event) const {

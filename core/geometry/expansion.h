@@ -64,7 +64,7 @@ class FixedExpansion {
   }
   /// The last component exceeds the sum of all others.
   [[nodiscard]] int sign() const { return size_ == 0 ? 0 : sign_of(components_[size_ - 1]); }
-  /// The sum, off by a unit or two in the last place.
+  /// The sum, correct to a unit or two in the last place.
   [[nodiscard]] double value() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < size_; ++i) sum += components_[i];

@@ -8,10 +8,10 @@
 
 namespace arcway::internal {
 
-/// Boxes and all that is near them, for asking what may be there. Immutable and thread-safe.
+/// Boxes grown by a distance, for asking what may lie near them. Immutable and thread-safe.
 class NearBoxes {
  public:
-  /// @param reach  by which each box is larger than given to every side [m].
+  /// @param reach  by which each box grows to every side [m].
   explicit NearBoxes(std::span<const Box> boxes, double reach = 0.0);
 
   [[nodiscard]] bool empty() const { return boxes_.empty(); }

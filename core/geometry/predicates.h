@@ -28,8 +28,8 @@ namespace detail {
 int exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 }
 
-/// Sign of the area of the triangle (a, b, c): +1 if `c` lies to the left of the line from `a` to
-/// `b`, -1 to the right, 0 on it (or if a == b). Antisymmetric in any two arguments.
+/// Sign of the area of the triangle (a, b, c), exact: +1 if `c` lies to the left of the line from `a` to `b`, -1 to the
+/// right. 0 on the line, or if a == b. Antisymmetric in any two arguments.
 inline int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   constexpr double kEpsilon = 0x1p-53;
   constexpr double kErrorBound = (3.0 + 16.0 * kEpsilon) * kEpsilon;  // [Shewchuk 1997, figure 21]
@@ -42,7 +42,7 @@ inline int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   return detail::exact_orientation(a, b, c);
 }
 
-/// Twice the area of the triangle (a, b, c), with the sign of `orientation`: off by a unit or two in the last place.
+/// Twice the area of the triangle (a, b, c) [m^2], with the sign of `orientation`, to a unit or two in the last place.
 double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);
 
 /// How two closed segments meet. Exactly one case holds; a segment may be a single point.

@@ -6,8 +6,8 @@
 
 namespace arcway::internal {
 
-/// Even-odd place of a point among closed rings, fed edge by edge in any order: counts the edges
-/// that the ray from `p` in +x direction crosses. Edges that miss the ray's box may be left out.
+/// Locates a point among closed rings by the even-odd rule: it counts the edges that the ray from `p` in +x direction
+/// crosses. Edges may be given in any order; those that miss the ray's box may be left out. Exact.
 class RayParity {
  public:
   explicit RayParity(const Vec2& p) : p_(p) {}
@@ -45,8 +45,8 @@ class RayParity {
   bool inside_ = false;
 };
 
-/// The same for the point just after `p` on the way to `towards`. Exact, also if `p` lies on the
-/// rings, as long as the way does not start along one of their edges.
+/// Locates the point just after `p` on the way to `towards` by the even-odd rule. Exact, also if `p` lies on the rings,
+/// as long as the way does not start along one of their edges.
 class StepParity {
  public:
   StepParity(const Vec2& p, const Vec2& towards) : p_(p), towards_(towards) {}

@@ -6,14 +6,13 @@
 
 namespace arcway::internal {
 
-/// Whether `find_conflict` finds a conflict in a polygon without repeated consecutive vertices. O(n log n), whatever
-/// the polygon: it sweeps over the edges, while `find_conflict` searches their boxes, which is faster where few of them
-/// overlap. Exact.
-/// @param contacts  as find_conflict's.
+/// Whether a polygon without repeated consecutive vertices is self-intersecting: whether find_conflict finds a
+/// conflict. It sweeps over the edges in O(n log n) for any polygon. find_conflict searches their boxes, which is
+/// faster where few boxes overlap. Exact.
+/// @param contacts  as in find_conflict.
 bool has_conflict(const Polygon& polygon, std::vector<RingContact>* contacts = nullptr);
 
-/// Whether all holes lie in the outer ring and none in another one. O(n log n), exact.
-/// @param polygon  without conflicts.
+/// Whether all holes lie in the outer ring, and none in another hole. O(n log n), exact.
 bool holes_are_nested(const Polygon& polygon);
 
 }  // namespace arcway::internal

@@ -10,37 +10,37 @@
 
 namespace arcway::internal {
 
-/// The outlines of all regions in short pieces, to be looked up by place. Every edge is in one piece, up to its
-/// direction. Immutable and thread-safe. O(n log n), about 35 bytes a vertex.
+/// A spatial index of the outlines of all regions, as short pieces. Every edge is in exactly one piece. Immutable and
+/// thread-safe. O(n log n) to build, about 35 bytes a vertex.
 class Outlines {
  public:
   explicit Outlines(const World& world);
 
-  /// Some edges of a ring one after the other.
+  /// Consecutive edges of a ring.
   struct Piece {
-    VertexId first;                ///< vertex at points[0]; the next ones follow, but for the last point
-    std::span<const Vec2> points;  ///< one more than edges; the last one begins the next piece
-    const Box& box;                ///< around them
+    VertexId first;                ///< vertex at points[0]; the others follow, except at the last point
+    std::span<const Vec2> points;  ///< one more than edges [m]; the last one begins the next piece
+    const Box& box;                ///< of the points [m]
     [[nodiscard]] std::size_t edge_count() const { return points.size() - 1; }
   };
 
-  /// How many pieces; those of a ring follow each other, as do rings and regions.
+  /// The number of pieces. Pieces of a ring are consecutive, and so are rings of a region, and regions.
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
   [[nodiscard]] Piece operator[](std::uint32_t i) const {
     return {starts_[i].vertex, std::span(points_).subspan(starts_[i].point, starts_[i + 1].point - starts_[i].point),
             boxes_[i]};
   }
 
-  /// Their boxes.
+  /// The tree of the pieces' boxes.
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
 
   /// Calls visit(piece) for each piece whose box, and all boxes around it, pass a test, until a call returns false.
-  /// Returns whether none did. See BoxTree::visit_if.
+  /// Returns whether all calls returned true. See BoxTree::visit_if.
   template <class Test, class Visitor>
   bool visit_if(Test&& passes, Visitor&& visit) const {
     return tree_.visit_if(passes, [&](std::uint32_t i) { return visit((*this)[i]); });
   }
-  /// The same, those near a place early, see BoxTree::visit_near_first.
+  /// Calls visit(piece) for the pieces of visit_if, those near a place early. See BoxTree::visit_near_first.
   template <class Test, class Visitor>
   void visit_near_first(const Vec2& place, Test&& passes, Visitor&& visit) const {
     tree_.visit_near_first(place, passes, [&](std::uint32_t i) { visit((*this)[i]); });

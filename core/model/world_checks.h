@@ -7,20 +7,23 @@
 #include "arcway/snapshot.h"
 #include "arcway/world.h"
 
-/// What World demands of a map.
+/// Checks that a map's vertices have ids.
+/// @param obstacles  number of obstacles: the bounds' index in the error.
+/// @throws WorldError if there are more vertices than ids.
 namespace arcway::internal {
 
 /// @param obstacles  their number, that of the bounds in the error.
 /// @throws WorldError if there are more vertices than ids.
 void require_vertex_count(std::size_t count, ObstacleId obstacles);
 
-/// @param id  the number of obstacles for the bounds.
+/// Checks one region as World documents.
+/// @param id  of the obstacle; the number of obstacles for the bounds.
 /// @return the polygon's contacts with itself.
-/// @throws WorldError as World says.
+/// @throws WorldError
 std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, bool is_bounds);
 
-/// Everything that memory safety and the predicates rely on.
-/// @throws SnapshotError if the snapshot is that of no world.
+/// Checks what memory safety and the predicates rely on.
+/// @throws SnapshotError if no world has this snapshot.
 void require_world(const WorldSnapshot& snapshot);
 
 }  // namespace arcway::internal

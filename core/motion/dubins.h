@@ -20,13 +20,13 @@ struct DubinsPath {
   [[nodiscard]] std::span<const PathSegment> segments() const { return std::span(parts).first(count); }
 };
 
-/// The path of one Dubins word between two poses, arcs of the given radius [Dubins 1957; closed
-/// forms of Shkel and Lumelsky 2001], or nothing where the word does not exist. Segments of zero
-/// length are left out; start == goal gives an empty path for LSL and RSR. Constant time.
-/// Absolute error of the end pose: a few units in the last place of the coordinates involved.
+/// The path of one Dubins word between two poses, with arcs of the given radius [m] [Dubins 1957; closed forms of Shkel
+/// and Lumelsky 2001]. Nothing where the word does not exist. Segments of zero length are left out; start == goal gives
+/// an empty path for LSL and RSR. Constant time. Error of the end pose: a few units in the last place of the
+/// coordinates.
 /// @throws std::invalid_argument if the radius is not finite and > 0.
 std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const Pose& goal, double radius);
-/// The same as a path.
+/// The path of dubins_word as a Path.
 std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, double radius);
 
 }  // namespace arcway::internal

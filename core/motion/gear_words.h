@@ -9,16 +9,17 @@
 
 namespace arcway::internal {
 
-/// Words in both gears between two poses: those of Reeds and Shepp; then those of Dubins, driven forwards and driven
+/// Words in both gears between two poses: those of Reeds and Shepp, then those of Dubins, driven forwards and driven
 /// backwards, which never change gear.
 inline constexpr std::size_t kGearWords = kReedsSheppWords + 2 * kDubinsWords.size();
 
 /// Length of the path of one word [m]; infinity where it does not exist.
-/// @param word  less than kGearWords.
-/// @throws std::invalid_argument if the radius is not finite and > 0, as the next.
+/// @param word  below kGearWords.
+/// @throws std::invalid_argument if the radius is not finite and > 0.
 double gear_word_length(std::size_t word, const Pose& start, const Pose& goal, double radius);
 
-/// The path of one word, arcs of the given radius; nothing where the word does not exist. Constant time.
+/// The path of one word, with arcs of the given radius [m]; nothing where the word does not exist. Constant time.
+/// @throws std::invalid_argument if the radius is not finite and > 0.
 std::optional<Path> gear_word_path(std::size_t word, const Pose& start, const Pose& goal, double radius);
 
 }  // namespace arcway::internal

@@ -16,17 +16,17 @@ struct SegmentPhases {
   double braking;       ///< length [m]
 };
 
-/// Of a segment of length L with entry speed v1, top speed v2 and exit speed v3 at acceleration a.
-/// Preconditions: L > 0, a > 0, 0 <= v1, v3 <= v2, v2 > 0 and |v1^2 - v3^2| <= 2 a L (else there is no such
-/// motion: use speed_profile). Constant time.
+/// The phases of a segment of length L with entry speed v1, top speed v2 and exit speed v3, at acceleration a. Constant
+/// time. Preconditions: L > 0, a > 0, 0 <= v1, v3 <= v2 and v2 > 0. Also |v1^2 - v3^2| <= 2 a L, else no such motion
+/// exists: use speed_profile.
 SegmentPhases segment_phases(double length, double v1, double v2, double v3, double acceleration);
 
-/// How long they take, by the closed forms (9) (top speed reached) and (10) (not reached). Preconditions as above.
-/// Constant time.
+/// The time of these phases [s], by the closed forms (9) (top speed reached) and (10) (not reached). Preconditions as
+/// for segment_phases. Constant time.
 double segment_time(double length, double v1, double v2, double v3, double acceleration);
 
-/// Time through a segment of a path whose speeds need not be reachable: a lower bound that equals (9) or (10) where
-/// they hold.
+/// A lower bound on the time through a segment [s], for speeds that need not be reachable. It equals (9) or (10) where
+/// these hold.
 double relaxed_segment_time(double length, double v1, double v2, double v3, double acceleration);
 
 /// Speeds at the joints of a path, and the time between them.
@@ -36,24 +36,24 @@ struct SpeedProfile {
   double total_time = 0.0;        ///< [s]
 };
 
-/// The highest speed on a segment: max_speed on lines, turn_speed(radius) on arcs, or those for reversing.
+/// The highest speed on a segment [m/s]: that of lines, or that of arcs of its radius, in its gear.
 double speed_limit(const PathSegment& segment, const Vehicle& vehicle);
 
-/// The fastest profile along a path: speed at most speed_limit, |dv/dt| <= max_acceleration, at rest where the gear
-/// changes, the given speeds at both ends. One backward and one forward pass over the joints, then (9) or (10) on each
-/// segment, which hold by then. O(n). Empty path: no durations, total time 0.
-/// @throws std::invalid_argument if an end speed is negative, above its segment's limit, or cannot
-///   be reached within the path.
+/// The fastest speed profile along a path. Speeds are at most speed_limit, |dv/dt| <= max_acceleration, 0 where the
+/// gear changes, and given at both ends [m/s]. One backward and one forward pass over the joints find the speeds; (9)
+/// or (10) then gives the times. O(n). An empty path has no durations and total time 0.
+/// @throws std::invalid_argument if an end speed is negative, above its segment's limit, or cannot be reached within
+///   the path.
 SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed = 0.0,
                            double end_speed = 0.0);
 
-/// The same from rest to rest into a profile whose memory is used again.
+/// The fastest profile from rest to rest, into a profile whose memory is used again.
 void speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, SpeedProfile& profile);
 
-/// Travel time of a path from rest to rest, and `cusp_cost` for each change of gear [s].
+/// The travel time of a path from rest to rest, plus `cusp_cost` for each gear change [s].
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost);
 
-/// The same by way of a profile whose memory is used again.
+/// As above, with memory for the profile.
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost, SpeedProfile& profile);
 
 }  // namespace arcway::internal

@@ -8,10 +8,10 @@
 
 namespace arcway::internal {
 
-/// The fastest speed profiles of many paths from rest that share their beginnings: a tree of joints between path
-/// segments. A joint knows how fast, and when, it is passed at best. What it costs to pass it slower, because of a
-/// curve or a stop further on, follows exactly from the segments before it: T(v), the least time to get there with
-/// speed v, falls and is convex on [0, speed].
+/// The fastest speed profiles of many paths from rest that share their beginnings, as a tree of joints between
+/// segments. A joint knows its highest speed, and the least time to pass it at that speed. A curve or a stop further on
+/// may require a lower speed there. The time for that, T(v), follows exactly from the segments before the joint. T is
+/// decreasing and convex on [0, speed].
 class SpeedTree {
  public:
   static constexpr std::uint32_t kNoJoint = 0xFFFFFFFFu;
@@ -19,7 +19,7 @@ class SpeedTree {
     std::uint32_t before = kNoJoint;  ///< the joint at the start of the segment that ends here
     double length = 0.0;              ///< of that segment [m]
     double limit = 0.0;               ///< top speed on it [m/s]
-    double speed = 0.0;               ///< the highest with which this joint can be passed [m/s]
+    double speed = 0.0;               ///< highest speed with which this joint can be passed [m/s]
     double time = 0.0;                ///< T(speed) [s]
   };
 
@@ -30,7 +30,7 @@ class SpeedTree {
   void reset(double acceleration, TimeModel time_model = TimeModel::kProfile);
 
   void reserve(std::size_t joints) { joints_.reserve(joints); }
-  /// Forgets all joints, with memory for so many at hand.
+  /// Forgets all joints, and takes memory for `joints` joints.
   void warm_up(std::size_t joints) { empty_with_memory(joints_, joints); }
   [[nodiscard]] std::size_t size() const { return joints_.size(); }
   /// Forgets the joints added last.
@@ -39,21 +39,20 @@ class SpeedTree {
   /// The end of one more segment behind a joint, not added to the tree.
   /// @param limit  top speed on the segment;  @param next_limit  on what follows; 0 to stop [m/s].
   [[nodiscard]] Joint extend(std::uint32_t from, double length, double limit, double next_limit) const;
-  /// The same behind a joint that is not in the tree: the result has no `before` and can't be asked for more than its
-  /// speed and time.
+  /// As above, behind a joint that is not in the tree. The result has no `before`; only its speed and time may be used.
   [[nodiscard]] Joint extend(const Joint& from, double length, double limit, double next_limit) const;
-  /// Adds what `extend(from, ...)` gives.
+  /// Adds the joint that extend(from, ...) returns.
   std::uint32_t add(std::uint32_t from, double length, double limit, double next_limit);
 
-  /// Adds a stop of `wait` seconds behind a joint, where what was before no longer matters.
+  /// Adds a stop of `wait` seconds behind a joint. What lies before it does not affect later times.
   std::uint32_t add_stop(std::uint32_t from, double wait);
 
-  /// T(speed), 0 <= speed <= joint.speed. Looks back over as many segments as braking takes.
+  /// T(speed) [s], 0 <= speed <= joint.speed. It examines as many segments before the joint as braking takes.
   [[nodiscard]] double time_at(const Joint& joint, double speed) const { return pass(joint, speed).time; }
 
-  /// Whether no path that goes on from b is faster than the same continuation from a; both joints at the same place
-  /// with the same limit ahead, or none by more than `slack` seconds. True is certain up to rounding; false may be said
-  /// where a is better by less than some microseconds.
+  /// Whether joint a is at least as good as joint b: no continuation is faster from b than from a, or none by more than
+  /// `slack` seconds. Both joints must be at the same place, with the same limit ahead. True is certain up to rounding.
+  /// False may be returned where a is better by less than some microseconds.
   [[nodiscard]] bool dominates(const Joint& a, const Joint& b, double slack = 0.0) const;
 
  private:
