@@ -23,16 +23,18 @@ struct NoPath {
   std::optional<std::uint32_t> max_gear_changes = {};
 };
 
-/// Whether the body is free at the start, or at the goal; else fills status and reason.
+/// Whether the body is free at the start, or at the goal. If not, fills in status and reason.
 bool pose_is_free(const Roadmap& map, const Pose& pose, bool start, PlanResult& result);
 
-/// Why there is no path where the time was up; `limits` as the caller gave them.
+/// The reason for a plan without a path where the time was up.
+/// @param limits  as the caller gave them.
 std::string time_limit_reason(const PlanLimits& limits);
 
-/// Fills status and reason of a plan that was ended before it found a path; `limits` as the caller gave them.
+/// Fills in status and reason of a plan that was ended before it found a path.
+/// @param limits  as the caller gave them.
 void explain_interruption(const PlanLimits& limits, PlanResult& result);
 
-/// Fills status and reason of a plan without a path, from what its result has so far.
+/// Fills in status and reason of a plan without a path, from what its result holds so far.
 void explain(const Roadmap& map, const NoPath& why, const PlanLimits& limits, PlanResult& result);
 
 }  // namespace arcway::internal

@@ -14,33 +14,31 @@
 
 namespace arcway::internal {
 
-/// The vehicle that may take every turn with `factor` times the lateral acceleration, at most as fast as it drives
-/// straight.
-/// @param factor  > 0
+/// A vehicle with `factor` times the lateral acceleration in every turn, and at most the speed that it has on lines.
 Vehicle with_other_turns(const Vehicle& vehicle, double factor);
 
-/// What paths with turns of some radii are looked for on.
+/// The roadmaps on which one set of radii is planned.
 struct PlanMaps {
   PlanMaps(Roadmap map, bool gap_circles);
   PlanMaps(const PlanMaps&) = delete;  // `narrow` refers to `plain`
 
-  /// The graph with circles in narrow places is lazy: where there is no path, a search checks all that the start
-  /// reaches, seconds on larger maps.
+  /// Largest number of vertices of a map with added circles in narrow gaps. That graph is lazy. Where there is no path,
+  /// a search checks all that the start reaches, which takes seconds on larger maps.
   static constexpr std::size_t kNarrowVertices = 50'000;
 
   Roadmap plain;
-  /// The same for vehicles with faster and with slower turns. The path that refinement makes the fastest may take the
-  /// way of one of them: many turns become wider or are left out, others stay what they are.
+  /// Roadmaps for vehicles with faster and with slower turns. After refinement, the fastest path may be on the route of
+  /// one of them: many turns become wider or vanish, others stay as they are.
   Roadmap faster_turns, slower_turns;
   std::optional<NarrowPlaces> narrow;
 };
 
-/// Where there are several radii, maps beside those of PlanMaps on which the fastest path may take a way of its own.
-/// Circles round vertices have few radii, and what refinement makes of a turn is not known before: these maps have some
-/// of the radii, as a path of tight turns is a shorter one, and vehicles with faster turns.
-/// @param all       with more radii than `smallest`.
+/// Roadmaps for further routes where there are several radii. The search does not know what refinement makes of a turn,
+/// and circles around vertices have few radii. These maps therefore have fewer radii, as tight turns make a shorter
+/// path, and vehicles with faster turns.
+/// @param all  with more radii than `smallest`.
 /// @param smallest  with the first of them, see tightest_radii.
-/// @param rows      of the reduced graph of both.
+/// @param rows  of the reduced graph of both.
 /// @param executor  used during the call only.
 std::vector<Roadmap> maps_of_other_routes(const Roadmap& all, const Roadmap& smallest,
                                           const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor);

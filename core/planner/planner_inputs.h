@@ -11,22 +11,25 @@
 
 namespace arcway::internal {
 
-/// The options with their radii: those given, ascending, or those of turning_radii; and with their suboptimality.
+/// The options with radii and suboptimality filled in: the given radii, ascending, or those of turning_radii.
 /// @throws std::invalid_argument as Planner's constructors do.
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options);
 
-/// @throws std::invalid_argument if the backend is not of this world, as far as vertices tell.
+/// Checks that a backend is of this world, as far as vertices tell.
+/// @throws std::invalid_argument
 void require_world(const World& world, const Backend& backend);
 
-/// @throws std::invalid_argument if the change does not lead from one to the other, as far as numbers of vertices tell.
+/// Checks that a change leads from one world to the other, as far as numbers of vertices tell.
+/// @throws std::invalid_argument
 void require_change(const WorldChange& change, const World& before, const World& after);
 
+/// Checks that this vehicle can be planned for at a pose.
 /// @param name  of the pose, for the error.
-/// @throws std::invalid_argument naming the pose, the value and the limits of what this vehicle can be planned for.
+/// @throws std::invalid_argument naming the pose, the value and the limits.
 void require_pose(const std::string& name, const Pose& pose, const Vehicle& vehicle);
 
-/// The same pose with its heading within a turn of 0 if it has so many that its rounding would show at the end of a
-/// path. With fewer it stays as it is, since its size tells how far it is rounded.
+/// A pose whose heading is reduced to less than a turn from 0, if it has so many turns that its rounding would show at
+/// the end of a path. Other headings stay as they are, since their size tells how far they are rounded.
 /// @param distance  from start to goal [m].
 Pose without_many_turns(const Pose& pose, double distance);
 

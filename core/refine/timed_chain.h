@@ -12,10 +12,10 @@
 
 namespace arcway::internal {
 
-/// A change of a chain: some neighboring circles give way to others, a few at most.
+/// A change of a chain: a few neighboring circles are replaced by others.
 struct ChainChange {
-  std::size_t first, last;  ///< circles [first, last) go, and
-  std::size_t count;        ///< so many of these come
+  std::size_t first, last;  ///< circles [first, last) are removed, and
+  std::size_t count;        ///< this many of `circles` take their place
   std::array<TurnCircle, 6> circles;
   double lead_in, lead_out;  ///< of the changed chain
 
@@ -24,51 +24,54 @@ struct ChainChange {
   }
 };
 
-/// The circles [first, last) of a chain replaced by others, its ends as they are.
+/// Replaces the circles [first, last) of a chain by others; its straights at the ends stay.
 ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t last,
                      std::initializer_list<TurnCircle> by = {});
 
-/// A chain with its lines, its path and the path's speeds, and what becomes of them by a change.
+/// A chain with its lines, its path and the path's speeds, and what a change makes of them.
 class TimedChain {
  public:
-  /// Takes a chain; false if two of its neighbors have no bitangent. The vehicle must outlive the use.
+  /// Takes a chain. The vehicle must outlive the use.
+  /// @return false if two neighbors have no bitangent.
   bool begin(const CircleChain& chain, const Vehicle& vehicle);
 
   [[nodiscard]] const CircleChain& chain() const { return now_.chain; }
-  /// One more than circles: see `lines_of`.
+  /// See lines_of.
   [[nodiscard]] const std::vector<Bitangent>& lines() const { return now_.lines; }
-  /// On the circle between lines()[circle] and the next one [rad].
+  /// The turn on the circle between lines()[circle] and the next line [rad].
   [[nodiscard]] double turn_on(std::size_t circle) const;
 
   struct Passing {
     double time;
     double speed;
   };
-  /// When, and how fast, the path gets to the beginning of a line, and to its end.
+  /// When the path passes the beginning of a line, or its end [s], and how fast [m/s].
   [[nodiscard]] const Passing& begin_of(std::size_t line) const { return passings_[2 * line]; }
   [[nodiscard]] const Passing& end_of(std::size_t line) const { return passings_[2 * line + 1]; }
 
-  /// A line of a changed path, or an arc on a circle of it.
+  /// A line of a changed path, or an arc on one of its circles.
   struct Part {
     double length;
     double limit;       ///< of the speed [m/s]
-    Bitangent line;     ///< only the heading of its start, for an arc
+    Bitangent line;     ///< of an arc: only the heading of its start
     TurnCircle circle;  ///< of an arc
     bool is_arc;
     [[nodiscard]] PathSegment segment() const;
   };
-  /// Finds out what a change leads along, from the line before it to the line behind it: all that the path before and
-  /// after it do not have in common. Nothing of zero length. False if two neighbors have no bitangent.
+  /// Computes the part of the path that a change affects, from the line before it to the line behind it, without parts
+  /// of zero length.
+  /// @return false if two neighbors have no bitangent.
   bool lay_out(const ChainChange& change);
   [[nodiscard]] const std::vector<Part>& laid_out() const { return laid_out_; }
-  /// The travel time after the change that was laid out last, from its parts alone: up to rounding, or less.
+  /// The travel time after the change laid out last [s], from its parts alone: exact up to rounding, or too small.
   [[nodiscard]] double time_after(const ChainChange& change);
 
-  /// Makes the changed path; false if two neighbors have no bitangent.
+  /// Makes the changed path.
+  /// @return false if two neighbors have no bitangent.
   bool make(const ChainChange& change);
   [[nodiscard]] const Path& made_path() const { return made_.path; }
   [[nodiscard]] double made_time() const { return made_.profile.total_time; }
-  /// Keeps what was made last.
+  /// Makes the path made last the current one.
   void take();
 
  private:
@@ -90,10 +93,10 @@ class TimedChain {
 
   const Vehicle* vehicle_ = nullptr;
   State now_, made_;
-  // Lines and circles by turns: line i is 2 i, circle i is 2 i + 1.
+  // Lines and circles alternate: line i has index 2 i, circle i has 2 i + 1.
   std::vector<Stretch> stretches_;
   std::vector<Passing> passings_;  // of their beginnings, and of the end
-  // Joints at the beginning of each, from the start, and at its end, from the goal backwards.
+  // Joints at the beginning of each, from the start; and at its end, backwards from the goal.
   SpeedTree from_start_, from_goal_;
   std::vector<std::uint32_t> start_joints_, goal_joints_;
   std::vector<Part> laid_out_;

@@ -19,51 +19,52 @@
 
 namespace arcway::internal {
 
-/// How a tree tells poses apart, and how many it makes.
+/// How finely a tree tells poses apart, and which motions it tries.
 struct GearTreeGrid {
-  double cells;  ///< in a turning radius; headings are told apart as finely
-  bool halves;   ///< motions that an obstacle ends early are made half as long, too
+  double cells;  ///< number of cells in a turning radius; headings are told apart as finely
+  bool halves;   ///< whether motions that an obstacle ends early are also made half as long
   std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< of the way to a pose
 };
 
-/// Poses that free motions in both gears reach from a pose: arcs of the smallest radius to either side and lines, some
-/// of a fixed length, some as far as they are free. Motions are computed from the edges near by, and remain to be
-/// checked by the sweep query; their number is limited, so a missing pose proves nothing. At most one pose for each
-/// cell of a grid over position, heading and gear is kept, the cheapest; where cusps are limited, one for each number
-/// of them. What can be driven from the root can be driven to it the other way, in the same time if the vehicle's gears
-/// are swapped.
+/// A tree of poses that free motions in both gears reach from a pose: lines, and arcs of the smallest radius to either
+/// side. Some motions have a fixed length; others go as far as they are free. Lengths come from the edges near by, and
+/// the sweep query remains to be asked. A grid over position, heading and gear keeps the cheapest pose of each cell; if
+/// gear changes are limited, one for each number of them. As the number of motions is limited, a missing pose proves
+/// nothing. What can be driven from the root can be driven back to it in the other gear, in the same time if the
+/// vehicle's gears are swapped.
 class GearTree {
  public:
   struct Node {
     Pose pose;
     PathSegment motion;    ///< from the parent; of zero length for the root
     std::uint32_t parent;  ///< kRoot for the root itself
-    std::uint32_t joint;   ///< in the speed tree
-    std::uint32_t cusps;   ///< of the way from the root
-    double cost;           ///< least time to pass here, and the cost of all cusps [s]
+    std::uint32_t joint;   ///< of the speed tree
+    std::uint32_t cusps;   ///< gear changes from the root
+    double cost;           ///< least time to pass here plus the cost of gear changes [s]
   };
   static constexpr std::uint32_t kRoot = 0;
 
-  /// @param outlines   of the world; must outlive the tree.
-  /// @param cusp_cost  of a change of gear, beside the time for it [s].
-  /// @param remaining  estimate of the cost from a pose on, by which poses take their turn [s].
+  /// @param outlines  of the world; must outlive the tree.
+  /// @param cusp_cost  cost of a gear change, beside the time for it [s].
+  /// @param remaining  estimate of the cost from a pose on [s]; the most promising pose is expanded first.
   GearTree(const Pose& root, const Vehicle& vehicle, const Outlines& outlines, double cusp_cost,
            const GearTreeGrid& grid, std::function<double(const Pose&)> remaining);
 
-  /// Adds the poses reached from the most promising one that had no turn yet; none if all had. O(edges near by).
+  /// Expands the most promising pose that has not been expanded: adds the poses it reaches. None if all have been.
+  /// O(edges near by).
   std::optional<std::uint32_t> expand();
 
-  /// Whether the pose that had its turn last leads as far as this motion, which starts there: a line or an arc of the
-  /// smallest radius. Of longer motions than any of the tree, whether it leads as far as those.
+  /// Whether the pose expanded last has room for a motion that starts there: a line, or an arc of the smallest radius.
+  /// For motions longer than any of the tree, whether it has room for the tree's longest.
   [[nodiscard]] bool has_room(const PathSegment& motion) const;
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
-  /// Least estimate of what has not had its turn [s]; infinity if there is nothing.
+  /// The least estimate of poses not yet expanded [s]; infinity if there are none.
   [[nodiscard]] double least_estimate() const;
-  /// The way from the root to a node.
+  /// The path from the root to a node.
   [[nodiscard]] Path path_from_root(std::uint32_t node) const { return internal::path_from_root(nodes_, node); }
-  /// The same way back.
+  /// The path from a node back to the root.
   [[nodiscard]] Path path_to_root(std::uint32_t node) const { return internal::path_to_root(nodes_, node); }
 
  private:

@@ -17,55 +17,57 @@
 
 namespace arcway::internal {
 
-/// What a change of gear costs in a tree, and how many there may be.
+/// What a gear change costs in a tree, and how many there may be.
 struct TreeGears {
-  double change;          ///< cost of a change, the time to stop and set off included [s]
-  std::size_t max_cusps;  ///< of the way to a pose
+  double change;          ///< cost of a gear change, with the time to stop and set off [s]
+  std::size_t max_cusps;  ///< from the root to a pose
 };
 
-/// Poses that a vehicle reaches from a pose in both gears: a tree of lines and of arcs of several radii, each up to
-/// contact, half of that, or a step.
+/// A tree of poses that a vehicle reaches from a pose in both gears, by lines and by arcs of several radii. Each motion
+/// goes up to contact, half as far, or by a step.
 ///
-/// At most one pose for each cell over position, heading and gear is kept, the first that comes. Cells are as large as
-/// what the vehicle can do where the motion to the pose began. Let q be the longest way to and fro on one line or
-/// circle there, and t the largest turn to and fro. One move turns the body by t at most and shifts it aside by about q
-/// t. So cells are a share of q long, of q t wide and of t in heading. The frame is that of the root and the cell's
-/// heading, so that a query that is moved or turned has the same tree, up to rounding. Motions are computed from the
-/// edges near by, and remain to be checked by the sweep query.
+/// Each cell over position, heading and gear keeps its first pose. Cells are as large as what the vehicle can do where
+/// the motion to the pose began. Let q be the longest motion to and fro on one line or circle there, and t the largest
+/// turn to and fro. One move turns the body by at most t and shifts it aside by about q t. Cells are therefore a share
+/// of q long, of q t wide and of t in heading.
+///
+/// Cells lie in the frame of the root. A query that is moved or turned has the same tree, up to rounding. Lengths of
+/// motions come from the edges near by, and the sweep query remains to be asked.
 class NarrowGearTree {
  public:
   struct Node {
     Pose pose;
     PathSegment motion;    ///< from the parent; of zero length for the root
     std::uint32_t parent;  ///< kRoot for the root itself
-    std::uint32_t cusps;   ///< of the way from the root
-    double cost;           ///< about the time of that way with the costs of its changes of gear [s]
+    std::uint32_t cusps;   ///< gear changes from the root
+    double cost;           ///< approximate time from the root plus the cost of gear changes [s]
   };
   static constexpr std::uint32_t kRoot = 0;
 
-  /// @param map        must outlive the tree.
-  /// @param vehicle    that of the map, its gears swapped for a tree that leads to its root.
-  /// @param fineness   size of cells, 1 for the largest.
-  /// @param remaining  estimate of the cost from a pose on, by which poses take their turn [s].
+  /// @param map  must outlive the tree.
+  /// @param vehicle  that of the map; with its gears swapped for a tree that leads to its root.
+  /// @param fineness  size of cells, 1 for the largest.
+  /// @param remaining  estimate of the cost from a pose on [s]; the most promising pose is expanded first.
   NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const Pose& root, const TreeGears& gears, double fineness,
                  std::function<double(const Pose&)> remaining);
 
-  /// Adds the poses reached from the most promising one that had no turn yet; none if all had. O(edges near by).
+  /// Expands the most promising pose that has not been expanded: adds the poses it reaches. None if all have been.
+  /// O(edges near by).
   std::optional<std::uint32_t> expand();
 
-  /// Whether the pose that had its turn last leads as far as this motion, which starts there: a line or an arc of the
-  /// smallest radius. Constant time.
+  /// Whether the pose expanded last has room for a motion that starts there: a line, or an arc of the smallest radius.
+  /// Constant time.
   [[nodiscard]] bool has_room(const PathSegment& motion) const;
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
-  /// The way from the root to a node.
+  /// The path from the root to a node.
   [[nodiscard]] Path path_from_root(std::uint32_t node) const { return internal::path_from_root(nodes_, node); }
-  /// The same way back.
+  /// The path from a node back to the root.
   [[nodiscard]] Path path_to_root(std::uint32_t node) const { return internal::path_to_root(nodes_, node); }
 
  private:
-  // Sizes of a cell; powers of two of the largest.
+  // The size of a cell: the largest one times powers of two.
   struct Cell {
     double along, aside, turn;  // [m], [m], [rad]
   };

@@ -11,25 +11,27 @@
 
 namespace arcway::internal {
 
+/// What gear changes cost in a path, and how many there may be.
 struct GearChanges {
   double cost = 0.0;                                           ///< of each, beside the time for it [s]
-  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< of a path
+  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< in one path
 };
 
-/// Makes a free path in both gears cheaper, its cost being its travel time and that of its changes of gear:
-/// - words of Reeds and Shepp, and of Dubins in either gear, and biarcs in either gear replace what lies between two
-///   places of the path, the ends of segments and the middles of long ones: words of the smallest radius, and wider
-///   ones where gear changes between the places. Tried are all pairs of places that are up to 16 places apart, and
-///   further ones less densely, until none makes the path cheaper. So no change of gear is left that one of these
-///   saves;
-/// - what lies between two cusps is refined by refine_path, which knows nothing of gears and need not: from rest to
-///   rest it takes the same time either way;
-/// - cusps move and turn, by steps that are halved down to the smallest, and Dubins words of the smallest radius lead
-///   there from the path before them and on to the path behind.
-/// A change is accepted only if the cost falls and the swept area of the body grown by half of the safety margin is
-/// free by `sweep`. A local optimum of these changes, not the cheapest path. Deterministic.
-/// @param changes  of gear; paths of more than the most are not taken, but for the given one.
-/// @param clock  asked before each trial; once over, the refinement ends with the best path so far.
+/// Makes a free path in both gears cheaper. Its cost is its travel time plus that of its gear changes. Three kinds of
+/// changes are tried:
+/// 1. Words. A word of Reeds and Shepp, or a Dubins word or biarc in either gear, replaces the part between two places.
+///    Places are ends of segments and middles of long ones. Radii are the smallest, and wider ones where the gear
+///    changes in between. All pairs up to 16 places apart are tried, and fewer further ones, until none makes the path
+///    cheaper.
+/// 2. Parts between two cusps are refined by refine_path, which need not know of gears: a part from rest to rest takes
+///    the same time in either direction.
+/// 3. Cusps move and turn, in steps that are halved down to the smallest. Dubins words of the smallest radius lead
+///    there from the path before, and on to the path behind.
+///
+/// A change is accepted only if the cost falls and the body, grown by half of the safety margin, is free by `sweep`.
+/// The result is a local optimum of these changes. Deterministic.
+/// @param changes  paths with more gear changes than `most` are not taken, except for the given one.
+/// @param clock  asked before each trial; once over, the best path so far is the result.
 /// @throws std::invalid_argument as require_refinement does.
 RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep,
                                   const GearChanges& changes, const RefineOptions& options, const StopClock& clock);

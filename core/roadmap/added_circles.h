@@ -6,17 +6,17 @@
 
 namespace arcway::internal {
 
-/// A straight way through a gap, driven in one direction. A path comes onto it by an entry circle and leaves it by an
-/// exit circle, which go round no vertex. Each knows one or two convex vertices beside it: straights between it and
-/// other circles are looked for where those vertices are seen.
+/// A straight motion through a gap in one direction. A path comes onto it by an entry circle and leaves it by an exit
+/// circle; neither goes around a vertex. Each circle refers to one or two convex vertices beside it. Bitangents to it
+/// are sought from circles that see these vertices.
 struct GapStraight {
   std::vector<TurnCircle> entries;
   std::vector<TurnCircle> exits;
 };
 
-/// Circles beside the base ones, for narrow places.
+/// Circles beside the base circles, for narrow gaps.
 struct AddedCircles {
-  std::vector<TurnCircle> around_vertices;  ///< a vertex each, but not on its bisector, or wider; directed to the left
+  std::vector<TurnCircle> around_vertices;  ///< each around one vertex, off its bisector or wider; directed to the left
   std::vector<GapStraight> gap_straights;
 };
 

@@ -8,10 +8,10 @@
 
 namespace arcway::internal {
 
-/// By vertex, its neighbors above it, ascending.
+/// By vertex: its neighbors above it, ascending.
 using Rows = std::vector<std::vector<VertexId>>;
 
-/// The graph with these rows.
+/// The graph with these rows. O(edges).
 inline VisibilityGraph compress(const Rows& rows) {
   std::vector<std::uint64_t> starts(rows.size() + 1, 0);
   for (std::size_t u = 0; u < rows.size(); ++u) starts[u + 1] = starts[u] + rows[u].size();

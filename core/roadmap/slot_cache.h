@@ -8,9 +8,9 @@
 
 namespace arcway::internal {
 
-/// A fixed number of values, each made when it is first asked for and kept until the cache is destroyed. Any number of
-/// threads may ask at once, without locks: where two make the same value, one of the two is dropped, so that making it
-/// must have no side effects and always the same result.
+/// A fixed number of values. Each is made when first asked for, and kept until the cache is destroyed. Lock-free: if
+/// two threads make the same value at once, one of the two is dropped. Making a value must therefore have no side
+/// effects, and always the same result.
 template <class Value>
 class SlotCache {
  public:
@@ -24,7 +24,8 @@ class SlotCache {
   /// The value of slot i, if it has been made.
   [[nodiscard]] const Value* find(std::size_t i) const { return slots_[i].load(std::memory_order_acquire); }
 
-  /// @param make  gives the value of slot i, a unique_ptr<const Value>; called at most once by each caller.
+  /// The value of slot i.
+  /// @param make  returns it as a unique_ptr<const Value>; called at most once by each caller.
   template <class Make>
   const Value& get(std::size_t i, Make&& make) const {
     if (const Value* known = find(i)) return *known;

@@ -7,16 +7,17 @@
 
 namespace arcway::internal {
 
-/// Whether the line through the convex vertex v with the direction towards p is tangent at v: both
-/// neighbors of v on one closed side of it. Exact. p != v; false if p == v.
+/// Whether the line from p through the convex vertex v is tangent at v: both neighbors of v lie on one closed side of
+/// it. Exact. False if p == v.
 bool is_tangent(const World& world, VertexId v, const Vec2& p);
 
-/// The side of the obstacle at a tangent vertex, seen when traveling from `from` through v. Precondition:
-/// is_tangent(world, v, from).
+/// The side of the obstacle at a tangent vertex, when traveling from `from` through v. Precondition: is_tangent(world,
+/// v, from).
 Side obstacle_side(const World& world, VertexId v, const Vec2& from);
 
-/// Of the tangent edges at each vertex that lie on one ray, only the nearest: (iii) of build_reduced_visibility_graph,
-/// for a graph that has all edges of (i) and (ii). Exact; O(e log e) for e edges.
+/// The graph without edges that pass through a convex vertex: of the edges at a vertex on one ray, only the shortest
+/// stays. That is (iii) of build_reduced_visibility_graph, for a graph of all edges with (i) and (ii). Exact; O(e log
+/// e) for e edges.
 VisibilityGraph without_carried_edges(const World& world, const VisibilityGraph& graph, const Executor& executor);
 
 }  // namespace arcway::internal

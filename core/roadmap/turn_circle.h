@@ -8,54 +8,55 @@
 
 namespace arcway::internal {
 
-/// A directed circle that the reference point follows round a convex vertex; see TurnCircles.
+/// A turn circle: a directed circle of the reference point around a convex vertex. See TurnCircles.
 struct TurnCircle {
   Vec2 center;
   double radius;
   Side side;                ///< kLeft: counter-clockwise
   VertexId vertex;          ///< kNone for the circles of a pose
-  VertexId second = kNone;  ///< of a circle round two vertices at once: the other one
+  VertexId second = kNone;  ///< the other vertex of a circle around two
 };
 
-/// Pose of the reference point on a circle where the body has the given heading.
+/// The pose on a circle where the body has the given heading [rad].
 Pose pose_on(const TurnCircle& circle, double heading);
 
-/// Arrival and departure headings of one straight line may differ by rounding, less than this [rad].
+/// The headings at the ends of one bitangent may differ by rounding, by less than this [rad].
 inline constexpr double kNoTurn = 1e-9;
 
-/// How far to turn towards a side from one heading to another [rad], in [0, 2 pi); a turn that falls short of a full
-/// circle by rounding alone is none.
+/// The turn from one heading towards a side to another [rad], in [0, 2 pi). A turn that falls short of a full circle by
+/// rounding alone counts as 0.
 double turn_between(double from, double to, Side side);
 
-/// The straight motion from one directed circle to the next; its heading is that of both circles at its ends.
+/// A directed bitangent: the straight motion from one directed circle to the next. Its heading is that of both circles
+/// there.
 struct Bitangent {
   Pose start;
   double length;
 };
 
-/// The directed bitangent of two directed circles: outer if they turn to the same side, inner if not.
-/// @returns nothing if none exists: one circle inside the other, or opposite circles that overlap. Constant time.
+/// The directed bitangent of two directed circles: outer if they turn to the same side, inner if not. Constant time.
 /// Error of both ends: a few units in the last place of the coordinates.
+/// @return nothing if none exists: one circle lies inside the other, or opposite circles overlap.
 std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCircle& to);
 
-/// Radius of the circle about the rotation center that the body's inner side touches in a turn, as it does on the
-/// straights before and behind it; 0 if the center lies between the sides. It is rho_in where F lies on the body;
-/// elsewhere the turn keeps further off, but the straights do not.
+/// Radius of the circle about the rotation center that the body's inner side touches [m], both in a turn and on the
+/// straights before and after it. 0 if the center lies between the sides. It equals rho_in if F lies on the body. Else
+/// the body keeps further off in the turn, but not on the straights.
 double inner_side_radius(const Footprint& body, double radius);
 
-/// The circle round a convex vertex: its center lies inner_side_radius (of the body grown by the margin) inwards along
-/// the bisector of the vertex's two edges, so that the body's side passes by the vertex.
+/// The circle around a convex vertex. Its center lies inwards on the bisector of the vertex's edges, by
+/// inner_side_radius of the body grown by the margin. The body's side then passes by the vertex.
 TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body);
 
-/// The circle round two convex vertices at once, traveling from u to w with the obstacles on the given side: both lie
-/// on the circle of inner_side_radius. nothing if they are further apart than its diameter.
+/// The circle around two convex vertices, for travel from u to w with the obstacles on the given side. Both lie on the
+/// circle of inner_side_radius. Nothing if they are further apart than its diameter.
 std::optional<TurnCircle> turn_circle(const World& world, VertexId u, VertexId w, double radius, Side side,
                                       const Footprint& grown_body);
 
-/// The heading on a vertex's circle at which the reference point is nearest to the vertex.
+/// The heading on a vertex's circle at which the reference point is nearest to the vertex [rad].
 double heading_at_vertex(const World& world, const TurnCircle& circle);
 
-/// The circle of a pose: tangent to its heading at its position.
+/// The circle through a pose, tangent to its heading.
 TurnCircle turn_circle(const Pose& pose, double radius, Side side);
 
 }  // namespace arcway::internal

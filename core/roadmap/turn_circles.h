@@ -14,30 +14,31 @@
 
 namespace arcway::internal {
 
-/// The turn circles of a world. Each convex vertex has a left and a right one of each radius. Two neighbors of the
-/// reduced graph that are passed on one side may lie so near each other that the bitangent of their circles would lead
-/// back, as at the end of a thin wall. The two have a left and a right circle in common, of the smallest radius that
-/// leads round vertices, which goes round both. Immutable.
+/// The turn circles of a world. Each convex vertex has a left and a right circle of each radius. Two vertices at the
+/// end of a thin wall may be so close that the bitangent of their circles would lead backwards. Such neighbors in the
+/// reduced graph, passed on one side, share a left and a right circle around both. These have the smallest radius that
+/// leads around vertices. Immutable.
 class TurnCircles {
  public:
-  /// @param radii  ascending, not empty;  @param grown_body  by the safety margin.
+  /// @param radii  ascending, not empty [m].
+  /// @param grown_body  the body grown by the safety margin [m].
   TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
               const Footprint& grown_body, const Executor& executor);
 
-  /// The base circles and behind them added ones: those round a vertex, left before right, then those of the gap
-  /// straights, the entries of each before its exits.
+  /// The base circles, followed by added ones: those around a vertex, left before right, then those of the gap
+  /// straights, entries before exits.
   TurnCircles(const TurnCircles& base, const AddedCircles& added);
 
-  /// Those of one vertex first: all of a vertex are neighbors, radii ascending, for each left before right. Then those
-  /// of two, left before right.
+  /// All circles. Those of single vertices come first, all of one vertex together: index = first + 2 * radius index +
+  /// (right ? 1 : 0). Circles of two vertices follow, left before right.
   [[nodiscard]] std::span<const TurnCircle> all() const { return circles_; }
   /// Whether a vertex is convex and has circles.
   [[nodiscard]] bool has(VertexId v) const { return first_[v] != kNone; }
-  /// The circle round a convex vertex alone, of the smallest radius: an index into `all`.
+  /// The circle of smallest radius around a convex vertex alone, as an index into all().
   [[nodiscard]] std::uint32_t first_around(VertexId v, Side side) const {
     return first_[v] + (side == Side::kLeft ? 0 : 1);
   }
-  /// Calls visit(circle) for each circle round a convex vertex, alone or with another one: indices into `all`.
+  /// Calls visit(circle) for each circle around a convex vertex, alone or with another one.
   template <class Visitor>
   void visit_around(VertexId v, Side side, Visitor&& visit) const {
     const std::uint32_t right = side == Side::kLeft ? 0 : 1;
@@ -45,9 +46,9 @@ class TurnCircles {
     for (const std::uint32_t left : more_.of(v)) visit(left + right);
   }
 
-  /// How many circles are base ones; all that follow are added.
+  /// The number of base circles. The added ones follow them.
   [[nodiscard]] std::size_t base_count() const { return base_count_; }
-  /// Calls visit(circle) for each circle that has this vertex for its first one.
+  /// Calls visit(circle) for each circle of which this is the first vertex.
   template <class Visitor>
   void visit_by_first(VertexId v, Visitor&& visit) const {
     if (!has(v)) return;
@@ -58,13 +59,13 @@ class TurnCircles {
     for (const std::uint32_t c : beside_.of(v))
       if (circles_[c].vertex == v) visit(c);
   }
-  /// Calls visit(circle) for each gap straight's entry that knows this vertex.
+  /// Calls visit(circle) for each entry of a gap straight that refers to this vertex.
   template <class Visitor>
   void visit_entries(VertexId v, Visitor&& visit) const {
     for (const std::uint32_t c : beside_.of(v))
       if (!is_exit(c)) visit(c);
   }
-  /// Of a circle: whether it is one of a gap straight, and there an exit.
+  /// Whether a circle belongs to a gap straight, and whether it is an exit of one.
   [[nodiscard]] bool is_of_gap_straight(std::uint32_t c) const { return c >= first_of_gap_straights_; }
   [[nodiscard]] bool is_exit(std::uint32_t c) const { return is_of_gap_straight(c) && c >= gap_straight_of(c).exits; }
   /// Calls visit(circle) for each exit of an entry's gap straight.
@@ -74,7 +75,7 @@ class TurnCircles {
   }
 
  private:
-  // Circles by a vertex.
+  // Circles grouped by vertex, as a bucket index.
   struct VertexBuckets {
     [[nodiscard]] std::span<const std::uint32_t> of(VertexId v) const {
       return starts.empty() ? std::span<const std::uint32_t>()
@@ -83,7 +84,7 @@ class TurnCircles {
     HugeVector<std::uint64_t> starts;
     std::vector<std::uint32_t> circles;
   };
-  // The circles [first, last), one in so many, by the vertices that they know.
+  // Groups every `step`-th circle of [first, last) by the vertices that it refers to.
   [[nodiscard]] VertexBuckets vertex_buckets(std::size_t first, std::size_t last, std::uint32_t step) const;
 
   struct GapStraightRange {
@@ -96,8 +97,8 @@ class TurnCircles {
   std::size_t radius_count_;
   HugeVector<TurnCircle> circles_;
   HugeVector<std::uint32_t> first_;  // of each vertex's own circles, or kNone
-  VertexBuckets more_;               // the left ones of those that are no vertex's own, gap straights left out
-  VertexBuckets beside_;             // those of gap straights
+  VertexBuckets more_;               // left circles around vertices that are not a vertex's own
+  VertexBuckets beside_;             // circles of gap straights
   std::size_t base_count_ = 0, first_of_gap_straights_ = 0;
   std::vector<std::uint32_t> gap_straight_;  // by circle from first_of_gap_straights_ on
   std::vector<GapStraightRange> gap_straights_;

@@ -12,7 +12,7 @@
 
 namespace arcway::internal {
 
-/// Memory of a search, kept for the next one: for one search at a time, of any map.
+/// Memory of a search on a roadmap, used again by the next one, on any map. For one search at a time.
 class SearchWorkspace {
  public:
   SearchWorkspace();
@@ -22,41 +22,46 @@ class SearchWorkspace {
 
   struct Data;
   Data& operator*() { return *data_; }
-  /// Forgets the search before, and has most of the memory at hand that one on a graph with so many circles asks for.
+  /// Forgets the search before, and takes most of the memory that a search on a graph of `circles` circles needs.
   void warm_up(std::size_t circles);
-  /// Takes the memory of a path that a search gave, for the next one.
+  /// Takes the memory of a path that a search returned.
   void reuse(Path&& path);
 
  private:
   std::unique_ptr<Data> data_;
 };
 
-/// The fastest path of the feasible graph under the true speed profile: from rest to rest, at most v_ms on lines and
-/// v_mc on arcs, |dv/dt| <= a_max, whatever number of segments the speeding up and the braking take.
+/// Finds the fastest path of the feasible graph under the true speed profile: from rest to rest, at most v_ms on lines
+/// and v_mc on arcs, |dv/dt| <= a_max. Speeding up and braking may take any number of segments.
 ///
-/// A* over directed arrivals, (11): a label is an arrival on a circle at the end of a bitangent by some path, with the
-/// speed profile of that path, see SpeedTree. On one circle a label ends where another one goes on at least as well at
-/// every speed. Departures are sorted by heading, so that one walk along the arc relaxes them in turn: linear in the
-/// bitangents. Complete paths come off the open list with their exact time, so that the first one is the fastest.
+/// **Search.** A* over directed arrivals, (11). A label is an arrival on a circle at the end of a bitangent, by some
+/// path, with the speed profile of that path (see SpeedTree). A label is dropped if another one on its circle goes on
+/// at least as well at every speed. Departures are sorted by heading, so that one walk along the arc relaxes them in
+/// turn: linear in the bitangents. Complete paths come off the open list with their exact time, so that the first one
+/// is the fastest.
 ///
-/// Up to 16 labels on one circle, this comparison is exact. The n-th label ends as well where another one loses less
-/// than the share 1e-4 * floor(n / 16) of its time. A path of k circles found then takes at most as long as the
-/// fastest one times the product of 1 + that share over the k circles; without a circle of more than 16 labels it is
-/// the fastest. The tolerance bounds searches in tight places, where hundreds of paths differ by nanoseconds.
+/// **Many labels.** Up to 16 labels on one circle are compared exactly. The n-th label is also dropped if another one
+/// loses less than the share e = 1e-4 * floor(n / 16) of its time. A path of k circles then takes at most as long as
+/// the fastest one times the product of 1 + e over the k circles. Without a circle of more than 16 labels the path is
+/// the fastest. The tolerance limits searches in tight places, where hundreds of paths differ by nanoseconds.
 ///
-/// After some hundred labels, or with several attachments, walks without times and speeds find out whether there is a
-/// path at all: see Reachability.
+/// **Reachability.** After some hundred labels, or with several attachments, walks without times and speeds find out
+/// whether there is a path at all: see Reachability.
 ///
-/// With a suboptimality w the heuristic counts 1 + w times, which finds some path sooner. The one found takes at most
-/// 1 + w times as long as the fastest: at any time, the open list has an entry from which the fastest path goes on, or
-/// one as fast. For a label ends only where another one, expanded before, does as well at every speed; one that comes
-/// later, but is better, is expanded as well. The estimate of that entry is the time T so far and 1 + w times a bound
-/// on the rest, so at most 1 + w times the fastest time; the complete path that comes off first is not behind it.
+/// **Suboptimality.** With a suboptimality w the heuristic counts 1 + w times, which finds some path sooner. That path
+/// takes at most 1 + w times as long as the fastest one:
+/// 1. At any time, the open list has an entry from which the fastest path goes on, or one as fast. A label is dropped
+///    only if another one, expanded before, does as well at every speed. A better one that comes later is expanded too.
+/// 2. The estimate of that entry is its time T plus 1 + w times a lower bound on the rest: at most 1 + w times the
+///    fastest time.
+/// 3. The complete path that comes off first is not behind that entry.
 ///
-/// Attachments join by their left and right circles of every radius, driven forwards whatever the gear of their
-/// connections, and to each other by all six Dubins words. Straights of attachments, and those of lazy graphs, are
-/// checked when they come off the open list. Ties are broken by what the labels are, not by memory or time: same answer
-/// every time, for eager and lazy graphs.
+/// **Attachments.** Attachments join by left and right circles of every radius, driven forwards whatever the gear of
+/// their connections, and to each other by all six Dubins words. Straights of attachments and of lazy graphs are
+/// checked when they come off the open list.
+///
+/// Ties are broken by the labels alone, not by memory or time: the answer is the same every time, for eager and lazy
+/// graphs.
 SearchResult search_arrivals(const Roadmap& map, std::span<const Attachment> starts, std::span<const Attachment> goals,
                              const SearchOptions& options, SearchWorkspace& workspace);
 

@@ -9,18 +9,19 @@
 
 namespace arcway::internal {
 
-/// Where a path leaves a circle of the graph.
+/// A departure: where a path leaves a circle of the graph.
 struct Departure {
   std::uint32_t circle;
-  double heading;
+  double heading;  ///< [rad]
 };
 
-/// Whether who arrives on a departure's circle at a heading can turn as far as the departure.
+/// Whether a path that arrives on a departure's circle at a heading can turn as far as the departure.
 bool leads_to(const CircleTable& circles, double arrival, const Departure& departure);
 
-/// All departures from which the graph leads to some given ones, those included: the set is found
-/// backwards. A goal that is in a dead end has few of them, however large the map.
-/// @return nothing if there are more than `most`. O(most x links that arrive on a circle), after the first call of
+/// The backward-reachable set: all departures from which the graph leads to given ones, those included. It is small for
+/// a goal in a dead end, however large the map.
+/// @param ends  the given departures.
+/// @return nothing if the set has more than `most`. O(most x links that arrive on a circle), after the first call of
 ///   CircleTable::links_to.
 std::optional<std::vector<Departure>> backward_reachable_set(const CircleTable& circles, std::vector<Departure> ends,
                                                              std::size_t most);

@@ -7,16 +7,16 @@
 
 namespace arcway::internal {
 
-/// How far an edge reaches over a side of a body, and how that changes as the body moves.
+/// The contact of an edge with a body: how deep it reaches in, and how that changes as the body moves.
 struct BodyContact {
-  double depth;    ///< the least way out over any side, across it; negative: how far the edge is from the body [m]
+  double depth;    ///< smallest shift out over any side [m]; negative: distance of the edge from the body
   Vec2 by_place;   ///< gradient of the depth by the position of the body
-  double by_turn;  ///< and by its heading [m/rad]
+  double by_turn;  ///< derivative of the depth by its heading [m/rad]
 };
 
 /// The contact of an edge with a body that follows a curvature. Where a corner passes, the depth over one side falls as
-/// that over another one grows: the gradient is that of the deepest contact on the way. Constant time.
-/// @param near  edges that are further from a side than this are none [m].
+/// that over another grows. The gradient is then that of the deepest contact on the way. Constant time.
+/// @param near  edges further from a side than this have no contact [m].
 /// @param ahead  unit vector of the body's heading.
 std::optional<BodyContact> body_contact(const Footprint& body, const Vec2& place, const Vec2& ahead, double curvature,
                                         const LineSegment& edge, double near);

@@ -4,21 +4,23 @@
 
 namespace arcway::internal {
 
-/// Linear residuals of a step, each its value now and its gradient.
+/// Linear residuals of a step: the value of each at the current point, and its gradient.
 struct LinearResiduals {
   Eigen::MatrixXd gradients;  ///< one a row
   Eigen::VectorXd values;
-  Eigen::Index equalities;  ///< the last so many count whatever their sign; the others only where they are positive
+  Eigen::Index equalities;  ///< number of residuals, the last ones, that count with either sign; the others count only
+                            ///< where positive
 };
 
-/// Between which values the parts of a step may lie; low <= 0 <= high.
+/// Limits of the components of a step: low <= 0 <= high.
 struct StepLimits {
   Eigen::VectorXd low, high;
 };
 
-/// The step with the least sum of the squares of the residuals that count after it, plus `damping` times its own
-/// square, within limits: Newton's method on the quadratic pieces of that convex function, each step as long as is
-/// best. A part that has come to a limit stays there. Up to `most_iterations` solutions of the normal equations.
+/// The step of least cost within limits. The cost is the sum of the squares of the residuals that count after the step,
+/// plus `damping` times the step's own square. It is convex and piecewise quadratic; Newton's method with exact line
+/// search minimizes it. A component that reaches a limit stays there.
+/// @param most_iterations  number of solutions of the normal equations.
 Eigen::VectorXd hinge_step(const LinearResiduals& residuals, const StepLimits& limits, double damping,
                            int most_iterations);
 

@@ -14,14 +14,14 @@ namespace arcway::internal {
 
 /// A pose of a tree that is near another.
 struct NearPose {
-  double distance;  ///< some measure of it [m]
+  double distance;  ///< by some measure [m]
   std::uint32_t node;
   friend bool operator<(const NearPose& a, const NearPose& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
   }
 };
 
-/// Poses of a tree by place, for those near another.
+/// A spatial index of a tree's poses, for those near another pose.
 class NearPoses {
  public:
   struct Entry {
@@ -30,12 +30,12 @@ class NearPoses {
     Vec2 ahead;
   };
 
-  /// @param cell  how far poses are looked for at least [m].
+  /// @param cell  distance within which poses are found at least [m].
   explicit NearPoses(double cell) : cell_(cell) {}
   void add(std::uint32_t node, const Pose& pose) {
     cells_[key(index(pose.x), index(pose.y))].push_back({node, pose, direction_of(pose.heading)});
   }
-  /// Calls `visit(entry)` for all within a cell, and some further away.
+  /// Calls visit(entry) for all poses within `cell`, and some further away.
   template <class Visit>
   void visit(const Pose& near, Visit&& visit) const {
     for (const std::int64_t dx : {-1, 0, 1})

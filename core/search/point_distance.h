@@ -15,8 +15,8 @@
 
 namespace arcway::internal {
 
-/// Shortest paths of a point among the obstacles: how far at least the reference point of any body drives that covers
-/// it. A point may touch obstacles and pass between two that touch.
+/// Shortest paths of a point among the obstacles: a lower bound on how far the reference point of a body drives that
+/// covers it. A point may touch obstacles and pass between two that touch.
 ///
 ///     const PointDistance distance(world, rows_of(graph), std::make_shared<const Outlines>(world));
 ///     distance(start, goal, visibility, workspace);
@@ -24,7 +24,7 @@ namespace arcway::internal {
 /// Immutable, thread-safe.
 class PointDistance {
  public:
-  /// Memory of a search, kept for the next one: for one search at a time.
+  /// Memory of a search, used again by the next one. For one search at a time.
   class Workspace {
    private:
     friend class PointDistance;
@@ -57,11 +57,11 @@ class PointDistance {
   PointDistance(const World& world, std::shared_ptr<const VisibilityRows> rows,
                 std::shared_ptr<const Outlines> outlines);
 
-  /// Length of the shortest path, up to the rounding of its sum [m]; infinity if there is none. Neither point may lie
-  /// inside an obstacle. A* over the graph with the distance to the goal, from the vertices that the outlines near by
-  /// do not hide, along edges that a taut string would take; segments from the start and to the goal are asked of
-  /// `visibility` when their turn comes.
-  /// @param clock  ends the search, with the largest length that the path is then known to have at least.
+  /// The length of the shortest path [m], up to the rounding of its sum; infinity if there is none. Precondition:
+  /// neither point lies inside an obstacle. A* over the reduced graph, with the distance to the goal as heuristic. It
+  /// starts from the vertices that outlines near the start do not hide, and follows edges that a taut string would
+  /// take. Segments from the start and to the goal are checked when they come off the open list.
+  /// @param clock  may end the search; the result is then a lower bound of the length.
   [[nodiscard]] double operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility,
                                   Workspace& workspace, const StopClock& clock = {}) const;
 

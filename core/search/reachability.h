@@ -12,20 +12,23 @@
 
 namespace arcway::internal {
 
-/// Finds out whether any path of the graph leads from the starts to the goals, without times and speeds: over all that
-/// the starts reach, nearest to the goal first, and where that is much, backwards out of the goal's dead end, if it is
-/// in one; not on a lazy graph of hundreds of thousands of circles. Asked again about other starts and goals, it goes
-/// on from what it knows.
+/// Decides whether any path of the graph leads from the starts to the goals, without times and speeds:
+/// 1. It walks over all that the starts reach, nearest to the goal first.
+/// 2. If that is thousands of arcs, it computes the goal's backward-reachable set, which is small in a dead end. It
+///    does not on lazy graphs of hundreds of thousands of circles.
+///
+/// The next question, about other starts and goals, continues from what is known.
 class Reachability {
  public:
   /// Forgets all that starts have reached.
   void forget();
-  /// What starts have reached counts as reached from then on, until forgotten: those of one pose, on one map. True also
-  /// if the search was interrupted before that was known. Fills in the result's start_connected and start_is_open.
+  /// Whether a path exists. What starts have reached counts as reached until forgotten, so that all starts must be of
+  /// one pose on one map. True also if the search was interrupted before that was known. Fills in the result's
+  /// start_connected and start_is_open.
   bool goal_is_reachable(SearchContext& context, SearchAttachments& attachments);
 
  private:
-  // Part of a circle that some path turns on, whenever and however fast it gets there.
+  // A part of a circle that some path turns on, at any time and speed.
   struct Arc {
     double heading;      // of the arrival
     double reach;        // of the free interval
@@ -36,7 +39,7 @@ class Reachability {
     double distance;       // to the goal
     std::uint32_t circle;  // that the link leaves; kNone: a link of the start
     std::uint32_t index;
-    // Those of the start are last among equals.
+    // Links of the start come last among equals.
     friend bool before(const Arrival& a, const Arrival& b) {
       if (a.distance != b.distance) return a.distance < b.distance;
       return a.circle != b.circle ? a.circle < b.circle : a.index < b.index;

@@ -11,26 +11,26 @@
 
 namespace arcway::internal {
 
-/// Roughly how long the routes are from anywhere to a pose, round the obstacles and through none of the gaps that are
-/// too narrow for the body: Dijkstra over a grid whose steps cross neither an outline nor such a gap. At first of a
-/// point that turns on the spot; where that misleads, of one that turns with the vehicle's radius. An estimate that
-/// guides searches; it proves nothing.
+/// Estimates of the length of routes from anywhere to a pose, around obstacles and not through gaps too narrow for the
+/// body. They guide searches and prove nothing. Dijkstra's algorithm runs over a grid whose steps cross neither an
+/// outline nor such a gap. At first the routes are those of a point that turns on the spot. Where that misleads,
+/// heed_turns makes them turn with a radius.
 class RouteField {
  public:
-  /// The grid lies in the frame of a pose, so that a map that is moved and turned with its poses has the same field.
-  /// O(cells log cells + edges).
-  /// @param frame  start of the query, say.
-  /// @param to     to which routes lead; its heading matters once turns do.
-  /// @param most_cells  the grid has at most so many.
-  /// @param clock  ends that: the rest of the grid has no routes then.
+  /// The grid lies in the frame of a pose. A map that is moved and turned with its poses has the same field. O(cells
+  /// log cells + edges).
+  /// @param frame  such as the start of the query.
+  /// @param to  to which routes lead; its heading matters once routes turn.
+  /// @param most_cells  of the grid, at most.
+  /// @param clock  may end that; the rest of the grid then has no routes.
   RouteField(const Roadmap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
              const StopClock& clock = {});
 
-  /// From now on routes turn with a radius. O(cells log cells), some ten times as long as the constructor takes.
+  /// Makes routes turn with a radius [m] from now on. O(cells log cells), some ten times as long as the constructor.
   void heed_turns(double radius, const StopClock& clock = {});
 
-  /// Length of the route from a pose [m]. Where the grid has none, that of a point that turns on the spot, or as the
-  /// crow flies, and the longest route of all.
+  /// The length of the route from a pose [m]. Where the grid has none, that of a point that turns on the spot, or the
+  /// distance plus the longest route of all.
   [[nodiscard]] double operator()(const Pose& from) const;
 
  private:
@@ -44,7 +44,7 @@ class RouteField {
   void add_wall(const Vec2& a, const Vec2& b);
   void spread(const StopClock& clock);
   [[nodiscard]] double without_turns(const Vec2& from) const;
-  // A step to one of the eight cells around.
+  // Whether a step to one of the eight neighboring cells is possible.
   [[nodiscard]] bool is_free(std::int64_t x, std::int64_t y, int dx, int dy) const;
   [[nodiscard]] bool is_open(std::int64_t x, std::int64_t y, int dx, int dy) const;
   [[nodiscard]] bool has(std::int64_t x, std::int64_t y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
@@ -52,18 +52,18 @@ class RouteField {
     return cells_[static_cast<std::size_t>(y * width_ + x)];
   }
   [[nodiscard]] Cell& at(std::int64_t x, std::int64_t y) { return cells_[static_cast<std::size_t>(y * width_ + x)]; }
-  // In units of cells.
+  // A position in units of cells.
   [[nodiscard]] Vec2 in_grid(const Vec2& p) const;
 
   static constexpr int kHeadings = 16;
-  // A motion from one heading of the grid to the same or the next.
+  // A motion from a heading of the grid to the same heading or a neighboring one.
   struct Motion {
     int turn;                               // in headings
     float length;                           // in cells
     std::vector<std::array<int, 2>> steps;  // from cell to cell
   };
   [[nodiscard]] static Motion motion(int heading, int turn, double radius);
-  // In the frame, in steps of the grid.
+  // A heading in the frame, in steps of the grid.
   [[nodiscard]] double heading_in_grid(double heading) const;
   template <class Visit>
   static void visit_around(const Vec2& p, Visit&& visit);

@@ -7,10 +7,10 @@
 
 namespace arcway::internal {
 
-/// The times of the paths that a search tries: its tree of speeds, by arcs, lines and connections of attachments.
+/// The times of the paths of one search: its speed tree, extended by arcs, lines and connections of attachments.
 class SearchTimes {
  public:
-  /// Forgets the search before, or goes on from it.
+  /// Begins a search: forgets the one before or, with a warm start, continues it.
   void begin(const SearchContext& context, bool warm_start);
 
   void reserve(std::size_t joints) { speeds_.reserve(joints); }
@@ -19,19 +19,20 @@ class SearchTimes {
   /// Forgets the joints added last.
   void truncate(std::size_t size) { speeds_.truncate(size); }
 
-  /// The joint at the end of a start attachment's connection, which leads to its circle.
+  /// Adds the connection of a start attachment; returns the joint at its end.
   std::uint32_t add_connection(const AttachmentCircle& from);
-  /// The joint behind an arc and the line after it, which leads to a circle of another radius.
+  /// Adds an arc and the line after it, which leads to a circle of another radius; returns the joint at the line's end
+  /// [m].
   std::uint32_t add_drive(std::uint32_t joint, double arc, double radius, double line, double next_radius);
-  /// What add_drive gives, not added to the tree.
+  /// The joint of add_drive, without adding it.
   [[nodiscard]] SpeedTree::Joint drive(std::uint32_t joint, double arc, double radius, double line,
                                        double next_radius) const;
-  /// The exact time of the whole path that goes on from a joint by an arc, a link to a goal's circle, and what follows.
+  /// The exact time of a complete path [s]: from a joint by an arc, a link to a goal's circle, and what follows.
   double time_to_goal(std::uint32_t joint, double arc, double radius, const AttachmentLink& link,
                       const AttachmentCircle& to);
 
  private:
-  // What matters of a segment for the speeds.
+  // A segment as far as speeds depend on it.
   struct Stretch {
     double length;
     double limit;

@@ -8,17 +8,17 @@
 
 namespace arcway::internal {
 
-/// Nodes of a tree that wait for their turn, the most promising one first. Each turn of a node makes those of the same
-/// place promise less, so that a tree does not stay where it got nowhere.
+/// The open list of a tree, the most promising node first. Each expansion of a node makes the other nodes of its place
+/// less promising, so that a tree does not stay where it got nowhere.
 class TreeOpenList {
  public:
-  /// @param visit_cost  what each turn in a place adds to the estimates of the nodes there.
+  /// @param visit_cost  added to the estimates of a place's nodes by each expansion there.
   explicit TreeOpenList(double visit_cost) : visit_cost_(visit_cost) {}
 
   void push(double estimate, std::uint32_t node) { open_.push({estimate, node, 0}); }
 
-  /// Takes the most promising node; none if no node waits.
-  /// @param place_of  gives the key of a node's place.
+  /// Takes the most promising node; none if the list is empty.
+  /// @param place_of  maps a node to the key of its place.
   template <class PlaceOf>
   std::optional<std::uint32_t> pop(PlaceOf&& place_of) {
     while (!open_.empty()) {

@@ -8,7 +8,7 @@
 
 namespace arcway::internal {
 
-/// The motions between a node of a tree and its root, which is node 0, that of the node first. O(depth).
+/// The motions between a node of a tree and its root, node 0; the motion to the node first. O(depth).
 /// @param nodes  each with a `motion` and the index of its `parent`.
 template <class Node>
 Path motions_up(const std::vector<Node>& nodes, std::uint32_t node) {
@@ -17,7 +17,7 @@ Path motions_up(const std::vector<Node>& nodes, std::uint32_t node) {
   return path;
 }
 
-/// The way from the root of a tree to a node, where motions lead away from the root. O(depth).
+/// The path from the root of a tree to a node. O(depth).
 template <class Node>
 Path path_from_root(const std::vector<Node>& nodes, std::uint32_t node) {
   Path path = motions_up(nodes, node);
@@ -25,7 +25,7 @@ Path path_from_root(const std::vector<Node>& nodes, std::uint32_t node) {
   return path;
 }
 
-/// The same way back. O(depth).
+/// The path from a node of a tree back to its root, each motion reversed. O(depth).
 template <class Node>
 Path path_to_root(const std::vector<Node>& nodes, std::uint32_t node) {
   Path path = motions_up(nodes, node);

@@ -8,25 +8,25 @@
 
 namespace arcway::internal {
 
-/// What forward motions from a start, or to a goal, find in its neighborhood.
+/// What forward motions find in the neighborhood of a start or, backwards, of a goal.
 enum class Surroundings {
   kOpen,     ///< motions lead out, or there are too many to tell
-  kDeadEnd,  ///< a tree has found no more motions before it was out
-  kClosed    ///< a small tree has, and a finer one has found hardly any more
+  kDeadEnd,  ///< a tree ran out of motions before it led out
+  kClosed    ///< a small tree ran out of motions, and a finer one found hardly any more
 };
 
 struct WayOut {
   Surroundings surroundings = Surroundings::kOpen;
-  std::size_t poses = 0;  ///< that were grown
+  std::size_t poses = 0;  ///< grown
 };
 
-/// How far a tree stays from its root at most that does not lead away from it [m].
+/// Radius of a neighborhood: a tree that stays within it does not lead out [m].
 double dead_end_radius(const Roadmap& map);
 
-/// Grows a tree of forward motions from one end alone until it leaves the neighborhood or finds no more poses. This is
-/// far cheaper than growing trees from both ends with an estimate of the way between them. It proves nothing.
-/// Deterministic unless stopped.
-/// @param clock  ends the search, as if there were a way out.
+/// Grows a tree of forward motions from one end until it leaves the neighborhood, or has no more poses to expand. That
+/// is far cheaper than trees from both ends with an estimate of the way between them. It proves nothing. Deterministic
+/// unless stopped.
+/// @param clock  may end the search, with the result kOpen.
 WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const StopClock& clock);
 
 }  // namespace arcway::internal

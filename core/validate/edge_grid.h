@@ -12,19 +12,19 @@
 
 namespace arcway::internal {
 
-/// The edges of a world by place, for the validator, which shares no tree with the planner: cells of one size, two
-/// edges each if they lie all over the map. An edge is listed in each cell that it passes. Where these lists would take
-/// more than 16 entries an edge, the edges that pass most cells are looked at whatever is asked for. Immutable and
+/// A spatial index of a world's edges for the validator, which shares no tree with the planner. Cells have one size,
+/// about two edges each if the edges lie all over the map. An edge is listed in each cell that it passes. Where that
+/// would take more than 16 entries an edge, the longest edges are visited by every query instead. Immutable and
 /// thread-safe. O(n log n).
 class EdgeGrid {
  public:
-  /// @param edges  which must outlive this.
+  /// @param edges  must outlive this.
   explicit EdgeGrid(std::span<const LineSegment> edges);
 
   [[nodiscard]] std::span<const LineSegment> edges() const { return edges_; }
-  /// Of all edges; empty without any.
+  /// The box of all edges [m]; empty without any.
   [[nodiscard]] const Box& box() const { return box_; }
-  /// Side of a cell.
+  /// The side of a cell [m].
   [[nodiscard]] double cell() const { return cell_; }
 
   /// Calls visit(edge) once for each edge that meets a box, and for some others.

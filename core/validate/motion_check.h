@@ -10,9 +10,9 @@
 
 namespace arcway::internal {
 
-/// Collision and clearance of a motion for the validator, segment by segment. Lines: by the rectangle that they sweep;
-/// arcs: bisected until bounds on the distance between body and edges prove them free. Shares no decision with the
-/// planner. O(edges near by) a segment, more near contact. World and grid must outlive the use.
+/// Collision and clearance of a motion for the validator, segment by segment. A line is decided by the rectangle that
+/// the body sweeps. An arc is bisected until bounds on the distance between body and edges prove it free. No decision
+/// is shared with the planner. O(edges near by) a segment, more near contact. World and grid must outlive the use.
 class MotionCheck {
  public:
   /// @param grid  of the world's edges.
@@ -20,11 +20,11 @@ class MotionCheck {
 
   struct Hit {
     ObstacleId region;
-    double arc_length;
-    VertexId edge;  ///< none: the body is inside
+    double arc_length;  ///< [m]
+    VertexId edge;      ///< none: the body is inside
   };
 
-  /// The first contact found with an obstacle, and with the bounds, if any; lowers `clearance`.
+  /// The first contact found with an obstacle, and with the bounds, if any. Lowers `clearance`.
   std::vector<Hit> check(const PathSegment& segment);
 
   [[nodiscard]] double clearance() const;
@@ -33,20 +33,22 @@ class MotionCheck {
   struct Rectangle {
     double x0, x1, y0, y1;
     [[nodiscard]] double distance_to(const Vec2& p) const;
-    /// At most the distance to an axis-parallel box: that along one axis.
+    /// A lower bound on the distance to an axis-parallel box: the distance along one axis.
     [[nodiscard]] double gap_to(const Box& box) const;
   };
   /// The ends of an edge in a frame of the body.
   struct Ends {
     Vec2 a, b;
   };
-  /// An interval of an arc and an edge that is not proved to keep away from the body during it.
+  /// An interval of an arc, and an edge that is not proved to stay off the body during it.
   struct Interval {
-    double lower;  ///< bound on their distance
+    double lower;  ///< lower bound on their distance [m]
     double s0, s1;
     VertexId edge;
-    Ends before, middle, after;  ///< where the edge is, seen from the body
-    bool operator<(const Interval& other) const { return lower > other.lower; }  ///< the lowest on top of a queue
+    Ends before, middle, after;  ///< the edge in the body's frame
+    bool operator<(const Interval& other) const {
+      return lower > other.lower;
+    }  ///< the lowest bound is on top of a queue
   };
 
  private:
@@ -72,8 +74,8 @@ class MotionCheck {
   double largest_heading_ = 0.0;  ///< of the path so far
   double rounding_ = 0.0;         ///< of a distance
   double shortest_travel_ = 0.0, tolerance_ = 0.0;
-  double upper_;  ///< a clearance that occurs on the path
-  double lower_;  ///< a proved bound so far
+  double upper_;  ///< clearance that occurs on the path [m]
+  double lower_;  ///< proved lower bound so far [m]
 };
 
 }  // namespace arcway::internal
