@@ -55,8 +55,8 @@ struct Headings {
   double low, high;
 };
 
-// Of the straights that leave a circle and get to points of a ball, seen from its center.
-// @param near  no point is nearer to the center; at least the circle's radius.
+// The headings of straights that leave a circle and lead to points of a ball, seen from its center.
+// @param near  no point is nearer to the center [m]; at least the circle's radius.
 Headings headings_towards(const Ball& ball, double near, const TurnCircle& circle) {
   const double spread = above_asin(ball.radius / ball.distance) + kDirectionError;
   const double lead_near = above_asin(circle.radius / near);
@@ -109,8 +109,8 @@ void OcclusionHorizon::shorten_by_edge(const std::array<Vec2, 2>& edge) {
 }
 
 void OcclusionHorizon::shorten_by(std::span<const Vec2> outline) {
-  // Between the straights through two of the points all others meet the outline: the first and the last as the center
-  // sees them are nearly the ends of the range, and sooner found.
+  // All straights between those through two points of the outline meet it. The first and the last point seen from the
+  // center give nearly the whole range, at less cost.
   Vec2 first_seen = outline[0] - circle_.center, last_seen = first_seen;
   double farthest = first_seen.squaredNorm();
   for (const Vec2& p : outline.subspan(1)) {

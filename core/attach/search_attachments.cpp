@@ -14,24 +14,25 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMostDirectPairs = 64;
-// Straights between the poses of maneuvers at one end and the graph, in all: so many, or half as many as vertices
-// where those are more; each circle of a pose has two in any case. 48 bytes each at the start, 64 at the goal. In open
-// places 400 poses see millions of circles: among 20,000 cells that touch at corners, their links took 1.2 GB, now 8
-// MB.
+// Number of straights between the poses of maneuvers at one end and the roadmap: this many, or half as many as vertices
+// if that is more. Each circle of a pose has at least kLeastLinks. A straight takes 48 bytes at the start, 64 at the
+// goal. In open places 400 poses see millions of circles. Among 20,000 cells that touch at corners, links took 1.2 GB
+// without this limit, now 8 MB.
 constexpr std::size_t kLinksOfPoses = 1 << 16;
 constexpr std::size_t kVerticesALink = 2;
 constexpr std::size_t kLeastLinks = 2;
 
 bool is_same(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.heading == b.heading; }
 
-// How many straights each new circle of maneuvers may join the graph by: together they take half of what is left.
+// Number of straights by which each new circle of a maneuver may join the roadmap. Together they take half of what is
+// left.
 std::size_t links_a_circle(std::size_t vertices, std::size_t known_links, std::size_t new_circles) {
   const std::size_t most = std::max(kLinksOfPoses, vertices / kVerticesALink);
   const std::size_t left = most - std::min(most, known_links);
   return std::max(kLeastLinks, left / 2 / std::max<std::size_t>(new_circles, 1));
 }
 
-// Whether all poses begin with some.
+// Whether the poses of `all` begin with `some`.
 bool begin_with(std::span<const Attachment> all, const std::vector<Pose>& some) {
   return some.size() <= all.size() &&
          std::ranges::equal(some, all.first(some.size()), is_same, {}, [](const Attachment& t) { return t.pose; });
@@ -92,7 +93,7 @@ void SearchAttachments::find_direct_paths(std::size_t known_starts, std::size_t 
       const bool plain_start = context_->starts[s].connection.empty();
       const bool plain_goal = context_->goals[g].connection.empty();
       if (context_->interrupted()) return;
-      // Of many maneuvers at both ends one is enough for a path that goes round nothing in between.
+      // A path around nothing needs a maneuver at one end only; with many, pairs of maneuvers are skipped.
       if (are_many && !plain_start && !plain_goal) continue;
       const bool few_radii = are_many && !(plain_start && plain_goal);
       const std::span<const double> radii = context_->map.radii;
@@ -109,7 +110,7 @@ void SearchAttachments::try_direct(std::uint32_t start, std::uint32_t goal, doub
   double length = length_of(from.connection) + length_of(to.connection);
   for (const PathSegment& segment : between->segments()) length += segment.length;
   if (length >= longest_path_) return;
-  // Lines first: they are longer and sooner asked about.
+  // Lines first: they are longer, and cheaper to check.
   for (const bool lines : {true, false})
     for (const PathSegment& segment : between->segments())
       if (segment.is_line() == lines && !is_free(segment)) return;

@@ -10,7 +10,7 @@ namespace arcway::internal {
 
 namespace {
 
-// Of the distance from the center of a turn: what lies this near to a contact counts as one.
+// Share of the distance from the center of a turn by which an edge may miss a contact and still count as one.
 constexpr double kRounding = 1e-12;
 
 constexpr double kQuarterTurn = 0.5 * kPi;

@@ -184,7 +184,7 @@ class ForwardFlood {
   struct Places {
     std::int32_t first_x, last_x, first_y, last_y, turned;
   };
-  // Those that a step to some position may turn by; none: first > last.
+  // The turns of a step to some position; none if first > last.
   struct Turns {
     std::int32_t first, last;
   };

@@ -88,7 +88,7 @@ class GapCircles {
       if (!radius || *radius > kWidestRadius * radius_) return;
       return add_around_vertex(v, -swept_annulus(body_, *radius).inner * across, *radius);
     }
-    // Of the angle at the vertex between what it faces and the center.
+    // The cosine of the angle at the vertex between what it faces and the center.
     const double cosine = faces_vertex ? (swept_.inner * swept_.inner + width * width - swept_.outer * swept_.outer) /
                                              (2.0 * swept_.inner * width)
                                        : (width - swept_.outer) / swept_.inner;

@@ -16,8 +16,8 @@
 namespace arcway::internal {
 namespace {
 
-// A third edge has to come into a gap's circle by more than distances are rounded, else each of two edges that follow
-// each other may divide the other's gap: by a share of the radius, and of the largest coordinate.
+// How far a third edge has to enter a gap's circle, as shares of its radius and of the largest coordinate: by more than
+// distances are rounded. Otherwise each of two edges that follow each other may divide the other's gap.
 constexpr double kInside = 1.0 - 1e-6;
 constexpr double kRounding = 0x1p-48;
 

@@ -6,9 +6,9 @@ namespace arcway::internal {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
-// Boxes whose middles spread so many times as far along the shorter side of all are divided along that. Of boxes around
-// one place, as the long edges of nested squares have, the middles may all be equal along the longer side: halves then
-// overlap wholly, and a query visits all of them.
+// Boxes are divided along the shorter side of all if their middles spread this many times as far along it. Long edges
+// of nested squares have equal middles along the longer side. Halves by that side would overlap wholly, and a query
+// would visit all boxes.
 constexpr double kMuchFurther = 4.0;
 
 }  // namespace

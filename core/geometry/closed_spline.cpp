@@ -20,8 +20,8 @@ constexpr double kSmooth = 0x1p-20;               // sine of the turn at a joint
 
 Vec2 middle(const Vec2& a, const Vec2& b) { return 0.5 * (a + b); }
 
-// Solves the cyclic system with these diagonals for two right-hand sides at once: row i is
-// lower[i] x[i-1] + diagonal[i] x[i] + upper[i] x[i+1] = right[i] [Sherman and Morrison].
+// Solves a cyclic tridiagonal system for two right-hand sides at once [Sherman and Morrison]. Row i is lower[i] x[i-1]
+// + diagonal[i] x[i] + upper[i] x[i+1] = right[i].
 std::vector<Vec2> solve_cyclic(const std::vector<double>& lower, std::vector<double> diagonal,
                                const std::vector<double>& upper, std::vector<Vec2> right) {
   const std::size_t n = diagonal.size();

@@ -20,7 +20,7 @@ EdgeSweep::EdgeSweep(std::span<const LineSegment> edges)
 
 int EdgeSweep::side(std::uint32_t e, const Vec2& p) const { return orientation(low(e), high(e), p); }
 
-// Of two active edges the one that starts later does so within the span of the other one.
+// The later of two active edges starts within the span of the other one.
 bool EdgeSweep::Below::operator()(std::uint32_t e, std::uint32_t f) const {
   const bool e_is_first = is_left_of(sweep->low(e), sweep->low(f));
   const std::uint32_t first = e_is_first ? e : f, second = e_is_first ? f : e;

@@ -20,12 +20,12 @@ class Chains {
   }
 
   [[nodiscard]] std::span<const LineSegment> edges() const { return edges_; }
-  /// Of an edge's chain at a point of it: the edge that starts there, or the one that passes.
+  /// The edge of a chain at a point of it: the one that starts there, or the one that passes.
   [[nodiscard]] std::uint32_t chain_at(const Vec2& p, std::uint32_t e) const {
     return edges_[e].b == p ? following_[e] : e;
   }
 
-  /// Of an edge that passes through the vertex at which another one starts.
+  /// The contact of an edge that passes through the vertex at which another one starts.
   [[nodiscard]] RingContact contact(std::uint32_t passing, std::uint32_t starting) const {
     return {places_[passing].ring, places_[passing].index, places_[starting].ring, places_[starting].index};
   }

@@ -149,9 +149,9 @@ struct World::Data {
     return side_of(parity.location(), region);
   }
 
-  // Where rings touch in a vertex, an edge that ends there goes on with the edge that bounds the same wedge of the
-  // interior, the first one clockwise from it: so each of the coincident vertices has a wedge of its own, and all of
-  // them are disjoint. Where an edge passes between them, those on its two sides have nothing to do with each other.
+  // Where rings touch in a vertex, an edge that ends there is linked to the edge that bounds the same wedge of the
+  // interior: the first one clockwise from it. Each of the coincident vertices then has a wedge of its own, and all
+  // wedges are disjoint. An edge that passes between them separates the vertices on its two sides.
   void relink_pinches(VertexId first_vertex, std::span<const VertexId> on_right_of_edges) {
     HugeVector<VertexId> order(vertices.size() - first_vertex);
     std::iota(order.begin(), order.end(), first_vertex);
@@ -173,7 +173,7 @@ struct World::Data {
     }
   }
 
-  // Of coincident vertices: (previous, vertex).
+  // Appends the links (previous, vertex) of coincident vertices.
   void append_links(std::span<const VertexId> pinch, std::vector<std::pair<VertexId, VertexId>>& links) const {
     for (const VertexId v : pinch) {
       VertexId nearest = previous[v];
@@ -205,7 +205,7 @@ struct World::Data {
     std::vector<std::size_t> starts;  // in what is asked, one more than stretches
     HugeVector<Box> boxes;
   };
-  // Of vertices near each other, as boxes around them are to be about as small as points.
+  // Groups vertices that are near each other, as their boxes are to be about as small as points.
   [[nodiscard]] Stretches stretches_of(std::span<const VertexId> which) const {
     constexpr std::size_t kMostVertices = 16;
     const double widest = 4.0 * (box.max - box.min).maxCoeff() / std::sqrt(static_cast<double>(vertices.size()));

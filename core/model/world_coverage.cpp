@@ -11,7 +11,7 @@ namespace {
 // Sweeps with regions that do not cross, at most: each takes those that cross none of its own.
 constexpr int kMostSweeps = 8;
 
-// Of the regions just below a point the ones with an edge there have the point on their boundary; all others hold it.
+// A region just below a point contains it, or has it on its boundary if an edge of the region passes there.
 class Sweeper final : public EdgeSweep::Visitor {
  public:
   Sweeper(std::span<const LineSegment> edges, std::span<const ObstacleId> region_of, ObstacleId bounds)
@@ -28,7 +28,7 @@ class Sweeper final : public EdgeSweep::Visitor {
     for (int i = 0; i < kMostSweeps && any; ++i) {
       is_left_out_ = waits;
       is_left_out_.flip();
-      // Of two that cross one is left out while the sweep goes on. Then nothing that is left crosses.
+      // One of two regions that cross is left out while the sweep goes on. The remaining ones do not cross.
       has_crossings_ = false;
       has_come_before_.assign(waits.size(), false);
       sweep();

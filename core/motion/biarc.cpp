@@ -41,7 +41,7 @@ std::optional<std::array<PathSegment, 2>> biarc(const Pose& start, const Pose& g
   const auto first = arc_to(start, middle, radius);
   if (!first) return std::nullopt;
   const auto second = arc_to({middle.x(), middle.y(), first->end().heading}, goal.position(), radius);
-  // Of poses that face each other on one line the second arc is a half turn on a point, which rounding may lose.
+  // For poses that face each other on one line, the second arc is a half turn on a point, which rounding may lose.
   if (!second || std::abs(wrap_signed(second->end().heading - goal.heading)) > kSameHeading) return std::nullopt;
   return std::array{*first, *second};
 }

@@ -58,9 +58,10 @@ Near to_rectangle(const Box& r, const LineSegment& e) {
   return near;
 }
 
-/// Smallest distance of a point that turns about a center to a segment, the ends of its arc not regarded: at the foot
-/// of the perpendicular from the center, at a crossing, or radially at an end of the segment.
-/// @param spin  +1 counter-clockwise, -1 clockwise;  @param turn  how far [rad].
+/// The least distance of a point that turns about a center from a segment, without the ends of its arc. It occurs at
+/// the foot of the perpendicular from the center, at a crossing, or radially at an end of the segment.
+/// @param spin  +1 counter-clockwise, -1 clockwise.
+/// @param turn  angle of the arc [rad].
 Near turning_point(const Vec2& center, const Vec2& point, double spin, double turn, const LineSegment& s) {
   const Vec2 arm = point - center;
   const double radius = arm.norm();

@@ -39,7 +39,7 @@ Circles circles_of(const Pose& start, const Pose& goal, double radius, double s0
   const Vec2 between =
       goal.position() - start.position() +
       radius * (s1 * perpendicular(direction_of(goal.heading)) - s0 * perpendicular(direction_of(start.heading)));
-  // Of a heading of many turns little is known of the direction, and of where the center is.
+  // A heading of many turns is rounded coarsely: its direction and the center of its circle are uncertain.
   const double turned = std::abs(start.heading) + std::abs(goal.heading);
   const double scale = std::max({start.position().cwiseAbs().maxCoeff(), goal.position().cwiseAbs().maxCoeff(), radius,
                                  radius * turned / kTwoPi});

@@ -36,7 +36,7 @@ std::optional<double> ahead(double angle, double rounding = kRounding) {
 }
 /// The rounding of a line's direction, which the shorter it is the less is known of: up to `most`.
 double rounding_of_line(double length, double most) { return kRounding / std::clamp(length, kRounding / most, 1.0); }
-/// The same within [-pi, 0].
+/// The angle within [-pi, 0], if it is there.
 std::optional<double> back(double angle) {
   const auto turn = ahead(-angle);
   return turn ? std::optional(-*turn) : std::nullopt;
@@ -164,7 +164,7 @@ constexpr std::array<Form, 6> kSymmetric = {{{left_straight_left, "LSL"},
                                              {left_right_cusp_left_right, "LRLR"},
                                              {left_cusp_right_left_cusp_right, "LRLR"},
                                              {left_right_straight_left_right, "LRSLR"}}};
-/// Those that differ from themselves read from the end.
+/// The forms that differ from themselves when read from the end.
 constexpr std::array<Form, 3> kDirected = {{{[](const Target& g) { return left_right_left(g, false); }, "LRL"},
                                             {left_right_straight_left, "LRSL"},
                                             {left_right_straight_right, "LRSR"}}};

@@ -99,8 +99,8 @@ bool SpeedTree::dominates(const Joint& a, const Joint& b, double slack) const {
   const double at_rest = upper(0.0);
   if (at_rest <= b.time) return true;
 
-  // T is convex: chords of a above it, tangents of b below it. And braking begins at no more than the top speed: what T
-  // falls by is at most what this rises by, and as much where a path was at the top speed.
+  // T is convex: chords of a lie above it, tangents of b below it. Braking begins at no more than the top speed. T
+  // falls at most by what this rises by, and by just as much where a path was at the top speed.
   const double top = std::max({top_limit_, a.limit, b.limit});
   const auto gain = [&](double speed) { return (1.0 - 0.5 * speed / top) * speed / acceleration_; };
   struct Sample {

@@ -36,7 +36,7 @@ bool is_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
   return sweep.straight_free(swept_rectangle(pose, 0.0, body));
 }
 
-// The same place with the smallest turn, to the left before the right.
+// The free pose at the same position with the smallest turn, to the left before the right.
 std::optional<FreePose> free_turn(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
   const double reach = std::hypot(std::max(body.front, body.rear), body.half_width);
   for (int turn = 1; turn < kTurns; ++turn) {
@@ -47,7 +47,7 @@ std::optional<FreePose> free_turn(const SweepQuery& sweep, const Footprint& body
   return std::nullopt;
 }
 
-// The same heading on the smallest circle with a free place, each of them drawn in by bisection: the nearest of them.
+// The nearest free pose of the same heading on the smallest circle with free poses, each moved inwards by bisection.
 std::optional<FreePose> free_move(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
   const double step = free_pose_reach(body) / kCircles;
   std::optional<FreePose> nearest;

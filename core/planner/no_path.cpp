@@ -38,7 +38,8 @@ void explain_enclosure(const Roadmap& map, const Enclosure& enclosure, PlanResul
                   nearest_region(map, enclosure.at_start ? result.start : result.goal);
 }
 
-// Nothing is proved. Trees know best which end is in a dead end: they looked at both, on the finest grid.
+// Explains a failure that proves nothing. Trees know best which end is in a dead end, as they examined both on the
+// finest grid.
 void explain_failure(const Roadmap& map, const NoPath& why, PlanResult& result) {
   const bool start = why.trees ? why.trees->start_in_dead_end : why.obstruction == Obstruction::kStart;
   const bool goal = why.trees ? why.trees->goal_in_dead_end : why.obstruction == Obstruction::kGoal;

@@ -50,7 +50,7 @@ class GearSearch {
       const auto node = trees_[side].expand();
       if (!node) {
         if (cells_[side] >= kMostCells) break;
-        // So narrow that what little the vehicle can move is lost between the cells.
+        // The room is so narrow that the vehicle's few motions end in the same cells.
         cells_[side] *= kFiner;
         trees_[side] = tree(side);
         continue;

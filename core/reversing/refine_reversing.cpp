@@ -22,14 +22,14 @@ namespace {
 // Less than this part of the cost is not worth a step.
 constexpr double kSmallestGain = 1e-6;
 constexpr int kMostIterations = 4;
-// Of the trials; the rest is for words after the last cusp has moved.
+// Share of the trials before the last cusp has moved; the rest is for words after that.
 constexpr double kShareBeforeLastWords = 0.8;
 // Words lead between places up to so many places apart, further on each span is shorter by this part of it: of n places
 // some n log n pairs.
 constexpr std::size_t kEverySpan = 16, kSpanRatio = 8;
-// Of words, in smallest turning radii: wider ones only where they may save a change of gear.
+// Radii of words, in smallest turning radii. Wider ones are tried only where they may save a gear change.
 constexpr std::array<double, 3> kWordRadii{1.0, 2.0, 4.0};
-// Of tangent lengths of biarcs between places.
+// Ratios of the tangent lengths of biarcs between places.
 constexpr std::array<double, 3> kRatios{1.0, 0.5, 2.0};
 constexpr double kFirstStep = 0.5;             // of a cusp that moves, in turning radii
 constexpr std::ptrdiff_t kSegmentsBeside = 4;  // of a cusp that moves, which may give way to others
@@ -155,7 +155,7 @@ class ReversingRefiner {
     return false;
   }
 
-  // Those that may make the path cheaper, the fastest first.
+  // The words that may make the path cheaper, the fastest first.
   [[nodiscard]] std::vector<Word> words_between(const Station& from, const Station& to) const {
     const double budget = to.time - from.time + changes_.cost * static_cast<double>(to.cusps - from.cusps);
     std::vector<Word> words;

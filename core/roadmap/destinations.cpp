@@ -73,8 +73,8 @@ std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle, 
   return arrivals;
 }
 
-// A line past an obstacle's vertices may be free for a point, but bend round the next one for a body: then the
-// straights lead from that one to the far end and, the same backwards, to the one before the far end.
+// A line past an obstacle's vertices may be free for a point but bend around the next vertex for a body. The bitangents
+// then lead from that vertex to the far end or, seen backwards, to the vertex before the far end.
 void Destinations::append_beside(const TurnCircle& circle, std::vector<Arrival>& arrivals) const {
   const auto add = [&arrivals](const Arrival& arrival) {
     const bool known = std::any_of(arrivals.begin(), arrivals.end(), [&arrival](const Arrival& a) {

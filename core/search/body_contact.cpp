@@ -51,7 +51,7 @@ BodyContact contact_of(const Over& over, const Vec2& ahead) {
           over.by.x() * over.at.y() - over.by.y() * over.at.x()};
 }
 
-// Of two contacts of one depth, one of which falls on the way as the other one grows.
+// The contact at a corner, from two contacts of one depth of which one falls as the other grows.
 BodyContact at_corner(const BodyContact& a, const BodyContact& b, const Vec2& ahead, double curvature) {
   const double rate_a = a.by_place.dot(ahead) + a.by_turn * curvature;
   const double rate_b = b.by_place.dot(ahead) + b.by_turn * curvature;

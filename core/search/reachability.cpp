@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t kLargestBackwardSet = 4096;  // departures
 constexpr std::size_t kOpen = 5000;                // arcs, more than a dead end around the start has
 
-// Of a lazy graph: with all their rows made, which the walk from the start asks for as well where it is large.
+// Largest number of circles of a lazy graph for which all rows are made. A walk from the start makes many of them
+// anyway.
 constexpr std::size_t kMostLazyCircles = 300'000;
 
 }  // namespace

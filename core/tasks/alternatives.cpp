@@ -25,18 +25,18 @@ using namespace internal;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kPieceTurn = 1.5;     // of the pieces that arcs are taken in, less than half a circle [rad]
-constexpr std::size_t kMostGaps = 10;  // of a path, the narrowest ones
+constexpr double kPieceTurn = 1.5;     // largest turn of the pieces of arcs [rad], less than half a circle
+constexpr std::size_t kMostGaps = 10;  // number of gaps of a path that are blocked, the narrowest first
 constexpr double kSamplesPerSegment = 8.0;
 
-// Where a path goes through between two obstacles.
+// A gap that a path passes: the nearest obstacles on both of its sides.
 struct PassedGap {
   ObstacleId left, right;  // kNone: nothing on that side
   double width;
   std::array<LineSegment, 2> walls;  // from the path to either side
 };
 
-// What is nearest to a point on one side of a line through it.
+// The obstacle point nearest to a point on one side of a line through it.
 struct Nearest {
   double distance = kInfinity;
   Vec2 point{0.0, 0.0};
@@ -62,7 +62,7 @@ Nearest nearest_on_side(const World& world, const Vec2& from, const Vec2& normal
   return {far, from + far * normal, kNone};
 }
 
-// None if the clock is over before they are found.
+// The gaps of a path; none if the clock is over before they are found.
 std::vector<PassedGap> gaps_of(const PlanResult& plan, const Planner& planner, const StopClock& clock) {
   const World& world = planner.world();
   const Footprint body = planner.vehicle().footprint(planner.vehicle().safety_margin());
@@ -108,8 +108,8 @@ bool is_cut_off(const PathSegment& arc, const Vec2& from, const Vec2& to, const 
   return (point - center).norm() * std::abs(arc.curvature) < 1.0;
 }
 
-// How far a path turns about a point, seen from there [rad]: an arc as its chord does, but the other way round what
-// lies between the two.
+// The angle by which a path turns about a point [rad]. An arc turns like its chord, but in the other direction about
+// points between the two.
 double turn_about(std::span<const PathSegment> path, const Vec2& point) {
   double turn = 0.0;
   for (const PathSegment& s : path) {
@@ -126,7 +126,7 @@ double turn_about(std::span<const PathSegment> path, const Vec2& point) {
   return turn;
 }
 
-// How far a path turns about each obstacle, by a corner of it [rad]. Nothing if the clock is over before that is known.
+// The angle by which a path turns about each obstacle, at a corner of it [rad]. Nothing if the clock is over before.
 std::optional<std::vector<double>> turns_of(std::span<const PathSegment> path, const World& world,
                                             const StopClock& clock) {
   std::vector<double> turns;
@@ -187,7 +187,7 @@ class AlternativeSearch {
     return travel_cost(plan.path(), planner_.vehicle(), request_.cusp_cost);
   }
 
-  // Nothing if the time is over before it can be told from others.
+  // The route of a plan; nothing if the clock is over before it can be told from others.
   [[nodiscard]] std::optional<Route> route_of(PlanResult plan, std::vector<LineSegment> walls) const {
     std::optional<std::vector<double>> turns = turns_of(plan.path(), planner_.world(), clock_);
     if (!turns) return std::nullopt;
@@ -195,8 +195,8 @@ class AlternativeSearch {
     return Route{std::move(plan), cost, std::move(*turns), std::move(walls)};
   }
 
-  // Ways are compared by plans from one search, and refined: without other searches and, where the first way does
-  // without, without reversing, maneuvers and circles in narrow places.
+  // Chooses the options of the plans that compare routes: one search and refinement. They leave out reversing,
+  // maneuvers and added circles where the first plan did without.
   void choose_quick_options(const PlanResult& first) {
     const auto is_backward = [](const TimedSegment& s) { return s.segment.gear == Gear::kReverse; };
     quick_request_.reverse = std::any_of(first.segments.begin(), first.segments.end(), is_backward);
@@ -209,7 +209,7 @@ class AlternativeSearch {
     if (plan_with({}, single_arcs, quick_request_).solved()) quick_ = single_arcs;
   }
 
-  // Adds the ways that do without one of the gaps of a way.
+  // Adds the routes that avoid one of the gaps of a route.
   void branch(const Route& route) {
     const std::vector<LineSegment> walls = route.walls;
     for (const PassedGap& gap : gaps_of(route.plan, planner_, clock_)) {
@@ -225,7 +225,7 @@ class AlternativeSearch {
     }
   }
 
-  // What the path of a quick plan costs once refined. One with changes of gear is taken as it is.
+  // The cost of a quick plan's path after refinement. A path with gear changes is taken as it is.
   [[nodiscard]] double refined_cost(const Route& route) const {
     if (quick_request_.reverse) return route.cost;
     const WalledSweep sweep(remembered_, route.walls);
@@ -234,7 +234,7 @@ class AlternativeSearch {
         .travel_time;
   }
 
-  // Plans the cheapest of the open ways as well as the planner can, and takes it; false if there is none.
+  // Plans the cheapest of the open routes with all options, and takes it. False if there is none.
   bool take_next() {
     while (!open_.empty()) {
       const auto best = std::ranges::min_element(open_, {}, &Route::cost);
@@ -264,8 +264,8 @@ class AlternativeSearch {
       const Planner walled(world, planner_.vehicle(), backend_of(world, queries, planner_.visibility_rows(), executor),
                            options);
       PlanLimits limits = rest();
-      // Most have no path. Where trees found the first way and no other one was found without, 4,000 poses a plan and
-      // 32,000 in all found none in eight worlds driven/..., in four to ten times as long.
+      // Most of these plans have no path. In eight worlds driven/... where trees found the first route and no other was
+      // found without, 4,000 poses a plan and 32,000 in all found none. They took four to ten times as long.
       limits.tree_poses = 0;
       return walled.plan(request, limits);
     } catch (const Canceled&) {

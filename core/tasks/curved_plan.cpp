@@ -19,8 +19,8 @@ using namespace internal;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Of the safety margin: the finest tolerance. The body is checked grown by half of the margin, so that all that is free
-// among the curves when it is grown by 9/16 of it is free among such rings.
+// The finest tolerance as a share of the safety margin. The body is checked grown by half of the margin. Where it is
+// free among the curves when grown by 9/16, it is free among such rings.
 constexpr double kFinestShare = 1.0 / 16.0;
 
 // Poses along the path, no two neighbors farther apart.
@@ -109,8 +109,8 @@ double cost_of(const PlanResult& plan, const Vehicle& vehicle, double cusp_cost)
   return plan.solved() ? travel_cost(plan.path(), vehicle, cusp_cost) : kInfinity;
 }
 
-// Finer rings lie inside of coarser ones but for what both are moved by, see circumscribed_ring: what was free among
-// these is so as well, unless it was free by less than that.
+// Whether a plan is free among the last rings. Finer rings lie inside coarser ones, up to the distance that both are
+// moved by (see circumscribed_ring). A plan stays free unless it was free by less than that.
 bool is_free(const Planner& planner, const PlanResult& plan) {
   const Vehicle& vehicle = planner.vehicle();
   return motion_free(*planner.queries().sweep, vehicle.footprint(0.5 * vehicle.safety_margin()), plan.path());

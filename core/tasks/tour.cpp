@@ -26,8 +26,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kHeadings = 24;         // tried where the heading is open
 constexpr double kFinestStep = 2e-3;  // of an open heading [rad]
 constexpr double kLeastGain = 1e-6;   // that is worth another heading, of the cost
-// Poses of trees where a place has a choice of poses and no leg was found without trees, in those of one plan: of a
-// leg, and of all legs to a place. Most poses that are tried have no path; more legs are tried with fewer poses each.
+// Poses of trees for one leg, and for all legs to a place, in those of one plan. Trees grow if a place has a choice of
+// poses and no leg was found without. Most poses have no path, so that many legs are tried with few poses each.
 constexpr double kTreesOfALeg = 0.5, kTreesOfAPlace = 2.0;
 
 // A pose in which a place may be passed, and the best way to it.

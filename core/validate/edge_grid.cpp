@@ -13,7 +13,7 @@ constexpr double kMostColumns = 16384.0;
 constexpr std::uint64_t kMostEntries = 16;  // in cells, for each edge of the map
 constexpr double kMargin = 1e-6;            // of a cell: an edge is listed where it passes this near, rounding included
 
-// So many cells of an edge that the lists of all cells stay within their limit. Edges that pass more are long.
+// Number of cells of an edge up to which the lists of all cells stay within their limit. Edges that pass more are long.
 std::uint64_t most_cells(std::vector<std::uint64_t> counts) {
   std::sort(counts.begin(), counts.end());
   std::uint64_t left = kMostEntries * counts.size();

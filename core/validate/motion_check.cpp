@@ -12,10 +12,10 @@ namespace arcway::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Of the body's reach: an interval in which every body point travels less, and which is not proved free, is a
-/// collision.
+/// Share of the body's reach. An interval in which every body point travels less than this, and which is not proved
+/// free, is a collision.
 constexpr double kShortestTravel = 1e-9;
-/// Of an arc's length: intervals that are shorter cannot be halved reliably.
+/// Share of an arc's length: shorter intervals cannot be halved reliably.
 constexpr double kShortestInterval = 4.0 * std::numeric_limits<double>::epsilon();
 constexpr double kClearanceTolerance = 1e-6, kClearanceShare = 1e-7;  ///< [m]; of the body's reach
 
@@ -168,8 +168,8 @@ double MotionCheck::body_distance(const Pose& pose) const {
   return distance;
 }
 
-/// Whether the body, moved on from the end of the segment before to a pose, keeps clear of all edges by what was proved
-/// there: then it is in no region that it was not in.
+/// Whether the body, moved from the end of the segment before to a pose, stays off all edges by the distance proved
+/// there. It is then in no region that it was not in before.
 bool MotionCheck::is_near_last_end(const Pose& pose) const {
   if (!last_end_) return false;
   const double turn = std::abs(std::remainder(pose.heading - last_end_->heading, 2.0 * std::numbers::pi));
@@ -245,8 +245,8 @@ void MotionCheck::check_line(const PathSegment& line, std::vector<Hit>& hits) {
   });
 }
 
-/// The furthest that any body point travels along the arc, for each meter of F: the corner that is furthest from the
-/// rotation center, which lies 1 / curvature to the left of F.
+/// The travel of the fastest body point along the arc, for each meter of F. It is the corner furthest from the rotation
+/// center, which lies 1 / curvature to the left of F.
 double MotionCheck::travel_per_meter(double curvature) const {
   double most = 0.0;
   for (const double x : {body_.x0, body_.x1})
@@ -254,10 +254,11 @@ double MotionCheck::travel_per_meter(double curvature) const {
   return most;
 }
 
-/// The edge during an interval of an arc: lowers the upper bound, gives the lower one.
-/// First order: no body point moves further than `travel` from its place at the middle. Second order: seen from the
-/// body the edge's ends move on arcs about the rotation center, so that the edge keeps to the hull of its two extreme
-/// places, grown by those arcs' height. Boxes around these places decide most of it.
+/// A lower bound on the distance of an edge during an interval of an arc; lowers the upper bound as well. The bound is
+/// the larger of two:
+/// 1. First order: no body point moves further than `travel` from its place at the middle.
+/// 2. Second order: seen from the body, the edge's ends move on arcs about the rotation center. The edge stays in the
+///    hull of its two extreme places, grown by the height of those arcs. Boxes around these places decide most cases.
 double MotionCheck::lower_bound_of(double curvature, const Interval& interval, double travel, bool& contact) {
   const auto& [before, middle, after] = std::tie(interval.before, interval.middle, interval.after);
   contact = false;
