@@ -44,7 +44,7 @@ class ManeuverWorkspace {
 std::vector<Attachment> find_maneuvers(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                        const SweepQuery& sweep, std::size_t max_poses, Spread spread = Spread::kDense,
                                        const StopClock& clock = {});
-/// As above, in memory that is used again. The span is valid until the workspace's next use.
+/// Overload with memory that is used again. The span is valid until the workspace's next use.
 std::span<const Attachment> find_maneuvers(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
                                            const SweepQuery& sweep, std::size_t max_poses, Spread spread,
                                            ManeuverWorkspace& workspace, const StopClock& clock = {});

@@ -53,7 +53,7 @@ void speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, Sp
 /// The travel time of a path from rest to rest, plus `cusp_cost` for each gear change [s].
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost);
 
-/// As above, with memory for the profile.
+/// Overload with memory for the profile.
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost, SpeedProfile& profile);
 
 }  // namespace arcway::internal

@@ -39,7 +39,7 @@ class SpeedTree {
   /// The end of one more segment behind a joint, not added to the tree.
   /// @param limit  top speed on the segment;  @param next_limit  on what follows; 0 to stop [m/s].
   [[nodiscard]] Joint extend(std::uint32_t from, double length, double limit, double next_limit) const;
-  /// As above, behind a joint that is not in the tree. The result has no `before`; only its speed and time may be used.
+  /// Overload for a joint that is not in the tree. The result has no `before`; only its speed and time may be used.
   [[nodiscard]] Joint extend(const Joint& from, double length, double limit, double next_limit) const;
   /// Adds the joint that extend(from, ...) returns.
   std::uint32_t add(std::uint32_t from, double length, double limit, double next_limit);

@@ -32,7 +32,7 @@ struct CircleChain {
 /// are lost.
 /// @return nothing for fewer than two circles.
 std::optional<CircleChain> chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal);
-/// As above, into a chain whose memory is used again.
+/// Overload that writes into a chain whose memory is used again.
 /// @return false for fewer than two circles.
 bool chain_of(std::span<const PathSegment> path, const Pose& start, const Pose& goal, CircleChain& chain);
 
@@ -44,13 +44,13 @@ std::optional<Bitangent> joint_of(const TurnCircle& from, const TurnCircle& to);
 /// Error of both ends of a line: a few units in the last place of the coordinates and radii.
 /// @return nothing if two neighbors have no bitangent, see joint_of.
 std::optional<std::vector<Bitangent>> lines_of(const CircleChain& chain);
-/// As above, into a vector whose memory is used again.
+/// Overload that writes into a vector whose memory is used again.
 /// @return false if two neighbors have no bitangent.
 bool lines_of(const CircleChain& chain, std::vector<Bitangent>& lines);
 
 /// The path along the lines of a chain. Its arcs are shorter than a full circle; there are no segments of zero length.
 Path path_of(const CircleChain& chain, std::span<const Bitangent> lines);
-/// As above, into a path whose memory is used again.
+/// Overload that writes into a path whose memory is used again.
 void path_of(const CircleChain& chain, std::span<const Bitangent> lines, Path& path);
 
 }  // namespace arcway::internal

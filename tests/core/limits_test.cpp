@@ -21,8 +21,8 @@ using test::expect_same_plan;
 using test::expect_valid;
 using test::StoppingQueries;
 
-// Questions that follow a stop: of one round of a loop, that is of one maneuver pose or gear motion, of the complete
-// paths that are left on the open list, or of one change of a path.
+// Number of queries that may follow a stop: those of one iteration of a loop. An iteration is a maneuver pose, a gear
+// motion, one change of a path, or the complete paths that are left on the open list.
 constexpr std::size_t kMostAfterStop = 250;
 constexpr std::size_t kStops = 40;  // tried in each case, over the whole query
 

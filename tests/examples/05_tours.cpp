@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-// By a waypoint to the nearer of two goals; and different ways between two poses.
+// A tour over a waypoint to the nearer of two goals, and different routes between two poses.
 int main() {
   const arcway::World world({{{{8, -4}, {12, -4}, {12, 4}, {8, 4}}, {}}});
   const arcway::Planner planner(world, arcway::Vehicle{});

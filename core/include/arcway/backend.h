@@ -38,7 +38,7 @@ class ARCWAY_API Backend {
   /// @param executor  runs the functions above and the construction of planners; must outlive both.
   /// @throws std::invalid_argument if there is no maker of queries, or neither one of graphs nor one of rows.
   Backend(const World& world, Parts parts, const Executor& executor);
-  /// As above; the backend shares the ownership of the executor.
+  /// Overload that shares the ownership of the executor.
   Backend(const World& world, Parts parts, std::shared_ptr<const Executor> executor);
 
   [[nodiscard]] const World& world() const;

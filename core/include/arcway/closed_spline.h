@@ -72,7 +72,7 @@ class ARCWAY_API ClosedSpline {
 ///   matters.
 /// @throws std::invalid_argument naming the piece, or if there are more than a million vertices.
 ARCWAY_API Ring circumscribed_ring(std::span<const CubicBezier> pieces, std::span<const double> tolerances);
-/// As above, with one tolerance [m] for all pieces.
+/// Overload with one tolerance [m] for all pieces.
 ARCWAY_API Ring circumscribed_ring(std::span<const CubicBezier> pieces, double tolerance);
 
 }  // namespace arcway

@@ -76,7 +76,7 @@ ARCWAY_API CurvedPlan plan_among_curves(const CurvedWorld& world, const PlanRequ
                                         const CurveTolerances& tolerances,
                                         const std::function<Planner(const World&)>& make_planner,
                                         const PlanLimits& limits = {});
-/// As above, with planners of reference_backend.
+/// Overload with planners of reference_backend.
 ARCWAY_API CurvedPlan plan_among_curves(const CurvedWorld& world, const Vehicle& vehicle, const PlanRequest& request,
                                         const CurveTolerances& tolerances = {}, const PlannerOptions& options = {});
 

@@ -29,7 +29,7 @@ class ARCWAY_API HeadingSet {
   /// The complement of a union of closed intervals, which may come in any order and be up to a full circle long. Their
   /// ends belong to them, so that the result's intervals end at the next double inwards. O(n log n).
   static HeadingSet complement(std::vector<HeadingInterval> blocked);
-  /// As above, into a set whose memory is used again. `blocked` is left unspecified and keeps its memory.
+  /// Overload that writes into a set whose memory is used again. `blocked` is left unspecified and keeps its memory.
   static void complement(std::vector<HeadingInterval>& blocked, HeadingSet& result);
   /// The set of these intervals.
   /// @throws std::invalid_argument naming the first interval that breaks the rules above.

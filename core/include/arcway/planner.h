@@ -271,9 +271,9 @@ class ARCWAY_API Planner {
   /// @throws std::invalid_argument if the safety margin is too small for the poses' coordinates (see the constructor),
   ///   or the cusp cost is negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
-  /// As above, into a result whose memory is used again. With accel's queries and an eager graph, a request that was
-  /// answered before allocates nothing. This holds without `reverse` and trees, if single arcs join start and goal to a
-  /// path on circles of the smallest radius.
+  /// Overload that writes into a result whose memory is used again. With accel's queries and an eager graph, a request
+  /// that was answered before allocates nothing. This holds without `reverse` and trees, if single arcs join start and
+  /// goal to a path on circles of the smallest radius.
   void plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const;
 
   /// Does now what the first queries would have to do: builds the graph with added circles in narrow gaps, and takes

@@ -29,8 +29,8 @@ double clearance(const World& world, const Vec2& p) {
   return least;
 }
 
-// The widest of the ways along the points of a grid, by the least clearance at its points: at most h / 2 above that of
-// some way if steps are to four neighbors; at most h / sqrt(2) below that of the best way if they are to eight.
+// The widest route along the points of a grid, by the least clearance at its points. With steps to four neighbors it is
+// at most h / 2 above that of some path. With steps to eight it is at most h / sqrt(2) below that of the best path.
 class Grid {
  public:
   Grid(const World& world, const Box& area, int cells) : area_(area), cells_(cells) {

@@ -100,7 +100,7 @@ TEST(MinimumDistances, RefusesPathsThatAreNone) {
 }
 
 TEST(MinimumDistances, TakesTheSideOfTheNearestSegmentAndOfTheLargerPart) {
-  // Left of the way there, right of the way back, which passes nearer by.
+  // Left of the path there, right of the path back, which passes nearer by.
   const std::vector<Vec2> there_and_back{{0, 0}, {10, 0}, {10, 2}, {0, 2}};
   const MinimumDistances turned = minimum_distances(World({box(4, 3, 5, 4)}), there_and_back);
   EXPECT_EQ(turned.by_segment[0].left, Ids{0});

@@ -104,8 +104,8 @@ TEST(ClosedSpline, RefusesWhatIsNoCurve) {
   EXPECT_THROW(ClosedSpline({{0, 0}, {1e200, 0}, {0, 1e200}}), std::invalid_argument);
 }
 
-// Points of the curve at a dense spacing h lie inside the ring, exactly; and no point between two samples is farther
-// from them than h times the largest derivative, so that the ring would have to come that near to leave one out.
+// Points of the curve at a dense spacing h lie inside the ring, exactly. No point between two samples is farther from
+// them than h times the largest derivative. A ring that leaves one out would have to come that near.
 TEST(CircumscribedRing, ContainsTheCurveWithinItsTolerance) {
   test::Random random(5);
   for (int trial = 0; trial < 20; ++trial) {
@@ -148,8 +148,8 @@ TEST(CircumscribedRing, OfOneCubicThatComesBack) {
   }
 }
 
-// By derivative bounds rather than samples: over a parameter interval the curve lies in the hull of its control points;
-// every such hull, of pieces far smaller than the ring's edges, has its corners inside the ring or within rounding of
+// Proves containment without samples: over a parameter interval the curve lies in the hull of its control points. The
+// hulls are of pieces far smaller than the ring's edges. Each has its corners inside the ring, or within rounding of
 // it.
 TEST(CircumscribedRing, ContainsTheHullsOfSmallPieces) {
   test::Random random(6);

@@ -121,7 +121,7 @@ TEST(SpeedTree, OneOfTwoPathsMostlyDominates) {
   EXPECT_LT(undecided, 200);
 }
 
-// So are the ways by the many circles round a pillar, which a search has to tell from each other.
+// The paths by the many circles around a pillar, which a search has to tell from each other, are compared exactly too.
 TEST(SpeedTree, ThePathThatIsShorterByAHairDominates) {
   test::Random random(4);
   SpeedTree tree;

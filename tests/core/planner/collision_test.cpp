@@ -13,7 +13,7 @@ namespace {
 
 using test::box;
 
-// The same pose and obstacles, turned and moved.
+// A rigid motion of pose and obstacles.
 struct Motion {
   double angle;
   Vec2 shift;

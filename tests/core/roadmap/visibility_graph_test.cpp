@@ -112,8 +112,8 @@ TEST(VisibilityGraphs, OfRegionsThatTouchThemselves) {
   EXPECT_GT(contacts, 300u);
 }
 
-// Shortest paths between points along a graph, of those that do not pass from one side of an edge to the other where a
-// vertex of its own region touches it: such a way has no width.
+// Shortest paths between points along a graph. Left out are paths that cross an edge where a vertex of its own region
+// touches it, since they have no width.
 class ShortestPaths {
  public:
   ShortestPaths(const World& world, const VisibilityGraph& graph, const VisibilityQuery& visibility)

@@ -22,7 +22,7 @@ using test::expect_valid;
 
 Place place_of(const Pose& pose) { return {pose.position(), pose.heading}; }
 
-// The least cost of all ways by one place with any of the headings that are tried there.
+// The least cost of all tours over one place with any of the headings that are tried there.
 double least_cost(const Planner& planner, const TourRequest& request) {
   const Vec2 middle = request.waypoints[0].position, ahead = middle - request.start.position();
   const Pose goal{request.goals[0].position.x(), request.goals[0].position.y(), *request.goals[0].heading};
