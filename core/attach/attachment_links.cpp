@@ -15,7 +15,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // relative, of lengths
+constexpr double kRounding = 1e-9;  // share of a length that rounding may change
 
 void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<std::uint32_t>& pieces) {
   const auto distance = [&](std::uint32_t piece) { return outlines[piece].box.distance_to(place); };

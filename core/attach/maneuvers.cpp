@@ -15,7 +15,7 @@ namespace {
 constexpr double kStepTurn = kPi / 8.0;
 constexpr double kLeastTurn = 1e-3;
 constexpr std::array kLineSteps{1.0, 4.0, 16.0};
-constexpr std::array kShares{1.0, 0.75, 0.5, 0.25};  // of the way to an obstacle
+constexpr std::array kShares{1.0, 0.75, 0.5, 0.25};  // shares of the turn up to an obstacle at which arcs end
 constexpr std::size_t kStepsFromAPose = kLineSteps.size() + 2 * kShares.size();
 
 // Poses in one cell count as the same.

@@ -6,7 +6,8 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kWideTurn = 4.0;  // of the smallest radius: sweeps hardly more than the body's width
+constexpr double kWideTurn =
+    4.0;  // radius of the wide circles, in smallest radii: such a turn sweeps hardly more than the body's width
 
 // What sweeps less fits into more places, (7). A map of several radii has wider turns of its own; where a wider turn is
 // a faster one, a single radius says that none are wanted.

@@ -11,11 +11,13 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kSlack = 1e-6;  // of headings [rad], and of distances relative to them
-// A piece within a ball this wide, seen from the circle's center, spans less than pi of headings.
+constexpr double kSlack = 1e-6;  // allowance for rounding: of headings [rad], and of distances as a share
+// Largest half width of a piece of outline, in distances from the circle's center. A narrower piece spans less than pi
+// of headings.
 constexpr double kWidestPiece = 0.7;
 
-// Seen from a distance of 1: the headings of its ends differ by pi within 1e-3, far more than rounding.
+// Longest edge, in distances from the center. The headings of its ends differ from pi by more than 1e-3, far more than
+// rounding.
 constexpr double kLongestEdge = 1000.0;
 
 // An upper bound on asin(x), 0 <= x <= 1: asin is convex there.

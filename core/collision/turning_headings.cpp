@@ -10,8 +10,8 @@ namespace arcway::internal {
 
 namespace {
 
-// Critical angles that do not exist only split an interval needlessly, while one that rounding loses could hide a
-// contact: so whatever lies within this relative distance of existing counts.
+// Relative distance within which a critical angle counts as existing. One that does not exist only splits an interval
+// in vain; one that is lost by rounding could hide a contact.
 constexpr double kCriticalSlack = 1e-9;
 
 // The body about the rotation center, at heading 0.

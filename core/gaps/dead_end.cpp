@@ -16,14 +16,15 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kCoarsest = 0.15;      // edge of the larger boxes, of the body's half width
-constexpr int kFewestHeadings = 128;    // in a full turn, a power of two
-constexpr std::int32_t kFurthest = 40;  // boxes away from the end, at the coarsest
-constexpr double kStep = 0.25;          // length of a step, of the smallest turning radius
-constexpr double kLeastStep = 4.0;      // of a box's edge: shorter ones would get lost in it
-constexpr double kMostTurn = 1.5;       // in a step, below a right angle [rad]
-constexpr double kLongestStep = 2.0;    // beside `kFurthest` boxes: longer ones leave what is near at once
-constexpr double kRounding = 1e-9;      // relative, that shrunk bodies are smaller by and that steps lead further
+constexpr double kCoarsest = 0.15;      // edge of the largest boxes, in half widths of the body
+constexpr int kFewestHeadings = 128;    // number of heading intervals of the largest boxes; a power of two
+constexpr std::int32_t kFurthest = 40;  // distance from the end that counts as left, in largest boxes
+constexpr double kStep = 0.25;          // length of a step, in smallest turning radii
+constexpr double kLeastStep = 4.0;      // least length of a step, in edges of a box: shorter steps get lost in it
+constexpr double kMostTurn = 1.5;       // largest turn in a step [rad], below a right angle
+constexpr double kLongestStep =
+    2.0;  // longest step, in units of `kFurthest` boxes: longer ones leave the neighborhood at once
+constexpr double kRounding = 1e-9;  // share by which tested bodies are smaller and steps longer, against rounding
 
 struct Range {
   double low, high;

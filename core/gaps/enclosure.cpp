@@ -16,9 +16,10 @@ namespace arcway::internal {
 namespace {
 
 constexpr int kLevels = 4;
-constexpr double kCoarsest = 0.5;  // edge of the largest boxes, of the body's half width
+constexpr double kCoarsest = 0.5;  // edge of the largest boxes, in half widths of the body
 constexpr int kFewestHeadings = 32;
-constexpr double kRounding = 1e-9;  // of the body's size and of coordinates, that shrunk bodies are smaller by
+constexpr double kRounding =
+    1e-9;  // share of the body's size and of coordinates by which tested bodies are smaller, against rounding
 
 /// A box of positions of the body's middle and of headings.
 struct PoseBox {

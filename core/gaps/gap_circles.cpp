@@ -14,12 +14,12 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kWidestRadius = 16.0;  // of the smallest one: wider turns are hardly any
+constexpr double kWidestRadius = 16.0;  // largest radius of an added circle, in smallest radii: wider ones hardly turn
 constexpr double kMargins = 3.0;        // safety margins by which the grown body's swept annulus is wider, at most
-constexpr double kBeyond = 0.1;         // [rad] that a center may lie beside the exterior angle
-constexpr double kSame = 1e-6;          // [m]: circles no further apart are one
-constexpr double kNear = 3.0;  // of the outer swept radius: how far a gap straight's circle lies from its vertices
-constexpr std::size_t kMostPlaces = 3;  // on one side of a gap straight, of entries or of exits
+constexpr double kBeyond = 0.1;         // angle by which a center may lie outside the exterior angle [rad]
+constexpr double kSame = 1e-6;          // distance within which two centers count as one [m]
+constexpr double kNear = 3.0;  // largest distance of a gap straight's circle from its vertices, in outer swept radii
+constexpr std::size_t kMostPlaces = 3;  // number of entries, and of exits, on one side of a gap straight
 
 // Leaves out what repeats: a place may have many gaps.
 class Known {

@@ -9,7 +9,8 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::size_t kMostEdges = 256;  // beyond, looking for the one in the way would take longer than asking
+constexpr std::size_t kMostEdges =
+    256;  // largest number of edges kept: to find the one in the way among more takes longer than a query
 constexpr std::size_t kLately = 6;
 
 }  // namespace

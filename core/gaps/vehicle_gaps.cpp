@@ -8,7 +8,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kProved = 1.0 - 0x1p-10;  // share of the safety margin that a proof counts on
+constexpr double kProved = 1.0 - 0x1p-10;  // share of the safety margin that proofs count on; the rest is for rounding
 
 }  // namespace
 

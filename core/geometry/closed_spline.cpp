@@ -15,8 +15,8 @@ using namespace internal;
 namespace {
 
 constexpr int kMaxHalvings = 40;
-constexpr std::size_t kMostVertices = 1'000'000;  // of a ring
-constexpr double kSmooth = 0x1p-20;               // sine of the turn at a joint that is no corner
+constexpr std::size_t kMostVertices = 1'000'000;  // largest number of vertices of a ring
+constexpr double kSmooth = 0x1p-20;               // sine of the largest turn at a joint that is no corner
 
 Vec2 middle(const Vec2& a, const Vec2& b) { return 0.5 * (a + b); }
 

@@ -15,9 +15,10 @@ namespace arcway {
 using namespace internal;
 namespace {
 
-// Below this number of edges all pairs beat the tree and need no memory for it.
+// Number of edges up to which testing all pairs is faster than a tree.
 constexpr std::size_t kBruteForceEdges = 32;
-// Pairs of edges with common boxes for each edge, until one sweep over all edges asks whether there is any conflict.
+// Pairs of edges with overlapping boxes, per edge, after which one sweep over all edges decides whether there is a
+// conflict.
 constexpr std::size_t kPatience = 64;
 
 struct Area {

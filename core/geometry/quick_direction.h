@@ -6,7 +6,7 @@ namespace arcway::internal {
 
 /// direction_of a heading in [0, 2 pi], with an error of at most 2^-51, in a third of the time.
 inline Vec2 quick_direction_of(double heading) {
-  // The heading's distance from a multiple of pi / 2, that as two numbers; then Taylor's series.
+  // Reduces the heading by a multiple of pi / 2, which is split into two numbers, and sums Taylor's series.
   constexpr double kQuarter = 0x1.921fb544p0, kRestOfQuarter = 0x1.0b4611a626331p-34;
   const int quarters = static_cast<int>(heading * (1.0 / kQuarter) + 0.5);  // NOLINT: one of the two nearest will do
   const double x = (heading - quarters * kQuarter) - quarters * kRestOfQuarter;

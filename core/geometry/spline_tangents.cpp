@@ -11,7 +11,7 @@ namespace arcway::internal {
 namespace {
 
 constexpr double kSameParameter = 1e-9;
-constexpr double kMinWidth = 0x1p-46;  // of an interval that is halved
+constexpr double kMinWidth = 0x1p-46;  // width of the smallest interval that is halved
 
 // A polynomial on [0, 1] by its Bernstein coefficients: it has at most as many roots as they have changes of sign.
 template <std::size_t N>
@@ -197,7 +197,7 @@ class ArcPair {
                         touch.second, std::cos(shift_) < 0.0});
   }
 
-  static constexpr double kNoise = 1e-13;  // of headings [rad]
+  static constexpr double kNoise = 1e-13;  // rounding of headings [rad]
   const Arc& first_;
   const Arc& second_;
   double shift_;

@@ -8,7 +8,7 @@ namespace arcway {
 
 namespace {
 
-// Headings that differ by less are those of one line or circle: by the rounding of sums [rad].
+// Difference of headings below which segments count as one line or circle: the rounding of sums [rad].
 constexpr double kSameHeading = 1e-14;
 
 }  // namespace

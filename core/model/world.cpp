@@ -19,9 +19,9 @@ namespace arcway {
 using namespace internal;
 namespace {
 
-// Below this number of vertices a scan of all edges beats a tree over them.
+// Number of vertices up to which a scan of all edges is faster than a tree over them.
 constexpr std::size_t kScanVertices = 64;
-// Edges to be looked at for each vertex, until one sweep over all edges takes the place of region by region.
+// Edges examined region by region, per vertex, after which one sweep over all edges takes over.
 constexpr std::size_t kPatience = 128;
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace arcway::internal {
 namespace {
 
 constexpr std::size_t kMaxVertices = 0x7FFFFFFF;
-// Edges to be looked at for each vertex, until one sweep over all edges asks whether any hole is misplaced.
+// Edges examined, per vertex, after which one sweep over all edges decides whether a hole is misplaced.
 constexpr std::size_t kPatience = 128;
 
 // What is wrong with the coordinates of a vertex; empty if nothing is.

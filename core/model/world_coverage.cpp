@@ -8,7 +8,7 @@
 namespace arcway::internal {
 namespace {
 
-// Sweeps with regions that do not cross, at most: each takes those that cross none of its own.
+// Largest number of sweeps; each takes regions that do not cross each other.
 constexpr int kMostSweeps = 8;
 
 // A region just below a point contains it, or has it on its boundary if an edge of the region passes there.

@@ -8,11 +8,11 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kSameHeading = 1e-9;  // more than the rounding of two arcs [rad]
+constexpr double kSameHeading = 1e-9;  // difference of headings that rounding of two arcs explains [rad]
 
 // The arc from a pose to a point, driven forwards.
 std::optional<PathSegment> arc_to(const Pose& start, const Vec2& end, double radius) {
-  constexpr double kStraight = 1e-13;  // tangent of a turn that is lost in the rounding of headings
+  constexpr double kStraight = 1e-13;  // tangent of the smallest turn that exceeds the rounding of headings
   const Vec2 ahead = direction_of(start.heading);
   const Vec2 chord = end - start.position();
   const double along = ahead.dot(chord), aside = cross(ahead, chord);

@@ -10,7 +10,7 @@
 namespace arcway::internal {
 namespace {
 
-/// An end speed may miss what is reachable by rounding: it is then the reachable speed itself that was asked for.
+/// Share by which an end speed may exceed the reachable one by rounding; it is then taken for the reachable one.
 constexpr double kRounding = 1e-12;
 
 double reachable(double speed, double acceleration, double length) {

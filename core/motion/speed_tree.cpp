@@ -10,9 +10,9 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr int kSamples = 5;          // speeds at which two joints are compared
-constexpr int kHalvings = 8;         // of the ranges between them where that does not decide
-constexpr double kRounding = 1e-12;  // of times, relative
+constexpr int kSamples = 5;          // number of speeds at which two joints are compared
+constexpr int kHalvings = 8;         // number of halvings of a range between them where samples do not decide
+constexpr double kRounding = 1e-12;  // share of a time that rounding may change
 
 }  // namespace
 

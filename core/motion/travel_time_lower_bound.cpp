@@ -15,7 +15,7 @@ namespace arcway::internal {
 namespace {
 
 constexpr double kRounding = 1e-12;
-// Units in the last place of the largest coordinate that the segments of a path may be apart in all; and of headings.
+// Rounding of the joints of a path in all, as a share of the largest coordinate, and of headings.
 constexpr double kUlps = 64.0 * std::numeric_limits<double>::epsilon();
 
 double shortest_word(const Pose& start, const Pose& goal, double radius) {

@@ -16,14 +16,16 @@ namespace arcway::internal {
 
 namespace {
 
-// Of times, so that none overflows.
+// Largest suboptimality: no time overflows.
 constexpr double kLargestSuboptimality = 1e6;
-// Units in the last place of the largest coordinate that the safety margin must span: corners, centers and critical
-// angles are off by a few units at most, grazing contacts by the square root of their precision times the reach.
+// Units in the last place of the largest coordinate that the safety margin must span. Corners, centers and critical
+// angles are off by a few units at most. Grazing contacts are off by the square root of their precision times the
+// reach.
 constexpr double kMarginUnits = 1048576.0;
-// Of a heading times the distance to the goal [rad m]: up to here rounding moves the end of a path by some 1e-8 m.
+// Largest product of a heading and the distance to the goal [rad m]. Up to here, rounding moves the end of a path by
+// some 1e-8 m.
 constexpr double kMostTurned = 4e7;
-// Of what poses say, unless it is 0: far enough from what queries refuse, whatever is computed of it.
+// Range of the numbers of a pose other than 0. All that is computed from them stays far from what queries refuse.
 constexpr double kSmallestPoseNumber = 1e-50, kLargestPoseNumber = 1e9;
 
 void require_margin(const Vehicle& vehicle, double largest, const char* what, const std::string& whose = "",

@@ -14,9 +14,9 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::array kRadii{1.0, 2.0, 4.0};   // of Dubins words, in smallest turning radii
-constexpr std::array kRatios{1.0, 0.5, 2.0};  // of tangent lengths of biarcs
-constexpr double kSmallestGain = 1e-4;        // of the travel time, that is worth another path
+constexpr std::array kRadii{1.0, 2.0, 4.0};   // radii of Dubins words, in smallest turning radii
+constexpr std::array kRatios{1.0, 0.5, 2.0};  // ratios of the tangent lengths of biarcs
+constexpr double kSmallestGain = 1e-4;        // share of the travel time that a change must save
 
 class Shortener {
  public:

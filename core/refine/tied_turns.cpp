@@ -9,7 +9,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kTouching = 1e-6;  // of the tighter circle's radius
+constexpr double kTouching = 1e-6;  // distance within which circles touch, in radii of the tighter one
 
 TurnCircle touching(const TurnCircle& tighter, double heading, double radius) {
   return turn_circle(pose_on(tighter, heading), radius, tighter.side);

@@ -13,13 +13,13 @@ namespace arcway::internal {
 
 namespace {
 
-// The estimate from a pose on counts a little more than a bound on it, to get anywhere soon.
+// Weight of the lower bound in a pose's estimate: a little more than 1, to reach the goal soon.
 constexpr double kGreed = 1.5;
-constexpr double kCells = 4.0;  // of the trees' grids in a turning radius
+constexpr double kCells = 4.0;  // cells of the trees' grids in a turning radius
 constexpr double kMostCells = 4096.0;
 constexpr double kFiner = 4.0;
-constexpr std::size_t kWordsTried = 8;    // of a pose, the cheapest ones that have room there
-constexpr std::size_t kPosesAfter = 300;  // tried beyond as many as the first path took
+constexpr std::size_t kWordsTried = 8;    // words tried from a pose: the cheapest ones that have room there
+constexpr std::size_t kPosesAfter = 300;  // poses tried after the first path, beyond as many as it took
 
 class GearSearch {
  public:

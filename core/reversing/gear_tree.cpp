@@ -13,10 +13,10 @@ namespace arcway::internal {
 namespace {
 
 constexpr double kStepTurn = kPi / 8.0;
-constexpr double kFarTurn = 3.0 * kStepTurn;  // motions up to contact are worth a pose within so far
-constexpr double kLeastTurn = 1e-3;           // shorter motions lead nowhere [rad]
-constexpr double kContactSlack = 1e-6;        // by which motions end before a contact [rad]: more than rounding
-// Spreads the number of cusps over the bits of a cell's key: an odd number, 2^64 over the golden ratio.
+constexpr double kFarTurn = 3.0 * kStepTurn;  // largest turn of motions up to contact
+constexpr double kLeastTurn = 1e-3;           // smallest turn worth a motion [rad]
+constexpr double kContactSlack = 1e-6;        // turn by which motions end before a contact [rad]: more than rounding
+// Spreads the number of gear changes over the bits of a cell's key: an odd number, 2^64 over the golden ratio.
 constexpr std::uint64_t kLayer = 0x9E3779B97F4A7C15u;
 
 std::size_t index_of(double curvature) { return curvature == 0.0 ? 0 : curvature > 0.0 ? 1 : 2; }

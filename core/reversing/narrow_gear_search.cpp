@@ -24,14 +24,14 @@ struct Pass {
   double share;     // of all poses that have their turn at most
 };
 constexpr std::array<Pass, 3> kPasses{{{1.0, 0.4}, {0.5, 0.3}, {0.25, 0.3}}};
-// What the estimate of the way that remains counts. Of 46 driven worlds that need these trees, 42 are solved with 2, 44
+// Weight of the estimate of the rest of the route. Of 46 driven worlds that need these trees, 42 are solved with 2, 44
 // with 3 and 41 with 4.
 constexpr double kGreed = 3.0;
-constexpr std::size_t kFieldCells = 50'000;  // of the grid for that estimate
-constexpr double kNear = 1.0;                // how far poses of the other tree are looked for, in lengths of the body
-constexpr std::size_t kNearest = 2;          // of them that are tried
-constexpr std::size_t kWordsTried = 6;       // to each, the shortest of those that have room at the new pose
-constexpr std::size_t kPosesAfter = 500;     // that have their turn beyond as many as the first path took
+constexpr std::size_t kFieldCells = 50'000;  // cells of the grid for that estimate
+constexpr double kNear = 1.0;        // distance within which poses of the other tree are joined, in lengths of the body
+constexpr std::size_t kNearest = 2;  // number of those that are tried
+constexpr std::size_t kWordsTried = 6;    // words tried to each: the shortest ones that have room at the new pose
+constexpr std::size_t kPosesAfter = 500;  // poses expanded after the first path, beyond as many as it took
 
 class NarrowGearSearch {
  public:

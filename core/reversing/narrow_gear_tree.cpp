@@ -13,20 +13,23 @@ namespace arcway::internal {
 
 namespace {
 
-// Curvatures of motions, times the largest; first those of words between poses: right, straight, left. Of 23 driven
-// worlds with 2 mm of room that need this tree it solves 20, and 16 with those of words and half of them alone.
+// Curvatures of motions, as multiples of the largest one. Those of words come first: right, straight, left. Of 23
+// driven worlds with 2 mm of room that need this tree it solves 20. With the curvatures of words and half of them alone
+// it solves 16.
 constexpr std::array kBends{-1.0, 0.0, 1.0, -0.7, 0.7, -0.4, 0.4, -0.2, 0.2, -0.08, 0.08};
 constexpr double kFarLine = 1.0;  // longest line, in lengths of the body or turning radii, whichever is larger
-constexpr double kFarWide = 2.0;  // longest arc, likewise
-constexpr double kFarTurn = 3.0 * kPi / 8.0;  // and its angle [rad]
-constexpr double kStep = 1.0 / 3.0;           // of the longest motion: where free ones end as well
-constexpr double kHalf = 0.5;                 // of the way to a contact
+constexpr double kFarWide = 2.0;  // longest arc, in the same unit
+constexpr double kFarTurn = 3.0 * kPi / 8.0;  // largest turn of an arc [rad]
+constexpr double kStep = 1.0 / 3.0;           // share of the longest motion at which free ones end as well
+constexpr double kHalf = 0.5;                 // share of the length up to contact at which motions end as well
 constexpr double kLeast = 1e-3;               // shortest motion, in lengths of the body
-constexpr double kSlack = 1e-6;               // by which motions end before a contact, likewise: more than rounding
-constexpr double kLargestCell = 0.125;        // in lengths of the body or turning radii, whichever is larger
-constexpr double kLargestTurn = 0.25;         // [rad]
-constexpr double kShare = 0.25;               // of what a move to and fro can do, in a cell
-constexpr double kVisit = 0.5;                // cost of a turn in a coarse cell, in times to cross it
+constexpr double kSlack =
+    1e-6;  // length by which motions end before a contact, in lengths of the body: more than rounding
+constexpr double kLargestCell =
+    0.125;  // edge of the largest cell, in lengths of the body or turning radii, whichever is larger
+constexpr double kLargestTurn = 0.25;  // heading range of the largest cell [rad]
+constexpr double kShare = 0.25;        // size of a cell, as a share of what one move to and fro can do
+constexpr double kVisit = 0.5;         // cost of an expansion in a coarse cell, in times to cross it
 
 std::size_t index_of(Gear gear) { return gear == Gear::kForward ? 0 : 1; }
 

@@ -19,21 +19,21 @@ namespace arcway::internal {
 
 namespace {
 
-// Less than this part of the cost is not worth a step.
+// Share of the cost that a step must save.
 constexpr double kSmallestGain = 1e-6;
 constexpr int kMostIterations = 4;
 // Share of the trials before the last cusp has moved; the rest is for words after that.
 constexpr double kShareBeforeLastWords = 0.8;
-// Words lead between places up to so many places apart, further on each span is shorter by this part of it: of n places
-// some n log n pairs.
+// Words join places up to kEverySpan apart. Each further span is longer by 1 / kSpanRatio of it: some n log n pairs of
+// n places.
 constexpr std::size_t kEverySpan = 16, kSpanRatio = 8;
 // Radii of words, in smallest turning radii. Wider ones are tried only where they may save a gear change.
 constexpr std::array<double, 3> kWordRadii{1.0, 2.0, 4.0};
 // Ratios of the tangent lengths of biarcs between places.
 constexpr std::array<double, 3> kRatios{1.0, 0.5, 2.0};
-constexpr double kFirstStep = 0.5;             // of a cusp that moves, in turning radii
-constexpr std::ptrdiff_t kSegmentsBeside = 4;  // of a cusp that moves, which may give way to others
-constexpr std::size_t kLinksTried = 4;         // to either side of it
+constexpr double kFirstStep = 0.5;             // first step of a cusp, in turning radii
+constexpr std::ptrdiff_t kSegmentsBeside = 4;  // segments on either side of a moved cusp that may be replaced
+constexpr std::size_t kLinksTried = 4;         // connections tried on either side of a moved cusp
 
 void append(Path& path, const PathSegment& segment) {
   if (segment.length > 0.0) path.push_back(segment);

@@ -12,11 +12,12 @@ using namespace internal;
 
 namespace {
 
-constexpr double kLeastRatio = 2.0;      // of a radius to the one before
-constexpr double kMostRatios = 4.0;      // radii but the smallest, and one that leads round vertices
-constexpr double kLeastLastRatio = 1.4;  // the last radius is left out if it is nearer than that to the one before
-constexpr double kWidest = 1e6;          // [m]
-constexpr double kRoundVertex = 1.5;     // of the body's half width: a turn that leads round a vertex
+constexpr double kLeastRatio = 2.0;  // least ratio of a radius to the one before
+constexpr double kMostRatios =
+    4.0;  // largest number of radii beside the smallest one and one that leads around vertices
+constexpr double kLeastLastRatio = 1.4;  // least ratio of the last radius to the one before; else it is left out
+constexpr double kWidest = 1e6;          // largest radius [m]
+constexpr double kRoundVertex = 1.5;     // radius that leads around a vertex, in half widths of the body
 
 // The smallest radius with the speed of the fastest turns. Between its table's radii, or all along, v_mc rises or
 // falls.

@@ -28,8 +28,8 @@ namespace arcway::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kLong = 256;            // labels, more than most searches take
-constexpr std::size_t kManyLabels = 1 << 14;  // as many as a warm workspace has room for
+constexpr std::size_t kLong = 256;            // number of labels of a long search: more than most searches take
+constexpr std::size_t kManyLabels = 1 << 14;  // number of labels that a warm workspace has room for
 // Weight that a prefetch search adds to the heuristic. With less, it finds what the search finds at the same moment.
 // With more, it leaves out more that will be asked for.
 constexpr double kPrefetchHaste = 0.003;
@@ -40,7 +40,7 @@ constexpr double kPrefetchHaste = 0.003;
 // in clutter have fewer on nearly all circles.
 constexpr std::uint32_t kExactArrivals = 16;
 constexpr double kSameTime = 1e-4;
-// Entries at the top of the open list: its first two levels, and the third.
+// Number of entries at the top of the open list: of its first two levels, and of three.
 constexpr std::size_t kNext = 5, kSoon = 21;
 
 enum class Kind : std::uint8_t { kDirect, kGoal, kGraph, kStart, kStartCircle };  // complete paths first on ties

@@ -8,7 +8,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kSameDepth = 1e-4;  // depths over two sides that count as equal, in lengths of the body
+constexpr double kSameDepth = 1e-4;  // difference of depths over two sides that counts as none, in lengths of the body
 
 // In the frame of the body.
 struct Over {

@@ -8,9 +8,9 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kNoRoom = 1e-12;  // between a part of the step and its limit
-constexpr double kNoGain = 1e-8;   // of the sum of squares, by the slope of a step: it is the last one
-constexpr int kHalvings = 30;      // of the range in which the best length of a step lies
+constexpr double kNoRoom = 1e-12;  // distance of a component from its limit that counts as none
+constexpr double kNoGain = 1e-8;   // expected gain, as a share of the sum of squares, at which the step is the last one
+constexpr int kHalvings = 30;      // number of halvings of the range of the best step length
 
 class HingeStep {
  public:

@@ -16,8 +16,8 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::size_t kNext = 5;  // entries at the top of the open list: its first two levels
-// Vertices that may see the goal: to find what hides it takes as long as to ask for so many of them.
+constexpr std::size_t kNext = 5;  // number of entries at the top of the open list: of its first two levels
+// Number of visibility queries to the goal after which an occlusion horizon of the goal pays.
 constexpr std::size_t kManyAsked = 64;
 
 // A shortest path is taut: where it turns at a vertex, it turns around the obstacle there. Of the edges that leave a

@@ -13,8 +13,9 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::size_t kLargestBackwardSet = 4096;  // departures
-constexpr std::size_t kOpen = 5000;                // arcs, more than a dead end around the start has
+constexpr std::size_t kLargestBackwardSet =
+    4096;                            // number of departures at which the backward-reachable set is given up
+constexpr std::size_t kOpen = 5000;  // number of arcs that no dead end around the start has
 
 // Largest number of circles of a lazy graph for which all rows are made. A walk from the start makes many of them
 // anyway.

@@ -13,18 +13,18 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kCellsAcross = 4.0;   // of a body's width: a passage that lets it through has a row of cells
-constexpr double kAround = 4.0;        // rows around the outlines, in body lengths and turning radii
-constexpr double kStraight = 2.3;      // length of motions straight on [cells]: all headings lead to cells of their own
-constexpr double kPartsOfACell = 4.0;  // in which the cells that a motion passes are looked for
-constexpr double kLeastTurn = 0.05;    // of the length that a turn counts [cells]: none is for nothing
-constexpr double kTighter = 0.9;       // radius of turns, for what rounding to cells takes away
+constexpr double kCellsAcross = 4.0;   // cells in a body's width: a gap that lets the body through has a row of cells
+constexpr double kAround = 4.0;        // width of the border around the outlines, in body lengths and turning radii
+constexpr double kStraight = 2.3;      // length of straight motions [cells]: each heading leads to a cell of its own
+constexpr double kPartsOfACell = 4.0;  // samples a cell at which the cells of a motion are found
+constexpr double kLeastTurn = 0.05;    // least length of a motion that turns [cells]: no turn is free
+constexpr double kTighter = 0.9;  // radius of turns as a share of the vehicle's, for what rounding to cells takes away
 constexpr std::uint8_t kRight = 1, kUp = 2;
 constexpr float kNever = std::numeric_limits<float>::infinity();
-constexpr std::uint32_t kAsked = 1024;   // cells between two questions whether to stop
-constexpr float kDiagonal = 1.42F;       // a step across a corner takes no longer [cells]
-constexpr float kBucket = 0.5F;          // range of lengths in which cells take their turns in any order [cells]
-constexpr float kMostBuckets = 1000.0F;  // of wider ranges where motions are long
+constexpr std::uint32_t kAsked = 1024;   // cells between two questions to the clock
+constexpr float kDiagonal = 1.42F;       // length of a diagonal step [cells], rounded up
+constexpr float kBucket = 0.5F;          // range of lengths within which cells may be visited in any order [cells]
+constexpr float kMostBuckets = 1000.0F;  // largest number of buckets; they are wider where motions are long
 
 struct Waiting {
   float length;

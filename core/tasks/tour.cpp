@@ -23,9 +23,9 @@ using namespace internal;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kHeadings = 24;         // tried where the heading is open
-constexpr double kFinestStep = 2e-3;  // of an open heading [rad]
-constexpr double kLeastGain = 1e-6;   // that is worth another heading, of the cost
+constexpr int kHeadings = 24;         // number of headings tried where the heading is open
+constexpr double kFinestStep = 2e-3;  // smallest step of an open heading [rad]
+constexpr double kLeastGain = 1e-6;   // share of the cost that another heading must save
 // Poses of trees for one leg, and for all legs to a place, in those of one plan. Trees grow if a place has a choice of
 // poses and no leg was found without. Most poses have no path, so that many legs are tried with few poses each.
 constexpr double kTreesOfALeg = 0.5, kTreesOfAPlace = 2.0;

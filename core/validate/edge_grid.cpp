@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kEdgesPerCell = 2.0;
 constexpr double kMostColumns = 16384.0;
-constexpr std::uint64_t kMostEntries = 16;  // in cells, for each edge of the map
-constexpr double kMargin = 1e-6;            // of a cell: an edge is listed where it passes this near, rounding included
+constexpr std::uint64_t kMostEntries = 16;  // average number of cells of an edge, at most
+constexpr double kMargin = 1e-6;            // distance within which an edge passes a cell, in cells: more than rounding
 
 // Number of cells of an edge up to which the lists of all cells stay within their limit. Edges that pass more are long.
 std::uint64_t most_cells(std::vector<std::uint64_t> counts) {

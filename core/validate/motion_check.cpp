@@ -17,7 +17,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShortestTravel = 1e-9;
 /// Share of an arc's length: shorter intervals cannot be halved reliably.
 constexpr double kShortestInterval = 4.0 * std::numeric_limits<double>::epsilon();
-constexpr double kClearanceTolerance = 1e-6, kClearanceShare = 1e-7;  ///< [m]; of the body's reach
+constexpr double kClearanceTolerance = 1e-6,
+                 kClearanceShare = 1e-7;  ///< error of the clearance: [m], or as a share of the body's reach
 
 using Rectangle = MotionCheck::Rectangle;
 using Ends = MotionCheck::Ends;
