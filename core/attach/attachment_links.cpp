@@ -30,7 +30,7 @@ void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<st
 void append_circles(const Roadmap& map, std::span<const Attachment> attachments, std::size_t first, Direction direction,
                     HeadingSet& headings, std::vector<AttachmentCircle>& circles, const StopClock& clock) {
   for (auto t = static_cast<std::uint32_t>(first); t < attachments.size() && !clock.is_over(); ++t) {
-    // Maneuvers are for narrow places, and their poses are many.
+    // Maneuvers join by the smallest radius only: they serve narrow places, and their poses are many.
     const bool plain = attachments[t].connection.empty();
     for (const double radius : std::span(map.radii).first(plain ? map.radii.size() : 1))
       for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -51,7 +51,7 @@ void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles,
   const AttachmentCircle& own = circles[index];
   if (own.reach < 0.0) return;
   const bool from_start = direction == Direction::kFromStart;
-  // A path to the goal, seen from there, runs the other way round the circle.
+  // Backwards from the goal, a path turns in the other direction on the circle.
   const TurnCircle away =
       from_start ? own.circle
                  : TurnCircle{own.circle.center, own.circle.radius, opposite(own.circle.side), own.circle.vertex};
@@ -86,7 +86,8 @@ void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles,
     const OcclusionHorizon::TangentLine tangent =
         horizon.tangent_to(TurnCircle{other.center, other.radius, side, kNone});
     if (horizon.hides(tangent)) return;
-    // Most others meet an obstacle at their heading, which is exactly known by far slower functions.
+    // Most other circles are blocked at their heading. An approximate heading shows that, and exact ones are far
+    // slower.
     const double about = from_start ? tangent.heading : tangent.heading + (tangent.heading < kPi ? kPi : -kPi);
     if (tangent.length > 0.0 && !map.circles->may_be_free(circle, about, OcclusionHorizon::kTangentError)) return;
     const auto line = from_start ? directed_bitangent(own.circle, other) : directed_bitangent(other, own.circle);
@@ -109,7 +110,7 @@ void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles,
     }
   }
   links.resize(first + std::min(links.size() - first, limit.most_links));
-  // In the same order whatever that of the pieces.
+  // The order does not depend on that of the pieces.
   std::sort(links.begin() + static_cast<std::ptrdiff_t>(first), links.end(),
             [](const AttachmentLink& a, const AttachmentLink& b) { return a.circle < b.circle; });
 }

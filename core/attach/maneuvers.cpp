@@ -39,10 +39,10 @@ struct Waiting {
   }
 };
 
-// A set of cells that forgets them without giving its memory back.
+// A set of cells that keeps its memory when it is emptied.
 class CellSet {
  public:
-  // Empty, with room for so many.
+  // Empties the set and makes room for `most` cells.
   void begin(std::size_t most) { slots_.assign(std::bit_ceil(2 * most), Slot{}); }
   // False if the cell was in before.
   bool insert(const Cell& cell) {
@@ -137,7 +137,7 @@ std::span<const Attachment> find_maneuvers(const Pose& pose, Direction direction
       const TurningBody turning{center, radius, side, body};
       sweep.free_headings({&turning, 1}, {&w.headings, 1});
       const double room = w.headings.reach(here.heading, forwards ? side : opposite(side));
-      // Where an obstacle ends the turn early, the way on may lie in a narrow range of headings before its end.
+      // If an obstacle ends the turn early, free motions may leave from a narrow range of headings before its end.
       const bool cut_short = room < kStepTurn;
       for (const double share : kShares) {
         const double angle = cut_short ? share * room : kStepTurn;

@@ -9,8 +9,8 @@ namespace {
 constexpr double kWideTurn =
     4.0;  // radius of the wide circles, in smallest radii: such a turn sweeps hardly more than the body's width
 
-// What sweeps less fits into more places, (7). A map of several radii has wider turns of its own; where a wider turn is
-// a faster one, a single radius says that none are wanted.
+// Adds wide turns, which sweep less and so fit into more places, (7). A map of several radii has wider turns already.
+// Where a wider turn is a faster one, a single radius means that no wider ones are wanted.
 void add_wide_turns(const Roadmap& map, AddedCircles& added) {
   const double radius = kWideTurn * map.radii.front();
   if (map.radii.size() > 1 || map.vehicle.turn_speed(radius) > map.vehicle.turn_speed(map.radii.front())) return;

@@ -40,7 +40,7 @@ struct Ball {
   double radius;
 };
 
-// None if it holds the place.
+// The ball around a box as seen from a place; nothing if the ball contains the place.
 std::optional<Ball> ball_around(const Box& box, const Vec2& place) {
   const Vec2 d = 0.5 * (box.min + box.max) - place;
   const Vec2 extent = 0.5 * (box.max - box.min);
@@ -48,7 +48,7 @@ std::optional<Ball> ball_around(const Box& box, const Vec2& place) {
   return Ball{about_atan2(d), d.norm(), extent.norm()};
 }
 
-// No straight that leaves a circle gets to a point of a box that is nearer to the circle's center.
+// Distance from the center within which no straight that leaves the circle reaches a point of the box.
 double nearest_of(const Box& box, const TurnCircle& circle) {
   return std::max(box.distance_to(circle.center), circle.radius);
 }
@@ -180,7 +180,7 @@ bool OcclusionHorizon::hides(const Box& box) const {
   if (farthest.squaredNorm() < disc * disc) return true;
   const auto ball = ball_around(box, circle_.center);
   if (!ball) return false;
-  // Most boxes that are not hidden are so in the middle.
+  // Most boxes that are visible are so at their middle.
   if (far_[range_of(ball->heading)] >= ball->distance) return false;
   const double near = nearest_of(box, circle_);
   const auto [low, high] = headings_towards(*ball, near, circle_);

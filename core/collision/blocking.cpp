@@ -8,7 +8,7 @@ namespace arcway::internal {
 
 namespace {
 
-// Whether the way from v towards p starts strictly inside the region of v.
+// Whether the segment from v towards p starts strictly inside the region of v.
 bool leads_inside(const World& world, VertexId v, const Vec2& p) {
   if (!in_open_cone(world.vertex(world.previous(v)), world.vertex(v), world.vertex(world.next(v)), p)) return false;
   const VertexId touched = world.edge_touched_by(v);
@@ -33,7 +33,7 @@ bool blocks(const World& world, VertexId edge, const LineSegment& segment) {
   if (start_side * end_side < 0) {
     const int a_side = orientation(e.a, e.b, segment.a);
     const int b_side = orientation(e.a, e.b, segment.b);
-    // The way from the edge to its left, or to where it ends on the edge.
+    // The segment passes from the edge to its left, or ends on the edge.
     const bool meets = a_side * b_side < 0 || (a_side == 0 && b_side > 0) || (b_side == 0 && a_side > 0);
     return meets && !is_touched_on(world, edge, segment);
   }

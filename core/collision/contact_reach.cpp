@@ -18,13 +18,13 @@ constexpr double kQuarterTurn = 0.5 * kPi;
 // The first contact of a body that turns about the origin with an edge.
 class TurnContacts {
  public:
-  // A turn by `least` or more is of no interest.
+  // Contacts at a turn of `least` [rad] or more do not count.
   TurnContacts(Side side, double least) : turning_(sign_of(side)) { set_least(least); }
 
   // A point of the body that turns to a point of the edge.
   void add(const Vec2& of_body, const Vec2& of_edge) {
     const double sine = turning_ * cross(of_body, of_edge), cosine = of_body.dot(of_edge);
-    // Most are known to come later, or to lie behind, without an arc tangent.
+    // Most contacts are seen to come later, or to lie behind, without an arc tangent.
     if (least_ < kPi && (sine < 0.0 || sine * cosine_ > cosine * sine_)) return;
     const double turn = std::atan2(sine, cosine);
     if (const double ahead = turn < 0.0 ? turn + kTwoPi : turn; ahead < least_) set_least(ahead);

@@ -124,7 +124,7 @@ class ForwardFlood {
     bool has_collided = false;
     StopTicker ticker(clock);
     for (std::size_t checks = 0; !open.empty(); ++checks) {
-      // The last one first, and not asked about before: where there is a way out, it is found soon.
+      // Boxes are expanded last in, first out: a way out is then found soon.
       const PoseBox box = open.back();
       open.pop_back();
       if (checks > max_checks || ticker.is_over()) return End::kGivenUp;
@@ -210,7 +210,7 @@ class ForwardFlood {
       places_.push_back({first(middle.x() - half.x()), last(middle.x() + half.x()), first(middle.y() - half.y()),
                          last(middle.y() + half.y()), turned});
     }
-    // Headings that lead to one position follow each other; what may lie between is taken along.
+    // Headings that lead to one position are consecutive; those in between are included.
     std::int32_t low_x = 0, high_x = 0, low_y = 0, high_y = 0;
     for (const Places& p : places_) {
       low_x = std::min(low_x, p.first_x), high_x = std::max(high_x, p.last_x);
@@ -260,13 +260,13 @@ Box place_around(const Vec2& position, const Footprint& footprint) {
 std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
                                      const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort,
                                      const StopClock& clock) {
-  // Whoever drives from where it came sees the body the other way round.
+  // Backwards from the goal, the body is turned by pi.
   const Pose turned{goal.x, goal.y, goal.heading + kPi};
   const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
   LocalSweep near_start(sweep, outlines, place_around(start.position(), footprint));
   LocalSweep near_goal(sweep, outlines, place_around(goal.position(), footprint));
   std::vector<std::uint32_t> memory;
-  // Smaller boxes would be even more than too many, or free as well.
+  // Whether smaller boxes cannot help: there would be even more than too many, or all are free.
   std::array<bool, 2> is_settled{};
   for (int level = 0; level <= effort.halvings; ++level)
     for (const bool at_start : {true, false}) {

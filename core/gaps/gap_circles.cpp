@@ -21,7 +21,7 @@ constexpr double kSame = 1e-6;          // distance within which two centers cou
 constexpr double kNear = 3.0;  // largest distance of a gap straight's circle from its vertices, in outer swept radii
 constexpr std::size_t kMostPlaces = 3;  // number of entries, and of exits, on one side of a gap straight
 
-// Leaves out what repeats: a place may have many gaps.
+// Circles found so far, as a place may have many gaps with the same circle.
 class Known {
  public:
   bool add(const std::vector<TurnCircle>& circles) {
@@ -148,8 +148,8 @@ class GapCircles {
     found_.gap_straights.push_back(std::move(straight));
   }
 
-  // Circles tangent to a gap straight's line, in the order of the turn's begin. Seen backwards a path turns off where
-  // it turned on.
+  // Adds circles tangent to a gap straight, in the order in which their turns begin. Seen backwards, a path turns off
+  // where it turned on.
   // @param forwards  1 for exits, -1 for entries.
   void add_places(const std::vector<Beside>& beside, Side side, double forwards, const Vec2& middle, const Vec2& along,
                   std::vector<TurnCircle>& circles) const {

@@ -23,7 +23,7 @@ constexpr double kRounding = 0x1p-48;
 
 bool follow_each_other(const World& world, VertexId a, VertexId b) { return world.next(a) == b || world.next(b) == a; }
 
-// Edges in pieces of some that follow each other, to be looked up by place.
+// A spatial index of edges, in pieces of consecutive ones.
 class EdgePieces {
  public:
   struct Piece {
@@ -42,8 +42,8 @@ class EdgePieces {
     tree_ = BoxTree(boxes);
   }
 
-  // Calls visit(a, b) once for any two edges whose boxes are so near to each other, a < b. Place by place, so that what
-  // is near one piece is at hand for the next.
+  // Calls visit(a, b) once for any two edges a < b whose boxes are near each other. It goes place by place, so that
+  // neighbors of one piece are in the cache for the next.
   template <class Visitor>
   void visit_pairs(double distance, StopTicker& ticker, Visitor&& visit) const {
     const auto visit_those_of = [&](const Piece& piece) {
@@ -100,7 +100,7 @@ bool is_divided(const World& world, const EdgePieces& pieces, const Gap& gap) {
   const auto divides = [&](VertexId e) {
     return e != gap.edge_a && e != gap.edge_b && distance(middle, world.edges()[e]) < radius;
   };
-  // Across an obstacle it mostly is an edge beside them.
+  // A gap across an obstacle is mostly divided by an edge beside its own.
   for (const VertexId edge : {gap.edge_a, gap.edge_b})
     if (divides(world.next(edge)) || divides(world.previous(edge))) return true;
   return pieces.any(Box{middle, middle}.grown(radius), divides);
@@ -146,7 +146,7 @@ class ParityForest {
   }
 
  private:
-  // Hangs all on the way below the root.
+  // Links all items on the path to the root directly to it.
   bool odd_to_root(std::uint32_t a) {
     std::uint32_t root = a;
     bool odd = false;

@@ -32,7 +32,7 @@ bool LocalSweep::straight_free(const SweptRectangle& rectangle) {
   Box box;
   for (const Vec2& corner : rectangle) box.extend(corner);
   const auto lately = edges_.begin() + static_cast<std::ptrdiff_t>(std::min(kLately, edges_.size()));
-  // Whether one of them is in the way. It comes first then.
+  // Whether one of the edges blocks the rectangle. That edge is moved to the front.
   const auto meets_one = [&](auto first, auto last) {
     const auto met = std::find_if(
         first, last, [&](const Edge& edge) { return edge.box.overlaps(box) && intersects(edge.segment, rectangle); });
@@ -47,7 +47,7 @@ bool LocalSweep::straight_free(const SweptRectangle& rectangle) {
     return false;
   }
   if (meets_one(lately, edges_.end())) return false;
-  // It meets no edge: an obstacle holds all of it, or nothing is in its way.
+  // The rectangle meets no edge: it lies inside an obstacle, or is free.
   const bool is_beside_free = free_ && sees({*free_, rectangle[0]});
   if (!is_beside_free && !sweep_.straight_free(rectangle)) return false;
   free_ = rectangle[0];

@@ -114,7 +114,7 @@ void NarrowGearTree::add(std::uint32_t from, const Cell& cell, const PathSegment
   open_.push(cost + remaining_(end), node);
 }
 
-// Where the longest way and the largest turn to and fro are these.
+// The size of cells where the longest motion and the largest turn to and fro are these.
 NarrowGearTree::Cell NarrowGearTree::cell_where(double way, double turn) const {
   const double share = kShare * fineness_;
   const double q = std::max(way, kLeast * vehicle_.parameters().length), t = std::clamp(turn, kLeast, 1.0);

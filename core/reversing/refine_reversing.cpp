@@ -122,7 +122,7 @@ class ReversingRefiner {
     return changed;
   }
 
-  // Tries words between places far apart first; a word that is taken changes the places for all that is tried after it.
+  // Words between places far apart come first. A word that is kept changes the places for later trials.
   bool sweep_words() {
     bool changed = false;
     std::vector<Station> places = stations();
@@ -206,7 +206,7 @@ class ReversingRefiner {
     return found;
   }
 
-  // A way between a place of the path and a cusp that has moved.
+  // A connection between a place of the path and a cusp that has moved.
   struct Link {
     Station place;
     Path motion;
@@ -230,7 +230,7 @@ class ReversingRefiner {
     return replace_beside(links(first, at, cusp, false), links(at, last, cusp, true));
   }
 
-  // The shortest ways between a moved cusp and the far ends of so many segments before or after it, in their gear.
+  // The shortest connections between a moved cusp and the far ends of segments before or after it, in their gear.
   std::vector<Link> links(std::ptrdiff_t first, std::ptrdiff_t last, const Pose& cusp, bool after) const {
     std::vector<Link> found;
     double length = 0.0;

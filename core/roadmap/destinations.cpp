@@ -36,7 +36,7 @@ std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle, 
   const std::span<const Vec2> vertices = world_.vertices();
   std::vector<Arrival> arrivals;
   const auto add = [&](VertexId from, Side departure, VertexId to, std::uint32_t passed, bool may_be_known) {
-    // Seen from `to` the obstacle at `from` lies on the other side than for who leaves towards `to`.
+    // Seen from `to`, the obstacle at `from` lies on the other side than seen when leaving towards `to`.
     if (obstacle_side(world_, from, vertices[to]) == departure) return;
     const Side side = obstacle_side(world_, to, vertices[from]);
     if (may_be_known)

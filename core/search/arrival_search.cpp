@@ -45,7 +45,7 @@ constexpr std::size_t kNext = 5, kSoon = 21;
 
 enum class Kind : std::uint8_t { kDirect, kGoal, kGraph, kStart, kStartCircle };  // complete paths first on ties
 
-// What waits on the open list, in 16 bytes. Of two with one estimate the one that was pushed first comes first.
+// An entry of the open list, in 16 bytes. Equal estimates come off in the order in which they were pushed.
 struct Entry {
   Entry() = default;
   Entry(double e, Kind kind, std::size_t index)
@@ -63,7 +63,7 @@ bool before(const Entry& a, const Entry& b) {  // without branches
 
 bool is_complete(const Entry& entry) { return entry.kind() == Kind::kDirect || entry.kind() == Kind::kGoal; }
 
-// A link of the graph, or a goal link, that waits.
+// A link of the graph, or a goal link, on the open list.
 struct Step {
   std::uint32_t label;  // that it goes on from
   std::uint32_t to;     // circle of the graph, or goal link
@@ -94,7 +94,7 @@ void append_line(Path& path, const Pose& start, double length) {
   if (length > 0.0) path.push_back({start, length, 0.0});
 }
 
-// What the times of labels, and the order in which they come, depend on beside the map and the ends.
+// Everything that labels depend on beside the map, the starts and the goals.
 struct Question {
   Vehicle vehicle;  // with the gears as the path will be driven
   Heuristic heuristic;
@@ -175,7 +175,7 @@ class ArrivalSearch {
     if (context_.interrupted()) return;
     if (!context_.options.warm_start)
       for (auto& reached : w_.reached) reached.map.reset();
-    // By the path that takes so long, if there is one.
+    // If a path of that time is known, the goal is reachable.
     reachability_known_ = !context_.options.doubts_reachability || context_.options.faster_than < kInfinity;
     result_.start_connected = !w_.labels.empty();
     const auto first_direct = static_cast<std::uint32_t>(attachments_.direct_paths().size());
@@ -184,13 +184,13 @@ class ArrivalSearch {
     for (std::uint32_t i = first_direct; i < attachments_.direct_paths().size(); ++i)
       push(Kind::kDirect, i, attachments_.direct_paths()[i].time);
     push_goals_of_known_labels(first_goal_link);
-    // A goal that nothing leads to would have the whole graph searched in vain.
+    // Without any link to the goal, the search would expand the whole graph in vain.
     for (std::uint32_t g = 0;
          g < attachments_.goal_links().size() && !result_.goal_connected && !context_.interrupted(); ++g)
       result_.goal_connected = attachments_.is_free(attachments_.goal_link(g));
     if (result_.interrupted) return finish_best();
     if (!result_.goal_connected) return;
-    // Many attachments mean that few of them found no path: is there one at all?
+    // Many attachments mean that fewer found no path, so that there may be none.
     if (context_.starts.size() + context_.goals.size() > 2 && !reachability_known_ && !goal_is_reachable()) return;
     push_start_circles();
     bool prefetch_wanted = context_.options.prefetch && circles_.is_lazy();
@@ -228,8 +228,8 @@ class ArrivalSearch {
     w_.open.clear();
     w_.steps.clear();
     w_.labels.clear();
-    // As much as most searches need: untouched it costs nothing, but to grow is to copy into pages that the system has
-    // to clear first.
+    // Reserves what most searches need. Unused memory costs nothing, but growing means copying into pages that the
+    // system clears first.
     const std::size_t enough = context_.map.world.vertices().size();
     w_.open.reserve(enough);
     w_.steps.reserve(enough);
@@ -275,7 +275,7 @@ class ArrivalSearch {
     return found->by_starts;
   }
 
-  // What the estimate adds to the time so far.
+  // The estimated remaining time [s].
   [[nodiscard]] double remaining(const Vec2& p, double speed) const { return weight_ * heuristic(p, speed); }
 
   [[nodiscard]] double heuristic(const Vec2& p, double speed) const {
@@ -304,7 +304,7 @@ class ArrivalSearch {
     w_.steps.push_back(step);
   }
 
-  // Has the memory brought near that the next entries need: first what they are, then what they lead to.
+  // Prefetches the memory of the next entries: first the entries' own, then that of their targets.
   void prefetch_next() const {
     const std::span<const Entry> next = w_.open.first_few(kSoon);
     for (std::size_t i = 0; i < next.size(); ++i) {
@@ -322,7 +322,8 @@ class ArrivalSearch {
     }
   }
 
-  // Takes the best complete path that is free. The open list may be millions of others, which are not worth sorting.
+  // Takes the best complete path that is free. The open list may hold millions of other entries, which are not worth
+  // sorting.
   void finish_best() {
     w_.map.reset();
     w_.open.keep_if(is_complete);
@@ -404,7 +405,7 @@ class ArrivalSearch {
     return arrival.time + remaining(end, arrival.speed);
   }
 
-  // Goes on from a new label; false if an older one is as good, or it cannot be reached after all.
+  // Expands a new label. False if an older one is as good, or its arrival is not free.
   bool arrive(Label label) {
     const CircleTable::Circle circle = circles_.circle(label.circle);
     label.reach = circles_.reach(label.circle, label.heading);
@@ -450,7 +451,8 @@ class ArrivalSearch {
     return limit;
   }
 
-  // Leaves a circle from the arrival's heading on, as far as its free interval goes and no older label takes over.
+  // Pushes the departures from a circle, from the arrival's heading on, up to the end of its free interval or an older
+  // label.
   void leave(std::uint32_t index, const CircleTable::Circle& circle, double limit) {
     const Label label = w_.labels[index];
     const auto goes_on = [&](double turn) { return turn <= label.reach && turn < limit; };
@@ -485,7 +487,7 @@ class ArrivalSearch {
     push(Kind::kGoal, {index, g, kNone, 0.0, 0.0, 0.0}, time);
   }
 
-  // What labels of the search before lead to by new links.
+  // Pushes new goal links of the labels of the search before.
   void push_goals_of_known_labels(std::uint32_t first_goal_link) {
     if (w_.labels.empty()) return;
     for (std::uint32_t g = first_goal_link; g < attachments_.goal_links().size(); ++g) {

@@ -20,8 +20,8 @@ constexpr std::size_t kNext = 5;  // number of entries at the top of the open li
 // Number of visibility queries to the goal after which an occlusion horizon of the goal pays.
 constexpr std::size_t kManyAsked = 64;
 
-// A shortest path is taut: where it turns at a vertex, it turns around the obstacle there. Of the edges that leave a
-// vertex those that do not lead on like this from the shortest way to it are on no shortest path.
+// A shortest path is taut: where it turns at a vertex, it turns around the obstacle there. Edges that leave a vertex
+// otherwise are on no shortest path.
 class TautTurn {
  public:
   /// @param from  a place that `vertex` is tangent to.

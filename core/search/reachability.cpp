@@ -38,7 +38,7 @@ bool Reachability::goal_is_reachable(SearchContext& context, SearchAttachments& 
   }
   for (std::uint32_t g = 0; g < attachments.goal_links().size(); ++g)
     if (is_known(attachments.goal_link(g))) return true;
-  // Indices of start links are those of other starts.
+  // Start links of the question before have other indices.
   open_.keep_if([](const Arrival& arrival) { return arrival.circle != kNone; });
   for (std::uint32_t s = 0; s < attachments.start_circles().size() && !context.interrupted(); ++s) {
     if (attachments.start_circles()[s].reach < 0.0) continue;
@@ -46,7 +46,7 @@ bool Reachability::goal_is_reachable(SearchContext& context, SearchAttachments& 
     for (std::uint32_t i = range.first; i < range.last; ++i) push(kNone, i);
   }
   for (;;) {
-    // Most walks get to the goal long before.
+    // Most walks reach the goal long before.
     if (arcs_.size() >= kOpen && !context.result.start_is_open) {
       context.result.start_is_open = true;
       if (goal_is_in_dead_end()) return false;
@@ -56,7 +56,7 @@ bool Reachability::goal_is_reachable(SearchContext& context, SearchAttachments& 
   }
 }
 
-// Whether so little leads to the goal that one sees, going backwards, that the start does not.
+// Whether the goal is in a dead end: its backward-reachable set is small, and the start does not lead to it.
 bool Reachability::goal_is_in_dead_end() {
   const CircleTable& circles = *context_->map.circles;
   if (attachments_->goal_links().size() > kLargestBackwardSet || !has_links_to(circles)) return false;
@@ -69,7 +69,7 @@ bool Reachability::goal_is_in_dead_end() {
   return backward_set && !start_leads_to(*backward_set);
 }
 
-// Makes the rows of a lazy graph, if they are not too many, so that links can be asked for by where they lead to.
+// Makes the rows of a lazy graph, if they are not too many, for looking up links by their destination.
 bool Reachability::has_links_to(const CircleTable& circles) {
   if (circles.is_lazy() && circles.size() > kMostLazyCircles && !circles.knows_links_to()) return false;
   return circles.find_links_to(context_->options.clock);

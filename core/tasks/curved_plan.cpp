@@ -82,7 +82,7 @@ class CurvedPlanner {
   }
 
  private:
-  // Their tolerances.
+  // The tolerances of the pieces near a plan.
   std::vector<double*> near_pieces(const PlanResult& plan, const Footprint& body) {
     const double reach = 2.0 * (body.front + body.rear);
     const std::vector<Vec2> samples = samples_of(plan, 0.5 * reach);
@@ -116,7 +116,7 @@ bool is_free(const Planner& planner, const PlanResult& plan) {
   return motion_free(*planner.queries().sweep, vehicle.footprint(0.5 * vehicle.safety_margin()), plan.path());
 }
 
-// Looks anew how near a plan made on other rings comes to those of this planner.
+// Measures the clearance of a plan made on other rings among those of this planner.
 void measure_clearance(const Planner& planner, PlanResult& plan) {
   const Footprint bare = planner.vehicle().footprint();
   for (std::size_t i = 0; i < plan.segments.size(); ++i) {
@@ -129,7 +129,7 @@ void measure_clearance(const Planner& planner, PlanResult& plan) {
   }
 }
 
-// Replaces a plan made on coarser rings by the one that the planner has found, unless that one is dearer.
+// Replaces a plan made on coarser rings by the planner's new one, unless that costs more.
 void keep_cheaper(const Planner& planner, double cusp_cost, PlanResult&& found, PlanResult& plan) {
   const Vehicle& vehicle = planner.vehicle();
   if (cost_of(found, vehicle, cusp_cost) <= cost_of(plan, vehicle, cusp_cost) || !is_free(planner, plan)) {

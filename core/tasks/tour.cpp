@@ -30,7 +30,7 @@ constexpr double kLeastGain = 1e-6;   // share of the cost that another heading 
 // poses and no leg was found without. Most poses have no path, so that many legs are tried with few poses each.
 constexpr double kTreesOfALeg = 0.5, kTreesOfAPlace = 2.0;
 
-// A pose in which a place may be passed, and the best way to it.
+// A pose at a place, and the best tour that ends there.
 struct Stop {
   Pose pose;
   std::size_t place;        // among those of its stage
@@ -94,19 +94,19 @@ class TourPlanner {
     return leg;
   }
 
-  // Whether there are several poses from which the leg now looked for may begin, or at which it may end.
+  // Whether the current leg has several poses to begin or to end at.
   [[nodiscard]] bool has_choice() const { return stages_.back().size() > 1 || stages_[stages_.size() - 2].size() > 1; }
 
   [[nodiscard]] double leg_lower_bound(const Pose& from, const Pose& to) const {
     return travel_time_lower_bound(from, to, (to.position() - from.position()).norm(), planner_.vehicle(),
                                    request_.reverse);
   }
-  // At most what a stop there takes longer than driving on [s]; the start is one.
+  // Upper bound on the extra time of a stop there over driving on [s]; 0 at the start.
   [[nodiscard]] double cost_of_a_stop(std::size_t stage) const {
     return stage == 0 ? 0.0 : planner_.vehicle().top_speed() / planner_.vehicle().max_acceleration();
   }
 
-  // The best way to a stop of the last stage, if it costs less than `cutoff`.
+  // Finds the best tour to a stop of the last stage, if it costs less than `cutoff`.
   void reach(Stop& stop, double cutoff) {
     const Stage& before = stages_[stages_.size() - 2];
     std::vector<std::pair<double, std::size_t>> order;
@@ -123,14 +123,14 @@ class TourPlanner {
     }
   }
 
-  // Looks for a leg from a stop of the stage before, and takes it if it makes the way to the stop cheaper.
-  // @return whether it was proved that there is none; that, too, if there is one.
+  // Plans a leg from a stop of the stage before, and keeps it if that makes the tour to the stop cheaper.
+  // @return the certainty of the leg, with a path or without.
   Certainty reach_from(std::size_t from, Stop& stop, std::uint32_t tree_poses) {
     const Stop& before = stages_[stages_.size() - 2][from];
     PlanResult leg = plan_leg(before.pose, stop.pose, tree_poses);
     const Certainty certainty = leg.certainty;
     if (!leg.solved()) {
-      // One that was interrupted might have been the way.
+      // An interrupted leg might have had a path.
       if (!failure_ || failure_stage_ != stages_.size() || (leg.interrupted && !failure_->interrupted))
         failure_ = as_requested(std::move(leg), before, stop);
       failure_stage_ = stages_.size();
@@ -148,8 +148,8 @@ class TourPlanner {
     return certainty;
   }
 
-  // Where no stop of the last stage was reached: the first one that trees find a leg to, nearest legs first. Null if
-  // there is none.
+  // Grows trees where no stop of the last stage was reached, nearest legs first. Returns the first stop reached; null
+  // if none is.
   Stop* reach_by_trees() {
     std::ranges::stable_sort(undecided_, {}, &Undecided::least);
     const auto share = [&](double part) { return static_cast<std::uint64_t>(part * limits_.tree_poses); };
@@ -205,7 +205,7 @@ class TourPlanner {
     return std::any_of(stages_.back().begin(), stages_.back().end(), [](const Stop& s) { return s.cost < kInfinity; });
   }
 
-  // The stop of the last stage that costs least, nothing if there is none.
+  // The cheapest stop of the last stage; null if there is none.
   Stop* reach_one() {
     Stop* best = nullptr;
     for (Stop& stop : stages_.back()) {
@@ -231,8 +231,7 @@ class TourPlanner {
     }
   }
 
-  // Where the last line of the way would have to point to lead to the goal by
-  // itself.
+  // The heading of the last line of a tour if it led to the goal without a turn.
   [[nodiscard]] static double heading_of_last_line(const Stop& stop) {
     const std::vector<TimedSegment>& segments = stop.leg.segments;
     for (std::size_t i = segments.size(); i-- > 0;) {
@@ -249,7 +248,7 @@ class TourPlanner {
     PlanResult& plan = tour.plan;
     if (last == nullptr) {
       plan = std::move(failure_.value());
-      // A leg had only the time that those before left.
+      // The time limit of a leg was what the legs before had left.
       if (plan.status == PlanStatus::kTimeLimit) plan.reason = time_limit_reason(limits_);
       if (!request_.waypoints.empty())
         plan.reason = "leg " + std::to_string(stages_.size() - 1) + " of " +
@@ -306,8 +305,8 @@ class TourPlanner {
     }
   }
 
-  // Along straight lines by all places to the nearest goal, from rest to rest. Inside of an obstacle is none that can
-  // be reached, unless the body lies beside the reference point.
+  // The lower bound of straight lines over all places to the nearest goal, from rest to rest. A goal inside an obstacle
+  // cannot be reached, unless the body lies beside the reference point.
   [[nodiscard]] double straight_line_lower_bound() const {
     Vec2 at = request_.start.position();
     double length = 0.0;
@@ -327,7 +326,7 @@ class TourPlanner {
     return (1.0 - 1e-12) * segment_time(length + nearest, 0.0, top_speed, 0.0, vehicle.max_acceleration());
   }
 
-  // A leg to the last stage that was looked for without trees, not found, and not proved to be none.
+  // A leg to the last stage that was planned without trees, not found, and not proved impossible.
   struct Undecided {
     double least;      // that the way by it costs, at least
     std::size_t from;  // stop of the stage before

@@ -318,7 +318,8 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
       return;
     }
     queue.pop();
-    // Known to collide: of this kind of region only an earlier contact is of interest, and not worth the search.
+    // A collision with this kind of region is known: only an earlier contact would matter, which is not worth the
+    // search.
     if (!hits.empty() && std::any_of(hits.begin(), hits.end(), [&](const Hit& h) {
           return (h.region == world_.obstacle_count()) == (world_.obstacle_of(node.edge) == world_.obstacle_count());
         })) {
