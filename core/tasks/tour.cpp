@@ -34,7 +34,7 @@ constexpr double kTreesOfALeg = 0.5, kTreesOfAPlace = 2.0;
 struct Stop {
   Pose pose;
   std::size_t place;        // among those of its stage
-  double cost = kInfinity;  // of the way from the start, which ends here at rest
+  double cost = kInfinity;  // cost of the tour that ends here at rest [s]
   std::size_t from = 0;     // stop of the stage before
   PlanResult leg = {};      // from there
   Path path = {};           // from the start
@@ -328,7 +328,7 @@ class TourPlanner {
 
   // A leg to the last stage that was planned without trees, not found, and not proved impossible.
   struct Undecided {
-    double least;      // that the way by it costs, at least
+    double least;      // lower bound on the cost of the tour over it [s]
     std::size_t from;  // stop of the stage before
     Stop* stop;
   };
