@@ -8,7 +8,7 @@
 #include "core/attach/roadmap.h"
 #include "core/gaps/dead_end.h"
 #include "core/gaps/enclosure.h"
-#include "core/search/find_path.h"
+#include "core/search/forward_search.h"
 #include "core/search/tree_search.h"
 
 namespace arcway::internal {

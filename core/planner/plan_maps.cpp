@@ -1,27 +1,17 @@
 #include "core/planner/plan_maps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <variant>
 
 #include "arcway/executor.h"
+#include "core/planner/strategy.h"
 
 namespace arcway::internal {
 
 namespace {
-
-// The first so many radii, of five at most, and how many times the lateral acceleration that there may be.
-struct OtherRoute {
-  std::size_t radii;
-  double factor;
-  bool operator==(const OtherRoute&) const = default;
-};
-constexpr std::array<OtherRoute, 7> kOtherRoutes{
-    {{3, 4.0}, {2, 4.0}, {2, 16.0}, {1, 16.0}, {4, 2.0}, {3, 1.0}, {5, 4.0}}};
-constexpr double kFasterFactor = 2.0, kSlowerFactor = 0.5;
 
 struct WithFactor {
   double factor;
@@ -53,31 +43,35 @@ Vehicle with_other_turns(const Vehicle& vehicle, double factor) {
 
 PlanMaps::PlanMaps(Roadmap map, bool gap_circles)
     : plain(std::move(map)),
-      faster_turns(with_other_turns(plain, plain.vehicle, kFasterFactor)),
-      slower_turns(with_other_turns(plain, plain.vehicle, kSlowerFactor)) {
+      faster_turns(with_other_turns(plain, plain.vehicle, kFasterTurns)),
+      slower_turns(with_other_turns(plain, plain.vehicle, kSlowerTurns)) {
   if (gap_circles && plain.world.vertices().size() <= kNarrowVertices) narrow.emplace(plain);
 }
 
-std::vector<Roadmap> maps_of_other_routes(const Roadmap& all, const Roadmap& smallest,
-                                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor) {
-  std::vector<Roadmap> maps;
-  const auto add_with = [&](std::size_t count, double factor) {
-    if (count == smallest.radii.size()) return maps.push_back(with_other_turns(smallest, all.vehicle, factor));
-    if (count == all.radii.size()) return maps.push_back(with_other_turns(all, all.vehicle, factor));
-    const auto same = std::ranges::find(maps, count, [](const Roadmap& map) { return map.radii.size(); });
-    if (same != maps.end()) return maps.push_back(with_other_turns(*same, all.vehicle, factor));
-    const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(count));
+OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<const OtherRoute> routes,
+                     const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor) {
+  const auto map_of = [&](const OtherRoute& route) {
+    if (route.radii == smallest.radii.size()) return with_other_turns(smallest, all.vehicle, route.factor);
+    if (route.radii == all.radii.size()) return with_other_turns(all, all.vehicle, route.factor);
+    const auto same =
+        std::ranges::find(entries_, route.radii, [](const Entry& entry) { return entry.map.radii.size(); });
+    if (same != entries_.end()) return with_other_turns(same->map, all.vehicle, route.factor);
+    const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(route.radii));
     FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, executor, GraphMode::kLazy);
-    maps.push_back(with_other_turns(all.with_graph(std::move(lazy), radii), all.vehicle, factor));
+    return with_other_turns(all.with_graph(std::move(lazy), radii), all.vehicle, route.factor);
   };
-  std::vector<OtherRoute> known{{all.radii.size(), kFasterFactor}, {all.radii.size(), 1.0}};
-  for (OtherRoute way : kOtherRoutes) {
-    way.radii = std::clamp(way.radii, smallest.radii.size(), all.radii.size());
-    if (std::ranges::find(known, way) != known.end()) continue;
-    known.push_back(way);
-    add_with(way.radii, way.factor);
+  std::vector<OtherRoute> known{{all.radii.size(), 1.0}};
+  for (const OtherRoute& route : routes) {
+    const OtherRoute there{std::clamp(route.radii, smallest.radii.size(), all.radii.size()), route.factor};
+    if (std::ranges::find(known, there) != known.end()) continue;
+    known.push_back(there);
+    entries_.push_back({route, map_of(there)});
   }
-  return maps;
+}
+
+const Roadmap* OtherMaps::find(const OtherRoute& route) const {
+  const auto found = std::ranges::find(entries_, route, &Entry::route);
+  return found == entries_.end() ? nullptr : &found->map;
 }
 
 }  // namespace arcway::internal

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,14 +34,36 @@ struct PlanMaps {
   std::optional<NarrowPlaces> narrow;
 };
 
+/// A vehicle with turns of the first so many radii, and so many times the lateral acceleration.
+struct OtherRoute {
+  std::size_t radii;
+  double factor;
+  bool operator==(const OtherRoute&) const = default;
+};
+
 /// Roadmaps for further routes where there are several radii. The search does not know what refinement makes of a turn,
 /// and circles around vertices have few radii. These maps therefore have fewer radii, as tight turns make a shorter
 /// path, and vehicles with faster turns.
-/// @param all  with more radii than `smallest`.
-/// @param smallest  with the first of them, see tightest_radii.
-/// @param rows  of the reduced graph of both.
-/// @param executor  used during the call only.
-std::vector<Roadmap> maps_of_other_routes(const Roadmap& all, const Roadmap& smallest,
-                                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor);
+class OtherMaps {
+ public:
+  OtherMaps() = default;
+  /// @param all       with more radii than `smallest`.
+  /// @param smallest  with the first of them, see tightest_radii.
+  /// @param routes    routes that equal one before, or the given maps, have no map.
+  /// @param rows      of the reduced graph of both.
+  /// @param executor  used during the call only.
+  OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<const OtherRoute> routes,
+            const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor);
+
+  /// Null if it has no map.
+  [[nodiscard]] const Roadmap* find(const OtherRoute& route) const;
+
+ private:
+  struct Entry {
+    OtherRoute route;  // as it was given
+    Roadmap map;
+  };
+  std::vector<Entry> entries_;
+};
 
 }  // namespace arcway::internal

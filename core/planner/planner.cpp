@@ -12,39 +12,26 @@
 
 #include "arcway/angle.h"
 #include "arcway/stop_clock.h"
-#include "arcway/turning_radii.h"
 #include "core/attach/roadmap.h"
 #include "core/base/shortest_text.h"
 #include "core/base/stopwatch.h"
 #include "core/base/workspace_pool.h"
-#include "core/gaps/bottleneck_finder.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/no_path.h"
-#include "core/planner/plan_maps.h"
 #include "core/planner/plan_run.h"
 #include "core/planner/planner_inputs.h"
-#include "core/planner/slim_maps.h"
+#include "core/planner/planner_maps.h"
+#include "core/planner/query_context.h"
+#include "core/planner/strategy.h"
 #include "core/roadmap/feasible_graph.h"
-#include "core/search/point_distance.h"
 
 namespace arcway {
 
 using namespace internal;
 
 namespace {
-
-// Where wider turns are faster, the paths of several maps are refined as far as tells which is the best, and that one
-// then at length: in trials, of what the options say.
-constexpr double kQuickEffort = 0.75, kLastEffort = 24.0;
-// Of the proof that a vehicle which may reverse is enclosed: some milliseconds, far less than looking for a way out.
-constexpr std::size_t kEnclosureBoxes = 15000;
-// The same of the proof that one which may not gets nowhere: before maneuvers are tried, and again before trees are.
-// The second one takes 2 to 30 ms, the trees that it saves 150 to 1,000: it proves 8 of the 21 queries without a path
-// of the regression worlds that reach it. With 30,000 checks it proves 6, with a third halving 9 in 170 ms.
-constexpr DeadEndEffort kQuickDeadEnd{.halvings = 1, .max_checks = 8500};
-constexpr DeadEndEffort kThoroughDeadEnd{.halvings = 2, .max_checks = 75'000};
 
 // Checks the feasible graph anew.
 auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
@@ -74,6 +61,17 @@ Roadmap make_map(const World& world, const Vehicle& vehicle, const QuerySet& que
 PlannerOptions with_mode(PlannerOptions options, const Backend& backend) {
   if (!options.graph_mode) options.graph_mode = backend.has_lazy_rows() ? GraphMode::kLazy : GraphMode::kEager;
   return options;
+}
+
+// Keeps the memory of what it had.
+void clear(PlanResult& result) {
+  std::vector<TimedSegment> segments = std::move(result.segments);
+  Path first_path = std::move(result.first_path);
+  segments.clear();
+  first_path.clear();
+  result = {};
+  result.segments = std::move(segments);
+  result.first_path = std::move(first_path);
 }
 
 struct ReducedGraph {
@@ -107,70 +105,35 @@ ReducedGraph reduced_graph_of(const Backend& backend, GraphMode mode) {
 }  // namespace
 
 struct Planner::Data {
-  struct Workspace {
-    PlanWorkspace run;
-    PointDistance::Workspace point;
-  };
-
   /// @param make_feasible  gives the feasible graph for the rows of the reduced graph and the radii.
   template <class MakeFeasible>
   Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, Backend::Graph graph,
        std::shared_ptr<const VisibilityRows> r, MakeFeasible&& make_feasible, const Executor& executor)
       : options(std::move(o)),
+        strategy(strategy_without(options.leave_out)),
         visibility_graph(std::move(graph)),
         rows(std::move(r)),
         maps(make_map(
                  world, vehicle, queries, options, [&] { return make_feasible(rows, options); }, executor),
-             options.gap_circles),
-        slim(map(), rows),
-        bottleneck(world, vehicle, map().gaps) {
-    end_if_over(executor);
-    const std::size_t tightest_count = tightest_radii(vehicle.footprint(vehicle.safety_margin()), options.radii);
-    if (tightest_count < options.radii.size()) {
-      const std::vector<double> smallest(options.radii.begin(),
-                                         options.radii.begin() + static_cast<std::ptrdiff_t>(tightest_count));
-      FeasibleGraph lazy(world, vehicle, rows, queries, smallest, executor, GraphMode::kLazy);
-      tightest.emplace(map().with_graph(std::move(lazy), smallest), options.gap_circles);
-      other_routes = maps_of_other_routes(maps.plain, tightest->plain, rows, executor);
-    }
-    const Footprint bare = vehicle.footprint();
-    if (options.point_robot_lower_bound && std::min(bare.front, bare.rear) >= 0.0)
-      point_distance.emplace(world, rows, map().outlines);
+             options, rows, executor) {
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = map().graph.counts();
     options.process_group = nullptr;  // need not outlive the construction
   }
 
-  [[nodiscard]] const Roadmap& map() const { return maps.plain; }
-
-  // The lower bound with the way round the obstacles, if that is wanted, and the length that no path falls below [m].
-  // A clock that is over sooner leaves the largest that is proved by then.
-  double raise_lower_bound(const PlanRequest& request, const StopClock& clock, PointDistance::Workspace& workspace,
-                           PlanResult& result) const {
-    const Stopwatch bounding;
-    const Vec2 start = request.start.position(), goal = request.goal.position();
-    if (!point_distance) return (goal - start).norm();
-    const double distance = (*point_distance)(start, goal, *map().queries.visibility, workspace, clock);
-    result.lower_bound = travel_time_lower_bound(request.start, request.goal, distance, map().vehicle, request.reverse);
-    result.statistics.lower_bound_seconds = bounding.seconds();
-    return distance;
-  }
+  [[nodiscard]] const Roadmap& map() const { return maps.all.plain; }
 
   // Speeds, clearance and all that follows from a path.
   void complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const;
 
   Stopwatch watch;
   PlannerOptions options;
+  std::vector<StrategyRow> strategy;
   Backend::Graph visibility_graph;  // without vertices if there are only rows
   std::shared_ptr<const VisibilityRows> rows;
-  PlanMaps maps;
-  SlimMaps slim;
-  std::optional<PlanMaps> tightest;   // of the tightest radii only, where there are wider ones
-  std::vector<Roadmap> other_routes;  // of several radii, beside those of `maps`
-  std::optional<PointDistance> point_distance;
-  BottleneckFinder bottleneck;
+  PlannerMaps maps;
   PrepareStatistics prepare_statistics;
-  mutable WorkspacePool<Workspace> workspaces;
+  mutable WorkspacePool<PlanWorkspace> workspaces;
 };
 
 void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const {
@@ -350,83 +313,32 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
 }
 
 void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResult& result) const {
-  require_pose("start pose", asked.start, vehicle());
-  require_pose("goal pose", asked.goal, vehicle());
-  if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
-  if (!(asked.cusp_cost >= 0.0 && std::isfinite(asked.cusp_cost)))
-    throw std::invalid_argument("cusp cost: " + shortest_text(asked.cusp_cost) + " s, must be finite and >= 0");
+  require_request(asked, limits, vehicle());
   const Stopwatch total;
   const StopClock clock(limits.time, limits.stop);
   const Data& d = *data_;
-  std::vector<TimedSegment> segments = std::move(result.segments);
-  Path first_path = std::move(result.first_path);
-  segments.clear();
-  first_path.clear();
-  result = {};
-  result.segments = std::move(segments);
-  result.first_path = std::move(first_path);
+  clear(result);
   result.start = asked.start;
   result.goal = asked.goal;
-  double distance = (asked.goal.position() - asked.start.position()).norm();
+  const double distance = (asked.goal.position() - asked.start.position()).norm();
   PlanRequest request = asked;
   request.start = without_many_turns(asked.start, distance);
   request.goal = without_many_turns(asked.goal, distance);
   result.statistics.suboptimality = d.options.suboptimality.value_or(0.0);
   result.lower_bound = travel_time_lower_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse);
-  if (!pose_is_free(d.map(), request.start, true, result) || !pose_is_free(d.map(), request.goal, false, result)) {
-    result.statistics.total_seconds = total.seconds();
-    return;
-  }
-
-  WorkspacePool<Data::Workspace>::Lease workspace(d.workspaces);
-  PlanRun run(d.options, d.map(), request, limits, clock, workspace->run, result);
-  NoPath why{.reverse = request.reverse, .max_gear_changes = request.max_gear_changes};
-  const auto find_end = [&](const DeadEndEffort& effort) {
-    return find_dead_end(request.start, request.goal, d.map().body, d.map().vehicle.min_turning_radius(),
-                         *d.map().queries.sweep, *d.map().outlines, effort, clock);
-  };
-  const auto no_passage = [&] {
-    result.bottleneck = d.bottleneck(request.start, request.goal, clock);
-    if (result.bottleneck && result.bottleneck->too_narrow()) return true;
-    if (!request.reverse) why.dead_end = find_end(kQuickDeadEnd);
-    return why.dead_end.has_value();
-  };
-  why.obstruction = run.find_forwards(d.maps, d.tightest ? kQuickEffort : 1.0, std::cref(no_passage));
-  const auto grow_trees = [&] {
-    if (run.found() || result.interrupted || !run.grows_trees()) return;
-    if (!request.reverse) why.dead_end = find_end(kThoroughDeadEnd);
-    if (!why.dead_end) why.trees = run.find_by_trees(d.maps, d.slim, d.tightest ? kQuickEffort : 1.0);
-  };
-  // Who may reverse finds most ways out of narrow places sooner in both gears.
-  if (!request.reverse && why.obstruction != Obstruction::kPassage) grow_trees();
-  const bool has_forwards = run.found();
-  if (has_forwards) {
-    distance = d.raise_lower_bound(request, clock, workspace->point, result);
-    if (d.tightest && !result.interrupted) run.find_forwards(*d.tightest, 1.0, [] { return false; });
-    // Who refines has time for more; but where other maps are searched as well, those find the faster ways.
-    run.improve_forwards(d.options.refinement.max_trials > 0 && !d.tightest);
-    if (d.tightest) {
-      run.find_other_route(d.maps.faster_turns, kQuickEffort);
-      for (const Roadmap& map : d.other_routes) run.find_other_route(map, kQuickEffort);
-      run.refine_best(kLastEffort);
+  if (pose_is_free(d.map(), request.start, true, result) && pose_is_free(d.map(), request.goal, false, result)) {
+    WorkspacePool<PlanWorkspace>::Lease workspace(d.workspaces);
+    const QueryContext query{d.maps, d.options, request, limits, clock};
+    PlanRun run(query, *workspace, result);
+    run.follow(d.strategy);
+    if (run.found()) {
+      run.raise_lower_bound();
+      d.complete(run.best(), Grace(clock, limits.time), workspace->profile, result);
+    } else {
+      // What ended early is no reason, unless a proof came before.
+      result.interrupted = result.interrupted || (!run.has_proof() && clock.is_over());
+      explain(d.map(), run.why(), limits, result);
     }
-  }
-  bool hopeless = why.obstruction == Obstruction::kPassage;
-  if (request.reverse && !run.found() && !result.interrupted && !hopeless) {
-    why.enclosure =
-        find_enclosure(request.start, request.goal, d.map().body, *d.map().queries.sweep, kEnclosureBoxes, clock);
-    hopeless = why.enclosure.has_value();
-  }
-  const bool is_there = run.found() && run.best().empty();
-  if (request.reverse && !result.interrupted && !hopeless && !is_there) run.find_in_both_gears(d.map(), distance);
-  if (request.reverse && !hopeless) grow_trees();
-  if (!run.found()) {
-    // What ended early is no reason, unless a proof came before.
-    result.interrupted = result.interrupted || (!hopeless && !why.dead_end && clock.is_over());
-    explain(d.map(), why, limits, result);
-  } else {
-    if (!has_forwards) d.raise_lower_bound(request, clock, workspace->point, result);
-    d.complete(run.best(), Grace(clock, limits.time), workspace->run.profile, result);
   }
   result.statistics.total_seconds = total.seconds();
 }
@@ -434,11 +346,11 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
 void Planner::warm_up(std::size_t queries_at_once) const {
   const Data& d = *data_;
   std::size_t most_circles = d.map().graph.circles().size();
-  for (const PlanMaps* maps : {&d.maps, d.tightest ? &*d.tightest : nullptr})
+  for (const PlanMaps* maps : {&d.maps.all, d.maps.tightest ? &*d.maps.tightest : nullptr})
     if (maps && maps->narrow) most_circles = std::max(most_circles, maps->narrow->map().graph.circles().size());
-  std::list<WorkspacePool<Data::Workspace>::Lease> leases;
+  std::list<WorkspacePool<PlanWorkspace>::Lease> leases;
   for (std::size_t i = 0; i < queries_at_once; ++i)
-    leases.emplace_back(d.workspaces)->run.find.search.warm_up(most_circles);
+    leases.emplace_back(d.workspaces)->find.search.warm_up(most_circles);
 }
 
 const World& Planner::world() const { return data_->map().world; }

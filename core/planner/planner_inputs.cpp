@@ -5,11 +5,14 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/turning_radii.h"
 #include "core/model/pose_text.h"
+#include "core/planner/strategy.h"
+#include "core/refine/moves.h"
 #include "core/refine/refine_path.h"
 
 namespace arcway::internal {
@@ -50,6 +53,22 @@ std::vector<double> checked_radii(const World& world, const Vehicle& vehicle, st
   return radii;
 }
 
+void add_name(std::string_view name, std::string& names) {
+  const std::string quoted = "\"" + std::string(name) + "\"";
+  if (names.find(quoted) == std::string::npos) names += (names.empty() ? "" : ", ") + quoted;
+}
+
+// A row of the strategy, which is left out later, or a move of refinement.
+void leave_out(const std::string& name, PlannerOptions& options) {
+  options.refinement.moves &= ~move_bit(name);
+  if (move_bit(name) != 0 || std::ranges::find(kStrategy, name, &StrategyRow::name) != std::end(kStrategy)) return;
+  std::string known;
+  for (const StrategyRow& row : kStrategy) add_name(row.name, known);
+  for (const MoveRow& row : kMoves) add_name(row.name, known);
+  throw std::invalid_argument("leave out \"" + name +
+                              "\": no row of the strategy and no move of refinement; these are " + known);
+}
+
 void require_margin(const World& world, const Vehicle& vehicle) {
   const VehicleParameters& body = vehicle.parameters();
   require_margin(vehicle, std::max({body.length, body.width, body.wheelbase}), "a body of");
@@ -73,6 +92,7 @@ PlannerOptions checked_options(const World& world, const Vehicle& vehicle, Plann
     throw std::invalid_argument("maneuver poses: " + std::to_string(options.maneuver_poses) + ", at most " +
                                 std::to_string(PlannerOptions::kMostManeuverPoses));
   require_refinement(options.refinement);
+  for (const std::string& name : options.leave_out) leave_out(name, options);
   require_margin(world, vehicle);
   return options;
 }
@@ -84,6 +104,14 @@ void require_pose(const std::string& name, const Pose& pose, const Vehicle& vehi
                                   " is neither 0 nor of magnitude " + shortest_text(kSmallestPoseNumber) + " to " +
                                   shortest_text(kLargestPoseNumber));
   require_margin(vehicle, pose.position().cwiseAbs().maxCoeff(), "the coordinate of the ", name);
+}
+
+void require_request(const PlanRequest& request, const PlanLimits& limits, const Vehicle& vehicle) {
+  require_pose("start pose", request.start, vehicle);
+  require_pose("goal pose", request.goal, vehicle);
+  if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
+  if (!(request.cusp_cost >= 0.0 && std::isfinite(request.cusp_cost)))
+    throw std::invalid_argument("cusp cost: " + shortest_text(request.cusp_cost) + " s, must be finite and >= 0");
 }
 
 Pose without_many_turns(const Pose& pose, double distance) {

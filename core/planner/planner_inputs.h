@@ -28,6 +28,10 @@ void require_change(const WorldChange& change, const World& before, const World&
 /// @throws std::invalid_argument naming the pose, the value and the limits.
 void require_pose(const std::string& name, const Pose& pose, const Vehicle& vehicle);
 
+/// Checks that this vehicle can be planned for between the poses of a request.
+/// @throws std::invalid_argument naming the first pose, limit or cost at fault.
+void require_request(const PlanRequest& request, const PlanLimits& limits, const Vehicle& vehicle);
+
 /// A pose whose heading is reduced to less than a turn from 0, if it has so many turns that its rounding would show at
 /// the end of a path. Other headings stay as they are, since their size tells how far they are rounded.
 /// @param distance  from start to goal [m].

@@ -1,12 +1,12 @@
 #include "core/refine/refine_path.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "arcway/angle.h"
@@ -15,6 +15,7 @@
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/refine/circle_chain.h"
+#include "core/refine/moves.h"
 #include "core/refine/tied_turns.h"
 #include "core/refine/timed_chain.h"
 
@@ -26,40 +27,15 @@ namespace {
 constexpr double kSmallestGain = 1e-6;
 // Far more than the rounding of travel times, relative to them.
 constexpr double kRounding = 1e-9;
-constexpr double kFirstStep = 1.0;    // of the smallest turning radius
-constexpr double kRoughStep = 0.125;  // fine enough to try other turns
-constexpr double kTiedTurn = 0.5;     // for the first step of circles that are tied to others [rad]
-constexpr double kLeastTurn = 0.02;   // that is worth being driven in two parts [rad]
-constexpr double kLeastRatio = 1.5;   // ratio of radii between which there is room for another one
-// Words lead from places on one line to places on another: those that divide a line into so many equal parts, and some
-// that are so many of the smallest turning radius from an end of it.
-constexpr int kFewParts = 2;
-constexpr int kMoreParts = 3;
-constexpr std::array kNearEnds{0.5, 1.0, 2.0, 4.0};
-constexpr double kNear = 0.25;  // of the line's length, at most
-// A path that has become faster by this share may do so once more.
-constexpr double kWorthSettling = 1e-5;
-constexpr int kMostSettled = 4;
+constexpr double kFirstStep = 1.0;   // of the smallest turning radius
+constexpr int kMostIterations = 8;   // of one length of steps
+constexpr double kTiedTurn = 0.5;    // for the first step of circles that are tied to others [rad]
+constexpr double kLeastTurn = 0.02;  // that is worth being driven in two parts [rad]
+constexpr double kLeastRatio = 1.5;  // ratio of radii between which there is room for another one
+constexpr double kNear = 0.25;       // of a line's length: places that lie a number of radii from its end, at most
 // Iterations of a loop, of some nanoseconds to some tenths of a microsecond each, between two questions whether to
 // stop.
 constexpr std::uint32_t kIterationsUnasked = 64;
-
-// How the circle of a turn that is not the first or last one moves, in steps: its center inwards from, and around, the
-// point of the inner swept circle where a share of the turn, `at`, is done, and along the heading there; and its radius
-// grows.
-struct Move {
-  double inwards, around, grow, at, along = 0.0;
-};
-constexpr std::array<Move, 21> kMoves{
-    {{1, 0, 0, 0.5},     {0, 1, 0, 0.5},    {0, -1, 0, 0.5},   {1, 1, 0, 0.5},  {1, -1, 0, 0.5}, {0, 0, 1, 0.5},
-     {0, 0, -0.5, 0.5},  {-1, 0, 0, 0.5},   {0, 1, 1, 0.5},    {0, -1, 1, 0.5}, {1, 0, 1, 0.5},  {-1, 0, 1, 0.5},
-     {-1, 0, -0.5, 0.5}, {0, 1, 0, 0.0},    {0, -1, 0, 0.0},   {0, 1, 0, 1.0},  {0, -1, 0, 1.0}, {0, 0, 0, 0.0, 1},
-     {0, 0, 0, 0.0, -1}, {0, 0, 0, 1.0, 1}, {0, 0, 0, 1.0, -1}}};
-// Those around the middle. What is in the way is often where the turn begins or ends, or along the line before or
-// behind it, which stays where it is when the circle moves along it; looked at too early, that leads some paths to a
-// worse optimum.
-constexpr std::span kRoughMoves = std::span(kMoves).first<13>();
-constexpr std::span kFineMoves = std::span(kMoves).first<17>();
 
 // A place on a straight line of the path.
 struct Station {
@@ -118,11 +94,10 @@ class Refiner {
     for (int i = 0; i < kMostSettled && !done(); ++i) {
       const double before = result_.travel_time;
       settle();
-      // Words between more places may lead out of a local optimum.
-      while (!done() && insert_words(kMoreParts, kNearEnds)) settle();
+      while (!done() && take_first(Stage::kEscape)) settle();
       if (result_.travel_time > (1.0 - kWorthSettling) * before) break;
     }
-    slide(options_.smallest_step, kMoves);
+    take_all(Stage::kFinish);
   }
 
  private:
@@ -130,13 +105,29 @@ class Refiner {
   void settle() {
     bool more = true;
     while (more && !done()) {
-      while (!done() && (drop_turns() || rejoin_ends() || merge_turns())) {
+      while (!done() && take_first(Stage::kSimplify)) {
       }
-      more = slide(kRoughStep, kRoughMoves);
-      more = widen_turns() || more;
-      more = insert_words(kFewParts, {}) || more;
+      more = take_all(Stage::kImprove);
     }
-    slide(options_.smallest_step, kFineMoves);
+    take_all(Stage::kSettle);
+  }
+
+  // The moves of a stage, one by one until one helps. Returns whether one did.
+  bool take_first(Stage stage) {
+    for (const MoveRow& row : kMoves)
+      if (row.stage == stage && take(row)) return true;
+    return false;
+  }
+  // All moves of a stage. Returns whether one helped.
+  bool take_all(Stage stage) {
+    bool any = false;
+    for (const MoveRow& row : kMoves)
+      if (row.stage == stage) any = take(row) || any;
+    return any;
+  }
+  bool take(const MoveRow& row) {
+    const auto bit = static_cast<std::uint32_t>(1) << (&row - std::begin(kMoves));
+    return (options_.moves & bit) != 0 && std::visit([this](const auto& move) { return take(move); }, row.move);
   }
 
   [[nodiscard]] bool done() {
@@ -202,7 +193,7 @@ class Refiner {
     return turn_free(sweep_, body_, arc, headings_);
   }
 
-  bool drop_turns() {
+  bool take(const DropTurns&) {
     bool any = false;
     for (std::size_t span = circles().size() - 1; span >= 2; --span)
       for (std::size_t i = 0; i + span < circles().size() && !is_over(); ++i)
@@ -210,7 +201,7 @@ class Refiner {
     return any;
   }
 
-  bool rejoin_ends() {
+  bool take(const RejoinEnds&) {
     bool any = false;
     for (std::size_t keep = 1; keep < circles().size() && !is_over(); ++keep)  // circles from the other end
       for (const bool at_start : {true, false})
@@ -226,15 +217,16 @@ class Refiner {
     return any;
   }
 
-  bool merge_turns() {
+  bool take(const MergeTurns& move) {
     bool any = false;
     for (std::size_t span = circles().size(); span >= 2; --span)
-      for (std::size_t i = 0; i + span <= circles().size() && !done_by_now(); ++i) any |= merge(i, i + span);
+      for (std::size_t i = 0; i + span <= circles().size() && !done_by_now(); ++i)
+        any |= merge(i, i + span, move.radii);
     return any;
   }
 
   // One circle tangent to the lines before and behind the circles [first, last).
-  bool merge(std::size_t first, std::size_t last) {
+  bool merge(std::size_t first, std::size_t last, std::span<const double> radii) {
     const Bitangent before = lines()[first];
     const Bitangent behind = lines()[last];
     const double turn = wrap_signed(behind.start.heading - before.start.heading);
@@ -247,7 +239,7 @@ class Refiner {
     const double room = std::min(ahead, back);
     const double slope = std::tan(0.5 * std::abs(turn));
     const Side side = turn > 0.0 ? Side::kLeft : Side::kRight;
-    for (const double factor : {1.0, 1.5, 2.25, 3.5, 5.0, 8.0, 12.0, 18.0}) {
+    for (const double factor : radii) {
       const double radius = factor * smallest_;
       if (radius * slope > room) break;
       const Vec2 touch = before.start.position() + (ahead - radius * slope) * d;
@@ -260,46 +252,46 @@ class Refiner {
     return false;
   }
 
-  // Words between places that divide each line into equal parts, and others near its ends [min_turning_radius].
-  bool insert_words(int parts, std::span<const double> near_ends) {
-    const double twice = 2.0 * vehicle_.max_acceleration();
-    const auto station = [&](std::size_t line, double part) {
-      const Bitangent& l = lines()[line];
-      const auto begin = chain_.begin_of(line), end = chain_.end_of(line);
-      const Vec2 ahead = direction_of(l.start.heading);
-      const Vec2 p = l.start.position() + part * l.length * ahead;
-      const double speed =
-          std::min({vehicle_.max_speed(), std::sqrt(begin.speed * begin.speed + twice * part * l.length),
-                    std::sqrt(end.speed * end.speed + twice * (1.0 - part) * l.length)});
-      return Station{line,
-                     part,
-                     {p.x(), p.y(), l.start.heading},
-                     perpendicular(ahead),
-                     begin.time + part * (end.time - begin.time),
-                     speed};
-    };
-    std::vector<Station>& stations = stations_;
-    stations.clear();
+  // Words lead from places on one line to places on another.
+  bool take(const InsertWords& move) {
+    find_stations(move);
+    for (std::size_t span = stations_.size() - 1; span > 0 && !is_over(); --span)
+      for (std::size_t i = 0; i + span < stations_.size() && !done_by_now(); ++i)
+        if (stations_[i].line < stations_[i + span].line && insert_word(stations_[i], stations_[i + span])) return true;
+    return false;
+  }
+
+  void find_stations(const InsertWords& move) {
+    stations_.clear();
     for (std::size_t i = 0; i < lines().size(); ++i) {
       const double length = lines()[i].length;
-      const auto first = stations.size();
-      stations.push_back(station(i, 0.0));
+      const auto first = stations_.size();
+      stations_.push_back(station(i, 0.0));
       if (length > smallest_)
-        for (int k = 1; k < parts; ++k) stations.push_back(station(i, k / static_cast<double>(parts)));
-      for (const double radii : near_ends) {
+        for (int k = 1; k < move.parts; ++k) stations_.push_back(station(i, k / static_cast<double>(move.parts)));
+      for (const double radii : move.near_ends) {
         const double part = radii * smallest_ / length;
         if (!(part < kNear)) break;
-        stations.push_back(station(i, part));
-        stations.push_back(station(i, 1.0 - part));
+        stations_.push_back(station(i, part));
+        stations_.push_back(station(i, 1.0 - part));
       }
-      if (length > 0.0) stations.push_back(station(i, 1.0));
-      std::sort(stations.begin() + static_cast<std::ptrdiff_t>(first), stations.end(),
+      if (length > 0.0) stations_.push_back(station(i, 1.0));
+      std::sort(stations_.begin() + static_cast<std::ptrdiff_t>(first), stations_.end(),
                 [](const Station& a, const Station& b) { return a.part < b.part; });
     }
-    for (std::size_t span = stations.size() - 1; span > 0 && !is_over(); --span)
-      for (std::size_t i = 0; i + span < stations.size() && !done_by_now(); ++i)
-        if (stations[i].line < stations[i + span].line && insert_word(stations[i], stations[i + span])) return true;
-    return false;
+  }
+
+  [[nodiscard]] Station station(std::size_t line, double part) const {
+    const double twice = 2.0 * vehicle_.max_acceleration();
+    const Bitangent& l = lines()[line];
+    const auto begin = chain_.begin_of(line), end = chain_.end_of(line);
+    const Vec2 ahead = direction_of(l.start.heading);
+    const Vec2 p = l.start.position() + part * l.length * ahead;
+    const double speed = std::min({vehicle_.max_speed(), std::sqrt(begin.speed * begin.speed + twice * part * l.length),
+                                   std::sqrt(end.speed * end.speed + twice * (1.0 - part) * l.length)});
+    return {
+        line, part, {p.x(), p.y(), l.start.heading}, perpendicular(ahead), begin.time + part * (end.time - begin.time),
+        speed};
   }
 
   // Least time for a length between two speeds.
@@ -340,65 +332,66 @@ class Refiner {
   }
 
   // Parts of turns become wider ones, where these are faster.
-  bool widen_turns() {
+  bool take(const WidenTurns& move) {
     if (radii_.size() < 2) return false;
     bool any = false;
     for (std::size_t i = 0; i < circles().size() && !is_over(); ++i)
-      for (const bool leaving : {true, false}) any |= widen(i, leaving);
-    any |= pinch(0);
-    any |= pinch(circles().size() - 1);
+      for (const bool leaving : {true, false}) any |= widen(i, leaving, move);
+    any |= pinch(0, move);
+    any |= pinch(circles().size() - 1, move);
     return any;
   }
 
-  bool widen(std::size_t i, bool leaving) {
+  bool widen(std::size_t i, bool leaving, const WidenTurns& move) {
     const std::size_t other = leaving ? i + 1 : i - 1;
     if (other >= circles().size() || chain_.turn_on(i) < kLeastTurn) return false;
-    if (are_tied(chain_.chain(), lines(), std::min(i, other))) return step(i, leaving);
-    for (const double share : {0.25, 0.5, 0.75, 0.9})
-      for (const double factor : {1.5, 2.5, 5.0, 10.0})
+    if (are_tied(chain_.chain(), lines(), std::min(i, other))) return step(i, leaving, move);
+    for (const double share : move.shares)
+      for (const double factor : move.factors)
         if (accept(widened(chain_.chain(), lines(), i, leaving, share, factor))) return true;
     return false;
   }
 
   // A turn that gets wider gets so by more steps.
-  bool step(std::size_t i, bool leaving) {
+  bool step(std::size_t i, bool leaving, const WidenTurns& move) {
     const std::size_t wide = leaving ? i + 1 : i - 1;
     const double ratio = circles()[wide].radius / circles()[i].radius;
     if (wide == 0 || wide + 1 == circles().size() || ratio < kLeastRatio) return false;
     if (are_tied(chain_.chain(), lines(), leaving ? wide : wide - 1)) return false;
-    for (const double share : {0.5, 0.75, 0.9})
+    for (const double share : move.step_shares)
       if (accept(stepped(chain_.chain(), lines(), i, leaving, share, std::sqrt(ratio) * circles()[i].radius)))
         return true;
     return false;
   }
 
   // The vehicle is slow at the ends of its path: tight turns cost little there.
-  bool pinch(std::size_t i) {
+  bool pinch(std::size_t i, const WidenTurns& move) {
     const double radius = circles()[i].radius;
     if (radius <= smallest_) return false;
-    for (const double turn : {0.1, 0.2, 0.4, 0.8})
-      for (const double factor : {1.0, 0.5, 2.0})
+    for (const double turn : move.end_turns)
+      for (const double factor : move.end_factors)
         if (accept(pinched(chain_.chain(), i, smallest_, turn, std::max(factor * radius, 1.5 * smallest_))))
           return true;
     return false;
   }
 
-  bool slide(double last_step, std::span<const Move> moves) {
+  bool take(const SlideCircles& move) {
+    const double last_step = move.last_step > 0.0 ? move.last_step : options_.smallest_step;
     bool any = false;
     for (double step = kFirstStep; step >= last_step && !done(); step *= 0.5) {
       bool moved = true;
-      for (int iteration = 0; moved && iteration < 8 && !done(); ++iteration) {
+      for (int iteration = 0; moved && iteration < kMostIterations && !done(); ++iteration) {
         moved = false;
-        for (std::size_t i = 0; i < circles().size() && !is_over(); ++i) moved |= slide_circle(i, step, moves);
+        for (std::size_t i = 0; i < circles().size() && !is_over(); ++i) moved |= slide_circle(i, step, move.steps);
         any |= moved;
       }
     }
     return any;
   }
 
-  bool slide_circle(std::size_t i, double step, std::span<const Move> moves) {
+  bool slide_circle(std::size_t i, double step, std::span<const CircleStep> steps) {
     if (i == 0 || i + 1 == circles().size()) return slide_end(i, step);
-    return is_tied(chain_.chain(), lines(), i) ? slide_tied(i, step) : slide_middle(i, step, moves);
+    return is_tied(chain_.chain(), lines(), i) ? slide_tied(i, step) : slide_middle(i, step, steps);
   }
 
   bool slide_tied(std::size_t i, double step) {
@@ -430,9 +423,9 @@ class Refiner {
     return any;
   }
 
-  bool slide_middle(std::size_t i, double step, std::span<const Move> moves) {
+  bool slide_middle(std::size_t i, double step, std::span<const CircleStep> steps) {
     bool any = false;
-    for (const Move& move : moves) {
+    for (const CircleStep& move : steps) {
       TurnCircle c = circles()[i];
       const Vec2 ahead = direction_of(lines()[i].start.heading + sign_of(c.side) * move.at * chain_.turn_on(i));
       const Vec2 inwards = sign_of(c.side) * perpendicular(ahead);

@@ -37,7 +37,7 @@ class TreeSearch {
         contact_(*map.outlines, map.body) {}
 
   void run() {
-    std::span<const TreePass> passes = std::span(kTreePasses).subspan(limits_.first_pass, limits_.passes);
+    std::span<const TreePass> passes = limits_.passes;
     if (limits_.looks_around) {
       end_.surroundings = look_around();
       if (end_.surroundings == Surroundings::kClosed || interrupted()) return;

@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "arcway/path.h"
 #include "core/search/effort.h"
-#include "core/search/find_path.h"
+#include "core/search/forward_search.h"
 #include "core/search/way_out.h"
 
 namespace arcway::internal {
@@ -14,8 +15,8 @@ namespace arcway::internal {
 /// What a search by trees may take.
 struct TreeLimits {
   std::size_t poses;  ///< that are grown in all, O(edges near by) each; fewer where these are very many
-  std::size_t first_pass = 0, passes = kTreePasses.size();  ///< of those in effort.h
-  bool looks_around = true;                                 ///< for a way out of the surroundings of each end first
+  std::span<const TreePass> passes = kTreePasses;
+  bool looks_around = true;  ///< for a way out of the surroundings of each end first
   /// Makes the path that is wanted of one that is found, or nothing: then another one is looked for. Empty: any will
   /// do.
   std::function<std::optional<Path>(const Path&)> accept = {};

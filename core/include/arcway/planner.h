@@ -70,6 +70,9 @@ struct PlannerOptions {
   /// Local optimization of each path found; `max_trials = 0` turns it off. With radii wider than the tightest ones, a
   /// query may run up to some fifty times as many trials in all.
   RefineOptions refinement = {};
+  /// Rows of the strategy and moves of refinement to do without, by their names: to find out what each of them brings,
+  /// or to have answers sooner. The tables in core/README.md list them.
+  std::vector<std::string> leave_out = {};
   /// Processes that build one eager graph together; null: this process alone. Used during construction only, and not
   /// part of Planner::options.
   const ProcessGroup* process_group = nullptr;

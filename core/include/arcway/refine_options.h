@@ -11,6 +11,8 @@ struct RefineOptions {
   std::uint32_t max_trials = 4000;
   /// Smallest step by which centers and radii move, as a share of the smallest turning radius, > 0.
   double smallest_step = 1.0 / 128.0;
+  /// Bit i: the i-th move of refinement is tried. PlannerOptions::leave_out says by name which are not.
+  std::uint32_t moves = 0xFFFF'FFFF;
 };
 
 }  // namespace arcway

@@ -1,0 +1,232 @@
+// The steps of PlanRun: what each row of the strategy does.
+
+#include <algorithm>
+#include <utility>
+
+#include "core/gaps/enclosure.h"
+#include "core/planner/plan_run.h"
+#include "core/planner/strategy.h"
+#include "core/refine/shorten_path.h"
+#include "core/search/push_free.h"
+
+namespace arcway::internal {
+
+template <class Find>
+FoundPath PlanRun::search(const Find& find) {
+  const Stopwatch searching;
+  FoundPath found = find();
+  PlanStatistics& s = result_.statistics;
+  s.nodes_expanded += found.search.nodes_expanded;
+  s.nodes_pushed += found.search.nodes_pushed;
+  s.straights_checked += found.search.straights_checked;
+  s.turns_checked += found.search.turns_checked;
+  s.maneuver_poses += found.maneuver_poses;
+  s.search_seconds += searching.seconds();
+  result_.interrupted = result_.interrupted || found.search.interrupted;
+  return found;
+}
+
+const PlanMaps& PlanRun::maps_on(On on) const {
+  if (on == On::kInUse) return *maps_;
+  return on == On::kTightest ? *query_.maps.tightest : query_.maps.all;
+}
+
+ForwardSearch& PlanRun::forward_search(On on) {
+  auto& search = forward_[on == On::kTightest ? 1 : 0];
+  if (!search) {
+    const PlanMaps& maps = maps_on(on);
+    search.emplace(maps.plain, maps.narrow ? &*maps.narrow : nullptr,
+                   ForwardSearch::Query{query_.request.start, query_.request.goal, query_.options.maneuver_poses},
+                   search_options_, workspace_.find);
+  }
+  return *search;
+}
+
+void PlanRun::take(const JoinBySingleArcs& step, double trials) {
+  keep_forwards(step.on, search([&] { return forward_search(step.on).join_by_single_arcs(); }), trials);
+}
+
+void PlanRun::take(const JoinByNarrowPlaces& step, double trials) {
+  keep_forwards(step.on, search([&] { return forward_search(step.on).join_by_narrow_places(); }), trials);
+}
+
+void PlanRun::take(const JoinByManeuvers& step, double trials) {
+  keep_forwards(step.on, search([&] { return forward_search(step.on).join_by_maneuvers(step.effort); }), trials);
+}
+
+void PlanRun::take(const JoinByManeuversAndNarrowPlaces& step, double trials) {
+  keep_forwards(
+      step.on, search([&] { return forward_search(step.on).join_by_maneuvers_and_narrow_places(step.poses); }), trials);
+}
+
+void PlanRun::take(const ProveNoPassage&, double) {
+  result_.bottleneck = query_.maps.bottleneck(query_.request.start, query_.request.goal, query_.clock);
+  has_proof_ = result_.bottleneck && result_.bottleneck->too_narrow();
+  if (has_proof_) why_.obstruction = Obstruction::kPassage;
+}
+
+void PlanRun::take(const ProveDeadEnd& step, double) {
+  why_.dead_end = find_dead_end(query_.request.start, query_.request.goal, map_.body, map_.vehicle.min_turning_radius(),
+                                *map_.queries.sweep, *map_.outlines, step.effort, query_.clock);
+  has_proof_ = why_.dead_end.has_value();
+}
+
+void PlanRun::take(const ProveEnclosure& step, double) {
+  why_.enclosure = find_enclosure(query_.request.start, query_.request.goal, map_.body, *map_.queries.sweep, step.boxes,
+                                  query_.clock);
+  has_proof_ = why_.enclosure.has_value();
+}
+
+void PlanRun::take(const GrowTrees& step, double trials) {
+  if (are_trees_vain_ || (step.only_in_the_open && surroundings_ != Surroundings::kOpen)) return;
+  const PlanMaps& maps = maps_on(step.on);
+  const Roadmap& map = maps.narrow ? maps.narrow->map(query_.clock) : maps.plain;
+  const TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
+                          .passes = step.passes,
+                          .looks_around = step.looks_around};
+  TreesEnd end;
+  FoundPath grown = search([&] {
+    return search_trees(map, query_.request.start, query_.request.goal, limits, search_options_, workspace_.find.search,
+                        end);
+  });
+  result_.statistics.tree_poses += end.poses;
+  if (step.looks_around) surroundings_ = end.surroundings;
+  are_trees_vain_ = end.surroundings == Surroundings::kClosed;
+  why_.trees = end;
+  if (grown.search.path) keep_of_trees(maps, std::move(*grown.search.path), step.shortenings, trials);
+}
+
+void PlanRun::take(const GrowSlimTrees& step, double trials) {
+  const StopClock& clock = query_.clock;
+  const Roadmap* slim = are_trees_vain_ ? nullptr : query_.maps.slim(step.body, clock);
+  if (!slim) return;
+  const Pose& goal = query_.request.goal;
+  const auto widened = [&](const Path& path) -> std::optional<Path> {
+    if (path.empty()) return std::nullopt;
+    const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock);
+    auto free = push_free(shorter, goal, map_.body, map_, clock);
+    return free ? free : push_free(path, goal, map_.body, map_, clock);
+  };
+  const TreeLimits limits{.poses = tree_poses_, .passes = kCoarseTrees.passes, .accept = widened};
+  TreesEnd end;
+  FoundPath grown = search([&] {
+    return search_trees(*slim, query_.request.start, goal, limits, search_options_, workspace_.find.search, end);
+  });
+  result_.statistics.tree_poses += end.poses;
+  const bool is_hopeless = end.surroundings != Surroundings::kOpen || end.ran_dry;
+  are_trees_vain_ = end.refused == 0 && is_hopeless;
+  if (grown.search.path) keep_of_trees(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
+}
+
+void PlanRun::take(const RaiseLowerBound&, double) { raise_lower_bound(); }
+
+void PlanRun::take(const TryManeuvers& step, double trials) {
+  const std::uint32_t poses = std::min(step.poses, query_.options.maneuver_poses);
+  if (poses > 1) try_faster(*fastest_.map, poses, step.least_gain, trials);
+}
+
+void PlanRun::take(const TryNarrowPlaces& step, double trials) {
+  if (maps_->narrow && fastest_.map == &maps_->plain)
+    try_faster(maps_->narrow->map(query_.clock), 0, step.least_gain, trials);
+}
+
+void PlanRun::try_faster(const Roadmap& map, std::size_t poses, double least_gain, double trials) {
+  SearchOptions faster = search_options_;
+  faster.least_gain = least_gain * fastest_.times.unrefined;
+  faster.faster_than = fastest_.times.unrefined - faster.least_gain;
+  faster.warm_start = true;
+  FoundPath turning = search([&] {
+    return find_path_with_maneuvers(map, query_.request.start, query_.request.goal, poses, faster, workspace_.find);
+  });
+  if (!turning.search.path) return;
+  const Times times = keep(std::move(*turning.search.path), trials, false);
+  if (times.cost >= fastest_.times.cost) return;
+  fastest_ = {times, &map, poses, turning.search.first_circle, turning.search.last_circle};
+}
+
+void PlanRun::take(const TryOtherLastCircle& step, double trials) {
+  if (fastest_.last_circle == kNone) return;
+  SearchOptions other = search_options_;
+  other.faster_than = (1.0 + step.slower) * fastest_.times.unrefined;
+  other.not_last = fastest_.last_circle;
+  try_other_way(*fastest_.map, fastest_.poses, other, trials);
+}
+
+void PlanRun::take(const TryOtherFirstCircle& step, double trials) {
+  if (fastest_.last_circle == kNone) return;
+  SearchOptions other = search_options_;
+  other.faster_than = (1.0 + step.slower) * fastest_.times.unrefined;
+  other.not_first = fastest_.first_circle;
+  try_other_way(*fastest_.map, fastest_.poses, other, trials);
+}
+
+void PlanRun::take(const TryOtherTurns& step, double trials) {
+  const Roadmap& map = step.factor > 1.0 ? maps_->faster_turns : maps_->slower_turns;
+  try_other_way(map, fastest_.poses, search_options_, trials);
+}
+
+void PlanRun::take(const TryOtherRadii& step, double trials) {
+  if (const Roadmap* map = query_.maps.other.find({step.radii, step.factor}))
+    try_other_way(*map, 0, search_options_, trials);
+}
+
+void PlanRun::try_other_way(const Roadmap& map, std::size_t poses, SearchOptions options, double trials) {
+  options.most_expanded = first_expanded_ / 4 + kMoreExpanded;
+  FoundPath other = search([&] {
+    return find_path_with_maneuvers(map, query_.request.start, query_.request.goal, poses, options, workspace_.find);
+  });
+  if (!other.search.path) return;
+  // Paths of one time to the last bit are one path.
+  const auto& known = workspace_.unrefined_times;
+  if (std::ranges::find(known, travel_time(*other.search.path)) == known.end()) {
+    keep(std::move(*other.search.path), trials, false);
+  } else {
+    workspace_.find.search.reuse(std::move(*other.search.path));
+  }
+}
+
+void PlanRun::take(const RefineBest& step, double trials) {
+  double& unrefined_time = result_.statistics.unrefined_travel_time;
+  const auto refine_further = [&](const Path& path, double unrefined) {
+    if (result_.interrupted) return;
+    refine(path, trials, false);
+    const double cost = cost_of(workspace_.refined.path);
+    if (cost >= best_cost_) return;
+    std::swap(workspace_.best, workspace_.refined.path);
+    best_cost_ = cost;
+    unrefined_time = unrefined;
+  };
+  const bool are_close = second_cost_ <= (1.0 + step.close) * best_cost_;
+  refine_further(workspace_.best, unrefined_time);
+  if (are_close) refine_further(workspace_.second, second_unrefined_);
+}
+
+ReversingSearch& PlanRun::reversing_search() {
+  if (!reversing_) {
+    const double unrefined = found_ ? result_.statistics.unrefined_travel_time : best_cost_;
+    reversing_.emplace(
+        map_, ReversingQuery{query_.request.start, query_.request.goal, distance_, unrefined, gear_changes_.most},
+        search_options_, workspace_.find.search);
+  }
+  return *reversing_;
+}
+
+void PlanRun::take(const JoinBackwards&, double) {
+  search([&] { return reversing_search().join_backwards(); });
+}
+
+void PlanRun::take(const JoinBetweenGears& step, double) {
+  search([&] { return reversing_search().join_between(step.attachments); });
+}
+
+void PlanRun::take(const GrowGearTrees& step, double) {
+  search([&] { return reversing_search().grow_gear_trees(step.poses); });
+  only_narrow_gears_ = false;
+}
+
+void PlanRun::take(const GrowNarrowGearTrees& step, double) {
+  search([&] { return reversing_search().grow_narrow_gear_trees(step.poses); });
+  only_narrow_gears_ = reversing_->path().has_value();
+}
+
+}  // namespace arcway::internal

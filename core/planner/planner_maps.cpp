@@ -1,0 +1,46 @@
+#include "core/planner/planner_maps.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "arcway/turning_radii.h"
+#include "core/planner/strategy.h"
+#include "core/roadmap/feasible_graph.h"
+
+namespace arcway::internal {
+
+namespace {
+
+std::vector<OtherRoute> other_routes() {
+  std::vector<OtherRoute> routes;
+  for (const StrategyRow& row : kStrategy)
+    if (const auto* step = std::get_if<TryOtherRadii>(&row.step)) routes.push_back({step->radii, step->factor});
+  return routes;
+}
+
+}  // namespace
+
+PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::shared_ptr<const VisibilityRows>& rows,
+                         const Executor& executor)
+    : all(std::move(map), options.gap_circles),
+      slim(all.plain, rows),
+      bottleneck(all.plain.world, all.plain.vehicle, all.plain.gaps) {
+  end_if_over(executor);
+  const Roadmap& plain = all.plain;
+  const std::size_t tightest_count =
+      tightest_radii(plain.vehicle.footprint(plain.vehicle.safety_margin()), options.radii);
+  if (tightest_count < options.radii.size()) {
+    const std::vector<double> smallest(options.radii.begin(),
+                                       options.radii.begin() + static_cast<std::ptrdiff_t>(tightest_count));
+    FeasibleGraph lazy(plain.world, plain.vehicle, rows, plain.queries, smallest, executor, GraphMode::kLazy);
+    tightest.emplace(plain.with_graph(std::move(lazy), smallest), options.gap_circles);
+    other = OtherMaps(plain, tightest->plain, other_routes(), rows, executor);
+  }
+  const Footprint bare = plain.vehicle.footprint();
+  if (options.point_robot_lower_bound && std::min(bare.front, bare.rear) >= 0.0)
+    point_distance.emplace(plain.world, rows, plain.outlines);
+}
+
+}  // namespace arcway::internal

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "arcway/executor.h"
+#include "arcway/planner.h"
+#include "arcway/visibility_rows.h"
+#include "core/gaps/bottleneck_finder.h"
+#include "core/planner/plan_maps.h"
+#include "core/planner/slim_maps.h"
+#include "core/search/point_distance.h"
+
+namespace arcway::internal {
+
+/// All that the queries of one planner share. Immutable but for what is made when first asked for; thread-safe.
+struct PlannerMaps {
+  /// @param map       of all radii.
+  /// @param rows      of the reduced graph.
+  /// @param executor  used during the call only; may end it, see end_if_over.
+  PlannerMaps(Roadmap map, const PlannerOptions& options, const std::shared_ptr<const VisibilityRows>& rows,
+              const Executor& executor);
+  PlannerMaps(const PlannerMaps&) = delete;  // members refer to `all`
+
+  PlanMaps all;
+  SlimMaps slim;
+  std::optional<PlanMaps> tightest;  ///< of the tightest radii only, where there are wider ones
+  OtherMaps other;                   ///< of several radii, where there are wider ones
+  std::optional<PointDistance> point_distance;
+  BottleneckFinder bottleneck;
+};
+
+}  // namespace arcway::internal

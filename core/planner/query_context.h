@@ -1,0 +1,21 @@
+#pragma once
+
+#include "arcway/planner.h"
+#include "arcway/stop_clock.h"
+#include "core/planner/planner_maps.h"
+
+namespace arcway::internal {
+
+/// What all steps of one query are given. References: all must outlive the query.
+struct QueryContext {
+  const PlannerMaps& maps;
+  const PlannerOptions& options;  ///< of the planner
+  const PlanRequest& request;     ///< with headings within one turn of those asked for
+  const PlanLimits& limits;
+  const StopClock& clock;  ///< of the limits
+
+  /// The roadmap of all radii.
+  [[nodiscard]] const Roadmap& map() const { return maps.all.plain; }
+};
+
+}  // namespace arcway::internal

@@ -1,0 +1,187 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "arcway/angle.h"
+#include "core/planner/strategy_row.h"
+#include "core/search/effort.h"
+
+/// What a query tries, in which order, from which gap on, and with how much effort. PlanRun goes through `kStrategy`
+/// from the first row to the last, and takes each whose condition holds. `arcway report --tables` writes it as a table.
+
+namespace arcway::internal {
+
+// The paths of several roadmaps are refined as far as tells which is the best, and that one then at length.
+inline constexpr Trials kUntilCompared{.several = 0.75};
+
+// Gap of the best plan from which on paths of other routes are worth looking for.
+inline constexpr double kWorthOtherRoutes = 0.01;
+// Lateral accelerations of other vehicles, whose fastest path may be the faster one once refined: many turns become
+// wider or are left out, others stay what they are.
+inline constexpr double kFasterTurns = 2.0, kSlowerTurns = 0.5;
+
+// The narrow part of the strategy, in one gear. It is looked at before a way in both gears if the vehicle may not
+// reverse, else behind it: most ways out of narrow places are found sooner in both gears.
+inline constexpr GrowTrees kCoarseTrees{.on = On::kAllRadii,
+                                        .share = 1.0,
+                                        .passes = std::span(kTreePasses).first<1>(),
+                                        .looks_around = true,
+                                        .only_in_the_open = false,
+                                        .shortenings = 10};
+// As many poses as the trees of slimmer bodies take leave the last pass out.
+inline constexpr GrowTrees kFinerTrees{.on = On::kAllRadii,
+                                       .share = 1.0,
+                                       .passes = std::span(kTreePasses).subspan<1, 2>(),
+                                       .looks_around = false,
+                                       .only_in_the_open = true,
+                                       .shortenings = 10};
+// A path of fewer motions is made free more often, and is faster then.
+inline constexpr GrowSlimTrees kSlimTrees{.body = 0, .shortening = 2000, .shortenings = 10};
+inline constexpr GrowSlimTrees kLessSlimTrees{.body = 1, .shortening = 2000, .shortenings = 10};
+inline constexpr When kNarrowForwards{.known = Known::kNoPath, .driving = Driving::kForwards, .grows_trees = true};
+inline constexpr When kNarrowAfterGears{.known = Known::kNoPath, .driving = Driving::kBothGears, .grows_trees = true};
+
+inline constexpr When kOtherRadii{
+    .known = Known::kPath, .radii = Radii::kSeveral, .refines = true, .best_gap = kWorthOtherRoutes};
+
+inline constexpr StrategyRow kStrategy[] = {
+    // A first path, driven forwards.
+    {"single arcs", {}, JoinBySingleArcs{On::kAllRadii}, kUntilCompared},
+    {"proof of no passage", {.known = Known::kNoPath}, ProveNoPassage{}},
+    // A quick proof: before maneuvers are tried.
+    {"proof of a dead end",
+     {.known = Known::kNoPath, .driving = Driving::kForwards},
+     ProveDeadEnd{{.halvings = 1, .max_checks = 8500}}},
+    {"circles in gaps", {.known = Known::kNoPath}, JoinByNarrowPlaces{On::kAllRadii}, kUntilCompared},
+    {"maneuvers",
+     {.known = Known::kNoPath},
+     JoinByManeuvers{On::kAllRadii, {.first = 100, .sparse_factor = 4}},
+     kUntilCompared},
+    {"maneuvers to circles in gaps",
+     {.known = Known::kNoPath},
+     JoinByManeuversAndNarrowPlaces{On::kAllRadii, 100},
+     kUntilCompared},
+    // It takes 2 to 30 ms, the trees that it saves 150 to 1,000. It proves 8 of the 21 queries without a path of the
+    // kept worlds that reach it; with 30,000 checks it proves 6, with a third halving 9 in 170 ms.
+    {"thorough proof of a dead end", kNarrowForwards, ProveDeadEnd{{.halvings = 2, .max_checks = 75'000}}},
+    {"trees", kNarrowForwards, kCoarseTrees, kUntilCompared},
+    {"trees of a slim body", kNarrowForwards, kSlimTrees, kUntilCompared},
+    {"trees of a less slim body", kNarrowForwards, kLessSlimTrees, kUntilCompared},
+    {"finer trees", kNarrowForwards, kFinerTrees, kUntilCompared},
+
+    // Faster paths, driven forwards.
+    {"lower bound around obstacles", {.known = Known::kPath}, RaiseLowerBound{}},
+    {"tightest radii alone", {.known = Known::kPath, .radii = Radii::kSeveral}, JoinBySingleArcs{On::kTightest}},
+    {"tightest radii alone",
+     {.known = Known::kPathElsewhere, .radii = Radii::kSeveral},
+     JoinByNarrowPlaces{On::kTightest}},
+    {"tightest radii alone",
+     {.known = Known::kPathElsewhere, .radii = Radii::kSeveral},
+     JoinByManeuvers{On::kTightest, {.first = 100, .sparse_factor = 4}}},
+    {"tightest radii alone",
+     {.known = Known::kPathElsewhere, .radii = Radii::kSeveral},
+     JoinByManeuversAndNarrowPlaces{On::kTightest, 100}},
+    {"6 maneuvers at both ends",
+     {.known = Known::kPath, .care = Care::kQuick, .gap = 0.07},
+     TryManeuvers{.poses = 6, .least_gain = 0.001}},
+    {"48 maneuvers at both ends",
+     {.known = Known::kPath, .care = Care::kThorough, .gap = 0.04},
+     TryManeuvers{.poses = 48, .least_gain = 0.001}},
+    {"120 maneuvers at both ends",
+     {.known = Known::kPath, .gap = 0.1},
+     TryManeuvers{.poses = 120, .least_gain = 0.001}},
+    {"400 maneuvers at both ends",
+     {.known = Known::kPath, .care = Care::kThorough, .gap = 0.2},
+     TryManeuvers{.poses = 400, .least_gain = 0.001}},
+    {"circles in gaps, for speed",
+     {.known = Known::kPath, .care = Care::kThorough, .gap = 0.05},
+     TryNarrowPlaces{.least_gain = 0.001}},
+    {"circles in gaps, for speed",
+     {.known = Known::kPath, .care = Care::kQuick, .gap = 0.1},
+     TryNarrowPlaces{.least_gain = 0.001}},
+    // Slower paths at first, they may be faster once refined.
+    {"another last circle",
+     {.known = Known::kPath, .care = Care::kThorough, .refines = true, .gap = 0.04, .best_gap = kWorthOtherRoutes},
+     TryOtherLastCircle{.slower = 0.03}},
+    {"another first circle",
+     {.known = Known::kPath, .care = Care::kThorough, .refines = true, .gap = 0.04, .best_gap = kWorthOtherRoutes},
+     TryOtherFirstCircle{.slower = 0.03}},
+    // Where an end is tight, trees look for wider turns out.
+    {"trees at tight ends",
+     {.known = Known::kPath, .grows_trees = true, .gap = 0.2, .tight_end = kPi / 8.0},
+     GrowTrees{.on = On::kInUse,
+               .share = 0.05,
+               .passes = std::span(kTreePasses).first<1>(),
+               .looks_around = false,
+               .only_in_the_open = false,
+               .shortenings = 10}},
+    {"faster turns",
+     {.known = Known::kPath, .refines = true, .best_gap = kWorthOtherRoutes},
+     TryOtherTurns{kFasterTurns}},
+    {"slower turns",
+     {.known = Known::kPath, .refines = true, .best_gap = kWorthOtherRoutes},
+     TryOtherTurns{kSlowerTurns}},
+    // Circles around vertices have few radii, and what refinement makes of a turn is not known before.
+    {"all radii, faster turns", kOtherRadii, TryOtherRadii{.radii = 5, .factor = 2.0}, kUntilCompared},
+    {"3 radii, 4 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 3, .factor = 4.0}, kUntilCompared},
+    {"2 radii, 4 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 2, .factor = 4.0}, kUntilCompared},
+    {"2 radii, 16 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 2, .factor = 16.0}, kUntilCompared},
+    {"1 radius, 16 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 1, .factor = 16.0}, kUntilCompared},
+    {"4 radii, 2 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 4, .factor = 2.0}, kUntilCompared},
+    {"3 radii", kOtherRadii, TryOtherRadii{.radii = 3, .factor = 1.0}, kUntilCompared},
+    {"all radii, 4 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 5, .factor = 4.0}, kUntilCompared},
+    {"refinement at length",
+     {.known = Known::kPath, .radii = Radii::kSeveral},
+     RefineBest{.close = 0.01},
+     {.several = 24.0}},
+
+    // Cheaper paths, or a first one, in both gears.
+    // Some milliseconds, far less than looking for a way out.
+    {"proof of an enclosure", {.known = Known::kNoPath, .driving = Driving::kBothGears}, ProveEnclosure{15'000}},
+    {"roadmap backwards", {.driving = Driving::kBothGears}, JoinBackwards{}},
+    // The way out of a narrow place.
+    {"changes of gear near the ends",
+     {.driving = Driving::kBothGears},
+     JoinBetweenGears{{.cells = 8.0, .most = 24, .most_expansions = 100}}},
+    {"trees in both gears, beside a path",
+     {.known = Known::kPath, .driving = Driving::kBothGears},
+     GrowGearTrees{1500}},
+    {"trees in both gears", {.known = Known::kNoPath, .driving = Driving::kBothGears}, GrowGearTrees{2000}},
+    {"narrow trees in both gears",
+     {.known = Known::kNoPath, .driving = Driving::kBothGears},
+     GrowNarrowGearTrees{24'000}},
+    // A cheaper path is there in 6 of 44 driven worlds.
+    {"trees in both gears, behind narrow ones",
+     {.known = Known::kNarrowPath, .driving = Driving::kBothGears},
+     GrowGearTrees{16'000}},
+    // Two of 144 driven worlds, seeds 7 and 8 of the benchmark, need more than 10,000.
+    {"trees in both gears, at length",
+     {.known = Known::kNoPath, .driving = Driving::kBothGears},
+     GrowGearTrees{40'000}},
+    // Places to turn further away.
+    {"changes of gear further away",
+     {.driving = Driving::kBothGears, .gap = 0.2},
+     JoinBetweenGears{{.cells = 2.0, .most = 99, .most_expansions = 1000}}},
+    {"trees", kNarrowAfterGears, kCoarseTrees, kUntilCompared},
+    {"trees of a slim body", kNarrowAfterGears, kSlimTrees, kUntilCompared},
+    {"trees of a less slim body", kNarrowAfterGears, kLessSlimTrees, kUntilCompared},
+    {"finer trees", kNarrowAfterGears, kFinerTrees, kUntilCompared},
+};
+
+/// Trials of refinement for the cheapest path of the rows in both gears, as a multiple of RefineOptions::max_trials: it
+/// has taken longer to find.
+inline constexpr double kBothGearsTrials = 10.0;
+/// Paths whose costs differ by less than this share count as one.
+inline constexpr double kSameCost = 1e-6;
+/// Expansions of a search for another path, beside a quarter of those of the first search: where turns cost next to
+/// nothing, thousands of paths are as good as each other.
+inline constexpr std::uint64_t kMoreExpanded = 1000;
+
+/// The rows but for those of the given names.
+std::vector<StrategyRow> strategy_without(std::span<const std::string> names);
+
+}  // namespace arcway::internal

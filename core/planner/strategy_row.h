@@ -1,0 +1,167 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "core/gaps/dead_end.h"
+#include "core/reversing/reversing_search.h"
+#include "core/search/effort.h"
+#include "core/search/forward_search.h"
+
+namespace arcway::internal {
+
+// What a row of the strategy says: a condition, and a step with the numbers that it takes. The rows are in strategy.h.
+// A gap is by how much a plan may be slower than the fastest one: travel time over lower bound - 1.
+
+/// What has been found by the time a row comes.
+enum class Known {
+  kAnything,
+  kNoPath,         ///< no path at all
+  kPath,           ///< some path
+  kPathElsewhere,  ///< some path, but none of the tightest radii alone
+  kNarrowPath      ///< only a path of trees for narrow ways, which know little of cost
+};
+/// What the request allows.
+enum class Driving { kAny, kForwards, kBothGears };
+/// How many turning radii the roadmap has beside those of tightest_radii: none, or some.
+enum class Radii { kAny, kTightest, kSeveral };
+/// Thorough: paths are refined, on a roadmap of the tightest radii alone. Quick: otherwise.
+enum class Care { kAny, kThorough, kQuick };
+
+/// When a row is taken: all members must hold.
+struct When {
+  Known known = Known::kAnything;
+  Driving driving = Driving::kAny;
+  Radii radii = Radii::kAny;
+  Care care = Care::kAny;
+  bool refines = false;      ///< paths are refined
+  bool grows_trees = false;  ///< trees are wanted: PlanLimits::tree_poses, PlannerOptions::maneuver_poses
+  double gap = 0.0;          ///< least gap of the plan on the roadmap in use; of one in both gears before refinement
+  double best_gap = 0.0;     ///< least gap of the best plan so far
+  /// At the start or the goal, obstacles end the tightest turns to both sides within this angle [rad]. 0: anywhere.
+  double tight_end = 0.0;
+};
+
+/// The roadmaps on which a path is looked for.
+enum class On {
+  kAllRadii,  ///< those of PlannerOptions::radii
+  kTightest,  ///< those of tightest_radii
+  kInUse      ///< those on which the last path was found by a forward search or by trees
+};
+
+// What a row does: each with the numbers that it takes.
+
+/// Joins both ends to the roadmap by their own turn circles: ForwardSearch::join_by_single_arcs.
+struct JoinBySingleArcs {
+  On on;
+};
+/// Joins both ends to the roadmap with circles in narrow gaps.
+struct JoinByNarrowPlaces {
+  On on;
+};
+/// Joins the end that is in trouble by short maneuvers.
+struct JoinByManeuvers {
+  On on;
+  ManeuverEffort effort;
+};
+/// Joins the ends by maneuvers to the roadmap with circles in narrow gaps.
+struct JoinByManeuversAndNarrowPlaces {
+  On on;
+  std::size_t poses;  ///< at each end
+};
+/// Looks for a proof that no passage is wide enough for the body: BottleneckFinder.
+struct ProveNoPassage {};
+/// Looks for a proof that an end is a dead end without reversing: find_dead_end.
+struct ProveDeadEnd {
+  DeadEndEffort effort;
+};
+/// Looks for a proof that an end is enclosed, in both gears: find_enclosure.
+struct ProveEnclosure {
+  std::size_t boxes;
+};
+/// Grows trees of forward motions from both ends: search_trees.
+struct GrowTrees {
+  On on;
+  double share;  ///< of PlanLimits::tree_poses
+  std::span<const TreePass> passes;
+  bool looks_around;          ///< first, for a way out of the surroundings of each end
+  bool only_in_the_open;      ///< not if the trees before found an end in a dead end
+  std::uint32_t shortenings;  ///< trials of shortening the path, as a multiple of those of refinement
+};
+/// Grows trees of a slimmer body, and pushes their paths off what the real body touches: SlimMaps, push_free.
+struct GrowSlimTrees {
+  std::size_t body;           ///< of SlimMaps::kSlimmer
+  std::size_t shortening;     ///< trials of shortening a path before it is pushed
+  std::uint32_t shortenings;  ///< of the free path, as for GrowTrees
+};
+/// Raises the lower bound by the length of the way around the obstacles.
+struct RaiseLowerBound {};
+/// Looks for a faster path with maneuvers at both ends, on the roadmap in use.
+struct TryManeuvers {
+  std::uint32_t poses;  ///< at each end, sparse
+  double least_gain;    ///< in a share of the travel time
+};
+/// Looks for a faster path on the roadmap in use with circles in narrow gaps.
+struct TryNarrowPlaces {
+  double least_gain;
+};
+/// Looks for a path that leaves the roadmap for the goal by another circle than the fastest one.
+struct TryOtherLastCircle {
+  double slower;  ///< before refinement, by at most this share
+};
+/// Looks for a path that joins the roadmap by another circle than the fastest one.
+struct TryOtherFirstCircle {
+  double slower;  ///< before refinement, by at most this share
+};
+/// Looks for the fastest path, on the roadmap in use, of a vehicle with other turning speeds: it may be the faster one
+/// once refined.
+struct TryOtherTurns {
+  double factor;  ///< of the lateral acceleration
+};
+/// Likewise on a roadmap of its own.
+struct TryOtherRadii {
+  std::size_t radii;  ///< the first so many, at most all
+  double factor;      ///< of the lateral acceleration
+};
+/// Refines the best path further, and the second best one if it is close.
+struct RefineBest {
+  double close;  ///< slower by at most this share
+};
+/// Looks for a path on the roadmap that is driven backwards all the way.
+struct JoinBackwards {};
+/// Looks for a path on the roadmap with changes of gear near both ends.
+struct JoinBetweenGears {
+  GearAttachments attachments;
+};
+/// Grows trees of motions in both gears: search_gears.
+struct GrowGearTrees {
+  std::size_t poses;  ///< of both ends together
+};
+/// Grows trees in both gears for narrow ways: search_narrow_gears.
+struct GrowNarrowGearTrees {
+  std::size_t poses;
+};
+
+using Step =
+    std::variant<JoinBySingleArcs, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces, ProveNoPassage,
+                 ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound, TryManeuvers, TryNarrowPlaces,
+                 TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest, JoinBackwards,
+                 JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees>;
+
+/// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
+struct Trials {
+  double tightest = 1.0;  ///< on a roadmap of the tightest radii
+  double several = 1.0;   ///< where there are more
+};
+
+struct StrategyRow {
+  std::string_view name;  ///< rows of one name are left out together
+  When when;
+  Step step;
+  Trials trials = {};
+};
+
+}  // namespace arcway::internal

@@ -1,0 +1,139 @@
+#include "core/planner/strategy_text.h"
+
+#include <variant>
+
+#include "arcway/angle.h"
+#include "core/base/shortest_text.h"
+#include "core/planner/slim_maps.h"
+
+namespace arcway::internal {
+
+namespace {
+
+std::string percent(double share) { return shortest_text(100.0 * share) + " %"; }
+
+const char* text_of(Known known) {
+  switch (known) {
+    case Known::kAnything:
+      return "";
+    case Known::kNoPath:
+      return "no path yet";
+    case Known::kPath:
+      return "a path";
+    case Known::kPathElsewhere:
+      return "a path, none of the tightest radii";
+    case Known::kNarrowPath:
+      return "a path of narrow trees only";
+  }
+  return "";
+}
+
+const char* text_of(On on) {
+  switch (on) {
+    case On::kAllRadii:
+      return "all radii";
+    case On::kTightest:
+      return "the tightest radii";
+    case On::kInUse:
+      return "the path's radii";
+  }
+  return "";
+}
+
+struct StepText {
+  std::string operator()(const JoinBySingleArcs& step) const {
+    return std::string("join the roadmap of ") + text_of(step.on) + " by single arcs";
+  }
+  std::string operator()(const JoinByNarrowPlaces& step) const {
+    return std::string("join the roadmap of ") + text_of(step.on) + " with circles in gaps by single arcs";
+  }
+  std::string operator()(const JoinByManeuvers& step) const {
+    return std::string("join the roadmap of ") + text_of(step.on) +
+           " by maneuvers at the end in trouble: " + std::to_string(step.effort.first) + " poses, then all, then " +
+           std::to_string(step.effort.sparse_factor) + " times as many sparse ones";
+  }
+  std::string operator()(const JoinByManeuversAndNarrowPlaces& step) const {
+    return std::string("join the roadmap of ") + text_of(step.on) + " with circles in gaps by maneuvers of " +
+           std::to_string(step.poses) + " poses";
+  }
+  std::string operator()(const ProveNoPassage&) const { return "prove that no passage is wide enough"; }
+  std::string operator()(const ProveDeadEnd& step) const {
+    return "prove a dead end: " + std::to_string(step.effort.max_checks) + " boxes, halved " +
+           std::to_string(step.effort.halvings) + " times";
+  }
+  std::string operator()(const ProveEnclosure& step) const {
+    return "prove an enclosure: " + std::to_string(step.boxes) + " boxes of a size";
+  }
+  std::string operator()(const GrowTrees& step) const {
+    return "grow trees of forward motions, " + percent(step.share) + " of the poses, " +
+           std::to_string(step.passes.size()) + (step.passes.size() == 1 ? " pass" : " passes") + " from cells of 1/" +
+           shortest_text(1.0 / step.passes.front().finest) + " body length on" +
+           (step.looks_around ? ", unless an end is closed in" : "");
+  }
+  std::string operator()(const GrowSlimTrees& step) const {
+    return "grow trees of a body " + percent(SlimMaps::kSlimmer[step.body]) +
+           " narrower, and push their paths off what the body touches";
+  }
+  std::string operator()(const RaiseLowerBound&) const { return "raise the lower bound"; }
+  std::string operator()(const TryManeuvers& step) const {
+    return "search again, with maneuvers of " + std::to_string(step.poses) + " sparse poses at both ends";
+  }
+  std::string operator()(const TryNarrowPlaces&) const { return "search again, with circles in gaps"; }
+  std::string operator()(const TryOtherLastCircle& step) const {
+    return "search again, without the path's last circle; slower by at most " + percent(step.slower);
+  }
+  std::string operator()(const TryOtherFirstCircle& step) const {
+    return "search again, without the path's first circle; slower by at most " + percent(step.slower);
+  }
+  std::string operator()(const TryOtherTurns& step) const {
+    return "search again, for a vehicle of " + shortest_text(step.factor) + " x lateral acceleration";
+  }
+  std::string operator()(const TryOtherRadii& step) const {
+    return "search again, with the first " + std::to_string(step.radii) + " radii, for a vehicle of " +
+           shortest_text(step.factor) + " x lateral acceleration";
+  }
+  std::string operator()(const RefineBest& step) const {
+    return "refine the best path further, and the second if slower by at most " + percent(step.close);
+  }
+  std::string operator()(const JoinBackwards&) const { return "join the roadmap by single arcs, driven backwards"; }
+  std::string operator()(const JoinBetweenGears& step) const {
+    return "join the roadmap by motions in both gears: " + std::to_string(step.attachments.most) +
+           " poses of each end, cells of 1/" + shortest_text(step.attachments.cells) + " turning radius";
+  }
+  std::string operator()(const GrowGearTrees& step) const {
+    return "grow trees in both gears: " + std::to_string(step.poses) + " poses";
+  }
+  std::string operator()(const GrowNarrowGearTrees& step) const {
+    return "grow trees in both gears for narrow ways: " + std::to_string(step.poses) + " poses";
+  }
+};
+
+}  // namespace
+
+std::string text_of(const When& when) {
+  std::string text = text_of(when.known);
+  const auto add = [&text](bool holds, const std::string& what) {
+    if (holds) text += (text.empty() ? "" : ", ") + what;
+  };
+  add(when.driving == Driving::kForwards, "forwards only");
+  add(when.driving == Driving::kBothGears, "both gears");
+  add(when.radii == Radii::kTightest, "one radius");
+  add(when.radii == Radii::kSeveral, "several radii");
+  add(when.care == Care::kThorough, "one radius and refined");
+  add(when.care == Care::kQuick, "several radii or unrefined");
+  add(when.refines && when.care != Care::kThorough, "refined");
+  add(when.gap > 0.0, "gap > " + percent(when.gap));
+  add(when.best_gap > 0.0 && when.best_gap > when.gap, "best gap > " + percent(when.best_gap));
+  add(when.tight_end > 0.0, "an end turns less than " + shortest_text(when.tight_end * 180.0 / kPi) + " degrees");
+  return text.empty() ? "always" : text;
+}
+
+std::string text_of(const Step& step) { return std::visit(StepText{}, step); }
+
+std::string text_of(const Trials& trials) {
+  if (trials.several == 1.0 && trials.tightest == 1.0) return "";
+  if (trials.tightest == trials.several) return shortest_text(trials.several) + " x";
+  return shortest_text(trials.several) + " x, with several radii";
+}
+
+}  // namespace arcway::internal

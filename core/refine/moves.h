@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <variant>
+
+namespace arcway::internal {
+
+/// The moves of refinement: in which order it changes a path, by which amounts, and when it goes back to an earlier
+/// move. Lengths are in smallest turning radii, unless said otherwise. A move is known by its name:
+/// PlannerOptions::leave_out.
+
+/// When a move has its turn.
+enum class Stage {
+  kSimplify,  ///< over and over, as long as a move of the stage helps; the first one first
+  kImprove,   ///< each once; back to kSimplify if one helps
+  kSettle,    ///< each once, when no move above helps: the path is a local optimum then
+  kEscape,    ///< back to kSimplify if one helps
+  kFinish     ///< each once, in the end
+};
+
+/// Leaves out turns between two circles, many at once first.
+struct DropTurns {};
+/// Joins start or goal to a later circle by an arc to either side.
+struct RejoinEnds {};
+/// Makes turns one turn, tangent to the lines before and behind.
+struct MergeTurns {
+  std::span<const double> radii;
+};
+/// Makes parts of a turn wider, and the ends tighter.
+struct WidenTurns {
+  std::span<const double> shares, factors;         ///< of the turn that becomes wider, and of its radius
+  std::span<const double> step_shares;             ///< of a turn between two others
+  std::span<const double> end_turns, end_factors;  ///< [rad] of the first or last turn, and of the radius beside it
+};
+/// Two arcs and a line join places on two lines of the path.
+struct InsertWords {
+  int parts;                          ///< equal ones of each line, where places lie
+  std::span<const double> near_ends;  ///< distances of more places from the ends of a line
+};
+/// How the circle of a turn that is not the first or last one moves, in steps: its center inwards from, and around, the
+/// point of the inner swept circle where a share of the turn, `at`, is done, and along the heading there; and its
+/// radius grows.
+struct CircleStep {
+  double inwards, around, grow, at, along = 0.0;
+};
+/// Slides centers and radii by steps that are halved.
+struct SlideCircles {
+  std::span<const CircleStep> steps;
+  double last_step;  ///< 0: RefineOptions::smallest_step
+};
+
+using Move = std::variant<DropTurns, RejoinEnds, MergeTurns, WidenTurns, InsertWords, SlideCircles>;
+
+struct MoveRow {
+  std::string_view name;
+  Stage stage;
+  Move move;
+};
+
+inline constexpr double kMergedRadii[] = {1.0, 1.5, 2.25, 3.5, 5.0, 8.0, 12.0, 18.0};
+inline constexpr double kWiderShares[] = {0.25, 0.5, 0.75, 0.9};
+inline constexpr double kWiderFactors[] = {1.5, 2.5, 5.0, 10.0};
+inline constexpr double kStepShares[] = {0.5, 0.75, 0.9};
+inline constexpr double kEndTurns[] = {0.1, 0.2, 0.4, 0.8};
+inline constexpr double kEndFactors[] = {1.0, 0.5, 2.0};
+inline constexpr double kNearEnds[] = {0.5, 1.0, 2.0, 4.0};
+
+inline constexpr std::array<CircleStep, 21> kCircleSteps{
+    {{1, 0, 0, 0.5},     {0, 1, 0, 0.5},    {0, -1, 0, 0.5},   {1, 1, 0, 0.5},  {1, -1, 0, 0.5}, {0, 0, 1, 0.5},
+     {0, 0, -0.5, 0.5},  {-1, 0, 0, 0.5},   {0, 1, 1, 0.5},    {0, -1, 1, 0.5}, {1, 0, 1, 0.5},  {-1, 0, 1, 0.5},
+     {-1, 0, -0.5, 0.5}, {0, 1, 0, 0.0},    {0, -1, 0, 0.0},   {0, 1, 0, 1.0},  {0, -1, 0, 1.0}, {0, 0, 0, 0.0, 1},
+     {0, 0, 0, 0.0, -1}, {0, 0, 0, 1.0, 1}, {0, 0, 0, 1.0, -1}}};
+// Those around the middle of the turn. What is in the way is often where the turn begins or ends, or along the line
+// beside it, which stays where it is when the circle moves along it. Looked at too early, that leads some paths to a
+// worse optimum.
+inline constexpr std::span kMiddleSteps = std::span(kCircleSteps).first<13>();
+inline constexpr std::span kEndSteps = std::span(kCircleSteps).first<17>();
+
+inline constexpr MoveRow kMoves[] = {
+    {"drop turns", Stage::kSimplify, DropTurns{}},
+    {"rejoin ends", Stage::kSimplify, RejoinEnds{}},
+    {"merge turns", Stage::kSimplify, MergeTurns{kMergedRadii}},
+    {"slide circles roughly", Stage::kImprove, SlideCircles{kMiddleSteps, 0.125}},
+    {"widen turns", Stage::kImprove, WidenTurns{kWiderShares, kWiderFactors, kStepShares, kEndTurns, kEndFactors}},
+    {"insert words", Stage::kImprove, InsertWords{2, {}}},
+    {"slide circles finely", Stage::kSettle, SlideCircles{kEndSteps, 0.0}},
+    // Words between more places may lead out of a local optimum.
+    {"insert more words", Stage::kEscape, InsertWords{3, kNearEnds}},
+    {"slide circles along lines", Stage::kFinish, SlideCircles{kCircleSteps, 0.0}},
+};
+
+/// Local optima in a row, each faster by kWorthSettling than the one before, until refinement ends.
+inline constexpr int kMostSettled = 4;
+inline constexpr double kWorthSettling = 1e-5;  ///< share of the travel time
+
+/// The bit of a move in RefineOptions::moves; 0 for a name that no move has.
+constexpr std::uint32_t move_bit(std::string_view name) {
+  std::uint32_t bit = 1;
+  for (const MoveRow& row : kMoves) {
+    if (row.name == name) return bit;
+    bit <<= 1;
+  }
+  return 0;
+}
+
+}  // namespace arcway::internal

@@ -1,0 +1,132 @@
+#include "core/reversing/reversing_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/collision/motion_free.h"
+#include "core/motion/speed_profile.h"
+#include "core/motion/travel_time_lower_bound.h"
+#include "core/reversing/gear_tree.h"
+#include "core/reversing/narrow_gear_search.h"
+
+namespace arcway::internal {
+
+ReversingSearch::ReversingSearch(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options,
+                                 SearchWorkspace& workspace)
+    : map_(map), query_(query), options_(options), workspace_(workspace), cost_(query.cutoff) {}
+
+FoundPath ReversingSearch::join_backwards() {
+  FoundPath found;
+  join(GearAttachments{}, Gear::kReverse, found);
+  return found;
+}
+
+FoundPath ReversingSearch::join_between(const GearAttachments& wanted) {
+  FoundPath found;
+  for (const Gear gear : {Gear::kForward, Gear::kReverse}) join(wanted, gear, found);
+  return found;
+}
+
+// What is driven backwards from one pose to another is driven forwards the other way.
+void ReversingSearch::join(const GearAttachments& wanted, Gear gear, FoundPath& found) {
+  if (found.search.interrupted) return;
+  const auto starts = attachments(Direction::kFromStart, wanted, gear);
+  const auto goals = attachments(Direction::kToGoal, wanted, gear);
+  const bool are_ends = starts.size() + goals.size() == 2;  // which have been joined before
+  if (wanted.most > 0 && are_ends) return;
+  if (join(starts, goals, gear, found)) return;
+  // Each end alone changes gear seldom enough.
+  join(starts, std::span(goals).first(1), gear, found);
+  join(std::span(starts).first(1), goals, gear, found);
+}
+
+bool ReversingSearch::join(std::span<const Attachment> starts, std::span<const Attachment> goals, Gear gear,
+                           FoundPath& found) {
+  SearchOptions options = options_;
+  options.gear = gear;
+  options.faster_than = cost_;
+  SearchResult joined = search_arrivals(map_, starts, goals, options, workspace_);
+  found.search.nodes_expanded += joined.nodes_expanded;
+  found.search.nodes_pushed += joined.nodes_pushed;
+  found.search.straights_checked += joined.straights_checked;
+  found.search.turns_checked += joined.turns_checked;
+  found.search.interrupted = joined.interrupted;
+  found.maneuver_poses += starts.size() + goals.size();
+  return !joined.path || offer(gear == Gear::kForward ? *joined.path : reversed(*joined.path));
+}
+
+// Poses from which the graph is entered forwards behind a motion backwards, or the other way round for the goal; the
+// end itself first.
+std::vector<Attachment> ReversingSearch::attachments(Direction direction, const GearAttachments& wanted,
+                                                     Gear gear) const {
+  const bool from_start = direction == Direction::kFromStart;
+  const bool at_start = from_start == (gear == Gear::kForward);
+  const Pose& end = at_start ? query_.start : query_.goal;
+  const Pose& other = at_start ? query_.goal : query_.start;
+  std::vector<Attachment> found{{end, {}}};
+  if (wanted.most == 0) return found;
+  const Vehicle& vehicle = map_.vehicle;
+  // A goal's tree is driven the other way.
+  GearTree tree(end, at_start ? vehicle : vehicle.with_gears_swapped(), *map_.outlines, options_.cusp_cost,
+                {wanted.cells, true}, [](const Pose&) { return 0.0; });
+  for (std::size_t i = 0; i < wanted.most_expansions && found.size() <= wanted.most; ++i) {
+    if (options_.interrupted()) break;
+    const auto node = tree.expand();
+    if (!node) break;
+    const GearTree::Node& reached = tree[*node];
+    if (*node == GearTree::kRoot || reached.motion.gear != (from_start ? Gear::kReverse : Gear::kForward)) continue;
+    Path connection = from_start ? tree.path_from_root(*node) : tree.path_to_root(*node);
+    if (cusps_of(connection) >= query_.max_cusps) continue;  // where it ends the gear changes once more
+    // The vehicle stops there, and what it has come is all that the rest is shorter by.
+    const double rest = query_.distance - length_of(connection);
+    if (reached.cost + options_.cusp_cost + least_cost(reached.pose, other, rest) >= cost_) continue;
+    if (!motion_free(*map_.queries.sweep, map_.body, connection)) continue;
+    found.push_back({reached.pose, std::move(connection)});
+  }
+  return found;
+}
+
+double ReversingSearch::least_cost(const Pose& from, const Pose& to, double length) const {
+  const double straight = (to.position() - from.position()).norm();
+  return travel_time_lower_bound(from, to, std::max(length, straight), map_.vehicle, true);
+}
+
+FoundPath ReversingSearch::grow_gear_trees(std::size_t poses) {
+  return taken(
+      search_gears(query_.start, query_.goal, map_.vehicle, *map_.queries.sweep, *map_.outlines, gear_options(poses)));
+}
+
+FoundPath ReversingSearch::grow_narrow_gear_trees(std::size_t poses) {
+  return taken(search_narrow_gears(map_, query_.start, query_.goal, gear_options(poses)));
+}
+
+GearSearchOptions ReversingSearch::gear_options(std::size_t poses) const {
+  return {.cusp_cost = options_.cusp_cost,
+          .max_poses = poses,
+          .cutoff = cost_,
+          .max_cusps = query_.max_cusps,
+          .clock = options_.clock};
+}
+
+FoundPath ReversingSearch::taken(const GearSearchResult& gears) {
+  FoundPath found;
+  found.search.straights_checked = gears.straights_checked;
+  found.search.turns_checked = gears.turns_checked;
+  found.search.interrupted = gears.interrupted;
+  found.maneuver_poses = gears.poses;
+  if (gears.path) offer(*gears.path);
+  return found;
+}
+
+bool ReversingSearch::offer(const Path& path) {
+  if (cusps_of(path) > query_.max_cusps) return false;
+  const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost);
+  if (cost >= cost_) return true;
+  path_ = merged(path);
+  cost_ = cost;
+  return true;
+}
+
+}  // namespace arcway::internal

@@ -1,0 +1,152 @@
+#include "core/search/forward_search.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "arcway/angle.h"
+
+namespace arcway::internal {
+
+ForwardSearch::End::End(const Roadmap& map, const Pose& pose, Direction direction, ManeuverWorkspace& workspace,
+                        const StopClock& clock)
+    : map_(map),
+      direction_(direction),
+      workspace_(workspace),
+      clock_(clock),
+      plain_{pose, {}},
+      attachments_(&plain_, 1) {}
+
+bool ForwardSearch::End::extend(std::size_t first, std::size_t most) {
+  if (attachments_.size() < asked_ || asked_ >= most) return false;
+  find(asked_ == 0 ? std::min(most, first) : most, Spread::kDense);
+  return attachments_.size() > 1;
+}
+
+bool ForwardSearch::End::extend_far(const ManeuverEffort& effort, std::size_t most) {
+  if (extend(effort.first, most)) return true;
+  if (attachments_.size() < asked_ || asked_ > most || most == 0) return false;
+  find(effort.sparse_factor * most, Spread::kSparse);
+  return attachments_.size() > 1;
+}
+
+void ForwardSearch::End::find(std::size_t poses, Spread spread) {
+  asked_ = poses;
+  attachments_ = find_maneuvers(plain_.pose, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses,
+                                spread, workspace_, clock_);
+}
+
+ForwardSearch::ForwardSearch(const Roadmap& map, const NarrowPlaces* places, const Query& query,
+                             const SearchOptions& options, FindWorkspace& workspace)
+    : map_(map),
+      places_(places),
+      query_(query),
+      options_(options),
+      workspace_(workspace),
+      from_(map, query.start, Direction::kFromStart, workspace.from, options_.clock),
+      to_(map, query.goal, Direction::kToGoal, workspace.to, options_.clock) {}
+
+bool ForwardSearch::search(const Roadmap& on, const End& from, const End& to, FoundPath& found) {
+  SearchResult result = search_arrivals(on, from.attachments(), to.attachments(), options_, workspace_.search);
+  options_.warm_start = true;
+  const bool is_plain = &on == &map_;
+  if (is_plain) {
+    start_connected_ = result.start_connected;
+    goal_connected_ = result.goal_connected;
+    start_is_open_ = result.start_is_open;
+  }
+  used_narrow_places_ = !is_plain;
+  result.nodes_expanded += found.search.nodes_expanded;
+  result.nodes_pushed += found.search.nodes_pushed;
+  result.straights_checked += found.search.straights_checked;
+  result.turns_checked += found.search.turns_checked;
+  found.search = std::move(result);
+  return found.search.path || found.search.interrupted;
+}
+
+const Roadmap* ForwardSearch::narrow_map() const {
+  if (!places_) return nullptr;
+  const Roadmap& narrow = places_->map(options_.clock);
+  return &narrow == &map_ ? nullptr : &narrow;
+}
+
+FoundPath ForwardSearch::join_by_single_arcs() {
+  FoundPath found;
+  const bool is_there = (query_.start.position() - query_.goal.position()).isZero(0.0) &&
+                        wrap_signed(query_.start.heading - query_.goal.heading) == 0.0;
+  if (is_there) {
+    found.search.path = Path{};
+  } else {
+    search(map_, from_, to_, found);
+  }
+  return found;
+}
+
+FoundPath ForwardSearch::join_by_narrow_places() {
+  FoundPath found;
+  if (const Roadmap* narrow = narrow_map()) search(*narrow, from_, to_, found);
+  return found;
+}
+
+bool ForwardSearch::extend(const ManeuverEffort& effort, FoundPath& found) {
+  switch (obstruction()) {
+    case Obstruction::kGoal: {
+      const bool more = to_.extend(effort.first, query_.most_poses);
+      found.maneuver_poses += to_.attachments().size();
+      return more;
+    }
+    case Obstruction::kStart: {
+      const bool more = from_.extend(effort.first, query_.most_poses);
+      found.maneuver_poses += from_.attachments().size();
+      return more;
+    }
+    default: {
+      // If the start already reaches thousands of arcs, more start poses cannot help.
+      const bool more_starts = !start_is_open_ && from_.extend_far(effort, query_.most_poses);
+      const bool more_goals = to_.extend_far(effort, query_.most_poses);
+      found.maneuver_poses += from_.attachments().size() + to_.attachments().size();
+      return more_starts || more_goals;
+    }
+  }
+}
+
+FoundPath ForwardSearch::join_by_maneuvers(const ManeuverEffort& effort) {
+  FoundPath found;
+  while (extend(effort, found))
+    if (search(map_, from_, to_, found)) break;
+  return found;
+}
+
+FoundPath ForwardSearch::join_by_maneuvers_and_narrow_places(std::size_t poses) {
+  FoundPath found;
+  const Roadmap* narrow = query_.most_poses > 0 ? narrow_map() : nullptr;
+  if (!narrow) return found;
+  End from(map_, query_.start, Direction::kFromStart, workspace_.from, options_.clock);
+  End to(map_, query_.goal, Direction::kToGoal, workspace_.to, options_.clock);
+  const std::size_t most = std::min(query_.most_poses, poses);
+  if (obstruction() != Obstruction::kGoal) from.extend(most, most);
+  if (obstruction() != Obstruction::kStart) to.extend(most, most);
+  found.maneuver_poses = from.attachments().size() + to.attachments().size();
+  search(*narrow, from, to, found);
+  return found;
+}
+
+Obstruction ForwardSearch::obstruction() const {
+  if (!goal_connected_) return Obstruction::kGoal;
+  return start_connected_ ? Obstruction::kBetween : Obstruction::kStart;
+}
+
+FoundPath find_path_with_maneuvers(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
+                                   const SearchOptions& options, FindWorkspace& workspace) {
+  const auto attachments = [&](const Pose& pose, Direction direction, ManeuverWorkspace& memory) {
+    return find_maneuvers(pose, direction, map.vehicle, map.radii[0], *map.queries.sweep, poses, Spread::kSparse,
+                          memory, options.clock);
+  };
+  const auto from = attachments(start, Direction::kFromStart, workspace.from);
+  const auto to = attachments(goal, Direction::kToGoal, workspace.to);
+  FoundPath found;
+  found.search = search_arrivals(map, from, to, options, workspace.search);
+  found.maneuver_poses = from.size() + to.size();
+  return found;
+}
+
+}  // namespace arcway::internal

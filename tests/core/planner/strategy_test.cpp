@@ -1,0 +1,107 @@
+#include "core/planner/strategy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "arcway/datasets/clutter.h"
+#include "arcway/datasets/random_queries.h"
+#include "arcway/planner.h"
+#include "core/planner/strategy_text.h"
+#include "core/refine/moves.h"
+#include "tests/support/plans.h"
+
+namespace arcway::internal {
+namespace {
+
+TEST(Strategy, LeavesOutAllRowsOfAName) {
+  const std::vector<StrategyRow> all = strategy_without({}), some = strategy_without(std::vector<std::string>{"trees"});
+  EXPECT_EQ(all.size(), std::size(kStrategy));
+  EXPECT_EQ(std::ranges::count(all, "trees", &StrategyRow::name), 2);
+  EXPECT_EQ(std::ranges::count(some, "trees", &StrategyRow::name), 0);
+  EXPECT_EQ(some.size() + 2, all.size());
+}
+
+TEST(Strategy, RefusesAnUnknownNameAndListsAll) {
+  const World world({}, {});
+  try {
+    (void)Planner(world, Vehicle{}, {.leave_out = {"tree"}});
+    FAIL() << "no error";
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("leave out \"tree\""), std::string::npos) << text;
+    for (const StrategyRow& row : kStrategy)
+      EXPECT_NE(text.find("\"" + std::string(row.name) + "\""), std::string::npos) << row.name;
+    for (const MoveRow& row : kMoves)
+      EXPECT_NE(text.find("\"" + std::string(row.name) + "\""), std::string::npos) << row.name;
+  }
+}
+
+TEST(Strategy, MovesThatAreLeftOutAreNotTried) {
+  const World world({}, {});
+  for (const MoveRow& row : kMoves) {
+    const Planner planner(world, Vehicle{}, {.leave_out = {std::string(row.name)}});
+    EXPECT_EQ(planner.options().refinement.moves, ~move_bit(row.name)) << row.name;
+  }
+  EXPECT_EQ(move_bit("slide"), 0u);
+}
+
+TEST(Strategy, EveryRowHasAText) {
+  for (const StrategyRow& row : kStrategy) {
+    EXPECT_FALSE(row.name.empty());
+    EXPECT_FALSE(text_of(row.when).empty()) << row.name;
+    EXPECT_FALSE(text_of(row.step).empty()) << row.name;
+  }
+  EXPECT_EQ(text_of(When{.known = Known::kPath, .care = Care::kQuick, .gap = 0.07}),
+            "a path, several radii or unrefined, gap > 7 %");
+}
+
+// Where no path is known, a row that needs one cannot be taken: it would look at what is not there.
+TEST(Strategy, RowsOnTheRoadmapInUseNeedAPath) {
+  for (const StrategyRow& row : kStrategy) {
+    const bool in_use = std::holds_alternative<TryManeuvers>(row.step) ||
+                        std::holds_alternative<TryNarrowPlaces>(row.step) ||
+                        std::holds_alternative<TryOtherTurns>(row.step) ||
+                        (std::holds_alternative<GrowTrees>(row.step) && std::get<GrowTrees>(row.step).on == On::kInUse);
+    if (!in_use) continue;
+    EXPECT_EQ(row.when.known, Known::kPath) << row.name;
+  }
+}
+
+// Each row alone left out: what is found is free, and the bound holds.
+TEST(Strategy, PlansAreFreeWithoutAnyOneRow) {
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 12, .vertices = 7, .fill = 0.3, .seed = 2});
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{4.0}, .max_acceleration = 2.0});
+  const QuerySet queries = make_reference_queries(world);
+  const Planner planner(world, vehicle);
+  const std::vector<PlanRequest> requests = random_queries(world, queries, vehicle, {.count = 3, .seed = 3});
+  std::string last;
+  std::size_t solved = 0, other_plans = 0;
+  for (const StrategyRow& row : kStrategy) {
+    if (row.name == last) continue;
+    last = row.name;
+    PlannerOptions options;
+    options.leave_out = {last};
+    options.refinement.max_trials = 200;
+    const Planner without(world, vehicle, backend_of(world, queries, planner.visibility_graph()), options);
+    for (PlanRequest request : requests) {
+      request.reverse = row.when.driving == Driving::kBothGears;
+      const PlanResult plan = without.plan(request, {.tree_poses = 500});
+      if (!plan.solved()) continue;
+      ++solved;
+      test::expect_valid(without, plan, request.reverse);
+      other_plans +=
+          plan.statistics.nodes_expanded != planner.plan(request, {.tree_poses = 500}).statistics.nodes_expanded;
+    }
+  }
+  EXPECT_GT(solved, 0u);
+  EXPECT_GT(other_plans, 0u);
+}
+
+}  // namespace
+}  // namespace arcway::internal
