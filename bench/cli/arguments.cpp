@@ -233,7 +233,7 @@ std::string warning_rows(const LoadedMap& map) {
 
 std::string feasible_row(const Planner& planner) {
   const FeasibleGraphCounts counts = planner.feasible_graph().counts();
-  const bool lazy = planner.feasible_graph().mode() == GraphMode::kLazy;
+  const bool lazy = planner.feasible_graph().finished() == nullptr;
   return row("feasible graph", count_text(counts.kept) + " of " + count_text(counts.candidates) +
                                    " directed bitangents on " + count_text(counts.circles) + " turn circles" +
                                    (lazy ? ", found as the search needed them" : ""));

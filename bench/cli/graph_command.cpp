@@ -11,7 +11,7 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/counts_json.h"
 #include "bench/cli/output_files.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/finished_feasible_graph.h"
 
 namespace arcway::internal::cli {
 namespace {
@@ -68,7 +68,7 @@ BuiltGraph build_feasible_graph(const GraphArguments& arguments, LoadedMap& map)
   const bool with_csv = !arguments.edges.empty(), with_lines = !arguments.svg.empty();
   const Planner planner(map.world, vehicle, arguments.build.backend_for(map.world, *executor, kSingleProcess),
                         {.graph_mode = GraphMode::kEager, .radii = {vehicle.min_turning_radius()}});
-  const FeasibleGraph& feasible = planner.feasible_graph();
+  const FinishedFeasibleGraph& feasible = *planner.feasible_graph().finished();
 
   BuiltGraph built;
   if (with_csv) built.edges_csv = "u,v\n";

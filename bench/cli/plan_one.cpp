@@ -100,7 +100,7 @@ std::string plan_json(const PreparedPlanner& prepared, const TourRequest& reques
   if (plan.result.solved() && !request.waypoints.empty()) json["passed"] = plan.passed;
   auto& statistics = json["statistics"];
   statistics["backend"] = arguments.build.backend;
-  statistics["graph"] = planner.feasible_graph().mode() == GraphMode::kLazy ? "lazy" : "eager";
+  statistics["graph"] = planner.feasible_graph().finished() == nullptr ? "lazy" : "eager";
   statistics["builder"] = arguments.build.builder_name(planner.world());
   statistics["threads"] = arguments.build.thread_count();
   statistics["build_seconds"] = build_seconds;

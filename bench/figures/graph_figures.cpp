@@ -4,7 +4,7 @@
 #include "arcway/query_set.h"
 #include "arcway/visibility_graph.h"
 #include "bench/figures/figures.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/finished_feasible_graph.h"
 
 namespace arcway::internal::figures {
 namespace {
@@ -35,7 +35,7 @@ Figure visibility_graphs(const Planner& planner) {
 }
 
 Figure feasible_graph_and_motion(const Planner& planner, const PlanResult& plan) {
-  const FeasibleGraph& graph = planner.feasible_graph();
+  const FinishedFeasibleGraph& graph = *planner.feasible_graph().finished();
   std::vector<LineSegment> lines;
   for (const FeasibleGraph::Link& link : graph.links()) {
     const Pose from = pose_on(graph.circles()[link.from], link.heading);

@@ -17,7 +17,7 @@
 #include "bench/suites/corruption.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/finished_feasible_graph.h"
 
 // A prepared map after some obstacles have left their places and come back a little aside, against preparing it anew:
 // queries and all graphs, one thread. Lazily, where all that was checked before and is not near the change is kept,
@@ -42,7 +42,8 @@ Planner change(const Planner& before, const World& after, const std::vector<Obst
 }
 
 bool same(const Planner& a, const Planner& b) {
-  const FeasibleGraphSnapshot x = a.feasible_graph().snapshot(), y = b.feasible_graph().snapshot();
+  const FeasibleGraphSnapshot x = a.feasible_graph().finished()->snapshot(),
+                              y = b.feasible_graph().finished()->snapshot();
   const auto same_bytes = [](const auto& left, const auto& right) {
     return left.size() == right.size() &&
            (left.empty() || std::memcmp(left.data(), right.data(), left.size() * sizeof left[0]) == 0);

@@ -7,7 +7,8 @@
 #include "bench/suites/allocations.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/suite.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/build_feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 #include "datasets/io/random.h"
 
 namespace arcway::internal::bench {
@@ -43,14 +44,13 @@ bool same_links(std::span<const FeasibleGraph::Link> a, std::span<const Feasible
 
 /// Whether a graph is the one that the reference builds: whole up to 4,000 vertices, above it the links that leave some
 /// circles, which a lazy graph on the reference decides one by one.
-bool is_right(const FeasibleGraph& graph, const World& world, const VisibilityGraph& reduced,
+bool is_right(const FinishedFeasibleGraph& graph, const World& world, const VisibilityGraph& reduced,
               const std::vector<double>& radii) {
   constexpr std::size_t kWholeUpTo = 4'000, kCircles = 12;
-  const QuerySet queries = make_reference_queries(world);
-  const bool whole = world.vertices().size() <= kWholeUpTo;
-  const FeasibleGraph reference(world, Vehicle(), reduced, queries, radii, SerialExecutor(),
-                                whole ? GraphMode::kEager : GraphMode::kLazy);
-  if (whole) return same_links(graph.links(), reference.links());
+  const FeasibleGraphInputs inputs{world, Vehicle(), rows_of(world, reduced), make_reference_queries(world), radii};
+  if (world.vertices().size() <= kWholeUpTo)
+    return same_links(graph.links(), build_feasible_graph(inputs, SerialExecutor())->links());
+  const LazyFeasibleGraph reference(inputs, SerialExecutor());
   Random random(1);
   for (std::size_t i = 0; i < kCircles; ++i) {
     const auto circle = static_cast<std::uint32_t>(random.below(graph.circles().size()));
@@ -70,20 +70,22 @@ void build(benchmark::State& state, const QueryBackend& backend, const Case& c) 
   const std::vector<double> radii = radii_of(c.radii);
   const std::unique_ptr<Executor> executor = make_executor(c.threads);
   const QuerySet queries = backend.queries(world);
-  const auto build_once = [&] { return FeasibleGraph(world, vehicle, reduced, queries, radii, *executor); };
+  const auto build_once = [&] {
+    return build_feasible_graph({world, vehicle, rows_of(world, reduced), queries, radii}, *executor);
+  };
 
   reset_heap_peak();
   const HeapUse before = heap_use();
-  FeasibleGraph graph = build_once();
+  std::shared_ptr<const FinishedFeasibleGraph> graph = build_once();
   const HeapUse after = heap_use();
-  const auto right = [&] { return is_right(graph, world, reduced, radii); };
+  const auto right = [&] { return is_right(*graph, world, reduced, radii); };
   const std::string key = backend.name + c.world + std::to_string(c.radii) + "/" + std::to_string(c.threads);
   if (!require_once(state, "FeasibleGraph/" + key, right, "links differ from the reference")) return;
   for (auto _ : state) graph = build_once();
 
   const auto vertices = static_cast<double>(world.vertices().size());
   state.counters["vertices"] = vertices;
-  state.counters["links"] = static_cast<double>(graph.links().size());
+  state.counters["links"] = static_cast<double>(graph->links().size());
   state.counters["bytes_per_vertex"] = static_cast<double>(after.live_bytes - before.live_bytes) / vertices;
   state.counters["peak_bytes_per_vertex"] = static_cast<double>(after.peak_bytes - before.live_bytes) / vertices;
 }

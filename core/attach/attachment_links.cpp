@@ -78,7 +78,7 @@ void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles,
       });
   if (pieces_circles > limit.most_links) sort_near_first(own.circle.center, *map.outlines, pieces);
   const std::size_t first = links.size();
-  const std::span<const TurnCircle> graph_circles = map.graph.circles();
+  const std::span<const TurnCircle> graph_circles = map.graph->circles();
   const auto consider = [&](std::uint32_t circle) {
     const TurnCircle& other = graph_circles[circle];
     if (is_far_circle(other)) return;
@@ -94,7 +94,7 @@ void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles,
     if (!line) return;
     const double heading = line->start.heading;
     if (line->length > horizon.reach(from_start ? heading : heading + kPi)) return;
-    if (map.graph.mode() == GraphMode::kEager && !map.graph.free_headings(circle).contains(heading)) return;
+    if (!map.circles->is_lazy() && !map.graph->free_headings(circle).contains(heading)) return;
     const double turn = from_start ? turn_between(own.heading, heading, own.circle.side)
                                    : turn_between(heading, own.heading, own.circle.side);
     if (turn <= own.reach) links.push_back({index, circle, *line, turn});

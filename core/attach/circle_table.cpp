@@ -6,12 +6,13 @@
 #include <numeric>
 
 #include "arcway/executor.h"
+#include "core/roadmap/finished_feasible_graph.h"
 
 namespace arcway::internal {
 
-CircleTable::CircleTable(const FeasibleGraph& graph) : graph_(graph) {
-  if (graph.mode() != GraphMode::kEager || graph.links().size() > std::numeric_limits<std::uint32_t>::max()) return;
-  links_ = graph.links();
+CircleTable::CircleTable(const FeasibleGraph& graph) : graph_(graph), is_lazy_(!graph.finished()) {
+  if (is_lazy_ || graph.finished()->links().size() > std::numeric_limits<std::uint32_t>::max()) return;
+  links_ = graph.finished()->links();
   records_.reserve(graph.circles().size());
   sectors_.reserve(graph.circles().size());
   std::uint32_t first = 0;

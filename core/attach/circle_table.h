@@ -15,11 +15,12 @@
 
 namespace arcway::internal {
 
-/// A feasible graph as searches read it. In an eager graph, all that a search asks about a circle lies in one cache
+/// A feasible graph as searches read it. Of a finished graph, all that a search asks about a circle lies in one cache
 /// line, since searches on large maps mostly wait for memory. Questions about a lazy graph are passed on to it.
 /// Immutable, thread-safe.
 class CircleTable {
  public:
+  /// @param graph  must outlive this.
   explicit CircleTable(const FeasibleGraph& graph);
 
   struct Circle {
@@ -71,7 +72,7 @@ class CircleTable {
   /// The links that lead to a circle, by the circle that they leave. Calls find_links_to first if need be.
   [[nodiscard]] std::span<const LinkOf> links_to(std::uint32_t c) const;
   [[nodiscard]] std::size_t size() const { return graph_.circles().size(); }
-  [[nodiscard]] bool is_lazy() const { return graph_.mode() == GraphMode::kLazy; }
+  [[nodiscard]] bool is_lazy() const { return is_lazy_; }
   /// Prefetches what is known about a circle.
   void prefetch(std::uint32_t c) const {
     if (const Record* r = record(c)) will_need(r);
@@ -99,7 +100,8 @@ class CircleTable {
   };
   [[nodiscard]] Incoming find_incoming(const StopClock& clock) const;
 
-  FeasibleGraph graph_;
+  const FeasibleGraph& graph_;
+  bool is_lazy_;
   bool has_one_radius_ = false;
   std::span<const FeasibleGraph::Link> links_;
   HugeVector<Record> records_;    // none of a lazy graph

@@ -1,6 +1,7 @@
 #include "core/attach/narrow_places.h"
 
 #include "core/gaps/gap_circles.h"
+#include "core/roadmap/extend_feasible_graph.h"
 
 namespace arcway::internal {
 
@@ -28,7 +29,7 @@ const Roadmap& NarrowPlaces::map(const StopClock& clock) const {
     AddedCircles added = find_gap_circles(map_.world, *gaps, map_.vehicle, map_.radii.front(), clock);
     if (added.around_vertices.empty() && added.gap_straights.empty()) return std::nullopt;
     add_wide_turns(map_, added);
-    return map_.with_graph(FeasibleGraph(map_.graph, map_.vehicle, added), map_.radii);
+    return map_.with_graph(extend_feasible_graph(map_.graph, map_.vehicle, added), map_.radii);
   };
   const std::optional<Roadmap>* detailed = detailed_.get(clock, make);
   return detailed && *detailed ? **detailed : map_;

@@ -7,25 +7,25 @@
 
 namespace arcway::internal {
 
-Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, std::vector<double> r, FeasibleGraph g,
-                 std::shared_ptr<const Outlines> o)
+Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, std::vector<double> r,
+                 std::shared_ptr<const FeasibleGraph> g, std::shared_ptr<const Outlines> o)
     : world(w),
       vehicle(v),
       queries(std::move(q)),
       radii(std::move(r)),
       graph(std::move(g)),
-      circles(std::make_shared<const CircleTable>(graph)),
+      circles(std::make_shared<const CircleTable>(*graph)),
       body(v.footprint(0.5 * v.safety_margin())),
       outlines(std::move(o)),
-      places(std::make_shared<const CirclePlaces>(graph.turn_circles(), outlines)),
+      places(std::make_shared<const CirclePlaces>(graph->turn_circles(), outlines)),
       gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())) {}
 
-Roadmap Roadmap::with_graph(FeasibleGraph other, std::vector<double> other_radii) const {
+Roadmap Roadmap::with_graph(std::shared_ptr<const FeasibleGraph> other, std::vector<double> other_radii) const {
   Roadmap map = *this;
   map.radii = std::move(other_radii);
   map.graph = std::move(other);
-  map.circles = std::make_shared<const CircleTable>(map.graph);
-  map.places = std::make_shared<const CirclePlaces>(map.graph.turn_circles(), outlines);
+  map.circles = std::make_shared<const CircleTable>(*map.graph);
+  map.places = std::make_shared<const CirclePlaces>(map.graph->turn_circles(), outlines);
   return map;
 }
 

@@ -20,17 +20,17 @@ class CirclePlaces;
 struct Roadmap {
   /// @param radii  of the graph [m], ascending.
   /// @param outlines  of the world.
-  Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii, FeasibleGraph graph,
-          std::shared_ptr<const Outlines> outlines);
+  Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii,
+          std::shared_ptr<const FeasibleGraph> graph, std::shared_ptr<const Outlines> outlines);
   /// A roadmap of the same world and vehicle with another graph.
   /// @param other_radii  of that graph [m]; the smallest one as here.
-  [[nodiscard]] Roadmap with_graph(FeasibleGraph other, std::vector<double> other_radii) const;
+  [[nodiscard]] Roadmap with_graph(std::shared_ptr<const FeasibleGraph> other, std::vector<double> other_radii) const;
 
   World world;
   Vehicle vehicle;
   QuerySet queries;
   std::vector<double> radii;
-  FeasibleGraph graph;
+  std::shared_ptr<const FeasibleGraph> graph;
   std::shared_ptr<const CircleTable> circles;  ///< of the graph
   Footprint body;                              ///< with half of the safety margin: what is checked
   std::shared_ptr<const Outlines> outlines;

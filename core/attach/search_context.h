@@ -17,7 +17,7 @@ class SearchContext {
   SearchContext(const Roadmap& m, std::span<const Attachment> s, std::span<const Attachment> g, const SearchOptions& o,
                 SearchResult& r)
       : map(m),
-        graph(m.graph),
+        graph(*m.graph),
         vehicle(o.gear == Gear::kForward ? m.vehicle : m.vehicle.with_gears_swapped()),
         starts(s),
         goals(g),

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <variant>
 
 #include "arcway/executor.h"
 #include "core/planner/strategy.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 
 namespace arcway::internal {
 
@@ -57,7 +59,8 @@ OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<cons
         std::ranges::find(entries_, route.radii, [](const Entry& entry) { return entry.map.radii.size(); });
     if (same != entries_.end()) return with_other_turns(same->map, all.vehicle, route.factor);
     const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(route.radii));
-    FeasibleGraph lazy(all.world, all.vehicle, rows, all.queries, radii, executor, GraphMode::kLazy);
+    auto lazy = std::make_shared<const LazyFeasibleGraph>(
+        FeasibleGraphInputs{all.world, all.vehicle, rows, all.queries, radii}, executor);
     return with_other_turns(all.with_graph(std::move(lazy), radii), all.vehicle, route.factor);
   };
   std::vector<OtherRoute> known{{all.radii.size(), 1.0}};

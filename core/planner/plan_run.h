@@ -110,7 +110,7 @@ class PlanRun {
   // Refines a path into the workspace.
   void refine(const Path& path, double trials, bool reverse);
   void try_faster(const Roadmap& map, std::size_t poses, double least_gain, double trials);
-  void try_other_way(const Roadmap& map, std::size_t poses, SearchOptions options, double trials);
+  void try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials);
   [[nodiscard]] double cost_of(const Path& path);
   [[nodiscard]] double travel_time(const Path& path);
 

@@ -149,7 +149,7 @@ void PlanRun::take(const TryOtherLastCircle& step, double trials) {
   SearchOptions other = search_options_;
   other.faster_than = (1.0 + step.slower) * fastest_.times.unrefined;
   other.not_last = fastest_.last_circle;
-  try_other_way(*fastest_.map, fastest_.poses, other, trials);
+  try_other_route(*fastest_.map, fastest_.poses, other, trials);
 }
 
 void PlanRun::take(const TryOtherFirstCircle& step, double trials) {
@@ -157,20 +157,20 @@ void PlanRun::take(const TryOtherFirstCircle& step, double trials) {
   SearchOptions other = search_options_;
   other.faster_than = (1.0 + step.slower) * fastest_.times.unrefined;
   other.not_first = fastest_.first_circle;
-  try_other_way(*fastest_.map, fastest_.poses, other, trials);
+  try_other_route(*fastest_.map, fastest_.poses, other, trials);
 }
 
 void PlanRun::take(const TryOtherTurns& step, double trials) {
   const Roadmap& map = step.factor > 1.0 ? maps_->faster_turns : maps_->slower_turns;
-  try_other_way(map, fastest_.poses, search_options_, trials);
+  try_other_route(map, fastest_.poses, search_options_, trials);
 }
 
 void PlanRun::take(const TryOtherRadii& step, double trials) {
   if (const Roadmap* map = query_.maps.other.find({step.radii, step.factor}))
-    try_other_way(*map, 0, search_options_, trials);
+    try_other_route(*map, 0, search_options_, trials);
 }
 
-void PlanRun::try_other_way(const Roadmap& map, std::size_t poses, SearchOptions options, double trials) {
+void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials) {
   options.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   FoundPath other = search([&] {
     return find_path_with_maneuvers(map, query_.request.start, query_.request.goal, poses, options, workspace_.find);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <list>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -25,7 +26,12 @@
 #include "core/planner/planner_maps.h"
 #include "core/planner/query_context.h"
 #include "core/planner/strategy.h"
+#include "core/roadmap/build_feasible_graph.h"
+#include "core/roadmap/change_feasible_graph.h"
 #include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/finished_feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
+#include "core/roadmap/restore_feasible_graph.h"
 
 namespace arcway {
 
@@ -33,12 +39,18 @@ using namespace internal;
 
 namespace {
 
+std::shared_ptr<const FeasibleGraph> make_feasible_graph(const FeasibleGraphInputs& inputs, GraphMode mode,
+                                                         const Executor& executor, const ProcessGroup& process_group) {
+  if (mode == GraphMode::kLazy) return std::make_shared<const LazyFeasibleGraph>(inputs, executor);
+  return build_feasible_graph(inputs, executor, process_group);
+}
+
 // Checks the feasible graph anew.
 auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
   return [&](const std::shared_ptr<const VisibilityRows>& rows, const PlannerOptions& options) {
     const SingleProcess alone;
-    return FeasibleGraph(world, vehicle, rows, queries, options.radii, executor, *options.graph_mode,
-                         options.process_group ? *options.process_group : alone);
+    return make_feasible_graph({world, vehicle, rows, queries, options.radii}, *options.graph_mode, executor,
+                               options.process_group ? *options.process_group : alone);
   };
 }
 
@@ -49,12 +61,12 @@ Roadmap make_map(const World& world, const Vehicle& vehicle, const QuerySet& que
   const SerialExecutor one;
   const Executor& executor =
       options.process_group && options.process_group->size() > 1 ? static_cast<const Executor&>(one) : many;
-  std::optional<FeasibleGraph> graph;
+  std::shared_ptr<const FeasibleGraph> graph;
   std::shared_ptr<const Outlines> outlines;
   executor.begin_stage("feasible graph");
   run_both(
       executor, [&] { graph = make_graph(); }, [&] { outlines = std::make_shared<const Outlines>(world); });
-  return {world, vehicle, queries, options.radii, std::move(*graph), std::move(outlines)};
+  return {world, vehicle, queries, options.radii, std::move(graph), std::move(outlines)};
 }
 
 // The mode that suits the backend, unless the options name one.
@@ -117,7 +129,7 @@ struct Planner::Data {
                  world, vehicle, queries, options, [&] { return make_feasible(rows, options); }, executor),
              options, rows, executor) {
     prepare_statistics.feasible_seconds = watch.seconds();
-    prepare_statistics.counts = map().graph.counts();
+    prepare_statistics.counts = map().graph->counts();
     options.process_group = nullptr;  // need not outlive the construction
   }
 
@@ -273,7 +285,7 @@ Planner Planner::restored(const World& world, const Vehicle& vehicle, const Back
       world, vehicle, queries, std::move(taken),
       std::make_shared<const VisibilityGraph>(std::move(graphs.reduced_graph)), std::move(rows),
       [&](const auto& all_rows, const PlannerOptions& o) {
-        return FeasibleGraph(world, vehicle, all_rows, queries, o.radii, std::move(graphs.feasible));
+        return restore_feasible_graph({world, vehicle, all_rows, queries, o.radii}, std::move(graphs.feasible));
       },
       SerialExecutor()));
 }
@@ -295,11 +307,12 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
     reduced.rows = rows_of(world, *reduced.whole);
   }
   const QuerySet& queries = backend.queries();
-  const auto make_feasible = [&](const auto& rows, const PlannerOptions& o) {
-    if (o.radii != before.options().radii)
-      return FeasibleGraph(world, vehicle, rows, queries, o.radii, executor, *o.graph_mode);
-    return FeasibleGraph(before.feasible_graph(), world, change, vehicle, rows, queries, o.radii, executor,
-                         *o.graph_mode);
+  const auto make_feasible = [&](const auto& rows, const PlannerOptions& o) -> std::shared_ptr<const FeasibleGraph> {
+    const FeasibleGraphInputs inputs{world, vehicle, rows, queries, o.radii};
+    if (o.radii != before.options().radii) return make_feasible_graph(inputs, *o.graph_mode, executor, kSingleProcess);
+    if (*o.graph_mode == GraphMode::kLazy)
+      return change_lazy_feasible_graph(before.feasible_graph(), inputs, change, executor);
+    return change_feasible_graph(before.feasible_graph(), inputs, change, executor);
   };
   return Planner(
       std::make_shared<const Data>(world, vehicle, queries, checked_options(world, vehicle, std::move(alone)),
@@ -345,9 +358,9 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
 
 void Planner::warm_up(std::size_t queries_at_once) const {
   const Data& d = *data_;
-  std::size_t most_circles = d.map().graph.circles().size();
+  std::size_t most_circles = d.map().graph->circles().size();
   for (const PlanMaps* maps : {&d.maps.all, d.maps.tightest ? &*d.maps.tightest : nullptr})
-    if (maps && maps->narrow) most_circles = std::max(most_circles, maps->narrow->map().graph.circles().size());
+    if (maps && maps->narrow) most_circles = std::max(most_circles, maps->narrow->map().graph->circles().size());
   std::list<WorkspacePool<PlanWorkspace>::Lease> leases;
   for (std::size_t i = 0; i < queries_at_once; ++i)
     leases.emplace_back(d.workspaces)->find.search.warm_up(most_circles);
@@ -359,11 +372,12 @@ const QuerySet& Planner::queries() const { return data_->map().queries; }
 const PlannerOptions& Planner::options() const { return data_->options; }
 const VisibilityGraph& Planner::visibility_graph() const { return *data_->visibility_graph; }
 std::shared_ptr<const VisibilityRows> Planner::visibility_rows() const { return data_->rows; }
-const FeasibleGraph& Planner::feasible_graph() const { return data_->map().graph; }
+const FeasibleGraph& Planner::feasible_graph() const { return *data_->map().graph; }
 PreparedGraph Planner::prepared_graph() const {
-  if (feasible_graph().mode() == GraphMode::kLazy || visibility_graph().vertex_count() != world().vertices().size())
+  const FinishedFeasibleGraph* finished = feasible_graph().finished();
+  if (!finished || visibility_graph().vertex_count() != world().vertices().size())
     throw std::logic_error("prepared graph: only of a planner with an eager graph, see PlannerOptions::graph_mode");
-  return {*data_->visibility_graph, data_->options.radii, data_->map().graph.snapshot()};
+  return {*data_->visibility_graph, data_->options.radii, finished->snapshot()};
 }
 const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }
 

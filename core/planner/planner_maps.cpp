@@ -1,13 +1,14 @@
 #include "core/planner/planner_maps.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "arcway/turning_radii.h"
 #include "core/planner/strategy.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 
 namespace arcway::internal {
 
@@ -34,7 +35,8 @@ PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::
   if (tightest_count < options.radii.size()) {
     const std::vector<double> smallest(options.radii.begin(),
                                        options.radii.begin() + static_cast<std::ptrdiff_t>(tightest_count));
-    FeasibleGraph lazy(plain.world, plain.vehicle, rows, plain.queries, smallest, executor, GraphMode::kLazy);
+    auto lazy = std::make_shared<const LazyFeasibleGraph>(
+        FeasibleGraphInputs{plain.world, plain.vehicle, rows, plain.queries, smallest}, executor);
     tightest.emplace(plain.with_graph(std::move(lazy), smallest), options.gap_circles);
     other = OtherMaps(plain, tightest->plain, other_routes(), rows, executor);
   }

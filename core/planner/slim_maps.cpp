@@ -1,9 +1,11 @@
 #include "core/planner/slim_maps.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "arcway/executor.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 
 namespace arcway::internal {
 
@@ -22,7 +24,8 @@ const Roadmap* SlimMaps::operator()(std::size_t i, const StopClock& clock) const
   return maps_[i].get(clock, [&] {
     const Vehicle vehicle = slimmer(map_.vehicle, kSlimmer[i]);
     const std::vector<double> radii{map_.radii.front()};
-    FeasibleGraph lazy(map_.world, vehicle, rows_, map_.queries, radii, SerialExecutor(), GraphMode::kLazy);
+    auto lazy = std::make_shared<const LazyFeasibleGraph>(
+        FeasibleGraphInputs{map_.world, vehicle, rows_, map_.queries, radii}, SerialExecutor());
     Roadmap slim(map_.world, vehicle, map_.queries, radii, std::move(lazy), map_.outlines);
     slim.gaps = map_.gaps;  // the real body gets through no others
     return slim;

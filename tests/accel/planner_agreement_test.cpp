@@ -10,7 +10,7 @@
 #include "arcway/accel/parallel.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/planner.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/finished_feasible_graph.h"
 #include "tests/support/thread_executor.h"
 
 namespace arcway::internal {
@@ -52,7 +52,7 @@ std::string digest(const Planner& planner, const std::vector<PlanRequest>& reque
   std::string bits;
   const auto add = [&bits](const auto& value) { add_bits(value, bits); };
   for (const VertexId v : planner.visibility_graph().targets()) add(v);
-  const FeasibleGraph& feasible = planner.feasible_graph();
+  const FinishedFeasibleGraph& feasible = *planner.feasible_graph().finished();
   for (const FeasibleGraph::Link& link : feasible.links()) {
     add(link.from);
     add(link.to);

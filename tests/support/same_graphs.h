@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "arcway/feasible_graph_snapshot.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/finished_feasible_graph.h"
 
 namespace arcway::internal::test {
 
@@ -15,9 +15,10 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// Two eager graphs, bit for bit.
+/// Two finished graphs, bit for bit.
 inline void expect_same(const FeasibleGraph& a, const FeasibleGraph& b) {
-  const FeasibleGraphSnapshot x = a.snapshot(), y = b.snapshot();
+  ASSERT_TRUE(a.finished() && b.finished());
+  const FeasibleGraphSnapshot x = a.finished()->snapshot(), y = b.finished()->snapshot();
   EXPECT_TRUE(same_bytes(x.interval_starts, y.interval_starts));
   EXPECT_TRUE(same_bytes(x.intervals, y.intervals));
   EXPECT_TRUE(same_bytes(x.link_starts, y.link_starts));

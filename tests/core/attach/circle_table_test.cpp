@@ -69,7 +69,8 @@ TEST(Sectors, HoldTheHeadingsOfTheirRange) {
 
 TEST(CircleTable, KnowsThatThereIsOneRadius) {
   const World world = random_world({.obstacles = 10, .vertices = 8, .fill = 0.3, .seed = 5});
-  EXPECT_TRUE(CircleTable(Planner(world, Vehicle()).feasible_graph()).has_one_radius());
+  const Planner planner(world, Vehicle());
+  EXPECT_TRUE(CircleTable(planner.feasible_graph()).has_one_radius());
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(Backend, MakesQueriesOnceAndGraphsForEachPlanner) {
   const Planner first(world, Vehicle{}, backend), second(world, Vehicle{}, backend);
   EXPECT_EQ(counts.queries, 1);
   EXPECT_EQ(counts.graphs, 2);
-  EXPECT_EQ(first.feasible_graph().mode(), GraphMode::kEager);
+  EXPECT_NE(first.feasible_graph().finished(), nullptr);
   EXPECT_EQ(first.options().graph_mode, GraphMode::kEager);
   EXPECT_EQ(first.visibility_graph(), Planner(world, Vehicle{}).visibility_graph());
 }
@@ -63,12 +63,12 @@ TEST(Backend, ItsPlannersAreLazyWhereItHasLazyRows) {
   const World world = clutter();
   const Backend backend = counting_backend(world, counts, true);
   const Planner lazy(world, Vehicle{}, backend);
-  EXPECT_EQ(lazy.feasible_graph().mode(), GraphMode::kLazy);
+  EXPECT_EQ(lazy.feasible_graph().finished(), nullptr);
   EXPECT_EQ(lazy.options().graph_mode, GraphMode::kLazy);
   EXPECT_EQ(counts.graphs, 0);
   EXPECT_EQ(counts.rows, 1);
   const Planner eager(world, Vehicle{}, backend, {.graph_mode = GraphMode::kEager});
-  EXPECT_EQ(eager.feasible_graph().mode(), GraphMode::kEager);
+  EXPECT_NE(eager.feasible_graph().finished(), nullptr);
   EXPECT_EQ(counts.graphs, 1);
   EXPECT_EQ(counts.rows, 1);
   const PlanRequest request{{-1, -1, 0.3}, {30, 30, 1}};
@@ -85,7 +85,7 @@ TEST(Backend, ChangesTheGraphOfAPlannerThatHasOne) {
   const Planner eager(world, Vehicle{});
   const Planner changed = Planner::changed(eager, change, backend);
   EXPECT_EQ(counts.changes, 1);
-  EXPECT_EQ(changed.feasible_graph().mode(), GraphMode::kEager);
+  EXPECT_NE(changed.feasible_graph().finished(), nullptr);
   EXPECT_EQ(changed.visibility_graph(), Planner(after, Vehicle{}).visibility_graph());
   Counts of_before;
   const Planner lazy(world, Vehicle{}, counting_backend(world, of_before, true));

@@ -15,7 +15,7 @@
 #include "arcway/visibility_graph.h"
 #include "core/motion/speed_profile.h"
 #include "core/refine/refine_path.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 #include "core/search/arrival_search.h"
 #include "tests/support/plans.h"
 
@@ -46,13 +46,15 @@ TEST(WithOtherTurns, TakesTurnsWithSoManyTimesTheLateralAcceleration) {
 }
 
 Roadmap lazy_map(const Planner& planner, const std::vector<double>& radii) {
-  return {planner.world(),
-          planner.vehicle(),
-          planner.queries(),
-          radii,
-          FeasibleGraph(planner.world(), planner.vehicle(), planner.visibility_rows(), planner.queries(), radii,
-                        SerialExecutor(), GraphMode::kLazy),
-          std::make_shared<const Outlines>(planner.world())};
+  return {
+      planner.world(),
+      planner.vehicle(),
+      planner.queries(),
+      radii,
+      std::make_shared<const LazyFeasibleGraph>(
+          FeasibleGraphInputs{planner.world(), planner.vehicle(), planner.visibility_rows(), planner.queries(), radii},
+          SerialExecutor()),
+      std::make_shared<const Outlines>(planner.world())};
 }
 
 class SeveralRadii : public testing::TestWithParam<ClutterKind> {

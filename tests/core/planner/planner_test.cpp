@@ -435,8 +435,6 @@ TEST(Planner, RefusesQueriesAndGraphsThatAreNotTheWorlds) {
   EXPECT_THROW(Planner(world, Vehicle{}, backend_of(world, queries, std::shared_ptr<const VisibilityRows>())),
                std::invalid_argument);
   EXPECT_THROW(Planner(dart, Vehicle{}, reference_backend(square)), std::invalid_argument);
-  for (const std::vector<double>& radii : {std::vector<double>{}, {2.0, 1.0}, {1.0, 1.0}, {-1.0}, {1.0, HUGE_VAL}})
-    EXPECT_THROW(FeasibleGraph(world, Vehicle{}, graph, queries, radii, SerialExecutor()), std::invalid_argument);
 }
 
 TEST(Planner, DoesNotKeepItsProcessGroup) {

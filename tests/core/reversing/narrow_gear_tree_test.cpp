@@ -13,7 +13,7 @@
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/reversing/narrow_gear_search.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
@@ -27,8 +27,10 @@ constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 Roadmap map_of(const World& world, const Vehicle& vehicle) {
   const QuerySet queries = make_reference_queries(world);
   const std::vector<double> radii{vehicle.min_turning_radius()};
-  FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
-                      queries, radii, SerialExecutor(), GraphMode::kLazy);
+  auto graph = std::make_shared<const LazyFeasibleGraph>(
+      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
+                          queries, radii},
+      SerialExecutor());
   return {world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world)};
 }
 

@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/clutter.h"
+#include "arcway/graph_mode.h"
 #include "core/attach/maneuvers.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/build_feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -19,10 +23,15 @@ namespace {
 
 Roadmap make_map(const World& world, const Vehicle& vehicle, const std::vector<double>& radii, GraphMode mode) {
   const QuerySet queries = make_reference_queries(world);
-  const VisibilityGraph visibility = build_reduced_visibility_graph(world, *queries.visibility);
-  return Roadmap(world, vehicle, queries, radii,
-                 FeasibleGraph(world, vehicle, visibility, queries, radii, SerialExecutor(), mode),
-                 std::make_shared<const Outlines>(world));
+  const FeasibleGraphInputs inputs{
+      world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)), queries, radii};
+  std::shared_ptr<const FeasibleGraph> graph;
+  if (mode == GraphMode::kLazy) {
+    graph = std::make_shared<const LazyFeasibleGraph>(inputs, SerialExecutor());
+  } else {
+    graph = build_feasible_graph(inputs, SerialExecutor());
+  }
+  return Roadmap(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
 }
 
 // Every path of the graph whose time could be below a bound, one by one, without comparing any two of them.
@@ -40,8 +49,8 @@ class Enumeration {
     for (const double radius : map_.radii)
       for (const Side side : {Side::kLeft, Side::kRight}) {
         const TurnCircle circle = turn_circle(start_, radius, side);
-        for (std::uint32_t c = 0; c < map_.graph.circles().size(); ++c)
-          if (const auto line = directed_bitangent(circle, map_.graph.circles()[c]); line && c != not_first_)
+        for (std::uint32_t c = 0; c < map_.graph->circles().size(); ++c)
+          if (const auto line = directed_bitangent(circle, map_.graph->circles()[c]); line && c != not_first_)
             if (try_push(circle, start_.heading, *line)) {
               visit(c, line->start.heading);
               pop();
@@ -84,8 +93,8 @@ class Enumeration {
   }
 
   void visit(std::uint32_t c, double heading) {
-    const TurnCircle& circle = map_.graph.circles()[c];
-    if (!map_.graph.free_headings(c).contains(heading)) return;
+    const TurnCircle& circle = map_.graph->circles()[c];
+    if (!map_.graph->free_headings(c).contains(heading)) return;
     for (const double radius : map_.radii)
       for (const Side side : {Side::kLeft, Side::kRight}) {
         const TurnCircle last = turn_circle(goal_, radius, side);
@@ -100,7 +109,7 @@ class Enumeration {
         }
         pop();
       }
-    const auto links = map_.graph.links_from(c);
+    const auto links = map_.graph->links_from(c);
     for (const FeasibleGraph::Link& link : links)
       if (try_push(circle, heading, {pose_on(circle, link.heading), link.length})) {
         visit(link.to, link.heading);

@@ -13,7 +13,7 @@
 #include "arcway/planner.h"
 #include "core/attach/attachment_links.h"
 #include "core/attach/roadmap.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/build_feasible_graph.h"
 
 namespace arcway::internal {
 namespace {
@@ -60,7 +60,7 @@ TEST(DeparturesTowards, AreThoseThatLeadThereGoingForwards) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const World world = dense_world(seed);
     const Planner planner(world, Vehicle{});
-    const FeasibleGraph& graph = planner.feasible_graph();
+    const FinishedFeasibleGraph& graph = *planner.feasible_graph().finished();
     const CircleTable circles(graph);
     const Planner lazy(world, Vehicle{}, {.graph_mode = GraphMode::kLazy});
     const CircleTable lazy_circles(lazy.feasible_graph());
@@ -127,10 +127,10 @@ bool is_reachable(const Roadmap& map, const PlanRequest& request) {
   for (std::size_t i = 0; i < arrivals.size(); ++i) {
     const auto [circle, heading] = arrivals[i];
     for (const AttachmentLink& link : goal_links)
-      if (link.circle == circle && turns_to(map.graph, circle, heading, link.line.start.heading) && is_free(link))
+      if (link.circle == circle && turns_to(*map.graph, circle, heading, link.line.start.heading) && is_free(link))
         return true;
-    for (const Link& link : map.graph.links_from(circle))
-      if (turns_to(map.graph, circle, heading, link.heading) && taken.insert(&link).second)
+    for (const Link& link : map.graph->links_from(circle))
+      if (turns_to(*map.graph, circle, heading, link.heading) && taken.insert(&link).second)
         arrivals.emplace_back(link.to, link.heading);
   }
   return false;
@@ -145,7 +145,9 @@ TEST(BackwardReachableSet, ChangesNoAnswer) {
     PlannerOptions lazily = options;
     lazily.graph_mode = GraphMode::kLazy;
     const Planner lazy(world, Vehicle{}, lazily);
-    const Roadmap map(world, eager.vehicle(), eager.queries(), eager.options().radii, eager.feasible_graph(),
+    auto graph = build_feasible_graph(
+        {world, eager.vehicle(), eager.visibility_rows(), eager.queries(), eager.options().radii}, SerialExecutor());
+    const Roadmap map(world, eager.vehicle(), eager.queries(), eager.options().radii, std::move(graph),
                       std::make_shared<const Outlines>(world));
     for (const PlanRequest& request :
          random_queries(world, make_reference_queries(world), Vehicle(), {.count = 40, .seed = seed})) {

@@ -10,6 +10,7 @@
 #include "arcway/angle.h"
 #include "arcway/query_set.h"
 #include "core/collision/motion_free.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/boxes.h"
 
 namespace arcway::internal {
@@ -29,8 +30,10 @@ Pose turned(const Pose& pose, double by, const Vec2& moved) {
 Roadmap map_of(const World& world, const Vehicle& vehicle) {
   const QuerySet queries = make_reference_queries(world);
   const std::vector<double> radii{vehicle.min_turning_radius()};
-  FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
-                      queries, radii, SerialExecutor(), GraphMode::kLazy);
+  auto graph = std::make_shared<const LazyFeasibleGraph>(
+      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
+                          queries, radii},
+      SerialExecutor());
   return {world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world)};
 }
 

@@ -7,7 +7,7 @@
 
 #include "arcway/angle.h"
 #include "arcway/query_set.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 
 namespace arcway::internal {
 namespace {
@@ -21,8 +21,10 @@ RouteField field_behind_a_wall(double gap) {
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
   const std::vector<double> radii{vehicle.min_turning_radius()};
-  FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
-                      queries, radii, SerialExecutor(), GraphMode::kLazy);
+  auto graph = std::make_shared<const LazyFeasibleGraph>(
+      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
+                          queries, radii},
+      SerialExecutor());
   const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
   return {map, {0.0, 0.0, 0.3}, {20.0, 0.0, 0.0}, 100'000, {}};
 }

@@ -9,7 +9,7 @@
 #include "arcway/angle.h"
 #include "arcway/planner.h"
 #include "arcway/query_set.h"
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/boxes.h"
 
 namespace arcway::internal {
@@ -21,8 +21,10 @@ WayOut way_out(const World& world, const Pose& root, Direction direction) {
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
   const std::vector<double> radii{vehicle.min_turning_radius()};
-  FeasibleGraph graph(world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
-                      queries, radii, SerialExecutor(), GraphMode::kLazy);
+  auto graph = std::make_shared<const LazyFeasibleGraph>(
+      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
+                          queries, radii},
+      SerialExecutor());
   const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
   return look_for_way_out(map, root, direction, {});
 }

@@ -1,62 +1,31 @@
-#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/build_feasible_graph.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
+#include <mutex>
 #include <set>
-#include <thread>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
 #include "arcway/angle.h"
-#include "arcway/datasets/clutter.h"
 #include "arcway/planner.h"
-#include "core/gaps/gap_circles.h"
-#include "core/gaps/vehicle_gaps.h"
 #include "core/geometry/predicates.h"
 #include "core/roadmap/tangent_edges.h"
+#include "tests/support/graph_case.h"
 #include "tests/support/plans.h"
+#include "tests/support/same_graphs.h"
+#include "tests/support/thread_team.h"
 
 namespace arcway::internal {
 namespace {
-
-struct Case {
-  World world = random_world({.kind = ClutterKind::kStar, .obstacles = 20, .vertices = 6, .fill = 0.3, .seed = 5});
-  Vehicle vehicle;
-  QuerySet queries = make_reference_queries(world);
-  VisibilityGraph visibility = build_reduced_visibility_graph(world, *queries.visibility);
-  std::vector<double> radii = {vehicle.min_turning_radius(), 2.0 * vehicle.min_turning_radius()};
-  [[nodiscard]] FeasibleGraph graph(GraphMode mode) const {
-    return FeasibleGraph(world, vehicle, visibility, queries, radii, SerialExecutor(), mode);
-  }
-};
-
-std::vector<FeasibleGraph::Link> kept_links(const FeasibleGraph& graph) {
-  std::vector<FeasibleGraph::Link> kept;
-  for (std::uint32_t c = 0; c < graph.circles().size(); ++c) {
-    const auto links = graph.links_from(c);
-    for (std::size_t i = 0; i < links.size(); ++i)
-      if (graph.is_kept(c, i)) kept.push_back(links[i]);
-  }
-  return kept;
-}
-
-void expect_same(std::span<const FeasibleGraph::Link> a, std::span<const FeasibleGraph::Link> b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_EQ(a[i].from, b[i].from);
-    EXPECT_EQ(a[i].to, b[i].to);
-    EXPECT_EQ(a[i].heading, b[i].heading);
-    EXPECT_EQ(a[i].length, b[i].length);
-  }
-}
 
 using Arrivals = std::set<std::pair<VertexId, Side>>;
 
 // Where the edges of the reduced graph lead that leave a vertex with its obstacle on one side, and the side of the
 // obstacle there.
-Arrivals straights_from(const Case& c, VertexId from, Side side) {
+Arrivals straights_from(const test::GraphCase& c, VertexId from, Side side) {
   Arrivals found;
   for (VertexId u = 0; u < c.visibility.vertex_count(); ++u)
     for (const VertexId v : c.visibility.row(u))
@@ -73,7 +42,8 @@ struct Stop {
 
 // The same; to the far ends of edges of the vertex before on its ring, where a path along the circles' bitangents turns
 // round `from`; and to the vertices before those, where it turns round them.
-std::vector<Stop> straights_beside_edges(const Case& c, std::span<const TurnCircle> circles, const TurnCircle& from) {
+std::vector<Stop> straights_beside_edges(const test::GraphCase& c, std::span<const TurnCircle> circles,
+                                         const TurnCircle& from) {
   const auto round = [&](VertexId v, Side side) {
     return std::find_if(circles.begin(), circles.end(), [&](const auto& t) { return t.vertex == v && t.side == side; });
   };
@@ -108,7 +78,7 @@ std::vector<Stop> straights_beside_edges(const Case& c, std::span<const TurnCirc
 }
 
 // The same, and further on past vertices at which the path along the circles' bitangents would turn away.
-Arrivals straights_past_others(const Case& c, std::span<const TurnCircle> circles, const TurnCircle& from) {
+Arrivals straights_past_others(const test::GraphCase& c, std::span<const TurnCircle> circles, const TurnCircle& from) {
   const auto round = [&](VertexId v, Side side) {
     return *std::find_if(circles.begin(), circles.end(),
                          [&](const auto& t) { return t.vertex == v && t.side == side; });
@@ -135,10 +105,11 @@ Arrivals straights_past_others(const Case& c, std::span<const TurnCircle> circle
   return found;
 }
 
-TEST(FeasibleGraph, KeepsWhatIsFreeAndNothingElse) {
-  Case c;
+TEST(BuildFeasibleGraph, KeepsWhatIsFreeAndNothingElse) {
+  test::GraphCase c;
   c.radii.resize(1);
-  const FeasibleGraph graph = c.graph(GraphMode::kEager);
+  const auto built = c.finished();
+  const FinishedFeasibleGraph& graph = *built;
   const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
   const auto free = [&](std::uint32_t circle, double heading) {
     const TurnCircle& t = graph.circles()[circle];
@@ -169,60 +140,14 @@ TEST(FeasibleGraph, KeepsWhatIsFreeAndNothingElse) {
                                    counts.rejected_arrival + counts.rejected_straight);
 }
 
-TEST(FeasibleGraph, TurnsWideRoundTheVertexOnly) {
-  const Case c;
-  const FeasibleGraph graph = c.graph(GraphMode::kEager);
-  const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
-  std::size_t free = 0;
-  for (std::uint32_t i = 0; i < graph.circles().size(); ++i) {
-    const TurnCircle& circle = graph.circles()[i];
-    if (circle.radius == c.radii[0]) continue;
-    const double at_vertex = heading_at_vertex(c.world, circle);
-    EXPECT_NEAR((pose_on(circle, at_vertex).position() - c.world.vertex(circle.vertex)).norm(),
-                0.5 * c.vehicle.parameters().width + c.vehicle.safety_margin(), 1e-9);
-    const HeadingSet all = c.queries.sweep->free_headings(TurningBody{circle.center, circle.radius, circle.side, body});
-    const HeadingSet& kept = graph.free_headings(i);
-    EXPECT_EQ(kept.empty(), !all.contains(at_vertex));
-    if (kept.empty()) continue;
-    ++free;
-    EXPECT_TRUE(kept.contains(at_vertex));
-    EXPECT_LE(kept.reach(at_vertex, Side::kLeft), all.reach(at_vertex, Side::kLeft) + 1e-12);
-    EXPECT_LE(kept.reach(at_vertex, Side::kLeft), 0.6 * kPi);
-    EXPECT_LE(kept.reach(at_vertex, Side::kRight), 0.6 * kPi);
-  }
-  EXPECT_GT(free, 10u);
-}
-
-TEST(FeasibleGraph, IsTheSameWhenChecksWaitUntilTheyAreAskedFor) {
-  const Case c;
-  const FeasibleGraph eager = c.graph(GraphMode::kEager);
-  const FeasibleGraph lazy = c.graph(GraphMode::kLazy);
-  EXPECT_EQ(lazy.counts().kept, 0u);
-  EXPECT_EQ(lazy.counts().candidates, 0u);
-  expect_same(kept_links(lazy), eager.links());
-  for (std::uint32_t circle = 0; circle < eager.circles().size(); ++circle) {
-    const auto a = eager.free_headings(circle).intervals();
-    const auto b = lazy.free_headings(circle).intervals();
-    ASSERT_EQ(a.size(), b.size());
-    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].low, b[i].low);
-  }
-  EXPECT_EQ(lazy.counts().candidates, eager.counts().candidates);
-  EXPECT_EQ(lazy.counts().kept, eager.counts().kept);
-  EXPECT_EQ(lazy.counts().circles_blocked, eager.counts().circles_blocked);
-  EXPECT_EQ(lazy.counts().rejected_overlap, eager.counts().rejected_overlap);
-  EXPECT_EQ(lazy.counts().rejected_departure, eager.counts().rejected_departure);
-  EXPECT_EQ(lazy.counts().rejected_arrival, eager.counts().rejected_arrival);
-  EXPECT_EQ(lazy.counts().rejected_straight, eager.counts().rejected_straight);
-}
-
 // A point passes the second vertex on its way from the first one to the other obstacle; the body does not.
-TEST(FeasibleGraph, LeadsRoundTheNextVertexWhereABodyWouldHitIt) {
+TEST(BuildFeasibleGraph, LeadsRoundTheNextVertexWhereABodyWouldHitIt) {
   const World world({{{{12.0, 12.0}, {2.0, 10.5}, {0.55, 5.0}, {3.0, 0.0}, {12.0, 0.0}}, {}},
                      {{{-12.2, -1.1}, {-12.2, -11.1}, {-1.2, -1.1}}, {}}});
   const Planner planner(world, Vehicle());
-  const FeasibleGraph& graph = planner.feasible_graph();
+  const FinishedFeasibleGraph& graph = *planner.feasible_graph().finished();
   const auto leads = [&](VertexId from, Side departure, VertexId to, Side arrival) {
-    return std::any_of(graph.links().begin(), graph.links().end(), [&](const FeasibleGraph::Link& link) {
+    return std::any_of(graph.links().begin(), graph.links().end(), [&](const FeasibleLink& link) {
       const TurnCircle& a = graph.circles()[link.from];
       const TurnCircle& b = graph.circles()[link.to];
       return a.vertex == from && a.side == departure && b.vertex == to && b.side == arrival;
@@ -236,7 +161,7 @@ TEST(FeasibleGraph, LeadsRoundTheNextVertexWhereABodyWouldHitIt) {
 }
 
 // Next to a sharp vertex a gentle one is in the way of straights from and to it, but no path turns there.
-TEST(FeasibleGraph, LeadsPastVerticesThatNeedNoTurn) {
+TEST(BuildFeasibleGraph, LeadsPastVerticesThatNeedNoTurn) {
   // A hill with four corners of 45 degrees, each of a gentle, a sharp and a gentle vertex.
   Ring hill{{16.0, -1.0}, {16.0, 10.0}};
   double heading = 90.0;
@@ -256,68 +181,28 @@ TEST(FeasibleGraph, LeadsPastVerticesThatNeedNoTurn) {
   }
 }
 
-TEST(FeasibleGraph, AnswersManyThreadsAtOnce) {
-  const Case c;
-  const FeasibleGraph eager = c.graph(GraphMode::kEager);
-  const FeasibleGraph lazy = c.graph(GraphMode::kLazy);
-  std::vector<std::vector<FeasibleGraph::Link>> kept(4);
-  std::vector<std::thread> threads;
-  for (auto& links : kept) threads.emplace_back([&lazy, &links] { links = kept_links(lazy); });
-  for (std::thread& thread : threads) thread.join();
-  for (const auto& links : kept) expect_same(links, eager.links());
-}
-
-TEST(FeasibleGraph, StopsWhenAsked) {
-  const Case c;
+TEST(BuildFeasibleGraph, StopsWhenAsked) {
+  const test::GraphCase c;
   std::stop_source stop;
   stop.request_stop();
   const SerialExecutor serial;
   const StoppableExecutor executor(serial, stop.get_token());
-  EXPECT_THROW(FeasibleGraph(c.world, c.vehicle, c.visibility, c.queries, c.radii, executor), Canceled);
+  EXPECT_THROW((void)build_feasible_graph(c.inputs(), executor), Canceled);
   EXPECT_THROW((void)build_reduced_visibility_graph(c.world, *c.queries.visibility, executor), Canceled);
 }
 
-TEST(FeasibleGraph, KeepsItsStraightsAmongMoreCircles) {
-  Case c;
-  c.world = random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.45, .seed = 3});
-  c.queries = make_reference_queries(c.world);
-  c.visibility = build_reduced_visibility_graph(c.world, *c.queries.visibility);
-  const FeasibleGraph base = c.graph(GraphMode::kEager);
-  const AddedCircles added =
-      find_gap_circles(c.world, VehicleGaps(c.world, c.vehicle, c.radii[0]).map(), c.vehicle, c.radii[0]);
-  ASSERT_FALSE(added.around_vertices.empty());
-  ASSERT_FALSE(added.gap_straights.empty());
-  const FeasibleGraph more(base, c.vehicle, added);
-  const std::size_t count = base.circles().size();
-  const TurnCircles& circles = more.turn_circles();
-  ASSERT_EQ(circles.base_count(), count);
-  std::size_t gap_straight_circles = 0;
-  for (const GapStraight& straight : added.gap_straights)
-    gap_straight_circles += straight.entries.size() + straight.exits.size();
-  ASSERT_EQ(more.circles().size(), count + 2 * added.around_vertices.size() + gap_straight_circles);
-
-  const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
-  std::vector<FeasibleGraph::Link> among_base;
-  std::size_t onto = 0, through = 0, off = 0, round = 0;
-  for (const FeasibleGraph::Link& link : kept_links(more)) {
-    if (link.from < count && link.to < count) {
-      among_base.push_back(link);
-      continue;
-    }
-    EXPECT_TRUE(c.queries.sweep->straight_free(
-        swept_rectangle(pose_on(more.circles()[link.from], link.heading), link.length, body)));
-    EXPECT_TRUE(more.free_headings(link.from).contains(link.heading));
-    EXPECT_TRUE(more.free_headings(link.to).contains(link.heading));
-    const bool from_gap_straight = circles.is_of_gap_straight(link.from),
-               to_gap_straight = circles.is_of_gap_straight(link.to);
-    const bool in_gap_straight = from_gap_straight && !circles.is_exit(link.from);
-    EXPECT_EQ(in_gap_straight,
-              to_gap_straight &&
-                  circles.is_exit(link.to));  // an entry leads to its gap straight's exits, and nothing else does
-    (in_gap_straight ? through : to_gap_straight ? onto : from_gap_straight ? off : round) += 1;
+TEST(BuildFeasibleGraph, AProcessGroupBuildsTheSameGraph) {
+  const test::GraphCase c;
+  const auto alone = c.finished();
+  ASSERT_GT(alone->links().size(), 100u);
+  for (const std::size_t size : {2u, 3u, 7u, 500u}) {
+    std::mutex mutex;
+    test::run_process_group(size, [&](const ProcessGroup& process_group) {
+      const auto graph = build_feasible_graph(c.inputs(), SerialExecutor(), process_group);
+      const std::scoped_lock lock(mutex);
+      if (process_group.rank() % 50 < 3) test::expect_same(*graph, *alone);
+    });
   }
-  expect_same(among_base, base.links());
-  for (const std::size_t kind : {onto, through, off, round}) EXPECT_GT(kind, 0u);
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "arcway/executor.h"
+#include "arcway/world_change.h"
+#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/feasible_graph_inputs.h"
+#include "core/roadmap/finished_feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
+
+namespace arcway::internal {
+
+/// The graph after a change of the world, the same as one built anew. What lies where nothing came or went is taken
+/// from the graph before, as far as that one knows it. The rest is checked. O(n) beside that.
+/// @param before  of the world before the change, the same vehicle and the same radii. All of its rows of the reduced
+///   graph are asked for.
+/// @param after   inputs after the change. All rows are asked for.
+[[nodiscard]] std::shared_ptr<const FinishedFeasibleGraph> change_feasible_graph(const FeasibleGraph& before,
+                                                                                 const FeasibleGraphInputs& after,
+                                                                                 const WorldChange& change,
+                                                                                 const Executor& executor);
+
+/// A lazy graph after a change of the world. It knows what change_feasible_graph would take from the graph before.
+[[nodiscard]] std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(const FeasibleGraph& before,
+                                                                                  const FeasibleGraphInputs& after,
+                                                                                  const WorldChange& change,
+                                                                                  const Executor& executor);
+
+}  // namespace arcway::internal

@@ -1,0 +1,136 @@
+#include "core/roadmap/circle_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "arcway/angle.h"
+#include "core/roadmap/tangent_edges.h"
+
+namespace arcway::internal {
+
+namespace {
+
+// A turn round the thinnest vertex begins and ends at a right angle to the heading at the vertex; and a little more.
+constexpr double kWidestTurn = 0.55 * kPi;
+
+std::span<const double> checked_radii(std::span<const double> radii) {
+  const auto is_radius = [](double radius) { return radius > 0.0 && std::isfinite(radius); };
+  if (radii.empty() || !std::ranges::all_of(radii, is_radius) || !std::ranges::is_sorted(radii, std::less_equal<>()))
+    throw std::invalid_argument("feasible graph: radii must be positive, finite and ascending, at least one");
+  return radii;
+}
+
+}  // namespace
+
+CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, const Executor& executor)
+    : CircleChecks(inputs, checked_radii(inputs.radii).front(),
+                   TurnCircles(inputs.world, *inputs.rows, checked_radii(inputs.radii),
+                               inputs.vehicle.footprint(inputs.vehicle.safety_margin()), executor)) {}
+
+CircleChecks::CircleChecks(const CircleChecks& base, const Vehicle& vehicle, const AddedCircles& added)
+    : CircleChecks({base.world_, vehicle, base.rows_, base.queries_, {}}, base.smallest_radius_,
+                   TurnCircles(base.circles_, added)) {}
+
+CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, double smallest_radius, TurnCircles circles)
+    : world_(inputs.world),
+      queries_(inputs.queries),
+      body_(inputs.vehicle.footprint(0.5 * inputs.vehicle.safety_margin())),
+      body_covers_reference_(body_.front >= 0.0 && body_.rear >= 0.0),
+      smallest_radius_(smallest_radius),
+      rows_(inputs.rows),
+      circles_(std::move(circles)),
+      destinations_(world_, *rows_, circles_) {}
+
+HeadingSet CircleChecks::free_headings(std::uint32_t circle) const {
+  HeadingSet found = queries_.sweep->free_headings(body_on(circle));
+  keep_at_vertex(circle, found);
+  return found;
+}
+
+void CircleChecks::free_headings(std::span<const std::uint32_t> circles, std::span<HeadingSet> found) const {
+  std::vector<TurningBody> bodies;
+  bodies.reserve(circles.size());
+  for (const std::uint32_t c : circles) bodies.push_back(body_on(c));
+  queries_.sweep->free_headings(bodies, found);
+  for (std::size_t i = 0; i < circles.size(); ++i) keep_at_vertex(circles[i], found[i]);
+}
+
+LinkRow CircleChecks::departures(std::uint32_t circle, const HeadingSet& free, const StopClock& clock) const {
+  const TurnCircle& from = circles_.all()[circle];
+  LinkRow row;
+  StopTicker ticker(clock);
+  visit_destinations(circle, clock, [&](std::uint32_t to) {
+    end_if_over(ticker);
+    ++row.counts.candidates;
+    const auto line = directed_bitangent(from, circles_.all()[to]);
+    if (!line) {
+      ++row.counts.overlaps;
+    } else if (!free.contains(line->start.heading)) {
+      ++row.counts.departures;
+    } else {
+      row.links.push_back({circle, to, line->start.heading, line->length});
+    }
+  });
+  std::sort(row.links.begin(), row.links.end(), [](const FeasibleLink& a, const FeasibleLink& b) {
+    if (a.heading != b.heading) return a.heading < b.heading;
+    return a.to < b.to;
+  });
+  // Circles that know two vertices are found at both.
+  const auto repeated = std::unique(row.links.begin(), row.links.end(),
+                                    [](const FeasibleLink& a, const FeasibleLink& b) { return a.to == b.to; });
+  row.counts.repeated = static_cast<std::uint32_t>(row.links.end() - repeated);
+  row.links.erase(repeated, row.links.end());
+  return row;
+}
+
+bool CircleChecks::is_free(const FeasibleLink& link) const { return queries_.sweep->straight_free(swept_by(link)); }
+
+void CircleChecks::are_free(std::span<const FeasibleLink> links, std::span<std::uint8_t> free) const {
+  std::vector<SweptRectangle> rectangles;
+  rectangles.reserve(links.size());
+  for (const FeasibleLink& link : links) rectangles.push_back(swept_by(link));
+  queries_.sweep->straight_free(rectangles, free);
+}
+
+TurningBody CircleChecks::body_on(std::uint32_t circle) const {
+  const TurnCircle& c = circles_.all()[circle];
+  return {c.center, c.radius, c.side, body_};
+}
+
+SweptRectangle CircleChecks::swept_by(const FeasibleLink& link) const {
+  return swept_rectangle(pose_on(circles_.all()[link.from], link.heading), link.length, body_);
+}
+
+// A wide circle passes through much that has nothing to do with its vertex; there the smallest radius turns as well.
+void CircleChecks::keep_at_vertex(std::uint32_t circle, HeadingSet& found) const {
+  const TurnCircle& c = circles_.all()[circle];
+  if (c.radius == smallest_radius_ || !body_covers_reference_) return;
+  found = found.around(heading_at_vertex(world_, c), kWidestTurn);
+}
+
+// Calls visit(circle) for those that a straight from a circle may lead to, for some of them repeatedly.
+template <class Visitor>
+void CircleChecks::visit_destinations(std::uint32_t circle, const StopClock& clock, Visitor&& visit) const {
+  const TurnCircle& from = circles_.all()[circle];
+  if (!circles_.is_of_gap_straight(circle)) {
+    for (const Destinations::Arrival& arrival : destinations_.from(from, clock))
+      circles_.visit_around(arrival.vertex, arrival.side, visit);
+  } else if (!circles_.is_exit(circle)) {
+    return circles_.visit_exits_behind(circle, visit);
+  }
+  if (circles_.base_count() == circles_.all().size()) return;
+  for (const VertexId u : {from.vertex, from.second}) {
+    if (u == kNone) continue;
+    circles_.visit_entries(u, visit);
+    for (const VertexId v : rows_->of(u)) circles_.visit_entries(v, visit);
+    if (!circles_.is_of_gap_straight(circle)) continue;
+    for (const Side side : {Side::kLeft, Side::kRight}) circles_.visit_around(u, side, visit);
+    for (const VertexId v : rows_->of(u)) circles_.visit_around(v, obstacle_side(world_, v, world_.vertex(u)), visit);
+  }
+}
+
+}  // namespace arcway::internal

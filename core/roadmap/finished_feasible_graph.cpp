@@ -1,0 +1,37 @@
+#include "core/roadmap/finished_feasible_graph.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace arcway::internal {
+
+FinishedFeasibleGraph::FinishedFeasibleGraph(std::shared_ptr<const CircleChecks> checks,
+                                             std::vector<HeadingSet> headings, LinkRows rows)
+    : FeasibleGraph(std::move(checks)), headings_(std::move(headings)), rows_(std::move(rows)) {
+  counts_.circles = circles().size();
+  counts_.circles_blocked =
+      static_cast<std::uint64_t>(std::ranges::count_if(headings_, [](const HeadingSet& set) { return set.empty(); }));
+  for (const LinkCounts& row : rows_.counts) add_counts(row, counts_);
+  counts_.kept = rows_.links.size();
+}
+
+std::optional<CheckedRow> FinishedFeasibleGraph::known_row(std::uint32_t circle) const {
+  const std::span<const Link> links = rows_.of(circle);
+  return CheckedRow{{{links.begin(), links.end()}, rows_.counts[circle]},
+                    std::vector<LinkVerdict>(links.size(), LinkVerdict::kKept)};
+}
+
+FeasibleGraphSnapshot FinishedFeasibleGraph::snapshot() const {
+  FeasibleGraphSnapshot tables;
+  tables.interval_starts.push_back(0);
+  for (const HeadingSet& set : headings_) {
+    tables.intervals.insert(tables.intervals.end(), set.intervals().begin(), set.intervals().end());
+    tables.interval_starts.push_back(tables.intervals.size());
+  }
+  tables.link_starts = rows_.starts;
+  tables.links = rows_.links;
+  tables.link_counts = rows_.counts;
+  return tables;
+}
+
+}  // namespace arcway::internal
