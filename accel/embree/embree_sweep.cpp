@@ -1,6 +1,8 @@
 #include <cmath>
 
 #include "accel/embree/embree_queries.h"
+#include "arcway/angle.h"
+#include "core/collision/heading_range.h"
 #include "core/collision/turning_headings.h"
 #include "core/geometry/predicates.h"
 
@@ -10,6 +12,9 @@ namespace {
 
 // Beyond this many parallel rays, one point query about the whole rectangle is cheaper.
 constexpr double kMostRays = 16.0;
+// Where obstacles end a turn within this angle to both sides, no more of the circle need be looked at [rad].
+constexpr double kNearTurn = kPi / 4.0;
+constexpr double kSureOfEnd = 1e-6;  // from the ends of that range, where the edges that were looked at may not do
 
 }  // namespace
 
@@ -77,6 +82,38 @@ void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
       }
     }
   });
+}
+
+bool EmbreeSweep::arc_free(const TurningBody& body, double heading, double angle) const {
+  static thread_local HeadingRange::Memory memory;
+  const std::span<const LineSegment> edges = scenes_->world().edges();
+  HeadingRange range(body, body.side == Side::kLeft ? heading : heading - angle, angle, memory);
+  scenes_->visibility.edges().visit_near(range.middle(), range.reach(),
+                                         [&](VertexId e) { return range.add(edges[e]) ? range.reach() : -1.0; });
+  return range.is_clear() && range.free_headings().reach(heading, body.side) >= angle && is_outside(body, heading);
+}
+
+double EmbreeSweep::reach(const TurningBody& body, double heading, Side towards) const {
+  static thread_local HeadingRange::Memory memory;
+  const std::span<const LineSegment> edges = scenes_->world().edges();
+  HeadingRange range(body, heading - kNearTurn, 2.0 * kNearTurn, memory);
+  scenes_->visibility.edges().visit_near(range.middle(), range.reach(), [&](VertexId e) {
+    range.add(edges[e]);
+    return range.reach();
+  });
+  const HeadingSet& free = range.free_headings();
+  const auto ends_near = [&](Side side) { return free.reach(heading, side) < kNearTurn - kSureOfEnd; };
+  if (!ends_near(Side::kLeft) || !ends_near(Side::kRight)) {
+    static thread_local HeadingSet all;
+    do_free_headings({&body, 1}, {&all, 1});
+    return all.reach(heading, towards);
+  }
+  return is_outside(body, heading) ? free.reach(heading, towards) : -1.0;
+}
+
+// Where the body touches no edge it is wholly inside or wholly outside each region.
+bool EmbreeSweep::is_outside(const TurningBody& body, double heading) const {
+  return scenes_->locator.containing(middle_at(body, heading)) == kNone;
 }
 
 }  // namespace arcway::internal::embree

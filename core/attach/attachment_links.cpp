@@ -10,6 +10,7 @@
 #include "core/attach/circle_places.h"
 #include "core/attach/circle_table.h"
 #include "core/attach/occlusion_horizon.h"
+#include "core/collision/arc_query.h"
 
 namespace arcway::internal {
 
@@ -39,8 +40,8 @@ void append_circles(const Roadmap& map, std::span<const Attachment> attachments,
         const TurnCircle circle = turn_circle(pose, radius, side);
         const Side towards = direction == Direction::kFromStart ? side : opposite(side);
         const TurningBody body{circle.center, radius, side, map.body};
-        map.queries.sweep->free_headings({&body, 1}, {&headings, 1});
-        circles.push_back({t, circle, wrap_positive(pose.heading), headings.reach(pose.heading, towards)});
+        circles.push_back(
+            {t, circle, wrap_positive(pose.heading), reach(*map.queries.sweep, body, pose.heading, towards, headings)});
       }
   }
 }

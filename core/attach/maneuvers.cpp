@@ -7,6 +7,7 @@
 
 #include "arcway/angle.h"
 #include "core/base/open_list.h"
+#include "core/collision/arc_query.h"
 
 namespace arcway::internal {
 
@@ -135,8 +136,8 @@ std::span<const Attachment> find_maneuvers(const Pose& pose, Direction direction
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const Vec2 center = here.position() + sign_of(side) * radius * perpendicular(ahead);
       const TurningBody turning{center, radius, side, body};
-      sweep.free_headings({&turning, 1}, {&w.headings, 1});
-      const double room = w.headings.reach(here.heading, forwards ? side : opposite(side));
+      const Side towards = forwards ? side : opposite(side);
+      const double room = internal::reach(sweep, turning, here.heading, towards, w.headings);
       // If an obstacle ends the turn early, free motions may leave from a narrow range of headings before its end.
       const bool cut_short = room < kStepTurn;
       for (const double share : kShares) {

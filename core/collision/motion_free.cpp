@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/collision/arc_query.h"
+
 namespace arcway::internal {
 
 bool turn_free(const SweepQuery& sweep, const Footprint& body, const PathSegment& arc, HeadingSet& headings) {
   const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
   const double radius = 1.0 / std::abs(arc.curvature);
   const Vec2 center = arc.start.position() + sign_of(side) * radius * perpendicular(direction_of(arc.start.heading));
-  const TurningBody turning{center, radius, side, body};
-  sweep.free_headings({&turning, 1}, {&headings, 1});
-  return headings.reach(arc.start.heading, side) >= arc.length / radius;
+  return arc_free(sweep, {center, radius, side, body}, arc.start.heading, arc.length / radius, headings);
 }
 
 bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion) {
