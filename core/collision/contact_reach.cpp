@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "arcway/angle.h"
 
@@ -30,6 +31,8 @@ class TurnContacts {
     if (const double ahead = turn < 0.0 ? turn + kTwoPi : turn; ahead < least_) set_least(ahead);
   }
   [[nodiscard]] double least() const { return least_; }
+  [[nodiscard]] double cosine() const { return cosine_; }  // of least()
+  [[nodiscard]] double sine() const { return sine_; }
 
  private:
   void set_least(double least) {
@@ -48,6 +51,51 @@ struct TurnedBody {
   [[nodiscard]] std::array<Vec2, 4> corners() const {
     return {Vec2(x_low, y_low), Vec2(x_high, y_low), Vec2(x_high, y_high), Vec2(x_low, y_high)};
   }
+};
+
+// Whether edges may meet the body before it has turned by an angle: the box around the area that it sweeps until then.
+class SweptBox {
+ public:
+  SweptBox(const std::array<Vec2, 4>& corners, Side side) : turning_(sign_of(side)) {
+    for (std::size_t i = 0; i < corners.size(); ++i) corners_[i] = {corners[i], corners[i].norm()};
+    for (const Corner& corner : corners_) slack_ = std::max(slack_, kSlack * corner.far);
+  }
+
+  // The turn ends at an angle of least().
+  void shrink(const TurnContacts& contacts) {
+    if (contacts.least() > kShrink * angle_ || contacts.least() > kPi) return;
+    angle_ = contacts.least();
+    const double cosine = contacts.cosine(), sine = contacts.sine();
+    box_ = Box();
+    for (const auto& [at, far] : corners_) {
+      const double x = at.x(), y = at.y();
+      const auto most = [&](double along, double rise) {
+        return rise >= 0.0 && along >= far * cosine ? far : std::max(along, along * cosine + rise * sine);
+      };
+      box_.extend(Vec2(most(x, -turning_ * y), most(y, turning_ * x)));
+      box_.extend(Vec2(-most(-x, turning_ * y), -most(-y, -turning_ * x)));
+    }
+    box_ = box_.grown(slack_);
+  }
+
+  [[nodiscard]] bool may_meet(const Vec2& p, const Vec2& q) const {
+    return std::max(p.x(), q.x()) >= box_.min.x() && std::min(p.x(), q.x()) <= box_.max.x() &&
+           std::max(p.y(), q.y()) >= box_.min.y() && std::min(p.y(), q.y()) <= box_.max.y();
+  }
+
+ private:
+  static constexpr double kShrink = 0.8;  // a smaller box is worth its while
+  static constexpr double kSlack = 1e-9;  // of the largest distance from the center: more than rounding
+  struct Corner {
+    Vec2 at;
+    double far;
+  };
+  double turning_;
+  std::array<Corner, 4> corners_;
+  double slack_ = 0.0;
+  double angle_ = std::numeric_limits<double>::infinity();
+  Box box_{Vec2::Constant(-std::numeric_limits<double>::infinity()),
+           Vec2::Constant(std::numeric_limits<double>::infinity())};
 };
 
 // A corner of the body meets the edge from p to q.
@@ -120,7 +168,9 @@ double ContactReach::operator()(double curvature, Gear gear) const {
   for (const Vec2& corner : corners) outer = std::max(outer, corner.squaredNorm());
   const double inside = std::max(0.0, radius - body_.half_width), inner = inside * inside;
   const bool to_left = (curvature > 0.0) == (gear == Gear::kForward);
-  TurnContacts contacts(to_left ? Side::kLeft : Side::kRight, std::min(kTwoPi, most_ / radius));
+  const Side side = to_left ? Side::kLeft : Side::kRight;
+  TurnContacts contacts(side, std::min(kTwoPi, most_ / radius));
+  SweptBox swept(corners, side);
   // Where the center of the turn is not under the body, all of it moves ahead at first.
   const double ahead = sign_of(gear), tail = gear == Gear::kForward ? -body_.rear : -body_.front;
   const bool moves_ahead = radius >= body_.half_width;
@@ -130,6 +180,8 @@ double ContactReach::operator()(double curvature, Gear gear) const {
     if (moves_ahead && contacts.least() < kQuarterTurn && std::max(ahead * edge.a.x(), ahead * edge.b.x()) < tail)
       continue;
     const Vec2 p = edge.a - center, q = edge.b - center, d = q - p;
+    swept.shrink(contacts);
+    if (!swept.may_meet(p, q)) continue;
     const double dd = d.squaredNorm();
     if (dd == 0.0) continue;
     const double from_p = p.squaredNorm(), from_q = q.squaredNorm();
