@@ -16,6 +16,8 @@ constexpr double kRounding = 1e-12;
 
 constexpr double kQuarterTurn = 0.5 * kPi;
 
+constexpr double kShorter = 1e-9;  // by which share distances count as shorter than they are: more than rounding
+
 // The first contact of a body that turns about the origin with an edge.
 class TurnContacts {
  public:
@@ -146,9 +148,9 @@ void ContactReach::begin(const Pose& pose, double most) {
     const Vec2 a = p - place, b = q - place, d = b - a;
     const double dd = d.squaredNorm();
     const double at = dd > 0.0 ? std::clamp(-a.dot(d) / dd, 0.0, 1.0) : 0.0;
-    const double distance = (a + at * d).norm();
-    if (distance > far) return;
-    edges_.push_back({distance, {{ahead.dot(a), cross(ahead, a)}, {ahead.dot(b), cross(ahead, b)}}});
+    if ((a + at * d).squaredNorm() > far * far) return;
+    const LineSegment edge{{ahead.dot(a), cross(ahead, a)}, {ahead.dot(b), cross(ahead, b)}};
+    edges_.push_back({distance_to_body(edge), edge});
   };
   outlines_->visit_if([&](const Box& box) { return box.overlaps(near); },
                       [&](const Outlines::Piece& piece) {
@@ -156,6 +158,15 @@ void ContactReach::begin(const Pose& pose, double most) {
                         return true;
                       });
   std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.distance < b.distance; });
+}
+
+// No larger than the distance of an edge from the body.
+double ContactReach::distance_to_body(const LineSegment& edge) const {
+  const auto [low_x, high_x] = std::minmax(edge.a.x(), edge.b.x());
+  const auto [low_y, high_y] = std::minmax(edge.a.y(), edge.b.y());
+  const double x = std::max({0.0, low_x - body_.front, -body_.rear - high_x});
+  const double y = std::max({0.0, low_y - body_.half_width, -body_.half_width - high_y});
+  return (1.0 - kShorter) * std::sqrt(x * x + y * y);
 }
 
 double ContactReach::operator()(double curvature, Gear gear) const {
@@ -166,6 +177,7 @@ double ContactReach::operator()(double curvature, Gear gear) const {
   const std::array<Vec2, 4> corners = body.corners();
   double outer = 0.0;  // squares of distances from the center
   for (const Vec2& corner : corners) outer = std::max(outer, corner.squaredNorm());
+  const double farthest = std::sqrt(outer);
   const double inside = std::max(0.0, radius - body_.half_width), inner = inside * inside;
   const bool to_left = (curvature > 0.0) == (gear == Gear::kForward);
   const Side side = to_left ? Side::kLeft : Side::kRight;
@@ -175,7 +187,7 @@ double ContactReach::operator()(double curvature, Gear gear) const {
   const double ahead = sign_of(gear), tail = gear == Gear::kForward ? -body_.rear : -body_.front;
   const bool moves_ahead = radius >= body_.half_width;
   for (const auto& [distance, edge] : edges_) {
-    if (distance > around_ + contacts.least() * radius) break;
+    if (distance > contacts.least() * farthest) break;
     ++edges_compared_;
     if (moves_ahead && contacts.least() < kQuarterTurn && std::max(ahead * edge.a.x(), ahead * edge.b.x()) < tail)
       continue;
@@ -199,7 +211,7 @@ double ContactReach::along_line(Gear gear) const {
   const double nose = gear == Gear::kForward ? body_.front : body_.rear;
   const double width = body_.half_width;
   for (const auto& [distance, edge] : edges_) {
-    if (distance > around_ + least) break;
+    if (distance > least) break;
     ++edges_compared_;
     // The part of the edge within the width of the body.
     double low = 0.0, high = 1.0;

@@ -31,9 +31,10 @@ class ContactReach {
 
  private:
   [[nodiscard]] double along_line(Gear gear) const;
+  [[nodiscard]] double distance_to_body(const LineSegment& edge) const;
 
   struct Edge {
-    double distance;  // from the reference point
+    double distance;  // from the body, at least
     LineSegment segment;
   };
 
@@ -42,7 +43,7 @@ class ContactReach {
   double around_;  // radius about the reference point that holds the body [m]
   double most_ = 0.0;
   mutable std::uint64_t edges_compared_ = 0;
-  std::vector<Edge> edges_;  // in the frame of the body, nearest first
+  std::vector<Edge> edges_;  // in the frame of the body, those nearest to it first
 };
 
 }  // namespace arcway::internal

@@ -91,5 +91,20 @@ TEST(ContactReach, CountsTheEdgesThatItCompares) {
   EXPECT_EQ(contact.edges_compared(), ahead + 16u);
 }
 
+// A body much longer than what it can drive: edges beside its tail are near the reference point, but not in its way.
+TEST(ContactReach, ComparesNoEdgesFurtherFromTheBodyThanItMoves) {
+  const Footprint body{10.0, 0.1, 0.4};
+  std::vector<Polygon> obstacles{{{{10.1, -1.0}, {10.2, -1.0}, {10.2, 1.0}, {10.1, 1.0}}, {}}};
+  for (const double x : {1.0, 2.0, 3.0, 4.0}) obstacles.push_back({{{x, 2.0}, {x + 0.5, 2.0}, {x, 2.5}}, {}});
+  const Outlines outlines{World(std::move(obstacles))};
+  ContactReach contact(outlines, body);
+  contact.begin({0.0, 0.0, 0.0}, 15.0);
+  EXPECT_NEAR(contact(0.0, Gear::kForward), 0.1, 1e-12);
+  EXPECT_LE(contact.edges_compared(), 4u);
+  const std::uint64_t line = contact.edges_compared();
+  EXPECT_LT(contact(0.01, Gear::kForward), 0.2);
+  EXPECT_LE(contact.edges_compared(), line + 4u);
+}
+
 }  // namespace
 }  // namespace arcway::internal
