@@ -75,6 +75,10 @@ void PlanArguments::add_to(CLI::App& command) {
   command.add_option("--refine-trials", refine_trials, "Paths that refinement may try; 0 leaves it out")
       ->type_name("N")
       ->capture_default_str();
+  command
+      .add_option("--leave-out", leave_out,
+                  "Row of the strategy or move of refinement to do without, see core/README.md; repeated")
+      ->type_name("NAME");
   build.add_to(command);
   add_outputs_to(command);
 }
@@ -137,6 +141,7 @@ PlannerOptions PlanArguments::planner_options(const ProcessGroup& process_group)
   if (trials > kMostTrials)
     throw UsageError("--refine-trials: at most " + std::to_string(kMostTrials) + ", got " + in_quotes(refine_trials));
   options.refinement.max_trials = static_cast<std::uint32_t>(trials);
+  options.leave_out = leave_out;
   options.process_group = &process_group;
   return options;
 }

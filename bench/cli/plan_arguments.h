@@ -29,6 +29,7 @@ struct PlanArguments {
   bool reverse = false;
   std::string cusp_cost, max_gear_changes;
   std::string refine_trials = std::to_string(RefineOptions{}.max_trials);
+  std::vector<std::string> leave_out;
   std::string svg, json, csv, ros_path;
   std::string sample_step;
   std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "markers"};

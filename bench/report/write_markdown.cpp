@@ -6,6 +6,7 @@
 #include "bench/report/document.h"
 #include "bench/report/findings.h"
 #include "bench/report/peer_sections.h"
+#include "bench/report/strategy_sections.h"
 
 namespace arcway::internal::report {
 namespace {
@@ -27,6 +28,8 @@ Table named_table(const std::string& name, const Inputs& inputs, const std::stri
   };
   if (name == "cost") return cost_section(studies_of(inputs.results, Clock(inputs.results))).table;
   if (name == "ablation") return ablation_section(inputs.results).table;
+  if (name == "strategy") return strategy_section(inputs.results).table;
+  if (name == "moves") return moves_section(inputs.results).table;
   if (name == "duels") return duels_section(peers()).table;
   if (name == "planners") return planners_section(peers()).table;
   throw FormatError(place + ": there is no table \"" + name + "\"");

@@ -69,6 +69,13 @@ TEST_F(Tool, PlansAroundABox) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST_F(Tool, LeavesOutRowsOfTheStrategyAndMoves) {
+  const std::string plan = "plan paper --json " + file("p.json");
+  ASSERT_EQ(run(plan + " --leave-out \"drop turns\" --leave-out \"faster turns\"").code, 0);
+  expect_bad_input("plan paper --leave-out tree",
+                   "leave out \"tree\": no row of the strategy and no move of refinement");
+}
+
 TEST_F(Tool, RefinesUnlessToldOtherwise) {
   const std::string plan = "plan paper --json " + file("p.json");
   ASSERT_EQ(run(plan).code, 0);

@@ -1,0 +1,103 @@
+#include "bench/report/strategy_sections.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "bench/quantiles.h"
+#include "bench/report/markup.h"
+#include "bench/report/results.h"
+#include "core/planner/strategy.h"
+#include "core/planner/strategy_text.h"
+#include "core/refine/moves.h"
+
+namespace arcway::internal::report {
+namespace {
+
+constexpr const char* kCases[] = {"one radius", "several radii", "both gears"};
+
+const Measurement* find(const Results& results, const std::string& name) {
+  const auto found = std::ranges::find(results.measurements, "Strategy/" + name, &Measurement::name);
+  return found == results.measurements.end() || !found->error.empty() ? nullptr : &*found;
+}
+
+// "-2, +3.1 %, x0.87": queries that are no longer solved, how much slower plans are, and processor time.
+std::string without(const Results& results, const char* name_of_case, std::string_view row) {
+  const Measurement* whole = find(results, std::string(name_of_case) + "/everything");
+  const Measurement* part = find(results, std::string(name_of_case) + "/" + std::string(row));
+  if (!whole || !part) return "";
+  const double lost = part->counters.at("solved") - whole->counters.at("solved");
+  const double slower = part->counters.at("slower_percent");
+  const double time = bench::median(part->cpu_seconds) / bench::median(whole->cpu_seconds);
+  std::string text = lost == 0.0 ? "" : number_text("%+.0f", lost) + " solved, ";
+  text += slower == 0.0 ? "same" : number_text("%+.2f %%", slower);
+  return text + ", ×" + number_text("%.2f", time);
+}
+
+void add_cases(const Results& results, std::string_view name, std::vector<std::string>& cells) {
+  for (const char* name_of_case : kCases) cells.push_back(without(results, name_of_case, name));
+}
+
+struct MoveText {
+  std::string operator()(const DropTurns&) const { return "leave turns out, many at once first"; }
+  std::string operator()(const RejoinEnds&) const { return "join start or goal to a later circle"; }
+  std::string operator()(const MergeTurns&) const { return "make several turns one, tangent to the lines beside them"; }
+  std::string operator()(const WidenTurns&) const { return "make parts of a turn wider, and the ends tighter"; }
+  std::string operator()(const InsertWords& move) const {
+    return "join places on two lines by Dubins words: lines in " + std::to_string(move.parts) + " parts" +
+           (move.near_ends.empty() ? "" : ", and places near their ends");
+  }
+  std::string operator()(const SlideCircles& move) const {
+    return "slide centers and radii in " + std::to_string(move.steps.size()) + " directions, by steps that are halved";
+  }
+};
+
+const char* text_of(Stage stage) {
+  switch (stage) {
+    case Stage::kSimplify:
+      return "as long as one helps";
+    case Stage::kImprove:
+      return "each once; if one helps, from the first move on";
+    case Stage::kSettle:
+      return "once, then it is a local optimum";
+    case Stage::kEscape:
+      return "if it helps, from the first move on";
+    case Stage::kFinish:
+      return "once, last";
+  }
+  return "";
+}
+
+}  // namespace
+
+Section strategy_section(const Results& results) {
+  Section section{
+      .title = "What a query tries, and what each row brings",
+      .paragraphs = {},
+      .figures = {},
+      .table = {{"row", "taken when", "what it does", "without it: one radius", "several radii", "both gears"}, {}, 3}};
+  for (const StrategyRow& row : kStrategy) {
+    std::vector<std::string> cells = {std::string(row.name), internal::text_of(row.when), internal::text_of(row.step)};
+    add_cases(results, row.name, cells);
+    section.table.rows.push_back(std::move(cells));
+  }
+  return section;
+}
+
+Section moves_section(const Results& results) {
+  Section section{
+      .title = "How refinement changes a path, and what each move brings",
+      .paragraphs = {},
+      .figures = {},
+      .table = {{"move", "taken", "what it does", "without it: one radius", "several radii", "both gears"}, {}, 3}};
+  for (const MoveRow& row : kMoves) {
+    std::vector<std::string> cells = {std::string(row.name), text_of(row.stage), std::visit(MoveText{}, row.move)};
+    add_cases(results, row.name, cells);
+    section.table.rows.push_back(std::move(cells));
+  }
+  return section;
+}
+
+}  // namespace arcway::internal::report
