@@ -8,9 +8,9 @@
 
 namespace arcway::internal {
 
-/// The headings at which a turning body touches none of the edges it is given, of a range of headings alone: there the
-/// same bits as those of all edges around the circle, from the edges near the swept area. Those are few where the
-/// circle is large.
+/// The free headings of a turning body within a range of headings, among the edges given to it. Within the range they
+/// have the same bits as those of all edges around the circle. Only edges near the swept area need be given: few, where
+/// the circle is large.
 class HeadingRange {
  public:
   struct Memory {
@@ -18,12 +18,12 @@ class HeadingRange {
     HeadingSet free;
   };
 
-  /// @param low     the first heading of the range [rad].
-  /// @param angle   how far it goes on from there to the left, >= 0 [rad].
+  /// @param low  the first heading of the range [rad].
+  /// @param angle  size of the range, counter-clockwise from there [rad], >= 0.
   /// @param memory  used again by the next one; must outlive this.
   HeadingRange(const TurningBody& body, double low, double angle, Memory& memory);
 
-  /// The disc `reach()` around `middle()`: edges outside of it need not be given.
+  /// The disc of radius `reach()` [m] around `middle()`. Edges outside of it need not be given.
   [[nodiscard]] const Vec2& middle() const { return middle_; }
   [[nodiscard]] double reach() const { return reach_; }
 

@@ -121,7 +121,7 @@ struct TryOtherFirstCircle {
 struct TryOtherTurns {
   double factor;  ///< of the lateral acceleration
 };
-/// Likewise on a roadmap of its own.
+/// Looks for the fastest path, on a roadmap of its own, of a vehicle with other turning speeds and fewer radii.
 struct TryOtherRadii {
   std::size_t radii;  ///< the first so many, at most all
   double factor;      ///< of the lateral acceleration

@@ -40,9 +40,9 @@ struct InsertWords {
   int parts;                          ///< equal ones of each line, where places lie
   std::span<const double> near_ends;  ///< distances of more places from the ends of a line
 };
-/// How the circle of a turn that is not the first or last one moves, in steps: its center inwards from, and around, the
-/// point of the inner swept circle where a share of the turn, `at`, is done, and along the heading there; and its
-/// radius grows.
+/// A step of the circle of a turn that is neither the first nor the last one. Its center moves inwards from the point
+/// of the inner swept circle where the share `at` of the turn is done, around that point, and along the heading there.
+/// Its radius grows.
 struct CircleStep {
   double inwards, around, grow, at, along = 0.0;
 };

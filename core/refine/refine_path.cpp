@@ -26,15 +26,15 @@ namespace {
 // Less than this part of the travel time is not worth a step.
 constexpr double kSmallestGain = 1e-6;
 // Far more than the rounding of travel times, relative to them.
-constexpr double kRounding = 1e-9;
-constexpr double kFirstStep = 1.0;   // of the smallest turning radius
-constexpr int kMostIterations = 8;   // of one length of steps
-constexpr double kTiedTurn = 0.5;    // for the first step of circles that are tied to others [rad]
-constexpr double kLeastTurn = 0.02;  // that is worth being driven in two parts [rad]
-constexpr double kLeastRatio = 1.5;  // ratio of radii between which there is room for another one
-constexpr double kNear = 0.25;       // of a line's length: places that lie a number of radii from its end, at most
-// Iterations of a loop, of some nanoseconds to some tenths of a microsecond each, between two questions whether to
-// stop.
+constexpr double kRounding = 1e-9;   // share of a travel time, far above its rounding
+constexpr double kFirstStep = 1.0;   // first step of centers and radii, in smallest turning radii
+constexpr int kMostIterations = 8;   // iterations with steps of one length
+constexpr double kTiedTurn = 0.5;    // first step of tied circles [rad]
+constexpr double kLeastTurn = 0.02;  // smallest turn worth being driven in two parts [rad]
+constexpr double kLeastRatio = 1.5;  // ratio of two radii that leaves room for one between them
+constexpr double kNear = 0.25;       // largest distance of places near a line's end, as a share of its length
+// Iterations of a loop between two questions to the clock. They take some nanoseconds to some tenths of a microsecond
+// each.
 constexpr std::uint32_t kIterationsUnasked = 64;
 
 // A place on a straight line of the path.

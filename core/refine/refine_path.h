@@ -55,7 +55,7 @@ class RefineWorkspace {
 /// @throws std::invalid_argument as require_refinement does.
 RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
                         const SweepQuery& sweep, const RefineOptions& options = {}, const StopClock& clock = {});
-/// The same with memory that is used again, that of `result` included.
+/// Overload with memory that is used again, that of `result` included.
 void refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
                  const RefineOptions& options, const StopClock& clock, RefineWorkspace& workspace, RefinedPath& result);
 

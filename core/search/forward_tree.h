@@ -16,44 +16,45 @@
 
 namespace arcway::internal {
 
-/// Poses that a vehicle which does not reverse reaches from a start, or from which it reaches a goal: a tree of lines
-/// and arcs of any radius, each as long as the room or a share of it. Where an obstacle ends motions early, the
-/// curvatures that lead furthest are found by halving, so that a tree follows a narrow bend in few motions.
+/// A tree of poses that a vehicle which does not reverse reaches from a start, or from which it reaches a goal. Motions
+/// are lines and arcs of any radius, each as long as the room or a share of it. Where obstacles end motions early, the
+/// curvatures that lead furthest are found by halving. A tree then follows a narrow bend in few motions.
 ///
-/// At most one pose for each cell of a grid over position and heading is kept, the first that comes. The grid lies in
-/// the frame of the root and is finer where obstacles are nearer. So a query that is moved or turned has the same tree,
-/// up to rounding. Motions are computed from the edges near by, and remain to be checked by the sweep query.
+/// Each cell of a grid over position and heading keeps its first pose. The grid lies in the frame of the root, and is
+/// finer where obstacles are nearer. A query that is moved or turned has the same tree, up to rounding. Lengths of
+/// motions come from the edges near by, and the sweep query remains to be asked.
 class ForwardTree {
  public:
   struct Node {
     Pose pose;
     PathSegment motion;    ///< between the parent and this, driven forwards; of zero length for the root
     std::uint32_t parent;  ///< kRoot for the root itself
-    double length;         ///< of the way between the root and this [m]
+    double length;         ///< of the path between the root and this [m]
   };
   static constexpr std::uint32_t kRoot = 0;
 
-  /// @param map        must outlive the tree.
-  /// @param pass       says how finely poses and curvatures are told apart.
-  /// @param remaining  estimate of the way from a pose on, by which poses take their turn [m].
+  /// @param map  must outlive the tree.
+  /// @param pass  says how finely poses and curvatures are told apart.
+  /// @param remaining  estimate of the rest of the route from a pose [m]; the most promising pose is expanded first.
   ForwardTree(const Roadmap& map, const Pose& root, Direction direction, const TreePass& pass,
               std::function<double(const Pose&)> remaining);
 
-  /// Adds the poses reached from the most promising one that had no turn yet; none if all had. O(edges near by).
+  /// Expands the most promising pose that has not been expanded: adds the poses it reaches. None if all have been.
+  /// O(edges near by).
   std::optional<std::uint32_t> expand();
 
-  /// How far the pose that had its turn last leads on by a curvature, as far as the tree looks [m].
+  /// The room of the pose expanded last for a motion of a curvature, up to longest_motion() [m].
   [[nodiscard]] double room(double curvature) const { return contact_(curvature, gear_); }
   [[nodiscard]] double longest_motion() const { return far_; }
 
-  /// Edges that its motions were compared with.
+  /// Number of edges that motions were compared with, as a measure of cost.
   [[nodiscard]] std::uint64_t edges_compared() const { return contact_.edges_compared(); }
 
-  /// How far its poses are from its root at most, as the crow flies [m].
+  /// The largest distance of a pose from the root [m].
   [[nodiscard]] double extent() const { return extent_; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
-  /// The way from the start to a node, or from a node to the goal.
+  /// The path from the start to a node, or from a node to the goal.
   [[nodiscard]] Path connection(std::uint32_t node) const;
 
  private:

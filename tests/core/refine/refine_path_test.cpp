@@ -167,9 +167,9 @@ TEST(RefinePath, LeavesBarePathsAlone) {
   EXPECT_TRUE(refined(World({}), vehicle, {start, start}, {}).path.empty());
 }
 
-// Each has kept refinement in a worse place: one wants its turn to go around where it begins, one a turn in two parts
-// that are close to each other, one a turn that begins sooner on the same line. RRTConnect, shortcut for a second,
-// reaches the times.
+// Queries that have kept refinement in a worse local optimum. One wants its turn to go around where it begins, one a
+// turn in two parts that are close to each other. One wants a turn that begins sooner on the same line. RRTConnect,
+// shortcut for a second, reaches the times.
 TEST(RefinePath, IsNoSlowerThanWhatSamplingFinds) {
   struct Query {
     const char* world;

@@ -40,8 +40,9 @@ struct Stop {
   Side side;
 };
 
-// The same; to the far ends of edges of the vertex before on its ring, where a path along the circles' bitangents turns
-// round `from`; and to the vertices before those, where it turns round them.
+// The straights from a circle, with those beside edges. They lead to the far ends of edges of the vertex before on its
+// ring, where a path along the circles' bitangents turns around `from`. They also lead to the vertices before those,
+// where it turns around them.
 std::vector<Stop> straights_beside_edges(const test::GraphCase& c, std::span<const TurnCircle> circles,
                                          const TurnCircle& from) {
   const auto round = [&](VertexId v, Side side) {
@@ -77,7 +78,8 @@ std::vector<Stop> straights_beside_edges(const test::GraphCase& c, std::span<con
   return stops;
 }
 
-// The same, and further on past vertices at which the path along the circles' bitangents would turn away.
+// The straights from a circle, with those beside edges and those past vertices at which the path along the circles'
+// bitangents would turn away.
 Arrivals straights_past_others(const test::GraphCase& c, std::span<const TurnCircle> circles, const TurnCircle& from) {
   const auto round = [&](VertexId v, Side side) {
     return *std::find_if(circles.begin(), circles.end(),
