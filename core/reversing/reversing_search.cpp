@@ -14,8 +14,8 @@
 namespace arcway::internal {
 
 ReversingSearch::ReversingSearch(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options,
-                                 SearchWorkspace& workspace)
-    : map_(map), query_(query), options_(options), workspace_(workspace), cost_(query.cutoff) {}
+                                 ArrivalSearch& arrivals)
+    : map_(map), query_(query), options_(options), arrivals_(arrivals), cost_(query.cutoff) {}
 
 FoundPath ReversingSearch::join_backwards() {
   FoundPath found;
@@ -47,7 +47,7 @@ bool ReversingSearch::join(std::span<const Attachment> starts, std::span<const A
   SearchOptions options = options_;
   options.gear = gear;
   options.faster_than = cost_;
-  SearchResult joined = search_arrivals(map_, starts, goals, options, workspace_);
+  SearchResult joined = arrivals_.find(map_, starts, goals, options);
   found.search.nodes_expanded += joined.nodes_expanded;
   found.search.nodes_pushed += joined.nodes_pushed;
   found.search.straights_checked += joined.straights_checked;

@@ -33,7 +33,7 @@ class ReversingSearch {
  public:
   /// All arguments but the query must outlive this.
   ReversingSearch(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options,
-                  SearchWorkspace& workspace);
+                  ArrivalSearch& arrivals);
 
   /// By the roadmap, driven backwards all the way.
   FoundPath join_backwards();
@@ -66,7 +66,7 @@ class ReversingSearch {
   const Roadmap& map_;
   ReversingQuery query_;
   const SearchOptions& options_;
-  SearchWorkspace& workspace_;
+  ArrivalSearch& arrivals_;
   std::optional<Path> path_;
   double cost_;
 };

@@ -112,7 +112,7 @@ Question question_of(const SearchContext& context) {
 
 }  // namespace
 
-struct SearchWorkspace::Data {
+struct ArrivalSearch::Memory {
   SearchAttachments attachments;
   SearchTimes times;
   struct Reached {
@@ -134,27 +134,10 @@ struct SearchWorkspace::Data {
   Path path;                         // memory for it
 };
 
-SearchWorkspace::SearchWorkspace() : data_(std::make_unique<Data>()) {}
-SearchWorkspace::~SearchWorkspace() = default;
-SearchWorkspace::SearchWorkspace(SearchWorkspace&&) noexcept = default;
-SearchWorkspace& SearchWorkspace::operator=(SearchWorkspace&&) noexcept = default;
-void SearchWorkspace::warm_up(std::size_t circles) {
-  const std::size_t many = std::min(circles / 2, kManyLabels);
-  data_->map.reset();
-  data_->open.warm_up(many);
-  data_->times.warm_up(many);
-  empty_with_memory(data_->steps, many);
-  empty_with_memory(data_->labels, many);
-  data_->first_label.reset(circles);
-  data_->attachments.warm_up(circles);
-}
-void SearchWorkspace::reuse(Path&& path) { data_->path = std::move(path); }
-
-namespace {
-
-class ArrivalSearch {
+// One search.
+class ArrivalSearch::Run {
  public:
-  ArrivalSearch(SearchContext& context, SearchWorkspace::Data& workspace)
+  Run(SearchContext& context, Memory& memory)
       : context_(context),
         graph_(context.graph),
         circles_(*context.map.circles),
@@ -162,8 +145,8 @@ class ArrivalSearch {
         top_speed_(vehicle_.top_speed()),
         weight_(1.0 + context.options.suboptimality),
         result_(context.result),
-        w_(workspace),
-        attachments_(workspace.attachments) {
+        w_(memory),
+        attachments_(memory.attachments) {
     const bool adds_attachments = has_begun_before();
     w_.times.begin(context, adds_attachments);
     if (!adds_attachments) forget();
@@ -249,8 +232,7 @@ class ArrivalSearch {
       return std::jthread([this, ahead](const std::stop_token& done) mutable {
         ahead.clock = ahead.clock.with_stop(done);
         try {
-          SearchWorkspace workspace;
-          search_arrivals(context_.map, context_.starts, context_.goals, ahead, workspace);
+          ArrivalSearch().find(context_.map, context_.starts, context_.goals, ahead);
         } catch (...) {  // what it meets the search meets, or can do without
         }
       });
@@ -359,15 +341,15 @@ class ArrivalSearch {
       const AttachmentCircle& from = attachments_.start_circles()[link.attachment_circle];
       const double radius = circles_.circle(link.circle).radius;
       const std::uint32_t joint =
-          w_.times.add_drive(w_.start_joints[link.attachment_circle], link.turn * from.circle.radius,
-                             from.circle.radius, link.line.length, radius);
+          w_.times.add_drive({w_.start_joints[link.attachment_circle], link.turn * from.circle.radius,
+                              from.circle.radius, link.line.length, radius});
       return {link.circle, 0, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone};
     }
     const Step step = w_.steps[entry.index()];
     const Label& parent = w_.labels[step.label];
     const double radius = circles_.circle(step.to).radius;
     const std::uint32_t joint =
-        w_.times.add_drive(parent.joint, step.turn * parent.radius, parent.radius, step.length, radius);
+        w_.times.add_drive({parent.joint, step.turn * parent.radius, parent.radius, step.length, radius});
     return {step.to, 0, radius, step.heading, 0.0, joint, step.label, step.index, kNone};
   }
 
@@ -394,14 +376,14 @@ class ArrivalSearch {
       if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
       const double radius = circles_.circle(link.circle).radius;
       const Vec2 end = link.line.start.position() + link.line.length * quick_direction_of(link.line.start.heading);
-      push(Kind::kStart, i, estimate(joint, link.turn, from.circle.radius, link.line.length, end, radius));
+      const double from_radius = from.circle.radius;
+      push(Kind::kStart, i, estimate({joint, link.turn * from_radius, from_radius, link.line.length, radius}, end));
     }
   }
 
-  // The estimated time of the whole path that continues a joint by an arc and a line to a circle of some radius [s].
-  [[nodiscard]] double estimate(std::uint32_t joint, double turn, double radius, double line, const Vec2& end,
-                                double next_radius) const {
-    const SpeedTree::Joint arrival = w_.times.drive(joint, turn * radius, radius, line, next_radius);
+  // The estimated time of the whole path that continues a joint by a drive to a place [s].
+  [[nodiscard]] double estimate(const SearchTimes::Drive& drive, const Vec2& end) const {
+    const SpeedTree::Joint arrival = w_.times.drive(drive);
     return arrival.time + remaining(end, arrival.speed);
   }
 
@@ -468,7 +450,8 @@ class ArrivalSearch {
                  const Vec2 from = circle.center - sign_of(circle.side) * circle.radius * perpendicular(ahead);
                  const double radius = one_radius ? label.radius : circles_.circle(link.to).radius;
                  push(Kind::kGraph, {index, link.to, at, turn, link.heading, link.length},
-                      estimate(label.joint, turn, label.radius, link.length, from + link.length * ahead, radius));
+                      estimate({label.joint, turn * label.radius, label.radius, link.length, radius},
+                               from + link.length * ahead));
                  return true;
                });
   }
@@ -535,18 +518,34 @@ class ArrivalSearch {
   bool reachability_known_ = false;
   std::size_t known_labels_ = 0;  // of the search before
   SearchResult& result_;
-  SearchWorkspace::Data& w_;
+  Memory& w_;
   SearchAttachments& attachments_;
 };
 
-}  // namespace
+ArrivalSearch::ArrivalSearch() : memory_(std::make_unique<Memory>()) {}
+ArrivalSearch::~ArrivalSearch() = default;
+ArrivalSearch::ArrivalSearch(ArrivalSearch&&) noexcept = default;
+ArrivalSearch& ArrivalSearch::operator=(ArrivalSearch&&) noexcept = default;
 
-SearchResult search_arrivals(const Roadmap& map, std::span<const Attachment> starts, std::span<const Attachment> goals,
-                             const SearchOptions& options, SearchWorkspace& workspace) {
+SearchResult ArrivalSearch::find(const Roadmap& map, std::span<const Attachment> starts,
+                                 std::span<const Attachment> goals, const SearchOptions& options) {
   SearchResult result;
   SearchContext context(map, starts, goals, options, result);
-  ArrivalSearch(context, *workspace).run();
+  Run(context, *memory_).run();
   return result;
 }
+
+void ArrivalSearch::warm_up(std::size_t circles) {
+  const std::size_t many = std::min(circles / 2, kManyLabels);
+  memory_->map.reset();
+  memory_->open.warm_up(many);
+  memory_->times.warm_up(many);
+  empty_with_memory(memory_->steps, many);
+  empty_with_memory(memory_->labels, many);
+  memory_->first_label.reset(circles);
+  memory_->attachments.warm_up(circles);
+}
+
+void ArrivalSearch::reuse(Path&& path) { memory_->path = std::move(path); }
 
 }  // namespace arcway::internal

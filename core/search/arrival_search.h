@@ -12,25 +12,6 @@
 
 namespace arcway::internal {
 
-/// Memory of a search on a roadmap, used again by the next one, on any map. For one search at a time.
-class SearchWorkspace {
- public:
-  SearchWorkspace();
-  ~SearchWorkspace();
-  SearchWorkspace(SearchWorkspace&&) noexcept;
-  SearchWorkspace& operator=(SearchWorkspace&&) noexcept;
-
-  struct Data;
-  Data& operator*() { return *data_; }
-  /// Forgets the search before, and takes most of the memory that a search on a graph of `circles` circles needs.
-  void warm_up(std::size_t circles);
-  /// Takes the memory of a path that a search returned.
-  void reuse(Path&& path);
-
- private:
-  std::unique_ptr<Data> data_;
-};
-
 /// Finds the fastest path of the feasible graph under the true speed profile: from rest to rest, at most v_ms on lines
 /// and v_mc on arcs, |dv/dt| <= a_max. Speeding up and braking may take any number of segments.
 ///
@@ -62,7 +43,27 @@ class SearchWorkspace {
 ///
 /// Ties are broken by the labels alone, not by memory or time: the answer is the same every time, for eager and lazy
 /// graphs.
-SearchResult search_arrivals(const Roadmap& map, std::span<const Attachment> starts, std::span<const Attachment> goals,
-                             const SearchOptions& options, SearchWorkspace& workspace);
+///
+/// Memory is kept for the next search, on any map. One search at a time.
+class ArrivalSearch {
+ public:
+  ArrivalSearch();
+  ~ArrivalSearch();
+  ArrivalSearch(ArrivalSearch&&) noexcept;
+  ArrivalSearch& operator=(ArrivalSearch&&) noexcept;
+
+  SearchResult find(const Roadmap& map, std::span<const Attachment> starts, std::span<const Attachment> goals,
+                    const SearchOptions& options);
+
+  /// Forgets the search before, and takes most of the memory that a search on a graph of `circles` circles needs.
+  void warm_up(std::size_t circles);
+  /// Takes the memory of a path that a search returned.
+  void reuse(Path&& path);
+
+ private:
+  struct Memory;
+  class Run;
+  std::unique_ptr<Memory> memory_;
+};
 
 }  // namespace arcway::internal

@@ -46,7 +46,7 @@ ForwardSearch::ForwardSearch(const Roadmap& map, const NarrowPlaces* places, con
       to_(map, query.goal, Direction::kToGoal, workspace.to, options_.clock) {}
 
 bool ForwardSearch::search(const Roadmap& on, const End& from, const End& to, FoundPath& found) {
-  SearchResult result = search_arrivals(on, from.attachments(), to.attachments(), options_, workspace_.search);
+  SearchResult result = workspace_.search.find(on, from.attachments(), to.attachments(), options_);
   options_.warm_start = true;
   const bool is_plain = &on == &map_;
   if (is_plain) {
@@ -144,7 +144,7 @@ FoundPath find_path_with_maneuvers(const Roadmap& map, const Pose& start, const 
   const auto from = attachments(start, Direction::kFromStart, workspace.from);
   const auto to = attachments(goal, Direction::kToGoal, workspace.to);
   FoundPath found;
-  found.search = search_arrivals(map, from, to, options, workspace.search);
+  found.search = workspace.search.find(map, from, to, options);
   found.maneuver_poses = from.size() + to.size();
   return found;
 }

@@ -26,7 +26,7 @@ struct FoundPath {
 
 /// Memory of searches, kept for the next one.
 struct FindWorkspace {
-  SearchWorkspace search;
+  ArrivalSearch search;
   ManeuverWorkspace from, to;
 };
 

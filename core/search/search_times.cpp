@@ -20,21 +20,22 @@ std::uint32_t SearchTimes::add_connection(const AttachmentCircle& from) {
   return joint;
 }
 
-std::uint32_t SearchTimes::add_drive(std::uint32_t joint, double arc, double radius, double line, double next_radius) {
-  const std::uint32_t departure = speeds_.add(joint, arc, context_->vehicle.turn_speed(radius), line_speed_);
-  return speeds_.add(departure, line, line_speed_, context_->vehicle.turn_speed(next_radius));
+std::uint32_t SearchTimes::add_drive(const Drive& drive) {
+  const Vehicle& vehicle = context_->vehicle;
+  const std::uint32_t departure = speeds_.add(drive.joint, drive.arc, vehicle.turn_speed(drive.radius), line_speed_);
+  return speeds_.add(departure, drive.line, line_speed_, vehicle.turn_speed(drive.next_radius));
 }
 
-SpeedTree::Joint SearchTimes::drive(std::uint32_t joint, double arc, double radius, double line,
-                                    double next_radius) const {
-  const auto departure = speeds_.extend(joint, arc, context_->vehicle.turn_speed(radius), line_speed_);
-  return speeds_.extend(departure, line, line_speed_, context_->vehicle.turn_speed(next_radius));
+SpeedTree::Joint SearchTimes::drive(const Drive& drive) const {
+  const Vehicle& vehicle = context_->vehicle;
+  const auto departure = speeds_.extend(drive.joint, drive.arc, vehicle.turn_speed(drive.radius), line_speed_);
+  return speeds_.extend(departure, drive.line, line_speed_, vehicle.turn_speed(drive.next_radius));
 }
 
 double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius, const AttachmentLink& link,
                                  const AttachmentCircle& to) {
   const std::size_t size = speeds_.size();
-  joint = add_drive(joint, arc, radius, link.line.length, to.circle.radius);
+  joint = add_drive({joint, arc, radius, link.line.length, to.circle.radius});
   Stretch stretch{link.turn * to.circle.radius, context_->vehicle.turn_speed(to.circle.radius), Gear::kForward};
   for (const PathSegment& segment : context_->goals[to.attachment].connection) {
     const Stretch next = stretch_of(segment);

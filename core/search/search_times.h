@@ -21,12 +21,18 @@ class SearchTimes {
 
   /// Adds the connection of a start attachment; returns the joint at its end.
   std::uint32_t add_connection(const AttachmentCircle& from);
-  /// Adds an arc and the line after it, which leads to a circle of another radius; returns the joint at the line's end
-  /// [m].
-  std::uint32_t add_drive(std::uint32_t joint, double arc, double radius, double line, double next_radius);
+  /// An arc from a joint of the tree, and the line after it, which leads to the next circle.
+  struct Drive {
+    std::uint32_t joint;  ///< at the begin of the arc
+    double arc;           ///< length [m]
+    double radius;        ///< of the arc [m]
+    double line;          ///< length [m]
+    double next_radius;   ///< of the next circle [m]
+  };
+  /// Adds a drive; returns the joint at its end.
+  std::uint32_t add_drive(const Drive& drive);
   /// The joint of add_drive, without adding it.
-  [[nodiscard]] SpeedTree::Joint drive(std::uint32_t joint, double arc, double radius, double line,
-                                       double next_radius) const;
+  [[nodiscard]] SpeedTree::Joint drive(const Drive& drive) const;
   /// The exact time of a complete path [s]: from a joint by an arc, a link to a goal's circle, and what follows.
   double time_to_goal(std::uint32_t joint, double arc, double radius, const AttachmentLink& link,
                       const AttachmentCircle& to);

@@ -24,12 +24,12 @@ namespace {
 class TreeSearch {
  public:
   TreeSearch(const Roadmap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
-             const SearchOptions& options, SearchWorkspace& workspace, FoundPath& found, TreesEnd& end)
+             const SearchOptions& options, ArrivalSearch& arrivals, FoundPath& found, TreesEnd& end)
       : map_(map),
         roots_{start, goal},
         limits_(limits),
         options_(options),
-        workspace_(workspace),
+        arrivals_(arrivals),
         end_(end),
         result_(found.search),
         radius_(map.vehicle.min_turning_radius()),
@@ -235,7 +235,7 @@ class TreeSearch {
       return found;
     };
     const std::vector<Attachment> starts = attachments(0), goals = attachments(1);
-    SearchResult joined = search_arrivals(map_, starts, goals, options_, workspace_);
+    SearchResult joined = arrivals_.find(map_, starts, goals, options_);
     result_.nodes_expanded += joined.nodes_expanded;
     result_.nodes_pushed += joined.nodes_pushed;
     result_.straights_checked += joined.straights_checked;
@@ -248,7 +248,7 @@ class TreeSearch {
   std::array<Pose, 2> roots_;
   TreeLimits limits_;
   const SearchOptions& options_;
-  SearchWorkspace& workspace_;
+  ArrivalSearch& arrivals_;
   TreesEnd& end_;
   SearchResult& result_;
   double radius_, body_length_;
@@ -263,9 +263,9 @@ class TreeSearch {
 }  // namespace
 
 FoundPath search_trees(const Roadmap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
-                       const SearchOptions& options, SearchWorkspace& workspace, TreesEnd& end) {
+                       const SearchOptions& options, ArrivalSearch& arrivals, TreesEnd& end) {
   FoundPath found;
-  TreeSearch(map, start, goal, limits, options, workspace, found, end).run();
+  TreeSearch(map, start, goal, limits, options, arrivals, found, end).run();
   return found;
 }
 

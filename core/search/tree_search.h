@@ -41,6 +41,6 @@ struct TreesEnd {
 /// nothing. The path is free, but by no means the fastest. Deterministic unless interrupted.
 /// @param end  receives how the trees ended.
 FoundPath search_trees(const Roadmap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
-                       const SearchOptions& options, SearchWorkspace& workspace, TreesEnd& end);
+                       const SearchOptions& options, ArrivalSearch& arrivals, TreesEnd& end);
 
 }  // namespace arcway::internal

@@ -96,17 +96,17 @@ TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
   const Roadmap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
   const std::vector<Roadmap> maps = maps_of_other_routes(all, smallest, planner_.visibility_rows(), SerialExecutor());
   EXPECT_GT(maps.size(), 3u);
-  SearchWorkspace workspace;
+  ArrivalSearch search;
   int other = 0;
   for (const PlanRequest& request : requests_) {
     const PlanResult plan = planner_.plan(request);
     if (!plan.solved()) continue;
     const std::vector<Attachment> starts{{request.start, {}}}, goals{{request.goal, {}}};
-    const auto usual = search_arrivals(all, starts, goals, {}, workspace).path;
+    const auto usual = search.find(all, starts, goals, {}).path;
     for (const Roadmap& map : maps) {
       EXPECT_TRUE(std::ranges::includes(radii, map.radii));
       EXPECT_GE(map.vehicle.turn_speed(radii.front()), vehicle_.turn_speed(radii.front()));
-      const auto path = search_arrivals(map, starts, goals, {}, workspace).path;
+      const auto path = search.find(map, starts, goals, {}).path;
       if (!path || !usual) continue;
       // None is faster before refinement, as the graph of all radii holds them all.
       const double time = speed_profile(*path, vehicle_).total_time;
@@ -166,7 +166,7 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
   const PlanMaps maps(lazy_map(planner, radii), false);
   EXPECT_GT(maps.faster_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
   EXPECT_LT(maps.slower_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
-  SearchWorkspace workspace;
+  ArrivalSearch search;
   int other = 0;
   for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 40, .seed = 5})) {
     const PlanResult plan = planner.plan(request);
@@ -174,7 +174,7 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
     test::expect_valid(planner, plan);
     const std::vector<Attachment> starts{{request.start, {}}}, goals{{request.goal, {}}};
     for (const Roadmap* map : {&maps.faster_turns, &maps.slower_turns}) {
-      const auto path = search_arrivals(*map, starts, goals, {}, workspace).path;
+      const auto path = search.find(*map, starts, goals, {}).path;
       if (!path || plan.travel_time <= 1.01 * plan.lower_bound) continue;
       const RefinedPath refined = refine_path(*path, request.start, request.goal, vehicle, *queries.sweep);
       EXPECT_LE(plan.travel_time, refined.travel_time * (1.0 + 1e-12));

@@ -127,7 +127,7 @@ class Enumeration {
 
 TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
   test::Random random(11);
-  SearchWorkspace workspace;
+  ArrivalSearch search;
   int solved = 0;
   std::size_t paths = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -151,7 +151,7 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
         return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
       };
       const Attachment start{pose(), {}}, goal{pose(), {}};
-      const SearchResult result = search_arrivals(map, {&start, 1}, {&goal, 1}, {}, workspace);
+      const SearchResult result = search.find(map, {&start, 1}, {&goal, 1}, {});
       if (!result.path) {
         const double straight = (goal.pose.position() - start.pose.position()).norm() / vehicle.max_speed();
         EXPECT_EQ(Enumeration(map, start.pose, goal.pose, 2.0 * straight + 5.0).paths(), 0u)
@@ -173,7 +173,7 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
 // The ends of the fastest path are closed to the next one.
 TEST(ArrivalSearch, FindsTheFastestPathThatJoinsOrLeavesTheGraphElsewhere) {
   test::Random random(17);
-  SearchWorkspace workspace;
+  ArrivalSearch search;
   int others = 0, alone = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const World world = random_world({.kind = ClutterKind::kConvex,
@@ -191,7 +191,7 @@ TEST(ArrivalSearch, FindsTheFastestPathThatJoinsOrLeavesTheGraphElsewhere) {
         return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
       };
       const Attachment start{pose(), {}}, goal{pose(), {}};
-      const SearchResult best = search_arrivals(map, {&start, 1}, {&goal, 1}, {}, workspace);
+      const SearchResult best = search.find(map, {&start, 1}, {&goal, 1}, {});
       if (!best.path || best.first_circle == kNone) continue;
       ASSERT_NE(best.last_circle, kNone);
       const double fastest = speed_profile(*best.path, vehicle).total_time;
@@ -199,7 +199,7 @@ TEST(ArrivalSearch, FindsTheFastestPathThatJoinsOrLeavesTheGraphElsewhere) {
         SearchOptions options;
         options.warm_start = true;  // which it cannot
         (at_start ? options.not_first : options.not_last) = at_start ? best.first_circle : best.last_circle;
-        const SearchResult other = search_arrivals(map, {&start, 1}, {&goal, 1}, options, workspace);
+        const SearchResult other = search.find(map, {&start, 1}, {&goal, 1}, options);
         if (!other.path) {
           Enumeration all(map, start.pose, goal.pose, 1.5 * fastest, options.not_first, options.not_last);
           all.best();
@@ -231,7 +231,7 @@ TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
   const std::vector<double> radii{vehicle.min_turning_radius(), 3.0 * vehicle.min_turning_radius()};
   const Roadmap eager = make_map(world, vehicle, radii, GraphMode::kEager);
   const Roadmap lazy = make_map(world, vehicle, radii, GraphMode::kLazy);
-  SearchWorkspace first, second;
+  ArrivalSearch first, second;
   test::Random random(4);
   const double side = world.box().max.x();
   int solved = 0;
@@ -240,8 +240,8 @@ TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
       return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
     };
     const Attachment start{pose(), {}}, goal{pose(), {}};
-    const SearchResult a = search_arrivals(eager, {&start, 1}, {&goal, 1}, {}, first);
-    const SearchResult b = search_arrivals(lazy, {&start, 1}, {&goal, 1}, {}, second);
+    const SearchResult a = first.find(eager, {&start, 1}, {&goal, 1}, {});
+    const SearchResult b = second.find(lazy, {&start, 1}, {&goal, 1}, {});
     ASSERT_EQ(a.path.has_value(), b.path.has_value());
     EXPECT_EQ(a.nodes_expanded, b.nodes_expanded);
     if (!a.path) continue;
@@ -262,7 +262,7 @@ TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
   const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 6});
   const Vehicle vehicle;
   const Roadmap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
-  SearchWorkspace workspace;
+  ArrivalSearch arrivals;
   const double side = world.box().max.x();
   test::Random random(8);
   const auto pose = [&] {
@@ -272,7 +272,7 @@ TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
   const auto search = [&](std::uint64_t most) {
     SearchOptions options;
     options.most_expanded = most;
-    return search_arrivals(map, {&start, 1}, {&goal, 1}, options, workspace);
+    return arrivals.find(map, {&start, 1}, {&goal, 1}, options);
   };
   SearchResult whole;
   for (int i = 0; i < 200 && !(whole.path && whole.nodes_expanded > 20); ++i) {
@@ -299,7 +299,7 @@ TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
 
 TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
   test::Random random(3);
-  SearchWorkspace before, anew;
+  ArrivalSearch before, anew;
   int improved = 0, plain = 0;
   std::uint64_t expanded = 0, expanded_anew = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -320,23 +320,22 @@ TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
       };
       const auto starts = find(start, Direction::kFromStart), goals = find(goal, Direction::kToGoal);
       if (starts.size() * goals.size() <= 64) continue;  // else Dubins words as well, of other pairs
-      const SearchResult first =
-          search_arrivals(map, std::span(starts).first(1), std::span(goals).first(1), {}, before);
+      const SearchResult first = before.find(map, std::span(starts).first(1), std::span(goals).first(1), {});
       if (!first.path) continue;
       ++plain;
       SearchOptions options;
       const double known = speed_profile(*first.path, vehicle).total_time;
       options.faster_than = known * (1.0 - 1e-9);
-      const SearchResult whole = search_arrivals(map, starts, goals, options, anew);
+      const SearchResult whole = anew.find(map, starts, goals, options);
       options.warm_start = true;
       options.least_gain = i % 2 == 0 ? 0.0 : 0.01 * known;
-      const SearchResult more = search_arrivals(map, starts, goals, options, before);
+      const SearchResult more = before.find(map, starts, goals, options);
       const double least = whole.path ? speed_profile(*whole.path, vehicle).total_time : options.faster_than;
       const double time = more.path ? speed_profile(*more.path, vehicle).total_time : options.faster_than;
       EXPECT_GE(time, least * (1.0 - 1e-9)) << "seed " << seed << ", query " << i;
       EXPECT_LE(time, least * (1.0 + 1e-9) + options.least_gain) << "seed " << seed << ", query " << i;
       // With fewer ends it cannot go on from one with more.
-      EXPECT_FALSE(search_arrivals(map, std::span(starts).first(1), std::span(goals).first(1), options, before).path);
+      EXPECT_FALSE(before.find(map, std::span(starts).first(1), std::span(goals).first(1), options).path);
       improved += more.path ? 1 : 0;
       expanded += more.nodes_expanded;
       expanded_anew += whole.nodes_expanded;
@@ -389,19 +388,18 @@ TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
   const auto pose = [&] {
     return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
   };
-  SearchWorkspace workspace, anew;
+  ArrivalSearch search, anew;
   int solved = 0;
   for (int i = 0; i < 30; ++i) {
     const Attachment start{pose(), {}}, goal{pose(), {}};
     for (const Change& change : changes) {
-      const SearchResult before =
-          search_arrivals(change.before, {&start, 1}, {&goal, 1}, change.options_before, workspace);
+      const SearchResult before = search.find(change.before, {&start, 1}, {&goal, 1}, change.options_before);
       const std::uint64_t most = change.options_before.most_expanded;
       if (most < SearchOptions{}.most_expanded && before.nodes_expanded < most) continue;  // it was a part
       SearchOptions options = change.options;
-      const SearchResult expected = search_arrivals(change.map, {&start, 1}, {&goal, 1}, options, anew);
+      const SearchResult expected = anew.find(change.map, {&start, 1}, {&goal, 1}, options);
       options.warm_start = true;
-      const SearchResult found = search_arrivals(change.map, {&start, 1}, {&goal, 1}, options, workspace);
+      const SearchResult found = search.find(change.map, {&start, 1}, {&goal, 1}, options);
       ASSERT_EQ(found.path.has_value(), expected.path.has_value()) << change.what << ", query " << i;
       EXPECT_EQ(found.nodes_expanded, expected.nodes_expanded) << change.what << ", query " << i;
       if (!found.path) continue;
