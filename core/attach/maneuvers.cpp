@@ -67,99 +67,110 @@ class CellSet {
 
 }  // namespace
 
-struct ManeuverWorkspace::Data {
+struct ManeuverSearch::Memory {
   std::vector<Attachment> attachments;  // those of before have memory for connections
-  std::vector<double> lengths;
+  std::vector<double> lengths;          // of the connections found now
   OpenList<Waiting> open;
   CellSet seen;
   HeadingSet headings;
 };
 
-ManeuverWorkspace::ManeuverWorkspace() : data_(std::make_unique<Data>()) {}
-ManeuverWorkspace::~ManeuverWorkspace() = default;
-ManeuverWorkspace::ManeuverWorkspace(ManeuverWorkspace&&) noexcept = default;
-ManeuverWorkspace& ManeuverWorkspace::operator=(ManeuverWorkspace&&) noexcept = default;
+// One search.
+class ManeuverSearch::Run {
+ public:
+  Run(Direction direction, const ManeuveringBody& body, Spread spread, Memory& memory)
+      : forwards_(direction == Direction::kFromStart),
+        body_(body),
+        step_(body.radius * kStepTurn),
+        grid_(spread == Spread::kDense ? Grid{0.5 * step_, 128} : Grid{0.5 * body.radius, 32}),
+        m_(memory) {}
 
-std::span<const Attachment> find_maneuvers(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                           const SweepQuery& sweep, std::size_t max_poses, Spread spread,
-                                           ManeuverWorkspace& workspace, const StopClock& clock) {
-  const bool forwards = direction == Direction::kFromStart;
-  const Footprint body = vehicle.footprint(0.5 * vehicle.safety_margin());
-  const double step = radius * kStepTurn;
-  const Grid grid = spread == Spread::kDense ? Grid{0.5 * step, 128} : Grid{0.5 * radius, 32};
+  std::span<const Attachment> find(const Pose& pose, std::size_t most, const StopClock& clock) {
+    m_.lengths.clear();
+    m_.open.clear();
+    m_.seen.begin(most + kStepsFromAPose);
+    add(pose, 0.0);
+    m_.seen.insert(cell_of(pose, grid_));
+    while (!m_.open.empty() && m_.lengths.size() < most && !clock.is_over()) {
+      const std::size_t at = m_.open.pop().pose;
+      drive_straight(at);
+      for (const Side side : {Side::kLeft, Side::kRight}) turn(at, side);
+    }
+    return std::span(m_.attachments).first(m_.lengths.size());
+  }
 
-  ManeuverWorkspace::Data& w = *workspace;
-  std::vector<Attachment>& attachments = w.attachments;
-  std::vector<double>& lengths = w.lengths;
-  OpenList<Waiting>& open = w.open;
-  CellSet& seen = w.seen;
-  lengths.clear();
-  open.clear();
-  seen.begin(max_poses + kStepsFromAPose);
-  const auto add = [&](const Pose& reached, double length) -> Attachment& {
-    if (attachments.size() == lengths.size()) attachments.emplace_back();
-    Attachment& attachment = attachments[lengths.size()];
+ private:
+  Attachment& add(const Pose& reached, double length) {
+    if (m_.attachments.size() == m_.lengths.size()) m_.attachments.emplace_back();
+    Attachment& attachment = m_.attachments[m_.lengths.size()];
     attachment.pose = reached;
     attachment.connection.clear();
     attachment.shared.reset();
-    open.push({length, lengths.size()});
-    lengths.push_back(length);
+    m_.open.push({length, m_.lengths.size()});
+    m_.lengths.push_back(length);
     return attachment;
-  };
-  add(pose, 0.0);
-  seen.insert(cell_of(pose, grid));
+  }
 
-  const auto reach = [&](std::size_t from, const PathSegment& segment, const Pose& reached,
-                         std::optional<Side> turned = {}) {
-    if (!seen.insert(cell_of(reached, grid))) return;
-    Attachment& attachment = add(reached, lengths[from] + segment.length);
+  // Adds the pose at the other end of a step unless one in its cell is known.
+  void reach(std::size_t from, const PathSegment& segment, const Pose& reached, std::optional<Side> turned = {}) {
+    if (!m_.seen.insert(cell_of(reached, grid_))) return;
+    Attachment& attachment = add(reached, m_.lengths[from] + segment.length);
     attachment.shared = turned;
     Path& connection = attachment.connection;
-    const Path& before = attachments[from].connection;
-    if (!forwards) connection.push_back(segment);
+    const Path& before = m_.attachments[from].connection;
+    if (!forwards_) connection.push_back(segment);
     connection.insert(connection.end(), before.begin(), before.end());
-    if (forwards) connection.push_back(segment);
-  };
+    if (forwards_) connection.push_back(segment);
+  }
 
-  while (!open.empty() && lengths.size() < max_poses && !clock.is_over()) {
-    const std::size_t at = open.pop().pose;
-    const Pose here = attachments[at].pose;
+  void drive_straight(std::size_t at) {
+    const Pose here = m_.attachments[at].pose;
     const Vec2 ahead = direction_of(here.heading);
     for (const double steps : kLineSteps) {
-      const double length = steps * step;
-      const Vec2 other = here.position() + (forwards ? length : -length) * ahead;
+      const double length = steps * step_;
+      const Vec2 other = here.position() + (forwards_ ? length : -length) * ahead;
       const Pose reached{other.x(), other.y(), here.heading};
-      const PathSegment line{forwards ? here : reached, length, 0.0};
-      if (!sweep.straight_free(swept_rectangle(line.start, length, body))) break;
+      const PathSegment line{forwards_ ? here : reached, length, 0.0};
+      if (!body_.sweep.straight_free(swept_rectangle(line.start, length, body_.footprint))) break;
       reach(at, line, reached);
     }
-    for (const Side side : {Side::kLeft, Side::kRight}) {
-      const Vec2 center = here.position() + sign_of(side) * radius * perpendicular(ahead);
-      const TurningBody turning{center, radius, side, body};
-      const Side towards = forwards ? side : opposite(side);
-      const double room = internal::reach(sweep, turning, here.heading, towards, w.headings);
-      // If an obstacle ends the turn early, free motions may leave from a narrow range of headings before its end.
-      const bool cut_short = room < kStepTurn;
-      for (const double share : kShares) {
-        const double angle = cut_short ? share * room : kStepTurn;
-        if (angle < kLeastTurn) break;
-        const double turn = (forwards ? 1.0 : -1.0) * sign_of(side) * angle;
-        const Pose reached = pose_on(TurnCircle{center, radius, side, kNone}, here.heading + turn);
-        const PathSegment arc{forwards ? here : reached, radius * angle, sign_of(side) / radius};
-        reach(at, arc, reached, side);
-        if (!cut_short) break;
-      }
+  }
+
+  void turn(std::size_t at, Side side) {
+    const double radius = body_.radius;
+    const Pose here = m_.attachments[at].pose;
+    const Vec2 center = here.position() + sign_of(side) * radius * perpendicular(direction_of(here.heading));
+    const TurningBody turning{center, radius, side, body_.footprint};
+    const Side towards = forwards_ ? side : opposite(side);
+    const double room = internal::reach(body_.sweep, turning, here.heading, towards, m_.headings);
+    // If an obstacle ends the turn early, free motions may leave from a narrow range of headings before its end.
+    const bool cut_short = room < kStepTurn;
+    for (const double share : kShares) {
+      const double angle = cut_short ? share * room : kStepTurn;
+      if (angle < kLeastTurn) break;
+      const double turned = (forwards_ ? 1.0 : -1.0) * sign_of(side) * angle;
+      const Pose reached = pose_on(TurnCircle{center, radius, side, kNone}, here.heading + turned);
+      const PathSegment arc{forwards_ ? here : reached, radius * angle, sign_of(side) / radius};
+      reach(at, arc, reached, side);
+      if (!cut_short) break;
     }
   }
-  return std::span(attachments).first(lengths.size());
-}
 
-std::vector<Attachment> find_maneuvers(const Pose& pose, Direction direction, const Vehicle& vehicle, double radius,
-                                       const SweepQuery& sweep, std::size_t max_poses, Spread spread,
-                                       const StopClock& clock) {
-  ManeuverWorkspace workspace;
-  const auto found = find_maneuvers(pose, direction, vehicle, radius, sweep, max_poses, spread, workspace, clock);
-  return {found.begin(), found.end()};
+  bool forwards_;
+  const ManeuveringBody& body_;
+  double step_;  // [m]
+  Grid grid_;
+  Memory& m_;
+};
+
+ManeuverSearch::ManeuverSearch() : memory_(std::make_unique<Memory>()) {}
+ManeuverSearch::~ManeuverSearch() = default;
+ManeuverSearch::ManeuverSearch(ManeuverSearch&&) noexcept = default;
+ManeuverSearch& ManeuverSearch::operator=(ManeuverSearch&&) noexcept = default;
+
+std::span<const Attachment> ManeuverSearch::find(const Pose& pose, Direction direction, const ManeuveringBody& body,
+                                                 const ManeuverPoses& poses, const StopClock& clock) {
+  return Run(direction, body, poses.spread, *memory_).find(pose, poses.most, clock);
 }
 
 }  // namespace arcway::internal

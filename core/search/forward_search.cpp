@@ -7,11 +7,11 @@
 
 namespace arcway::internal {
 
-ForwardSearch::End::End(const Roadmap& map, const Pose& pose, Direction direction, ManeuverWorkspace& workspace,
+ForwardSearch::End::End(const Roadmap& map, const Pose& pose, Direction direction, ManeuverSearch& maneuvers,
                         const StopClock& clock)
     : map_(map),
       direction_(direction),
-      workspace_(workspace),
+      maneuvers_(maneuvers),
       clock_(clock),
       plain_{pose, {}},
       attachments_(&plain_, 1) {}
@@ -31,8 +31,8 @@ bool ForwardSearch::End::extend_far(const ManeuverEffort& effort, std::size_t mo
 
 void ForwardSearch::End::find(std::size_t poses, Spread spread) {
   asked_ = poses;
-  attachments_ = find_maneuvers(plain_.pose, direction_, map_.vehicle, map_.radii[0], *map_.queries.sweep, poses,
-                                spread, workspace_, clock_);
+  const ManeuveringBody body(map_.vehicle, map_.radii[0], *map_.queries.sweep);
+  attachments_ = maneuvers_.find(plain_.pose, direction_, body, {poses, spread}, clock_);
 }
 
 ForwardSearch::ForwardSearch(const Roadmap& map, const NarrowPlaces* places, const Query& query,
@@ -137,12 +137,10 @@ Obstruction ForwardSearch::obstruction() const {
 
 FoundPath find_path_with_maneuvers(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
                                    const SearchOptions& options, FindWorkspace& workspace) {
-  const auto attachments = [&](const Pose& pose, Direction direction, ManeuverWorkspace& memory) {
-    return find_maneuvers(pose, direction, map.vehicle, map.radii[0], *map.queries.sweep, poses, Spread::kSparse,
-                          memory, options.clock);
-  };
-  const auto from = attachments(start, Direction::kFromStart, workspace.from);
-  const auto to = attachments(goal, Direction::kToGoal, workspace.to);
+  const ManeuveringBody body(map.vehicle, map.radii[0], *map.queries.sweep);
+  const ManeuverPoses sparse{poses, Spread::kSparse};
+  const auto from = workspace.from.find(start, Direction::kFromStart, body, sparse, options.clock);
+  const auto to = workspace.to.find(goal, Direction::kToGoal, body, sparse, options.clock);
   FoundPath found;
   found.search = workspace.search.find(map, from, to, options);
   found.maneuver_poses = from.size() + to.size();

@@ -27,7 +27,7 @@ struct FoundPath {
 /// Memory of searches, kept for the next one.
 struct FindWorkspace {
   ArrivalSearch search;
-  ManeuverWorkspace from, to;
+  ManeuverSearch from, to;
 };
 
 /// How many poses join the roadmap where single arcs do not.
@@ -70,8 +70,7 @@ class ForwardSearch {
   // One end of a path and the poses by which it may join the graph.
   class End {
    public:
-    End(const Roadmap& map, const Pose& pose, Direction direction, ManeuverWorkspace& workspace,
-        const StopClock& clock);
+    End(const Roadmap& map, const Pose& pose, Direction direction, ManeuverSearch& maneuvers, const StopClock& clock);
     End(const End&) = delete;
 
     [[nodiscard]] std::span<const Attachment> attachments() const { return attachments_; }
@@ -86,7 +85,7 @@ class ForwardSearch {
     const Roadmap& map_;
     Direction direction_;
     std::size_t asked_ = 0;
-    ManeuverWorkspace& workspace_;
+    ManeuverSearch& maneuvers_;
     const StopClock& clock_;
     Attachment plain_;
     std::span<const Attachment> attachments_;

@@ -56,8 +56,9 @@ TEST(Maneuvers, ShareCirclesWithPosesThatTurnOnThemEarlier) {
   for (const PlanRequest& request : catalog_queries("clutter/star/n100/m10/f30", 6, 1))
     for (const Direction direction : {Direction::kFromStart, Direction::kToGoal}) {
       const bool forwards = direction == Direction::kFromStart;
-      const auto attachments =
-          find_maneuvers(forwards ? request.start : request.goal, direction, vehicle, radius, *queries.sweep, 60);
+      ManeuverSearch search;
+      const auto attachments = search.find(forwards ? request.start : request.goal, direction,
+                                           {vehicle, radius, *queries.sweep}, {.most = 60});
       for (const Attachment& attachment : attachments) {
         if (!attachment.shared) continue;
         ++shared;
@@ -100,8 +101,9 @@ TEST(Maneuvers, AreFurtherApartWhereSparse) {
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
   const auto count_near = [&](Spread spread) {
-    const auto found = find_maneuvers({5.0, 2.5, 0.0}, Direction::kFromStart, vehicle, vehicle.min_turning_radius(),
-                                      *queries.sweep, 400, spread);
+    ManeuverSearch search;
+    const auto found = search.find({5.0, 2.5, 0.0}, Direction::kFromStart,
+                                   {vehicle, vehicle.min_turning_radius(), *queries.sweep}, {400, spread});
     return std::count_if(found.begin(), found.end(), [](const Attachment& t) { return length_of(t.connection) < 3.0; });
   };
   EXPECT_GT(count_near(Spread::kSparse), 10);
@@ -115,8 +117,9 @@ TEST(Maneuvers, EndATurnWhereAnObstacleDoes) {
   const World world({{{{wall, -50}, {wall + 1, -50}, {wall + 1, 50}, {wall, 50}}, {}}});
   const Pose pose{0.0, 0.0, 0.0};
   const QuerySet queries = make_reference_queries(world);
+  ManeuverSearch search;
   const auto found =
-      find_maneuvers(pose, Direction::kFromStart, vehicle, vehicle.min_turning_radius(), *queries.sweep, 50);
+      search.find(pose, Direction::kFromStart, {vehicle, vehicle.min_turning_radius(), *queries.sweep}, {.most = 50});
   bool partial = false;
   for (const Attachment& attachment : found)
     for (const PathSegment& segment : attachment.connection)

@@ -315,10 +315,10 @@ TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
         return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
       };
       const Pose start = pose(), goal = pose();
-      const auto find = [&](const Pose& at, Direction direction) {
-        return find_maneuvers(at, direction, vehicle, map.radii[0], *map.queries.sweep, 12, Spread::kSparse);
-      };
-      const auto starts = find(start, Direction::kFromStart), goals = find(goal, Direction::kToGoal);
+      ManeuverSearch at_start, at_goal;
+      const ManeuveringBody body(vehicle, map.radii[0], *map.queries.sweep);
+      const auto starts = at_start.find(start, Direction::kFromStart, body, {12, Spread::kSparse});
+      const auto goals = at_goal.find(goal, Direction::kToGoal, body, {12, Spread::kSparse});
       if (starts.size() * goals.size() <= 64) continue;  // else Dubins words as well, of other pairs
       const SearchResult first = before.find(map, std::span(starts).first(1), std::span(goals).first(1), {});
       if (!first.path) continue;
