@@ -26,10 +26,99 @@ void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<st
   });
 }
 
+// Backwards from the goal, a path turns in the other direction on the circle.
+TurnCircle circle_away(const TurnCircle& circle, bool from_start) {
+  return from_start ? circle : TurnCircle{circle.center, circle.radius, opposite(circle.side), circle.vertex};
+}
+
+// The straights between one circle of an attachment and the graph.
+class CircleLinks {
+ public:
+  CircleLinks(const PathEnd& end, const AttachmentCircle& own, const LengthLimit& limit)
+      : map_(end.map),
+        circles_(*end.map.circles),
+        graph_circles_(end.map.graph->circles()),
+        from_start_(end.direction == Direction::kFromStart),
+        own_(own),
+        limit_(limit),
+        is_limited_(limit.length < std::numeric_limits<double>::infinity()),
+        longest_(limit.length * (1.0 + kRounding) + own.circle.radius),
+        horizon_(circle_away(own.circle, from_start_), from_start_ ? own.heading : own.heading + kPi, own.reach) {}
+
+  // Pieces of outline that no nearer one hides. If their circles are more than the limit allows, the nearest come
+  // first.
+  void find_pieces(std::vector<std::uint32_t>& pieces) {
+    const bool body_covers_reference = map_.body.front >= 0.0 && map_.body.rear >= 0.0;
+    std::size_t circles = 0;
+    map_.places->visit_near_first(
+        own_.circle.center, [&](const Box& box) { return !is_far(box) && !horizon_.hides(box); },
+        [&](const Outlines::Piece& piece, std::uint32_t index) {
+          if (body_covers_reference) horizon_.shorten(piece.points, piece.box);
+          pieces.push_back(index);
+          for (const CirclePlaces::Group& group : map_.places->groups(index)) circles += group.last - group.first;
+        });
+    if (circles > limit_.most_links) sort_near_first(own_.circle.center, *map_.outlines, pieces);
+  }
+
+  // Calls found(circle, line, turn) for each straight between this circle and those of a piece.
+  template <class Found>
+  void visit_links(std::uint32_t piece, Found&& found) const {
+    for (const CirclePlaces::Group& group : map_.places->groups(piece)) {
+      if (is_far(group.box) || horizon_.hides(group.box)) continue;
+      const Sectors outwards = horizon_.sectors_towards(group.box);
+      const Sectors sectors = from_start_ ? outwards : std::rotl(outwards, 32);
+      for (const std::uint32_t c : map_.places->circles(group))
+        if ((circles_.free_sectors(c) & sectors) != 0) consider(c, found);
+    }
+  }
+
+ private:
+  template <class Found>
+  void consider(std::uint32_t circle, Found&& found) const {
+    const TurnCircle& other = graph_circles_[circle];
+    if (is_far(other)) return;
+    const Side side = from_start_ ? other.side : opposite(other.side);
+    const OcclusionHorizon::TangentLine tangent =
+        horizon_.tangent_to(TurnCircle{other.center, other.radius, side, kNone});
+    if (horizon_.hides(tangent)) return;
+    // Most other circles are blocked at their heading. An approximate heading shows that, and exact ones are far
+    // slower.
+    const double about = from_start_ ? tangent.heading : tangent.heading + (tangent.heading < kPi ? kPi : -kPi);
+    if (tangent.length > 0.0 && !circles_.may_be_free(circle, about, OcclusionHorizon::kTangentError)) return;
+    const auto line = from_start_ ? directed_bitangent(own_.circle, other) : directed_bitangent(other, own_.circle);
+    if (!line) return;
+    const double heading = line->start.heading;
+    if (line->length > horizon_.reach(from_start_ ? heading : heading + kPi)) return;
+    if (!circles_.is_lazy() && !map_.graph->free_headings(circle).contains(heading)) return;
+    const double turn = from_start_ ? turn_between(own_.heading, heading, own_.circle.side)
+                                    : turn_between(heading, own_.heading, own_.circle.side);
+    if (turn <= own_.reach) found(circle, *line, turn);
+  }
+
+  [[nodiscard]] bool is_far(const Box& box) const {
+    return is_limited_ && box.distance_to(limit_.other_end) + box.distance_to(own_.circle.center) > longest_;
+  }
+  [[nodiscard]] bool is_far(const TurnCircle& other) const {
+    return is_limited_ && (limit_.other_end - other.center).norm() + (own_.circle.center - other.center).norm() >
+                              longest_ + 2.0 * other.radius;
+  }
+
+  const Roadmap& map_;
+  const CircleTable& circles_;
+  std::span<const TurnCircle> graph_circles_;
+  bool from_start_;
+  const AttachmentCircle& own_;
+  const LengthLimit& limit_;
+  bool is_limited_;
+  double longest_;  // way between the other end and the circle's center [m]
+  OcclusionHorizon horizon_;
+};
+
 }  // namespace
 
-void append_circles(const Roadmap& map, std::span<const Attachment> attachments, std::size_t first, Direction direction,
-                    HeadingSet& headings, std::vector<AttachmentCircle>& circles, const StopClock& clock) {
+void AttachmentLinks::append_circles(const PathEnd& end, std::span<const Attachment> attachments, std::size_t first,
+                                     std::vector<AttachmentCircle>& circles, const StopClock& clock) {
+  const Roadmap& map = end.map;
   for (auto t = static_cast<std::uint32_t>(first); t < attachments.size() && !clock.is_over(); ++t) {
     // Maneuvers join by the smallest radius only: they serve narrow places, and their poses are many.
     const bool plain = attachments[t].connection.empty();
@@ -38,77 +127,26 @@ void append_circles(const Roadmap& map, std::span<const Attachment> attachments,
         if (attachments[t].shared == side) continue;
         const Pose& pose = attachments[t].pose;
         const TurnCircle circle = turn_circle(pose, radius, side);
-        const Side towards = direction == Direction::kFromStart ? side : opposite(side);
+        const Side towards = end.direction == Direction::kFromStart ? side : opposite(side);
         const TurningBody body{circle.center, radius, side, map.body};
-        circles.push_back(
-            {t, circle, wrap_positive(pose.heading), reach(*map.queries.sweep, body, pose.heading, towards, headings)});
+        circles.push_back({t, circle, wrap_positive(pose.heading),
+                           reach(*map.queries.sweep, body, pose.heading, towards, headings_)});
       }
   }
 }
 
-void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles, std::uint32_t index,
-                  Direction direction, const LengthLimit& limit, std::vector<std::uint32_t>& pieces,
-                  HugeVector<AttachmentLink>& links) {
-  const AttachmentCircle& own = circles[index];
-  if (own.reach < 0.0) return;
-  const bool from_start = direction == Direction::kFromStart;
-  // Backwards from the goal, a path turns in the other direction on the circle.
-  const TurnCircle away =
-      from_start ? own.circle
-                 : TurnCircle{own.circle.center, own.circle.radius, opposite(own.circle.side), own.circle.vertex};
-  OcclusionHorizon horizon(away, from_start ? own.heading : own.heading + kPi, own.reach);
-  const bool body_covers_reference = map.body.front >= 0.0 && map.body.rear >= 0.0;
-  const bool is_limited = limit.length < std::numeric_limits<double>::infinity();
-  const double longest = limit.length * (1.0 + kRounding) + own.circle.radius;
-  const auto is_far = [&](const Box& box) {
-    return is_limited && box.distance_to(limit.other_end) + box.distance_to(own.circle.center) > longest;
-  };
-  const auto is_far_circle = [&](const TurnCircle& other) {
-    return is_limited && (limit.other_end - other.center).norm() + (own.circle.center - other.center).norm() >
-                             longest + 2.0 * other.radius;
-  };
-  pieces.clear();
-  std::size_t pieces_circles = 0;
-  map.places->visit_near_first(
-      own.circle.center, [&](const Box& box) { return !is_far(box) && !horizon.hides(box); },
-      [&](const Outlines::Piece& piece, std::uint32_t index_of_piece) {
-        if (body_covers_reference) horizon.shorten(piece.points, piece.box);
-        pieces.push_back(index_of_piece);
-        for (const CirclePlaces::Group& group : map.places->groups(index_of_piece))
-          pieces_circles += group.last - group.first;
-      });
-  if (pieces_circles > limit.most_links) sort_near_first(own.circle.center, *map.outlines, pieces);
+void AttachmentLinks::append_links(const PathEnd& end, std::span<const AttachmentCircle> circles, std::uint32_t index,
+                                   const LengthLimit& limit, HugeVector<AttachmentLink>& links) {
+  if (circles[index].reach < 0.0) return;
+  CircleLinks own(end, circles[index], limit);
+  pieces_.clear();
+  own.find_pieces(pieces_);
   const std::size_t first = links.size();
-  const std::span<const TurnCircle> graph_circles = map.graph->circles();
-  const auto consider = [&](std::uint32_t circle) {
-    const TurnCircle& other = graph_circles[circle];
-    if (is_far_circle(other)) return;
-    const Side side = from_start ? other.side : opposite(other.side);
-    const OcclusionHorizon::TangentLine tangent =
-        horizon.tangent_to(TurnCircle{other.center, other.radius, side, kNone});
-    if (horizon.hides(tangent)) return;
-    // Most other circles are blocked at their heading. An approximate heading shows that, and exact ones are far
-    // slower.
-    const double about = from_start ? tangent.heading : tangent.heading + (tangent.heading < kPi ? kPi : -kPi);
-    if (tangent.length > 0.0 && !map.circles->may_be_free(circle, about, OcclusionHorizon::kTangentError)) return;
-    const auto line = from_start ? directed_bitangent(own.circle, other) : directed_bitangent(other, own.circle);
-    if (!line) return;
-    const double heading = line->start.heading;
-    if (line->length > horizon.reach(from_start ? heading : heading + kPi)) return;
-    if (!map.circles->is_lazy() && !map.graph->free_headings(circle).contains(heading)) return;
-    const double turn = from_start ? turn_between(own.heading, heading, own.circle.side)
-                                   : turn_between(heading, own.heading, own.circle.side);
-    if (turn <= own.reach) links.push_back({index, circle, *line, turn});
-  };
-  for (const std::uint32_t piece : pieces) {
+  for (const std::uint32_t piece : pieces_) {
     if (links.size() - first >= limit.most_links) break;
-    for (const CirclePlaces::Group& group : map.places->groups(piece)) {
-      if (is_far(group.box) || horizon.hides(group.box)) continue;
-      const Sectors outwards = horizon.sectors_towards(group.box);
-      const Sectors sectors = from_start ? outwards : std::rotl(outwards, 32);
-      for (const std::uint32_t c : map.places->circles(group))
-        if ((map.circles->free_sectors(c) & sectors) != 0) consider(c);
-    }
+    own.visit_links(piece, [&](std::uint32_t circle, const Bitangent& line, double turn) {
+      links.push_back({index, circle, line, turn});
+    });
   }
   links.resize(first + std::min(links.size() - first, limit.most_links));
   // The order does not depend on that of the pieces.

@@ -43,14 +43,6 @@ struct AttachmentLink {
   double turn;  ///< on the attachment's circle [rad]
 };
 
-/// Appends the circles of all attachments from `first` on: left and right ones of every radius, or of the smallest
-/// radius for attachments with a connection. Circles that another attachment has too are left out. O(attachments *
-/// radii) heading sets.
-/// @param headings  memory for one set.
-/// @param clock  may end that before all attachments have their circles.
-void append_circles(const Roadmap& map, std::span<const Attachment> attachments, std::size_t first, Direction direction,
-                    HeadingSet& headings, std::vector<AttachmentCircle>& circles, const StopClock& clock = {});
-
 /// Limits for the straights of one attachment.
 struct LengthLimit {
   /// The other end of the path [m]. Straights on no path of at most `length` [m] between it and the attachment are left
@@ -60,12 +52,31 @@ struct LengthLimit {
   std::size_t most_links = std::numeric_limits<std::size_t>::max();
 };
 
-/// Appends the straights between circles[index] and the roadmap. Those are left out that are certainly blocked, or on
-/// no path within the limit. Only circles at pieces of outline that nearer ones do not hide are examined. Of more
-/// straights than the limit allows, those to the nearest pieces are kept.
-/// @param pieces  memory.
-void append_links(const Roadmap& map, std::span<const AttachmentCircle> circles, std::uint32_t index,
-                  Direction direction, const LengthLimit& limit, std::vector<std::uint32_t>& pieces,
-                  HugeVector<AttachmentLink>& links);
+/// One end of the paths on a roadmap.
+struct PathEnd {
+  const Roadmap& map;
+  Direction direction;
+};
+
+/// Finds circles and straights by which attachments join the roadmap. Memory is kept for the next call.
+class AttachmentLinks {
+ public:
+  /// Appends the circles of all attachments from `first` on: left and right ones of every radius, or of the smallest
+  /// radius for attachments with a connection. Circles that another attachment has too are left out. O(attachments *
+  /// radii) heading sets.
+  /// @param clock  may end that before all attachments have their circles.
+  void append_circles(const PathEnd& end, std::span<const Attachment> attachments, std::size_t first,
+                      std::vector<AttachmentCircle>& circles, const StopClock& clock = {});
+
+  /// Appends the straights between circles[index] and the roadmap. Those are left out that are certainly blocked, or on
+  /// no path within the limit. Only circles at pieces of outline that nearer ones do not hide are examined. Of more
+  /// straights than the limit allows, those to the nearest pieces are kept.
+  void append_links(const PathEnd& end, std::span<const AttachmentCircle> circles, std::uint32_t index,
+                    const LengthLimit& limit, HugeVector<AttachmentLink>& links);
+
+ private:
+  HeadingSet headings_;                // memory
+  std::vector<std::uint32_t> pieces_;  // memory
+};
 
 }  // namespace arcway::internal

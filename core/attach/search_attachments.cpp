@@ -71,8 +71,8 @@ void SearchAttachments::begin(SearchContext& context) {
   for (std::size_t g = known_goals; g < context.goals.size(); ++g) goals_.push_back(context.goals[g].pose);
 
   const StopClock& clock = context.options.clock;
-  append_circles(context.map, context.starts, known_starts, Direction::kFromStart, headings_, start_circles_, clock);
-  append_circles(context.map, context.goals, known_goals, Direction::kToGoal, headings_, goal_circles_, clock);
+  links_.append_circles({context.map, Direction::kFromStart}, context.starts, known_starts, start_circles_, clock);
+  links_.append_circles({context.map, Direction::kToGoal}, context.goals, known_goals, goal_circles_, clock);
   const std::size_t new_starts = start_circles_.size() - first_start_circle;
   const std::size_t new_goals = goal_circles_.size() - first_goal_circle;
   context.result.turns_checked += new_starts + new_goals;
@@ -139,10 +139,9 @@ SearchAttachments::Range SearchAttachments::links_from(std::uint32_t start_circl
   if (range.first == kNone) {
     range.first = static_cast<std::uint32_t>(start_links_.size());
     const Attachment& start = context_->starts[start_circles_[start_circle].attachment];
-    append_links(context_->map, start_circles_, start_circle, Direction::kFromStart,
-                 {context_->goal, longest_path_ - length_of(start.connection),
-                  start.connection.empty() ? kUnlimited : most_start_links_},
-                 pieces_, start_links_);
+    const LengthLimit limit{context_->goal, longest_path_ - length_of(start.connection),
+                            start.connection.empty() ? kUnlimited : most_start_links_};
+    links_.append_links({context_->map, Direction::kFromStart}, start_circles_, start_circle, limit, start_links_);
     range.last = static_cast<std::uint32_t>(start_links_.size());
   }
   return range;
@@ -154,7 +153,7 @@ void SearchAttachments::add_goal_links(std::uint32_t goal_circle) {
                           goal.connection.empty() ? kUnlimited : most_goal_links_};
   if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
   found_.clear();
-  append_links(context_->map, goal_circles_, goal_circle, Direction::kToGoal, limit, pieces_, found_);
+  links_.append_links({context_->map, Direction::kToGoal}, goal_circles_, goal_circle, limit, found_);
   for (const AttachmentLink& link : found_) {
     goal_links_.push_back({link, kInfinity, first_goal_link_.get(link.circle), false, false});
     first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));

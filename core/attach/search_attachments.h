@@ -73,7 +73,7 @@ class SearchAttachments {
   double longest_path_ = 0.0;                               // longest path that is wanted [m]
   std::size_t most_start_links_ = 0, most_goal_links_ = 0;  // for each circle of a maneuver
   HeadingSet headings_;                                     // memory
-  std::vector<std::uint32_t> pieces_;                       // memory
+  AttachmentLinks links_;                                   // memory
   std::vector<Pose> starts_, goals_;
   std::vector<AttachmentCircle> start_circles_, goal_circles_;
   HugeVector<AttachmentLink> start_links_, found_;

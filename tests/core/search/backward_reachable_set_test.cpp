@@ -104,18 +104,16 @@ TEST(DeparturesTowards, AreThoseThatLeadThereGoingForwards) {
 
 // Whether the links of an eager graph lead from one pose to the other, going forwards alone.
 bool is_reachable(const Roadmap& map, const PlanRequest& request) {
-  HeadingSet headings;
+  AttachmentLinks links;
   std::vector<AttachmentCircle> starts, goals;
   HugeVector<AttachmentLink> start_links, goal_links;
-  std::vector<std::uint32_t> pieces;
   const Attachment start{request.start, {}}, goal{request.goal, {}};
   const LengthLimit anywhere{request.goal.position(), std::numeric_limits<double>::infinity()};
-  append_circles(map, {&start, 1}, 0, Direction::kFromStart, headings, starts);
-  append_circles(map, {&goal, 1}, 0, Direction::kToGoal, headings, goals);
-  for (std::uint32_t i = 0; i < starts.size(); ++i)
-    append_links(map, starts, i, Direction::kFromStart, anywhere, pieces, start_links);
-  for (std::uint32_t i = 0; i < goals.size(); ++i)
-    append_links(map, goals, i, Direction::kToGoal, anywhere, pieces, goal_links);
+  const PathEnd at_start{map, Direction::kFromStart}, at_goal{map, Direction::kToGoal};
+  links.append_circles(at_start, {&start, 1}, 0, starts);
+  links.append_circles(at_goal, {&goal, 1}, 0, goals);
+  for (std::uint32_t i = 0; i < starts.size(); ++i) links.append_links(at_start, starts, i, anywhere, start_links);
+  for (std::uint32_t i = 0; i < goals.size(); ++i) links.append_links(at_goal, goals, i, anywhere, goal_links);
   const auto is_free = [&](const AttachmentLink& link) {
     return map.queries.sweep->straight_free(swept_rectangle(link.line.start, link.line.length, map.body));
   };
