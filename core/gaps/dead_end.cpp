@@ -90,18 +90,24 @@ class SeenBoxes {
 
 class ForwardFlood {
  public:
-  ForwardFlood(const Pose& from, const Vec2& to, const Footprint& footprint, double radius, LocalSweep& sweep,
-               int level)
-      : sweep_(sweep),
+  // A body, and the part of its world that it may touch.
+  struct Body {
+    Footprint footprint;
+    double radius;
+    LocalSweep& sweep;
+  };
+  ForwardFlood(const Pose& from, const Vec2& to, const Body& body, int level)
+      : sweep_(body.sweep),
         from_(from),
         to_(to),
-        radius_(radius),
+        radius_(body.radius),
         headings_(kFewestHeadings << level),
         furthest_(kFurthest << level),
-        edge_(kCoarsest * footprint.half_width / (1 << level)),
-        step_(std::max(kStep * radius, kLeastStep * edge_)),
+        edge_(kCoarsest * body.footprint.half_width / (1 << level)),
+        step_(std::max(kStep * radius_, kLeastStep * edge_)),
         bodies_(static_cast<std::size_t>(headings_)),
         moves_(static_cast<std::size_t>(headings_)) {
+    const Footprint& footprint = body.footprint;
     const double length = std::max(footprint.front, footprint.rear);
     const double largest = std::max(from.position().cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
     const double turn = std::sin(kPi / headings_);
@@ -257,22 +263,23 @@ Box place_around(const Vec2& position, const Footprint& footprint) {
 
 }  // namespace
 
-std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort,
-                                     const StopClock& clock) {
+std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const ForwardBody& body,
+                                     const DeadEndEffort& effort, const StopClock& clock) {
   // Backwards from the goal, the body is turned by pi.
+  const Footprint& footprint = body.footprint;
   const Pose turned{goal.x, goal.y, goal.heading + kPi};
   const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
-  LocalSweep near_start(sweep, outlines, place_around(start.position(), footprint));
-  LocalSweep near_goal(sweep, outlines, place_around(goal.position(), footprint));
+  LocalSweep near_start(body.sweep, body.outlines, place_around(start.position(), footprint));
+  LocalSweep near_goal(body.sweep, body.outlines, place_around(goal.position(), footprint));
   std::vector<std::uint32_t> memory;
   // Whether smaller boxes cannot help: there would be even more than too many, or all are free.
   std::array<bool, 2> is_settled{};
   for (int level = 0; level <= effort.halvings; ++level)
     for (const bool at_start : {true, false}) {
       if (is_settled[at_start]) continue;
+      const ForwardFlood::Body forwards{footprint, body.radius, near_start}, backwards{swapped, body.radius, near_goal};
       ForwardFlood flood(at_start ? start : turned, at_start ? goal.position() : start.position(),
-                         at_start ? footprint : swapped, radius, at_start ? near_start : near_goal, level);
+                         at_start ? forwards : backwards, level);
       const ForwardFlood::End end = flood.run(effort.max_checks << level, memory, clock);
       if (end == ForwardFlood::End::kClosed) return DeadEnd{at_start, flood.reach()};
       is_settled[at_start] = end == ForwardFlood::End::kGivenUp || end == ForwardFlood::End::kOpenAtOnce;

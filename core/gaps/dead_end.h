@@ -18,6 +18,14 @@ struct DeadEnd {
   double reach;   ///< the reference point gets no further from the start, or comes from no further away [m]
 };
 
+/// A body that is driven forwards, and the obstacles around it.
+struct ForwardBody {
+  Footprint footprint;  ///< must not touch anything
+  double radius;        ///< of the sharpest turn, > 0 [m]
+  const SweepQuery& sweep;
+  const Outlines& outlines;  ///< of the query's world
+};
+
 /// How much work a search for a dead end may do.
 struct DeadEndEffort {
   int halvings;            ///< of the boxes; each makes some eight times as many
@@ -34,14 +42,10 @@ struct DeadEndEffort {
 /// The goal is examined in the same way backwards. Only the neighborhood of the ends is decided. Enclosures of any
 /// size, which also hold for vehicles that reverse, are found by find_enclosure. No proof is found for vehicles whose
 /// smallest radius is at least some 24 times the body's width.
-/// @param footprint  of the body that must not touch anything [m].
-/// @param radius  smallest turning radius [m], > 0.
-/// @param outlines  of the query's world.
 /// @param effort  a check takes some tenths of a microsecond.
 /// @param clock  may end the search.
 /// @return nothing if no proof is found; a path may exist or not.
-std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const Footprint& footprint, double radius,
-                                     const SweepQuery& sweep, const Outlines& outlines, const DeadEndEffort& effort,
-                                     const StopClock& clock = {});
+std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const ForwardBody& body,
+                                     const DeadEndEffort& effort, const StopClock& clock = {});
 
 }  // namespace arcway::internal

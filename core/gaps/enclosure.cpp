@@ -33,11 +33,12 @@ Pose middle_pose(const Footprint& footprint, const Pose& pose) {
 
 class Flood {
  public:
-  Flood(const Pose& from, const Pose& to, const Footprint& footprint, const SweepQuery& sweep, int level)
-      : sweep_(sweep),
+  Flood(const Pose& from, const Pose& to, const MovedBody& body, int level)
+      : sweep_(body.sweep),
         headings_(kFewestHeadings << level),
-        from_(middle_pose(footprint, from)),
-        to_(middle_pose(footprint, to)) {
+        from_(middle_pose(body.footprint, from)),
+        to_(middle_pose(body.footprint, to)) {
+    const Footprint& footprint = body.footprint;
     const double half_length = 0.5 * (footprint.front + footprint.rear);
     const double half_width = footprint.half_width;
     edge_ = kCoarsest * half_width / (1 << level);
@@ -113,13 +114,13 @@ class Flood {
 
 }  // namespace
 
-std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, const Footprint& footprint,
-                                        const SweepQuery& sweep, std::size_t max_boxes, const StopClock& clock) {
+std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, const MovedBody& body,
+                                        std::size_t max_boxes, const StopClock& clock) {
   std::array<bool, 2> has_room{};  // so much that there are too many boxes, and more of smaller ones
   for (int level = 0; level < kLevels; ++level)
     for (const bool at_start : {true, false}) {
       if (has_room[at_start]) continue;
-      Flood flood(at_start ? start : goal, at_start ? goal : start, footprint, sweep, level);
+      Flood flood(at_start ? start : goal, at_start ? goal : start, body, level);
       const Flood::End end = flood.run(max_boxes, clock);
       if (end == Flood::End::kClosed) return Enclosure{at_start, flood.reach()};
       has_room[at_start] = end == Flood::End::kTooMany;

@@ -17,17 +17,22 @@ struct Enclosure {
   double reach;   ///< the middle of the body gets no further from there [m]
 };
 
+/// A body that is moved in whatever direction, and what it must not touch.
+struct MovedBody {
+  Footprint footprint;
+  const SweepQuery& sweep;
+};
+
 /// Searches for a proof that an end is enclosed, by flooding boxes of positions and headings:
 /// 1. From the end's box, neighboring boxes are reached unless the body collides everywhere in them, towards the other
 ///    end first.
 /// 2. If no box is left before the other end is reached, that is a proof.
 /// 3. Else boxes are halved, a few times.
 ///
-/// @param footprint  of the body that must not touch anything [m].
 /// @param max_boxes  of one size from one end; some tenths of a microsecond each.
 /// @param clock  may end the search.
 /// @return nothing if no proof is found; a path may exist or not.
-std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, const Footprint& footprint,
-                                        const SweepQuery& sweep, std::size_t max_boxes, const StopClock& clock = {});
+std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, const MovedBody& body,
+                                        std::size_t max_boxes, const StopClock& clock = {});
 
 }  // namespace arcway::internal

@@ -118,6 +118,11 @@ class GapCircles {
     bool at_gap;  // one end of the gap, or of the edge that this lies on
   };
 
+  // The line along which a gap straight is passed.
+  struct GateLine {
+    Vec2 middle, along;
+  };
+
   void add_gap_straight(const Gap& gap, const Vec2& along) {
     const Vec2 middle = 0.5 * (gap.on_a + gap.on_b);
     std::vector<Beside> beside;
@@ -138,8 +143,8 @@ class GapCircles {
     }
     GapStraight straight;
     for (const Side side : {Side::kLeft, Side::kRight}) {
-      add_places(beside, side, 1.0, middle, along, straight.exits);
-      add_places(beside, side, -1.0, middle, along, straight.entries);
+      add_places(beside, side, 1.0, {middle, along}, straight.exits);
+      add_places(beside, side, -1.0, {middle, along}, straight.entries);
     }
     if (straight.entries.empty() || straight.exits.empty()) return;
     std::vector<TurnCircle> all = straight.entries;
@@ -151,7 +156,7 @@ class GapCircles {
   // Adds circles tangent to a gap straight, in the order in which their turns begin. Seen backwards, a path turns off
   // where it turned on.
   // @param forwards  1 for exits, -1 for entries.
-  void add_places(const std::vector<Beside>& beside, Side side, double forwards, const Vec2& middle, const Vec2& along,
+  void add_places(const std::vector<Beside>& beside, Side side, double forwards, const GateLine& line,
                   std::vector<TurnCircle>& circles) const {
     struct Place {
       double x;
@@ -173,7 +178,8 @@ class GapCircles {
     double last = -INFINITY;
     for (const Place& place : places) {
       if (place.x < first || place.x <= last + kSame || count == kMostPlaces) continue;
-      const Vec2 center = middle + forwards * place.x * along + sign_of(side) * radius_ * perpendicular(along);
+      const Vec2 center =
+          line.middle + forwards * place.x * line.along + sign_of(side) * radius_ * perpendicular(line.along);
       const auto near = [&](VertexId v) {
         return v != kNone && world_.is_graph_vertex(v) && (world_.vertex(v) - center).norm() < kNear * swept_.outer
                    ? v

@@ -66,14 +66,14 @@ void PlanRun::take(const ProveNoPassage&, double) {
 }
 
 void PlanRun::take(const ProveDeadEnd& step, double) {
-  why_.dead_end = find_dead_end(query_.request.start, query_.request.goal, map_.body, map_.vehicle.min_turning_radius(),
-                                *map_.queries.sweep, *map_.outlines, step.effort, query_.clock);
+  const ForwardBody body{map_.body, map_.vehicle.min_turning_radius(), *map_.queries.sweep, *map_.outlines};
+  why_.dead_end = find_dead_end(query_.request.start, query_.request.goal, body, step.effort, query_.clock);
   has_proof_ = why_.dead_end.has_value();
 }
 
 void PlanRun::take(const ProveEnclosure& step, double) {
-  why_.enclosure = find_enclosure(query_.request.start, query_.request.goal, map_.body, *map_.queries.sweep, step.boxes,
-                                  query_.clock);
+  why_.enclosure = find_enclosure(query_.request.start, query_.request.goal, {map_.body, *map_.queries.sweep},
+                                  step.boxes, query_.clock);
   has_proof_ = why_.enclosure.has_value();
 }
 

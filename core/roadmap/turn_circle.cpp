@@ -50,8 +50,9 @@ TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side 
   return {world.vertex(vertex) + inner * inwards(world, vertex), radius, side, vertex};
 }
 
-std::optional<TurnCircle> turn_circle(const World& world, VertexId u, VertexId w, double radius, Side side,
+std::optional<TurnCircle> turn_circle(const World& world, const VertexPair& pair, double radius, Side side,
                                       const Footprint& grown_body) {
+  const auto [u, w] = pair;
   const double inner = inner_side_radius(grown_body, radius);
   const Vec2 half = 0.5 * (world.vertex(w) - world.vertex(u));
   const double square = inner * inner - half.squaredNorm();

@@ -48,9 +48,13 @@ double inner_side_radius(const Footprint& body, double radius);
 /// inner_side_radius of the body grown by the margin. The body's side then passes by the vertex.
 TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body);
 
-/// The circle around two convex vertices, for travel from u to w with the obstacles on the given side. Both lie on the
-/// circle of inner_side_radius. Nothing if they are further apart than its diameter.
-std::optional<TurnCircle> turn_circle(const World& world, VertexId u, VertexId w, double radius, Side side,
+/// Two convex vertices that a path passes one after the other.
+struct VertexPair {
+  VertexId first, second;
+};
+/// The circle around two convex vertices, with the obstacles on the given side. Both lie on the circle of
+/// inner_side_radius. Nothing if they are further apart than its diameter.
+std::optional<TurnCircle> turn_circle(const World& world, const VertexPair& pair, double radius, Side side,
                                       const Footprint& grown_body);
 
 /// The heading on a vertex's circle at which the reference point is nearest to the vertex [rad].

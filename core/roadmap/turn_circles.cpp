@@ -38,7 +38,7 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
   for (const auto& [u, w] : rows.pairs_within(reach, leads_back, executor)) {
     const Side side = obstacle_side(world, w, world.vertex(u));  // traveling from u to w
     if (obstacle_side(world, u, world.vertex(w)) == side) continue;
-    const auto circle = turn_circle(world, u, w, radius, side, grown_body);
+    const auto circle = turn_circle(world, VertexPair{u, w}, radius, side, grown_body);
     if (!circle) continue;
     for (const Side turn : {Side::kLeft, Side::kRight}) {
       circles_.push_back(*circle);

@@ -14,11 +14,17 @@ struct BodyContact {
   double by_turn;  ///< derivative of the depth by its heading [m/rad]
 };
 
+/// A place on a motion of the body's reference point.
+struct BodyMotion {
+  Vec2 place;
+  Vec2 ahead;        ///< unit vector of the body's heading
+  double curvature;  ///< of the motion [1/m]
+};
+
 /// The contact of an edge with a body that follows a curvature. Where a corner passes, the depth over one side falls as
 /// that over another grows. The gradient is then that of the deepest contact on the way. Constant time.
 /// @param near  edges further from a side than this have no contact [m].
-/// @param ahead  unit vector of the body's heading.
-std::optional<BodyContact> body_contact(const Footprint& body, const Vec2& place, const Vec2& ahead, double curvature,
-                                        const LineSegment& edge, double near);
+std::optional<BodyContact> body_contact(const Footprint& body, const BodyMotion& motion, const LineSegment& edge,
+                                        double near);
 
 }  // namespace arcway::internal

@@ -91,7 +91,7 @@ PathContacts::End PathContacts::end_at(const PathSegment& motion, const Step& st
 
 std::optional<BodyContact> PathContacts::contact(const PathSegment& motion, const Step& step,
                                                  const LineSegment& edge) const {
-  return body_contact(body_, step.place, step.ahead, motion.curvature, edge, kNear * unit_);
+  return body_contact(body_, {step.place, step.ahead, motion.curvature}, edge, kNear * unit_);
 }
 
 double PathContacts::depth(const PathSegment& motion, const Step& step, const LineSegment& edge) const {

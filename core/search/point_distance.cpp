@@ -74,6 +74,30 @@ OcclusionHorizon PointDistance::horizon_of(const Vec2& place) const {
   return horizon;
 }
 
+void PointDistance::push_from_start(const Vec2& start, const Vec2& goal, Workspace& w) const {
+  const std::span<const Vec2> places = world_.vertices();
+  const OcclusionHorizon horizon = horizon_of(start);
+  outlines_->visit_if([&](const Box& box) { return !horizon.hides(box); },
+                      [&](const Outlines::Piece& piece) {
+                        for (std::size_t i = 0; i < piece.edge_count(); ++i) {
+                          const auto v = static_cast<VertexId>(piece.first + i);
+                          if (!world_.is_graph_vertex(v)) continue;
+                          const double estimate = (places[v] - start).norm() + (goal - places[v]).norm();
+                          w.open_.push({estimate, v, Workspace::Step::kFromStart});
+                        }
+                        return true;
+                      });
+}
+
+void PointDistance::prefetch_next(const Workspace& w) const {
+  for (const Workspace::Entry& next : w.open_.first_few(kNext)) {
+    if (next.vertex == kNone) continue;
+    will_need(&world_.vertices()[next.vertex]);
+    will_need(&w.reached_[next.vertex]);
+    rows_->prefetch(next.vertex);
+  }
+}
+
 double PointDistance::operator()(const Vec2& start, const Vec2& goal, const VisibilityQuery& visibility, Workspace& w,
                                  const StopClock& clock) const {
   using Step = Workspace::Step;
@@ -82,7 +106,6 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
   const std::span<const Vec2> places = world_.vertices();
   double proved = to_goal(start);  // of the path's length, whatever comes
   if (clock.is_over()) return proved;
-  const OcclusionHorizon from_start = horizon_of(start);
   std::optional<OcclusionHorizon> from_goal;
   std::size_t asked = 0;
   const auto goal_may_see = [&](const Vec2& p) {
@@ -90,26 +113,13 @@ double PointDistance::operator()(const Vec2& start, const Vec2& goal, const Visi
     return !from_goal || !from_goal->hides(Box{p, p});
   };
   w.open_.push({to_goal(start), kNone, Step::kToGoal});
-  outlines_->visit_if([&](const Box& box) { return !from_start.hides(box); },
-                      [&](const Outlines::Piece& piece) {
-                        for (std::size_t i = 0; i < piece.edge_count(); ++i) {
-                          const auto v = static_cast<VertexId>(piece.first + i);
-                          if (!world_.is_graph_vertex(v)) continue;
-                          w.open_.push({(places[v] - start).norm() + to_goal(places[v]), v, Step::kFromStart});
-                        }
-                        return true;
-                      });
+  push_from_start(start, goal, w);
 
   while (!w.open_.empty()) {
     const Workspace::Entry entry = w.open_.pop();
     proved = std::max(proved, entry.estimate);
     if (clock.is_over()) return proved;
-    for (const Workspace::Entry& next : w.open_.first_few(kNext)) {
-      if (next.vertex == kNone) continue;
-      will_need(&places[next.vertex]);
-      will_need(&w.reached_[next.vertex]);
-      rows_->prefetch(next.vertex);
-    }
+    prefetch_next(w);
     const Vec2& here = entry.vertex == kNone ? start : places[entry.vertex];
     if (entry.step == Step::kToGoal) {
       if (visibility.visible({here, goal})) return entry.estimate;

@@ -67,6 +67,10 @@ class PointDistance {
 
  private:
   [[nodiscard]] OcclusionHorizon horizon_of(const Vec2& place) const;
+  // Has the search ask for the segments from the start to vertices that nothing hides.
+  void push_from_start(const Vec2& start, const Vec2& goal, Workspace& w) const;
+  // Says that the memory will be asked for that the next entries need.
+  void prefetch_next(const Workspace& w) const;
 
   World world_;
   std::shared_ptr<const VisibilityRows> rows_;

@@ -17,10 +17,9 @@ struct Growth {
 };
 
 // Grows a tree outwards: poses far from the root take their turns first.
-Growth grow(const Roadmap& map, const Pose& root, Direction direction, const TreePass& pass, std::size_t most,
-            const StopClock& clock) {
-  const double dead_end = dead_end_radius(map);
-  ForwardTree tree(map, root, direction, pass, [&](const Pose& pose) {
+Growth grow(const PathEnd& end, const Pose& root, const TreePass& pass, std::size_t most, const StopClock& clock) {
+  const double dead_end = dead_end_radius(end.map);
+  ForwardTree tree(end.map, root, end.direction, pass, [&](const Pose& pose) {
     return kTreeJoints.greed * (dead_end - (pose.position() - root.position()).norm());
   });
   std::size_t poses = 0;
@@ -38,11 +37,12 @@ double dead_end_radius(const Roadmap& map) {
 }
 
 WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const StopClock& clock) {
-  const Growth coarse = grow(map, root, direction, kWayOut.coarse, kWayOut.poses, clock);
+  const PathEnd end{map, direction};
+  const Growth coarse = grow(end, root, kWayOut.coarse, kWayOut.poses, clock);
   if (coarse.end != End::kDry) return {Surroundings::kOpen, coarse.poses};
   if (coarse.poses > kWayOut.small) return {Surroundings::kDeadEnd, coarse.poses};
   const auto most = static_cast<std::size_t>(kWayOut.more * static_cast<double>(coarse.poses)) + 1;
-  const Growth fine = grow(map, root, direction, kWayOut.fine, most, clock);
+  const Growth fine = grow(end, root, kWayOut.fine, most, clock);
   return {fine.end == End::kDry ? Surroundings::kClosed : Surroundings::kOpen, coarse.poses + fine.poses};
 }
 

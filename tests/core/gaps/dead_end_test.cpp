@@ -24,8 +24,10 @@ constexpr DeadEndEffort kEffort{.halvings = 1, .max_checks = 10'000};
 const Pose kFarGoal{-30, 5, 0};
 
 std::optional<DeadEnd> dead_end(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal) {
-  return find_dead_end(start, goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                       *make_reference_queries(world).sweep, Outlines(world), kEffort);
+  return find_dead_end(
+      start, goal,
+      {vehicle.footprint(), vehicle.min_turning_radius(), *make_reference_queries(world).sweep, Outlines(world)},
+      kEffort);
 }
 
 // Whoever faces a wall gets away by the tightest turn if at all, in which the outer front corner gets furthest.
@@ -49,8 +51,8 @@ TEST(DeadEnd, SmallerBoxesProveMore) {
   const World world({box(ahead, -40, ahead + 1, 40)});
   const auto sweep = make_reference_queries(world).sweep;
   const auto proved = [&](const DeadEndEffort& effort) {
-    return find_dead_end({0, 0, 0}, kFarGoal, vehicle.footprint(), vehicle.min_turning_radius(), *sweep,
-                         Outlines(world), effort)
+    return find_dead_end({0, 0, 0}, kFarGoal,
+                         {vehicle.footprint(), vehicle.min_turning_radius(), *sweep, Outlines(world)}, effort)
         .has_value();
   };
   EXPECT_FALSE(proved({.halvings = 1, .max_checks = 100'000}));
@@ -134,8 +136,8 @@ TEST(DeadEnd, AsksLittleWhereThereIsAWayOut) {
   const Vehicle vehicle;
   const World world({box(6, -40, 7, 40)});
   const CountingSweep sweep(world);
-  EXPECT_FALSE(find_dead_end({0, 0, 0}, kFarGoal, vehicle.footprint(), vehicle.min_turning_radius(), sweep,
-                             Outlines(world), kEffort));
+  EXPECT_FALSE(find_dead_end({0, 0, 0}, kFarGoal,
+                             {vehicle.footprint(), vehicle.min_turning_radius(), sweep, Outlines(world)}, kEffort));
   EXPECT_LT(sweep.asked(), 300u);
 }
 
@@ -183,8 +185,9 @@ TEST(DeadEnd, NoDriveGetsFurtherThanItSays) {
     const Outlines outlines(world);
     Random random(seed);
     for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 25, .min_distance = 0.3})) {
-      const auto proof = find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                                       *queries.sweep, outlines, kEffort);
+      const auto proof =
+          find_dead_end(request.start, request.goal,
+                        {vehicle.footprint(), vehicle.min_turning_radius(), *queries.sweep, outlines}, kEffort);
       if (!proof || !proof->at_start) {
         ++open;
         continue;
@@ -209,8 +212,9 @@ TEST(DeadEnd, IsNotProvedWhereThereIsAPath) {
     for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 8, .min_distance = 0.2})) {
       if (!planner.plan(request).solved()) continue;
       ++solved;
-      EXPECT_FALSE(find_dead_end(request.start, request.goal, vehicle.footprint(), vehicle.min_turning_radius(),
-                                 *queries.sweep, outlines, kEffort))
+      EXPECT_FALSE(find_dead_end(request.start, request.goal,
+                                 {vehicle.footprint(), vehicle.min_turning_radius(), *queries.sweep, outlines},
+                                 kEffort))
           << seed;
     }
   }

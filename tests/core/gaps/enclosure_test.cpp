@@ -17,7 +17,7 @@ using test::box;
 constexpr std::size_t kBoxes = 400000;
 
 std::optional<Enclosure> enclosure(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal) {
-  return find_enclosure(start, goal, vehicle.footprint(), *make_reference_queries(world).sweep, kBoxes);
+  return find_enclosure(start, goal, {vehicle.footprint(), *make_reference_queries(world).sweep}, kBoxes);
 }
 
 // A lane that ends at a wall, and a lane to the left from its end.
@@ -75,7 +75,7 @@ TEST(Enclosure, IsNotProvedWhereThereIsAPath) {
     for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 4, .min_distance = 0.2})) {
       if (!planner.plan(request).solved()) continue;
       ++solved;
-      EXPECT_FALSE(find_enclosure(request.start, request.goal, vehicle.footprint(), *queries.sweep, 10000)) << seed;
+      EXPECT_FALSE(find_enclosure(request.start, request.goal, {vehicle.footprint(), *queries.sweep}, 10000)) << seed;
     }
   }
   EXPECT_GT(solved, 5);
