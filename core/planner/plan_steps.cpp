@@ -83,7 +83,8 @@ void PlanRun::take(const GrowTrees& step, double trials) {
   const Roadmap& map = maps.narrow ? maps.narrow->map(query_.clock) : maps.plain;
   const TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
                           .passes = step.passes,
-                          .looks_around = step.looks_around};
+                          .way_out = step.looks_around ? &kWayOut : nullptr,
+                          .dead_end_passes = kDeadEndPasses};
   TreesEnd end;
   FoundPath grown = search([&] {
     return search_trees(map, query_.request.start, query_.request.goal, limits, search_options_, workspace_.find.search,
@@ -107,7 +108,11 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
     auto free = push_free(shorter, goal, map_.body, map_, clock);
     return free ? free : push_free(path, goal, map_.body, map_, clock);
   };
-  const TreeLimits limits{.poses = tree_poses_, .passes = kCoarseTrees.passes, .accept = widened};
+  const TreeLimits limits{.poses = tree_poses_,
+                          .passes = kCoarseTrees.passes,
+                          .way_out = &kWayOut,
+                          .dead_end_passes = kDeadEndPasses,
+                          .accept = widened};
   TreesEnd end;
   FoundPath grown = search([&] {
     return search_trees(*slim, query_.request.start, goal, limits, search_options_, workspace_.find.search, end);

@@ -12,16 +12,12 @@
 
 namespace arcway::internal {
 
-namespace {
-
-std::vector<OtherRoute> other_routes() {
+std::vector<OtherRoute> routes_of_strategy() {
   std::vector<OtherRoute> routes;
   for (const StrategyRow& row : kStrategy)
     if (const auto* step = std::get_if<TryOtherRadii>(&row.step)) routes.push_back({step->radii, step->factor});
   return routes;
 }
-
-}  // namespace
 
 PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::shared_ptr<const VisibilityRows>& rows,
                          const Executor& executor)
@@ -38,7 +34,7 @@ PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::
     auto lazy = std::make_shared<const LazyFeasibleGraph>(
         FeasibleGraphInputs{plain.world, plain.vehicle, rows, plain.queries, smallest}, executor);
     tightest.emplace(plain.with_graph(std::move(lazy), smallest), options.gap_circles);
-    other = OtherMaps(plain, tightest->plain, other_routes(), rows, executor);
+    other = OtherMaps(plain, tightest->plain, routes_of_strategy(), rows, executor);
   }
   const Footprint bare = plain.vehicle.footprint();
   if (options.point_robot_lower_bound && std::min(bare.front, bare.rear) >= 0.0)

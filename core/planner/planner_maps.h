@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "arcway/executor.h"
 #include "arcway/planner.h"
@@ -12,6 +13,9 @@
 #include "core/search/point_distance.h"
 
 namespace arcway::internal {
+
+/// The routes that rows of the strategy look for, in their order.
+std::vector<OtherRoute> routes_of_strategy();
 
 /// All that the queries of one planner share. Immutable but for what is made when first asked for; thread-safe.
 struct PlannerMaps {

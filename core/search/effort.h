@@ -15,6 +15,7 @@ struct TreeShape {
   double visit;                  ///< what each turn of a pose makes its coarse cell less promising, in such cells
   double least;                  ///< motion that is worth a pose
   double slack;                  ///< by which motions end before a contact: more than rounding
+  double dead_end;  ///< how far a tree gets in a dead end, in lengths of the body or turning radii, likewise
 };
 inline constexpr TreeShape kTree{
     .bends = {-1.0, -0.7, -0.4, -0.2, -0.08, 0.0, 0.08, 0.2, 0.4, 0.7, 1.0},
@@ -24,6 +25,7 @@ inline constexpr TreeShape kTree{
     .visit = 1.0,
     .least = 1e-3,
     .slack = 1e-6,
+    .dead_end = 4.0,
 };
 
 /// One pass of a search by trees: what is tried where the passes before found nothing.
@@ -33,31 +35,14 @@ struct TreePass {
   double share;      ///< of all poses that are grown at most
   bool heeds_turns;  ///< in the estimate of the way that remains
 };
-inline constexpr std::array<TreePass, 4> kTreePasses{{{1.0 / 64.0, 4, 0.2, false},
-                                                      {1.0 / 128.0, 4, 0.2, true},
-                                                      {1.0 / 512.0, 8, 0.2, true},
-                                                      {1.0 / 4096.0, 8, 0.4, true}}};
-
-/// Passes where one end lies in a dead end. The ways out that are found at all are found by these: of some 480 driven
-/// worlds with 2 mm of room each that lies beside such a dead end and that `kTreePasses` solve.
-inline constexpr std::array<TreePass, 2> kDeadEndPasses{{{1.0 / 128.0, 4, 0.1, true}, {1.0 / 512.0, 8, 0.1, true}}};
 
 /// How a way out of the surroundings of one end is looked for.
 struct WayOutEffort {
-  double dead_end;    ///< how far a tree gets in a dead end, in lengths of the body or turning radii
   TreePass coarse;    ///< of the first tree
   std::size_t poses;  ///< of it that have their turns at most
   std::size_t small;  ///< poses of a tree that is compared with a finer one: ways out of larger ones are often found
   TreePass fine;      ///< of that one
   double more;        ///< times as many poses as the first tree has it may have at most
-};
-inline constexpr WayOutEffort kWayOut{
-    .dead_end = 4.0,
-    .coarse = kTreePasses[0],
-    .poses = 1600,
-    .small = 300,
-    .fine = kTreePasses[2],
-    .more = 1.25,
 };
 
 /// How trees are joined.

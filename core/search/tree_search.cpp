@@ -38,10 +38,10 @@ class TreeSearch {
 
   void run() {
     std::span<const TreePass> passes = limits_.passes;
-    if (limits_.looks_around) {
+    if (limits_.way_out) {
       end_.surroundings = look_around();
       if (end_.surroundings == Surroundings::kClosed || interrupted()) return;
-      if (end_.surroundings == Surroundings::kDeadEnd) passes = kDeadEndPasses;
+      if (end_.surroundings == Surroundings::kDeadEnd) passes = limits_.dead_end_passes;
     }
     fields_ = {field(1), field(0)};
     for (const TreePass& pass : passes) {
@@ -67,8 +67,8 @@ class TreeSearch {
   Surroundings look_around() {
     Surroundings worst = Surroundings::kOpen;
     for (const std::size_t at : {0, 1}) {
-      const WayOut way =
-          look_for_way_out(map_, roots_[at], at == 0 ? Direction::kFromStart : Direction::kToGoal, options_.clock);
+      const WayOut way = look_for_way_out(map_, roots_[at], at == 0 ? Direction::kFromStart : Direction::kToGoal,
+                                          *limits_.way_out, options_.clock);
       end_.poses += way.poses;
       worst = std::max(worst, way.surroundings);
       if (way.surroundings != Surroundings::kClosed) continue;

@@ -15,8 +15,10 @@ namespace arcway::internal {
 /// Limits of a search by trees.
 struct TreeLimits {
   std::size_t poses;  ///< number of poses grown in all, O(edges near by) each; fewer where those are very many
-  std::span<const TreePass> passes = kTreePasses;
-  bool looks_around = true;  ///< whether to search a way out of the neighborhood of each end first
+  std::span<const TreePass> passes;
+  /// A way out of the neighborhood of each end is searched first, with this effort. Null: none is.
+  const WayOutEffort* way_out = nullptr;
+  std::span<const TreePass> dead_end_passes = {};  ///< taken instead of `passes` if an end lies in a dead end
   /// Makes the wanted path of one that is found, or refuses it by returning nothing; the search then continues. Empty:
   /// any path will do.
   std::function<std::optional<Path>(const Path&)> accept = {};
@@ -25,7 +27,7 @@ struct TreeLimits {
 /// How a search by trees ended.
 struct TreesEnd {
   std::size_t poses = 0;                            ///< grown
-  Surroundings surroundings = Surroundings::kOpen;  ///< of the end in more trouble, if looks_around
+  Surroundings surroundings = Surroundings::kOpen;  ///< of the end in more trouble, if a way out was searched
   std::size_t refused = 0;                          ///< paths that were not accepted
   /// Whether, in the last pass, no pose of the end's tree was far from its root.
   bool start_in_dead_end = false, goal_in_dead_end = false;

@@ -33,16 +33,17 @@ Growth grow(const PathEnd& end, const Pose& root, const TreePass& pass, std::siz
 }  // namespace
 
 double dead_end_radius(const Roadmap& map) {
-  return kWayOut.dead_end * std::max(map.vehicle.min_turning_radius(), map.body.front + map.body.rear);
+  return kTree.dead_end * std::max(map.vehicle.min_turning_radius(), map.body.front + map.body.rear);
 }
 
-WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const StopClock& clock) {
+WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const WayOutEffort& effort,
+                        const StopClock& clock) {
   const PathEnd end{map, direction};
-  const Growth coarse = grow(end, root, kWayOut.coarse, kWayOut.poses, clock);
+  const Growth coarse = grow(end, root, effort.coarse, effort.poses, clock);
   if (coarse.end != End::kDry) return {Surroundings::kOpen, coarse.poses};
-  if (coarse.poses > kWayOut.small) return {Surroundings::kDeadEnd, coarse.poses};
-  const auto most = static_cast<std::size_t>(kWayOut.more * static_cast<double>(coarse.poses)) + 1;
-  const Growth fine = grow(end, root, kWayOut.fine, most, clock);
+  if (coarse.poses > effort.small) return {Surroundings::kDeadEnd, coarse.poses};
+  const auto most = static_cast<std::size_t>(effort.more * static_cast<double>(coarse.poses)) + 1;
+  const Growth fine = grow(end, root, effort.fine, most, clock);
   return {fine.end == End::kDry ? Surroundings::kClosed : Surroundings::kOpen, coarse.poses + fine.poses};
 }
 

@@ -5,6 +5,7 @@
 #include "arcway/stop_clock.h"
 #include "core/attach/attachment_links.h"
 #include "core/attach/roadmap.h"
+#include "core/search/effort.h"
 
 namespace arcway::internal {
 
@@ -27,6 +28,7 @@ double dead_end_radius(const Roadmap& map);
 /// is far cheaper than trees from both ends with an estimate of the way between them. It proves nothing. Deterministic
 /// unless stopped.
 /// @param clock  may end the search, with the result kOpen.
-WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const StopClock& clock);
+WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const WayOutEffort& effort,
+                        const StopClock& clock);
 
 }  // namespace arcway::internal

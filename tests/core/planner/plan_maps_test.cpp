@@ -14,6 +14,7 @@
 #include "arcway/planner.h"
 #include "arcway/visibility_graph.h"
 #include "core/motion/speed_profile.h"
+#include "core/planner/planner_maps.h"
 #include "core/refine/refine_path.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 #include "core/search/arrival_search.h"
@@ -57,6 +58,13 @@ Roadmap lazy_map(const Planner& planner, const std::vector<double>& radii) {
       std::make_shared<const Outlines>(planner.world())};
 }
 
+std::vector<const Roadmap*> maps_of(const OtherMaps& maps) {
+  std::vector<const Roadmap*> found;
+  for (const OtherRoute& route : routes_of_strategy())
+    if (const Roadmap* map = maps.find(route)) found.push_back(map);
+  return found;
+}
+
 class SeveralRadii : public testing::TestWithParam<ClutterKind> {
  protected:
   World world_ = random_world({.kind = GetParam(), .obstacles = 30, .vertices = 8, .fill = 0.2, .seed = 4});
@@ -94,7 +102,8 @@ TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
 TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
   const std::vector<double>& radii = planner_.options().radii;
   const Roadmap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
-  const std::vector<Roadmap> maps = maps_of_other_routes(all, smallest, planner_.visibility_rows(), SerialExecutor());
+  const OtherMaps other_maps(all, smallest, routes_of_strategy(), planner_.visibility_rows(), SerialExecutor());
+  const std::vector<const Roadmap*> maps = maps_of(other_maps);
   EXPECT_GT(maps.size(), 3u);
   ArrivalSearch search;
   int other = 0;
@@ -103,7 +112,8 @@ TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
     if (!plan.solved()) continue;
     const std::vector<Attachment> starts{{request.start, {}}}, goals{{request.goal, {}}};
     const auto usual = search.find(all, starts, goals, {}).path;
-    for (const Roadmap& map : maps) {
+    for (const Roadmap* other_map : maps) {
+      const Roadmap& map = *other_map;
       EXPECT_TRUE(std::ranges::includes(radii, map.radii));
       EXPECT_GE(map.vehicle.turn_speed(radii.front()), vehicle_.turn_speed(radii.front()));
       const auto path = search.find(map, starts, goals, {}).path;
@@ -123,19 +133,18 @@ TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
   for (const std::size_t count : {std::size_t{2}, radii.size()}) {
     const PlanMaps all(lazy_map(planner_, {radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count)}), false);
     const PlanMaps smallest(lazy_map(planner_, {radii.front()}), false);
-    const std::vector<Roadmap> more =
-        maps_of_other_routes(all.plain, smallest.plain, planner_.visibility_rows(), SerialExecutor());
+    const OtherMaps other_maps(all.plain, smallest.plain, routes_of_strategy(), planner_.visibility_rows(),
+                               SerialExecutor());
     std::vector<std::pair<std::vector<double>, double>> ways;
     const auto add = [&](const Roadmap& map) {
       const double limit = std::get<LateralAccelerationLimit>(map.vehicle.parameters().turn_speed).lateral_acceleration;
       ways.emplace_back(map.radii, limit);
     };
-    for (const PlanMaps* maps : {&all, &smallest}) {
-      add(maps->plain);
-      add(maps->faster_turns);
-      add(maps->slower_turns);
-    }
-    std::ranges::for_each(more, add);
+    // The first of the other routes is that of all radii with faster turns.
+    for (const Roadmap* map :
+         {&all.plain, &all.slower_turns, &smallest.plain, &smallest.faster_turns, &smallest.slower_turns})
+      add(*map);
+    for (const Roadmap* map : maps_of(other_maps)) add(*map);
     std::ranges::sort(ways);
     EXPECT_EQ(std::ranges::adjacent_find(ways), ways.end()) << count << " radii";
   }

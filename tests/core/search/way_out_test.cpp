@@ -9,6 +9,7 @@
 #include "arcway/angle.h"
 #include "arcway/planner.h"
 #include "arcway/query_set.h"
+#include "core/planner/strategy.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/boxes.h"
 
@@ -26,7 +27,7 @@ WayOut way_out(const World& world, const Pose& root, Direction direction) {
                           queries, radii},
       SerialExecutor());
   const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
-  return look_for_way_out(map, root, direction, {});
+  return look_for_way_out(map, root, direction, kWayOut, {});
 }
 
 // What the tightest turn takes ahead of the reference point, with the safety margin.
