@@ -119,13 +119,17 @@ void PlanRun::refine(const Path& path, double trials, bool reverse) {
     refined.path = path;
     return;
   }
-  const PlanRequest& request = query_.request;
+  const RefineQuery query{.path = path,
+                          .start = query_.request.start,
+                          .goal = query_.request.goal,
+                          .vehicle = map_.vehicle,
+                          .sweep = *map_.queries.sweep,
+                          .options = refinement,
+                          .clock = search_options_.clock};
   if (reverse) {
-    refined = refine_reversing_path(path, map_.vehicle, *map_.queries.sweep, gear_changes_, refinement,
-                                    search_options_.clock);
+    refined = refine_reversing_path(query, gear_changes_);
   } else {
-    refine_path(path, request.start, request.goal, map_.vehicle, *map_.queries.sweep, refinement, search_options_.clock,
-                workspace_.refine, refined);
+    workspace_.refiner.refine(query, refined);
   }
   PlanStatistics& s = result_.statistics;
   result_.interrupted = result_.interrupted || refined.interrupted;

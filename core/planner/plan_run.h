@@ -25,7 +25,7 @@ namespace arcway::internal {
 /// Memory of a query, kept for the next one.
 struct PlanWorkspace {
   FindWorkspace find;
-  RefineWorkspace refine;
+  PathRefiner refiner;
   RefinedPath refined;
   Path best, second;
   SpeedProfile profile;

@@ -49,7 +49,7 @@ struct Station {
 
 }  // namespace
 
-struct RefineWorkspace::Data {
+struct PathRefiner::Memory {
   CircleChain first_chain;
   TimedChain chain;
   std::vector<double> radii;
@@ -58,28 +58,27 @@ struct RefineWorkspace::Data {
   SpeedProfile profile;
 };
 
-RefineWorkspace::RefineWorkspace() : data_(std::make_unique<Data>()) {}
-RefineWorkspace::~RefineWorkspace() = default;
-RefineWorkspace::RefineWorkspace(RefineWorkspace&&) noexcept = default;
-RefineWorkspace& RefineWorkspace::operator=(RefineWorkspace&&) noexcept = default;
+PathRefiner::PathRefiner() : memory_(std::make_unique<Memory>()) {}
+PathRefiner::~PathRefiner() = default;
+PathRefiner::PathRefiner(PathRefiner&&) noexcept = default;
+PathRefiner& PathRefiner::operator=(PathRefiner&&) noexcept = default;
 
 namespace {
 
 class Refiner {
  public:
-  Refiner(const Vehicle& vehicle, const SweepQuery& sweep, const RefineOptions& options, const StopClock& clock,
-          RefineWorkspace::Data& workspace, RefinedPath& result)
-      : vehicle_(vehicle),
-        sweep_(sweep),
-        options_(options),
-        clock_(clock),
+  Refiner(const RefineQuery& query, PathRefiner::Memory& memory, RefinedPath& result)
+      : vehicle_(query.vehicle),
+        sweep_(query.sweep),
+        options_(query.options),
+        clock_(query.clock),
         result_(result),
-        body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
-        smallest_(vehicle.min_turning_radius()),
-        chain_(workspace.chain),
-        radii_(workspace.radii),
-        stations_(workspace.stations),
-        headings_(workspace.headings) {}
+        body_(query.vehicle.footprint(0.5 * query.vehicle.safety_margin())),
+        smallest_(query.vehicle.min_turning_radius()),
+        chain_(memory.chain),
+        radii_(memory.radii),
+        stations_(memory.stations),
+        headings_(memory.headings) {}
 
   void run(CircleChain& chain) {
     // A radius is known by its curvature alone, and may come out too small by rounding.
@@ -348,7 +347,7 @@ class Refiner {
     if (are_tied(chain_.chain(), lines(), std::min(i, other))) return step(i, leaving, move);
     for (const double share : move.shares)
       for (const double factor : move.factors)
-        if (accept(widened(chain_.chain(), lines(), i, leaving, share, factor))) return true;
+        if (accept(widened(chain_.chain(), lines(), {i, leaving, share}, factor))) return true;
     return false;
   }
 
@@ -359,7 +358,7 @@ class Refiner {
     if (wide == 0 || wide + 1 == circles().size() || ratio < kLeastRatio) return false;
     if (are_tied(chain_.chain(), lines(), leaving ? wide : wide - 1)) return false;
     for (const double share : move.step_shares)
-      if (accept(stepped(chain_.chain(), lines(), i, leaving, share, std::sqrt(ratio) * circles()[i].radius)))
+      if (accept(stepped(chain_.chain(), lines(), {i, leaving, share}, std::sqrt(ratio) * circles()[i].radius)))
         return true;
     return false;
   }
@@ -466,24 +465,20 @@ void require_refinement(const RefineOptions& options) {
                                 " of the turning radius, must be positive and finite");
 }
 
-void refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-                 const RefineOptions& options, const StopClock& clock, RefineWorkspace& workspace,
-                 RefinedPath& result) {
-  require_refinement(options);
-  RefineWorkspace::Data& w = *workspace;
-  result.path = path;
+void PathRefiner::refine(const RefineQuery& query, RefinedPath& result) {
+  require_refinement(query.options);
+  result.path = query.path;
   result.trials = result.improvements = result.straights_checked = result.turns_checked = 0;
   result.interrupted = false;
-  speed_profile(path, vehicle, w.profile);
-  result.travel_time = w.profile.total_time;
-  if (chain_of(path, start, goal, w.first_chain)) Refiner(vehicle, sweep, options, clock, w, result).run(w.first_chain);
+  speed_profile(query.path, query.vehicle, memory_->profile);
+  result.travel_time = memory_->profile.total_time;
+  if (chain_of(query.path, query.start, query.goal, memory_->first_chain))
+    Refiner(query, *memory_, result).run(memory_->first_chain);
 }
 
-RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
-                        const SweepQuery& sweep, const RefineOptions& options, const StopClock& clock) {
-  RefineWorkspace workspace;
+RefinedPath refine_path(const RefineQuery& query) {
   RefinedPath result;
-  refine_path(path, start, goal, vehicle, sweep, options, clock, workspace, result);
+  PathRefiner().refine(query, result);
   return result;
 }
 

@@ -24,19 +24,16 @@ struct RefinedPath {
   bool interrupted = false;             ///< the clock ended it: more trials might have made the path faster
 };
 
-/// Memory of a refinement, kept for the next one: for one at a time, of any path.
-class RefineWorkspace {
- public:
-  RefineWorkspace();
-  ~RefineWorkspace();
-  RefineWorkspace(RefineWorkspace&&) noexcept;
-  RefineWorkspace& operator=(RefineWorkspace&&) noexcept;
-
-  struct Data;
-  Data& operator*() { return *data_; }
-
- private:
-  std::unique_ptr<Data> data_;
+/// A path to refine, and what its changes are checked with. What is referred to must outlive the refinement.
+struct RefineQuery {
+  const Path& path;
+  Pose start, goal;  ///< of the path, with the headings asked for
+  const Vehicle& vehicle;
+  const SweepQuery& sweep;  ///< of the world
+  RefineOptions options = {};
+  /// Asked before each trial, and while pairs are told apart. Once it is over, refinement ends with the best path so
+  /// far.
+  StopClock clock = {};
 };
 
 /// Makes a free path faster by local changes, as long as time falls:
@@ -49,14 +46,25 @@ class RefineWorkspace {
 /// A change is accepted only if the travel time under the speed profile falls and the swept area of the body grown by
 /// half of the safety margin is free by `sweep`. So the result is as free as the input and never slower; a path that
 /// turns on fewer than two circles is returned as it is. A local optimum of these changes, not the fastest path.
-/// Deterministic unless stopped. Thread-safe.
-/// @param clock  asked before each trial, and while pairs are told apart; once over, refinement ends with the best path
-///               so far.
+/// Deterministic unless stopped. Keeps its memory for the next path, and that of `result`; one path at a time.
+class PathRefiner {
+ public:
+  PathRefiner();
+  ~PathRefiner();
+  PathRefiner(PathRefiner&&) noexcept;
+  PathRefiner& operator=(PathRefiner&&) noexcept;
+
+  /// @throws std::invalid_argument as require_refinement does.
+  void refine(const RefineQuery& query, RefinedPath& result);
+
+  struct Memory;
+
+ private:
+  std::unique_ptr<Memory> memory_;
+};
+
+/// Refines one path with memory of its own, see PathRefiner.
 /// @throws std::invalid_argument as require_refinement does.
-RefinedPath refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle,
-                        const SweepQuery& sweep, const RefineOptions& options = {}, const StopClock& clock = {});
-/// Overload with memory that is used again, that of `result` included.
-void refine_path(const Path& path, const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-                 const RefineOptions& options, const StopClock& clock, RefineWorkspace& workspace, RefinedPath& result);
+RefinedPath refine_path(const RefineQuery& query);
 
 }  // namespace arcway::internal

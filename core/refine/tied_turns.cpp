@@ -66,8 +66,8 @@ ChainChange retied(const CircleChain& chain, std::span<const Bitangent> lines, s
                  touching(tighter, heading + sign_of(tighter.side) * (leaving ? turn : -turn), radius));
 }
 
-ChainChange widened(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, bool leaving,
-                    double share, double factor) {
+ChainChange widened(const CircleChain& chain, std::span<const Bitangent> lines, const KeptTurn& kept, double factor) {
+  const auto& [i, leaving, share] = kept;
   const TurnCircle& tighter = chain.circles[i];
   const double arrival = lines[i].start.heading;
   const double turn = turn_between(arrival, lines[i + 1].start.heading, tighter.side);
@@ -76,8 +76,8 @@ ChainChange widened(const CircleChain& chain, std::span<const Bitangent> lines, 
   return leaving ? replaced(chain, i, i + 1, {tighter, wider}) : replaced(chain, i, i + 1, {wider, tighter});
 }
 
-ChainChange stepped(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, bool leaving,
-                    double share, double radius) {
+ChainChange stepped(const CircleChain& chain, std::span<const Bitangent> lines, const KeptTurn& kept, double radius) {
+  const auto& [i, leaving, share] = kept;
   const TurnCircle& tighter = chain.circles[i];
   const std::size_t wide = leaving ? i + 1 : i - 1;
   const auto turn_on = [&](std::size_t k) {

@@ -30,16 +30,21 @@ ChainChange shifted(const CircleChain& chain, std::span<const Bitangent> lines, 
 ChainChange retied(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, double turn,
                    double radius);
 
-/// Splits the turn of circle i: it keeps a share, and the rest is driven on a tied circle `factor` times as wide. That
-/// lies before circle i or, if `leaving`, behind it. Precondition: there is another circle on that side.
-ChainChange widened(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, bool leaving,
-                    double share, double factor);
+/// The part of a turn that a circle keeps when another circle takes the rest.
+struct KeptTurn {
+  std::size_t circle;  ///< index in the chain
+  bool leaving;        ///< the rest is driven behind it, not before
+  double share;        ///< of the turn, from 0 to 1
+};
 
-/// Puts a circle of another radius [m] between circle i and a wider one that is tied to it behind or, if not `leaving`,
-/// before. The radius lies between theirs. Circle i keeps a share of its turn; the wider circle is tied to the new one
-/// and turns less. Precondition: the wider circle has neighbors on both sides.
-ChainChange stepped(const CircleChain& chain, std::span<const Bitangent> lines, std::size_t i, bool leaving,
-                    double share, double radius);
+/// Splits a turn: the circle keeps its part, and the rest is driven on a tied circle `factor` times as wide.
+/// Precondition: there is another circle on that side.
+ChainChange widened(const CircleChain& chain, std::span<const Bitangent> lines, const KeptTurn& kept, double factor);
+
+/// Puts a circle of another radius [m] between a circle and a wider one that is tied to it on that side. The radius
+/// lies between theirs. The circle keeps its part of the turn; the wider one is tied to the new one and turns less.
+/// Precondition: the wider circle has neighbors on both sides.
+ChainChange stepped(const CircleChain& chain, std::span<const Bitangent> lines, const KeptTurn& kept, double radius);
 
 /// Makes the first or the last circle, i, as tight as allowed [m] for the given turn [rad]. The rest of its turn is
 /// driven on a tied circle of another radius [m].

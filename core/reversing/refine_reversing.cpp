@@ -42,17 +42,16 @@ void append(Path& path, std::span<const PathSegment> more) { path.insert(path.en
 
 class ReversingRefiner {
  public:
-  ReversingRefiner(const Vehicle& vehicle, const SweepQuery& sweep, const GearChanges& changes,
-                   const RefineOptions& options, const StopClock& clock, RefinedPath& result)
-      : vehicle_(vehicle),
-        sweep_(sweep),
+  ReversingRefiner(const RefineQuery& query, const GearChanges& changes, RefinedPath& result)
+      : vehicle_(query.vehicle),
+        sweep_(query.sweep),
         changes_(changes),
-        options_(options),
-        clock_(clock),
+        options_(query.options),
+        clock_(query.clock),
         result_(result),
-        body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
+        body_(query.vehicle.footprint(0.5 * query.vehicle.safety_margin())),
         most_cusps_(std::max(changes.most, cusps_of(result.path))),
-        most_trials_(options.max_trials),
+        most_trials_(query.options.max_trials),
         cost_(cost_of(result.path)) {}
 
   void run() {
@@ -314,7 +313,7 @@ class ReversingRefiner {
   Path refined(const Path& run, const Vehicle& vehicle) {
     RefineOptions rest = options_;
     rest.max_trials -= static_cast<std::uint32_t>(result_.trials);
-    RefinedPath refined = refine_path(run, run.front().start, run.back().end(), vehicle, sweep_, rest, clock_);
+    RefinedPath refined = refine_path({run, run.front().start, run.back().end(), vehicle, sweep_, rest, clock_});
     result_.trials += refined.trials;
     result_.straights_checked += refined.straights_checked;
     result_.turns_checked += refined.turns_checked;
@@ -335,12 +334,11 @@ class ReversingRefiner {
 
 }  // namespace
 
-RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep,
-                                  const GearChanges& changes, const RefineOptions& options, const StopClock& clock) {
-  require_refinement(options);
+RefinedPath refine_reversing_path(const RefineQuery& query, const GearChanges& changes) {
+  require_refinement(query.options);
   RefinedPath result;
-  result.path = path;
-  ReversingRefiner(vehicle, sweep, changes, options, clock, result).run();
+  result.path = query.path;
+  ReversingRefiner(query, changes, result).run();
   return result;
 }
 

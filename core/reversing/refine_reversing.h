@@ -33,7 +33,6 @@ struct GearChanges {
 /// @param changes  paths with more gear changes than `most` are not taken, except for the given one.
 /// @param clock  asked before each trial; once over, the best path so far is the result.
 /// @throws std::invalid_argument as require_refinement does.
-RefinedPath refine_reversing_path(const Path& path, const Vehicle& vehicle, const SweepQuery& sweep,
-                                  const GearChanges& changes, const RefineOptions& options, const StopClock& clock);
+RefinedPath refine_reversing_path(const RefineQuery& query, const GearChanges& changes);
 
 }  // namespace arcway::internal

@@ -229,8 +229,14 @@ class AlternativeSearch {
   [[nodiscard]] double refined_cost(const Route& route) const {
     if (quick_request_.reverse) return route.cost;
     const WalledSweep sweep(remembered_, route.walls);
-    return refine_path(route.plan.path(), request_.start, request_.goal, planner_.vehicle(), sweep,
-                       planner_.options().refinement, clock_)
+    const Path path = route.plan.path();
+    return refine_path({.path = path,
+                        .start = request_.start,
+                        .goal = request_.goal,
+                        .vehicle = planner_.vehicle(),
+                        .sweep = sweep,
+                        .options = planner_.options().refinement,
+                        .clock = clock_})
         .travel_time;
   }
 

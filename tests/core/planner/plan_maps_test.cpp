@@ -185,7 +185,7 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
     for (const Roadmap* map : {&maps.faster_turns, &maps.slower_turns}) {
       const auto path = search.find(*map, starts, goals, {}).path;
       if (!path || plan.travel_time <= 1.01 * plan.lower_bound) continue;
-      const RefinedPath refined = refine_path(*path, request.start, request.goal, vehicle, *queries.sweep);
+      const RefinedPath refined = refine_path({*path, request.start, request.goal, vehicle, *queries.sweep});
       EXPECT_LE(plan.travel_time, refined.travel_time * (1.0 + 1e-12));
       other += speed_profile(*path, vehicle).total_time > plan.statistics.first_travel_time ? 1 : 0;
     }

@@ -38,7 +38,8 @@ void expect_valid(const World& world, const Vehicle& vehicle, const PlanRequest&
 
 RefinedPath refined(const World& world, const Vehicle& vehicle, const PlanRequest& request, const Path& path,
                     const RefineOptions& options = {}, const StopClock& clock = {}) {
-  return refine_path(path, request.start, request.goal, vehicle, *make_reference_queries(world).sweep, options, clock);
+  return refine_path(
+      {path, request.start, request.goal, vehicle, *make_reference_queries(world).sweep, options, clock});
 }
 
 class RefinePathInClutter : public testing::TestWithParam<std::tuple<ClutterKind, double, bool>> {};
