@@ -7,6 +7,7 @@
 
 namespace arcway::internal {
 
+// Many parameters because a roadmap is made of these parts, and of no more.
 Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, std::vector<double> r,
                  std::shared_ptr<const FeasibleGraph> g, std::shared_ptr<const Outlines> o)
     : world(w),

@@ -87,8 +87,8 @@ void PlanRun::take(const GrowTrees& step, double trials) {
                           .dead_end_passes = kDeadEndPasses};
   TreesEnd end;
   FoundPath grown = search([&] {
-    return search_trees(map, query_.request.start, query_.request.goal, limits, search_options_, workspace_.find.search,
-                        end);
+    return search_trees({map, query_.request.start, query_.request.goal, limits}, search_options_,
+                        workspace_.find.search, end);
   });
   result_.statistics.tree_poses += end.poses;
   if (step.looks_around) surroundings_ = end.surroundings;
@@ -115,7 +115,7 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
                           .accept = widened};
   TreesEnd end;
   FoundPath grown = search([&] {
-    return search_trees(*slim, query_.request.start, goal, limits, search_options_, workspace_.find.search, end);
+    return search_trees({*slim, query_.request.start, goal, limits}, search_options_, workspace_.find.search, end);
   });
   result_.statistics.tree_poses += end.poses;
   const bool is_hopeless = end.surroundings != Surroundings::kOpen || end.ran_dry;
@@ -141,7 +141,7 @@ void PlanRun::try_faster(const Roadmap& map, std::size_t poses, double least_gai
   faster.faster_than = fastest_.times.unrefined - faster.least_gain;
   faster.warm_start = true;
   FoundPath turning = search([&] {
-    return find_path_with_maneuvers(map, query_.request.start, query_.request.goal, poses, faster, workspace_.find);
+    return find_path_with_maneuvers(map, {query_.request.start, query_.request.goal, poses}, faster, workspace_.find);
   });
   if (!turning.search.path) return;
   const Times times = keep(std::move(*turning.search.path), trials, false);
@@ -178,7 +178,7 @@ void PlanRun::take(const TryOtherRadii& step, double trials) {
 void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials) {
   options.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   FoundPath other = search([&] {
-    return find_path_with_maneuvers(map, query_.request.start, query_.request.goal, poses, options, workspace_.find);
+    return find_path_with_maneuvers(map, {query_.request.start, query_.request.goal, poses}, options, workspace_.find);
   });
   if (!other.search.path) return;
   // Paths of one time to the last bit are one path.

@@ -55,6 +55,7 @@ auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& 
 }
 
 // The graph and the outlines do not depend on each other. But a process group talks on the thread that it was made on.
+// Many parameters because those of Planner's constructors come apart here.
 template <class MakeGraph>
 Roadmap make_map(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
                  const MakeGraph& make_graph, const Executor& many) {
@@ -118,6 +119,7 @@ ReducedGraph reduced_graph_of(const Backend& backend, GraphMode mode) {
 
 struct Planner::Data {
   /// @param make_feasible  gives the feasible graph for the rows of the reduced graph and the radii.
+  // Many parameters because planners that are new, restored or changed have no more in common than these.
   template <class MakeFeasible>
   Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, Backend::Graph graph,
        std::shared_ptr<const VisibilityRows> r, MakeFeasible&& make_feasible, const Executor& executor)

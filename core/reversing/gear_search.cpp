@@ -23,16 +23,15 @@ constexpr std::size_t kPosesAfter = 300;  // poses tried after the first path, b
 
 class GearSearch {
  public:
-  GearSearch(const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-             const Outlines& outlines, const GearSearchOptions& options, GearSearchResult& result)
-      : vehicle_(vehicle),
-        sweep_(sweep),
-        outlines_(outlines),
+  GearSearch(const GearQuery& query, const GearSearchOptions& options, GearSearchResult& result)
+      : vehicle_(query.vehicle),
+        sweep_(query.sweep),
+        outlines_(query.outlines),
         options_(options),
         result_(result),
-        body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
-        radius_(vehicle.min_turning_radius()),
-        roots_{start, goal},
+        body_(query.vehicle.footprint(0.5 * query.vehicle.safety_margin())),
+        radius_(query.vehicle.min_turning_radius()),
+        roots_{query.start, query.goal},
         trees_{tree(0), tree(1)} {
     result_.cost = options.cutoff;
   }
@@ -67,8 +66,7 @@ class GearSearch {
     return {roots_[side],
             side == 0 ? vehicle_ : vehicle_.with_gears_swapped(),
             outlines_,
-            options_.cusp_cost,
-            {cells_[side], cells_[side] == kCells, options_.max_cusps},
+            {cells_[side], cells_[side] == kCells, options_.cusp_cost, options_.max_cusps},
             [this, to = roots_[1 - side]](const Pose& from) { return far(from, to); }};
   }
 
@@ -134,10 +132,9 @@ class GearSearch {
 
 }  // namespace
 
-GearSearchResult search_gears(const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-                              const Outlines& outlines, const GearSearchOptions& options) {
+GearSearchResult search_gears(const GearQuery& query, const GearSearchOptions& options) {
   GearSearchResult result;
-  GearSearch(start, goal, vehicle, sweep, outlines, options, result).run();
+  GearSearch(query, options, result).run();
   return result;
 }
 

@@ -13,6 +13,14 @@
 
 namespace arcway::internal {
 
+/// Two poses of a vehicle, and what its motions are checked with. What is referred to must outlive the search.
+struct GearQuery {
+  Pose start, goal;
+  const Vehicle& vehicle;
+  const SweepQuery& sweep;   ///< of the world
+  const Outlines& outlines;  ///< of the world
+};
+
 struct GearSearchOptions {
   double cusp_cost = 0.0;                                   ///< cost of a gear change, beside the time for it [s]
   std::size_t max_poses = 8000;                             ///< number of poses tried, of both ends together
@@ -36,7 +44,6 @@ struct GearSearchResult {
 /// by a free Reeds-Shepp word, if there is one. The search ends some time after the first path, with the best one, or
 /// when everything left costs more. Paths are checked exactly. As the number of poses is limited, no path proves
 /// nothing. Deterministic.
-GearSearchResult search_gears(const Pose& start, const Pose& goal, const Vehicle& vehicle, const SweepQuery& sweep,
-                              const Outlines& outlines, const GearSearchOptions& options);
+GearSearchResult search_gears(const GearQuery& query, const GearSearchOptions& options);
 
 }  // namespace arcway::internal

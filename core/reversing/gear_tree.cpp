@@ -24,11 +24,10 @@ std::size_t index_of(Gear gear) { return gear == Gear::kForward ? 0 : 1; }
 
 }  // namespace
 
-GearTree::GearTree(const Pose& root, const Vehicle& vehicle, const Outlines& outlines, double cusp_cost,
-                   const GearTreeGrid& grid, std::function<double(const Pose&)> remaining)
+GearTree::GearTree(const Pose& root, const Vehicle& vehicle, const Outlines& outlines, const GearTreeOptions& options,
+                   std::function<double(const Pose&)> remaining)
     : vehicle_(vehicle),
-      cusp_cost_(cusp_cost),
-      grid_(grid),
+      options_(options),
       remaining_(std::move(remaining)),
       radius_(vehicle.min_turning_radius()),
       contact_(outlines, vehicle.footprint(0.5 * vehicle.safety_margin())) {
@@ -74,7 +73,7 @@ void GearTree::add_line(std::uint32_t from, Gear gear) {
   if (length < radius_ * kLeastTurn) return;
   add(from, {pose, std::min(length, step), 0.0, gear});
   if (length > step) add(from, {pose, length, 0.0, gear});
-  if (grid_.halves && length < step) add(from, {pose, 0.5 * length, 0.0, gear});
+  if (options_.halves && length < step) add(from, {pose, 0.5 * length, 0.0, gear});
 }
 
 void GearTree::add_arcs(std::uint32_t from, Side side, Gear gear) {
@@ -87,7 +86,7 @@ void GearTree::add_arcs(std::uint32_t from, Side side, Gear gear) {
   };
   add_arc(std::min(turn, kStepTurn));
   if (turn < kStepTurn) {
-    if (grid_.halves) add_arc(0.5 * turn);
+    if (options_.halves) add_arc(0.5 * turn);
   } else if (far < kFarTurn) {
     add_arc(turn);
   }
@@ -98,11 +97,11 @@ void GearTree::add(std::uint32_t from, const PathSegment& motion) {
   const Pose end = motion.end();
   const bool cusp = from != kRoot && parent.motion.gear != motion.gear;
   const std::uint32_t cusps = parent.cusps + (cusp ? 1 : 0);
-  if (cusps > grid_.max_cusps) return;
+  if (cusps > options_.max_cusps) return;
   const double limit = speed_limit(motion, vehicle_);
   const std::size_t size = speeds_.size();
   const std::uint32_t turned =
-      cusp ? speeds_.add_stop(parent.joint, cusp_cost_) : speeds_.add(parent.joint, 0.0, limit, limit);
+      cusp ? speeds_.add_stop(parent.joint, options_.cusp_cost) : speeds_.add(parent.joint, 0.0, limit, limit);
   const std::uint32_t joint = speeds_.add(turned, motion.length, limit, limit);
   const double cost = speeds_[joint].time;
   const auto [cell, added] =
@@ -119,10 +118,10 @@ void GearTree::add(std::uint32_t from, const PathSegment& motion) {
 }
 
 std::uint64_t GearTree::cell_of(const Pose& pose, Gear gear, std::uint32_t cusps) const {
-  const Vec2 d = (pose.position() - nodes_[kRoot].pose.position()) * (grid_.cells / radius_);
+  const Vec2 d = (pose.position() - nodes_[kRoot].pose.position()) * (options_.cells / radius_);
   const auto index = [](double value) { return static_cast<std::uint64_t>(std::llround(value)) & 0xFFFFFFu; };
-  const auto heading = static_cast<std::uint64_t>(wrap_positive(pose.heading) * grid_.cells);
-  const std::uint64_t layer = grid_.max_cusps == std::numeric_limits<std::size_t>::max() ? 0 : cusps * kLayer;
+  const auto heading = static_cast<std::uint64_t>(wrap_positive(pose.heading) * options_.cells);
+  const std::uint64_t layer = options_.max_cusps == std::numeric_limits<std::size_t>::max() ? 0 : cusps * kLayer;
   const std::uint64_t place = (index(d.x()) << 40) | (index(d.y()) << 16);
   return layer ^ (place | ((heading & 0x7FFFu) << 1) | (gear == Gear::kForward ? 1u : 0u));
 }

@@ -19,10 +19,11 @@
 
 namespace arcway::internal {
 
-/// How finely a tree tells poses apart, and which motions it tries.
-struct GearTreeGrid {
-  double cells;  ///< number of cells in a turning radius; headings are told apart as finely
-  bool halves;   ///< whether motions that an obstacle ends early are also made half as long
+/// How finely a tree tells poses apart, which motions it tries, and what gear changes cost.
+struct GearTreeOptions {
+  double cells;            ///< number of cells in a turning radius; headings are told apart as finely
+  bool halves;             ///< whether motions that an obstacle ends early are also made half as long
+  double cusp_cost = 0.0;  ///< cost of a gear change, beside the time for it [s]
   std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< of the way to a pose
 };
 
@@ -45,10 +46,9 @@ class GearTree {
   static constexpr std::uint32_t kRoot = 0;
 
   /// @param outlines  of the world; must outlive the tree.
-  /// @param cusp_cost  cost of a gear change, beside the time for it [s].
   /// @param remaining  estimate of the cost from a pose on [s]; the most promising pose is expanded first.
-  GearTree(const Pose& root, const Vehicle& vehicle, const Outlines& outlines, double cusp_cost,
-           const GearTreeGrid& grid, std::function<double(const Pose&)> remaining);
+  GearTree(const Pose& root, const Vehicle& vehicle, const Outlines& outlines, const GearTreeOptions& options,
+           std::function<double(const Pose&)> remaining);
 
   /// Expands the most promising pose that has not been expanded: adds the poses it reaches. None if all have been.
   /// O(edges near by).
@@ -75,8 +75,7 @@ class GearTree {
   [[nodiscard]] std::uint64_t cell_of(const Pose& pose, Gear gear, std::uint32_t cusps) const;
 
   Vehicle vehicle_;
-  double cusp_cost_;
-  GearTreeGrid grid_;
+  GearTreeOptions options_;
   std::function<double(const Pose&)> remaining_;
   double radius_;
   ContactReach contact_;

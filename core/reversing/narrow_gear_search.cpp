@@ -73,8 +73,7 @@ class NarrowGearSearch {
     return {{map_,
              i == 0 ? vehicle : vehicle.with_gears_swapped(),
              roots_[i],
-             {options_.cusp_cost + stopping, options_.max_cusps},
-             fineness,
+             {options_.cusp_cost + stopping, options_.max_cusps, fineness},
              remaining},
             NearPoses(kNear * vehicle.parameters().length)};
   }

@@ -40,11 +40,10 @@ double quantized(double largest, double wanted) {
 
 }  // namespace
 
-NarrowGearTree::NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const Pose& root, const TreeGears& gears,
-                               double fineness, std::function<double(const Pose&)> remaining)
+NarrowGearTree::NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const Pose& root,
+                               const NarrowGearTreeOptions& options, std::function<double(const Pose&)> remaining)
     : vehicle_(vehicle),
-      gears_(gears),
-      fineness_(fineness),
+      options_(options),
       remaining_(std::move(remaining)),
       radius_(vehicle.min_turning_radius()),
       size_(std::max(radius_, vehicle.parameters().length)),
@@ -104,19 +103,19 @@ void NarrowGearTree::add(std::uint32_t from, const Cell& cell, const PathSegment
   const Node& parent = nodes_[from];
   const bool cusp = from != kRoot && parent.motion.gear != motion.gear;
   const std::uint32_t cusps = parent.cusps + (cusp ? 1 : 0);
-  if (cusps > gears_.max_cusps) return;
+  if (cusps > options_.max_cusps) return;
   const Pose end = motion.end();
   const auto node = static_cast<std::uint32_t>(nodes_.size());
   const std::array<std::uint64_t, 2> key{key_of(end, cell), motion.gear == Gear::kForward ? 1u : 2u};
   if (!cells_.insert(hash_of(key)).second) return;
-  const double cost = parent.cost + motion.length / speed_limit(motion, vehicle_) + (cusp ? gears_.change : 0.0);
+  const double cost = parent.cost + motion.length / speed_limit(motion, vehicle_) + (cusp ? options_.gear_change : 0.0);
   nodes_.push_back({end, motion, from, cusps, cost});
   open_.push(cost + remaining_(end), node);
 }
 
 // The size of cells where the longest motion and the largest turn to and fro are these.
 NarrowGearTree::Cell NarrowGearTree::cell_where(double way, double turn) const {
-  const double share = kShare * fineness_;
+  const double share = kShare * options_.fineness;
   const double q = std::max(way, kLeast * vehicle_.parameters().length), t = std::clamp(turn, kLeast, 1.0);
   return {quantized(largest_.along, share * q), quantized(largest_.aside, share * q * t),
           quantized(largest_.turn, share * t)};

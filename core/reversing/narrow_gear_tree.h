@@ -17,10 +17,11 @@
 
 namespace arcway::internal {
 
-/// What a gear change costs in a tree, and how many there may be.
-struct TreeGears {
-  double change;          ///< cost of a gear change, with the time to stop and set off [s]
+/// What a gear change costs in a tree, how many there may be, and how finely the tree tells poses apart.
+struct NarrowGearTreeOptions {
+  double gear_change;     ///< cost of a gear change, with the time to stop and set off [s]
   std::size_t max_cusps;  ///< from the root to a pose
+  double fineness;        ///< size of cells, 1 for the largest
 };
 
 /// A tree of poses that a vehicle reaches from a pose in both gears, by lines and by arcs of several radii. Each motion
@@ -46,9 +47,8 @@ class NarrowGearTree {
 
   /// @param map  must outlive the tree.
   /// @param vehicle  that of the map; with its gears swapped for a tree that leads to its root.
-  /// @param fineness  size of cells, 1 for the largest.
   /// @param remaining  estimate of the cost from a pose on [s]; the most promising pose is expanded first.
-  NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const Pose& root, const TreeGears& gears, double fineness,
+  NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const Pose& root, const NarrowGearTreeOptions& options,
                  std::function<double(const Pose&)> remaining);
 
   /// Expands the most promising pose that has not been expanded: adds the poses it reaches. None if all have been.
@@ -77,8 +77,7 @@ class NarrowGearTree {
   [[nodiscard]] std::uint64_t key_of(const Pose& pose, const Cell& cell) const;
 
   Vehicle vehicle_;
-  TreeGears gears_;
-  double fineness_;
+  NarrowGearTreeOptions options_;
   std::function<double(const Pose&)> remaining_;
   double radius_, size_;  // size_: of the body or the turn, whichever is larger [m]
   double far_line_;       // the longest line [m]

@@ -69,8 +69,8 @@ std::vector<Attachment> ReversingSearch::attachments(Direction direction, const 
   if (wanted.most == 0) return found;
   const Vehicle& vehicle = map_.vehicle;
   // A goal's tree is driven the other way.
-  GearTree tree(end, at_start ? vehicle : vehicle.with_gears_swapped(), *map_.outlines, options_.cusp_cost,
-                {wanted.cells, true}, [](const Pose&) { return 0.0; });
+  GearTree tree(end, at_start ? vehicle : vehicle.with_gears_swapped(), *map_.outlines,
+                {wanted.cells, true, options_.cusp_cost}, [](const Pose&) { return 0.0; });
   for (std::size_t i = 0; i < wanted.most_expansions && found.size() <= wanted.most; ++i) {
     if (options_.interrupted()) break;
     const auto node = tree.expand();
@@ -94,8 +94,8 @@ double ReversingSearch::least_cost(const Pose& from, const Pose& to, double leng
 }
 
 FoundPath ReversingSearch::grow_gear_trees(std::size_t poses) {
-  return taken(
-      search_gears(query_.start, query_.goal, map_.vehicle, *map_.queries.sweep, *map_.outlines, gear_options(poses)));
+  return taken(search_gears({query_.start, query_.goal, map_.vehicle, *map_.queries.sweep, *map_.outlines},
+                            gear_options(poses)));
 }
 
 FoundPath ReversingSearch::grow_narrow_gear_trees(std::size_t poses) {

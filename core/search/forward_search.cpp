@@ -135,12 +135,12 @@ Obstruction ForwardSearch::obstruction() const {
   return start_connected_ ? Obstruction::kBetween : Obstruction::kStart;
 }
 
-FoundPath find_path_with_maneuvers(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
-                                   const SearchOptions& options, FindWorkspace& workspace) {
+FoundPath find_path_with_maneuvers(const Roadmap& map, const ForwardSearch::Query& query, const SearchOptions& options,
+                                   FindWorkspace& workspace) {
   const ManeuveringBody body(map.vehicle, map.radii[0], *map.queries.sweep);
-  const ManeuverPoses sparse{poses, Spread::kSparse};
-  const auto from = workspace.from.find(start, Direction::kFromStart, body, sparse, options.clock);
-  const auto to = workspace.to.find(goal, Direction::kToGoal, body, sparse, options.clock);
+  const ManeuverPoses sparse{query.most_poses, Spread::kSparse};
+  const auto from = workspace.from.find(query.start, Direction::kFromStart, body, sparse, options.clock);
+  const auto to = workspace.to.find(query.goal, Direction::kToGoal, body, sparse, options.clock);
   FoundPath found;
   found.search = workspace.search.find(map, from, to, options);
   found.maneuver_poses = from.size() + to.size();

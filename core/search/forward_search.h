@@ -111,7 +111,7 @@ class ForwardSearch {
 /// The fastest path that may begin and end with a maneuver, out of a few sparse ones. It is faster than a path by
 /// single arcs where a pose faces away from its route and there is room to turn, but slower to find.
 /// @param poses  for the maneuvers of each end.
-FoundPath find_path_with_maneuvers(const Roadmap& map, const Pose& start, const Pose& goal, std::size_t poses,
-                                   const SearchOptions& options, FindWorkspace& workspace);
+FoundPath find_path_with_maneuvers(const Roadmap& map, const ForwardSearch::Query& query, const SearchOptions& options,
+                                   FindWorkspace& workspace);
 
 }  // namespace arcway::internal

@@ -143,6 +143,7 @@ PathContacts::Step PathContacts::deepest(const PathSegment& motion, const LineSe
 }
 
 // How a value of a later pose changes with the curvature and with the length of a motion.
+// Many parameters because they are the motion, its end, and the value's two derivatives.
 std::array<double, 2> PathContacts::by_motion(double curvature, double length, const End& end, const Vec2& place,
                                               const Vec2& by_place, double by_turn) const {
   const double turned = by_place.dot(perpendicular(Vec2(place - end.place))) + by_turn;

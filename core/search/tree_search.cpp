@@ -23,18 +23,18 @@ namespace {
 
 class TreeSearch {
  public:
-  TreeSearch(const Roadmap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
-             const SearchOptions& options, ArrivalSearch& arrivals, FoundPath& found, TreesEnd& end)
-      : map_(map),
-        roots_{start, goal},
-        limits_(limits),
+  TreeSearch(const TreeQuery& query, const SearchOptions& options, ArrivalSearch& arrivals, FoundPath& found,
+             TreesEnd& end)
+      : map_(query.map),
+        roots_{query.start, query.goal},
+        limits_(query.limits),
         options_(options),
         arrivals_(arrivals),
         end_(end),
         result_(found.search),
-        radius_(map.vehicle.min_turning_radius()),
-        body_length_(map.body.front + map.body.rear),
-        contact_(*map.outlines, map.body) {}
+        radius_(map_.vehicle.min_turning_radius()),
+        body_length_(map_.body.front + map_.body.rear),
+        contact_(*map_.outlines, map_.body) {}
 
   void run() {
     std::span<const TreePass> passes = limits_.passes;
@@ -262,10 +262,9 @@ class TreeSearch {
 
 }  // namespace
 
-FoundPath search_trees(const Roadmap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
-                       const SearchOptions& options, ArrivalSearch& arrivals, TreesEnd& end) {
+FoundPath search_trees(const TreeQuery& query, const SearchOptions& options, ArrivalSearch& arrivals, TreesEnd& end) {
   FoundPath found;
-  TreeSearch(map, start, goal, limits, options, arrivals, found, end).run();
+  TreeSearch(query, options, arrivals, found, end).run();
   return found;
 }
 

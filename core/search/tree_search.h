@@ -24,6 +24,13 @@ struct TreeLimits {
   std::function<std::optional<Path>(const Path&)> accept = {};
 };
 
+/// What trees grow between. The map must outlive the search.
+struct TreeQuery {
+  const Roadmap& map;
+  Pose start, goal;
+  TreeLimits limits;
+};
+
 /// How a search by trees ended.
 struct TreesEnd {
   std::size_t poses = 0;                            ///< grown
@@ -42,7 +49,6 @@ struct TreesEnd {
 /// early if there is none (way_out.h). Paths are checked exactly. As the number of poses is limited, no path proves
 /// nothing. The path is free, but by no means the fastest. Deterministic unless interrupted.
 /// @param end  receives how the trees ended.
-FoundPath search_trees(const Roadmap& map, const Pose& start, const Pose& goal, const TreeLimits& limits,
-                       const SearchOptions& options, ArrivalSearch& arrivals, TreesEnd& end);
+FoundPath search_trees(const TreeQuery& query, const SearchOptions& options, ArrivalSearch& arrivals, TreesEnd& end);
 
 }  // namespace arcway::internal

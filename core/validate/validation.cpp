@@ -59,6 +59,7 @@ class Validation {
     }
   }
 
+  // Many parameters because each caller names both violations and the place.
   void check_pose(const Pose& is, const Pose& should, Violation position, Violation heading, std::size_t segment,
                   double arc_length, const std::string& what) {
     const double gap = (is.position() - should.position()).norm();
@@ -252,6 +253,7 @@ ValidationReport Validator::operator()(const Vehicle& vehicle, const Pose& start
   return Validation(data_->world, data_->grid, vehicle, path, options).run(start, goal);
 }
 
+// Many parameters because this is a Validator's two calls in one.
 ValidationReport validate(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
                           const TimedPath& path, const ValidationOptions& options) {
   return Validator(world)(vehicle, start, goal, path, options);

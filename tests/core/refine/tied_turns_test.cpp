@@ -42,7 +42,7 @@ TEST(TiedTurns, KeepTheirEndsAndTouch) {
   const auto lines = lines_of(chain);
   ASSERT_TRUE(lines);
   for (const bool leaving : {true, false}) {
-    const CircleChain wide = changed(chain, widened(chain, *lines, leaving ? 0 : 1, leaving, 0.5, 3.0));
+    const CircleChain wide = changed(chain, widened(chain, *lines, {leaving ? 0U : 1U, leaving, 0.5}, 3.0));
     ASSERT_EQ(wide.circles.size(), 3u);
     EXPECT_EQ(wide.circles[1].radius, 6.0);
     expect_touching(wide.circles[1], wide.circles[leaving ? 0 : 2]);
@@ -60,7 +60,7 @@ TEST(TiedTurns, KeepTheirEndsAndTouch) {
 TEST(TiedTurns, GetWiderByMoreSteps) {
   for (const bool leaving : {true, false}) {
     CircleChain chain = example();
-    chain = changed(chain, widened(chain, *lines_of(chain), leaving ? 0 : 1, leaving, 0.5, 3.0));
+    chain = changed(chain, widened(chain, *lines_of(chain), {leaving ? 0U : 1U, leaving, 0.5}, 3.0));
     const auto lines = lines_of(chain);
     ASSERT_TRUE(lines);
     const std::size_t tight = leaving ? 0 : 2;
@@ -68,7 +68,7 @@ TEST(TiedTurns, GetWiderByMoreSteps) {
       const auto l = lines_of(c);
       return turn_between(l->at(i).start.heading, l->at(i + 1).start.heading, c.circles[i].side);
     };
-    const CircleChain steps = changed(chain, stepped(chain, *lines, tight, leaving, 0.75, 3.5));
+    const CircleChain steps = changed(chain, stepped(chain, *lines, {tight, leaving, 0.75}, 3.5));
     ASSERT_EQ(steps.circles.size(), 4u);
     ASSERT_TRUE(lines_of(steps));
     const std::size_t still = leaving ? 0 : 3, middle = leaving ? 1 : 2, wide = leaving ? 2 : 1;
@@ -88,9 +88,9 @@ TEST(TiedTurns, GetWiderByMoreSteps) {
 TEST(TiedTurns, FollowATighterOneThatMoves) {
   CircleChain chain = example();
   auto lines = lines_of(chain);
-  chain = changed(chain, widened(chain, *lines, 0, true, 0.4, 2.0));
+  chain = changed(chain, widened(chain, *lines, {0, true, 0.4}, 2.0));
   lines = lines_of(chain);
-  chain = changed(chain, widened(chain, *lines, 1, true, 0.4, 2.0));
+  chain = changed(chain, widened(chain, *lines, {1, true, 0.4}, 2.0));
   lines = lines_of(chain);
   ASSERT_TRUE(lines);
   ASSERT_EQ(chain.circles.size(), 4u);
@@ -135,8 +135,7 @@ TEST(TiedTurns, AreFasterThanAnyWordOfOneRadius) {
         word_path = *path;
       }
   const World world({});
-  const RefinedPath refined =
-      refine_path(word_path, start, goal, vehicle, *make_reference_queries(world).sweep, {}, {});
+  const RefinedPath refined = refine_path({word_path, start, goal, vehicle, *make_reference_queries(world).sweep});
   EXPECT_LT(refined.travel_time, 0.98 * fastest);
   const SpeedProfile profile = speed_profile(refined.path, vehicle);
   EXPECT_TRUE(validate(world, vehicle, start, goal,

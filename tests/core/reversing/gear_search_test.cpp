@@ -33,7 +33,7 @@ TEST(GearSearch, InAnEmptyWorldIsAtLeastAsGoodAsEveryWord) {
     };
     const Pose start = pose(), goal = pose();
     const GearSearchResult found =
-        search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.max_poses = 40});
+        search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {.max_poses = 40});
     ASSERT_TRUE(found.path);
     EXPECT_EQ(found.cost, travel_cost(*found.path, vehicle, 0.0));
     expect_valid(world, vehicle, start, goal, *found.path);
@@ -58,17 +58,18 @@ TEST(GearSearch, ParksInGapsThatAreHardlyLongerThanTheBody) {
     const Pose start{-4.0, 1.2, 0.0};
     const Pose goal{0.5 * length - 0.65, -0.6, 0.0};
     const GearSearchResult in =
-        search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.max_poses = 30000});
+        search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {.max_poses = 30000});
     ASSERT_TRUE(in.path) << length;
     expect_valid(world, vehicle, start, goal, *in.path);
     EXPECT_GE(cusps_of(*in.path), cusps) << length;
     cusps = cusps_of(*in.path);
     // Out again, and the same every time.
     const GearSearchResult out =
-        search_gears(goal, start, vehicle, *queries.sweep, Outlines(world), {.max_poses = 30000});
+        search_gears({goal, start, vehicle, *queries.sweep, Outlines(world)}, {.max_poses = 30000});
     ASSERT_TRUE(out.path) << length;
     expect_valid(world, vehicle, goal, start, *out.path);
-    EXPECT_EQ(search_gears(goal, start, vehicle, *queries.sweep, Outlines(world), {.max_poses = 30000}).cost, out.cost);
+    EXPECT_EQ(search_gears({goal, start, vehicle, *queries.sweep, Outlines(world)}, {.max_poses = 30000}).cost,
+              out.cost);
   }
   EXPECT_GT(cusps, 1u);
 }
@@ -78,7 +79,7 @@ TEST(GearSearch, FindsNothingWhereThereIsNothing) {
   const QuerySet queries = make_reference_queries(world);
   const Pose start{-4.0, 1.2, 0.0}, goal{0.1 + 0.025, -0.6, 0.0};
   const GearSearchResult found =
-      search_gears(start, goal, Vehicle{}, *queries.sweep, Outlines(world), {.max_poses = 3000});
+      search_gears({start, goal, Vehicle{}, *queries.sweep, Outlines(world)}, {.max_poses = 3000});
   EXPECT_FALSE(found.path);
   EXPECT_FALSE(found.interrupted);
   EXPECT_LE(found.poses, 3000u);
@@ -89,16 +90,16 @@ TEST(GearSearch, KeepsItsLimits) {
   const QuerySet queries = make_reference_queries(world);
   const Vehicle vehicle;
   const Pose start{-4.0, 1.2, 0.0}, goal{0.45, -0.6, 0.0};
-  const GearSearchResult all = search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {});
+  const GearSearchResult all = search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {});
   ASSERT_TRUE(all.path);
-  EXPECT_FALSE(search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.cutoff = 0.5 * all.cost}).path);
+  EXPECT_FALSE(search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {.cutoff = 0.5 * all.cost}).path);
   const GearSearchResult stopped =
-      search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.clock = StopClock(0.0)});
+      search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {.clock = StopClock(0.0)});
   EXPECT_TRUE(stopped.interrupted);
   EXPECT_FALSE(stopped.path);
   // A cusp that costs enough is avoided where it can be.
   const GearSearchResult dear =
-      search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.cusp_cost = 10.0});
+      search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {.cusp_cost = 10.0});
   ASSERT_TRUE(dear.path);
   EXPECT_LE(cusps_of(*dear.path), cusps_of(*all.path));
 }

@@ -20,7 +20,7 @@ TEST(GearTree, WaysAreFreeJoinedAndAsDearAsTheyTake) {
   const Outlines outlines(world);
   const Vehicle vehicle;
   const double cusp_cost = 0.02;
-  GearTree tree({2.0, 2.0, 0.7}, vehicle, outlines, cusp_cost, {8.0, true}, nothing_ahead);
+  GearTree tree({2.0, 2.0, 0.7}, vehicle, outlines, {8.0, true, cusp_cost}, nothing_ahead);
   double last = 0.0;
   for (int i = 0; i < 300; ++i) {
     const auto node = tree.expand();
@@ -48,7 +48,7 @@ TEST(GearTree, CountsTheCostOfCusps) {
   const Vehicle vehicle;
   const Outlines outlines(World({}));
   constexpr double kCuspCost = 20.0;  // more than the drives take
-  GearTree tree({2.0, 2.0, 0.7}, vehicle, outlines, kCuspCost, {8.0, true}, nothing_ahead);
+  GearTree tree({2.0, 2.0, 0.7}, vehicle, outlines, {8.0, true, kCuspCost}, nothing_ahead);
   for (int i = 0; i < 20; ++i) {
     const auto node = tree.expand();
     ASSERT_TRUE(node);
@@ -71,7 +71,7 @@ TEST(GearTree, HasNoMotionWhereThereIsNoRoom) {
                             {body.front, body.half_width},
                             {-body.rear, body.half_width}});
   const Outlines outlines(cell);
-  GearTree tree({0.0, 0.0, 0.0}, vehicle, outlines, 0.0, {64.0, true}, nothing_ahead);
+  GearTree tree({0.0, 0.0, 0.0}, vehicle, outlines, {64.0, true, 0.0}, nothing_ahead);
   EXPECT_EQ(tree.expand(), GearTree::kRoot);
   EXPECT_FALSE(tree.has_room({{0.0, 0.0, 0.0}, 0.01, 0.0, Gear::kForward}));
   EXPECT_EQ(tree.expand(), std::nullopt);

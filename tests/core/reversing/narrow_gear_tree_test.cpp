@@ -56,7 +56,7 @@ TEST(NarrowGearTree, WaysAreJoinedFreeAndCounted) {
   const World world(recess(0.2));
   const Vehicle vehicle(robot());
   const Roadmap map = map_of(world, vehicle);
-  NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit}, 1.0, [](const Pose&) { return 0.0; });
+  NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit, 1.0}, [](const Pose&) { return 0.0; });
   for (int i = 0; i < 200; ++i) ASSERT_TRUE(tree.expand());
   std::size_t most_cusps = 0;
   for (std::uint32_t node = 1; node < tree.size(); node += 3) {
@@ -77,7 +77,7 @@ TEST(NarrowGearTree, KnowsHowFarItsLastPoseLeads) {
   const World world(recess(0.2));
   const Vehicle vehicle(robot());
   const Roadmap map = map_of(world, vehicle);
-  NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit}, 1.0, [](const Pose&) { return 0.0; });
+  NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit, 1.0}, [](const Pose&) { return 0.0; });
   int free = 0, blocked = 0;
   for (int i = 0; i < 100; ++i) {
     const auto node = tree.expand();
@@ -99,7 +99,7 @@ TEST(NarrowGearTree, KeepsToTheLimitOfCusps) {
   const Vehicle vehicle(robot());
   const Roadmap map = map_of(world, vehicle);
   for (const std::size_t most : {0u, 1u, 2u}) {
-    NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, most}, 1.0, [](const Pose&) { return 0.0; });
+    NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, most, 1.0}, [](const Pose&) { return 0.0; });
     for (int i = 0; i < 200 && tree.expand(); ++i)
       ;
     std::size_t found = 0;
@@ -111,7 +111,7 @@ TEST(NarrowGearTree, KeepsToTheLimitOfCusps) {
 TEST(NarrowGearTree, EndsWhereNothingMoves) {
   const Vehicle vehicle(robot());
   const Roadmap map = map_of(World(recess(0.0006)), vehicle);  // half of the margin and a little
-  NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit}, 1.0, [](const Pose&) { return 0.0; });
+  NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit, 1.0}, [](const Pose&) { return 0.0; });
   EXPECT_EQ(tree.expand(), NarrowGearTree::kRoot);
   EXPECT_EQ(tree.expand(), std::nullopt);
 }

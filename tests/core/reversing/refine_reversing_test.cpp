@@ -30,13 +30,13 @@ TEST(RefineReversing, CuspsMoveToWhereParkingTakesLessTime) {
     const QuerySet queries = make_reference_queries(world);
     const Pose start{-4.0, 1.2, 0.0}, goal{0.5 * length - 0.65, -0.6, 0.0};
     const GearSearchResult found =
-        search_gears(start, goal, vehicle, *queries.sweep, Outlines(world), {.max_poses = 20000});
+        search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {.max_poses = 20000});
     ASSERT_TRUE(found.path) << length;
     RefineOptions options;
     options.max_trials = 100000;
-    const RefinedPath fine = refine_reversing_path(*found.path, vehicle, *queries.sweep, {}, options, {});
+    const RefinedPath fine = refine_reversing_path({*found.path, {}, {}, vehicle, *queries.sweep, options, {}}, {});
     options.smallest_step = 1.0;  // so large that nothing moves
-    const RefinedPath words = refine_reversing_path(*found.path, vehicle, *queries.sweep, {}, options, {});
+    const RefinedPath words = refine_reversing_path({*found.path, {}, {}, vehicle, *queries.sweep, options, {}}, {});
     expect_valid(world, vehicle, start, goal, fine.path);
     expect_valid(world, vehicle, start, goal, words.path);
     EXPECT_LE(fine.travel_time, words.travel_time);
@@ -59,7 +59,7 @@ TEST(RefineReversing, LeavesNoChangeOfGearThatAWordSaves) {
     zigzag.push_back({pose, i % 2 == 0 ? 1.0 : 0.6, 0.02 * (i % 3 - 1), gear});
     pose = zigzag.back().end();
   }
-  const RefinedPath refined = refine_reversing_path(zigzag, vehicle, *queries.sweep, {.cost = 10.0}, {}, {});
+  const RefinedPath refined = refine_reversing_path({zigzag, {}, {}, vehicle, *queries.sweep, {}, {}}, {.cost = 10.0});
   expect_valid(world, vehicle, zigzag.front().start, pose, refined.path);
   EXPECT_EQ(cusps_of(refined.path), 0u);
   EXPECT_LE(refined.trials, RefineOptions{}.max_trials);
@@ -87,7 +87,7 @@ TEST(RefineReversing, BendsAsALaneDoes) {
     pose = to_and_fro.back().end();
   }
   expect_valid(world, vehicle, to_and_fro.front().start, pose, to_and_fro);
-  const RefinedPath refined = refine_reversing_path(to_and_fro, vehicle, *queries.sweep, {}, {}, {});
+  const RefinedPath refined = refine_reversing_path({to_and_fro, {}, {}, vehicle, *queries.sweep, {}, {}}, {});
   expect_valid(world, vehicle, to_and_fro.front().start, pose, refined.path);
   EXPECT_EQ(cusps_of(refined.path), 0u);
 }
@@ -100,7 +100,7 @@ TEST(RefineReversing, TakesNoMoreChangesOfGearThanAllowed) {
   const Pose start{0.0, 0.0, 0.0}, goal{0.0, 2.0, 0.0};
   const Path loop = *dubins_path(DubinsWord::kLSL, start, goal, 3.0);
   const auto refined_with = [&](std::size_t most) {
-    const RefinedPath refined = refine_reversing_path(loop, vehicle, *queries.sweep, {.most = most}, {}, {});
+    const RefinedPath refined = refine_reversing_path({loop, {}, {}, vehicle, *queries.sweep, {}, {}}, {.most = most});
     expect_valid(world, vehicle, start, goal, refined.path);
     return refined;
   };
@@ -116,8 +116,9 @@ TEST(RefineReversing, RefusesStepsThatNeverEnd) {
   for (const double step : {0.0, -0.01, std::nan(""), HUGE_VAL}) {
     RefineOptions options;
     options.smallest_step = step;
-    EXPECT_THROW((void)refine_reversing_path(path, Vehicle{}, *queries.sweep, {}, options, {}), std::invalid_argument);
-    EXPECT_THROW((void)refine_path(path, {0, 0, 0}, {2, 0, 0}, Vehicle{}, *queries.sweep, options),
+    EXPECT_THROW((void)refine_reversing_path({path, {}, {}, Vehicle{}, *queries.sweep, options, {}}, {}),
+                 std::invalid_argument);
+    EXPECT_THROW((void)refine_path({path, {0, 0, 0}, {2, 0, 0}, Vehicle{}, *queries.sweep, options}),
                  std::invalid_argument);
     EXPECT_THROW(Planner(World({}), Vehicle{}, {.refinement = options}), std::invalid_argument);
   }
@@ -128,11 +129,12 @@ TEST(RefineReversing, StopsWhenItIsAsked) {
   const World world({});
   const QuerySet queries = make_reference_queries(world);
   const Path there_and_back{{{0.0, 0.0, 0.0}, 5.0, 0.0, Gear::kForward}, {{5.0, 0.0, 0.0}, 4.0, 0.0, Gear::kReverse}};
-  const RefinedPath stopped = refine_reversing_path(there_and_back, vehicle, *queries.sweep, {}, {}, StopClock(0.0));
+  const RefinedPath stopped =
+      refine_reversing_path({there_and_back, {}, {}, vehicle, *queries.sweep, {}, StopClock(0.0)}, {});
   EXPECT_TRUE(stopped.interrupted);
   EXPECT_EQ(stopped.trials, 0u);
   EXPECT_EQ(stopped.path.size(), 2u);
-  const RefinedPath refined = refine_reversing_path(there_and_back, vehicle, *queries.sweep, {}, {}, {});
+  const RefinedPath refined = refine_reversing_path({there_and_back, {}, {}, vehicle, *queries.sweep, {}, {}}, {});
   EXPECT_FALSE(refined.interrupted);
   EXPECT_EQ(cusps_of(refined.path), 0u);
   EXPECT_NEAR(length_of(refined.path), 1.0, 1e-9);
