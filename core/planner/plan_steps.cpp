@@ -106,7 +106,8 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
     if (path.empty()) return std::nullopt;
     const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock);
     auto free = push_free(shorter, goal, map_.body, map_, clock);
-    return free ? free : push_free(path, goal, map_.body, map_, clock);
+    if (free || length_of(shorter) == length_of(path)) return free;
+    return push_free(path, goal, map_.body, map_, clock);
   };
   const TreeLimits limits{.poses = tree_poses_,
                           .passes = kCoarseTrees.passes,

@@ -24,8 +24,9 @@ constexpr double kRoom = 2e-4;         // beside the body that is asked for, as 
 constexpr double kMostDepth = 1.5e-4;  // of contacts with the body and that room that are none with the body
 constexpr double kEndError = 1e-9;     // [body lengths or rad]
 constexpr int kEndIterations = 4;      // of Newton's method, to end at the goal
-constexpr int kMostIterations = 80;
-constexpr int kPatience = 8;         // iterations in which the sum of squares is halved at least, or it ends
+constexpr int kMostIterations = 160;
+constexpr int kPatience = 8;         // iterations after which the sum of squares is compared with that before
+constexpr double kSlowest = 0.8;     // the push ends if the sum is larger than this share of it
 constexpr int kStepIterations = 30;  // for one step
 constexpr double kFirstDamping = 1e-5, kLeastDamping = 1e-8, kMostDamping = 1.0;
 constexpr double kSofter = 0.1, kHarder = 10.0;  // after a step that was better, or worse
@@ -52,9 +53,10 @@ class Pusher {
       if (is_free()) {
         if (!straighten()) return path();
         square_sum = look(parts_);
+        before_patience = std::numeric_limits<double>::infinity();
       }
       if (iteration % kPatience == 0) {
-        if (square_sum > 0.5 * before_patience) break;
+        if (square_sum > kSlowest * before_patience) break;
         before_patience = square_sum;
       }
       const LinearResiduals residuals = contacts_.residuals();

@@ -21,6 +21,8 @@ namespace arcway::internal {
 
 namespace {
 
+constexpr double kSameLength = 1e-9;  // paths whose lengths differ by a smaller share are one
+
 class TreeSearch {
  public:
   TreeSearch(const TreeQuery& query, const SearchOptions& options, ArrivalSearch& arrivals, FoundPath& found,
@@ -191,9 +193,14 @@ class TreeSearch {
       return true;
     }
     if (end_.poses < next_asked_) return false;
+    const double length = length_of(path);
+    if (std::ranges::any_of(refused_, [&](double known) { return std::abs(length - known) <= kSameLength * known; }))
+      return false;
     result_.path = limits_.accept(path);
-    if (!result_.path) next_asked_ = end_.poses + kTreeJoints.refused_poses * ++end_.refused;
-    return result_.path.has_value();
+    if (result_.path) return true;
+    refused_.push_back(length);
+    next_asked_ = end_.poses + kTreeJoints.refused_poses * ++end_.refused;
+    return false;
   }
 
   static bool has_room(const ForwardTree& tree, const PathSegment& motion) {
@@ -252,7 +259,8 @@ class TreeSearch {
   TreesEnd& end_;
   SearchResult& result_;
   double radius_, body_length_;
-  std::size_t next_asked_ = 0;  // when so many poses are grown
+  std::size_t next_asked_ = 0;   // when so many poses are grown
+  std::vector<double> refused_;  // lengths of the paths that were refused [m]
   ContactReach contact_;
   std::vector<RouteField> fields_;  // to the other end
   bool heed_turns_ = false;

@@ -2,10 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arcway/angle.h"
+#include "arcway/query_set.h"
+#include "core/planner/strategy.h"
+#include "core/roadmap/lazy_feasible_graph.h"
+#include "tests/support/boxes.h"
 #include "tests/support/narrow_queries.h"
 #include "tests/support/plans.h"
 
@@ -100,6 +109,34 @@ TEST(TreeSearch, CanBeStopped) {
   stopped.request_stop();
   const PlanResult result = planner.plan({.start = query.start, .goal = query.goal}, {.stop = stopped.get_token()});
   EXPECT_EQ(result.status, PlanStatus::kCanceled);
+}
+
+// A path that was refused is not offered again. In a narrow lane most poses of the trees lead to the same line.
+TEST(TreeSearch, OffersNoPathTwice) {
+  const Vehicle vehicle;
+  const World world({test::box(-2.0, 0.402, 14.0, 2.0), test::box(-2.0, -2.0, 14.0, -0.402)});
+  const QuerySet queries = make_reference_queries(world);
+  const std::vector<double> radii{vehicle.min_turning_radius()};
+  auto graph = std::make_shared<const LazyFeasibleGraph>(
+      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
+                          queries, radii},
+      SerialExecutor());
+  const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
+  std::vector<double> offered;
+  const auto refuse = [&](const Path& path) -> std::optional<Path> {
+    offered.push_back(length_of(path));
+    return std::nullopt;
+  };
+  ArrivalSearch arrivals;
+  TreesEnd end;
+  const TreeLimits limits{.poses = 4000, .passes = std::span(kTreePasses).first<1>(), .accept = refuse};
+  const FoundPath found = search_trees({map, {0.0, 0.0, 0.0}, {12.0, 0.0, 0.0}, limits}, {}, arrivals, end);
+  EXPECT_FALSE(found.search.path);
+  ASSERT_FALSE(offered.empty());
+  EXPECT_EQ(end.refused, offered.size());
+  for (std::size_t i = 0; i < offered.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_GT(std::abs(offered[i] - offered[k]), 1e-9 * offered[k]) << i << ' ' << k;
 }
 
 }  // namespace
