@@ -24,6 +24,7 @@ struct Case {
   bool has_several_radii;  ///< wider turns are faster for the robot
   bool reverses;
 };
+constexpr std::size_t kChecked = 12;  // one of so many names is checked: all take the same code
 constexpr Case kCases[] = {{"one radius", false, false}, {"several radii", true, false}, {"both gears", false, true}};
 
 bool may_be_taken(const StrategyRow& row, const Case& c) {
@@ -98,7 +99,8 @@ void add(Study study) {
           ->Repetitions(1);
     };
     add_row("everything", "");
-    for (const std::string& name : names_for(c)) add_row(name, name);
+    const std::vector<std::string> names = names_for(c);
+    for (std::size_t i = 0; i < names.size(); i += study == Study::kCheck ? kChecked : 1) add_row(names[i], names[i]);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "core/planner/strategy_text.h"
 
+#include <cmath>
 #include <variant>
 
 #include "arcway/angle.h"
@@ -10,7 +11,8 @@ namespace arcway::internal {
 
 namespace {
 
-std::string percent(double share) { return shortest_text(100.0 * share) + " %"; }
+// To a ten-thousandth: 0.07 is 7 %, whatever doubles make of it.
+std::string percent(double share) { return shortest_text(std::round(1e6 * share) / 1e4) + " %"; }
 
 const char* text_of(Known known) {
   switch (known) {
@@ -124,7 +126,8 @@ std::string text_of(const When& when) {
   add(when.refines && when.care != Care::kThorough, "refined");
   add(when.gap > 0.0, "gap > " + percent(when.gap));
   add(when.best_gap > 0.0 && when.best_gap > when.gap, "best gap > " + percent(when.best_gap));
-  add(when.tight_end > 0.0, "an end turns less than " + shortest_text(when.tight_end * 180.0 / kPi) + " degrees");
+  add(when.tight_end > 0.0,
+      "an end turns less than " + shortest_text(std::round(when.tight_end * 1800.0 / kPi) / 10.0) + " degrees");
   return text.empty() ? "always" : text;
 }
 
