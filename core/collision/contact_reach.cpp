@@ -69,8 +69,8 @@ class SweptBox {
     angle_ = contacts.least();
     const double cosine = contacts.cosine(), sine = contacts.sine();
     box_ = Box();
-    for (const auto& [at, far] : corners_) {
-      const double x = at.x(), y = at.y();
+    for (const Corner& corner : corners_) {
+      const double x = corner.at.x(), y = corner.at.y(), far = corner.far;
       const auto most = [&](double along, double rise) {
         return rise >= 0.0 && along >= far * cosine ? far : std::max(along, along * cosine + rise * sine);
       };

@@ -64,7 +64,9 @@ BodyContact at_corner(const BodyContact& a, const BodyContact& b, const Vec2& ah
 
 std::optional<BodyContact> body_contact(const Footprint& body, const BodyMotion& motion, const LineSegment& edge,
                                         double near) {
-  const auto& [place, ahead, curvature] = motion;
+  const Vec2& place = motion.place;
+  const Vec2& ahead = motion.ahead;
+  const double curvature = motion.curvature;
   const auto in_frame = [&](const Vec2& p) {
     const Vec2 d = p - place;
     return Vec2(ahead.dot(d), cross(ahead, d));
