@@ -1,12 +1,12 @@
 #include "bench/report/strategy_sections.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "bench/quantiles.h"
 #include "bench/report/markup.h"
 #include "bench/report/results.h"
 #include "core/planner/strategy.h"
@@ -23,17 +23,16 @@ const Measurement* find(const Results& results, const std::string& name) {
   return found == results.measurements.end() || !found->error.empty() ? nullptr : &*found;
 }
 
-// "-2, +3.1 %, x0.87": queries that are no longer solved, how much slower plans are, and processor time.
+// "-2 solved, +3.10 %": queries that are no longer solved, and how much longer plans of the others take.
 std::string without(const Results& results, const char* name_of_case, std::string_view row) {
+  constexpr double kShown = 0.005;  // percent, the least that is not "same"
   const Measurement* whole = find(results, std::string(name_of_case) + "/everything");
   const Measurement* part = find(results, std::string(name_of_case) + "/" + std::string(row));
   if (!whole || !part) return "";
   const double lost = part->counters.at("solved") - whole->counters.at("solved");
   const double slower = part->counters.at("slower_percent");
-  const double time = bench::median(part->cpu_seconds) / bench::median(whole->cpu_seconds);
-  std::string text = lost == 0.0 ? "" : number_text("%+.0f", lost) + " solved, ";
-  text += slower == 0.0 ? "same" : number_text("%+.2f %%", slower);
-  return text + ", ×" + number_text("%.2f", time);
+  return (lost == 0.0 ? "" : number_text("%+.0f", lost) + " solved, ") +
+         (std::abs(slower) < kShown ? "same" : number_text("%+.2f %%", slower));
 }
 
 void add_cases(const Results& results, std::string_view name, std::vector<std::string>& cells) {
