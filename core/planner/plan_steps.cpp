@@ -83,6 +83,7 @@ void PlanRun::take(const GrowTrees& step, double trials) {
   const Roadmap& map = maps.narrow ? maps.narrow->map(query_.clock) : maps.plain;
   const TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
                           .passes = step.passes,
+                          .effort = kTreeEffort,
                           .way_out = step.looks_around ? &kWayOut : nullptr,
                           .dead_end_passes = kDeadEndPasses};
   TreesEnd end;
@@ -111,6 +112,7 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   };
   const TreeLimits limits{.poses = tree_poses_,
                           .passes = kCoarseTrees.passes,
+                          .effort = kTreeEffort,
                           .way_out = &kWayOut,
                           .dead_end_passes = kDeadEndPasses,
                           .accept = widened};

@@ -93,7 +93,7 @@ struct GrowTrees {
 };
 /// Grows trees of a slimmer body, and pushes their paths off what the real body touches: SlimMaps, push_free.
 struct GrowSlimTrees {
-  std::size_t body;           ///< of SlimMaps::kSlimmer
+  std::size_t body;           ///< of kSlimBodies
   std::size_t shortening;     ///< trials of shortening a path before it is pushed
   std::uint32_t shortenings;  ///< of the free path, as for GrowTrees
 };

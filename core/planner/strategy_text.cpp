@@ -5,7 +5,6 @@
 
 #include "arcway/angle.h"
 #include "core/base/shortest_text.h"
-#include "core/planner/slim_maps.h"
 
 namespace arcway::internal {
 
@@ -73,7 +72,7 @@ struct StepText {
            (step.looks_around ? ", unless an end is closed in" : "");
   }
   std::string operator()(const GrowSlimTrees& step) const {
-    return "grow trees of a body " + percent(SlimMaps::kSlimmer[step.body]) +
+    return "grow trees of a body " + percent(kSlimBodies[step.body]) +
            " narrower, and push their paths off what the body touches";
   }
   std::string operator()(const RaiseLowerBound&) const { return "raise the lower bound"; }

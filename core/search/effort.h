@@ -16,6 +16,7 @@ struct TreeShape {
   double least;                  ///< motion that is worth a pose
   double slack;                  ///< by which motions end before a contact: more than rounding
   double dead_end;  ///< how far a tree gets in a dead end, in lengths of the body or turning radii, likewise
+  double greed;     ///< what the estimate of the way that remains counts
 };
 inline constexpr TreeShape kTree{
     .bends = {-1.0, -0.7, -0.4, -0.2, -0.08, 0.0, 0.08, 0.2, 0.4, 0.7, 1.0},
@@ -26,6 +27,7 @@ inline constexpr TreeShape kTree{
     .least = 1e-3,
     .slack = 1e-6,
     .dead_end = 4.0,
+    .greed = 2.0,
 };
 
 /// One pass of a search by trees: what is tried where the passes before found nothing.
@@ -45,10 +47,9 @@ struct WayOutEffort {
   double more;        ///< times as many poses as the first tree has it may have at most
 };
 
-/// How trees are joined.
-struct TreeJoints {
-  double greed;                  ///< what the estimate of the way that remains counts
-  std::size_t field_cells;       ///< of the grid for that estimate
+/// How trees are joined, and what ends a pass.
+struct TreeEffort {
+  std::size_t field_cells;       ///< of the grid for the estimate of the way that remains
   std::array<double, 3> ratios;  ///< of tangent lengths of biarcs
   double near;                   ///< cells in which poses of the other tree are looked for, in lengths of the body
   std::size_t nearest;           ///< poses of the other tree that are tried
@@ -59,20 +60,6 @@ struct TreeJoints {
   std::size_t attachments;       ///< of each tree that are joined to it, at most
   std::size_t most_refused;      ///< paths that are found, before the search gives up
   std::size_t refused_poses;     ///< grown after a path that was refused; after the second one twice as many, ...
-};
-inline constexpr TreeJoints kTreeJoints{
-    .greed = 2.0,
-    .field_cells = 100'000,
-    .ratios = {1.0, 0.4, 2.5},
-    .near = 1.0,
-    .nearest = 3,
-    .first_roadmap = 64,
-    .roadmap_factor = 4,
-    .edges = 3000,
-    .after_dry = 4,
-    .attachments = 200,
-    .most_refused = 6,
-    .refused_poses = 32,
 };
 
 }  // namespace arcway::internal

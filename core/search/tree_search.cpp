@@ -81,16 +81,15 @@ class TreeSearch {
   }
 
   [[nodiscard]] RouteField field(std::size_t to) const {
-    return {map_, roots_[0], to == 1 ? roots_[1] : turned_round(roots_[0]), kTreeJoints.field_cells, options_.clock};
+    return {map_, roots_[0], to == 1 ? roots_[1] : turned_round(roots_[0]), limits_.effort.field_cells, options_.clock};
   }
 
   [[nodiscard]] Side side(std::size_t i, const TreePass& pass) const {
-    return {
-        {map_, roots_[i], i == 0 ? Direction::kFromStart : Direction::kToGoal, pass,
-         [this, i](const Pose& pose) { return kTreeJoints.greed * fields_[i](i == 0 ? pose : turned_round(pose)); }},
-        NearPoses(kTreeJoints.near * body_length_),
-        {},
-        {}};
+    return {{map_, roots_[i], i == 0 ? Direction::kFromStart : Direction::kToGoal, pass,
+             [this, i](const Pose& pose) { return kTree.greed * fields_[i](i == 0 ? pose : turned_round(pose)); }},
+            NearPoses(limits_.effort.near * body_length_),
+            {},
+            {}};
   }
 
   bool interrupted() {
@@ -100,13 +99,13 @@ class TreeSearch {
 
   void grow(const TreePass& pass) {
     std::array<Side, 2> sides{side(0, pass), side(1, pass)};
-    std::size_t next_roadmap = kTreeJoints.first_roadmap;
+    std::size_t next_roadmap = limits_.effort.first_roadmap;
     attachments_joined_ = 0;
     std::array<bool, 2> dry{false, false};
     auto most = static_cast<std::size_t>(pass.share * static_cast<double>(limits_.poses));
-    const std::uint64_t most_edges = kTreeJoints.edges * most;
+    const std::uint64_t most_edges = limits_.effort.edges * most;
     const auto edges = [&] { return sides[0].tree.edges_compared() + sides[1].tree.edges_compared(); };
-    for (std::size_t i = 0; i < most && edges() < most_edges && end_.refused < kTreeJoints.most_refused &&
+    for (std::size_t i = 0; i < most && edges() < most_edges && end_.refused < limits_.effort.most_refused &&
                             !(dry[0] && dry[1]) && !interrupted();
          ++i) {
       const std::size_t at = i % 2;
@@ -115,14 +114,14 @@ class TreeSearch {
       if (!node) {
         dry[at] = true;
         // The other tree may still come near, but not by growing all over the map.
-        most = std::min(most, kTreeJoints.after_dry * (i + 1));
+        most = std::min(most, limits_.effort.after_dry * (i + 1));
         continue;
       }
       ++end_.poses;
       join(sides, at, *node);
       if (!result_.path && i + 1 >= next_roadmap) {
         join_roadmap(sides);
-        next_roadmap *= kTreeJoints.roadmap_factor;
+        next_roadmap *= limits_.effort.roadmap_factor;
       }
       if (result_.path) return;
     }
@@ -139,7 +138,7 @@ class TreeSearch {
     near_.clear();
     other.near.visit(pose, [&](const NearPoses::Entry& entry) {
       const Vec2 way = forwards * (entry.pose.position() - pose.position());
-      const bool is_full = near_.size() == kTreeJoints.nearest;
+      const bool is_full = near_.size() == limits_.effort.nearest;
       if (is_full && way.norm() >= near_.back().distance) return;
       if (way.dot(ahead) < 0.0 || way.dot(entry.ahead) < 0.0) return;
       const NearPose found{way.norm() + body_length_ * std::abs(wrap_signed(entry.pose.heading - pose.heading)),
@@ -175,7 +174,7 @@ class TreeSearch {
       if (!motion_free(*map_.queries.sweep, map_.body, path)) return false;
       return take_path(merged(path));
     };
-    for (const double ratio : kTreeJoints.ratios) {
+    for (const double ratio : limits_.effort.ratios) {
       const auto arcs = biarc(start, goal, ratio, radius_);
       if (arcs && take(*arcs)) return true;
     }
@@ -199,7 +198,7 @@ class TreeSearch {
     result_.path = limits_.accept(path);
     if (result_.path) return true;
     refused_.push_back(length);
-    next_asked_ = end_.poses + kTreeJoints.refused_poses * ++end_.refused;
+    next_asked_ = end_.poses + limits_.effort.refused_poses * ++end_.refused;
     return false;
   }
 
@@ -216,7 +215,7 @@ class TreeSearch {
   }
 
   void add_attachment(Side& side, std::uint32_t node) {
-    if (node == ForwardTree::kRoot || side.attachments.size() >= kTreeJoints.attachments) return;
+    if (node == ForwardTree::kRoot || side.attachments.size() >= limits_.effort.attachments) return;
     side.attachments.push_back(node);
   }
 

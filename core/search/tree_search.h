@@ -16,6 +16,7 @@ namespace arcway::internal {
 struct TreeLimits {
   std::size_t poses;  ///< number of poses grown in all, O(edges near by) each; fewer where those are very many
   std::span<const TreePass> passes;
+  TreeEffort effort;
   /// A way out of the neighborhood of each end is searched first, with this effort. Null: none is.
   const WayOutEffort* way_out = nullptr;
   std::span<const TreePass> dead_end_passes = {};  ///< taken instead of `passes` if an end lies in a dead end

@@ -129,7 +129,8 @@ TEST(TreeSearch, OffersNoPathTwice) {
   };
   ArrivalSearch arrivals;
   TreesEnd end;
-  const TreeLimits limits{.poses = 4000, .passes = std::span(kTreePasses).first<1>(), .accept = refuse};
+  const TreeLimits limits{
+      .poses = 4000, .passes = std::span(kTreePasses).first<1>(), .effort = kTreeEffort, .accept = refuse};
   const FoundPath found = search_trees({map, {0.0, 0.0, 0.0}, {12.0, 0.0, 0.0}, limits}, {}, arrivals, end);
   EXPECT_FALSE(found.search.path);
   ASSERT_FALSE(offered.empty());
