@@ -75,7 +75,7 @@ void SearchAttachments::begin(SearchContext& context) {
   links_.append_circles({context.map, Direction::kToGoal}, context.goals, known_goals, goal_circles_, clock);
   const std::size_t new_starts = start_circles_.size() - first_start_circle;
   const std::size_t new_goals = goal_circles_.size() - first_goal_circle;
-  context.result.turns_checked += new_starts + new_goals;
+  context.result.counts.turns_checked += new_starts + new_goals;
   start_link_ranges_.resize(start_circles_.size());
   const std::size_t vertices = context.map.world.vertices().size();
   most_start_links_ = links_a_circle(vertices, start_links_.size(), new_starts);
@@ -130,7 +130,7 @@ void SearchAttachments::take_path(const DirectPath& direct, Path& path) const {
 
 bool SearchAttachments::is_free(const PathSegment& segment) {
   if (segment.is_line()) return context_->is_free({segment.start, segment.length});
-  ++context_->result.turns_checked;
+  ++context_->result.counts.turns_checked;
   return turn_free(*context_->map.queries.sweep, context_->map.body, segment, headings_);
 }
 

@@ -42,7 +42,7 @@ class SearchContext {
   }
 
   bool is_free(const Bitangent& line) {
-    ++result.straights_checked;
+    ++result.counts.straights_checked;
     return map.queries.sweep->straight_free(swept_rectangle(line.start, line.length, map.body));
   }
 

@@ -46,6 +46,22 @@ struct SearchOptions {
 };
 
 /// The result of one search.
+/// What searches did, for PlanStatistics.
+struct SearchCounts {
+  std::uint64_t nodes_expanded = 0;
+  std::uint64_t nodes_pushed = 0;
+  std::uint64_t straights_checked = 0;
+  std::uint64_t turns_checked = 0;
+
+  SearchCounts& operator+=(const SearchCounts& other) {
+    nodes_expanded += other.nodes_expanded;
+    nodes_pushed += other.nodes_pushed;
+    straights_checked += other.straights_checked;
+    turns_checked += other.turns_checked;
+    return *this;
+  }
+};
+
 struct SearchResult {
   std::optional<Path> path;  ///< from start to goal, connections included
   /// The circles of the graph that the path joins first, and leaves for the goal; kNone if it touches none.
@@ -54,10 +70,7 @@ struct SearchResult {
   bool start_connected = false;  ///< some motion leads from a start attachment to the graph or the goal
   bool goal_connected = false;  ///< some straight leads from a circle, reached or not, to a circle of a goal attachment
   bool start_is_open = false;   ///< without a path: the starts reach thousands of arcs
-  std::uint64_t nodes_expanded = 0;
-  std::uint64_t nodes_pushed = 0;
-  std::uint64_t straights_checked = 0;
-  std::uint64_t turns_checked = 0;
+  SearchCounts counts;
 };
 
 }  // namespace arcway::internal

@@ -16,10 +16,11 @@ FoundPath PlanRun::search(const Find& find) {
   const Stopwatch searching;
   FoundPath found = find();
   PlanStatistics& s = result_.statistics;
-  s.nodes_expanded += found.search.nodes_expanded;
-  s.nodes_pushed += found.search.nodes_pushed;
-  s.straights_checked += found.search.straights_checked;
-  s.turns_checked += found.search.turns_checked;
+  const SearchCounts& counts = found.search.counts;
+  s.nodes_expanded += counts.nodes_expanded;
+  s.nodes_pushed += counts.nodes_pushed;
+  s.straights_checked += counts.straights_checked;
+  s.turns_checked += counts.turns_checked;
   s.maneuver_poses += found.maneuver_poses;
   s.search_seconds += searching.seconds();
   result_.interrupted = result_.interrupted || found.search.interrupted;

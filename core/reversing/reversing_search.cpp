@@ -48,10 +48,7 @@ bool ReversingSearch::join(std::span<const Attachment> starts, std::span<const A
   options.gear = gear;
   options.faster_than = cost_;
   SearchResult joined = arrivals_.find(map_, starts, goals, options);
-  found.search.nodes_expanded += joined.nodes_expanded;
-  found.search.nodes_pushed += joined.nodes_pushed;
-  found.search.straights_checked += joined.straights_checked;
-  found.search.turns_checked += joined.turns_checked;
+  found.search.counts += joined.counts;
   found.search.interrupted = joined.interrupted;
   found.maneuver_poses += starts.size() + goals.size();
   return !joined.path || offer(gear == Gear::kForward ? *joined.path : reversed(*joined.path));
@@ -112,8 +109,8 @@ GearSearchOptions ReversingSearch::gear_options(std::size_t poses) const {
 
 FoundPath ReversingSearch::taken(const GearSearchResult& gears) {
   FoundPath found;
-  found.search.straights_checked = gears.straights_checked;
-  found.search.turns_checked = gears.turns_checked;
+  found.search.counts.straights_checked = gears.straights_checked;
+  found.search.counts.turns_checked = gears.turns_checked;
   found.search.interrupted = gears.interrupted;
   found.maneuver_poses = gears.poses;
   if (gears.path) offer(*gears.path);

@@ -278,7 +278,7 @@ class ArrivalSearch::Run {
   void push(Kind kind, std::size_t index, double estimate) {
     if (!is_wanted(estimate)) return;
     w_.open.push({estimate, kind, index});
-    ++result_.nodes_pushed;
+    ++result_.counts.nodes_pushed;
   }
   void push(Kind kind, const Step& step, double estimate) {
     if (!is_wanted(estimate)) return;
@@ -400,7 +400,7 @@ class ArrivalSearch::Run {
                                             : graph_.is_kept(w_.labels[label.parent].circle, label.index);
     if (!free) return false;
     result_.start_connected = true;
-    ++result_.nodes_expanded;
+    ++result_.counts.nodes_expanded;
     w_.labels.push_back(label);
     const auto index = static_cast<std::uint32_t>(w_.labels.size() - 1);
     w_.first_label.set(label.circle, index);

@@ -55,10 +55,7 @@ bool ForwardSearch::search(const Roadmap& on, const End& from, const End& to, Fo
     start_is_open_ = result.start_is_open;
   }
   used_narrow_places_ = !is_plain;
-  result.nodes_expanded += found.search.nodes_expanded;
-  result.nodes_pushed += found.search.nodes_pushed;
-  result.straights_checked += found.search.straights_checked;
-  result.turns_checked += found.search.turns_checked;
+  result.counts += found.search.counts;
   found.search = std::move(result);
   return found.search.path || found.search.interrupted;
 }

@@ -242,10 +242,7 @@ class TreeSearch {
     };
     const std::vector<Attachment> starts = attachments(0), goals = attachments(1);
     SearchResult joined = arrivals_.find(map_, starts, goals, options_);
-    result_.nodes_expanded += joined.nodes_expanded;
-    result_.nodes_pushed += joined.nodes_pushed;
-    result_.straights_checked += joined.straights_checked;
-    result_.turns_checked += joined.turns_checked;
+    result_.counts += joined.counts;
     result_.interrupted = result_.interrupted || joined.interrupted;
     if (joined.path) take_path(std::move(*joined.path));
   }

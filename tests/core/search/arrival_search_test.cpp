@@ -243,7 +243,7 @@ TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
     const SearchResult a = first.find(eager, {&start, 1}, {&goal, 1}, {});
     const SearchResult b = second.find(lazy, {&start, 1}, {&goal, 1}, {});
     ASSERT_EQ(a.path.has_value(), b.path.has_value());
-    EXPECT_EQ(a.nodes_expanded, b.nodes_expanded);
+    EXPECT_EQ(a.counts.nodes_expanded, b.counts.nodes_expanded);
     if (!a.path) continue;
     ++solved;
     ASSERT_EQ(a.path->size(), b.path->size());
@@ -275,7 +275,7 @@ TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
     return arrivals.find(map, {&start, 1}, {&goal, 1}, options);
   };
   SearchResult whole;
-  for (int i = 0; i < 200 && !(whole.path && whole.nodes_expanded > 20); ++i) {
+  for (int i = 0; i < 200 && !(whole.path && whole.counts.nodes_expanded > 20); ++i) {
     start.pose = pose();
     goal.pose = pose();
     whole = search(SearchOptions{}.most_expanded);
@@ -283,18 +283,18 @@ TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
   ASSERT_TRUE(whole.path);
   const double fastest = speed_profile(*whole.path, vehicle).total_time;
   std::uint64_t without = 0, slower = 0;
-  for (std::uint64_t most = 1; most <= whole.nodes_expanded + 1; ++most) {
+  for (std::uint64_t most = 1; most <= whole.counts.nodes_expanded + 1; ++most) {
     const SearchResult result = search(most);
     EXPECT_FALSE(result.interrupted);
-    EXPECT_LE(result.nodes_expanded, most);
+    EXPECT_LE(result.counts.nodes_expanded, most);
     const double time = result.path ? speed_profile(*result.path, vehicle).total_time : 2.0 * fastest;
     EXPECT_GE(time, fastest);
     without += result.path ? 0 : 1;
     slower += result.path && time > fastest ? 1 : 0;
-    EXPECT_TRUE(most <= whole.nodes_expanded || time == fastest);
+    EXPECT_TRUE(most <= whole.counts.nodes_expanded || time == fastest);
   }
   EXPECT_GT(without, 0u);
-  EXPECT_LT(without + slower, whole.nodes_expanded + 1);
+  EXPECT_LT(without + slower, whole.counts.nodes_expanded + 1);
 }
 
 TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
@@ -337,8 +337,8 @@ TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
       // With fewer ends it cannot go on from one with more.
       EXPECT_FALSE(before.find(map, std::span(starts).first(1), std::span(goals).first(1), options).path);
       improved += more.path ? 1 : 0;
-      expanded += more.nodes_expanded;
-      expanded_anew += whole.nodes_expanded;
+      expanded += more.counts.nodes_expanded;
+      expanded_anew += whole.counts.nodes_expanded;
     }
   }
   EXPECT_GT(plain, 40);
@@ -395,13 +395,13 @@ TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
     for (const Change& change : changes) {
       const SearchResult before = search.find(change.before, {&start, 1}, {&goal, 1}, change.options_before);
       const std::uint64_t most = change.options_before.most_expanded;
-      if (most < SearchOptions{}.most_expanded && before.nodes_expanded < most) continue;  // it was a part
+      if (most < SearchOptions{}.most_expanded && before.counts.nodes_expanded < most) continue;  // it was a part
       SearchOptions options = change.options;
       const SearchResult expected = anew.find(change.map, {&start, 1}, {&goal, 1}, options);
       options.warm_start = true;
       const SearchResult found = search.find(change.map, {&start, 1}, {&goal, 1}, options);
       ASSERT_EQ(found.path.has_value(), expected.path.has_value()) << change.what << ", query " << i;
-      EXPECT_EQ(found.nodes_expanded, expected.nodes_expanded) << change.what << ", query " << i;
+      EXPECT_EQ(found.counts.nodes_expanded, expected.counts.nodes_expanded) << change.what << ", query " << i;
       if (!found.path) continue;
       ++solved;
       const Vehicle& driven = change.map.vehicle;
