@@ -53,6 +53,15 @@ struct MoveText {
   }
 };
 
+struct GearMoveText {
+  std::string operator()(const InsertGearWords& move) const {
+    return "join places by words of Reeds and Shepp of " + std::to_string(move.radii.size()) +
+           " radii, Dubins words and biarcs";
+  }
+  std::string operator()(const RefineRuns&) const { return "refine what lies between as if it were driven forwards"; }
+  std::string operator()(const SlideCusps&) const { return "move and turn the pose of each, by steps that are halved"; }
+};
+
 const char* text_of(Stage stage) {
   switch (stage) {
     case Stage::kSimplify:
@@ -96,6 +105,18 @@ Section moves_section(const Results& results) {
     add_cases(results, row.name, cells);
     section.table.rows.push_back(std::move(cells));
   }
+  return section;
+}
+
+Section gear_moves_section(const Results& results) {
+  Section section{.title = "How refinement changes a path in both gears, and what each move brings",
+                  .paragraphs = {},
+                  .figures = {},
+                  .table = {{"move", "taken", "what it does", "without it: both gears"}, {}, 3}};
+  for (const GearMoveRow& row : kGearMoves)
+    section.table.rows.push_back({std::string(row.name),
+                                  row.stage == Stage::kFinish ? text_of(row.stage) : "each once, in rounds",
+                                  std::visit(GearMoveText{}, row.move), without(results, "both gears", row.name)});
   return section;
 }
 

@@ -10,5 +10,6 @@ Section strategy_section(const Results& results);
 
 /// The moves of refinement in their order, likewise.
 Section moves_section(const Results& results);
+Section gear_moves_section(const Results& results);
 
 }  // namespace arcway::internal::report

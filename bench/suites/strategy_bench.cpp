@@ -41,6 +41,8 @@ std::vector<std::string> names_for(const Case& c) {
   for (const StrategyRow& row : kStrategy)
     if (may_be_taken(row, c)) add(row.name);
   for (const MoveRow& row : kMoves) add(row.name);
+  if (!c.reverses) return names;
+  for (const GearMoveRow& row : kGearMoves) add(row.name);
   return names;
 }
 

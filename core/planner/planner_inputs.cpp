@@ -65,6 +65,7 @@ void leave_out(const std::string& name, PlannerOptions& options) {
   std::string known;
   for (const StrategyRow& row : kStrategy) add_name(row.name, known);
   for (const MoveRow& row : kMoves) add_name(row.name, known);
+  for (const GearMoveRow& row : kGearMoves) add_name(row.name, known);
   throw std::invalid_argument("leave out \"" + name +
                               "\": no row of the strategy and no move of refinement; these are " + known);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -96,10 +97,56 @@ inline constexpr MoveRow kMoves[] = {
 inline constexpr int kMostSettled = 4;
 inline constexpr double kWorthSettling = 1e-5;  ///< share of the travel time
 
+// The moves of refinement in both gears.
+
+/// Joins two places of the path: by a word of Reeds and Shepp, by a Dubins word in either gear, or by a biarc.
+struct InsertGearWords {
+  std::span<const double> radii;   ///< of words; the first one alone where no change of gear lies in between
+  std::span<const double> ratios;  ///< of the tangent lengths of biarcs
+  /// Words join places up to so many apart. Each further span is longer by 1 / span_ratio of it: some n log n pairs of
+  /// n places.
+  std::size_t every_span, span_ratio;
+};
+/// Refines what lies between two changes of gear as a path that is driven forwards.
+struct RefineRuns {};
+/// Moves and turns the poses at which the gear changes, by steps that are halved.
+struct SlideCusps {
+  double first_step;
+  std::ptrdiff_t segments_beside;  ///< on either side, which may be replaced
+  std::size_t links_tried;         ///< connections on either side
+};
+
+using GearMove = std::variant<InsertGearWords, RefineRuns, SlideCusps>;
+
+struct GearMoveRow {
+  std::string_view name;
+  Stage stage;  ///< kImprove: each once, in rounds; kFinish
+  GearMove move;
+};
+
+inline constexpr double kGearWordRadii[] = {1.0, 2.0, 4.0};
+inline constexpr double kGearBiarcs[] = {1.0, 0.5, 2.0};
+inline constexpr InsertGearWords kInsertGearWords{kGearWordRadii, kGearBiarcs, 16, 8};
+
+inline constexpr GearMoveRow kGearMoves[] = {
+    {"words between places", Stage::kImprove, kInsertGearWords},
+    {"refine between changes of gear", Stage::kImprove, RefineRuns{}},
+    {"slide changes of gear", Stage::kImprove, SlideCusps{.first_step = 0.5, .segments_beside = 4, .links_tried = 4}},
+    // The last changes of gear that moved make room for words.
+    {"words between places", Stage::kFinish, kInsertGearWords},
+};
+/// Rounds at most, and the share of the trials that they have at most; the rest is for kFinish.
+inline constexpr int kMostGearRounds = 4;
+inline constexpr double kGearRoundsShare = 0.8;
+
 /// The bit of a move in RefineOptions::moves; 0 for a name that no move has.
 constexpr std::uint32_t move_bit(std::string_view name) {
   std::uint32_t bit = 1;
   for (const MoveRow& row : kMoves) {
+    if (row.name == name) return bit;
+    bit <<= 1;
+  }
+  for (const GearMoveRow& row : kGearMoves) {
     if (row.name == name) return bit;
     bit <<= 1;
   }

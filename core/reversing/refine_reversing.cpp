@@ -1,11 +1,11 @@
 #include "core/reversing/refine_reversing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "arcway/angle.h"
@@ -14,26 +14,14 @@
 #include "core/motion/dubins.h"
 #include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
+#include "core/refine/moves.h"
 
 namespace arcway::internal {
 
 namespace {
 
 // Share of the cost that a step must save.
-constexpr double kSmallestGain = 1e-6;
-constexpr int kMostIterations = 4;
-// Share of the trials before the last cusp has moved; the rest is for words after that.
-constexpr double kShareBeforeLastWords = 0.8;
-// Words join places up to kEverySpan apart. Each further span is longer by 1 / kSpanRatio of it: some n log n pairs of
-// n places.
-constexpr std::size_t kEverySpan = 16, kSpanRatio = 8;
-// Radii of words, in smallest turning radii. Wider ones are tried only where they may save a gear change.
-constexpr std::array<double, 3> kWordRadii{1.0, 2.0, 4.0};
-// Ratios of the tangent lengths of biarcs between places.
-constexpr std::array<double, 3> kRatios{1.0, 0.5, 2.0};
-constexpr double kFirstStep = 0.5;             // first step of a cusp, in turning radii
-constexpr std::ptrdiff_t kSegmentsBeside = 4;  // segments on either side of a moved cusp that may be replaced
-constexpr std::size_t kLinksTried = 4;         // connections tried on either side of a moved cusp
+constexpr double kLeastSaving = 1e-6;
 
 void append(Path& path, const PathSegment& segment) {
   if (segment.length > 0.0) path.push_back(segment);
@@ -55,16 +43,13 @@ class ReversingRefiner {
         cost_(cost_of(result.path)) {}
 
   void run() {
-    // Some trials are kept for the words that the last moves of cusps make room for.
-    most_trials_ = static_cast<std::uint32_t>(kShareBeforeLastWords * options_.max_trials);
-    for (int iteration = 0; iteration < kMostIterations && !done(); ++iteration) {
-      bool changed = insert_words();
-      const bool runs = refine_runs();
-      changed = slide_cusps() || changed;
-      if (!changed && (!runs || iteration > 0)) break;
+    most_trials_ = static_cast<std::uint32_t>(kGearRoundsShare * options_.max_trials);
+    for (int round = 0; round < kMostGearRounds && !done(); ++round) {
+      const Changes made = take_all(Stage::kImprove);
+      if (!made.cusps_or_words && (!made.runs || round > 0)) break;
     }
     most_trials_ = options_.max_trials;
-    insert_words();
+    take_all(Stage::kFinish);
     result_.travel_time = speed_profile(result_.path, vehicle_).total_time;
   }
 
@@ -78,6 +63,22 @@ class ReversingRefiner {
     std::size_t cusps;  // before it
   };
 
+  // What moves have made cheaper.
+  struct Changes {
+    bool cusps_or_words = false, runs = false;
+  };
+
+  Changes take_all(Stage stage) {
+    Changes made;
+    for (const GearMoveRow& row : kGearMoves) {
+      if (row.stage != stage || (options_.moves & move_bit(row.name)) == 0) continue;
+      const bool helps = std::visit([this](const auto& move) { return take(move); }, row.move);
+      bool& kind = std::holds_alternative<RefineRuns>(row.move) ? made.runs : made.cusps_or_words;
+      kind = kind || helps;
+    }
+    return made;
+  }
+
   [[nodiscard]] bool done() {
     result_.interrupted = result_.interrupted || clock_.is_over();
     return result_.interrupted || result_.trials >= most_trials_;
@@ -85,7 +86,7 @@ class ReversingRefiner {
 
   [[nodiscard]] double cost_of(const Path& path) const { return travel_cost(path, vehicle_, changes_.cost); }
 
-  [[nodiscard]] bool is_cheaper(double cost) const { return cost < cost_ * (1.0 - kSmallestGain); }
+  [[nodiscard]] bool is_cheaper(double cost) const { return cost < cost_ * (1.0 - kLeastSaving); }
 
   // Takes a free path if it is cheaper.
   bool accept(const Path& path) {
@@ -115,19 +116,19 @@ class ReversingRefiner {
   }
 
   // Puts words between places of the path until none makes it cheaper.
-  bool insert_words() {
+  bool take(const InsertGearWords& move) {
     bool changed = false;
-    while (!done() && sweep_words()) changed = true;
+    while (!done() && sweep_words(move)) changed = true;
     return changed;
   }
 
   // Words between places far apart come first. A word that is kept changes the places for later trials.
-  bool sweep_words() {
+  bool sweep_words(const InsertGearWords& move) {
     bool changed = false;
     std::vector<Station> places = stations();
-    for (std::size_t span = places.empty() ? 0 : places.size() - 1; span > 0 && !done(); span = next_span(span)) {
+    for (std::size_t span = places.empty() ? 0 : places.size() - 1; span > 0 && !done(); span = next_span(span, move)) {
       for (std::size_t i = 0; i + span < places.size() && !done(); ++i) {
-        if (!insert_word(places[i], places[i + span])) continue;
+        if (!insert_word(move, places[i], places[i + span])) continue;
         changed = true;
         places = stations();
       }
@@ -135,8 +136,8 @@ class ReversingRefiner {
     return changed;
   }
 
-  [[nodiscard]] static std::size_t next_span(std::size_t span) {
-    return span <= kEverySpan ? span - 1 : std::max(kEverySpan, span - span / kSpanRatio - 1);
+  [[nodiscard]] static std::size_t next_span(std::size_t span, const InsertGearWords& move) {
+    return span <= move.every_span ? span - 1 : std::max(move.every_span, span - span / move.span_ratio - 1);
   }
 
   struct Word {
@@ -144,8 +145,8 @@ class ReversingRefiner {
     Path motion;
   };
 
-  bool insert_word(const Station& from, const Station& to) {
-    for (const Word& word : words_between(from, to)) {
+  bool insert_word(const InsertGearWords& move, const Station& from, const Station& to) {
+    for (const Word& word : words_between(move, from, to)) {
       if (done()) return false;
       ++result_.trials;
       const Path path = spliced(from, word.motion, to);
@@ -155,10 +156,11 @@ class ReversingRefiner {
   }
 
   // The words that may make the path cheaper, the fastest first.
-  [[nodiscard]] std::vector<Word> words_between(const Station& from, const Station& to) const {
+  [[nodiscard]] std::vector<Word> words_between(const InsertGearWords& move, const Station& from,
+                                                const Station& to) const {
     const double budget = to.time - from.time + changes_.cost * static_cast<double>(to.cusps - from.cusps);
     std::vector<Word> words;
-    for (const double turn : kWordRadii) {
+    for (const double turn : move.radii) {
       const double radius = turn * vehicle_.min_turning_radius();
       for (std::size_t word = 0; word < kGearWords; ++word) {
         const double fastest = gear_word_length(word, from.pose, to.pose, radius) / vehicle_.top_speed();
@@ -166,7 +168,7 @@ class ReversingRefiner {
       }
       if (from.cusps == to.cusps) break;
     }
-    for (const double ratio : kRatios) {
+    for (const double ratio : move.ratios) {
       const auto add = [&](const auto& arcs, Gear gear) {
         if (!arcs) return;
         const double fastest = length_of(*arcs) / vehicle_.top_speed();
@@ -181,17 +183,17 @@ class ReversingRefiner {
   }
 
   // Moves the poses at which the gear changes, by steps that are halved, as long as that makes the path cheaper.
-  bool slide_cusps() {
+  bool take(const SlideCusps& move) {
     const double radius = vehicle_.min_turning_radius();
     bool slid = false;
-    for (double step = kFirstStep; step >= options_.smallest_step && !done(); step *= 0.5)
+    for (double step = move.first_step; step >= options_.smallest_step && !done(); step *= 0.5)
       for (std::size_t cusp = 0; cusp < cusps_of(result_.path); ++cusp)
         // Where the body nearly touches something, only one direction of these may be free.
         for (const int ahead : {1, -1, 0})
           for (const int aside : {1, -1, 0})
             for (const int turn : {1, -1, 0}) {
               const Pose by{step * radius * ahead, step * radius * aside, step * turn};
-              while (!done() && slide_cusp(cusp, by)) slid = true;
+              while (!done() && slide_cusp(move, cusp, by)) slid = true;
             }
     return slid;
   }
@@ -214,7 +216,7 @@ class ReversingRefiner {
   };
 
   // Moves one cusp by so much ahead, aside and in heading, if that makes the path cheaper.
-  bool slide_cusp(std::size_t number, const Pose& by) {
+  bool slide_cusp(const SlideCusps& move, std::size_t number, const Pose& by) {
     const std::vector<std::size_t> all = cusps();
     if (number >= all.size()) return false;
     const Path& path = result_.path;
@@ -223,13 +225,17 @@ class ReversingRefiner {
     const Vec2 position = old.position() + by.x * ahead + by.y * perpendicular(ahead);
     const Pose cusp{position.x(), position.y(), old.heading + by.heading};
     const auto at = static_cast<std::ptrdiff_t>(all[number]), end = static_cast<std::ptrdiff_t>(path.size());
-    const auto first = std::max(at - kSegmentsBeside, number > 0 ? static_cast<std::ptrdiff_t>(all[number - 1]) : 0);
-    const auto last =
-        std::min(at + kSegmentsBeside, number + 1 < all.size() ? static_cast<std::ptrdiff_t>(all[number + 1]) : end);
-    return replace_beside(links(first, at, cusp, false), links(at, last, cusp, true));
+    const auto first =
+        std::max(at - move.segments_beside, number > 0 ? static_cast<std::ptrdiff_t>(all[number - 1]) : 0);
+    const auto last = std::min(at + move.segments_beside,
+                               number + 1 < all.size() ? static_cast<std::ptrdiff_t>(all[number + 1]) : end);
+    std::vector<Link> before = links(first, at, cusp, false), after = links(at, last, cusp, true);
+    if (before.size() > move.links_tried) before.resize(move.links_tried);
+    if (after.size() > move.links_tried) after.resize(move.links_tried);
+    return replace_beside(std::move(before), std::move(after));
   }
 
-  // The shortest connections between a moved cusp and the far ends of segments before or after it, in their gear.
+  // Connections between a moved cusp and the far ends of segments before or after it, in their gear, shortest first.
   std::vector<Link> links(std::ptrdiff_t first, std::ptrdiff_t last, const Pose& cusp, bool after) const {
     std::vector<Link> found;
     double length = 0.0;
@@ -249,7 +255,6 @@ class ReversingRefiner {
       }
     }
     std::stable_sort(found.begin(), found.end(), [](const Link& a, const Link& b) { return a.longer < b.longer; });
-    if (found.size() > kLinksTried) found.resize(kLinksTried);
     return found;
   }
 
@@ -294,7 +299,7 @@ class ReversingRefiner {
   }
 
   // Refines what lies between two cusps as if it were driven forwards.
-  bool refine_runs() {
+  bool take(const RefineRuns&) {
     Path path;
     const Path& old = result_.path;
     for (std::size_t first = 0; first < old.size();) {

@@ -17,12 +17,9 @@ struct GearChanges {
   std::size_t most = std::numeric_limits<std::size_t>::max();  ///< in one path
 };
 
-/// Makes a free path in both gears cheaper. Its cost is its travel time plus that of its gear changes. Three kinds of
-/// changes are tried:
-/// 1. Words. A word of Reeds and Shepp, or a Dubins word or biarc in either gear, replaces the part between two places.
-///    Places are ends of segments and middles of long ones. Radii are the smallest, and wider ones where the gear
-///    changes in between. All pairs up to 16 places apart are tried, and fewer further ones, until none makes the path
-///    cheaper.
+/// Makes a free path in both gears cheaper. Its cost is its travel time plus that of its gear changes. The moves
+/// are kGearMoves of moves.h:
+/// 1. Words. Places are ends of segments and middles of long ones. Words are tried until none makes the path cheaper.
 /// 2. Parts between two cusps are refined by refine_path, which need not know of gears: a part from rest to rest takes
 ///    the same time in either direction.
 /// 3. Cusps move and turn, in steps that are halved down to the smallest. Dubins words of the smallest radius lead

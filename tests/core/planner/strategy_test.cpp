@@ -39,6 +39,8 @@ TEST(Strategy, RefusesAnUnknownNameAndListsAll) {
       EXPECT_NE(text.find("\"" + std::string(row.name) + "\""), std::string::npos) << row.name;
     for (const MoveRow& row : kMoves)
       EXPECT_NE(text.find("\"" + std::string(row.name) + "\""), std::string::npos) << row.name;
+    for (const GearMoveRow& row : kGearMoves)
+      EXPECT_NE(text.find("\"" + std::string(row.name) + "\""), std::string::npos) << row.name;
   }
 }
 
@@ -47,6 +49,11 @@ TEST(Strategy, MovesThatAreLeftOutAreNotTried) {
   for (const MoveRow& row : kMoves) {
     const Planner planner(world, Vehicle{}, {.leave_out = {std::string(row.name)}});
     EXPECT_EQ(planner.options().refinement.moves, ~move_bit(row.name)) << row.name;
+  }
+  for (const GearMoveRow& row : kGearMoves) {
+    const Planner planner(world, Vehicle{}, {.leave_out = {std::string(row.name)}});
+    EXPECT_EQ(planner.options().refinement.moves, ~move_bit(row.name)) << row.name;
+    for (const MoveRow& other : kMoves) EXPECT_NE(move_bit(row.name), move_bit(other.name)) << row.name;
   }
   EXPECT_EQ(move_bit("slide"), 0u);
 }
