@@ -39,7 +39,7 @@ int cross_sign(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
 // Nodes to prefetch ahead: the expansion of a chain reads all of its nodes.
 constexpr std::size_t kNodesAhead = 256;
 
-bool is_tangent(const FreeSpaceTriangulation::Node& node, const Vec2& from) {
+bool is_tangent_at(const FreeSpaceTriangulation::Node& node, const Vec2& from) {
   const double x = node.at.x() - from.x(), y = node.at.y() - from.y();
   int previous = filtered_sign(x, y, node.previous.x() - node.at.x(), node.previous.y() - node.at.y());
   int next = filtered_sign(x, y, node.next.x() - node.at.x(), node.next.y() - node.at.y());
@@ -194,7 +194,7 @@ void TangentConeExpansion::report_along_boundary(const Node& source, std::uint32
   const bool along_own = first == source.previous_point || first == source.next_point;
   for (std::uint32_t n = triangulation_.first_node_at(end); n != kNone; n = nodes[n].sibling) {
     const bool along_its = before_end == nodes[n].previous_point || before_end == nodes[n].next_point;
-    if ((along_own || is_tangent(source, nodes[n].at)) && (along_its || is_tangent(nodes[n], source.at)))
+    if ((along_own || is_tangent_at(source, nodes[n].at)) && (along_its || is_tangent_at(nodes[n], source.at)))
       add(source, nodes[n]);
   }
 }
@@ -554,7 +554,7 @@ void TangentConeExpansion::take_tangent() {
   for (const auto& [from, first_node] : seen_) {
     const Node& source = triangulation_.nodes()[from];
     for (std::uint32_t n = first_node; n != kNone; n = triangulation_.nodes()[n].sibling)
-      if (is_tangent(triangulation_.nodes()[n], source.at)) add(source, triangulation_.nodes()[n]);
+      if (is_tangent_at(triangulation_.nodes()[n], source.at)) add(source, triangulation_.nodes()[n]);
   }
   seen_.clear();
 }

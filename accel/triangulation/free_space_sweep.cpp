@@ -17,7 +17,7 @@ constexpr Link kBoundary = kNone;
 /// Bit of a diagonal with the gap on both of its sides; the other bits number it.
 constexpr Link kDangling = 0x80000000u;
 
-constexpr std::uint32_t kAhead = 12;           // points
+constexpr std::uint32_t kPointsAhead = 12;     // points
 constexpr std::uint32_t kPointsUnasked = 512;  // points between two checks for a stop: some tenths of a millisecond
 
 class Sweep {
@@ -38,7 +38,7 @@ class Sweep {
     if (is_free(all)) start_front(all, 0, 1);
     for (std::uint32_t point = 2; point + 1 < last; ++point) {
       if (point % kPointsUnasked == 0) end_if_over(executor);
-      fetch_ends(std::min(point + kAhead, last));
+      fetch_ends(std::min(point + kPointsAhead, last));
       if (!pass(point)) return std::nullopt;
     }
     if (is_free(all)) {

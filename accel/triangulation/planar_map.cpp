@@ -20,7 +20,7 @@ namespace {
 
 using Edge = PlanarMap::Edge;
 
-constexpr std::size_t kAhead = 32;  // items to prefetch ahead, as they lie anywhere in memory
+constexpr std::size_t kItemsAhead = 32;  // items to prefetch ahead, as they lie anywhere in memory
 
 struct Keyed {
   std::uint32_t key;
@@ -79,9 +79,9 @@ void make_points(const World& world, PlanarMap& map) {
   map.points.emplace_back(frame.min.x(), frame.max.y());
   map.point_of.resize(sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) {
-    if (i + kAhead < sorted.size()) {
-      will_need(&world.vertices()[sorted[i + kAhead].vertex]);
-      will_need(&map.point_of[sorted[i + kAhead].vertex]);
+    if (i + kItemsAhead < sorted.size()) {
+      will_need(&world.vertices()[sorted[i + kItemsAhead].vertex]);
+      will_need(&map.point_of[sorted[i + kItemsAhead].vertex]);
     }
     const Vec2& p = world.vertex(sorted[i].vertex);
     if (i == 0 || p != map.points.back()) map.points.push_back(p);
@@ -111,8 +111,8 @@ bool index_edges(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
   map.edges[0] = bottom;
   map.edges[1] = top;
   for (std::size_t i = 0; i < count; ++i) {
-    if (i + 2 * kAhead < count) will_need(&first[edge_at(i + 2 * kAhead).low]);
-    if (i + kAhead < count) will_need(map.edges.data() + first[edge_at(i + kAhead).low]);
+    if (i + 2 * kItemsAhead < count) will_need(&first[edge_at(i + 2 * kItemsAhead).low]);
+    if (i + kItemsAhead < count) will_need(map.edges.data() + first[edge_at(i + kItemsAhead).low]);
     const Edge edge = edge_at(i);
     map.edges[first[edge.low]++] = edge;
   }
@@ -123,7 +123,7 @@ bool index_edges(std::size_t count, const EdgeAt& edge_at, PlanarMap& map) {
   std::uint32_t kept = 2;
   for (std::uint32_t s = 2, begin = 2; s < point_count; ++s) {
     const std::uint32_t end = first[s];  // before the shift by kept edges
-    if (end + kAhead < map.edges.size()) will_need(&map.points[map.edges[end + kAhead].high]);
+    if (end + kItemsAhead < map.edges.size()) will_need(&map.points[map.edges[end + kItemsAhead].high]);
     if (end - begin == 2) {
       if (slope_order(map.edges[begin + 1], map.edges[begin])) std::swap(map.edges[begin], map.edges[begin + 1]);
     } else if (end - begin > 2) {

@@ -11,19 +11,19 @@ namespace arcway::internal::report {
 namespace {
 
 /// What planning consists of, by the names of its series over the obstacles.
-struct Stage {
+struct PlanningStage {
   const char* title;
   const char* series;
 };
-constexpr std::array kStages = {
-    Stage{"Read a map from GeoJSON and check it", "LoadMap/geojson"},
-    Stage{"Reduced visibility graph", "ReducedGraph/tangent-cones"},
-    Stage{"Feasible graph, all links checked", "FeasibleGraph/embree"},
-    Stage{"First plan on a new map, nothing prepared", "Plan/lazy"},
-    Stage{"A plan on a prepared map", "Plan/graph_reused"},
-    Stage{"Is a line of sight free?", "LinesOfSight/embree"},
-    Stage{"Is a swept rectangle free?", "SweptRectangles/embree"},
-    Stage{"Free headings on a turn circle", "TurningIntervals/embree"},
+constexpr std::array kPlanningStages = {
+    PlanningStage{"Read a map from GeoJSON and check it", "LoadMap/geojson"},
+    PlanningStage{"Reduced visibility graph", "ReducedGraph/tangent-cones"},
+    PlanningStage{"Feasible graph, all links checked", "FeasibleGraph/embree"},
+    PlanningStage{"First plan on a new map, nothing prepared", "Plan/lazy"},
+    PlanningStage{"A plan on a prepared map", "Plan/graph_reused"},
+    PlanningStage{"Is a line of sight free?", "LinesOfSight/embree"},
+    PlanningStage{"Is a swept rectangle free?", "SweptRectangles/embree"},
+    PlanningStage{"Free headings on a turn circle", "TurningIntervals/embree"},
 };
 constexpr double kVerticesEach = 10.0;  // vertices of each obstacle in these series
 
@@ -181,7 +181,7 @@ Section cost_section(const std::vector<Study>& studies) {
                      "exponent of n, fitted to the medians of all sizes, with its 95 % confidence interval."},
       .figures = {},
       .table = {{"stage", "grows like n^", "1,000 vertices", "10,000", "100,000", "bytes a vertex"}, {}, 1}};
-  for (const Stage& stage : kStages) {
+  for (const PlanningStage& stage : kPlanningStages) {
     const Study::Line* line = find_line(studies, stage.series, "obstacles");
     if (line == nullptr) continue;
     std::vector<std::string> row{stage.title, interval_text(line->curve.fit)};
@@ -198,7 +198,7 @@ Section cost_section(const std::vector<Study>& studies) {
 
 std::vector<std::string> growth_figures(const std::vector<Study>& studies) {
   std::vector<Curve> stages, builders;
-  for (const Stage& stage : kStages) {
+  for (const PlanningStage& stage : kPlanningStages) {
     const Study::Line* line = find_line(studies, stage.series, "obstacles");
     if (line == nullptr || stages.size() == 5) continue;
     stages.push_back(line->curve);

@@ -16,7 +16,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // share of a length that rounding may change
+constexpr double kLengthRounding = 1e-9;  // share of a length that rounding may change
 
 void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<std::uint32_t>& pieces) {
   const auto distance = [&](std::uint32_t piece) { return outlines[piece].box.distance_to(place); };
@@ -42,7 +42,7 @@ class CircleLinks {
         own_(own),
         limit_(limit),
         is_limited_(limit.length < std::numeric_limits<double>::infinity()),
-        longest_(limit.length * (1.0 + kRounding) + own.circle.radius),
+        longest_(limit.length * (1.0 + kLengthRounding) + own.circle.radius),
         horizon_(circle_away(own.circle, from_start_), from_start_ ? own.heading : own.heading + kPi, own.reach) {}
 
   // Pieces of outline that no nearer one hides. If their circles are more than the limit allows, the nearest come

@@ -5,13 +5,12 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/infinity.h"
 #include "core/collision/motion_free.h"
 
 namespace arcway::internal {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMostDirectPairs = 64;
 // Number of straights between the poses of maneuvers at one end and the roadmap: this many, or half as many as vertices

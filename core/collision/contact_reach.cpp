@@ -12,7 +12,7 @@ namespace arcway::internal {
 namespace {
 
 // Share of the distance from the center of a turn by which an edge may miss a contact and still count as one.
-constexpr double kRounding = 1e-12;
+constexpr double kReachRounding = 1e-12;
 
 constexpr double kQuarterTurn = 0.5 * kPi;
 
@@ -115,7 +115,7 @@ void add_corner(const Vec2& corner, const Vec2& p, const Vec2& q, TurnContacts& 
 // A side of the body meets an end of an edge.
 void add_end(const Vec2& p, const TurnedBody& b, TurnContacts& contacts) {
   const double rr = p.squaredNorm();
-  const double slack = kRounding * std::sqrt(rr);
+  const double slack = kReachRounding * std::sqrt(rr);
   for (const double x : {b.x_low, b.x_high}) {
     const double rest = rr - x * x;
     if (rest < 0.0) continue;

@@ -12,7 +12,7 @@ namespace {
 
 // Of the largest distance of the body from the center: edges so near the swept area count. The ends of blocked headings
 // are rounded by the square root of the precision, 1e-8, where an edge is touched at a grazing angle.
-constexpr double kSlack = 1e-6;
+constexpr double kHeadingSlack = 1e-6;
 // Blocked headings that reach further than this into the range leave no doubt [rad].
 constexpr double kDoubt = 1e-9;
 
@@ -44,10 +44,10 @@ HeadingRange::HeadingRange(const TurningBody& body, double low, double angle, Me
       box_(swept_box(body, 0.5 * std::min(angle, kTwoPi))),
       memory_(memory) {
   const double all = reach_of(body);
-  box_ = box_.grown(kSlack * all);
+  box_ = box_.grown(kHeadingSlack * all);
   const Vec2 middle = 0.5 * (box_.min + box_.max);
   middle_ = body.center + middle.x() * along_ + middle.y() * perpendicular(along_);
-  reach_ = 0.5 * (box_.max - box_.min).norm() + kSlack * all;
+  reach_ = 0.5 * (box_.max - box_.min).norm() + kHeadingSlack * all;
   if (reach_ >= all) {
     middle_ = body.center;
     reach_ = all;

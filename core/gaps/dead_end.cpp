@@ -24,7 +24,7 @@ constexpr double kLeastStep = 4.0;      // least length of a step, in edges of a
 constexpr double kMostTurn = 1.5;       // largest turn in a step [rad], below a right angle
 constexpr double kLongestStep =
     2.0;  // longest step, in units of `kFurthest` boxes: longer ones leave the neighborhood at once
-constexpr double kRounding = 1e-9;  // share by which tested bodies are smaller and steps longer, against rounding
+constexpr double kStepRounding = 1e-9;  // share by which tested bodies are smaller and steps longer, against rounding
 
 struct Range {
   double low, high;
@@ -112,7 +112,7 @@ class ForwardFlood {
     const double largest = std::max(from.position().cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
     const double turn = std::sin(kPi / headings_);
     // What the body covers wherever it is in a box.
-    const double shift = edge_ * std::sqrt(0.5) + kRounding * (length + largest);
+    const double shift = edge_ * std::sqrt(0.5) + kStepRounding * (length + largest);
     const double shorter = turn * footprint.half_width + shift;
     core_ = {footprint.front - shorter, footprint.rear - shorter, footprint.half_width - turn * length - shift};
   }
@@ -206,8 +206,8 @@ class ForwardFlood {
     const Vec2 ahead = direction_of(heading_of(heading));
     for (const auto& [turned, x, y] : turned_steps_) {
       const double aside = std::max(-y.low, y.high);
-      const double more_ahead = aside * sine + x.high * lost + kRounding * step_;
-      const double more_aside = x.high * sine + aside * lost + kRounding * step_;
+      const double more_ahead = aside * sine + x.high * lost + kStepRounding * step_;
+      const double more_aside = x.high * sine + aside * lost + kStepRounding * step_;
       const Vec2 middle = 0.5 * (x.low + x.high) * ahead + 0.5 * (y.low + y.high) * perpendicular(ahead);
       const double half_x = 0.5 * (x.high - x.low) + more_ahead, half_y = 0.5 * (y.high - y.low) + more_aside;
       const Vec2 half = half_x * ahead.cwiseAbs() + half_y * perpendicular(ahead).cwiseAbs() + Vec2(edge_, edge_);

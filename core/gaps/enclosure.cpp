@@ -16,13 +16,13 @@ namespace arcway::internal {
 namespace {
 
 constexpr int kLevels = 4;
-constexpr double kCoarsest = 0.5;  // edge of the largest boxes, in half widths of the body
-constexpr int kFewestHeadings = 32;
-constexpr double kRounding =
+constexpr double kCoarsestEdge = 0.5;  // edge of the largest boxes, in half widths of the body
+constexpr int kCoarsestHeadings = 32;
+constexpr double kBodyRounding =
     1e-9;  // share of the body's size and of coordinates by which tested bodies are smaller, against rounding
 
 /// A box of positions of the body's middle and of headings.
-struct PoseBox {
+struct FloodBox {
   std::int32_t x, y, heading;
 };
 
@@ -35,16 +35,16 @@ class Flood {
  public:
   Flood(const Pose& from, const Pose& to, const MovedBody& body, int level)
       : sweep_(body.sweep),
-        headings_(kFewestHeadings << level),
+        headings_(kCoarsestHeadings << level),
         from_(middle_pose(body.footprint, from)),
         to_(middle_pose(body.footprint, to)) {
     const Footprint& footprint = body.footprint;
     const double half_length = 0.5 * (footprint.front + footprint.rear);
     const double half_width = footprint.half_width;
-    edge_ = kCoarsest * half_width / (1 << level);
+    edge_ = kCoarsestEdge * half_width / (1 << level);
     const double largest = std::max(from_.position().cwiseAbs().maxCoeff(), to_.position().cwiseAbs().maxCoeff());
     const double turn = std::sin(kPi / headings_);
-    const double shift = edge_ * std::sqrt(0.5) + kRounding * (half_length + largest);
+    const double shift = edge_ * std::sqrt(0.5) + kBodyRounding * (half_length + largest);
     // What the body covers wherever it is in a box: less by what its corners turn and by what its middle shifts.
     const double length = half_length - turn * half_width - shift;
     core_ = {length, length, half_width - turn * half_length - shift};
@@ -53,8 +53,8 @@ class Flood {
   enum class End { kClosed, kOpen, kTooMany };
   End run(std::size_t max_boxes, const StopClock& clock) {
     if (std::min(core_.front, core_.half_width) <= 0.0) return End::kOpen;
-    const PoseBox goal = box_of(to_);
-    std::vector<PoseBox> boxes{{0, 0, 0}};
+    const FloodBox goal = box_of(to_);
+    std::vector<FloodBox> boxes{{0, 0, 0}};
     using Waiting = std::pair<double, std::size_t>;
     std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> open;
     open.push({0.0, 0});
@@ -62,11 +62,11 @@ class Flood {
     StopTicker ticker(clock);
     while (!open.empty()) {
       if (ticker.is_over()) return End::kTooMany;
-      const PoseBox box = boxes[open.top().second];
+      const FloodBox box = boxes[open.top().second];
       open.pop();
       reach_ = std::max(reach_, (center_of(box).position() - from_.position()).norm());
       if (box.x == goal.x && box.y == goal.y && box.heading == goal.heading) return End::kOpen;
-      for (const PoseBox& next : neighbors(box)) {
+      for (const FloodBox& next : neighbors(box)) {
         if (!seen.insert(key_of(next)).second) continue;
         if (seen.size() > max_boxes) return End::kTooMany;
         const Pose center = center_of(next);
@@ -82,16 +82,16 @@ class Flood {
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
-  [[nodiscard]] Pose center_of(const PoseBox& box) const {
+  [[nodiscard]] Pose center_of(const FloodBox& box) const {
     return {from_.x + edge_ * box.x, from_.y + edge_ * box.y, from_.heading + kTwoPi * box.heading / headings_};
   }
-  [[nodiscard]] PoseBox box_of(const Pose& pose) const {
+  [[nodiscard]] FloodBox box_of(const Pose& pose) const {
     const auto index = [this](double d) { return static_cast<std::int32_t>(std::lround(d / edge_)); };
     const double turns = wrap_positive(pose.heading - from_.heading) / kTwoPi;
     return {index(pose.x - from_.x), index(pose.y - from_.y),
             static_cast<std::int32_t>(std::lround(turns * headings_)) % headings_};
   }
-  [[nodiscard]] std::array<PoseBox, 6> neighbors(const PoseBox& b) const {
+  [[nodiscard]] std::array<FloodBox, 6> neighbors(const FloodBox& b) const {
     return {{{b.x + 1, b.y, b.heading},
              {b.x - 1, b.y, b.heading},
              {b.x, b.y + 1, b.heading},
@@ -99,7 +99,7 @@ class Flood {
              {b.x, b.y, (b.heading + 1) % headings_},
              {b.x, b.y, (b.heading + headings_ - 1) % headings_}}};
   }
-  static std::uint64_t key_of(const PoseBox& b) {
+  static std::uint64_t key_of(const FloodBox& b) {
     return (static_cast<std::uint64_t>(b.x & 0xFFFFFF) << 40) | (static_cast<std::uint64_t>(b.y & 0xFFFFFF) << 16) |
            static_cast<std::uint64_t>(b.heading);
   }

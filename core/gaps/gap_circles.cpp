@@ -18,7 +18,7 @@ constexpr double kWidestRadius = 16.0;  // largest radius of an added circle, in
 constexpr double kMargins = 3.0;        // safety margins by which the grown body's swept annulus is wider, at most
 constexpr double kBeyond = 0.1;         // angle by which a center may lie outside the exterior angle [rad]
 constexpr double kSame = 1e-6;          // distance within which two centers count as one [m]
-constexpr double kNear = 3.0;  // largest distance of a gap straight's circle from its vertices, in outer swept radii
+constexpr double kNearGap = 3.0;  // largest distance of a gap straight's circle from its vertices, in outer swept radii
 constexpr std::size_t kMostPlaces = 3;  // number of entries, and of exits, on one side of a gap straight
 
 // Circles found so far, as a place may have many gaps with the same circle.
@@ -181,7 +181,7 @@ class GapCircles {
       const Vec2 center =
           line.middle + forwards * place.x * line.along + sign_of(side) * radius_ * perpendicular(line.along);
       const auto near = [&](VertexId v) {
-        return v != kNone && world_.is_graph_vertex(v) && (world_.vertex(v) - center).norm() < kNear * swept_.outer
+        return v != kNone && world_.is_graph_vertex(v) && (world_.vertex(v) - center).norm() < kNearGap * swept_.outer
                    ? v
                    : kNone;
       };

@@ -19,7 +19,7 @@ namespace {
 // How far a third edge has to enter a gap's circle, as shares of its radius and of the largest coordinate: by more than
 // distances are rounded. Otherwise each of two edges that follow each other may divide the other's gap.
 constexpr double kInside = 1.0 - 1e-6;
-constexpr double kRounding = 0x1p-48;
+constexpr double kGapRounding = 0x1p-48;
 
 bool follow_each_other(const World& world, VertexId a, VertexId b) { return world.next(a) == b || world.next(b) == a; }
 
@@ -95,7 +95,7 @@ class EdgePieces {
 bool is_divided(const World& world, const EdgePieces& pieces, const Gap& gap) {
   const Vec2 middle = 0.5 * (gap.on_a + gap.on_b);
   const double largest = world.box().min.cwiseAbs().cwiseMax(world.box().max.cwiseAbs()).maxCoeff();
-  const double radius = 0.5 * gap.width * kInside - kRounding * largest;
+  const double radius = 0.5 * gap.width * kInside - kGapRounding * largest;
   if (!(radius > 0.0)) return false;
   const auto divides = [&](VertexId e) {
     return e != gap.edge_a && e != gap.edge_b && distance(middle, world.edges()[e]) < radius;

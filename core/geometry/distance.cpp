@@ -5,13 +5,12 @@
 #include <limits>
 
 #include "arcway/angle.h"
+#include "core/base/infinity.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/ray_parity.h"
 
 namespace arcway::internal {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 template <class Visitor>
 void for_each_edge(const Polygon& polygon, Visitor&& visit) {

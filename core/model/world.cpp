@@ -22,7 +22,7 @@ namespace {
 // Number of vertices up to which a scan of all edges is faster than a tree over them.
 constexpr std::size_t kScanVertices = 64;
 // Edges examined region by region, per vertex, after which one sweep over all edges takes over.
-constexpr std::size_t kPatience = 128;
+constexpr std::size_t kRegionPatience = 128;
 
 }  // namespace
 
@@ -233,7 +233,7 @@ struct World::Data {
     for (const VertexId v : which) covered[v] = false;
     std::vector<ObstacleId> regions(boxes.size());
     std::iota(regions.begin(), regions.end(), ObstacleId{0});
-    if (mark_inside(regions, which, kPatience * vertices.size())) return;
+    if (mark_inside(regions, which, kRegionPatience * vertices.size())) return;
     Coverage coverage = sweep_coverage(edges, obstacle_of, has_bounds ? regions.back() : kNone);
     covered = std::move(coverage.covered);
     HugeVector<VertexId> all(vertices.size());

@@ -10,7 +10,7 @@
 namespace arcway::internal {
 namespace {
 
-constexpr double kUlps = 16.0 * std::numeric_limits<double>::epsilon();
+constexpr double kDubinsUlps = 16.0 * std::numeric_limits<double>::epsilon();
 
 /// Turn in [0, 2 pi); one that misses a full turn by rounding is none.
 double turn_of(double angle, double tolerance) {
@@ -18,7 +18,7 @@ double turn_of(double angle, double tolerance) {
   return turn >= kTwoPi - tolerance ? 0.0 : turn;
 }
 
-struct Parts {
+struct WordParts {
   double first;   ///< angle of the first arc
   double middle;  ///< length of the line, angle of the middle arc
   double last;    ///< angle of the last arc
@@ -48,14 +48,14 @@ Circles circles_of(const Pose& start, const Pose& goal, double radius, double s0
           .between = between,
           .distance = between.norm(),
           .direction = std::atan2(between.y(), between.x()),
-          .place_error = kUlps * scale,
-          .heading_error = kUlps * (1.0 + turned),
+          .place_error = kDubinsUlps * scale,
+          .heading_error = kDubinsUlps * (1.0 + turned),
           .h0 = start.heading,
           .h1 = goal.heading};
 }
 
 /// LSL, RSR: the line is parallel to the centers' one.
-Parts same_side(const Circles& c) {
+WordParts same_side(const Circles& c) {
   const double whole = turn_of(c.s0 * (c.h1 - c.h0), c.heading_error);
   if (c.distance <= c.place_error) return {whole, 0.0, 0.0};  // one circle: its direction is noise
   // Where an arc vanishes up to rounding, its neighbor's heading is taken for the line's.
@@ -68,25 +68,25 @@ Parts same_side(const Circles& c) {
 }
 
 /// LSR, RSL: the line crosses the centers' one.
-std::optional<Parts> opposite_sides(const Circles& c, double radius) {
+std::optional<WordParts> opposite_sides(const Circles& c, double radius) {
   const double excess = c.distance - 2.0 * radius;
   if (excess < -c.place_error) return std::nullopt;
   const double line = excess <= c.place_error ? 0.0 : std::sqrt(excess) * std::sqrt(c.distance + 2.0 * radius);
   const double heading = c.direction + c.s0 * std::atan2(2.0 * radius, line);
   const double noise = c.heading_error + c.place_error / c.distance;
-  return Parts{turn_of(c.s0 * (heading - c.h0), noise), line, turn_of(c.s1 * (c.h1 - heading), noise)};
+  return WordParts{turn_of(c.s0 * (heading - c.h0), noise), line, turn_of(c.s1 * (c.h1 - heading), noise)};
 }
 
 /// LRL, RLR: the middle circle on the side that gives its arc at least half a turn (the other is never shortest).
-std::optional<Parts> three_arcs(const Circles& c, double radius) {
+std::optional<WordParts> three_arcs(const Circles& c, double radius) {
   if (c.distance > 4.0 * radius + c.place_error) return std::nullopt;
   const double half_angle = std::asin(std::min(1.0, c.distance / (4.0 * radius)));
   const bool one_circle = c.distance <= c.place_error;  // any middle circle will do: the one without a first arc
   const double heading = one_circle ? c.h0 : c.direction + c.s0 * (kPi - half_angle);
   const double noise = c.heading_error + c.place_error / std::max(c.distance, radius);
   const double middle = kTwoPi - 2.0 * half_angle;
-  return Parts{turn_of(c.s0 * (heading - c.h0), noise), middle,
-               turn_of(c.s0 * (c.h1 - heading) - 2.0 * half_angle, noise)};
+  return WordParts{turn_of(c.s0 * (heading - c.h0), noise), middle,
+                   turn_of(c.s0 * (c.h1 - heading) - 2.0 * half_angle, noise)};
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const 
   const bool turns_thrice = word == DubinsWord::kLRL || word == DubinsWord::kRLR;
   const Circles circles = circles_of(start, goal, radius, starts_left ? 1.0 : -1.0, ends_left ? 1.0 : -1.0);
 
-  std::optional<Parts> parts;
+  std::optional<WordParts> parts;
   if (turns_thrice) {
     parts = three_arcs(circles, radius);
   } else if (starts_left == ends_left) {

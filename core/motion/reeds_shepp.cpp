@@ -12,7 +12,7 @@
 namespace arcway::internal {
 namespace {
 
-constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kWordRounding = 64.0 * std::numeric_limits<double>::epsilon();
 constexpr double kMostRounding =
     1e-9;  // of the direction of a line between circles to either side: the end moves by that
 constexpr double kQuarter = 0.5 * kPi;
@@ -23,26 +23,29 @@ struct Target {
 };
 
 /// Signed lengths of the letters, backwards negative; arcs as angles.
-using Parts = std::optional<std::array<double, 5>>;
+using SignedParts = std::optional<std::array<double, 5>>;
 
 /// An angle as a turn within [0, pi]; nothing if it is none. Rounding may have put it on the other side of either end.
 /// @param rounding  at 0.
-std::optional<double> ahead(double angle, double rounding = kRounding) {
+std::optional<double> ahead(double angle, double rounding = kWordRounding) {
   const double turn = wrap_signed(angle);
   if (turn >= 0.0) return turn;
   if (turn >= -rounding) return 0.0;
-  if (turn <= -kPi + kRounding) return kPi;
+  if (turn <= -kPi + kWordRounding) return kPi;
   return std::nullopt;
 }
 /// The rounding of a line's direction, which the shorter it is the less is known of: up to `most`.
-double rounding_of_line(double length, double most) { return kRounding / std::clamp(length, kRounding / most, 1.0); }
+double rounding_of_line(double length, double most) {
+  return kWordRounding / std::clamp(length, kWordRounding / most, 1.0);
+}
 /// The angle within [-pi, 0], if it is there.
 std::optional<double> back(double angle) {
   const auto turn = ahead(-angle);
   return turn ? std::optional(-*turn) : std::nullopt;
 }
 
-Parts parts_of(std::optional<double> first, double second, double third, double fourth, std::optional<double> last) {
+SignedParts parts_of(std::optional<double> first, double second, double third, double fourth,
+                     std::optional<double> last) {
   if (!first || !last) return std::nullopt;
   return std::array{*first, second, third, fourth, *last};
 }
@@ -53,10 +56,10 @@ Vec2 to_right(const Target& g) { return {g.x + std::sin(g.heading), g.y - 1.0 - 
 double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
 /// (8.1). Where an arc vanishes up to rounding, the other one makes the whole turn; so in (8.2).
-Parts left_straight_left(const Target& g) {
+SignedParts left_straight_left(const Target& g) {
   const Vec2 c = to_left(g);
   const double u = c.norm();
-  if (c.isZero(kRounding)) return parts_of(0.0, u, 0.0, 0.0, ahead(g.heading));
+  if (c.isZero(kWordRounding)) return parts_of(0.0, u, 0.0, 0.0, ahead(g.heading));
   const double rounding = rounding_of_line(u, 1.0);
   const auto first = ahead(angle_of(c), rounding);
   if (!first || *first == 0.0) return parts_of(first, u, 0.0, 0.0, ahead(g.heading));
@@ -65,10 +68,10 @@ Parts left_straight_left(const Target& g) {
 }
 
 /// (8.2)
-Parts left_straight_right(const Target& g) {
+SignedParts left_straight_right(const Target& g) {
   const Vec2 c = to_right(g);
   const double square = c.squaredNorm() - 4.0;
-  if (square < -kRounding) return std::nullopt;
+  if (square < -kWordRounding) return std::nullopt;
   const double u = std::sqrt(std::max(0.0, square));
   const double rounding = rounding_of_line(u, kMostRounding);
   const auto first = ahead(angle_of(c) + std::atan2(2.0, u), rounding);
@@ -78,10 +81,10 @@ Parts left_straight_right(const Target& g) {
 }
 
 /// (8.3), (8.4): the last arc forwards or backwards.
-Parts left_right_left(const Target& g, bool last_ahead) {
+SignedParts left_right_left(const Target& g, bool last_ahead) {
   const Vec2 c = to_left(g);
   const double distance = c.norm();
-  if (distance > 4.0 * (1.0 + kRounding)) return std::nullopt;
+  if (distance > 4.0 * (1.0 + kWordRounding)) return std::nullopt;
   const double u = -2.0 * std::asin(std::min(1.0, 0.25 * distance));
   const auto first = ahead(angle_of(c) + 0.5 * u + kPi);
   if (!first) return std::nullopt;
@@ -101,61 +104,61 @@ std::array<double, 2> outer_arcs(double u, double v, const Vec2& c, double headi
 }
 
 /// (8.7)
-Parts left_right_cusp_left_right(const Target& g) {
+SignedParts left_right_cusp_left_right(const Target& g) {
   const Vec2 c = to_right(g);
   const double rho = 0.25 * (2.0 + c.norm());
-  if (rho > 1.0 + kRounding) return std::nullopt;
+  if (rho > 1.0 + kWordRounding) return std::nullopt;
   const double u = std::acos(std::min(1.0, rho));
   const auto [first, last] = outer_arcs(u, -u, c, g.heading);
   return parts_of(ahead(first), u, -u, 0.0, back(last));
 }
 
 /// (8.8)
-Parts left_cusp_right_left_cusp_right(const Target& g) {
+SignedParts left_cusp_right_left_cusp_right(const Target& g) {
   const Vec2 c = to_right(g);
   const double rho = (20.0 - c.squaredNorm()) / 16.0;
-  if (rho < -kRounding || rho > 1.0 + kRounding) return std::nullopt;
+  if (rho < -kWordRounding || rho > 1.0 + kWordRounding) return std::nullopt;
   const double u = -std::acos(std::clamp(rho, 0.0, 1.0));
   const auto [first, last] = outer_arcs(u, u, c, g.heading);
   return parts_of(ahead(first), u, u, 0.0, ahead(last));
 }
 
 /// (8.9), the last arc to the left
-Parts left_right_straight_left(const Target& g) {
+SignedParts left_right_straight_left(const Target& g) {
   const Vec2 c = to_left(g);
   const double square = c.squaredNorm() - 4.0;
-  if (square < -kRounding) return std::nullopt;
+  if (square < -kWordRounding) return std::nullopt;
   const double r = std::sqrt(std::max(0.0, square));
-  if (2.0 - r > kRounding) return std::nullopt;
+  if (2.0 - r > kWordRounding) return std::nullopt;
   const auto first = ahead(angle_of(c) + std::atan2(r, -2.0));
   return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - r), 0.0, back(g.heading - kQuarter - *first))
                : std::nullopt;
 }
 
 /// (8.10), the last arc to the right
-Parts left_right_straight_right(const Target& g) {
+SignedParts left_right_straight_right(const Target& g) {
   const Vec2 c = to_right(g);
   const double rho = c.norm();
-  if (rho < 2.0 - kRounding) return std::nullopt;
+  if (rho < 2.0 - kWordRounding) return std::nullopt;
   const auto first = ahead(std::atan2(c.x(), -c.y()));
   return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - rho), 0.0, back(*first + kQuarter - g.heading))
                : std::nullopt;
 }
 
 /// (8.11)
-Parts left_right_straight_left_right(const Target& g) {
+SignedParts left_right_straight_left_right(const Target& g) {
   const Vec2 c = to_right(g);
   const double square = c.squaredNorm() - 4.0;
   if (square < 0.0) return std::nullopt;
   const double u = 4.0 - std::sqrt(square);
-  if (u > kRounding) return std::nullopt;
+  if (u > kWordRounding) return std::nullopt;
   const auto first = ahead(std::atan2((4.0 - u) * c.x() - 2.0 * c.y(), -2.0 * c.x() + (u - 4.0) * c.y()));
   return first ? parts_of(first, -kQuarter, std::min(0.0, u), -kQuarter, ahead(*first - g.heading)) : std::nullopt;
 }
 
 /// A word to the left and forwards at its beginning; its last letter is that of the last part.
 struct Form {
-  Parts (*solve)(const Target&);
+  SignedParts (*solve)(const Target&);
   std::string_view letters;
 };
 constexpr std::array<Form, 6> kSymmetric = {{{left_straight_left, "LSL"},
@@ -199,7 +202,7 @@ std::optional<Solution> solve(std::size_t index, Target g) {
   }
   if (word.flip) g = {-g.x, g.y, -g.heading};
   if (word.mirror) g = {g.x, -g.y, -g.heading};
-  const Parts parts = word.form.solve(g);
+  const SignedParts parts = word.form.solve(g);
   if (!parts) return std::nullopt;
   Solution solution{{}, word.form.letters.size()};
   for (std::size_t i = 0; i < solution.count; ++i) {
@@ -235,7 +238,7 @@ std::optional<Path> reeds_shepp_path(std::size_t word, const Pose& start, const 
   Path path;
   for (std::size_t i = 0; i < solution->count; ++i) {
     const auto [kind, length] = solution->letters[i];
-    if (std::abs(length) <= kRounding) continue;
+    if (std::abs(length) <= kWordRounding) continue;
     const double curvature = kind == 'S' ? 0.0 : (kind == 'L' ? 1.0 : -1.0) / radius;
     path.push_back({path.empty() ? start : path.back().end(), radius * std::abs(length), curvature,
                     length > 0.0 ? Gear::kForward : Gear::kReverse});

@@ -11,7 +11,7 @@ namespace arcway::internal {
 namespace {
 
 /// Share by which an end speed may exceed the reachable one by rounding; it is then taken for the reachable one.
-constexpr double kRounding = 1e-12;
+constexpr double kSpeedRounding = 1e-12;
 
 double reachable(double speed, double acceleration, double length) {
   return std::sqrt(speed * speed + 2.0 * acceleration * length);
@@ -24,7 +24,7 @@ void check_limit(const char* name, double speed, double limit) {
 }
 
 void check_reached(const char* name, double speed, double bound) {
-  if (speed <= bound * (1.0 + kRounding)) return;
+  if (speed <= bound * (1.0 + kSpeedRounding)) return;
   throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + shortest_text(speed) +
                               " m/s, but the path is long enough for " + shortest_text(bound) + " only");
 }

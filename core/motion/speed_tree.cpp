@@ -10,9 +10,9 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr int kSamples = 5;          // number of speeds at which two joints are compared
-constexpr int kHalvings = 8;         // number of halvings of a range between them where samples do not decide
-constexpr double kRounding = 1e-12;  // share of a time that rounding may change
+constexpr int kSamples = 5;              // number of speeds at which two joints are compared
+constexpr int kHalvings = 8;             // number of halvings of a range between them where samples do not decide
+constexpr double kTimeRounding = 1e-12;  // share of a time that rounding may change
 
 }  // namespace
 
@@ -92,7 +92,7 @@ bool SpeedTree::dominates(const Joint& a, const Joint& b, double slack) const {
   // A path that arrives slower by d makes up for it by accelerating, and loses d / a_max at most.
   const auto upper = [&](double speed) {
     return (speed > a.speed ? a.time + (speed - a.speed) / acceleration_ : time_at(a, speed)) - slack -
-           kRounding * b.time;
+           kTimeRounding * b.time;
   };
   const double at_top = upper(b.speed);
   if (at_top > b.time) return false;

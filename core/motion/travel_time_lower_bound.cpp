@@ -14,9 +14,9 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kBoundRounding = 1e-12;
 // Rounding of the joints of a path in all, as a share of the largest coordinate, and of headings.
-constexpr double kUlps = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kJointUlps = 64.0 * std::numeric_limits<double>::epsilon();
 
 double shortest_word(const Pose& start, const Pose& goal, double radius) {
   double shortest = std::numeric_limits<double>::infinity();
@@ -69,9 +69,9 @@ double travel_time_lower_bound(const Pose& start, const Pose& goal, double dista
   if (reverse && vehicle.max_reverse_speed() > vehicle.max_speed())
     return travel_time_lower_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse);
   const double radius = vehicle.min_turning_radius();
-  const double heading_error = kUlps * (1.0 + std::abs(start.heading) + std::abs(goal.heading));
-  const double place_error = radius * heading_error + kUlps * std::max(start.position().cwiseAbs().maxCoeff(),
-                                                                       goal.position().cwiseAbs().maxCoeff());
+  const double heading_error = kJointUlps * (1.0 + std::abs(start.heading) + std::abs(goal.heading));
+  const double place_error = radius * heading_error + kJointUlps * std::max(start.position().cwiseAbs().maxCoeff(),
+                                                                            goal.position().cwiseAbs().maxCoeff());
   const double turn =
       reverse ? std::abs(wrap_signed(goal.heading - start.heading)) : least_turn(start, goal, place_error);
   // In both gears a place beside a pose is reached by two arcs there and a line back, of four times this in all.
@@ -81,7 +81,8 @@ double travel_time_lower_bound(const Pose& start, const Pose& goal, double dista
   const double length = std::max({0.0, std::max(distance, word) - place_error, arcs});
   if (!(length > 0.0) || std::isinf(length)) return length;
   const double straight = segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());
-  return (1.0 - kRounding) * (straight + 2.0 * time_lost_on_arcs(0.5 * arcs, highest_turn_speed(vehicle), vehicle));
+  return (1.0 - kBoundRounding) *
+         (straight + 2.0 * time_lost_on_arcs(0.5 * arcs, highest_turn_speed(vehicle), vehicle));
 }
 
 }  // namespace arcway::internal

@@ -13,7 +13,7 @@ namespace arcway::internal {
 namespace {
 
 constexpr int kTurns = 24, kDirections = 24, kCircles = 16;
-constexpr int kHalvings = 15;  // number of bisections of the step between two circles: to a 30,000th
+constexpr int kRingHalvings = 15;  // number of bisections of the step between two circles: to a 30,000th
 
 // The part of the segment a + t (b - a) inside the box |x| <= half.x, |y| <= half.y: the two values of t.
 std::optional<std::pair<double, double>> clip(const Vec2& a, const Vec2& b, const Vec2& half) {
@@ -60,7 +60,7 @@ std::optional<FreePose> free_move(const SweepQuery& sweep, const Footprint& body
       };
       double near = (circle - 1) * step, far = circle * step;
       if (!is_free(sweep, body, at(far))) continue;
-      for (int k = 0; k < kHalvings; ++k) {
+      for (int k = 0; k < kRingHalvings; ++k) {
         const double middle = 0.5 * (near + far);
         (is_free(sweep, body, at(middle)) ? far : near) = middle;
       }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/infinity.h"
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/strategy.h"
 #include "core/refine/shorten_path.h"
@@ -12,11 +13,7 @@
 
 namespace arcway::internal {
 
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult& result)
     : query_(query),

@@ -10,7 +10,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kUlps = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kChainUlps = 64.0 * std::numeric_limits<double>::epsilon();
 
 TurnCircle circle_of(const PathSegment& arc) {
   const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
@@ -28,7 +28,7 @@ std::optional<Bitangent> joint_of(const TurnCircle& from, const TurnCircle& to) 
   const double offset = sign_of(to.side) * to.radius - sign_of(from.side) * from.radius;
   const double scale =
       std::max({from.radius, to.radius, from.center.cwiseAbs().maxCoeff(), to.center.cwiseAbs().maxCoeff()});
-  if (std::abs(d.norm() - std::abs(offset)) > kUlps * scale || d.norm() <= kUlps * scale) return std::nullopt;
+  if (std::abs(d.norm() - std::abs(offset)) > kChainUlps * scale || d.norm() <= kChainUlps * scale) return std::nullopt;
   const Vec2 t = -offset * perpendicular(d);
   return Bitangent{pose_on(from, wrap_positive(std::atan2(t.y(), t.x()))), 0.0};
 }

@@ -26,7 +26,7 @@ namespace {
 // Less than this part of the travel time is not worth a step.
 constexpr double kSmallestGain = 1e-6;
 // Far more than the rounding of travel times, relative to them.
-constexpr double kRounding = 1e-9;   // share of a travel time, far above its rounding
+constexpr double kTimeSlack = 1e-9;  // share of a travel time, far above its rounding
 constexpr double kFirstStep = 1.0;   // first step of centers and radii, in smallest turning radii
 constexpr int kMostIterations = 8;   // iterations with steps of one length
 constexpr double kTiedTurn = 0.5;    // first step of tied circles [rad]
@@ -151,7 +151,7 @@ class Refiner {
     ++result_.trials;
     if (!chain_.lay_out(change)) return false;
     const double wanted = result_.travel_time * (1.0 - kSmallestGain);
-    if (chain_.time_after(change) > wanted * (1.0 + kRounding) || !is_free(chain_.laid_out())) return false;
+    if (chain_.time_after(change) > wanted * (1.0 + kTimeSlack) || !is_free(chain_.laid_out())) return false;
     if (!chain_.make(change) || !(chain_.made_time() < wanted)) return false;
     // Whole turns that fall short of a circle by next to nothing count as none, see turn_between: then the path does
     // not get to a goal that is so little behind the start.
@@ -304,8 +304,8 @@ class Refiner {
     // Most pairs are told from the distance alone.
     const double distance = (to.pose.position() - from.pose.position()).norm();
     const double least = std::max(distance / vehicle_.max_speed(), time_between(distance, from.speed, to.speed));
-    if (least > (to.time - from.time) * (1.0 + kRounding)) return false;
-    const double longest = (to.time - from.time) * (1.0 + kRounding) * vehicle_.max_speed();  // line of a word
+    if (least > (to.time - from.time) * (1.0 + kTimeSlack)) return false;
+    const double longest = (to.time - from.time) * (1.0 + kTimeSlack) * vehicle_.max_speed();  // line of a word
     for (const double radius : radii_)
       for (const Side departure : {Side::kLeft, Side::kRight})
         for (const Side arrival : {Side::kLeft, Side::kRight}) {

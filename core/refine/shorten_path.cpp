@@ -14,9 +14,9 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::array kRadii{1.0, 2.0, 4.0};   // radii of Dubins words, in smallest turning radii
-constexpr std::array kRatios{1.0, 0.5, 2.0};  // ratios of the tangent lengths of biarcs
-constexpr double kSmallestGain = 1e-4;        // share of the travel time that a change must save
+constexpr std::array kRadii{1.0, 2.0, 4.0};          // radii of Dubins words, in smallest turning radii
+constexpr std::array kTangentRatios{1.0, 0.5, 2.0};  // ratios of the tangent lengths of biarcs
+constexpr double kSmallestSaving = 1e-4;             // share of the travel time that a change must save
 
 class Shortener {
  public:
@@ -71,7 +71,7 @@ class Shortener {
     for (std::size_t j = places_.size() - 1; i < places_.size() && j > i + 1 && !done(); --j) {
       const Place &from = places_[i], &to = places_[j];
       const double radius = vehicle_.min_turning_radius();
-      for (const double ratio : kRatios) {
+      for (const double ratio : kTangentRatios) {
         const auto arcs = biarc(from.pose, to.pose, ratio, radius);
         if (arcs && take(from, to, *arcs)) return true;
       }
@@ -94,7 +94,7 @@ class Shortener {
     if (to.along < last.length) shorter_.push_back({to.pose, last.length - to.along, last.curvature});
     shorter_.insert(shorter_.end(), path_.begin() + static_cast<std::ptrdiff_t>(to.segment) + 1, path_.end());
     const double time = time_of(shorter_);
-    if (time >= (1.0 - kSmallestGain) * time_ || !motion_free(sweep_, body_, between)) return false;
+    if (time >= (1.0 - kSmallestSaving) * time_ || !motion_free(sweep_, body_, between)) return false;
     path_ = merged(shorter_);
     time_ = time;
     return true;

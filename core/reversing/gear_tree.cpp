@@ -7,20 +7,20 @@
 
 #include "arcway/angle.h"
 #include "core/motion/speed_profile.h"
+#include "core/reversing/gear_index.h"
 
 namespace arcway::internal {
 
 namespace {
 
 constexpr double kStepTurn = kPi / 8.0;
-constexpr double kFarTurn = 3.0 * kStepTurn;  // largest turn of motions up to contact
-constexpr double kLeastTurn = 1e-3;           // smallest turn worth a motion [rad]
-constexpr double kContactSlack = 1e-6;        // turn by which motions end before a contact [rad]: more than rounding
+constexpr double kFarContactTurn = 3.0 * kStepTurn;  // largest turn of motions up to contact
+constexpr double kSmallestTurn = 1e-3;               // smallest turn worth a motion [rad]
+constexpr double kContactSlack = 1e-6;  // turn by which motions end before a contact [rad]: more than rounding
 // Spreads the number of gear changes over the bits of a cell's key: an odd number, 2^64 over the golden ratio.
 constexpr std::uint64_t kLayer = 0x9E3779B97F4A7C15u;
 
 std::size_t index_of(double curvature) { return curvature == 0.0 ? 0 : curvature > 0.0 ? 1 : 2; }
-std::size_t index_of(Gear gear) { return gear == Gear::kForward ? 0 : 1; }
 
 }  // namespace
 
@@ -47,10 +47,10 @@ std::optional<std::uint32_t> GearTree::expand() {
     const Node& node = nodes_[at];
     if (at != kRoot && cells_.at(cell_of(node.pose, node.motion.gear, node.cusps)) != at)
       continue;  // there is a cheaper one
-    contact_.begin(node.pose, radius_ * kFarTurn);
+    contact_.begin(node.pose, radius_ * kFarContactTurn);
     for (const double curvature : {0.0, 1.0 / radius_, -1.0 / radius_})
       for (const Gear gear : {Gear::kForward, Gear::kReverse})
-        rooms_[index_of(curvature)][index_of(gear)] = contact_(curvature, gear);
+        rooms_[index_of(curvature)][gear_index(gear)] = contact_(curvature, gear);
     for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
       add_line(at, gear);
       for (const Side side : {Side::kLeft, Side::kRight}) add_arcs(at, side, gear);
@@ -60,17 +60,17 @@ std::optional<std::uint32_t> GearTree::expand() {
   return std::nullopt;
 }
 
-double GearTree::room(double curvature, Gear gear) const { return rooms_[index_of(curvature)][index_of(gear)]; }
+double GearTree::room(double curvature, Gear gear) const { return rooms_[index_of(curvature)][gear_index(gear)]; }
 
 bool GearTree::has_room(const PathSegment& motion) const {
-  return room(motion.curvature, motion.gear) >= std::min(motion.length, radius_ * kFarTurn);
+  return room(motion.curvature, motion.gear) >= std::min(motion.length, radius_ * kFarContactTurn);
 }
 
 void GearTree::add_line(std::uint32_t from, Gear gear) {
   const Pose pose = nodes_[from].pose;
   const double step = radius_ * kStepTurn;
   const double length = room(0.0, gear) - radius_ * kContactSlack;
-  if (length < radius_ * kLeastTurn) return;
+  if (length < radius_ * kSmallestTurn) return;
   add(from, {pose, std::min(length, step), 0.0, gear});
   if (length > step) add(from, {pose, length, 0.0, gear});
   if (options_.halves && length < step) add(from, {pose, 0.5 * length, 0.0, gear});
@@ -82,12 +82,12 @@ void GearTree::add_arcs(std::uint32_t from, Side side, Gear gear) {
   const double far = room(curvature, gear) / radius_;
   const double turn = far - kContactSlack;
   const auto add_arc = [&](double by) {
-    if (by >= kLeastTurn) add(from, {pose, radius_ * by, curvature, gear});
+    if (by >= kSmallestTurn) add(from, {pose, radius_ * by, curvature, gear});
   };
   add_arc(std::min(turn, kStepTurn));
   if (turn < kStepTurn) {
     if (options_.halves) add_arc(0.5 * turn);
-  } else if (far < kFarTurn) {
+  } else if (far < kFarContactTurn) {
     add_arc(turn);
   }
 }

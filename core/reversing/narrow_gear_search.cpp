@@ -26,12 +26,13 @@ struct Pass {
 constexpr std::array<Pass, 3> kPasses{{{1.0, 0.4}, {0.5, 0.3}, {0.25, 0.3}}};
 // Weight of the estimate of the rest of the route. Of 46 driven worlds that need these trees, 42 are solved with 2, 44
 // with 3 and 41 with 4.
-constexpr double kGreed = 3.0;
+constexpr double kBoundWeight = 3.0;
 constexpr std::size_t kFieldCells = 50'000;  // cells of the grid for that estimate
-constexpr double kNear = 1.0;        // distance within which poses of the other tree are joined, in lengths of the body
+constexpr double kJoinDistance =
+    1.0;                             // distance within which poses of the other tree are joined, in lengths of the body
 constexpr std::size_t kNearest = 2;  // number of those that are tried
-constexpr std::size_t kWordsTried = 6;    // words tried to each: the shortest ones that have room at the new pose
-constexpr std::size_t kPosesAfter = 500;  // poses expanded after the first path, beyond as many as it took
+constexpr std::size_t kJoiningWords = 6;     // words tried to each: the shortest ones that have room at the new pose
+constexpr std::size_t kExpandedAfter = 500;  // poses expanded after the first path, beyond as many as it took
 
 class NarrowGearSearch {
  public:
@@ -68,14 +69,14 @@ class NarrowGearSearch {
     const double stopping = vehicle.top_speed() / vehicle.max_acceleration();
     const auto remaining = [this, i](const Pose& from) {
       const double way = std::max(fields_[i](from), reeds_shepp_distance(from, roots_[1 - i], radius_));
-      return kGreed * way / map_.vehicle.top_speed();
+      return kBoundWeight * way / map_.vehicle.top_speed();
     };
     return {{map_,
              i == 0 ? vehicle : vehicle.with_gears_swapped(),
              roots_[i],
              {options_.cusp_cost + stopping, options_.max_cusps, fineness},
              remaining},
-            NearPoses(kNear * vehicle.parameters().length)};
+            NearPoses(kJoinDistance * vehicle.parameters().length)};
   }
 
   bool interrupted() {
@@ -93,7 +94,7 @@ class NarrowGearSearch {
       ++result_.poses;
       const bool first = !result_.path;
       join(sides, at, *node);
-      if (first && result_.path) most = std::min(most, 2 * (i + 1) + kPosesAfter);
+      if (first && result_.path) most = std::min(most, 2 * (i + 1) + kExpandedAfter);
     }
   }
 
@@ -132,7 +133,7 @@ class NarrowGearSearch {
       const Path between = *gear_word_path(word, from, to, radius_);
       if (between.empty()) continue;
       if (!sides[at].tree.has_room(at == 0 ? between.front() : between.back().reversed())) continue;
-      if (++tried > kWordsTried) return;
+      if (++tried > kJoiningWords) return;
       if (!motion_free(*map_.queries.sweep, map_.body, between)) continue;
       Path path = sides[0].tree.path_from_root(at == 0 ? node : other);
       path.insert(path.end(), between.begin(), between.end());

@@ -8,6 +8,7 @@
 #include "arcway/angle.h"
 #include "core/base/hash_of.h"
 #include "core/motion/speed_profile.h"
+#include "core/reversing/gear_index.h"
 
 namespace arcway::internal {
 
@@ -30,8 +31,6 @@ constexpr double kLargestCell =
 constexpr double kLargestTurn = 0.25;  // heading range of the largest cell [rad]
 constexpr double kShare = 0.25;        // size of a cell, as a share of what one move to and fro can do
 constexpr double kVisit = 0.5;         // cost of an expansion in a coarse cell, in times to cross it
-
-std::size_t index_of(Gear gear) { return gear == Gear::kForward ? 0 : 1; }
 
 // The largest power of two times `largest` that is no larger than `wanted`, at most `largest`.
 double quantized(double largest, double wanted) {
@@ -69,8 +68,8 @@ std::optional<std::uint32_t> NarrowGearTree::expand() {
     const double most = longest(curvature);
     for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
       const double room = contact_(curvature, gear);
-      if (i < rooms_.size()) rooms_[i][index_of(gear)] = room;
-      reach[i][index_of(gear)] = std::min(most, room - slack);
+      if (i < rooms_.size()) rooms_[i][gear_index(gear)] = room;
+      reach[i][gear_index(gear)] = std::min(most, room - slack);
     }
     const double to_and_fro = reach[i][0] + reach[i][1];
     way = std::max(way, to_and_fro);
@@ -81,7 +80,7 @@ std::optional<std::uint32_t> NarrowGearTree::expand() {
     const double curvature = kBends[i] / radius_;
     const double step = kStep * longest(curvature);
     for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
-      const double room = reach[i][index_of(gear)];
+      const double room = reach[i][gear_index(gear)];
       const double first = room > step ? step : kHalf * room;
       for (const double length : {first, room})
         if (length >= kLeast * vehicle_.parameters().length) add(*next, cell, {pose, length, curvature, gear});
@@ -96,7 +95,7 @@ double NarrowGearTree::longest(double curvature) const {
 
 bool NarrowGearTree::has_room(const PathSegment& motion) const {
   const std::size_t bend = motion.curvature == 0.0 ? 1 : motion.curvature < 0.0 ? 0 : 2;
-  return rooms_[bend][index_of(motion.gear)] >= std::min(motion.length, far_line_);
+  return rooms_[bend][gear_index(motion.gear)] >= std::min(motion.length, far_line_);
 }
 
 void NarrowGearTree::add(std::uint32_t from, const Cell& cell, const PathSegment& motion) {

@@ -15,7 +15,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::size_t kChunk = 64;  // circles that a thread takes at once
+constexpr std::size_t kChangedAtOnce = 64;  // circles that a thread takes at once
 
 // What a graph knows of circles after a change, by their numbers after it.
 class KeptKnowledge {
@@ -111,7 +111,7 @@ std::shared_ptr<const FinishedFeasibleGraph> change_feasible_graph(const Feasibl
   std::vector<LinkRow> rows(count);
   std::vector<std::uint8_t> known_headings(count), known_rows(count);  // by circle
   executor.begin_stage("changes");
-  executor.for_ranges(count, kChunk, [&](std::size_t begin, std::size_t end) {
+  executor.for_ranges(count, kChangedAtOnce, [&](std::size_t begin, std::size_t end) {
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
       if (const HeadingSet* free = kept.headings(c)) {
         headings[c] = *free;
@@ -140,7 +140,7 @@ std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(const Feasib
   const KeptKnowledge kept(before, after, *checks, change);
   auto lazy = std::make_shared<LazyFeasibleGraph>(checks);
   executor.begin_stage("changes");
-  executor.for_ranges(lazy->circles().size(), kChunk, [&](std::size_t begin, std::size_t end) {
+  executor.for_ranges(lazy->circles().size(), kChangedAtOnce, [&](std::size_t begin, std::size_t end) {
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
       if (const HeadingSet* free = kept.headings(c)) lazy->learn_headings(c, *free);
       if (std::optional<CheckedRow> row = kept.row(c)) lazy->learn_row(c, std::move(*row));

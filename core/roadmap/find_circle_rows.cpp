@@ -9,7 +9,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::size_t kChunk = 16;  // circles that a thread takes at once
+constexpr std::size_t kRowsAtOnce = 16;  // circles that a thread takes at once
 
 // The circles along a curve, near ones one after the other: they ask about the same parts of the map.
 // @returns places in `circles`.
@@ -42,7 +42,7 @@ void find_headings(const CircleChecks& checks, std::span<const std::uint32_t> ci
                    std::span<HeadingSet> headings) {
   const std::vector<std::uint32_t> order = places_along_curve(checks, circles);
   executor.begin_stage("free headings");
-  executor.for_ranges(circles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+  executor.for_ranges(circles.size(), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> chunk;
     for (std::size_t i = begin; i < end; ++i) chunk.push_back(circles[order[i]]);
     std::vector<HeadingSet> found(chunk.size());
@@ -57,7 +57,7 @@ std::vector<LinkRow> find_kept_links(const CircleChecks& checks, std::span<const
   const std::vector<std::uint32_t> order = places_along_curve(checks, circles);
   const StopClock clock = executor.clock();
   executor.begin_stage("bitangents");
-  executor.for_ranges(circles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+  executor.for_ranges(circles.size(), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) found[order[i]] = kept_links(checks, headings, circles[order[i]], clock);
   });
   return found;

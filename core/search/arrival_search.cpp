@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -16,6 +15,7 @@
 #include "core/attach/search_attachments.h"
 #include "core/attach/search_context.h"
 #include "core/attach/walk_links.h"
+#include "core/base/infinity.h"
 #include "core/base/open_list.h"
 #include "core/base/prefetch.h"
 #include "core/geometry/quick_direction.h"
@@ -26,8 +26,6 @@
 namespace arcway::internal {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kLong = 256;            // number of labels of a long search: more than most searches take
 constexpr std::size_t kManyLabels = 1 << 14;  // number of labels that a warm workspace has room for
 // Weight that a prefetch search adds to the heuristic. With less, it finds what the search finds at the same moment.

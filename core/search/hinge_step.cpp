@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNoRoom = 1e-12;  // distance of a component from its limit that counts as none
 constexpr double kNoGain = 1e-8;   // expected gain, as a share of the sum of squares, at which the step is the last one
-constexpr int kHalvings = 30;      // number of halvings of the range of the best step length
+constexpr int kStepHalvings = 30;  // number of halvings of the range of the best step length
 
 class HingeStep {
  public:
@@ -114,7 +114,7 @@ class HingeStep {
     };
     if (slope(to.room) <= 0.0) return to.room;
     double low = 0.0, high = to.room;
-    for (int i = 0; i < kHalvings; ++i) (slope(0.5 * (low + high)) > 0.0 ? high : low) = 0.5 * (low + high);
+    for (int i = 0; i < kStepHalvings; ++i) (slope(0.5 * (low + high)) > 0.0 ? high : low) = 0.5 * (low + high);
     return low;
   }
 

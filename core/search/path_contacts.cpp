@@ -12,10 +12,10 @@ namespace arcway::internal {
 namespace {
 
 // Lengths are in lengths of the body.
-constexpr double kStep = 1.0 / 24.0;  // that any point of the body moves between two looks at the edges
-constexpr double kNear = 0.02;        // edges so near beside the body count: the next step may come to touch them
-constexpr double kFlat = 1e-7;        // depths that differ by no more are one
-constexpr int kSections = 16;         // of two steps, in which the deepest contact is looked for
+constexpr double kStep = 1.0 / 24.0;   // that any point of the body moves between two looks at the edges
+constexpr double kNearContact = 0.02;  // edges so near beside the body count: the next step may come to touch them
+constexpr double kFlat = 1e-7;         // depths that differ by no more are one
+constexpr int kSections = 16;          // of two steps, in which the deepest contact is looked for
 constexpr double kGolden = 0.6180339887498949;
 constexpr double kSmallTurn = 1e-3;  // of an arc, below which series are used [rad]
 constexpr double kAroundArc = 0.25;  // of an arc's length: how far it lies from five of its places at most
@@ -47,8 +47,8 @@ void PathContacts::look_along(const std::vector<PathSegment>& motions, const Pos
   for (std::size_t i = 0; i < motions_.size(); ++i) look_along_motion(i);
   add_end(goal);
   const auto rows = static_cast<Eigen::Index>(values_.size()), columns = static_cast<Eigen::Index>(2 * motions_.size());
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  residuals_.gradients = Eigen::Map<const Rows>(gradients_.data(), rows, columns);
+  using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  residuals_.gradients = Eigen::Map<const RowMajorMatrix>(gradients_.data(), rows, columns);
   residuals_.values = Eigen::Map<const Eigen::VectorXd>(values_.data(), rows);
   residuals_.equalities = 3;
 }
@@ -67,7 +67,7 @@ void PathContacts::look_along_motion(std::size_t i) {
 void PathContacts::find_edges(const PathSegment& motion) {
   Box near;
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) near.extend(motion.at(share * motion.length).position());
-  near = near.grown(around_ + kNear * unit_ + kAroundArc * motion.length);
+  near = near.grown(around_ + kNearContact * unit_ + kAroundArc * motion.length);
   edges_.clear();
   outlines_.visit_if([&](const Box& box) { return box.overlaps(near); },
                      [&](const Outlines::Piece& piece) {
@@ -91,7 +91,7 @@ PathContacts::End PathContacts::end_at(const PathSegment& motion, const Step& st
 
 std::optional<BodyContact> PathContacts::contact(const PathSegment& motion, const Step& step,
                                                  const LineSegment& edge) const {
-  return body_contact(body_, {step.place, step.ahead, motion.curvature}, edge, kNear * unit_);
+  return body_contact(body_, {step.place, step.ahead, motion.curvature}, edge, kNearContact * unit_);
 }
 
 double PathContacts::depth(const PathSegment& motion, const Step& step, const LineSegment& edge) const {

@@ -16,7 +16,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::size_t kNext = 5;  // number of entries at the top of the open list: of its first two levels
+constexpr std::size_t kNextPoints = 5;  // number of entries at the top of the open list: of its first two levels
 // Number of visibility queries to the goal after which an occlusion horizon of the goal pays.
 constexpr std::size_t kManyAsked = 64;
 
@@ -90,7 +90,7 @@ void PointDistance::push_from_start(const Vec2& start, const Vec2& goal, Workspa
 }
 
 void PointDistance::prefetch_next(const Workspace& w) const {
-  for (const Workspace::Entry& next : w.open_.first_few(kNext)) {
+  for (const Workspace::Entry& next : w.open_.first_few(kNextPoints)) {
     if (next.vertex == kNone) continue;
     will_need(&world_.vertices()[next.vertex]);
     will_need(&w.reached_[next.vertex]);

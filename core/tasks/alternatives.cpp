@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 
 #include "arcway/angle.h"
 #include "arcway/stop_clock.h"
+#include "core/base/infinity.h"
 #include "core/collision/memoized_sweep.h"
 #include "core/collision/walled_sweep.h"
 #include "core/geometry/distance.h"
@@ -24,7 +24,6 @@ using namespace internal;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPieceTurn = 1.5;     // largest turn of the pieces of arcs [rad], less than half a circle
 constexpr std::size_t kMostGaps = 10;  // number of gaps of a path that are blocked, the narrowest first
 constexpr double kSamplesPerSegment = 8.0;

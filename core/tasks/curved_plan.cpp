@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "core/base/infinity.h"
 #include "core/base/stopwatch.h"
 #include "core/collision/motion_free.h"
 #include "core/motion/clearance.h"
@@ -18,7 +18,6 @@ namespace arcway {
 using namespace internal;
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The finest tolerance as a share of the safety margin. The body is checked grown by half of the margin. Where it is
 // free among the curves when grown by 9/16, it is free among such rings.
 constexpr double kFinestShare = 1.0 / 16.0;

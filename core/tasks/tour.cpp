@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "arcway/angle.h"
+#include "core/base/infinity.h"
 #include "core/base/stopwatch.h"
 #include "core/model/pose_text.h"
 #include "core/motion/speed_profile.h"
@@ -22,7 +22,6 @@ using namespace internal;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kHeadings = 24;         // number of headings tried where the heading is open
 constexpr double kFinestStep = 2e-3;  // smallest step of an open heading [rad]
 constexpr double kLeastGain = 1e-6;   // share of the cost that another heading must save

@@ -8,10 +8,10 @@
 #include <queue>
 #include <utility>
 
+#include "core/base/infinity.h"
+
 namespace arcway::internal {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Share of the body's reach. An interval in which every body point travels less than this, and which is not proved
 /// free, is a collision.
 constexpr double kShortestTravel = 1e-9;

@@ -38,9 +38,9 @@ constexpr std::string_view kDrivingNames[] = {
 constexpr const char* kTop = "properties";  // place of those of the whole file
 constexpr std::size_t kMostNamed = 8;       // other properties named in a note
 
-class Reader {
+class GeoJsonReader {
  public:
-  Reader(std::string_view name, const VectorOptions& options) : map_(name, options), lonlat_(options.lonlat) {}
+  GeoJsonReader(std::string_view name, const VectorOptions& options) : map_(name, options), lonlat_(options.lonlat) {}
 
   /// @param top  a FeatureCollection whose features have been read already, or any other document.
   void read_top(const json& top) {
@@ -369,10 +369,10 @@ MapFile read_geojson(std::string_view text, std::string_view name, const VectorO
   std::string mended;
   if (text.find("NaN") != std::string_view::npos || text.find("Infinity") != std::string_view::npos)
     text = mended = without_missing_heights(text);
-  Reader reader(name, options);
+  GeoJsonReader reader(name, options);
   if (!is_sequence(text)) {
     const detail::JsonElements features{.key = "features",
-                                        .restart = [&] { reader = Reader(name, options); },
+                                        .restart = [&] { reader = GeoJsonReader(name, options); },
                                         .element = [&](const json& feature) { reader.read_feature(feature); }};
     reader.read_top(detail::parse_json(text, name, &features));
     return reader.finish();

@@ -9,9 +9,9 @@
 namespace arcway::internal {
 namespace {
 
-class Reader {
+class PgmReader {
  public:
-  Reader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
+  PgmReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
 
   GrayImage read(std::size_t max_pixels) {
     if (!bytes_.starts_with("P2") && !bytes_.starts_with("P5")) fail("expected PGM, which begins with P2 or P5");
@@ -100,7 +100,7 @@ class Reader {
 }  // namespace
 
 GrayImage read_pgm(std::string_view bytes, std::string_view name, std::size_t max_pixels) {
-  return Reader(bytes, name).read(max_pixels);
+  return PgmReader(bytes, name).read(max_pixels);
 }
 
 }  // namespace arcway::internal

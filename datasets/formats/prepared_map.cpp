@@ -97,9 +97,9 @@ class Writer {
   std::vector<Section> sections_;
 };
 
-class Reader {
+class PreparedReader {
  public:
-  Reader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {
+  PreparedReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {
     read_header();
     read_entries();
   }
@@ -242,7 +242,7 @@ class Reader {
   std::map<SnapshotArray, PreparedMap::Source::Section> places_;
 };
 
-WorldSnapshot read_world(Reader& reader) {
+WorldSnapshot read_world(PreparedReader& reader) {
   WorldSnapshot snapshot;
   snapshot.vertices = reader.get<Vec2>(SnapshotArray::kVertices);
   snapshot.next = reader.get<std::uint32_t>(SnapshotArray::kNext);
@@ -254,11 +254,12 @@ WorldSnapshot read_world(Reader& reader) {
   return snapshot;
 }
 
-std::optional<PreparedMap::ForRobot> read_for_robot(Reader& reader, std::string_view name) {
-  const std::optional<std::vector<char>> json = reader.find<char>(kRobot);
-  if (!json) return std::nullopt;
+std::optional<PreparedMap::ForRobot> read_for_robot(PreparedReader& reader, std::string_view name) {
+  const std::optional<std::vector<char>> robot_text = reader.find<char>(kRobot);
+  if (!robot_text) return std::nullopt;
   PreparedMap::ForRobot robot;
-  robot.parameters = read_robot(std::string_view(json->data(), json->size()), std::string(name) + ", robot");
+  robot.parameters =
+      read_robot(std::string_view(robot_text->data(), robot_text->size()), std::string(name) + ", robot");
   robot.radii = reader.get<double>(SnapshotArray::kRadii);
   robot.feasible.interval_starts = reader.get<std::uint64_t>(SnapshotArray::kIntervalStarts);
   robot.feasible.intervals = reader.get<HeadingInterval>(SnapshotArray::kIntervals);
@@ -288,7 +289,7 @@ bool is_prepared_map_file(const std::filesystem::path& path) {
 }
 
 PreparedMap read_prepared_map(std::string_view bytes, std::string_view name) {
-  Reader reader(bytes, name);
+  PreparedReader reader(bytes, name);
   WorldSnapshot world = read_world(reader);
   auto row_starts = reader.get<std::uint64_t>(SnapshotArray::kRowStarts);
   auto targets = reader.get<VertexId>(SnapshotArray::kTargets);

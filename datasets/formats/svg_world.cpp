@@ -33,9 +33,9 @@ struct Transform {
   }
 };
 
-class Reader {
+class SvgReader {
  public:
-  Reader(std::string_view text, std::string_view name, const VectorOptions& options)
+  SvgReader(std::string_view text, std::string_view name, const VectorOptions& options)
       : text_(text),
         map_(name, {.free_polygons = options.free_polygons, .curve_tolerance = options.curve_tolerance}),
         view_is_bounds_(!options.free_polygons) {
@@ -294,7 +294,7 @@ class Reader {
 }  // namespace
 
 MapFile read_svg_world(std::string_view text, std::string_view name, const VectorOptions& options) {
-  return Reader(text, name, options).read();
+  return SvgReader(text, name, options).read();
 }
 
 }  // namespace arcway::internal

@@ -16,9 +16,9 @@ constexpr double kRoom = 12.0;     // around start and goal [m]
 constexpr double kFarAway = 1e6;   // [m]
 constexpr double kMaxCount = 1e7;  // obstacles, or vertices of one
 
-class Reader {
+class TpcapReader {
  public:
-  Reader(std::string_view text, std::string_view name) : text_(text, name), map_(name, {}) {}
+  TpcapReader(std::string_view text, std::string_view name) : text_(text, name), map_(name, {}) {}
 
   MapFile read() {
     Pose start = pose("start"), goal = pose("goal");
@@ -96,6 +96,6 @@ class Reader {
 
 }  // namespace
 
-MapFile read_tpcap(std::string_view text, std::string_view name) { return Reader(text, name).read(); }
+MapFile read_tpcap(std::string_view text, std::string_view name) { return TpcapReader(text, name).read(); }
 
 }  // namespace arcway::internal

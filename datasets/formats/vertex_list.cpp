@@ -73,9 +73,9 @@ std::optional<Columns> columns_of(const Fields& names) {
   return columns;
 }
 
-class Reader {
+class VertexReader {
  public:
-  Reader(std::string_view text, std::string_view name, const VectorOptions& options)
+  VertexReader(std::string_view text, std::string_view name, const VectorOptions& options)
       : text_(text, name), map_(name, options) {}
 
   MapFile read() {
@@ -140,7 +140,7 @@ class Reader {
 }  // namespace
 
 MapFile read_vertex_list(std::string_view text, std::string_view name, const VectorOptions& options) {
-  return Reader(text, name, options).read();
+  return VertexReader(text, name, options).read();
 }
 
 bool is_vertex_list(std::string_view text) {

@@ -22,9 +22,9 @@ std::string in_capitals(std::string_view text) {
   return capitals;
 }
 
-class Reader {
+class WktReader {
  public:
-  Reader(std::string_view text, std::string_view name, const VectorOptions& options)
+  WktReader(std::string_view text, std::string_view name, const VectorOptions& options)
       : text_(text, name), map_(name, options) {}
 
   MapFile read() {
@@ -180,7 +180,7 @@ std::string wkt_type(std::string_view keyword) {
 }
 
 MapFile read_wkt(std::string_view text, std::string_view name, const VectorOptions& options) {
-  return Reader(text, name, options).read();
+  return WktReader(text, name, options).read();
 }
 
 std::string to_wkt(const MapFile& map) {

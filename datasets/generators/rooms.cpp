@@ -6,7 +6,7 @@
 namespace arcway::internal::detail {
 namespace {
 
-constexpr double kHalfWall = 0.15;
+constexpr double kHalfRoomWall = 0.15;
 constexpr double kHalfDoor = 1.1;
 constexpr std::size_t kVerticesPerRoom = 18;  // a cross of walls and one table and a half
 
@@ -47,7 +47,7 @@ Plan plan_of(Random& random, std::size_t wanted) {
 
 // The outer walls and the stubs of the inner ones that start there.
 Ring bounds_of(const Plan& plan) {
-  constexpr double t = kHalfWall;
+  constexpr double t = kHalfRoomWall;
   const auto& [x, y, vertical, horizontal] = plan;
   const std::size_t n = plan.rooms_across();
   Ring bounds;
@@ -77,7 +77,7 @@ Ring bounds_of(const Plan& plan) {
 
 // Where two inner walls meet: a cross that ends at the four doors around it.
 void add_crosses(const Plan& plan, Layout& layout) {
-  constexpr double t = kHalfWall;
+  constexpr double t = kHalfRoomWall;
   const auto& [x, y, vertical, horizontal] = plan;
   for (std::size_t i = 1; i < plan.rooms_across(); ++i) {
     for (std::size_t j = 1; j < plan.rooms_across(); ++j) {

@@ -24,7 +24,7 @@
 namespace arcway::internal {
 namespace {
 
-constexpr std::uint64_t kWorlds = 400;
+constexpr std::uint64_t kWorldsInContact = 400;
 
 void expect_rows(const World& world, const VisibilityGraph& graph) {
   const auto rows = rows_of(world, graph);
@@ -50,7 +50,7 @@ VisibilityGraph graph_by_sleeves(const World& world) {
 // Compares every builder with an oracle that knows no cones.
 TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
   std::size_t contacts = 0, edges = 0;
-  for (std::uint64_t seed = 1; seed <= kWorlds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kWorldsInContact; ++seed) {
     SCOPED_TRACE(seed);
     const World world = test::touching_world(seed, 4);
     contacts += world.self_contacts().size();
@@ -72,7 +72,7 @@ TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
 }
 
 TEST(SelfContacts, ChangedWorldsKeepTheirs) {
-  for (std::uint64_t seed = 1; seed <= kWorlds / 2; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kWorldsInContact / 2; ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
     World world = test::touching_world(seed, 4);

@@ -26,7 +26,7 @@ using test::StoppingQueries;
 constexpr std::size_t kMostAfterStop = 250;
 constexpr std::size_t kStops = 40;  // tried in each case, over the whole query
 
-struct Case {
+struct StoppedCase {
   std::string name;
   World world;
   Vehicle vehicle;
@@ -39,8 +39,8 @@ World room(std::vector<Polygon> obstacles, double width, double height) {
 }
 
 // Cases that go through the stages of a query.
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<StoppedCase> cases() {
+  std::vector<StoppedCase> all;
   const World clutter =
       random_world({.kind = ClutterKind::kMixed, .obstacles = 30, .vertices = 6, .fill = 0.25, .seed = 5});
   const auto queries =
@@ -78,7 +78,7 @@ void at_many_stops(StoppingQueries& stopping, std::size_t questions,
 }
 
 TEST(Limits, AQueryEndsSoonAfterAStopWhereverThatComes) {
-  for (const Case& c : cases()) {
+  for (const StoppedCase& c : cases()) {
     SCOPED_TRACE(c.name);
     for (const GraphMode mode : {GraphMode::kEager, GraphMode::kLazy}) {
       StoppingQueries stopping(c.world);
@@ -107,7 +107,7 @@ TEST(Limits, AQueryEndsSoonAfterAStopWhereverThatComes) {
 }
 
 TEST(Limits, AStoppedQueryLeavesNoTraceInThePlanner) {
-  for (const Case& c : cases()) {
+  for (const StoppedCase& c : cases()) {
     SCOPED_TRACE(c.name);
     StoppingQueries stopping(c.world);
     const auto make = [&] {
@@ -129,7 +129,7 @@ TEST(Limits, AStoppedQueryLeavesNoTraceInThePlanner) {
 
 TEST(Limits, ToursAndAlternativesEndSoonAfterAStop) {
   const Polygon block{{{25, 20}, {35, 20}, {35, 45}, {25, 45}}, {}};
-  const Case c{"hall", room({block}, 60, 60), Vehicle{}, {{10, 30, 0}, {50, 30, 0}}, PlanStatus::kSolved};
+  const StoppedCase c{"hall", room({block}, 60, 60), Vehicle{}, {{10, 30, 0}, {50, 30, 0}}, PlanStatus::kSolved};
   StoppingQueries stopping(c.world);
   const Planner planner(c.world, c.vehicle, backend_of(c.world, stopping.queries()));
   const TourRequest tour{.start = c.request.start, .goals = {{c.request.goal.position()}}};
@@ -152,7 +152,7 @@ TEST(Limits, ToursAndAlternativesEndSoonAfterAStop) {
 }
 
 TEST(Limits, ABoundProvedByTheTimeOfAStopHolds) {
-  const Case c = cases().front();
+  const StoppedCase c = cases().front();
   StoppingQueries stopping(c.world);
   const Planner planner(c.world, c.vehicle, backend_of(c.world, stopping.queries()));
   const PlanResult whole = planner.plan(c.request, {.stop = stopping.stop_at(StoppingQueries::kNever)});

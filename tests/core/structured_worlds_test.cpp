@@ -10,13 +10,13 @@ namespace arcway::internal {
 namespace {
 
 // Random poses may stand in a dead end that cannot be left forwards: not all of the queries have a path.
-struct Case {
+struct WorldCase {
   const char* world;
   std::size_t solved;  // of 20 queries, at least
 };
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.world; }
+std::ostream& operator<<(std::ostream& out, const WorldCase& c) { return out << c.world; }
 
-class StructuredWorlds : public testing::TestWithParam<Case> {};
+class StructuredWorlds : public testing::TestWithParam<WorldCase> {};
 
 TEST_P(StructuredWorlds, HaveTheirPathsFound) {
   const World world = catalog_world(GetParam().world);
@@ -36,8 +36,8 @@ TEST_P(StructuredWorlds, HaveTheirPathsFound) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalog, StructuredWorlds,
-                         testing::Values(Case{"maze/v100/s1", 14}, Case{"corridor/v300/s1", 14},
-                                         Case{"coastline/v300/s2", 19}, Case{"coastline/v1000/s2", 19}));
+                         testing::Values(WorldCase{"maze/v100/s1", 14}, WorldCase{"corridor/v300/s1", 14},
+                                         WorldCase{"coastline/v300/s2", 19}, WorldCase{"coastline/v1000/s2", 19}));
 
 }  // namespace
 }  // namespace arcway::internal

@@ -31,7 +31,7 @@ struct Motion {
     return {p.x(), p.y(), turn(pose.heading)};
   }
 };
-constexpr std::array kMotions{
+constexpr std::array kMirroredMotions{
     Motion{"quarter turn", [](const Vec2& p) { return Vec2(-p.y(), p.x()); }, [](double h) { return h + 0.5 * kPi; }},
     Motion{"mirror", [](const Vec2& p) { return Vec2(p.x(), -p.y()); }, [](double h) { return -h; }},
     Motion{"shift", [](const Vec2& p) { return Vec2(p.x() + 1024.0, p.y() - 512.0); }, [](double h) { return h; }}};
@@ -114,7 +114,7 @@ TEST(Symmetry, ReducedGraphsAreThoseOfTheMovedMap) {
   std::size_t edges = 0;
   for (const MapFile& map : maps()) {
     const World world = to_world(map, "map");
-    for (const Motion& motion : kMotions) {
+    for (const Motion& motion : kMirroredMotions) {
       SCOPED_TRACE(motion.name);
       EXPECT_EQ(edges_of(to_world(moved(map, motion), "moved"), same), edges_of(world, motion.move));
     }
@@ -140,7 +140,7 @@ TEST(Symmetry, PlansTakeAsLongOnTheMovedMap) {
       const World world = to_world(map, "map");
       const Planner planner(world, vehicle, options);
       std::vector<std::pair<Motion, Planner>> others;
-      for (const Motion& motion : kMotions)
+      for (const Motion& motion : kMirroredMotions)
         others.emplace_back(motion, Planner(to_world(moved(map, motion), "moved"), vehicle, options));
       others.emplace_back(Motion{"shuffle", [](const Vec2& p) { return p; }, [](double h) { return h; }},
                           Planner(to_world(shuffled(map, random), "shuffled"), vehicle, options));

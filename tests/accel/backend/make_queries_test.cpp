@@ -34,9 +34,9 @@ struct MapPlace {
 };
 // Sizes from a millimeter to 1e7 m. Offsets reach 2^30 times the size of a cell, and one lies as far out as doubles
 // tell the cells apart.
-constexpr MapPlace kPlaces[] = {{0x1p-10, 0.0},    {0x1p-10, 0x1p14}, {1.0, 0.0},        {1.0, -0x1p20},
-                                {0x1p7, 0x1p4},    {0x1p7, 0x1p24},   {0x1p10, -0x1p23}, {0x1p14, 0x1p30},
-                                {0x1p24, -0x1p23}, {0x1p24, 0x1p40},  {0x1p7, 0x1p53}};
+constexpr MapPlace kMapPlaces[] = {{0x1p-10, 0.0},    {0x1p-10, 0x1p14}, {1.0, 0.0},        {1.0, -0x1p20},
+                                   {0x1p7, 0x1p4},    {0x1p7, 0x1p24},   {0x1p10, -0x1p23}, {0x1p14, 0x1p30},
+                                   {0x1p24, -0x1p23}, {0x1p24, 0x1p40},  {0x1p7, 0x1p53}};
 constexpr std::size_t kSegmentsPerWorld = 1000;
 
 // Queries on a device of one instruction set, or nothing if the machine lacks it.
@@ -56,7 +56,7 @@ class EmbreeOnIsa : public testing::TestWithParam<const char*> {
   template <class Compare>
   void for_worlds(std::size_t worlds, const Compare& compare) {
     for (std::size_t i = 0; i < worlds; ++i) {
-      const MapPlace& place = kPlaces[i % std::size(kPlaces)];
+      const MapPlace& place = kMapPlaces[i % std::size(kMapPlaces)];
       TroublesomeQueries questions(1000 + i, place.size, place.offset);
       const std::optional<QuerySet> queries = queries_on(questions.world(), GetParam(), i % 2 == 1);
       if (!queries) GTEST_SKIP() << "this machine has no " << GetParam();
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(All, EmbreeOnIsa, testing::Values("sse2", "sse4.2", "av
                          });
 
 TEST_P(EmbreeOnIsa, SeesWhatTheReferenceSees) {
-  const std::size_t worlds = std::max<std::size_t>(std::size(kPlaces), segments_to_compare() / kSegmentsPerWorld);
+  const std::size_t worlds = std::max<std::size_t>(std::size(kMapPlaces), segments_to_compare() / kSegmentsPerWorld);
   std::size_t seen = 0;
   std::size_t asked = 0;
   for_worlds(worlds, [&](TroublesomeQueries& questions, const QuerySet& embree, const QuerySet& reference) {

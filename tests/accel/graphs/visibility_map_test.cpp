@@ -23,7 +23,7 @@
 namespace arcway::internal {
 namespace {
 
-constexpr std::uint64_t kNastyWorlds = 600;
+constexpr std::uint64_t kNastyMaps = 600;
 
 // Vertices, middles of edges, points on a coarse grid and anywhere, some beyond the map.
 Vec2 troublesome_point(const World& world, test::Random& random) {
@@ -53,7 +53,7 @@ void expect_same_visibility(const World& world, std::uint64_t seed, int segments
 }
 
 TEST(VisibilityMap, SeesWhatTheReferenceSees) {
-  for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed) {
+  for (std::uint64_t seed = 0; seed < kNastyMaps; ++seed) {
     expect_same_visibility(test::nasty_world(seed + 20000, 14), seed, 120);
     if (HasFatalFailure()) return;
   }
@@ -76,7 +76,7 @@ std::vector<VertexId> seen_by_trying_all(const World& world, const Vec2& p, cons
 template <class Find, class TryAll>
 std::size_t expect_same_from_points(std::uint64_t first_seed, const Find& find, const TryAll& try_all) {
   std::size_t count = 0;
-  for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed) {
+  for (std::uint64_t seed = 0; seed < kNastyMaps; ++seed) {
     const World world = test::nasty_world(seed + first_seed, 14);
     const VisibilityMap map(world);
     const QuerySet reference = make_reference_queries(world);
@@ -105,7 +105,7 @@ TEST(VisibilityMap, GraphsByExpansionAreTheReferences) {
     return graph.edge_count();
   };
   std::size_t edges = 0;
-  for (std::uint64_t seed = 0; seed < kNastyWorlds && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < kNastyMaps && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     edges += expect_same_graph(test::nasty_world(seed + 80000, 16));
   }
@@ -164,7 +164,7 @@ bool is_before(const VisibilityMap::RayHit& hit, const Vec2& from, const Vec2& q
 // Worlds and points on a grid, so that points on a ray are exact.
 TEST(VisibilityMap, RaysEndWhereLinesOfSightEnd) {
   std::size_t edges = 0, corners = 0, free = 0;
-  for (std::uint64_t seed = 0; seed < 2 * kNastyWorlds; ++seed) {
+  for (std::uint64_t seed = 0; seed < 2 * kNastyMaps; ++seed) {
     const World world = test::nasty_world(seed + 50000, 12);
     if (world.vertices().empty() || !is_valid(world)) continue;
     const VisibilityMap map(world);
@@ -195,7 +195,7 @@ TEST(VisibilityMap, RaysEndWhereLinesOfSightEnd) {
 // The pieces follow each other. A ray that ends at an edge has its direction within exactly one piece.
 TEST(VisibilityMap, PolygonsAreWhereRaysEnd) {
   std::size_t inside = 0, on_ends = 0;
-  for (std::uint64_t seed = 0; seed < kNastyWorlds; ++seed) {
+  for (std::uint64_t seed = 0; seed < kNastyMaps; ++seed) {
     const World world = test::nasty_world(seed + 60000, 12);
     if (world.vertices().empty() || !is_valid(world)) continue;
     const VisibilityMap map(world);

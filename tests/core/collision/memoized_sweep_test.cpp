@@ -11,7 +11,7 @@
 namespace arcway::internal {
 namespace {
 
-const Footprint kBody{1.4, 0.1, 0.4};
+const Footprint kSweptBody{1.4, 0.1, 0.4};
 
 TEST(MemoizedSweep, AsksEachQuestionOnceAndAnswersAlike) {
   test::Random random(3);
@@ -22,8 +22,8 @@ TEST(MemoizedSweep, AsksEachQuestionOnceAndAnswersAlike) {
   std::vector<TurningBody> bodies;
   for (int i = 0; i < 50; ++i) {
     const Vec2 p = random.point(-4.0, 4.0);
-    rectangles.push_back(swept_rectangle({p.x(), p.y(), random.uniform(-3.0, 3.0)}, random.uniform(0, 4), kBody));
-    bodies.push_back({p, random.uniform(1.3, 4.0), i % 2 == 0 ? Side::kLeft : Side::kRight, kBody});
+    rectangles.push_back(swept_rectangle({p.x(), p.y(), random.uniform(-3.0, 3.0)}, random.uniform(0, 4), kSweptBody));
+    bodies.push_back({p, random.uniform(1.3, 4.0), i % 2 == 0 ? Side::kLeft : Side::kRight, kSweptBody});
   }
   for (int round = 0; round < 3; ++round)
     for (std::size_t i = 0; i < bodies.size(); ++i) {

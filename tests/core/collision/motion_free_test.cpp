@@ -9,9 +9,9 @@
 namespace arcway::internal {
 namespace {
 
-const Footprint kBody{1.4, 0.1, 0.4};
+const Footprint kDrivenBody{1.4, 0.1, 0.4};
 
-Polygon box(const Vec2& low, double size) {
+Polygon square(const Vec2& low, double size) {
   return {{low, low + Vec2(size, 0.0), low + Vec2(size, size), low + Vec2(0.0, size)}, {}};
 }
 
@@ -20,7 +20,7 @@ TEST(MotionFree, SaysWhatTheClearanceSaysInBothGears) {
   int free = 0, blocked = 0;
   for (int round = 0; round < 300; ++round) {
     std::vector<Polygon> obstacles;
-    for (int i = 0; i < 4; ++i) obstacles.push_back(box(random.point(-7.0, 7.0), random.uniform(0.1, 1.5)));
+    for (int i = 0; i < 4; ++i) obstacles.push_back(square(random.point(-7.0, 7.0), random.uniform(0.1, 1.5)));
     const World world(obstacles);
     const QuerySet queries = make_reference_queries(world);
     Path path;
@@ -32,9 +32,9 @@ TEST(MotionFree, SaysWhatTheClearanceSaysInBothGears) {
     // A body that starts in free space and touches no edge on its way stays there.
     if (queries.distance->containing(Vec2(0.0, 0.0)) != kNone) continue;
     bool keeps_away = true;
-    for (const PathSegment& s : path) keeps_away = keeps_away && clearance_along(s, kBody, world).distance > 0.0;
-    EXPECT_EQ(motion_free(*queries.sweep, kBody, path), keeps_away) << "round " << round;
-    EXPECT_EQ(motion_free(*queries.sweep, kBody, reversed(path)), keeps_away) << "round " << round;
+    for (const PathSegment& s : path) keeps_away = keeps_away && clearance_along(s, kDrivenBody, world).distance > 0.0;
+    EXPECT_EQ(motion_free(*queries.sweep, kDrivenBody, path), keeps_away) << "round " << round;
+    EXPECT_EQ(motion_free(*queries.sweep, kDrivenBody, reversed(path)), keeps_away) << "round " << round;
     ++(keeps_away ? free : blocked);
   }
   EXPECT_GT(free, 30);

@@ -8,7 +8,7 @@
 namespace arcway::internal {
 namespace {
 
-const Footprint kBody{1.4, 0.1, 0.4};
+const Footprint kWalledBody{1.4, 0.1, 0.4};
 
 // A wall as an obstacle that is all but without thickness.
 Polygon sliver(const LineSegment& wall) {
@@ -34,10 +34,11 @@ TEST(WalledSweep, SaysWhatTheWorldWithTheWallsInItSays) {
     const WalledSweep walled(plain.sweep, walls);
     for (int i = 0; i < 20; ++i) {
       const Vec2 p = random.point(-7.0, 7.0);
-      const SweptRectangle r = swept_rectangle({p.x(), p.y(), random.uniform(-3.0, 3.0)}, random.uniform(0, 4), kBody);
+      const SweptRectangle r =
+          swept_rectangle({p.x(), p.y(), random.uniform(-3.0, 3.0)}, random.uniform(0, 4), kWalledBody);
       EXPECT_EQ(walled.straight_free(r), solid.sweep->straight_free(r));
       const TurningBody body{p, random.uniform(1.3, 4.0), random.integer(0, 1) == 0 ? Side::kLeft : Side::kRight,
-                             kBody};
+                             kWalledBody};
       const HeadingSet one = walled.free_headings(body);
       const HeadingSet other = solid.sweep->free_headings(body);
       for (int k = 0; k < 50; ++k) {

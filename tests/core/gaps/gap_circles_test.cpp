@@ -14,9 +14,9 @@
 namespace arcway::internal {
 namespace {
 
-const Vehicle kVehicle;
-const double kRadius = kVehicle.min_turning_radius();
-const Footprint kGrown = kVehicle.footprint(kVehicle.safety_margin());
+const Vehicle kGapVehicle;
+const double kRadius = kGapVehicle.min_turning_radius();
+const Footprint kGrown = kGapVehicle.footprint(kGapVehicle.safety_margin());
 
 // A door between two walls that reach far up and down.
 World door(double width, double thickness) {
@@ -24,14 +24,14 @@ World door(double width, double thickness) {
 }
 
 AddedCircles circles_of(const World& world) {
-  return find_gap_circles(world, VehicleGaps(world, kVehicle, kRadius).map(), kVehicle, kRadius);
+  return find_gap_circles(world, VehicleGaps(world, kGapVehicle, kRadius).map(), kGapVehicle, kRadius);
 }
 
 // How far a path may turn on a circle that leaves a gap straight at a heading, or comes onto it.
 double turn_at(const World& world, const TurnCircle& circle, double heading, bool exit) {
   const QuerySet queries = make_reference_queries(world);
   const HeadingSet free = queries.sweep->free_headings(
-      {circle.center, circle.radius, circle.side, kVehicle.footprint(0.5 * kVehicle.safety_margin())});
+      {circle.center, circle.radius, circle.side, kGapVehicle.footprint(0.5 * kGapVehicle.safety_margin())});
   return free.reach(heading, exit ? circle.side : opposite(circle.side));
 }
 

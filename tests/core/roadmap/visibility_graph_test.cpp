@@ -42,14 +42,14 @@ World world_of(const Rings& rings, double scale = 1.0, Vec2 offset = {0, 0}) {
 
 void expect_oracle(const Rings& rings) { expect_oracle(world_of(rings)); }
 
-Ring box(double x, double y, double w, double h) { return {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}; }
+Ring sized_box(double x, double y, double w, double h) { return {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}; }
 
-TEST(ReducedVisibilityGraph, OneBoxHasItsEdges) { expect_oracle({box(0, 0, 4, 2)}); }
+TEST(ReducedVisibilityGraph, OneBoxHasItsEdges) { expect_oracle({sized_box(0, 0, 4, 2)}); }
 
 TEST(ReducedVisibilityGraph, RowsOfEqualBoxes) {
   Rings boxes;
   for (int i = 0; i < 5; ++i)
-    for (int k = 0; k < 4; ++k) boxes.push_back(box(4 * i, 4 * k, 2, 2));
+    for (int k = 0; k < 4; ++k) boxes.push_back(sized_box(4 * i, 4 * k, 2, 2));
   expect_oracle(boxes);
   const auto edges = [](const World& world) {
     return edges_of(build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
@@ -58,28 +58,30 @@ TEST(ReducedVisibilityGraph, RowsOfEqualBoxes) {
 }
 
 TEST(ReducedVisibilityGraph, SharedVerticesAndSharedEdges) {
-  expect_oracle({box(0, 0, 2, 2), box(2, 2, 2, 2), box(2, 0, 2, 2), box(7, 1, 1, 1)});
-  expect_oracle({box(0, 0, 2, 2), box(2, 0, 2, 1), box(4, 0, 2, 2), box(3, 5, 2, 2)});
+  expect_oracle({sized_box(0, 0, 2, 2), sized_box(2, 2, 2, 2), sized_box(2, 0, 2, 2), sized_box(7, 1, 1, 1)});
+  expect_oracle({sized_box(0, 0, 2, 2), sized_box(2, 0, 2, 1), sized_box(4, 0, 2, 2), sized_box(3, 5, 2, 2)});
 }
 
 TEST(ReducedVisibilityGraph, CollinearVerticesOnAnEdge) {
-  expect_oracle({{{0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 3}, {2, 3}, {0, 3}}, box(6, 0, 2, 3), box(-5, 3, 2, 2)});
+  expect_oracle(
+      {{{0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 3}, {2, 3}, {0, 3}}, sized_box(6, 0, 2, 3), sized_box(-5, 3, 2, 2)});
 }
 
 TEST(ReducedVisibilityGraph, OverlappingAndNestedObstacles) {
-  expect_oracle({box(0, 0, 6, 6), box(4, 4, 6, 6), box(1, 1, 2, 2), box(12, 0, 2, 8)});
+  expect_oracle({sized_box(0, 0, 6, 6), sized_box(4, 4, 6, 6), sized_box(1, 1, 2, 2), sized_box(12, 0, 2, 8)});
 }
 
 TEST(ReducedVisibilityGraph, NeedlesAndNearlyParallelEdges) {
   expect_oracle({{{0, 0}, {1000000, 1}, {1000000, 2}},
                  {{0, 5}, {1000000, 6}, {0, 7}},
-                 box(400000, 20, 10, 10),
+                 sized_box(400000, 20, 10, 10),
                  {{10, -3}, {999999, -3}, {999998, -2}}});
 }
 
 TEST(ReducedVisibilityGraph, NonConvexObstacles) {
-  expect_oracle(
-      {{{0, 0}, {10, 0}, {10, 10}, {8, 10}, {8, 2}, {2, 2}, {2, 10}, {0, 10}}, box(4, 4, 2, 2), box(4, 12, 3, 3)});
+  expect_oracle({{{0, 0}, {10, 0}, {10, 10}, {8, 10}, {8, 2}, {2, 2}, {2, 10}, {0, 10}},
+                 sized_box(4, 4, 2, 2),
+                 sized_box(4, 12, 3, 3)});
 }
 
 // Random triangles on a small grid: contacts, overlaps and collinear triples of every kind.

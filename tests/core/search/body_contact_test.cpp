@@ -11,11 +11,11 @@
 namespace arcway::internal {
 namespace {
 
-constexpr Footprint kBody{1.5, 0.5, 0.5};
+constexpr Footprint kTouchingBody{1.5, 0.5, 0.5};
 constexpr double kNear = 0.1;
 
 std::optional<BodyContact> contact(const Pose& pose, const LineSegment& edge) {
-  return body_contact(kBody, {pose.position(), direction_of(pose.heading), 0.0}, edge, kNear);
+  return body_contact(kTouchingBody, {pose.position(), direction_of(pose.heading), 0.0}, edge, kNear);
 }
 
 TEST(BodyContact, IsTheLeastWayOut) {

@@ -13,7 +13,7 @@ namespace {
 
 using test::box;
 
-constexpr Footprint kBody{1.5, 0.5, 0.5};
+constexpr Footprint kPathBody{1.5, 0.5, 0.5};
 
 std::vector<PathSegment> chain(const Pose& start, const std::vector<PathSegment>& motions) {
   std::vector<PathSegment> path;
@@ -31,7 +31,7 @@ const std::vector<PathSegment> kMotions{{{}, 1.7, 0.1}, {{}, 2.2, 0.4}, {{}, 1.3
 TEST(PathContacts, EndGradientsAreThoseOfTheEnd) {
   const World world({box(30.0, 0.3, 31.0, 1.0)});
   const Outlines outlines(world);
-  const PathContacts contacts(outlines, kBody);
+  const PathContacts contacts(outlines, kPathBody);
   const std::vector<PathSegment> path = chain({1.0, 2.0, 0.5}, kMotions);
   const auto gradients = contacts.end_gradients(path);
   const Pose end = path.back().end();
@@ -57,7 +57,7 @@ TEST(PathContacts, GradientsAreThoseOfTheDeepestContact) {
   const Vec2 tip = middle.position() + 0.48 * left;
   const World world({{{tip, tip + left + 0.1 * direction_of(middle.heading), tip + left}, {}}});
   const Outlines outlines(world);
-  PathContacts contacts(outlines, kBody);
+  PathContacts contacts(outlines, kPathBody);
   const auto deepest_of = [&](const std::vector<PathSegment>& of) {
     contacts.look_along(chain({0.0, 0.0, 0.0}, of), path.back().end());
     Eigen::Index row = 0;
@@ -80,7 +80,7 @@ TEST(PathContacts, GradientsAreThoseOfTheDeepestContact) {
 TEST(PathContacts, TellsHowDeepABodyLiesOverAPost) {
   const World world({box(3.0, 0.3, 3.1, 1.0)});
   const Outlines outlines(world);
-  PathContacts contacts(outlines, kBody);
+  PathContacts contacts(outlines, kPathBody);
   const std::vector<PathSegment> line{{{0.0, 0.0, 0.0}, 8.0, 0.0}};
   contacts.look_along(line, line.back().end());
   EXPECT_NEAR(contacts.deepest() * contacts.unit(), 0.2, 1e-9);
@@ -89,7 +89,7 @@ TEST(PathContacts, TellsHowDeepABodyLiesOverAPost) {
 TEST(PathContacts, KnowsTheWayFromTheGoal) {
   const World world({box(30.0, 0.3, 31.0, 1.0)});
   const Outlines outlines(world);
-  PathContacts contacts(outlines, kBody);
+  PathContacts contacts(outlines, kPathBody);
   contacts.look_along({{{0.0, 0.0, 0.0}, 8.0, 0.0}}, {8.0, 0.5, 0.125});
   EXPECT_NEAR(contacts.off_goal(), 0.25, 1e-12);
   EXPECT_EQ(contacts.deepest(), 0.0);

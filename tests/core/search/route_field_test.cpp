@@ -8,16 +8,18 @@
 #include "arcway/angle.h"
 #include "arcway/query_set.h"
 #include "core/roadmap/lazy_feasible_graph.h"
+#include "tests/support/boxes.h"
 
 namespace arcway::internal {
-namespace {
 
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+using test::box_ring;
+
+namespace {
 
 // A wall with a gap in its middle, which ends in the open above.
 RouteField field_behind_a_wall(double gap) {
-  const World world({{box(9.0, -20.0, 10.0, -0.5 * gap), {}}, {box(9.0, 0.5 * gap, 10.0, 20.0), {}}},
-                    box(-5.0, -20.0, 30.0, 30.0));
+  const World world({{box_ring(9.0, -20.0, 10.0, -0.5 * gap), {}}, {box_ring(9.0, 0.5 * gap, 10.0, 20.0), {}}},
+                    box_ring(-5.0, -20.0, 30.0, 30.0));
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
   const std::vector<double> radii{vehicle.min_turning_radius()};

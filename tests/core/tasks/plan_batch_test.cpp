@@ -15,11 +15,11 @@
 namespace arcway::internal {
 namespace {
 
-struct Case {
+struct Batch {
   World world = random_world({.kind = ClutterKind::kStar, .obstacles = 25, .vertices = 6, .fill = 0.2, .seed = 4});
   Planner planner{world, Vehicle{}};
   std::vector<PlanRequest> requests;
-  Case() {
+  Batch() {
     requests = random_queries(world, make_reference_queries(world), planner.vehicle(), {.count = 40, .seed = 9});
     requests.push_back({requests[0].start, requests[0].start});
     requests.push_back({{1e6, 1e6, 0}, {-1e6, 1e6, 0}});
@@ -34,7 +34,7 @@ std::string bits_of(PlanResult result) {
 }
 
 TEST(PlanBatch, IsThePlanOfEachQueryInOrderForAnyNumberOfThreads) {
-  const Case c;
+  const Batch c;
   std::vector<std::string> expected;
   for (const PlanRequest& request : c.requests) {
     const PlanResult result = c.planner.plan(request);
@@ -50,7 +50,7 @@ TEST(PlanBatch, IsThePlanOfEachQueryInOrderForAnyNumberOfThreads) {
 }
 
 TEST(PlanBatch, TellsHowManyQueriesAreDone) {
-  const Case c;
+  const Batch c;
   std::vector<std::uint64_t> done;
   const auto note = [&](const Progress& progress) {
     EXPECT_EQ(std::string(progress.stage), "queries");
@@ -63,7 +63,7 @@ TEST(PlanBatch, TellsHowManyQueriesAreDone) {
 }
 
 TEST(PlanBatch, QueriesNotBegunWhenItIsStoppedAreCanceled) {
-  const Case c;
+  const Batch c;
   std::stop_source stop;
   const auto stop_after_five = [&](const Progress& progress) {
     if (progress.done == 5) stop.request_stop();
@@ -79,7 +79,7 @@ TEST(PlanBatch, QueriesNotBegunWhenItIsStoppedAreCanceled) {
 }
 
 TEST(PlanBatch, ARequestThatIsNoneIsNamed) {
-  Case c;
+  Batch c;
   c.requests[7].start.x = std::numeric_limits<double>::quiet_NaN();
   c.requests[11].goal.heading = std::numeric_limits<double>::infinity();
   try {

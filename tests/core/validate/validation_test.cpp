@@ -18,7 +18,7 @@ namespace arcway::internal {
 namespace {
 
 // The paper's robot, front steering: 1.4 ahead of F, 0.1 behind, 0.4 to either side, rho_min = 1.3.
-const Vehicle kVehicle;
+const Vehicle kCheckedVehicle;
 constexpr double kRadius = 2.0;
 
 using test::box;
@@ -27,7 +27,7 @@ Path straight(double length = 10.0) { return {{{0.0, 0.0, 0.0}, length, 0.0}}; }
 Path half_circle() { return {{{0.0, 0.0, 0.0}, kRadius * std::numbers::pi, 1.0 / kRadius}}; }
 
 TimedPath timed(const Path& path) {
-  const SpeedProfile profile = speed_profile(path, kVehicle);
+  const SpeedProfile profile = speed_profile(path, kCheckedVehicle);
   return {path,
           {profile.speeds.begin(), profile.speeds.end() - 1},
           {profile.speeds.begin() + 1, profile.speeds.end()},
@@ -35,7 +35,7 @@ TimedPath timed(const Path& path) {
 }
 
 ValidationReport check(const World& world, const TimedPath& path) {
-  return validate(world, kVehicle, path.segments.front().start, path.segments.back().end(), path);
+  return validate(world, kCheckedVehicle, path.segments.front().start, path.segments.back().end(), path);
 }
 ValidationReport check(const World& world, const Path& path) { return check(world, TimedPath{path, {}, {}, {}}); }
 
@@ -55,14 +55,14 @@ TEST(Validation, AcceptsAFastestPath) {
   const ValidationReport report = check(World({box(4.0, 0.5, 6.0, 1.5)}), timed(path));
   EXPECT_TRUE(report.valid()) << report.issues.front().message;
   EXPECT_DOUBLE_EQ(report.length, 17.0);
-  EXPECT_DOUBLE_EQ(report.travel_time, speed_profile(path, kVehicle).total_time);
+  EXPECT_DOUBLE_EQ(report.travel_time, speed_profile(path, kCheckedVehicle).total_time);
   EXPECT_NEAR(report.min_clearance, 0.1, 1e-6);
   EXPECT_LE(report.min_clearance, 0.1);
 }
 
 TEST(Validation, AcceptsASegmentThatIsLeftAtSpeed) {
   // From rest beyond the speed that it is left at, and down to that again.
-  const double a = kVehicle.max_acceleration();
+  const double a = kCheckedVehicle.max_acceleration();
   const TimedPath path{{straight(1.0)[0], {{1, 0, 0}, 0.5, 0.0}},
                        {0.0, std::sqrt(a)},
                        {std::sqrt(a), 0.0},
@@ -92,9 +92,10 @@ TEST(Validation, EmptyWorldHasInfiniteClearance) {
 
 TEST(Validation, EmptyPathStaysAtTheStart) {
   const Pose here{1.0, 1.0, 0.0};
-  EXPECT_TRUE(validate(kEmpty, kVehicle, here, here, {}).valid());
-  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, here, {2.0, 1.0, 0.0}, {})), Kinds{Violation::kGoalPose});
-  EXPECT_EQ(kinds(validate(World({box(0.0, 0.0, 3.0, 3.0)}), kVehicle, here, here, {})), Kinds{Violation::kCollision});
+  EXPECT_TRUE(validate(kEmpty, kCheckedVehicle, here, here, {}).valid());
+  EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, here, {2.0, 1.0, 0.0}, {})), Kinds{Violation::kGoalPose});
+  EXPECT_EQ(kinds(validate(World({box(0.0, 0.0, 3.0, 3.0)}), kCheckedVehicle, here, here, {})),
+            Kinds{Violation::kCollision});
 }
 
 // As the paper's robot, times a factor, and turning on a circle of this radius.
@@ -137,7 +138,7 @@ TEST(Validation, OfManyPathsIsThatOfEach) {
     path.push_back({path.back().end(), random.uniform(0, 4), random.uniform(-1, 1) / kRadius});
     const TimedPath timed{path, {}, {}, {}};
     const ValidationReport once = check(world, timed);
-    const ValidationReport kept = validator(kVehicle, path.front().start, path.back().end(), timed);
+    const ValidationReport kept = validator(kCheckedVehicle, path.front().start, path.back().end(), timed);
     EXPECT_EQ(kinds(once), kinds(kept));
     EXPECT_EQ(once.min_clearance, kept.min_clearance);
     ++(once.valid() ? valid : invalid);
@@ -149,16 +150,17 @@ TEST(Validation, OfManyPathsIsThatOfEach) {
 TEST(Validation, Numbers) {
   TimedPath path{straight(), {}, {}, {}};
   path.segments[0].length = -1.0;
-  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {}, {}, path)), Kinds{Violation::kNegativeLength});
+  EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, {}, {}, path)), Kinds{Violation::kNegativeLength});
   const double nan = std::nan("");
   for (const PathSegment& bad :
        {PathSegment{{}, nan, 0.0}, PathSegment{{}, 1.0, nan}, PathSegment{{0, 0, nan}, 1.0, 0.0},
         PathSegment{{}, 1.0, std::numeric_limits<double>::infinity()}, PathSegment{{1e308, 0, 0}, 1e308, 0.0}}) {
     path.segments[0] = bad;
-    EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {}, {}, path)), Kinds{Violation::kNotFinite});
+    EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, {}, {}, path)), Kinds{Violation::kNotFinite});
   }
   path.segments = straight();
-  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {std::nan(""), 0, 0}, {10, 0, 0}, path)), Kinds{Violation::kNotFinite});
+  EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, {std::nan(""), 0, 0}, {10, 0, 0}, path)),
+            Kinds{Violation::kNotFinite});
   TimedPath speeds = timed(straight());
   speeds.durations[0] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(kinds(check(kEmpty, speeds)), Kinds{Violation::kNotFinite});
@@ -176,8 +178,8 @@ TEST(Validation, RefusesOtherNumbersOfTimesWhateverElseIsWrong) {
 TEST(Validation, ClearanceIsABoundWhereThePathIsFarFromTheMapsOrigin) {
   const World wall({box(2, -1, 3, 1)});
   const TimedPath path{{{{-1e9, 0, 0}, 1e9, 0.0}}, {}, {}, {}};
-  const ValidationReport report = validate(wall, kVehicle, {-1e9, 0, 0}, {0, 0, 0}, path);
-  const double clearance = 2.0 - kVehicle.footprint().front;
+  const ValidationReport report = validate(wall, kCheckedVehicle, {-1e9, 0, 0}, {0, 0, 0}, path);
+  const double clearance = 2.0 - kCheckedVehicle.footprint().front;
   EXPECT_GT(report.min_clearance, clearance - 1e-4);
   EXPECT_LT(report.min_clearance, clearance - 1e-7);
 }
@@ -185,11 +187,11 @@ TEST(Validation, ClearanceIsABoundWhereThePathIsFarFromTheMapsOrigin) {
 TEST(Validation, EndPoses) {
   const TimedPath path{straight(), {}, {}, {}};
   const double turn = 2.0 * std::numbers::pi;
-  EXPECT_TRUE(validate(kEmpty, kVehicle, {0, 0, turn}, {10, 0, -turn}, path).valid());
-  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {1e-5, 0, 0}, {10, 0, 0}, path)), Kinds{Violation::kStartPose});
-  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {0, 0, 1e-5}, {10, 0, 0}, path)), Kinds{Violation::kStartPose});
-  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {0, 0, 0}, {10, 1e-5, 0}, path)), Kinds{Violation::kGoalPose});
-  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, {0, 0, 0}, {10, 0, 3.14}, path)), Kinds{Violation::kGoalPose});
+  EXPECT_TRUE(validate(kEmpty, kCheckedVehicle, {0, 0, turn}, {10, 0, -turn}, path).valid());
+  EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, {1e-5, 0, 0}, {10, 0, 0}, path)), Kinds{Violation::kStartPose});
+  EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, {0, 0, 1e-5}, {10, 0, 0}, path)), Kinds{Violation::kStartPose});
+  EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, {0, 0, 0}, {10, 1e-5, 0}, path)), Kinds{Violation::kGoalPose});
+  EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, {0, 0, 0}, {10, 0, 3.14}, path)), Kinds{Violation::kGoalPose});
 }
 
 TEST(Validation, Joints) {
@@ -243,7 +245,7 @@ TEST(Validation, AnArcMayNotBeLeftFasterThanItIsDriven) {
   Path path{{{}, 3.0, 1.0 / kRadius}};
   path.push_back({path.back().end(), 3.0, 0.0});
   TimedPath times = timed(path);
-  times.speed_out[0] = times.speed_in[1] = 0.5 * (kVehicle.turn_speed(kRadius) + kVehicle.max_speed());
+  times.speed_out[0] = times.speed_in[1] = 0.5 * (kCheckedVehicle.turn_speed(kRadius) + kCheckedVehicle.max_speed());
   times.durations = {1.0, 1.0};
   const ValidationReport report = check(kEmpty, times);
   ASSERT_EQ(kinds(report), Kinds{Violation::kSpeedLimit});
@@ -542,7 +544,7 @@ TEST(Validation, AcceptsCuspsAtRestOnly) {
   moving.speed_out[1] = moving.speed_in[2] = 0.5;
   EXPECT_EQ(kinds(check(kEmpty, moving)), Kinds{Violation::kCuspSpeed});
   EXPECT_EQ(check(kEmpty, moving).issues[0].segment, 2u);
-  EXPECT_EQ(kinds(validate(kEmpty, kVehicle, good.segments.front().start, good.segments.back().end(), good,
+  EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, good.segments.front().start, good.segments.back().end(), good,
                            {.reverse = false})),
             Kinds{Violation::kReverse});
 }
@@ -554,7 +556,7 @@ TEST(Validation, WrongGearMissesTheNextJoint) {
   EXPECT_EQ(kinds(check(kEmpty, path)), Kinds{Violation::kPositionJump});
   path = out_and_back({{{0.0, 0.0, 0.0}, kRadius, 1.0 / kRadius}});
   path[1].gear = Gear::kForward;
-  EXPECT_TRUE(kinds(validate(kEmpty, kVehicle, {}, {}, {path, {}, {}, {}})).contains(Violation::kGoalPose));
+  EXPECT_TRUE(kinds(validate(kEmpty, kCheckedVehicle, {}, {}, {path, {}, {}, {}})).contains(Violation::kGoalPose));
   // The body's heading runs on through a cusp: it is not that of the motion.
   path = out_and_back(straight());
   path[1].start.heading = std::numbers::pi;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kSquare = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
 
-MapFile read(const std::string& text) { return read_geojson(text, "world.geojson"); }
+MapFile geojson_of(const std::string& text) { return read_geojson(text, "world.geojson"); }
 
 std::string polygon(const std::string& rings) { return R"({"type":"Polygon","coordinates":[)" + rings + "]}"; }
 std::string feature(const std::string& geometry, const std::string& properties = "null") {
@@ -24,8 +24,8 @@ std::string collection(const std::string& features, const std::string& members =
   return R"({"type":"FeatureCollection",)" + members + R"("features":[)" + features + "]}";
 }
 
-std::string error_of(const std::string& text) {
-  return test::format_error_of([&] { read(text); });
+std::string geojson_error(const std::string& text) {
+  return test::format_error_of([&] { geojson_of(text); });
 }
 
 TEST(GeoJson, ReadsEveryTopLevelShape) {
@@ -34,7 +34,7 @@ TEST(GeoJson, ReadsEveryTopLevelShape) {
                                   R"({"type":"GeometryCollection","geometries":[)" + square + "]}",
                                   "\xEF\xBB\xBF" + collection(feature(square)) + "\r\n\r\n",
                                   feature(square) + "\n" + feature("null") + "\n", "\x1E" + feature(square) + "\n"}) {
-    const MapFile map = read(text);
+    const MapFile map = geojson_of(text);
     ASSERT_EQ(map.obstacles.size(), 1u) << text;
     EXPECT_EQ(map.obstacles[0].outer, (Ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}})) << text;
     EXPECT_TRUE(map.warnings.empty()) << map.warnings.front();
@@ -42,7 +42,7 @@ TEST(GeoJson, ReadsEveryTopLevelShape) {
 }
 
 TEST(GeoJson, KeepsHolesOrderAndPlaces) {
-  const MapFile map = read(collection(
+  const MapFile map = geojson_of(collection(
       feature("null") + "," +
       feature(
           R"({"type":"MultiPolygon","coordinates":[[[[0,0],[0,9],[9,9,7],[9,9],[0,0]],[[2,5],[2,6],[3,6],[2,5]]],[[[20,0],[21,0],[21,1],[20,0]]]]})") +
@@ -58,17 +58,17 @@ TEST(GeoJson, IgnoresHeightsThatAreMissing) {
   for (const char* ring :
        {"[[0,0,null],[4,0,null],[4,4,null],[0,0,null]]", "[[0,0,NaN],[4,0,-Infinity],[4,4,1],[0,0,NaN]]",
         "[[0,0,\"n/a\"],[4,0,1,NaN],[4,4],[0,0, NaN ]]"}) {
-    const MapFile map = read(polygon(ring));
+    const MapFile map = geojson_of(polygon(ring));
     ASSERT_EQ(map.obstacles.size(), 1u) << ring;
     EXPECT_EQ(map.obstacles[0].outer, (Ring{{0, 0}, {4, 0}, {4, 4}})) << ring;
   }
-  EXPECT_NE(error_of(polygon("[[0,0,NaN],[4,NaN,0],[4,4],[0,0]]")).find("found NaN"), std::string::npos);
-  EXPECT_NE(error_of(collection("", R"("properties":{"start":[1,2,NaN]},)")).find("expected a number, found null"),
+  EXPECT_NE(geojson_error(polygon("[[0,0,NaN],[4,NaN,0],[4,4],[0,0]]")).find("found NaN"), std::string::npos);
+  EXPECT_NE(geojson_error(collection("", R"("properties":{"start":[1,2,NaN]},)")).find("expected a number, found null"),
             std::string::npos);
 }
 
 TEST(GeoJson, ReadsRoles) {
-  const MapFile map = read(collection(
+  const MapFile map = geojson_of(collection(
       feature(polygon("[[0,0],[90,0],[90,90],[0,90],[0,0]],[[5,5],[5,6],[6,6],[5,5]]"), R"({"role":"boundary"})") +
       "," + feature(R"({"type":"Point","coordinates":[1,2]})", R"({"role":"start","heading":3})") + "," +
       feature(R"({"type":"Point","coordinates":[7,8]})", R"({"role":"goal","heading":-1})")));
@@ -82,12 +82,12 @@ TEST(GeoJson, ReadsRoles) {
 }
 
 TEST(GeoJson, ReadsTopLevelProperties) {
-  const MapFile map =
-      read(collection("", R"("bbox":[0,0,1,1],"properties":{"bounds":[0,1,20,30],"start":[1,2,3],"goal":[4,5,6]},)"));
+  const MapFile map = geojson_of(
+      collection("", R"("bbox":[0,0,1,1],"properties":{"bounds":[0,1,20,30],"start":[1,2,3],"goal":[4,5,6]},)"));
   EXPECT_EQ(map.bounds, (Ring{{0, 1}, {20, 1}, {20, 30}, {0, 30}}));
   EXPECT_EQ(map.start->y, 2.0);
   EXPECT_EQ(map.goal->heading, 6.0);
-  EXPECT_FALSE(read(collection("", R"("bbox":[0,0,1,1],"properties":null,)")).bounds);
+  EXPECT_FALSE(geojson_of(collection("", R"("bbox":[0,0,1,1],"properties":null,)")).bounds);
 }
 
 TEST(GeoJson, CollectionsMayBeNestedThirtyTwoDeep) {
@@ -97,77 +97,80 @@ TEST(GeoJson, CollectionsMayBeNestedThirtyTwoDeep) {
     return text;
   };
   EXPECT_EQ(read_geojson(nested(32), "w").obstacles.size(), 1u);
-  EXPECT_NE(error_of(nested(33)).find("geometry collections nested more than 32 deep"), std::string::npos)
-      << error_of(nested(33));
+  EXPECT_NE(geojson_error(nested(33)).find("geometry collections nested more than 32 deep"), std::string::npos)
+      << geojson_error(nested(33));
 }
 
 TEST(GeoJson, ErrorsNamePlaceAndValue) {
   const auto third = [](const std::string& ring) {
     return collection(feature("null") + "," + feature("null") + "," + feature(polygon(ring)));
   };
-  EXPECT_EQ(error_of(third("[[0,0],[1,null],[2,2],[0,0]]")),
+  EXPECT_EQ(geojson_error(third("[[0,0],[1,null],[2,2],[0,0]]")),
             "world.geojson: feature 2, ring 0, position 1: expected a number, found null");
-  EXPECT_EQ(error_of(third("[[0,0],[1],[2,2],[0,0]]")),
+  EXPECT_EQ(geojson_error(third("[[0,0],[1],[2,2],[0,0]]")),
             "world.geojson: feature 2, ring 0, position 1: expected a position [x, y], found [1]");
-  EXPECT_EQ(error_of(third("[[0,0],[1,1],[0,0]]")),
+  EXPECT_EQ(geojson_error(third("[[0,0],[1,1],[0,0]]")),
             "world.geojson: feature 2, ring 0: needs at least 3 different positions, found 2 in 3 positions");
-  EXPECT_EQ(error_of(""), "world.geojson: empty file, expected JSON");
-  EXPECT_EQ(error_of("[]"), "world.geojson: expected an object, found []");
-  EXPECT_EQ(error_of("{}"), "world.geojson: missing key \"type\"");
-  EXPECT_EQ(error_of(R"({"type":"Circle","coordinates":[1]})"),
+  EXPECT_EQ(geojson_error(""), "world.geojson: empty file, expected JSON");
+  EXPECT_EQ(geojson_error("[]"), "world.geojson: expected an object, found []");
+  EXPECT_EQ(geojson_error("{}"), "world.geojson: missing key \"type\"");
+  EXPECT_EQ(geojson_error(R"({"type":"Circle","coordinates":[1]})"),
             "world.geojson: geometry: unknown geometry type \"Circle\"");
-  EXPECT_EQ(error_of(R"({"type":"Feature\u001b","x":1})"),
+  EXPECT_EQ(geojson_error(R"({"type":"Feature\u001b","x":1})"),
             R"(world.geojson: geometry: unknown geometry type "Feature\u001b")");
-  EXPECT_LT(error_of(R"({"type":")" + std::string(100000, 'x') + R"("})").size(), 200u);
-  EXPECT_NE(error_of("{\"type\":\n\"Polygon\",\n\"coordinates\":[[[0,NaN],[1,1],[2,3]]]}").find("line 3: found NaN"),
+  EXPECT_LT(geojson_error(R"({"type":")" + std::string(100000, 'x') + R"("})").size(), 200u);
+  EXPECT_NE(
+      geojson_error("{\"type\":\n\"Polygon\",\n\"coordinates\":[[[0,NaN],[1,1],[2,3]]]}").find("line 3: found NaN"),
+      std::string::npos);
+  EXPECT_NE(geojson_error("{\"type\":\n\"Polygon\",\n}").find("world.geojson: line 3: syntax error"), std::string::npos)
+      << geojson_error("{\"type\":\n\"Polygon\",\n}");
+  EXPECT_NE(geojson_error(polygon("[[0,0],[1,1e999],[2,2],[0,0]]")).find("1e999"), std::string::npos);
+  EXPECT_NE(geojson_error(feature("null") + "\n{]\n").find("line 2"), std::string::npos);
+  EXPECT_NE(geojson_error(collection("", R"("properties":{"bounds":[0,0,-1,1]},)")).find("xmin < xmax"),
             std::string::npos);
-  EXPECT_NE(error_of("{\"type\":\n\"Polygon\",\n}").find("world.geojson: line 3: syntax error"), std::string::npos)
-      << error_of("{\"type\":\n\"Polygon\",\n}");
-  EXPECT_NE(error_of(polygon("[[0,0],[1,1e999],[2,2],[0,0]]")).find("1e999"), std::string::npos);
-  EXPECT_NE(error_of(feature("null") + "\n{]\n").find("line 2"), std::string::npos);
-  EXPECT_NE(error_of(collection("", R"("properties":{"bounds":[0,0,-1,1]},)")).find("xmin < xmax"), std::string::npos);
   const std::string start = feature(R"({"type":"Point","coordinates":[1,2]})", R"({"role":"start","heading":0})");
-  EXPECT_EQ(error_of(collection(start + "," + start)), "world.geojson: feature 1: second start");
+  EXPECT_EQ(geojson_error(collection(start + "," + start)), "world.geojson: feature 1: second start");
   std::string deep;
   for (int i = 0; i < 5000; ++i) deep += R"({"type":"GeometryCollection","geometries":[)";
-  EXPECT_NE(error_of(deep + std::string(5000, ' ')).find("line 1"), std::string::npos);
+  EXPECT_NE(geojson_error(deep + std::string(5000, ' ')).find("line 1"), std::string::npos);
   for (int i = 0; i < 5000; ++i) deep += "]}";
-  EXPECT_NE(error_of(deep).find("nested"), std::string::npos);
+  EXPECT_NE(geojson_error(deep).find("nested"), std::string::npos);
 }
 
 TEST(GeoJson, WarnsOfDegreesAndOtherGeometries) {
-  EXPECT_EQ(read(polygon("[[8.1,48.2],[8.2,48.2],[8.2,48.3],[8.1,48.2]]")).warnings.size(), 1u);
-  EXPECT_EQ(read(polygon("[[0,0],[4,0],[4,4],[0,4]]")).warnings.size(), 1u);
+  EXPECT_EQ(geojson_of(polygon("[[8.1,48.2],[8.2,48.2],[8.2,48.3],[8.1,48.2]]")).warnings.size(), 1u);
+  EXPECT_EQ(geojson_of(polygon("[[0,0],[4,0],[4,4],[0,4]]")).warnings.size(), 1u);
   const std::string line = feature(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})");
-  const MapFile map = read(collection(line + "," + feature(polygon("[[0,0],[4,0],[4,4],[0,4],[0,0]]"))));
+  const MapFile map = geojson_of(collection(line + "," + feature(polygon("[[0,0],[4,0],[4,4],[0,4],[0,0]]"))));
   ASSERT_EQ(map.warnings.size(), 1u);
   EXPECT_NE(map.warnings[0].find("feature 0 (LineString); with a wall width"), std::string::npos) << map.warnings[0];
   // Nothing would be left.
-  EXPECT_NE(test::format_error_of([&] { (void)read(collection(line)); }).find("no polygons, but 1 geometry"),
+  EXPECT_NE(test::format_error_of([&] { (void)geojson_of(collection(line)); }).find("no polygons, but 1 geometry"),
             std::string::npos);
 }
 
 TEST(GeoJson, OfRepeatedKeysTheLastOneCounts) {
   const std::string square = feature(polygon(kSquare));
-  const MapFile map = read(R"({"type":"Feature","features":[)" + square + "," + square +
-                           R"(],"type":"FeatureCollection","features":[)" + square + "]}");
+  const MapFile map = geojson_of(R"({"type":"Feature","features":[)" + square + "," + square +
+                                 R"(],"type":"FeatureCollection","features":[)" + square + "]}");
   EXPECT_EQ(map.obstacles.size(), 1u);
   EXPECT_EQ(map.places.at(0), "feature 0");
-  EXPECT_EQ(
-      read(R"({"type":"Point","coordinates":[1,2],"type":"Polygon","coordinates":[)" + std::string(kSquare) + "]}")
-          .obstacles.size(),
-      1u);
+  EXPECT_EQ(geojson_of(R"({"type":"Point","coordinates":[1,2],"type":"Polygon","coordinates":[)" +
+                       std::string(kSquare) + "]}")
+                .obstacles.size(),
+            1u);
 }
 
 TEST(GeoJson, MembersComeInAnyOrder) {
-  const MapFile map = read(R"({"features":[{"geometry":{"coordinates":[)" + std::string(kSquare) +
-                           R"(],"type":"Polygon"},"type":"Feature"}],"properties":{"bounds":[-9,-9,9,9]},)"
-                           R"("type":"FeatureCollection"})");
+  const MapFile map = geojson_of(R"({"features":[{"geometry":{"coordinates":[)" + std::string(kSquare) +
+                                 R"(],"type":"Polygon"},"type":"Feature"}],"properties":{"bounds":[-9,-9,9,9]},)"
+                                 R"("type":"FeatureCollection"})");
   EXPECT_EQ(map.obstacles.size(), 1u);
   EXPECT_TRUE(map.bounds);
   // A member of that name may be anything in other documents.
-  EXPECT_EQ(read(R"({"type":"Polygon","features":7,"coordinates":[)" + std::string(kSquare) + "]}").obstacles.size(),
-            1u);
+  EXPECT_EQ(
+      geojson_of(R"({"type":"Polygon","features":7,"coordinates":[)" + std::string(kSquare) + "]}").obstacles.size(),
+      1u);
 }
 
 TEST(GeoJson, AnOldReferenceSystemSaysWhatCoordinatesAre) {
@@ -175,11 +178,11 @@ TEST(GeoJson, AnOldReferenceSystemSaysWhatCoordinatesAre) {
     return R"("crs":{"type":"name","properties":{"name":")" + name + "\"}},";
   };
   const std::string small = feature(polygon("[[8.1,48.2],[8.2,48.2],[8.2,48.3],[8.1,48.2]]"));
-  EXPECT_TRUE(read(collection(small, crs("urn:ogc:def:crs:EPSG::25832"))).warnings.empty());
-  EXPECT_EQ(read(collection(small, R"("crs":null,)")).warnings.size(), 1u);
+  EXPECT_TRUE(geojson_of(collection(small, crs("urn:ogc:def:crs:EPSG::25832"))).warnings.empty());
+  EXPECT_EQ(geojson_of(collection(small, R"("crs":null,)")).warnings.size(), 1u);
   const std::string large = feature(polygon("[[8,48],[12,48],[12,50],[8,48]]"));
   const auto warning = [&](const std::string& member) {
-    const MapFile map = read(collection(large, member));
+    const MapFile map = geojson_of(collection(large, member));
     return map.warnings.size() == 1 ? map.warnings[0] : std::to_string(map.warnings.size()) + " warnings";
   };
   for (const std::string& member :
@@ -254,7 +257,7 @@ TEST(GeoJson, PolygonsWithoutARoleAreFreeSpaceWhenAsked) {
 
 TEST(GeoJson, WarnsOfPropertiesThatItDoesNotRead) {
   const auto map_of = [](const std::string& properties) {
-    return read(collection(feature(polygon(kSquare), properties) + "," + feature(polygon(kSquare), properties)));
+    return geojson_of(collection(feature(polygon(kSquare), properties) + "," + feature(polygon(kSquare), properties)));
   };
   for (const char* key :
        {"speed", "max_speed", "maxSpeed", "speed-limit", "cost", "traversable", "walkable", "level"}) {
@@ -272,11 +275,12 @@ TEST(GeoJson, WarnsOfPropertiesThatItDoesNotRead) {
   EXPECT_NE(map_of(R"({"role":"boundry"})").warnings.at(0).find("unknown role \"boundry\", did you mean \"boundary\"?"),
             std::string::npos);
   EXPECT_NE(map_of(R"({"Role":"boundary"})").warnings.at(0).find("did you mean \"role\"?"), std::string::npos);
-  EXPECT_NE(
-      read(collection("", R"("properties":{"bound":[0,0,1,1]},)")).warnings.at(0).find("did you mean \"bounds\"?"),
-      std::string::npos);
+  EXPECT_NE(geojson_of(collection("", R"("properties":{"bound":[0,0,1,1]},)"))
+                .warnings.at(0)
+                .find("did you mean \"bounds\"?"),
+            std::string::npos);
   const MapFile beside =
-      read(R"({"type":"Feature","role":"boundary","properties":{},"geometry":)" + polygon(kSquare) + "}");
+      geojson_of(R"({"type":"Feature","role":"boundary","properties":{},"geometry":)" + polygon(kSquare) + "}");
   EXPECT_NE(beside.warnings.at(0).find("\"role\" is not read beside \"properties\""), std::string::npos);
 }
 
@@ -300,7 +304,7 @@ TEST(GeoJson, RoundTripIsExact) {
   map.start = Pose{0.1, 0.2, 0.3};
   map.goal = Pose{1e-300, 2, -3.14159};
   const std::string text = to_geojson(map);
-  const MapFile back = read(text);
+  const MapFile back = geojson_of(text);
   ASSERT_EQ(back.obstacles.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(back.obstacles[i].outer, map.obstacles[i].outer);

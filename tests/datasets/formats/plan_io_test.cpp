@@ -77,7 +77,7 @@ PlanResult example_with_a_cusp() {
   return plan_along({line, {line.end(), 2.0, 0.0, Gear::kReverse}});
 }
 
-std::string error_of(const std::string& text) {
+std::string plan_error(const std::string& text) {
   return test::format_error_of([&] { read_plan(text, "plan.json"); });
 }
 
@@ -143,21 +143,21 @@ TEST(PlanJson, ReadsPathsWithoutSpeeds) {
   const PlanFile file = read_plan(plan(bare), "plan.json");
   EXPECT_EQ(file.path.segments.size(), 1u);
   EXPECT_TRUE(file.path.durations.empty());
-  EXPECT_EQ(error_of(plan(bare + R"(,{"type":"line","start":[0,0,0],"length":null,"curvature":0})")),
+  EXPECT_EQ(plan_error(plan(bare + R"(,{"type":"line","start":[0,0,0],"length":null,"curvature":0})")),
             "plan.json: path[1].length: expected a number, found null");
-  EXPECT_EQ(error_of(plan(R"({"type":"line","start":[0,0,0],"length":1,"curvature":2})")),
+  EXPECT_EQ(plan_error(plan(R"({"type":"line","start":[0,0,0],"length":1,"curvature":2})")),
             "plan.json: path[0].curvature: expected 0 on a line, found 2");
-  EXPECT_EQ(error_of(plan(
+  EXPECT_EQ(plan_error(plan(
                 bare + "," +
                 R"({"type":"arc","start":[0,0,0],"length":1,"curvature":2,"speed_in":0,"speed_out":0,"duration":1})")),
             "plan.json: path[1]: speeds must be on all segments or on none");
-  EXPECT_EQ(error_of(plan(
+  EXPECT_EQ(plan_error(plan(
                 R"({"type":"line","start":[0,0,0],"length":1,"curvature":0,"speed_in":0,"speed_out":0,"duration":1},)" +
                 bare)),
             "plan.json: path[1]: speeds must be on all segments or on none");
-  EXPECT_EQ(error_of(plan(R"({"type":"line","start":[0,0,0],"length":1,"curvature":0,"direction":0})")),
+  EXPECT_EQ(plan_error(plan(R"({"type":"line","start":[0,0,0],"length":1,"curvature":0,"direction":0})")),
             "plan.json: path[0].direction: expected 1 (forwards) or -1 (backwards), found 0");
-  EXPECT_EQ(error_of(plan(R"({"typ":"line"})")),
+  EXPECT_EQ(plan_error(plan(R"({"typ":"line"})")),
             "plan.json: path[0]: unknown key \"typ\", did you mean \"type\"? There are type, start, length, curvature, "
             "direction, speed_in, speed_out, duration");
 }
@@ -177,7 +177,7 @@ TEST(PlanJson, MayComeSeveralTimes) {
   const auto error = [&](const std::string& text) { return test::format_error_of([&] { read_plans(text, "p"); }); };
   EXPECT_EQ(error(plan + "\n{\"q\":-1}\n").rfind("p:2: missing key", 0), 0u);
   EXPECT_EQ(error(plan + "\n{\n3}\n").rfind("p: line 3: ", 0), 0u);
-  EXPECT_EQ(error("{\"q\":-1}"), error_of("{\"q\":-1}").replace(0, 9, "p"));
+  EXPECT_EQ(error("{\"q\":-1}"), plan_error("{\"q\":-1}").replace(0, 9, "p"));
   EXPECT_NE(error("").find("empty"), std::string::npos);
 }
 

@@ -18,7 +18,7 @@ std::string with(const std::string& key, const std::string& value) {
   if (at == std::string::npos) return text + key + ": " + value + "\n";
   return text.replace(at, text.find('\n', at) - at, key + ": " + value);
 }
-std::string error_of(const std::string& text) {
+std::string ros_error(const std::string& text) {
   return test::format_error_of([&] { read_ros_map(text, "a.yaml"); });
 }
 
@@ -57,18 +57,20 @@ TEST(RosMap, ThresholdsAreReached) {
 }
 
 TEST(RosMap, ErrorsNameLineAndValue) {
-  EXPECT_EQ(error_of(with("resolution", "fine")), "a.yaml: line 2: resolution: expected a number, found \"fine\"");
-  EXPECT_EQ(error_of(with("resolution", "0")), "a.yaml: line 2: resolution: expected a number above 0, found \"0\"");
-  EXPECT_EQ(error_of(with("origin", "[1, 2]")),
+  EXPECT_EQ(ros_error(with("resolution", "fine")), "a.yaml: line 2: resolution: expected a number, found \"fine\"");
+  EXPECT_EQ(ros_error(with("resolution", "0")), "a.yaml: line 2: resolution: expected a number above 0, found \"0\"");
+  EXPECT_EQ(ros_error(with("origin", "[1, 2]")),
             "a.yaml: line 3: origin: expected three numbers [x, y, yaw], found a list of 2");
-  EXPECT_EQ(error_of(with("origin", "[1, .nan, 2]")), "a.yaml: line 3: origin[1]: expected a number, found \".nan\"");
-  EXPECT_EQ(error_of(with("negate", "maybe")), "a.yaml: line 4: negate: expected 0, 1, true or false, found \"maybe\"");
-  EXPECT_EQ(error_of(with("mode", "shades")), "a.yaml: line 7: mode: expected trinary, scale or raw, found \"shades\"");
-  EXPECT_EQ(error_of("image: a.pgm\n"), "a.yaml: missing key \"resolution\"");
-  EXPECT_EQ(error_of("image: a.pgm\nresolutoin: 1\n"),
+  EXPECT_EQ(ros_error(with("origin", "[1, .nan, 2]")), "a.yaml: line 3: origin[1]: expected a number, found \".nan\"");
+  EXPECT_EQ(ros_error(with("negate", "maybe")),
+            "a.yaml: line 4: negate: expected 0, 1, true or false, found \"maybe\"");
+  EXPECT_EQ(ros_error(with("mode", "shades")),
+            "a.yaml: line 7: mode: expected trinary, scale or raw, found \"shades\"");
+  EXPECT_EQ(ros_error("image: a.pgm\n"), "a.yaml: missing key \"resolution\"");
+  EXPECT_EQ(ros_error("image: a.pgm\nresolutoin: 1\n"),
             "a.yaml: missing key \"resolution\"; is it meant by \"resolutoin\"?");
-  EXPECT_NE(error_of("image: [\n"), "no error");
-  EXPECT_NE(error_of("just words"), "no error");
+  EXPECT_NE(ros_error("image: [\n"), "no error");
+  EXPECT_NE(ros_error("just words"), "no error");
 }
 
 TEST(RosMap, NamesKeysThatItDoesNotRead) {

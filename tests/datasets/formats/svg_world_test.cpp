@@ -13,20 +13,20 @@ namespace {
 
 std::string svg(const std::string& body) { return "<svg viewBox=\"1 2 30 20\">\n" + body + "\n</svg>"; }
 std::string path(const std::string& d) { return svg("<path id=\"a\" d=\"" + d + "\"/>"); }
-MapFile read(const std::string& text) { return read_svg_world(text, "w.svg"); }
-std::string error_of(const std::string& text) {
-  return test::format_error_of([&] { read(text); });
+MapFile svg_of(const std::string& text) { return read_svg_world(text, "w.svg"); }
+std::string svg_error(const std::string& text) {
+  return test::format_error_of([&] { svg_of(text); });
 }
 
 TEST(SvgWorld, ReadsAllCommandsWithYUp) {
   const Ring square{{1, -1}, {5, -1}, {5, -5}, {1, -5}};
   for (const char* d : {"M1,1 L5,1 L5,5 L1,5 Z", "m 1 1 h 4 v 4 h -4 z", "M1 1H5V5H1", "M1 1 5 1 5 5 1 5",
                         "m1,1 4,0 0,4-4,0 0-4", "M 1e0 +1 l4 0l0 4.l-4.0.0 v 0"}) {
-    const MapFile map = read(path(d));
+    const MapFile map = svg_of(path(d));
     ASSERT_EQ(map.obstacles.size(), 1u) << d;
     EXPECT_EQ(map.obstacles[0].outer, square) << d;
   }
-  EXPECT_EQ(read(path("M0 0H1V1Z")).bounds, (Ring{{1, -22}, {31, -22}, {31, -2}, {1, -2}}));
+  EXPECT_EQ(svg_of(path("M0 0H1V1Z")).bounds, (Ring{{1, -22}, {31, -22}, {31, -2}, {1, -2}}));
 }
 
 // What the ring must be off the outline: outside of it, or on it but for rounding, and within the tolerance.
@@ -71,7 +71,7 @@ TEST(SvgWorld, CurvesBecomeRingsAroundThem) {
 }
 
 TEST(SvgWorld, CurvedHolesLieInsideTheirOutline) {
-  const MapFile map = read(path("M0 0H20V20H0Z M5 10a5 5 0 1 0 10 0a5 5 0 1 0-10 0z"));
+  const MapFile map = svg_of(path("M0 0H20V20H0Z M5 10a5 5 0 1 0 10 0a5 5 0 1 0-10 0z"));
   ASSERT_EQ(map.obstacles.size(), 1u);
   ASSERT_EQ(map.obstacles[0].holes.size(), 1u);
   for (const Vec2& p : map.obstacles[0].holes[0]) EXPECT_LE((p - Vec2(10, -10)).norm(), 5.0 + 1e-8);
@@ -80,14 +80,14 @@ TEST(SvgWorld, CurvedHolesLieInsideTheirOutline) {
 
 TEST(SvgWorld, AppliesNestedTransforms) {
   const MapFile map =
-      read(svg("<g transform='translate(10,-3)'><g transform='scale(2) translate(1)'><path d='M0 0H1V1Z' "
-               "transform='scale(1,3)'/></g></g>"));
+      svg_of(svg("<g transform='translate(10,-3)'><g transform='scale(2) translate(1)'><path d='M0 0H1V1Z' "
+                 "transform='scale(1,3)'/></g></g>"));
   ASSERT_EQ(map.obstacles.size(), 1u);
   EXPECT_EQ(map.obstacles[0].outer, (Ring{{12, 3}, {14, 3}, {14, -3}}));
 }
 
 TEST(SvgWorld, SubpathsInsideAreHoles) {
-  const MapFile map = read(path("M0 0H9V9H0Z M1 1h7v7h-7z m1 1h3v3h-3z M20 0h1v1z"));
+  const MapFile map = svg_of(path("M0 0H9V9H0Z M1 1h7v7h-7z m1 1h3v3h-3z M20 0h1v1z"));
   ASSERT_EQ(map.obstacles.size(), 3u);
   EXPECT_EQ(map.obstacles[0].holes.size(), 1u);
   EXPECT_EQ(map.obstacles[1].outer[0], Vec2(2, -2));
@@ -95,7 +95,7 @@ TEST(SvgWorld, SubpathsInsideAreHoles) {
 }
 
 TEST(SvgWorld, ClosesOutlinesThatRoundingLeftOpen) {
-  const MapFile map = read(path("m0 0h10v10h-10l0.0001-9.9999"));
+  const MapFile map = svg_of(path("m0 0h10v10h-10l0.0001-9.9999"));
   ASSERT_EQ(map.obstacles.size(), 1u);
   EXPECT_EQ(map.obstacles[0].outer.size(), 4u);
   EXPECT_EQ(map.notes.size(), 1u);
@@ -103,7 +103,7 @@ TEST(SvgWorld, ClosesOutlinesThatRoundingLeftOpen) {
 
 TEST(SvgWorld, PassesOverWhatIsNotDrawn) {
   const MapFile map =
-      read(svg("<defs><circle/></defs><metadata/><sodipodi:namedview/><title>t</title><path d='M1 1'/>"));
+      svg_of(svg("<defs><circle/></defs><metadata/><sodipodi:namedview/><title>t</title><path d='M1 1'/>"));
   EXPECT_TRUE(map.obstacles.empty());
   EXPECT_EQ(map.warnings.size(), 1u);
 }
@@ -111,7 +111,7 @@ TEST(SvgWorld, PassesOverWhatIsNotDrawn) {
 // Two paths: at x = 1 what may be hidden, at x = 5 what never is.
 std::vector<double> shown(const std::string& hidden, const std::string& style = "") {
   const MapFile map =
-      read(svg((style.empty() ? "" : "<style>" + style + "</style>") + hidden + "<path d='M5 0h1v1z'/>"));
+      svg_of(svg((style.empty() ? "" : "<style>" + style + "</style>") + hidden + "<path d='M5 0h1v1z'/>"));
   std::vector<double> result;
   for (const Polygon& polygon : map.obstacles) result.push_back(polygon.outer[0].x());
   EXPECT_EQ(map.notes.size(), result.size() == 1 ? 1u : 0u);
@@ -155,12 +155,12 @@ TEST(SvgWorld, RulesHideShapes) {
     EXPECT_EQ(shown(path, rule), both) << rule;
   EXPECT_EQ(shown("<path class='x' style='display:inline' d='M1 0h1v1z'/>", ".x{display:none}"), both);
   EXPECT_EQ(shown("<path class='x' style='display:inline' d='M1 0h1v1z'/>", ".x{display:none !important}"), one);
-  const MapFile map = read(svg("<style>path[id=\"a\"]{display:none}</style>" + std::string(kPath)));
+  const MapFile map = svg_of(svg("<style>path[id=\"a\"]{display:none}</style>" + std::string(kPath)));
   EXPECT_EQ(map.obstacles.size(), 1u);
   std::string selector, deep = kPath;  // of which every choice of ancestors fails
   for (int i = 0; i < 40; ++i) selector += "g ";
   for (int i = 0; i < 90; ++i) deep = "<g>" + deep + "</g>";
-  EXPECT_EQ(read(svg("<style>.a " + selector + "path{display:none}</style>" + deep)).obstacles.size(), 1u);
+  EXPECT_EQ(svg_of(svg("<style>.a " + selector + "path{display:none}</style>" + deep)).obstacles.size(), 1u);
   EXPECT_NE(map.warnings.at(0).find("is not understood; what it may hide is kept"), std::string::npos);
 }
 
@@ -171,30 +171,31 @@ TEST(SvgWorld, PathsAreFreeSpaceWhenAsked) {
 }
 
 TEST(SvgWorld, PassesOverWhatIsDrawnElsewhereOnly) {
-  EXPECT_EQ(read(svg("<clipPath><path d='M1 0h1v1z'/></clipPath><symbol><rect/></symbol>" + std::string(kPath)))
+  EXPECT_EQ(svg_of(svg("<clipPath><path d='M1 0h1v1z'/></clipPath><symbol><rect/></symbol>" + std::string(kPath)))
                 .obstacles.size(),
             1u);
 }
 
 TEST(SvgWorld, OthersAreRejectedByName) {
-  EXPECT_EQ(error_of(path("M0 0 R 1 1 2 2 3 3")), "w.svg: line 2, path \"a\": path command \"R\" is not known");
-  EXPECT_NE(error_of(path("M0 0 A 1 1 0 2 0 3 3")).find("expected a flag, 0 or 1"), std::string::npos);
-  EXPECT_NE(error_of(path("M0 0 C 1 1 2 2 3")).find("expected a number after path command \"C\""), std::string::npos);
-  EXPECT_NE(error_of(path("M0 0 C 9e99 0 9e99 9e99 0 9e99z")).find("line 2, path \"a\": circumscribed ring: piece 0"),
+  EXPECT_EQ(svg_error(path("M0 0 R 1 1 2 2 3 3")), "w.svg: line 2, path \"a\": path command \"R\" is not known");
+  EXPECT_NE(svg_error(path("M0 0 A 1 1 0 2 0 3 3")).find("expected a flag, 0 or 1"), std::string::npos);
+  EXPECT_NE(svg_error(path("M0 0 C 1 1 2 2 3")).find("expected a number after path command \"C\""), std::string::npos);
+  EXPECT_NE(svg_error(path("M0 0 C 9e99 0 9e99 9e99 0 9e99z")).find("line 2, path \"a\": circumscribed ring: piece 0"),
             std::string::npos);
-  EXPECT_NE(error_of(svg("<circle r='3'/>")).find("line 2, circle: element <circle> is not supported"),
+  EXPECT_NE(svg_error(svg("<circle r='3'/>")).find("line 2, circle: element <circle> is not supported"),
             std::string::npos);
-  EXPECT_NE(error_of(svg("<g transform='rotate(3)'/>")).find("transform \"rotate(3)\" is not supported"),
+  EXPECT_NE(svg_error(svg("<g transform='rotate(3)'/>")).find("transform \"rotate(3)\" is not supported"),
             std::string::npos);
-  EXPECT_NE(error_of(path("M0 0 L1")).find("expected a number after path command"), std::string::npos);
-  EXPECT_NE(error_of(path("L1 1")).find("begins with M"), std::string::npos);
-  EXPECT_NE(error_of("<svg>\n<g>\n</svg>").find("w.svg: line 3"), std::string::npos) << error_of("<svg>\n<g>\n</svg>");
-  EXPECT_NE(error_of("<html/>").find("expected <svg>"), std::string::npos);
-  EXPECT_NE(error_of("<kml/>").find("this is a KML document"), std::string::npos);
+  EXPECT_NE(svg_error(path("M0 0 L1")).find("expected a number after path command"), std::string::npos);
+  EXPECT_NE(svg_error(path("L1 1")).find("begins with M"), std::string::npos);
+  EXPECT_NE(svg_error("<svg>\n<g>\n</svg>").find("w.svg: line 3"), std::string::npos)
+      << svg_error("<svg>\n<g>\n</svg>");
+  EXPECT_NE(svg_error("<html/>").find("expected <svg>"), std::string::npos);
+  EXPECT_NE(svg_error("<kml/>").find("this is a KML document"), std::string::npos);
   std::string deep;
   for (int i = 0; i < 5000; ++i) deep += "<g>";
   for (int i = 0; i < 5000; ++i) deep += "</g>";
-  EXPECT_NE(error_of(svg(deep)).find("nested"), std::string::npos);
+  EXPECT_NE(svg_error(svg(deep)).find("nested"), std::string::npos);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace arcway::internal {
 namespace {
 
-std::string error_of(const std::string& text) {
+std::string polygons_error(const std::string& text) {
   return test::format_error_of([&] { read_text_polygons(text, "map.txt"); });
 }
 
@@ -29,11 +29,14 @@ TEST(TextPolygons, CommasMayStandBetweenNumbers) {
 }
 
 TEST(TextPolygons, ErrorsNameLineAndValue) {
-  EXPECT_EQ(error_of("0 0 1 0 1 1\n0 0 1 0 1\n"),
+  EXPECT_EQ(polygons_error("0 0 1 0 1 1\n0 0 1 0 1\n"),
             "map.txt: line 2: expected a number, as positions are x y, found the end of the line");
-  EXPECT_EQ(error_of("0 0 1 0 1 one\n"), "map.txt: line 1: expected a number, as positions are x y, found \"one\"");
-  EXPECT_EQ(error_of("0 0 1 0 1 inf\n"), "map.txt: line 1: expected a number, as positions are x y, found \"inf\"");
-  EXPECT_EQ(error_of("0 0 1 0\n"), "map.txt: line 1: needs at least 3 different positions, found 2 in 2 positions");
+  EXPECT_EQ(polygons_error("0 0 1 0 1 one\n"),
+            "map.txt: line 1: expected a number, as positions are x y, found \"one\"");
+  EXPECT_EQ(polygons_error("0 0 1 0 1 inf\n"),
+            "map.txt: line 1: expected a number, as positions are x y, found \"inf\"");
+  EXPECT_EQ(polygons_error("0 0 1 0\n"),
+            "map.txt: line 1: needs at least 3 different positions, found 2 in 2 positions");
 }
 
 }  // namespace

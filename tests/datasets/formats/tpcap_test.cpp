@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kCase = "1,2,0.5,20,3,-1,2,3,4,10,10,12,10,12,12,0,20,0,22,2,22,2,20";
 
-std::string error_of(const std::string& text) {
+std::string tpcap_error(const std::string& text) {
   return test::format_error_of([&] { read_tpcap(text, "Case.csv"); });
 }
 
@@ -43,17 +43,17 @@ TEST(Tpcap, FarCasesAreMovedWithoutRounding) {
 }
 
 TEST(Tpcap, ErrorsNameWhatIsMissing) {
-  EXPECT_EQ(error_of("1,2"), "Case.csv: line 1: expected heading of the start, found the end of the file");
-  EXPECT_EQ(error_of("1,2,0,\n2,3,0,1.5"),
+  EXPECT_EQ(tpcap_error("1,2"), "Case.csv: line 1: expected heading of the start, found the end of the file");
+  EXPECT_EQ(tpcap_error("1,2,0,\n2,3,0,1.5"),
             "Case.csv: line 2: expected the number of obstacles as a whole number, found \"1.5\"");
-  EXPECT_EQ(error_of("1,2,0,2,3,0,1,3,1,1,2,1"),
+  EXPECT_EQ(tpcap_error("1,2,0,2,3,0,1,3,1,1,2,1"),
             "Case.csv: line 1: expected x of a vertex of obstacle 0, found the end of the file");
-  EXPECT_EQ(error_of(std::string(kCase) + ",7"),
+  EXPECT_EQ(tpcap_error(std::string(kCase) + ",7"),
             "Case.csv: line 1: expected the end of the file after all obstacles, found \"7\"");
-  EXPECT_EQ(error_of("1,2,0,2,3,0,1,2,1,1,2,1"),
+  EXPECT_EQ(tpcap_error("1,2,0,2,3,0,1,2,1,1,2,1"),
             "Case.csv: obstacle 0: needs at least 3 different positions, found 2 in 2 positions");
-  EXPECT_NE(error_of("1,2,0,2,3,0,1e300").find("whole number"), std::string::npos);
-  EXPECT_NE(error_of("1,2,0,2,3,0,9999999,9999999").find("vertices of obstacle 1"), std::string::npos);
+  EXPECT_NE(tpcap_error("1,2,0,2,3,0,1e300").find("whole number"), std::string::npos);
+  EXPECT_NE(tpcap_error("1,2,0,2,3,0,9999999,9999999").find("vertices of obstacle 1"), std::string::npos);
 }
 
 }  // namespace

@@ -7,11 +7,11 @@
 namespace arcway::internal {
 namespace {
 
-MapFile read(const std::string& text, const VectorOptions& options = {}) {
+MapFile vertices_of(const std::string& text, const VectorOptions& options = {}) {
   return read_vertex_list(text, "map.csv", options);
 }
-std::string error_of(const std::string& text) {
-  return test::format_error_of([&] { read(text); });
+std::string vertices_error(const std::string& text) {
+  return test::format_error_of([&] { vertices_of(text); });
 }
 
 TEST(VertexList, ReadsPolygonsHoweverTheyAreParted) {
@@ -22,22 +22,23 @@ TEST(VertexList, ReadsPolygonsHoweverTheyAreParted) {
         "x,y\n0,0\n1,0\n1,1\n,\n5,5\n6,5\n6,6\n", "id,x,y\na,0,0\na,1,0\na,1,1\nb,5,5\nb,6,5\nb,6,6\n",
         "\"Y\";\"X\";\"obstacle\"\n0;0;1\n0;1;1\n1;1;1\n5;5;2\n5;6;2\n6;6;2\n",
         "\xEF\xBB\xBF x , y \n 0 , 0 \n1, 0\n1, 1\n\n5,5\n6,5\n6,6"}) {
-    const MapFile map = read(text);
+    const MapFile map = vertices_of(text);
     ASSERT_EQ(map.obstacles.size(), 2u) << text;
     EXPECT_EQ(map.obstacles[0].outer, first) << text;
     EXPECT_EQ(map.obstacles[1].outer, second) << text;
     EXPECT_TRUE(map.warnings.empty()) << text;
   }
-  EXPECT_EQ(read("0,0\n1,0\n1,1\n\n5,5\n6,5\n6,6\n").places, (std::vector<std::string>{"line 1", "line 5"}));
+  EXPECT_EQ(vertices_of("0,0\n1,0\n1,1\n\n5,5\n6,5\n6,6\n").places, (std::vector<std::string>{"line 1", "line 5"}));
 }
 
 TEST(VertexList, SaysWhatItLeavesOut) {
-  EXPECT_EQ(read("x,y,z\n0,0,7\n1,0,7\n1,1,7\n").warnings.at(0), "map.csv: line 1: columns that are not read: \"z\"");
-  EXPECT_NE(read("lat,lon\n48,8\n48,9\n49,9\n").warnings.at(0).find("are degrees"), std::string::npos);
-  EXPECT_EQ(error_of("0,0\n1,0\n1\n"),
+  EXPECT_EQ(vertices_of("x,y,z\n0,0,7\n1,0,7\n1,1,7\n").warnings.at(0),
+            "map.csv: line 1: columns that are not read: \"z\"");
+  EXPECT_NE(vertices_of("lat,lon\n48,8\n48,9\n49,9\n").warnings.at(0).find("are degrees"), std::string::npos);
+  EXPECT_EQ(vertices_error("0,0\n1,0\n1\n"),
             "map.csv: line 3: expected 2 numbers, found 1 in \"1\"; a first line as \"id,x,y\" names columns");
-  EXPECT_EQ(error_of("0,0\n1,b\n"), "map.csv: line 2: expected a number, found \"b\"");
-  EXPECT_NE(error_of("0,0\n1,0\n").find("line 1: needs at least 3 different positions"), std::string::npos);
+  EXPECT_EQ(vertices_error("0,0\n1,b\n"), "map.csv: line 2: expected a number, found \"b\"");
+  EXPECT_NE(vertices_error("0,0\n1,0\n").find("line 1: needs at least 3 different positions"), std::string::npos);
 }
 
 }  // namespace

@@ -55,12 +55,12 @@ TEST(Random, UnitVectorsAgreeWithTheLibrary) {
   }
 }
 
-struct Case {
+struct ClutterCase {
   ClutterKind kind;
   std::size_t vertices;
   double fill;
 };
-class ClutterTest : public ::testing::TestWithParam<Case> {};
+class ClutterTest : public ::testing::TestWithParam<ClutterCase> {};
 
 TEST_P(ClutterTest, MeetsItsPromises) {
   const auto [kind, vertices, fill] = GetParam();
@@ -95,8 +95,8 @@ TEST_P(ClutterTest, MeetsItsPromises) {
   }
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<ClutterCase> cases() {
+  std::vector<ClutterCase> all;
   for (const ClutterKind kind :
        {ClutterKind::kConvex, ClutterKind::kStar, ClutterKind::kMixed, ClutterKind::kRectangle})
     for (const std::size_t vertices : {3u, 8u, 17u})

@@ -12,14 +12,14 @@
 #include "arcway/datasets/geojson.h"
 #include "arcway/datasets/repair.h"
 #include "datasets/formats/text_polygons.h"
+#include "tests/support/boxes.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
-namespace {
 
-Ring box(double left, double bottom, double right, double top) {
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
+using test::box_ring;
+
+namespace {
 
 std::vector<FindingKind> kinds(const MapFile& map) {
   std::vector<FindingKind> result;
@@ -36,7 +36,7 @@ MapFile of(std::vector<Polygon> obstacles) {
 using Kinds = std::vector<FindingKind>;
 
 TEST(Doctor, FindsNothingInACleanMap) {
-  const DoctorReport report = examine(of({{box(0, 0, 5, 5), {}}, {box(8, 0, 12, 5), {}}}));
+  const DoctorReport report = examine(of({{box_ring(0, 0, 5, 5), {}}, {box_ring(8, 0, 12, 5), {}}}));
   EXPECT_TRUE(report.findings.empty());
   EXPECT_TRUE(report.plans());
   EXPECT_EQ(report.obstacles, 2u);
@@ -48,7 +48,7 @@ TEST(Doctor, FindsWhatIsUnusualInARing) {
   EXPECT_EQ(kinds(of({{{{0, 0}, {5, 0}, {5, 0}, {5, 5}}, {}}})), Kinds{FindingKind::kRepeatedVertex});
   EXPECT_EQ(kinds(of({{{{0, 0}, {2, 0}, {5, 0}, {5, 5}}, {}}})), Kinds{FindingKind::kCollinearVertex});
   EXPECT_EQ(kinds(of({{{{0, 0}, {5, 5}, {5, 0}}, {}}})), Kinds{FindingKind::kOrientation});
-  EXPECT_EQ(kinds(of({{box(0, 0, 9, 9), {box(2, 2, 4, 4)}}})), Kinds{FindingKind::kOrientation});
+  EXPECT_EQ(kinds(of({{box_ring(0, 0, 9, 9), {box_ring(2, 2, 4, 4)}}})), Kinds{FindingKind::kOrientation});
 }
 
 TEST(Doctor, FindsWhatPlanningRefuses) {
@@ -60,7 +60,7 @@ TEST(Doctor, FindsWhatPlanningRefuses) {
       {{{{0, 0}, {5, 0}, {8, 0}}, {}}, FindingKind::kZeroArea},
       {{{{0, 0}, {5, 5}, {5, 0}, {0, 5}}, {}}, FindingKind::kSelfCrossing},
       {{{{0, 0}, {5, 0}, {5, 5}, {5, 2}}, {}}, FindingKind::kEdgesOverlap},
-      {{box(0, 0, 5, 5), {{{7, 7}, {7, 8}, {8, 8}}}}, FindingKind::kMisplacedHole},
+      {{box_ring(0, 0, 5, 5), {{{7, 7}, {7, 8}, {8, 8}}}}, FindingKind::kMisplacedHole},
   };
   for (const auto& [polygon, kind] : cases) {
     const DoctorReport report = examine(of({polygon}));
@@ -71,7 +71,7 @@ TEST(Doctor, FindsWhatPlanningRefuses) {
 }
 
 TEST(Doctor, FindsWhereAPolygonTouchesItself) {
-  const DoctorReport report = examine(of({{box(0, 0, 8, 8),
+  const DoctorReport report = examine(of({{box_ring(0, 0, 8, 8),
                                            {{{4, 0}, {2, 3}, {6, 3}},       // inside an edge of the outer ring
                                             {{0, 8}, {3, 7}, {2, 6}},       // at its corner
                                             {{4, 3}, {3, 4}, {5, 4}}}}}));  // inside an edge of the first hole
@@ -85,16 +85,19 @@ TEST(Doctor, FindsWhereAPolygonTouchesItself) {
 }
 
 TEST(Doctor, FindsWhatObstaclesDoToEachOther) {
-  const Polygon square{box(0, 0, 10, 10), {}};
-  EXPECT_EQ(kinds(of({square, {box(10, 0, 15, 5), {}}})), Kinds{FindingKind::kTouching});
-  EXPECT_EQ(kinds(of({square, {box(5, 5, 15, 15), {}}})), Kinds{FindingKind::kOverlap});
-  EXPECT_EQ(kinds(of({square, {box(5, 5, 7, 7), {}}})), Kinds{FindingKind::kContainment});
+  const Polygon square{box_ring(0, 0, 10, 10), {}};
+  EXPECT_EQ(kinds(of({square, {box_ring(10, 0, 15, 5), {}}})), Kinds{FindingKind::kTouching});
+  EXPECT_EQ(kinds(of({square, {box_ring(5, 5, 15, 15), {}}})), Kinds{FindingKind::kOverlap});
+  EXPECT_EQ(kinds(of({square, {box_ring(5, 5, 7, 7), {}}})), Kinds{FindingKind::kContainment});
   EXPECT_EQ(kinds(of({square, square})), Kinds{FindingKind::kDuplicate});
 }
 
 TEST(Doctor, FindsObstaclesBeyondTheBounds) {
-  MapFile map = of({{box(1, 1, 3, 3), {}}, {box(8, 8, 12, 12), {}}, {box(20, 20, 30, 30), {}}, {box(0, 5, 1, 6), {}}});
-  map.bounds = box(0, 0, 10, 10);
+  MapFile map = of({{box_ring(1, 1, 3, 3), {}},
+                    {box_ring(8, 8, 12, 12), {}},
+                    {box_ring(20, 20, 30, 30), {}},
+                    {box_ring(0, 5, 1, 6), {}}});
+  map.bounds = box_ring(0, 0, 10, 10);
   const auto found = examine(map).findings;
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].kind, FindingKind::kCrossesBounds);
@@ -107,8 +110,8 @@ TEST(Doctor, FindsObstaclesBeyondTheBounds) {
 // 800 squares in each other are 319,600 pairs.
 TEST(Doctor, SaysWhereItStopsToListPairs) {
   MapFile map;
-  for (int k = 1; k <= 800; ++k) map.obstacles.push_back({box(-k, -k, k, k), {}});
-  map.bounds = box(-1e4, -1e4, 1e4, 1e4);
+  for (int k = 1; k <= 800; ++k) map.obstacles.push_back({box_ring(-k, -k, k, k), {}});
+  map.bounds = box_ring(-1e4, -1e4, 1e4, 1e4);
   const auto found = examine(map).findings;
   const auto count = [&](FindingKind kind) { return std::ranges::count(found, kind, &Finding::kind); };
   EXPECT_EQ(count(FindingKind::kUnlistedPairs), 1);
@@ -119,18 +122,18 @@ TEST(Doctor, SaysWhereItStopsToListPairs) {
 }
 
 TEST(Doctor, FindsCoordinatesThatAreDegreesOrFar) {
-  EXPECT_EQ(kinds(of({{box(13.4, 52.5, 13.41, 52.51), {}}})), Kinds{FindingKind::kDegrees});
-  EXPECT_TRUE(kinds(of({{box(0, 0, 0.2, 0.15), {}}})).empty());
-  EXPECT_TRUE(kinds(of({{box(1, 2, 1.2, 2.2), {}}})).empty());
-  MapFile stated = of({{box(13, 52, 20, 59), {}}});
+  EXPECT_EQ(kinds(of({{box_ring(13.4, 52.5, 13.41, 52.51), {}}})), Kinds{FindingKind::kDegrees});
+  EXPECT_TRUE(kinds(of({{box_ring(0, 0, 0.2, 0.15), {}}})).empty());
+  EXPECT_TRUE(kinds(of({{box_ring(1, 2, 1.2, 2.2), {}}})).empty());
+  MapFile stated = of({{box_ring(13, 52, 20, 59), {}}});
   EXPECT_TRUE(kinds(stated).empty());
   stated.frame = CoordinateFrame::kDegrees;
   EXPECT_EQ(kinds(stated), Kinds{FindingKind::kDegrees});
-  stated = of({{box(13.4, 52.5, 13.41, 52.51), {}}});
+  stated = of({{box_ring(13.4, 52.5, 13.41, 52.51), {}}});
   stated.frame = CoordinateFrame::kMeters;
   EXPECT_TRUE(kinds(stated).empty());
-  EXPECT_EQ(kinds(of({{box(1e7, 0, 1e7 + 5, 5), {}}})), Kinds{FindingKind::kFarFromOrigin});
-  EXPECT_TRUE(kinds(of({{box(8e6, 0, 8e6 + 5, 5), {}}})).empty());
+  EXPECT_EQ(kinds(of({{box_ring(1e7, 0, 1e7 + 5, 5), {}}})), Kinds{FindingKind::kFarFromOrigin});
+  EXPECT_TRUE(kinds(of({{box_ring(8e6, 0, 8e6 + 5, 5), {}}})).empty());
 }
 
 TEST(Doctor, NamesThePlaceInTheFile) {
@@ -230,14 +233,15 @@ TEST_F(Repair, MakesBrokenRingsValid) {
 }
 
 TEST_F(Repair, JoinsWhatOverlapsOrSharesEdges) {
-  const MapFile joined = repair(of({{box(0, 0, 4, 4), {}}, {box(2, 2, 6, 6), {}}, {box(6, 2, 8, 6), {}}}));
+  const MapFile joined =
+      repair(of({{box_ring(0, 0, 4, 4), {}}, {box_ring(2, 2, 6, 6), {}}, {box_ring(6, 2, 8, 6), {}}}));
   EXPECT_EQ(joined.obstacles.size(), 1u);
   EXPECT_EQ(area(joined), 36.0);
-  EXPECT_EQ(repair(of({{box(0, 0, 4, 4), {}}, {box(0, 0, 4, 4), {}}})).obstacles.size(), 1u);
+  EXPECT_EQ(repair(of({{box_ring(0, 0, 4, 4), {}}, {box_ring(0, 0, 4, 4), {}}})).obstacles.size(), 1u);
 }
 
 TEST_F(Repair, KeepsTheLargestPartOfBrokenBounds) {
-  MapFile map = of({{box(1, 1, 2, 2), {}}});
+  MapFile map = of({{box_ring(1, 1, 2, 2), {}}});
   map.bounds = Ring{{0, 0}, {10, 0}, {10, 10}, {-1, 10}, {-1, 11}, {0, 11}};
   const MapFile clean = repaired(map);
   ASSERT_TRUE(clean.bounds);
@@ -248,7 +252,7 @@ TEST_F(Repair, KeepsTheLargestPartOfBrokenBounds) {
 TEST_F(Repair, LeavesNoBoundsWithoutArea) {
   for (const Ring& bounds : {Ring{}, Ring{{1, 1}}, Ring{{0, 0}, {4, 4}}, Ring{{0, 0}, {4, 4}, {4, 4}, {0, 0}},
                              Ring{{0, 0}, {2, 2}, {4, 4}}}) {
-    MapFile map = of({{box(1, 1, 2, 2), {}}});
+    MapFile map = of({{box_ring(1, 1, 2, 2), {}}});
     map.bounds = bounds;
     EXPECT_FALSE(repair(map).bounds) << bounds.size();
   }
@@ -261,14 +265,14 @@ TEST_F(Repair, KeepsBoundsThatTouchThemselves) {
 }
 
 TEST_F(Repair, KeepsHolesThatTouch) {
-  const MapFile clean = repair(of({{box(0, 0, 8, 8), {{{4, 0}, {2, 3}, {6, 3}}, {{4, 3}, {3, 4}, {5, 4}}}}}));
+  const MapFile clean = repair(of({{box_ring(0, 0, 8, 8), {{{4, 0}, {2, 3}, {6, 3}}, {{4, 3}, {3, 4}, {5, 4}}}}}));
   EXPECT_EQ(area(clean), 64.0 - 6.0 - 1.0);
   EXPECT_EQ(to_world(clean, "repaired").self_contacts().size(), 2u);
 }
 
 // They name rings by their numbers, which are others now.
 TEST_F(Repair, LeavesNoCurves) {
-  MapFile map = of({{box(0, 0, 4, 4), {}}, {box(2, 2, 6, 6), {}}});
+  MapFile map = of({{box_ring(0, 0, 4, 4), {}}, {box_ring(2, 2, 6, 6), {}}});
   map.curves.push_back({1, 0, {}});
   EXPECT_TRUE(repair(map).curves.empty());
 }
