@@ -202,21 +202,21 @@ bool has_long_convex_chains(const World& world) {
 }  // namespace
 
 Sleeves::Sleeves(const FreeSpaceTriangulation& triangulation, std::uint32_t least, const Executor& executor) {
-  constexpr std::size_t kTrianglesPerRange = 1 << 14;
-  constexpr std::size_t kAhead = 4000;  // triangles to prefetch ahead; neighbors lie in a few tiles of the map
+  constexpr std::size_t kTrianglesAtOnce = 1 << 14;
+  constexpr std::size_t kTrianglesAhead = 4000;  // triangles to prefetch ahead; neighbors lie in a few tiles of the map
   const std::size_t triangles = triangulation.half_edges().size() / 3;
   turns_.resize(triangles);
   std::atomic<std::uint32_t> turns = 0;
   std::vector<std::uint8_t> is_traced(triangles, 0), is_taken(triangles, 0);
-  std::vector<SleevesByHalfEdge> parts(triangles / kTrianglesPerRange + 1);
+  std::vector<SleevesByHalfEdge> parts(triangles / kTrianglesAtOnce + 1);
   executor.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
     Tracer tracer(triangulation, is_traced, turns_, turns);
     for (std::size_t p = begin; p < end; ++p) {
-      const std::size_t behind = std::min((p + 1) * kTrianglesPerRange, triangles);
-      for (auto triangle = static_cast<std::uint32_t>(p * kTrianglesPerRange); triangle < behind; ++triangle) {
-        if (triangle + kAhead < triangles) {
-          will_need(&triangulation.half_edges()[3 * (triangle + kAhead)]);
-          will_need(&triangulation.half_edges()[3 * (triangle + kAhead) + 2]);
+      const std::size_t behind = std::min((p + 1) * kTrianglesAtOnce, triangles);
+      for (auto triangle = static_cast<std::uint32_t>(p * kTrianglesAtOnce); triangle < behind; ++triangle) {
+        if (triangle + kTrianglesAhead < triangles) {
+          will_need(&triangulation.half_edges()[3 * (triangle + kTrianglesAhead)]);
+          will_need(&triangulation.half_edges()[3 * (triangle + kTrianglesAhead) + 2]);
         }
         if (!tracer.is_new(triangle)) continue;
         // Two threads may trace the same row.

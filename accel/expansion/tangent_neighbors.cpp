@@ -6,6 +6,7 @@
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/tangent_cone_expansion.h"
+#include "accel/expansion/worthwhile_fans.h"
 
 namespace arcway::internal {
 

@@ -11,6 +11,7 @@
 #include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/sleeves.h"
 #include "accel/expansion/tangent_cone_expansion.h"
+#include "accel/expansion/worthwhile_fans.h"
 #include "accel/graphs/cone_edges.h"
 #include "core/base/bytes.h"
 

@@ -44,7 +44,7 @@ double tightest_bend(const ClosedSpline& spline) {
 }  // namespace
 
 CurvedWorld generate_curved_world(const CurvedWorldParameters& parameters) {
-  constexpr double kGap = 3.0, kRoom = 14.0;  // between two ponds, round all of them
+  constexpr double kGap = 3.0, kRoomAround = 14.0;  // between two ponds, round all of them
   if (parameters.curves < 1 || parameters.curves > 100'000) {
     throw std::invalid_argument("curved world: curves is " + std::to_string(parameters.curves) +
                                 ", must be from 1 to 100000");
@@ -67,12 +67,12 @@ CurvedWorld generate_curved_world(const CurvedWorldParameters& parameters) {
 
   CurvedWorld world;
   for (std::size_t i = 0; i < ponds.size(); ++i) {
-    for (Vec2& p : ponds[i]) p += (*centers)[i] + Vec2(kRoom, kRoom);
+    for (Vec2& p : ponds[i]) p += (*centers)[i] + Vec2(kRoomAround, kRoomAround);
     const ClosedSpline spline(ponds[i]);
     world.curves.push_back({i, 0, {spline.pieces().begin(), spline.pieces().end()}});
     world.polygons.emplace_back();
   }
-  side += 2.0 * kRoom;
+  side += 2.0 * kRoomAround;
   world.bounds = detail::box_ring(0.0, 0.0, side, side);
   return world;
 }
