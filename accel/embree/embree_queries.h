@@ -80,6 +80,8 @@ class EmbreeSweep final : public SweepQuery, public ArcQuery {
   void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override;
 
   [[nodiscard]] bool is_met(const SweptRectangle& rectangle) const;
+  // The free headings, unless more edges than that lie near the circle.
+  bool find_headings(const TurningBody& body, std::size_t most_edges, HeadingSet& free) const;
   [[nodiscard]] bool is_outside(const TurningBody& body, double heading) const;
 
   std::shared_ptr<const Scenes> scenes_;

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include "accel/embree/embree_queries.h"
 #include "arcway/angle.h"
@@ -14,6 +16,8 @@ namespace {
 constexpr double kMostRays = 16.0;
 // Where obstacles end a turn within this angle to both sides, no more of the circle need be looked at [rad].
 constexpr double kNearTurn = kPi / 4.0;
+// Up to so many edges near the circle, it is looked at as a whole at once.
+constexpr std::size_t kFewEdges = 24;
 constexpr double kSureOfEnd = 1e-6;  // from the ends of that range, where the edges that were looked at may not do
 
 }  // namespace
@@ -63,25 +67,31 @@ void EmbreeSweep::do_straight_free(std::span<const SweptRectangle> rectangles, s
 
 void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const {
   scenes_->for_batch(bodies.size(), [&](std::size_t begin, std::size_t end) {
-    const std::span<const LineSegment> edges = scenes_->world().edges();
-    static thread_local std::vector<HeadingInterval> blocked;  // single queries are frequent and must not allocate
-    for (std::size_t i = begin; i < end; ++i) {
-      const TurningBody& body = bodies[i];
-      const double reach = reach_of(body);
-      blocked.clear();
-      scenes_->visibility.edges().visit_near(body.center, reach, [&](VertexId e) {
-        if (may_touch(body, edges[e])) append_blocked_headings(body, edges[e], blocked);
-        return reach;
-      });
-      HeadingSet::complement(blocked, result[i]);
-      // Where no edge is touched, the body lies wholly inside or wholly outside each region.
-      for (int k = static_cast<int>(result[i].intervals().size()) - 1; k >= 0; --k) {
-        const HeadingInterval& interval = result[i].intervals()[static_cast<std::size_t>(k)];
-        const Vec2 middle = middle_at(body, 0.5 * (interval.low + interval.high));
-        if (scenes_->locator.containing(middle) != kNone) result[i].erase(k);
-      }
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      find_headings(bodies[i], std::numeric_limits<std::size_t>::max(), result[i]);
   });
+}
+
+bool EmbreeSweep::find_headings(const TurningBody& body, std::size_t most_edges, HeadingSet& free) const {
+  static thread_local std::vector<HeadingInterval> blocked;  // single queries are frequent and must not allocate
+  const std::span<const LineSegment> edges = scenes_->world().edges();
+  const double reach = reach_of(body);
+  std::size_t count = 0;
+  blocked.clear();
+  scenes_->visibility.edges().visit_near(body.center, reach, [&](VertexId e) {
+    if (++count > most_edges) return -1.0;
+    if (may_touch(body, edges[e])) append_blocked_headings(body, edges[e], blocked);
+    return reach;
+  });
+  if (count > most_edges) return false;
+  HeadingSet::complement(blocked, free);
+  // Where no edge is touched, the body lies wholly inside or wholly outside each region.
+  for (int k = static_cast<int>(free.intervals().size()) - 1; k >= 0; --k) {
+    const HeadingInterval& interval = free.intervals()[static_cast<std::size_t>(k)];
+    const Vec2 middle = middle_at(body, 0.5 * (interval.low + interval.high));
+    if (scenes_->locator.containing(middle) != kNone) free.erase(k);
+  }
+  return true;
 }
 
 bool EmbreeSweep::arc_free(const TurningBody& body, double heading, double angle) const {
@@ -94,6 +104,8 @@ bool EmbreeSweep::arc_free(const TurningBody& body, double heading, double angle
 }
 
 double EmbreeSweep::reach(const TurningBody& body, double heading, Side towards) const {
+  static thread_local HeadingSet all;
+  if (find_headings(body, kFewEdges, all)) return all.reach(heading, towards);
   static thread_local HeadingRange::Memory memory;
   const std::span<const LineSegment> edges = scenes_->world().edges();
   HeadingRange range(body, heading - kNearTurn, 2.0 * kNearTurn, memory);
@@ -104,7 +116,6 @@ double EmbreeSweep::reach(const TurningBody& body, double heading, Side towards)
   const HeadingSet& free = range.free_headings();
   const auto ends_near = [&](Side side) { return free.reach(heading, side) < kNearTurn - kSureOfEnd; };
   if (!ends_near(Side::kLeft) || !ends_near(Side::kRight)) {
-    static thread_local HeadingSet all;
     do_free_headings({&body, 1}, {&all, 1});
     return all.reach(heading, towards);
   }
