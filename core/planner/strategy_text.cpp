@@ -5,6 +5,7 @@
 
 #include "arcway/angle.h"
 #include "core/base/shortest_text.h"
+#include "core/planner/strategy.h"
 
 namespace arcway::internal {
 
