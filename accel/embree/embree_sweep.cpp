@@ -39,8 +39,8 @@ bool EmbreeSweep::is_met(const SweptRectangle& r) const {
   const Vec2 d = edges.scaled(r[2]);
   const double bands = std::max(1.0, std::ceil((lengthwise ? ends : sides) / (2.0 * edges.inflation())));
   if (bands <= kMostRays) {
-    for (double k = 0.5; k < bands; k += 1.0) {
-      const double t = k / bands;
+    for (int k = 0; k < static_cast<int>(bands); ++k) {
+      const double t = (k + 0.5) / bands;
       if (scenes_->sweep.any(a + t * (b - a), c + t * (d - c), test)) return true;
     }
     return false;
