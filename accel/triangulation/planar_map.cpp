@@ -207,7 +207,7 @@ class Cutter {
 
   struct Piece {
     std::uint32_t low, high;
-    friend auto operator<=>(const Piece&, const Piece&) = default;
+    friend auto operator<=>(const Piece&, const Piece&) = default;  // NOLINT(modernize-use-nullptr): <compare> has it
   };
 
   void find_contacts() {

@@ -40,7 +40,8 @@ bool is_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
 std::optional<FreePose> free_turn(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
   const double reach = std::hypot(std::max(body.front, body.rear), body.half_width);
   for (int turn = 1; turn < kTurns; ++turn) {
-    const double angle = (turn % 2 == 1 ? 1.0 : -1.0) * ((turn + 1) / 2) * (kTwoPi / kTurns);
+    const int steps = (turn + 1) / 2;
+    const double angle = (turn % 2 == 1 ? 1.0 : -1.0) * steps * (kTwoPi / kTurns);
     const Pose turned{pose.x, pose.y, wrap_signed(pose.heading + angle)};
     if (is_free(sweep, body, turned)) return FreePose{turned, 0.0, reach * std::abs(angle)};
   }
