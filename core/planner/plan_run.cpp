@@ -13,8 +13,6 @@
 
 namespace arcway::internal {
 
-namespace {}  // namespace
-
 PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult& result)
     : query_(query),
       map_(query.map()),

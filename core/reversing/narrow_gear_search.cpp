@@ -26,11 +26,11 @@ struct Pass {
 constexpr std::array<Pass, 3> kPasses{{{1.0, 0.4}, {0.5, 0.3}, {0.25, 0.3}}};
 // Weight of the estimate of the rest of the route. Of 46 driven worlds that need these trees, 42 are solved with 2, 44
 // with 3 and 41 with 4.
-constexpr double kBoundWeight = 3.0;
+constexpr double kRestWeight = 3.0;
 constexpr std::size_t kFieldCells = 50'000;  // cells of the grid for that estimate
-constexpr double kJoinDistance =
-    1.0;                             // distance within which poses of the other tree are joined, in lengths of the body
-constexpr std::size_t kNearest = 2;  // number of those that are tried
+// Distance within which poses of the other tree are joined, in lengths of the body.
+constexpr double kJoinDistance = 1.0;
+constexpr std::size_t kNearest = 2;          // number of those that are tried
 constexpr std::size_t kJoiningWords = 6;     // words tried to each: the shortest ones that have room at the new pose
 constexpr std::size_t kExpandedAfter = 500;  // poses expanded after the first path, beyond as many as it took
 
@@ -69,7 +69,7 @@ class NarrowGearSearch {
     const double stopping = vehicle.top_speed() / vehicle.max_acceleration();
     const auto remaining = [this, i](const Pose& from) {
       const double way = std::max(fields_[i](from), reeds_shepp_distance(from, roots_[1 - i], radius_));
-      return kBoundWeight * way / map_.vehicle.top_speed();
+      return kRestWeight * way / map_.vehicle.top_speed();
     };
     return {{map_,
              i == 0 ? vehicle : vehicle.with_gears_swapped(),

@@ -229,14 +229,13 @@ class ReversingRefiner {
         std::max(at - move.segments_beside, number > 0 ? static_cast<std::ptrdiff_t>(all[number - 1]) : 0);
     const auto last = std::min(at + move.segments_beside,
                                number + 1 < all.size() ? static_cast<std::ptrdiff_t>(all[number + 1]) : end);
-    std::vector<Link> before = links(first, at, cusp, false), after = links(at, last, cusp, true);
-    if (before.size() > move.links_tried) before.resize(move.links_tried);
-    if (after.size() > move.links_tried) after.resize(move.links_tried);
-    return replace_beside(std::move(before), std::move(after));
+    const std::size_t most = move.links_tried;
+    return replace_beside(links(first, at, cusp, false, most), links(at, last, cusp, true, most));
   }
 
-  // Connections between a moved cusp and the far ends of segments before or after it, in their gear, shortest first.
-  std::vector<Link> links(std::ptrdiff_t first, std::ptrdiff_t last, const Pose& cusp, bool after) const {
+  // The shortest connections between a moved cusp and the far ends of segments before or after it, in their gear.
+  std::vector<Link> links(std::ptrdiff_t first, std::ptrdiff_t last, const Pose& cusp, bool after,
+                          std::size_t most) const {
     std::vector<Link> found;
     double length = 0.0;
     for (std::ptrdiff_t i = 0; i < last - first; ++i) {
@@ -255,6 +254,7 @@ class ReversingRefiner {
       }
     }
     std::stable_sort(found.begin(), found.end(), [](const Link& a, const Link& b) { return a.longer < b.longer; });
+    if (found.size() > most) found.resize(most);
     return found;
   }
 
