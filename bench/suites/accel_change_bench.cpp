@@ -22,7 +22,7 @@
 // A prepared map after some obstacles have left their places and come back a little aside, against preparing it anew:
 // queries and all graphs, one thread. Lazily, where all that was checked before and is not near the change is kept,
 // also with some plans, against a lazy planner made anew that plans the same.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::accel_change_suite {
 namespace {
 
 constexpr std::size_t kPlans = 20;
@@ -126,4 +126,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::accel_change_suite

@@ -21,7 +21,7 @@
 
 // Do packets of rays or sorting pay? Times exact lines of sight one by one and in packets of eight. The pairs are those
 // of the pairwise builder, in its order, in random order, and sorted by position and direction.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::accel_packets_suite {
 namespace {
 
 constexpr std::size_t kRays = 1 << 14;
@@ -190,4 +190,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::accel_packets_suite

@@ -11,7 +11,7 @@
 
 // The pairwise build: what a tangent pair costs in all, tangents by binary search beside trying all pairs of vertices,
 // and what a second thread brings. The queries are made beforehand.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::accel_pairs_suite {
 namespace {
 
 struct Case {
@@ -63,4 +63,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::accel_pairs_suite

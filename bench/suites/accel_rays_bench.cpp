@@ -14,7 +14,7 @@
 
 // Lines of sight beside Embree alone, which traces the same rays through the same boxes with a callback that refuses
 // every edge: what do exact answers cost? And what does a second thread bring to a batch?
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::accel_rays_suite {
 namespace {
 
 constexpr std::size_t kRays = 1 << 14;
@@ -89,4 +89,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::accel_rays_suite

@@ -9,7 +9,7 @@
 #include "bench/suites/suite.h"
 
 // What who copies the README's lines waits for: from a map in memory to the first plan, on all threads of the machine.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::accel_readme_suite {
 namespace {
 
 constexpr std::size_t kPlans = 5;  // an iteration, each with a planner of its own
@@ -44,4 +44,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::accel_readme_suite

@@ -24,7 +24,7 @@
 // The processor's branch prediction would learn a small world that is repeated, and its caches would hold it, so that
 // larger worlds seemed to cost more. Hence different worlds take turns: at every size as many vertices in all as the
 // largest world has.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::accel_stages_suite {
 namespace {
 
 using Worlds = std::vector<const World*>;
@@ -187,4 +187,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::accel_stages_suite

@@ -8,7 +8,7 @@
 #include "bench/suites/suite.h"
 
 // The tangent-cone builder's time over threads, vertices of each obstacle, and the shape of the map.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::accel_tangent_cone_suite {
 namespace {
 
 bool is_right(benchmark::State& state, const std::string& name, std::size_t threads, const VisibilityGraph& graph) {
@@ -73,4 +73,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::accel_tangent_cone_suite

@@ -12,7 +12,7 @@
 #include "datasets/io/random.h"
 
 // What a visibility library is asked for, from free points, one by one; the map is made before.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::accel_visibility_map_suite {
 namespace {
 
 constexpr std::size_t kPoints = 512;
@@ -129,4 +129,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::accel_visibility_map_suite

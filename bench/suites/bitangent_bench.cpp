@@ -8,7 +8,7 @@
 #include "core/roadmap/turn_circle.h"
 #include "datasets/io/random.h"
 
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::bitangent_suite {
 namespace {
 
 using CirclePair = std::pair<TurnCircle, TurnCircle>;
@@ -58,4 +58,4 @@ void add(Study /*study*/) { add_benchmark("Bitangents/directed", time_bitangents
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::bitangent_suite

@@ -12,7 +12,7 @@
 #include "datasets/io/random.h"
 
 // How near a moving body comes to the obstacles, in closed form; checked against poses close together.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::clearance_suite {
 namespace {
 
 constexpr std::size_t kSegments = 256;
@@ -78,4 +78,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::clearance_suite

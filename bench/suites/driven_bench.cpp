@@ -10,7 +10,7 @@
 #include "bench/suites/suite.h"
 
 // The share solved of worlds in which a way is known: `driven/...` of the catalog. From map to plan, one thread.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::driven_suite {
 namespace {
 
 constexpr double kSlower = 1.0 + 1e-9;  // plans that take longer than the drive by more than rounding
@@ -103,4 +103,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::driven_suite

@@ -11,7 +11,7 @@
 #include "core/roadmap/lazy_feasible_graph.h"
 #include "datasets/io/random.h"
 
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::feasible_graph_suite {
 namespace {
 
 struct Case {
@@ -119,4 +119,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::feasible_graph_suite

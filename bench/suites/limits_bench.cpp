@@ -21,7 +21,7 @@
 // How far behind a time limit a plan ends, from map to plan, on a planner that is made already, and on a map that is
 // prepared for its vehicle, one thread. A limit holds where `worst_of_allowed` is at most 1: then every query ended
 // within 10 % and 5 ms of its limit. The map of a coast is from the folder that ARCWAY_SHARED_DATA names.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::limits_suite {
 namespace {
 
 constexpr double kAllowedShare = 0.1;     // behind the limit, of the limit
@@ -230,4 +230,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::limits_suite

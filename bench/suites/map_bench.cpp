@@ -10,7 +10,7 @@
 #include "datasets/io/random.h"
 
 // From a file's text to a checked world, and from cells to polygons.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::map_suite {
 namespace {
 
 bool same_polygons(const MapFile& a, const MapFile& b) {
@@ -96,4 +96,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::map_suite

@@ -21,7 +21,7 @@
 
 // Whole plans: on a prepared map, one for a new map with everything checked before or as it is needed; batches by
 // several threads; and what distance, fill and radii do to them.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::plan_suite {
 namespace {
 
 constexpr std::size_t kQueries = 20;
@@ -204,4 +204,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::plan_suite

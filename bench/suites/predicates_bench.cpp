@@ -10,7 +10,7 @@
 #include "datasets/io/random.h"
 
 // The sign on which everything rests: points at random, and points on a line, of which no filter can be sure.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::predicates_suite {
 namespace {
 
 using Triple = std::array<Vec2, 3>;
@@ -64,4 +64,4 @@ void add(Study /*study*/) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::predicates_suite

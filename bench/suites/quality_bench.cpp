@@ -14,7 +14,7 @@
 
 // How good the plans are, beside how long they take: the catalog's query sets, the heuristics, and the planner with
 // its features switched off one by one.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::quality_suite {
 namespace {
 
 constexpr const char* kWrong = "the validator refuses a path, or there is none";
@@ -154,4 +154,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::quality_suite

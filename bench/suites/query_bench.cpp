@@ -11,7 +11,7 @@
 #include "datasets/io/random.h"
 
 // What the graphs ask of a map, by every backend, over growing maps of constant density.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::query_suite {
 namespace {
 
 constexpr std::size_t kQuestions = 1024;
@@ -151,4 +151,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::query_suite

@@ -13,7 +13,7 @@
 #include "core/motion/speed_profile.h"
 
 // Travel time over the number of radii, for robots whose turns are the faster the wider they are.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::radii_suite {
 namespace {
 
 constexpr const char* kWrong = "the validator refuses a path, or there is none";
@@ -92,4 +92,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::radii_suite

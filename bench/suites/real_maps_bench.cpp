@@ -15,7 +15,7 @@
 
 // Preparing and planning on maps of a city, a coast and a grid of random cells, from the folder that ARCWAY_SHARED_DATA
 // names. Each has a vehicle that suits it. Queries are random poses that a disc can move between.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::real_maps_suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::real_maps_suite

@@ -8,7 +8,7 @@
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
 
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::reduced_graph_suite {
 namespace {
 
 void count_graph(benchmark::State& state, const World& world, const VisibilityGraph& graph) {
@@ -82,4 +82,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::reduced_graph_suite

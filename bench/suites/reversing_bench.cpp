@@ -10,7 +10,7 @@
 
 // Parking, with both gears: bays of one length and less and less room, and the TPCAP cases where the folder that
 // ARCWAY_SHARED_DATA names has them.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::reversing_suite {
 namespace {
 
 constexpr const char* kWrong = "the validator refuses the path, or there is none";
@@ -96,4 +96,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::reversing_suite

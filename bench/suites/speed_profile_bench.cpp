@@ -7,7 +7,7 @@
 #include "core/motion/speed_profile.h"
 #include "datasets/io/random.h"
 
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::speed_profile_suite {
 namespace {
 
 Path random_path(std::size_t segments) {
@@ -61,4 +61,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::speed_profile_suite

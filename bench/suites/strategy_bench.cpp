@@ -15,7 +15,7 @@
 
 // The strategy without each of its rows, and refinement without each of its moves: what is no longer solved, how much
 // slower plans get, and how much sooner they are there.
-namespace arcway::internal::bench {
+namespace arcway::internal::bench::strategy_suite {
 namespace {
 
 /// A set of queries that the rows of one kind matter for.
@@ -109,4 +109,4 @@ void add(Study study) {
 const Suite suite(add);
 
 }  // namespace
-}  // namespace arcway::internal::bench
+}  // namespace arcway::internal::bench::strategy_suite
