@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kAllowedShare = 0.1;     // behind the limit, of the limit
 constexpr double kAllowedSeconds = 5e-3;  // and beside that
-constexpr std::size_t kQueries = 4;       // queries of each world
+constexpr std::size_t kQueries = 4;       // queries of each world; one where only answers are checked
 constexpr double kLongest = 20.0;         // time limit of a query that is only checked [s]
 
 enum class Task { kPlan, kReverse, kAlternatives, kTour };
@@ -78,12 +78,12 @@ struct Query {
   Vec2 via;  // waypoint of a tour
 };
 
-// From pose to pose; tours pass the start of the next query.
-std::vector<Query> queries_of(const World& world, const Vehicle& vehicle) {
+// From pose to pose, `count` of them; tours pass the start of the next query.
+std::vector<Query> queries_of(const World& world, const Vehicle& vehicle, std::size_t count) {
   const std::vector<PlanRequest> requests =
       random_queries(world, fastest_queries(world), vehicle, {.count = kQueries, .min_distance = 0.5});
   std::vector<Query> queries;
-  for (std::size_t i = 0; i < requests.size(); ++i)
+  for (std::size_t i = 0; i < std::min(count, requests.size()); ++i)
     queries.push_back({requests[i], requests[(i + 1) % requests.size()].start.position()});
   return queries;
 }
@@ -144,18 +144,19 @@ struct Case {
   Robot robot;
   Task task;
   Made made;
-  double limit;  // [s]
+  double limit;         // [s]
+  std::size_t queries;  // asked
 };
 
 void time_limit(benchmark::State& state, const Case& measured) {
-  const auto& [name, robot, task, made, limit] = measured;
+  const auto& [name, robot, task, made, limit, asked_queries] = measured;
   const World* const found = world_of(state, name);
   if (found == nullptr) return;
   const World& world = *found;
   const Vehicle vehicle = robot.vehicle();
   const GraphMode mode = made == Made::kPrepared ? GraphMode::kEager : GraphMode::kLazy;
   const Planner planner = make_planner(world, vehicle, {.graph_mode = mode});
-  const std::vector<Query> queries = queries_of(world, vehicle);
+  const std::vector<Query> queries = queries_of(world, vehicle, asked_queries);
   const Validator validator(world);
   const auto are_valid = [&](const std::vector<PlanResult>& answers) {
     return std::ranges::all_of(
@@ -190,6 +191,7 @@ void time_limit(benchmark::State& state, const Case& measured) {
 }
 
 void add_world(Study study, const std::string& world, const Robot& robot) {
+  const std::size_t queries = study == Study::kCheck ? 1 : kQueries;
   std::string label = world.substr(0, world.find('.'));
   std::ranges::replace(label, '/', '_');
   for (const auto& [task, task_name] : kTasks)
@@ -198,8 +200,8 @@ void add_world(Study study, const std::string& world, const Robot& robot) {
         if (study == Study::kCheck && (milliseconds != 100 || made != Made::kPlanner)) continue;
         add_benchmark("TimeLimit/" + label + "/" + robot.name + "/" + task_name + "/" + made_name +
                           "/limit_ms:" + std::to_string(milliseconds),
-                      [world, robot, task = task, made = made, milliseconds](benchmark::State& state) {
-                        time_limit(state, {world, robot, task, made, 1e-3 * milliseconds});
+                      [world, robot, task = task, made = made, milliseconds, queries](benchmark::State& state) {
+                        time_limit(state, {world, robot, task, made, 1e-3 * milliseconds, queries});
                       })
             ->Iterations(1)
             ->Repetitions(1);
@@ -207,7 +209,7 @@ void add_world(Study study, const std::string& world, const Robot& robot) {
 }
 
 void add(Study study) {
-  const std::string clutter = clutter_name("convex", 100, 8, 30);
+  const std::string clutter = clutter_name("convex", study == Study::kCheck ? 20 : 100, 8, 30);
   add_world(study, clutter, kLateral);
   if (study == Study::kCheck) return;
   add_world(study, clutter, kPaper);

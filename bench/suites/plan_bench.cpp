@@ -126,10 +126,9 @@ void time_each(benchmark::State& state, const std::string& world_name, std::size
 }
 
 /// Queries that do not wait for one another.
-void time_batch(benchmark::State& state, const std::string& world_name, std::size_t threads) {
-  constexpr std::size_t kBatch = 100;
+void time_batch(benchmark::State& state, const std::string& world_name, std::size_t queries, std::size_t threads) {
   const Planner& planner = shared_planner(world_name);
-  const std::vector<PlanRequest> requests = catalog_queries(world_name, kBatch, 1);
+  const std::vector<PlanRequest> requests = catalog_queries(world_name, queries, 1);
   const std::unique_ptr<Executor> executor = make_executor(threads);
   const std::vector<PlanResult> results = plan_batch(planner, requests, *executor);
   if (!require(state, are_right(planner, results), kWrong)) return;
@@ -140,7 +139,7 @@ void time_batch(benchmark::State& state, const std::string& world_name, std::siz
   if (!require(state, std::ranges::equal(results, one_by_one, same), "a batch differs from its queries one by one"))
     return;
   for (auto _ : state) benchmark::DoNotOptimize(plan_batch(planner, requests, *executor));
-  set_batch(state, kBatch);
+  set_batch(state, queries);
 }
 
 void time_radii(benchmark::State& state, const std::string& world_name, std::size_t radii) {
@@ -189,10 +188,12 @@ void add(Study study) {
       time_queries(state, shared_planner(filled), catalog_queries(filled, kQueries, 1));
     });
   }
+  const std::size_t batch = study == Study::kCheck ? 20 : 100;
   Series by_threads(study, "PlanBatch" + at, "threads", "1 / threads", 0.0);
   by_threads.allow(4.0);
   for (const std::size_t t : thread_counts())
-    by_threads.add(static_cast<double>(t), [name, t](benchmark::State& state) { time_batch(state, name, t); });
+    by_threads.add(static_cast<double>(t),
+                   [name, batch, t](benchmark::State& state) { time_batch(state, name, batch, t); });
   const std::size_t fewer = study == Study::kCheck ? 10 : 100;
   Series by_radii(study, "PlanRadii/n:" + std::to_string(fewer), "radii", "at most O(r^2) pairs of radii an edge", 1.0);
   by_radii.allow(6.0);

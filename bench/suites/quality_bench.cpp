@@ -125,7 +125,8 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
 
 void add(Study study) {
   const std::size_t queries = study == Study::kFull ? 50 : 20;
-  const std::size_t ablated = study == Study::kFull ? 20 : study == Study::kQuick ? 2 : 3;  // by eight variants
+  const std::size_t ablated = study == Study::kFull ? 20 : study == Study::kQuick ? 2 : 1;  // by eight variants
+  const std::size_t compared = study == Study::kCheck ? 10 : 50;
   const std::size_t obstacles = study == Study::kCheck ? 32 : 316;
   const std::pair<const char*, Heuristic> heuristics[] = {{"travel_time", Heuristic::kTravelTime},
                                                           {"paper_distance", Heuristic::kPaperDistance},
@@ -141,7 +142,8 @@ void add(Study study) {
       if (study == Study::kCheck && fill != 30) continue;
       const std::string world = clutter_name(kind, study == Study::kCheck ? 30 : 100, 10, fill);
       const std::string label = std::string(kind) + "_f" + std::to_string(fill);
-      add_benchmark("Quality/" + label, [world](benchmark::State& state) { time_quality(state, world, 50); });
+      add_benchmark("Quality/" + label,
+                    [world, compared](benchmark::State& state) { time_quality(state, world, compared); });
       const std::vector<Variant> all = variants(shared_world(world));
       for (std::size_t v = 0; v < all.size(); ++v)
         add_benchmark("Ablation/" + label + "/" + all[v].name,
