@@ -84,7 +84,8 @@ TEST(WarmedUp, AsksTheHeapForLess) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RefinedOrNot, RepeatedQuery,
-                         testing::Values(Case{0}, Case{4000}, Case{0, 4.0, 60, 20}, Case{200, 4.0, 60, 20}));
+                         testing::Values(Case{0}, Case{4000, 0.0, 300, 20}, Case{0, 4.0, 60, 10},
+                                         Case{200, 4.0, 60, 10}));
 
 }  // namespace
 }  // namespace arcway::internal

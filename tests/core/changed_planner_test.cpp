@@ -67,7 +67,7 @@ std::size_t expect_changes(World world, const Vehicle& vehicle, test::Random& ra
     const Planner anew(world, vehicle, eager_options);
     test::expect_same(eager.feasible_graph(), anew.feasible_graph());
     if (testing::Test::HasFailure()) return solved;
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 5; ++i) {
       const PlanRequest request{draw_pose(world, random), draw_pose(world, random)};
       const PlanResult expected = anew.plan(request);
       EXPECT_EQ(bits_of(lazy.plan(request)), bits_of(expected));
@@ -126,7 +126,7 @@ TEST(ChangedPlanner, PlansAsOneBuiltAnewInNastyWorlds) {
     });
     if (HasFailure()) return;
   }
-  EXPECT_GT(solved, 100u);
+  EXPECT_GT(solved, 40u);
 }
 
 TEST(ChangedPlanner, ChecksFewCirclesForAChangeOfOneObstacle) {

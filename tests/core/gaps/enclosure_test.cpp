@@ -73,7 +73,7 @@ TEST(Enclosure, IsNotProvedWhereThereIsAPath) {
     const QuerySet queries = make_reference_queries(world);
     const Planner planner(world, vehicle);
     for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 4, .min_distance = 0.2})) {
-      if (!planner.plan(request).solved()) continue;
+      if (!planner.plan(request, {.tree_poses = 300}).solved()) continue;
       ++solved;
       EXPECT_FALSE(find_enclosure(request.start, request.goal, {vehicle.footprint(), *queries.sweep}, 10000)) << seed;
     }

@@ -71,7 +71,7 @@ class SeveralRadii : public testing::TestWithParam<ClutterKind> {
   Vehicle vehicle_ = driven_by(LateralAccelerationLimit{2.0});
   QuerySet queries_ = make_reference_queries(world_);
   Planner planner_{world_, vehicle_, backend_of(world_, queries_)};
-  std::vector<PlanRequest> requests_ = random_queries(world_, queries_, vehicle_, {.count = 12, .seed = 5});
+  std::vector<PlanRequest> requests_ = random_queries(world_, queries_, vehicle_, {.count = 6, .seed = 5});
 
   [[nodiscard]] Planner with_radii(std::vector<double> radii, const PlannerOptions& options = {}) const {
     PlannerOptions o = options;
@@ -95,7 +95,7 @@ TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
     EXPECT_LE(plan.travel_time, tight.travel_time);
     faster += plan.travel_time < 0.98 * tight.travel_time ? 1 : 0;
   }
-  EXPECT_GT(solved, 6);
+  EXPECT_GT(solved, 3);
   EXPECT_GT(faster, 0);
 }
 

@@ -105,7 +105,7 @@ TEST(PlannerNoPath, NoPathThatExistsIsDisproved) {
     const BottleneckFinder bottleneck(world, vehicle);
     for (const PlanRequest& request :
          random_queries(world, make_reference_queries(world), vehicle, {.count = 8, .min_distance = 0.2})) {
-      const PlanResult plan = planner.plan(request, {.tree_poses = 300});
+      const PlanResult plan = planner.plan(request, {.tree_poses = 50});
       const auto narrowest = bottleneck(request.start, request.goal);
       if (plan.solved()) {
         ++solved;

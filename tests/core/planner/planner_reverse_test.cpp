@@ -104,8 +104,9 @@ TEST(PlannerReverse, ChangesGearNoMoreOftenThanAllowed) {
   // Out of a dead end.
   const Planner lane(dead_end(), Vehicle{});
   request = {.start = {6.0, 0.0, 0.0}, .goal = {-10.0, 5.0, 0.0}, .reverse = true, .max_gear_changes = 1};
-  EXPECT_TRUE(lane.plan(request).solved());
-  EXPECT_LE(cusps_of(lane.plan(request).path()), 1u);
+  const PlanResult out = lane.plan(request);
+  EXPECT_TRUE(out.solved());
+  EXPECT_LE(cusps_of(out.path()), 1u);
   // A lane with two dead ends.
   const Planner closed(World({box(-1.0, 1.0, 8.0, 2.0), box(-1.0, -2.0, 8.0, -1.0)}, box(-1.0, -2.0, 8.0, 2.0).outer),
                        Vehicle{});

@@ -53,7 +53,7 @@ TEST_P(RefinePathInClutter, IsNeverSlowerAlwaysValidAndTheSameEveryTime) {
   const Vec2 span = world.box().max - low;
   test::Random random(29);
   int solved = 0, faster = 0;
-  for (int i = 0; i < 100 && solved < 12; ++i) {
+  for (int i = 0; i < 100 && solved < 6; ++i) {
     const auto pose = [&] {
       return Pose{low.x() + random.uniform(0.05, 0.95) * span.x(), low.y() + random.uniform(0.05, 0.95) * span.y(),
                   random.uniform(-kPi, kPi)};
@@ -80,8 +80,8 @@ TEST_P(RefinePathInClutter, IsNeverSlowerAlwaysValidAndTheSameEveryTime) {
       EXPECT_EQ(again.path[k].curvature, result.path[k].curvature);
     }
   }
-  EXPECT_GE(solved, 9);
-  EXPECT_GT(faster, 3);
+  EXPECT_GE(solved, 5);
+  EXPECT_GT(faster, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Clutters, RefinePathInClutter,

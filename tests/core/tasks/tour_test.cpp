@@ -41,10 +41,12 @@ double least_cost(const Planner& planner, const TourRequest& request) {
   return least;
 }
 
+const PlannerOptions kShortRefinement{.refinement = {.max_trials = 300}};
+
 class TourInClutter : public testing::Test {
  protected:
   World world_ = random_world({.obstacles = 30, .vertices = 6, .fill = 0.2, .seed = 12});
-  Planner planner_{world_, Vehicle{}};
+  Planner planner_{world_, Vehicle{}, kShortRefinement};
   std::vector<PlanRequest> queries_ =
       random_queries(world_, make_reference_queries(world_), Vehicle{}, {.count = 24, .min_distance = 0.3});
 };
@@ -164,7 +166,7 @@ TEST_F(TourInClutter, TakesThePlaceOnTheWayWithTheBestOfAllHeadings) {
 }
 
 TEST(Tour, CountsChangesOfGearAtAPlaceOnTheWay) {
-  const Planner planner(World({}), Vehicle{});
+  const Planner planner(World({}), Vehicle{}, kShortRefinement);
   for (const double cusp_cost : {0.3, 3.0}) {
     const TourRequest request{.start = {0, 0, 0},
                               .waypoints = {{Vec2(6, 0)}},
