@@ -8,7 +8,6 @@
 #include "arcway/distance_query.h"
 #include "arcway/sweep_query.h"
 #include "arcway/visibility_query.h"
-#include "core/collision/arc_query.h"
 
 namespace arcway::internal::embree {
 
@@ -68,16 +67,16 @@ class EmbreeDistance final : public DistanceQuery {
   std::shared_ptr<const Scenes> scenes_;
 };
 
-class EmbreeSweep final : public SweepQuery, public ArcQuery {
+class EmbreeSweep final : public SweepQuery {
  public:
   explicit EmbreeSweep(std::shared_ptr<const Scenes> scenes) : scenes_(std::move(scenes)) {}
-
-  [[nodiscard]] bool arc_free(const TurningBody& body, double heading, double angle) const override;
-  [[nodiscard]] double reach(const TurningBody& body, double heading, Side towards) const override;
 
  private:
   void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override;
   void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override;
+  [[nodiscard]] bool do_arc_free(const TurningBody& body, double heading, double angle,
+                                 HeadingSet& memory) const override;
+  [[nodiscard]] double do_reach(const TurningBody& body, double heading, Side towards, HeadingSet& all) const override;
 
   [[nodiscard]] bool is_met(const SweptRectangle& rectangle) const;
   // The free headings, unless more edges than that lie near the circle.

@@ -94,7 +94,7 @@ bool EmbreeSweep::find_headings(const TurningBody& body, std::size_t most_edges,
   return true;
 }
 
-bool EmbreeSweep::arc_free(const TurningBody& body, double heading, double angle) const {
+bool EmbreeSweep::do_arc_free(const TurningBody& body, double heading, double angle, HeadingSet& /*headings*/) const {
   static thread_local HeadingRange::Memory memory;
   const std::span<const LineSegment> edges = scenes_->world().edges();
   HeadingRange range(body, body.side == Side::kLeft ? heading : heading - angle, angle, memory);
@@ -103,8 +103,7 @@ bool EmbreeSweep::arc_free(const TurningBody& body, double heading, double angle
   return range.is_clear() && range.free_headings().reach(heading, body.side) >= angle && is_outside(body, heading);
 }
 
-double EmbreeSweep::reach(const TurningBody& body, double heading, Side towards) const {
-  static thread_local HeadingSet all;
+double EmbreeSweep::do_reach(const TurningBody& body, double heading, Side towards, HeadingSet& all) const {
   if (find_headings(body, kFewEdges, all)) return all.reach(heading, towards);
   static thread_local HeadingRange::Memory memory;
   const std::span<const LineSegment> edges = scenes_->world().edges();

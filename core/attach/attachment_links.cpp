@@ -10,7 +10,6 @@
 #include "core/attach/circle_places.h"
 #include "core/attach/circle_table.h"
 #include "core/attach/occlusion_horizon.h"
-#include "core/collision/arc_query.h"
 
 namespace arcway::internal {
 
@@ -129,8 +128,8 @@ void AttachmentLinks::append_circles(const PathEnd& end, std::span<const Attachm
         const TurnCircle circle = turn_circle(pose, radius, side);
         const Side towards = end.direction == Direction::kFromStart ? side : opposite(side);
         const TurningBody body{circle.center, radius, side, map.body};
-        circles.push_back({t, circle, wrap_positive(pose.heading),
-                           reach(*map.queries.sweep, body, pose.heading, towards, headings_)});
+        circles.push_back(
+            {t, circle, wrap_positive(pose.heading), map.queries.sweep->reach(body, pose.heading, towards, headings_)});
       }
   }
 }

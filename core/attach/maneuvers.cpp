@@ -7,7 +7,6 @@
 
 #include "arcway/angle.h"
 #include "core/base/open_list.h"
-#include "core/collision/arc_query.h"
 
 namespace arcway::internal {
 
@@ -142,7 +141,7 @@ class ManeuverSearch::Run {
     const Vec2 center = here.position() + sign_of(side) * radius * perpendicular(direction_of(here.heading));
     const TurningBody turning{center, radius, side, body_.footprint};
     const Side towards = forwards_ ? side : opposite(side);
-    const double room = internal::reach(body_.sweep, turning, here.heading, towards, m_.headings);
+    const double room = body_.sweep.reach(turning, here.heading, towards, m_.headings);
     // If an obstacle ends the turn early, free motions may leave from a narrow range of headings before its end.
     const bool cut_short = room < kStepTurn;
     for (const double share : kShares) {

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/collision/arc_query.h"
-
 namespace arcway::internal {
 
 bool turn_free(const SweepQuery& sweep, const Footprint& body, const PathSegment& arc, HeadingSet& headings) {
   const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
   const double radius = 1.0 / std::abs(arc.curvature);
   const Vec2 center = arc.start.position() + sign_of(side) * radius * perpendicular(direction_of(arc.start.heading));
-  return arc_free(sweep, {center, radius, side, body}, arc.start.heading, arc.length / radius, headings);
+  return sweep.arc_free({center, radius, side, body}, arc.start.heading, arc.length / radius, headings);
 }
 
 bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion) {

@@ -143,4 +143,22 @@ Vec2 middle_of(const Footprint& body, const Pose& pose) {
   return pose.position() + 0.5 * (body.front - body.rear) * direction_of(pose.heading);
 }
 
+bool SweepQuery::arc_free(const TurningBody& body, double heading, double angle, HeadingSet& headings) const {
+  return do_arc_free(body, heading, angle, headings);
+}
+
+bool SweepQuery::do_arc_free(const TurningBody& body, double heading, double angle, HeadingSet& headings) const {
+  free_headings({&body, 1}, {&headings, 1});
+  return headings.reach(heading, body.side) >= angle;
+}
+
+double SweepQuery::reach(const TurningBody& body, double heading, Side towards, HeadingSet& headings) const {
+  return do_reach(body, heading, towards, headings);
+}
+
+double SweepQuery::do_reach(const TurningBody& body, double heading, Side towards, HeadingSet& headings) const {
+  free_headings({&body, 1}, {&headings, 1});
+  return headings.reach(heading, towards);
+}
+
 }  // namespace arcway

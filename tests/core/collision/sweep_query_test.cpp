@@ -1,4 +1,4 @@
-#include "core/collision/arc_query.h"
+#include "arcway/sweep_query.h"
 
 #include <gtest/gtest.h>
 
@@ -23,12 +23,11 @@ double heading_on(const HeadingSet& free, test::Random& random) {
 }
 
 // The accelerated answers about arcs against those of all free headings of the reference.
-TEST(ArcQuery, AnswersAsTheSetOfFreeHeadingsDoes) {
+TEST(SweepQueryOfAnArc, AnswersAsTheSetOfFreeHeadingsDoes) {
   const Clutter clutter =
       generate_clutter({.kind = ClutterKind::kMixed, .obstacles = 60, .vertices = 7, .fill = 0.35, .seed = 5});
   const World world(clutter.obstacles, clutter.bounds);
   const QuerySet reference = make_reference_queries(world), embree = make_embree_queries(world);
-  ASSERT_NE(dynamic_cast<const ArcQuery*>(embree.sweep.get()), nullptr);
   test::Random random(3);
   HeadingSet memory;
   int free = 0, blocked = 0, near = 0;
@@ -42,13 +41,13 @@ TEST(ArcQuery, AnswersAsTheSetOfFreeHeadingsDoes) {
     for (int k = 0; k < 20; ++k) {
       const double heading = heading_on(all, random), angle = std::exp(random.uniform(-9.0, 1.8));
       const bool is_free = all.reach(heading, body.side) >= angle;
-      ASSERT_EQ(arc_free(*embree.sweep, body, heading, angle, memory), is_free) << "body " << i << ", arc " << k;
-      ASSERT_EQ(arc_free(*reference.sweep, body, heading, angle, memory), is_free);
+      ASSERT_EQ(embree.sweep->arc_free(body, heading, angle, memory), is_free) << "body " << i << ", arc " << k;
+      ASSERT_EQ(reference.sweep->arc_free(body, heading, angle, memory), is_free);
       ++(is_free ? free : blocked);
       for (const Side towards : {Side::kLeft, Side::kRight}) {
         const double reached = all.reach(heading, towards);
-        ASSERT_EQ(reach(*embree.sweep, body, heading, towards, memory), reached) << "body " << i << ", arc " << k;
-        ASSERT_EQ(reach(*reference.sweep, body, heading, towards, memory), reached);
+        ASSERT_EQ(embree.sweep->reach(body, heading, towards, memory), reached) << "body " << i << ", arc " << k;
+        ASSERT_EQ(reference.sweep->reach(body, heading, towards, memory), reached);
         near += reached > 0.0 && reached < 0.5 ? 1 : 0;
       }
     }
@@ -59,13 +58,13 @@ TEST(ArcQuery, AnswersAsTheSetOfFreeHeadingsDoes) {
 }
 
 // An arc that touches no edge lies wholly in an obstacle, or wholly out of bounds.
-TEST(ArcQuery, ABodySwallowedByAnObstacleIsNotFree) {
+TEST(SweepQueryOfAnArc, ABodySwallowedByAnObstacleIsNotFree) {
   const World block({{test::square(-50, -50, 100), {}}});
   const QuerySet queries = make_embree_queries(block);
   const TurningBody body{{0, 0}, 2.0, Side::kRight, Vehicle{}.footprint()};
   HeadingSet memory;
-  EXPECT_FALSE(arc_free(*queries.sweep, body, 0.3, 0.5, memory));
-  EXPECT_LT(reach(*queries.sweep, body, 0.3, Side::kLeft, memory), 0.0);
+  EXPECT_FALSE(queries.sweep->arc_free(body, 0.3, 0.5, memory));
+  EXPECT_LT(queries.sweep->reach(body, 0.3, Side::kLeft, memory), 0.0);
 }
 
 }  // namespace
