@@ -17,9 +17,9 @@
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/map_file.h"
 #include "arcway/visibility_rows.h"
-#include "tests/support/sight_oracle.h"
 #include "tests/support/thread_executor.h"
 #include "tests/support/touching_worlds.h"
+#include "tests/support/visibility_oracle.h"
 
 namespace arcway::internal {
 namespace {
@@ -54,7 +54,7 @@ TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
     SCOPED_TRACE(seed);
     const World world = test::touching_world(seed, 4);
     contacts += world.self_contacts().size();
-    const test::SightOracle oracle(world);
+    const test::VisibilityOracle oracle(world);
     const VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
     edges += graph.edge_count();
     ASSERT_EQ(test::edges_of(graph), oracle.reduced());
@@ -98,7 +98,7 @@ TEST(SelfContacts, LinesLeadThroughThem) {
   const World world({{test::square(0, 0, 8), {{{4, 0}, {7, 7}, {1, 7}}}}, {island, {}}, {test::square(2, -6, 3), {}}});
   ASSERT_EQ(world.self_contacts().size(), 1u);
   const VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
-  EXPECT_EQ(test::edges_of(graph), test::SightOracle(world).reduced());
+  EXPECT_EQ(test::edges_of(graph), test::VisibilityOracle(world).reduced());
   const auto joins = [&](const Vec2& p, const Vec2& q) {
     for (const auto& [u, v] : test::edges_of(graph))
       if ((world.vertex(u) == p && world.vertex(v) == q) || (world.vertex(u) == q && world.vertex(v) == p)) return true;

@@ -14,8 +14,8 @@
 #include "arcway/query_set.h"
 #include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
-#include "tests/support/sight_oracle.h"
 #include "tests/support/touching_worlds.h"
+#include "tests/support/visibility_oracle.h"
 
 namespace arcway::internal {
 namespace {
@@ -24,7 +24,7 @@ using test::edges_of;
 
 void expect_oracle(const World& world) {
   const QuerySet queries = make_reference_queries(world);
-  const test::SightOracle oracle(world);
+  const test::VisibilityOracle oracle(world);
   for (VertexId v = 0; v < world.vertices().size(); ++v) ASSERT_EQ(world.is_convex(v), oracle.is_convex(v)) << v;
   ASSERT_EQ(edges_of(build_reduced_visibility_graph(world, *queries.visibility)), oracle.reduced());
 }
@@ -108,7 +108,7 @@ TEST(VisibilityGraphs, OfRegionsThatTouchThemselves) {
     contacts += world.self_contacts().size();
     expect_oracle(world);
     const QuerySet queries = make_reference_queries(world);
-    ASSERT_EQ(edges_of(build_full_visibility_graph(world, *queries.visibility)), test::SightOracle(world).full());
+    ASSERT_EQ(edges_of(build_full_visibility_graph(world, *queries.visibility)), test::VisibilityOracle(world).full());
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(contacts, 300u);

@@ -31,9 +31,9 @@ inline EdgeSet edges_of(const VisibilityGraph& graph) {
 /// order: neither `next` nor any rule about cones.
 ///
 /// Takes worlds of whole coordinates with extents up to 2^20: the fractions then fit into 128 bits.
-class SightOracle {
+class VisibilityOracle {
  public:
-  explicit SightOracle(const World& world) {
+  explicit VisibilityOracle(const World& world) {
     const std::span<const Vec2> vertices = world.vertices();
     for (const Vec2& p : vertices) {
       at_.push_back({static_cast<std::int64_t>(p.x()) - origin(vertices).x,
