@@ -36,7 +36,7 @@ void PlanArguments::add_to(CLI::App& command) {
                   "Goal, without HEADING in any; repeated: the one that is reached first; default: the map's")
       ->type_name("X,Y[,HEADING]")
       ->allow_extra_args(false);
-  command.add_option("--via", via, "Place to pass on the way; repeated: in this order")
+  command.add_option("--waypoint", waypoints, "Waypoint to pass; repeated: in this order")
       ->type_name("X,Y[,HEADING]")
       ->allow_extra_args(false);
   command
@@ -107,9 +107,9 @@ void PlanArguments::add_outputs_to(CLI::App& command) {
 void PlanArguments::check() const {
   if (batch()) {
     if (out.empty()) throw UsageError("--queries: needs --out R.csv for the results");
-    if (!start.empty() || !goals.empty() || !via.empty() || alternatives > 1) {
+    if (!start.empty() || !goals.empty() || !waypoints.empty() || alternatives > 1) {
       throw UsageError(
-          "--queries: start and goal come from the file; leave out --start, --goal, --via, --alternatives");
+          "--queries: start and goal come from the file; leave out --start, --goal, --waypoint, --alternatives");
     }
     if (!svg.empty() || !csv.empty() || !ros_path.empty()) {
       throw UsageError("--queries: --svg, --csv and --ros-path show one plan; leave them out");

@@ -19,7 +19,7 @@ struct PlanArguments {
   MapOptions reading;
   std::string robot;
   std::string start;
-  std::vector<std::string> goals, via;
+  std::vector<std::string> goals, waypoints;
   std::uint32_t alternatives = 1;
   std::string queries, out;
   std::string heuristic = "travel_time";

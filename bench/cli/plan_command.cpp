@@ -52,11 +52,12 @@ void warn_of_poses(const PlanArguments& arguments, const Pose& start, const Tour
   };
   if (!arguments.start.empty()) look("start", start.heading);  // the map's own poses have been checked
   for (const Place& place : request.waypoints)
-    if (place.heading) look("via", *place.heading);
+    if (place.heading) look("waypoint", *place.heading);
   for (const Place& place : request.goals)
     if (place.heading && !arguments.goals.empty()) look("goal", *place.heading);
-  if (arguments.reading.lonlat && (!arguments.start.empty() || !arguments.goals.empty() || !arguments.via.empty()))
-    map.notes.push_back("--start, --goal and --via are meters from there, not degrees");
+  if (arguments.reading.lonlat &&
+      (!arguments.start.empty() || !arguments.goals.empty() || !arguments.waypoints.empty()))
+    map.notes.push_back("--start, --goal and --waypoint are meters from there, not degrees");
 }
 
 // What the command line asks for, before the map is read.
@@ -75,7 +76,8 @@ Requests read_requests(const PlanArguments& arguments) {
   requests.tour.cusp_cost = cusp_cost;
   requests.tour.max_gear_changes = max_gear_changes;
   if (!arguments.start.empty()) requests.start = parse_pose(arguments.start, "--start");
-  for (const std::string& via : arguments.via) requests.tour.waypoints.push_back(parse_place(via, "--via"));
+  for (const std::string& waypoint : arguments.waypoints)
+    requests.tour.waypoints.push_back(parse_place(waypoint, "--waypoint"));
   for (const std::string& goal : arguments.goals) requests.tour.goals.push_back(parse_place(goal, "--goal"));
   if (arguments.batch()) requests.queries = read_queries(arguments.queries, requests.warnings);
   for (NumberedRequest& query : requests.queries) {

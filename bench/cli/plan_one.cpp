@@ -85,7 +85,7 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
   }
   for (std::size_t i = 0; i < request.waypoints.size(); ++i)
     svg.add_place(request.waypoints[i].position,
-                  request.waypoints.size() == 1 ? "via" : "via " + std::to_string(i + 1));
+                  request.waypoints.size() == 1 ? "waypoint" : "waypoint " + std::to_string(i + 1));
   svg.show(arguments.svg_layers);
   return svg.str();
 }
@@ -150,7 +150,7 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
   }
   const Place& goal = request.goals.front();
   if (!request.waypoints.empty() || request.goals.size() > 1 || !goal.heading)
-    throw UsageError("--alternatives: only to one goal with a heading, and without --via");
+    throw UsageError("--alternatives: only to one goal with a heading, and without --waypoint");
   std::vector<PlanResult> results = plan_alternatives(planner, plain(request), arguments.alternatives, limits);
   const Validator validator(planner.world());
   for (PlanResult& result : results)
@@ -186,7 +186,7 @@ int plan_one(const PreparedPlanner& prepared, const TourRequest& request, const 
     out += free_space_row(arguments, planner.world(), result);
   }
   out += row("start", pose_text(request.start));
-  for (const Place& place : request.waypoints) out += row("by way of", place_text(place));
+  for (const Place& place : request.waypoints) out += row("waypoint", place_text(place));
   if (result.solved()) {
     out += row("goal", pose_text(result.goal)) + result_rows(result) + validity_row(plan);
   } else {

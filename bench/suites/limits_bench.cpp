@@ -75,7 +75,7 @@ const World* world_of(benchmark::State& state, const std::string& name) {
 
 struct Query {
   PlanRequest request;
-  Vec2 via;  // waypoint of a tour
+  Vec2 waypoint;  // of a tour
 };
 
 // From pose to pose, `count` of them; tours pass the start of the next query.
@@ -101,7 +101,7 @@ std::vector<PlanResult> answers_of(const Planner& planner, Task task, const Quer
     case Task::kTour:
       return {plan_tour(planner,
                         {.start = request.start,
-                         .waypoints = {{.position = query.via}},
+                         .waypoints = {{.position = query.waypoint}},
                          .goals = {{.position = goal.position(), .heading = goal.heading}}},
                         limits)
                   .plan};

@@ -179,25 +179,26 @@ TEST_F(Tool, SamplesAsDenselyAsToldTo) {
                    "steps of at most 1e-09 m and 0.05 rad, must be at most 1e+07");
 }
 
-TEST_F(Tool, LeadsByPlacesToTheNearestOfSeveralGoals) {
+TEST_F(Tool, LeadsByWaypointsToTheNearestOfSeveralGoals) {
   const Run near = run("plan " + map_ + " --start 10,10,0 --goal 50,50,90deg --goal 50,10 --json " + file("p.json"));
   EXPECT_EQ(near.code, 0) << near.err << near.out;
   EXPECT_NE(near.out.find("goal                (50.000, 10.000), heading 0.0000 rad"), std::string::npos) << near.out;
   const std::string direct = read("p.json");
   EXPECT_NE(direct.find("\"goal_index\":1"), std::string::npos) << direct;
-  const Run via = run("plan " + map_ + " --start 10,10,0 --via 10,50 --via 50,50,0 --goal 50,10,-90deg --json " +
-                      file("p.json") + " --svg " + file("p.svg"));
-  EXPECT_EQ(via.code, 0) << via.err << via.out;
-  EXPECT_NE(via.out.find("by way of           (10.000, 50.000), any heading"), std::string::npos) << via.out;
-  EXPECT_NE(read("p.svg").find(">via 2</text>"), std::string::npos);
+  const Run tour =
+      run("plan " + map_ + " --start 10,10,0 --waypoint 10,50 --waypoint 50,50,0 --goal 50,10,-90deg --json " +
+          file("p.json") + " --svg " + file("p.svg"));
+  EXPECT_EQ(tour.code, 0) << tour.err << tour.out;
+  EXPECT_NE(tour.out.find("waypoint            (10.000, 50.000), any heading"), std::string::npos) << tour.out;
+  EXPECT_NE(read("p.svg").find(">waypoint 2</text>"), std::string::npos);
   EXPECT_NE(read("p.json").find("\"passed\":["), std::string::npos);
-  EXPECT_NE(via.out.find("valid               yes"), std::string::npos);
+  EXPECT_NE(tour.out.find("valid               yes"), std::string::npos);
   EXPECT_EQ(run("validate " + map_ + " --path " + file("p.json")).code, 0);
   const Run none = run("plan " + map_ + " --start 10,10,0 --goal 30,30 --goal 31,31,0");
   EXPECT_EQ(none.code, 1);
   EXPECT_NE(none.out.find("goal                (30.000, 30.000), any heading"), std::string::npos) << none.out;
   expect_bad_input("plan " + map_ + " --start 10,10,0 --goal 30", "--goal");
-  expect_bad_input("plan " + map_ + " --start 10,10,0 --goal 30,30 --via 1,x", "--via");
+  expect_bad_input("plan " + map_ + " --start 10,10,0 --goal 30,30 --waypoint 1,x", "--waypoint");
 }
 
 TEST_F(Tool, GivesAlternatives) {
@@ -499,7 +500,7 @@ TEST_F(Tool, APoseInCollisionNamesObstaclePlaceAndTheNearestFreePose) {
 }
 
 TEST_F(Tool, RefusesEmptyValues) {
-  for (const char* option : {"--robot", "--svg", "--json", "--via", "--time-limit", "--task"})
+  for (const char* option : {"--robot", "--svg", "--json", "--waypoint", "--time-limit", "--task"})
     expect_bad_input("plan " + map_ + kAround + " " + option + " ''", std::string(option) + ": its value is empty");
   expect_bad_input("plan ''", "WORLD: its value is empty");
   expect_bad_input("prepare " + map_ + " --out ''", "--out: its value is empty");

@@ -88,9 +88,9 @@ TEST(Svg, ExplainsGearsOnlyWhereBothAreDriven) {
 
 TEST(Svg, MarksPlacesOnTheWay) {
   SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 100.0);
-  svg.add_place({5, 5}, "via 1");
+  svg.add_place({5, 5}, "waypoint 1");
   EXPECT_NE(svg.str().find("<circle cx=\"66\" cy=\"66\""), std::string::npos) << svg.str();
-  EXPECT_NE(svg.str().find(">via 1</text>"), std::string::npos);
+  EXPECT_NE(svg.str().find(">waypoint 1</text>"), std::string::npos);
 }
 
 TEST(Svg, LabelsLieBesideTheArrows) {
