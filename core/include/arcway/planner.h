@@ -99,9 +99,8 @@ struct ARCWAY_API PlanLimits {
   /// bit for bit, in some two thirds of the time where a core is free. FeasibleGraph::counts then differs from run to
   /// run.
   bool prefetch = false;
-  /// Number of poses that trees of forward motions may grow in all, see search_trees. They grow where nothing else
-  /// finds a path. 0: no trees; none grow with PlannerOptions::maneuver_poses = 0 either. A pose takes 0.05 to some 0.3
-  /// ms.
+  /// Most poses of the trees of forward motions that grow from start and goal where nothing else finds a path. 0: no
+  /// trees. None grow with PlannerOptions::maneuver_poses = 0 either. A pose takes 0.05 to 0.3 ms.
   std::uint32_t tree_poses = 16'000;
 };
 
