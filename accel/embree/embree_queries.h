@@ -79,7 +79,8 @@ class EmbreeSweep final : public SweepQuery {
   [[nodiscard]] double do_reach(const TurningBody& body, double heading, Side towards, HeadingSet& all) const override;
 
   [[nodiscard]] bool is_met(const SweptRectangle& rectangle) const;
-  // The free headings, unless more edges than that lie near the circle.
+  // Finds the free headings. Returns false, with `free` unspecified, if more than `most_edges` edges lie near the
+  // circle.
   bool find_headings(const TurningBody& body, std::size_t most_edges, HeadingSet& free) const;
   [[nodiscard]] bool is_outside(const TurningBody& body, double heading) const;
 

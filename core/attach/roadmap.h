@@ -23,7 +23,7 @@ struct Roadmap {
   Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii,
           std::shared_ptr<const FeasibleGraph> graph, std::shared_ptr<const Outlines> outlines);
   /// A roadmap of the same world and vehicle with another graph.
-  /// @param other_radii  of that graph [m]; the smallest one as here.
+  /// @param other_radii  of that graph [m], ascending; the smallest is that of this roadmap.
   [[nodiscard]] Roadmap with_graph(std::shared_ptr<const FeasibleGraph> other, std::vector<double> other_radii) const;
 
   World world;

@@ -23,16 +23,16 @@ struct SearchOptions {
   Gear gear = Gear::kForward;
   TimeModel time_model = TimeModel::kProfile;
   double suboptimality = 0.0;  ///< w >= 0: the path may take 1 + w times as long as the fastest one
-  /// Whether to continue the search before in the same workspace, which was for a path between the same poses. What its
-  /// starts reach is known then. If it had the same map and vehicle, and the first of these attachments, only new paths
-  /// are searched.
+  /// Whether to continue the previous search of the same workspace, which had the same start and goal poses. What its
+  /// starts reach is not searched again. If its map and vehicle were the same and its attachments the first of these,
+  /// only paths by the further attachments are searched.
   bool warm_start = false;
-  /// Whether to test reachability before searching on, where many attachments or a long search suggest that there is no
-  /// path.
+  /// Whether the search may stop to test if the goal can be reached at all. It does so where many attachments or many
+  /// expansions suggest that there is no path.
   bool doubts_reachability = true;
-  /// Only faster paths are wanted [s].
+  /// Paths that take at least this time are not wanted [s].
   double faster_than = std::numeric_limits<double>::infinity();
-  /// With a warm start: gains of less time do not matter [s].
+  /// With a warm start: an arrival known before is not searched again for a gain of less than this [s].
   double least_gain = 0.0;
   /// Number of expansions after which the best path found by then, if any, is good enough.
   std::uint64_t most_expanded = std::numeric_limits<std::uint64_t>::max();
@@ -45,7 +45,6 @@ struct SearchOptions {
   [[nodiscard]] bool interrupted() const { return clock.is_over(); }
 };
 
-/// The result of one search.
 /// What searches did, for PlanStatistics.
 struct SearchCounts {
   std::uint64_t nodes_expanded = 0;
@@ -62,6 +61,7 @@ struct SearchCounts {
   }
 };
 
+/// The result of one search.
 struct SearchResult {
   std::optional<Path> path;  ///< from start to goal, connections included
   /// The circles of the graph that the path joins first, and leaves for the goal; kNone if it touches none.

@@ -13,7 +13,7 @@
 namespace arcway::internal {
 
 /// A value that is made when first asked for, then kept. Thread-safe: one thread makes it while the others wait, each
-/// until its own clock is over. A making that is canceled leaves no trace.
+/// until its own clock is over. If making it is canceled, the next caller makes it anew.
 template <class Value>
 class LateValue {
  public:

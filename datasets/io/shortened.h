@@ -6,9 +6,9 @@
 
 namespace arcway::internal {
 
-/// Bytes of a file's or a user's word that a message repeats: enough to find it there.
+/// Most bytes that a message quotes of a word from a file or of an argument: enough to find it there.
 inline constexpr std::size_t kMostRepeated = 80;
-/// Bytes of what a parser of another project says, which may repeat a whole word of the file.
+/// Most bytes that a message quotes of the message of a third-party parser, which may quote the file itself.
 inline constexpr std::size_t kMostOfParser = 300;
 
 /// The text, or its first `most` bytes and "...". Does not cut a character of UTF-8.

@@ -6,7 +6,7 @@ namespace arcway {
 enum class TimeModel {
   kProfile,  ///< the true speed profile, over as many segments as speeding up and braking take
   kSegments  ///< each segment on its own by (9) and (10), as in the paper; arcs at v_mc, however short the lines beside
-             ///< them them are
+             ///< them are
 };
 
 }  // namespace arcway
