@@ -1,0 +1,159 @@
+#include "core/refine/arc_chain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "arcway/angle.h"
+#include "core/refine/tied_turns.h"
+
+namespace arcway::internal {
+
+namespace {
+
+constexpr double kLongLine = 0.7;    // shortest one that follows from its circles, in radii of the larger one
+constexpr double kLargeTurn = 2.0;   // [rad]
+constexpr double kShortest = 1e-3;   // line of a chain that is cut, in radii of its tightest circle
+constexpr double kOneRadius = 1e-6;  // relative difference of radii that count as one
+constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
+
+void follow_forwards(ArcChain& chain, std::size_t arc) {
+  const ArcChain::Line& line = chain.lines[arc];
+  const Vec2& ahead = line.ahead;
+  chain.arcs[arc].center = chain.before(arc) + line.length * ahead + chain.offset(arc) * perpendicular(ahead);
+}
+
+void follow_backwards(ArcChain& chain, std::size_t arc) {
+  const ArcChain::Line& line = chain.lines[arc + 1];
+  const Vec2& ahead = line.ahead;
+  chain.arcs[arc].center = chain.behind(arc + 1) - line.length * ahead - chain.offset(arc + 1) * perpendicular(ahead);
+}
+
+bool follow_circles(ArcChain& chain, std::size_t i) {
+  ArcChain::Line& line = chain.lines[i];
+  const Vec2 d = chain.arcs[i].center - chain.arcs[i - 1].center;
+  const double offset = chain.offset(i);
+  const double square = d.squaredNorm() - offset * offset;
+  if (!(square > 0.0)) return false;
+  line.length = std::sqrt(square);
+  const double heading = std::atan2(d.y(), d.x()) - std::atan2(offset, line.length);
+  line.heading += wrap_signed(heading - line.heading);
+  line.ahead = direction_of(line.heading);
+  return true;
+}
+
+}  // namespace
+
+bool ArcChain::join() {
+  const std::size_t n = arcs.size();
+  std::size_t longest = kNoLine;
+  for (std::size_t i = 1; i < n; ++i)
+    if (!lines[i].is_tied && (longest == kNoLine || lines[i].length > lines[longest].length)) longest = i;
+  if (longest == kNoLine) return false;
+  const auto is_long = [&](std::size_t i) {
+    const Line& line = lines[i];
+    if (i == longest) return true;
+    return !line.is_tied && line.length >= kLongLine * std::max(arcs[i - 1].radius, arcs[i].radius);
+  };
+  for (std::size_t i = 0; i <= n; ++i)
+    if (i == 0 || i == n || !is_long(i)) lines[i].ahead = direction_of(lines[i].heading);
+  std::size_t first = 0;
+  while (first < n) {
+    std::size_t last = first;  // arc of the group
+    while (last + 1 < n && !is_long(last + 1)) ++last;
+    std::size_t kept = first;
+    for (std::size_t i = first; i <= last; ++i)
+      if (arcs[i].radius < arcs[kept].radius) kept = i;
+    if (first == 0) {
+      kept = 0;
+      follow_forwards(*this, 0);
+    } else if (last + 1 == n) {
+      kept = last;
+      follow_backwards(*this, last);
+    }
+    for (std::size_t i = kept + 1; i <= last; ++i) follow_forwards(*this, i);
+    for (std::size_t i = kept; i-- > first;) follow_backwards(*this, i);
+    first = last + 1;
+  }
+  for (std::size_t i = 1; i < n; ++i)
+    if (is_long(i) && !follow_circles(*this, i)) return false;
+  return true;
+}
+
+bool ArcChain::is_forwards() const {
+  for (std::size_t i = 0; i < arcs.size(); ++i)
+    if (!(turn(i) > 0.0)) return false;
+  return std::ranges::all_of(lines, [](const Line& line) { return line.is_tied || line.length > 0.0; });
+}
+
+bool cut_turns(const CircleChain& chain, std::span<const Bitangent> lines, const TurnCuts& cuts, ArcChain& result) {
+  result.start = chain.start;
+  result.goal = chain.goal;
+  result.arcs.clear();
+  result.lines.clear();
+  const std::size_t n = chain.circles.size();
+  const double shortest = kShortest * std::ranges::min_element(chain.circles, {}, &TurnCircle::radius)->radius;
+  double heading = chain.start.heading;
+  for (std::size_t i = 0; i < n; ++i) {
+    const TurnCircle& circle = chain.circles[i];
+    const double sign = sign_of(circle.side);
+    const double turn = turn_between(lines[i].start.heading, lines[i + 1].start.heading, circle.side);
+    const bool is_tied = i > 0 && are_tied(chain, lines, i - 1);
+    result.lines.push_back({heading, is_tied ? 0.0 : std::max(lines[i].length, shortest), is_tied});
+    const bool is_whole = turn < cuts.least || circle.radius >= cuts.widest;
+    const int parts = is_whole ? 1 : turn > kLargeTurn ? cuts.parts + 1 : cuts.parts;
+    for (int k = 0; k < parts; ++k) {
+      if (k > 0) result.lines.push_back({heading + sign * turn * k / parts, 0.0, true});
+      result.arcs.push_back({circle.center, circle.radius, sign, 0.0, 0.0});
+    }
+    heading += sign * turn;
+  }
+  result.lines.push_back({heading, std::max(lines[n].length, shortest), false});
+  return result.join() && result.is_forwards();
+}
+
+void circles_of(const ArcChain& arcs, CircleChain& result) {
+  result.start = arcs.start;
+  result.goal = arcs.goal;
+  result.lead_in = arcs.lines.front().length;
+  result.lead_out = arcs.lines.back().length;
+  result.circles.clear();
+  const std::size_t n = arcs.arcs.size();
+  const auto circle = [&](std::size_t i) {
+    const ArcChain::Arc& arc = arcs.arcs[i];
+    return TurnCircle{arc.center, arc.radius, arc.sign > 0.0 ? Side::kLeft : Side::kRight, kNone};
+  };
+  const auto touching = [&](const TurnCircle& other, std::size_t line, std::size_t i) {
+    return turn_circle(pose_on(other, arcs.lines[line].heading), arcs.arcs[i].radius, other.side);
+  };
+  std::size_t first = 0;
+  while (first < n) {
+    std::size_t last = first;
+    while (last + 1 < n && arcs.lines[last + 1].is_tied) ++last;
+    std::size_t kept = first;
+    for (std::size_t i = first; i <= last; ++i)
+      if (arcs.arcs[i].radius < arcs.arcs[kept].radius) kept = i;
+    TurnCircle base = circle(kept);
+    if (first == 0) {
+      kept = 0;
+      base = result.first_circle(result.lead_in, arcs.arcs[0].radius, circle(0).side);
+    } else if (last + 1 == n) {
+      kept = last;
+      base = result.last_circle(result.lead_out, arcs.arcs[last].radius, circle(last).side);
+    }
+    const auto is_same = [](double a, double b) { return std::abs(a - b) <= kOneRadius * std::min(a, b); };
+    const auto at = result.circles.size();
+    result.circles.push_back(base);
+    for (std::size_t i = kept; i-- > first;) {
+      const TurnCircle& next = result.circles[at];
+      if (!is_same(next.radius, arcs.arcs[i].radius))
+        result.circles.insert(result.circles.begin() + static_cast<std::ptrdiff_t>(at), touching(next, i + 1, i));
+    }
+    for (std::size_t i = kept + 1; i <= last; ++i) {
+      const TurnCircle& previous = result.circles.back();
+      if (!is_same(previous.radius, arcs.arcs[i].radius)) result.circles.push_back(touching(previous, i, i));
+    }
+    first = last + 1;
+  }
+}
+
+}  // namespace arcway::internal

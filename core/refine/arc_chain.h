@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "arcway/path.h"
+#include "core/refine/circle_chain.h"
+
+namespace arcway::internal {
+
+/// A path of arcs and lines as the numbers that an optimizer moves: a chain whose turns are driven in several arcs.
+/// Arcs are numbered from 0 on, and line i lies before arc i. A *tied* line has no length: the arcs beside it touch.
+struct ArcChain {
+  struct Arc {
+    Vec2 center;
+    double radius;
+    double sign;         ///< +1: to the left
+    double entry, exit;  ///< squares of the speeds at its ends [m^2/s^2]
+  };
+  struct Line {
+    double heading;  ///< not wrapped: all turns are differences of headings
+    double length;
+    bool is_tied;
+    Vec2 ahead = Vec2::Zero();  ///< along the heading, see join
+  };
+
+  Pose start, goal;
+  std::vector<Arc> arcs;
+  std::vector<Line> lines;  ///< one more than arcs; the headings of the first and the last one are given
+
+  /// The turn on arc i [rad].
+  [[nodiscard]] double turn(std::size_t i) const { return arcs[i].sign * (lines[i + 1].heading - lines[i].heading); }
+  /// The signed difference of the radii beside line i, which its centers lie apart across it.
+  [[nodiscard]] double offset(std::size_t i) const {
+    const double behind = i < arcs.size() ? arcs[i].sign * arcs[i].radius : 0.0;
+    return behind - (i > 0 ? arcs[i - 1].sign * arcs[i - 1].radius : 0.0);
+  }
+  /// The center before line i, or the start; and the one behind it, or the goal.
+  [[nodiscard]] Vec2 before(std::size_t i) const { return i > 0 ? arcs[i - 1].center : start.position(); }
+  [[nodiscard]] Vec2 behind(std::size_t i) const { return i < arcs.size() ? arcs[i].center : goal.position(); }
+
+  /// Puts the parts of the path together again after some have moved. Long lines follow from the circles beside them;
+  /// of arcs that are joined by short lines, one keeps its place and the others follow. That is the tightest one, or
+  /// the one next to start or goal.
+  /// @return false if a line cannot be placed.
+  bool join();
+  /// Whether all turns and all lines that are not tied are driven forwards, by more than nothing.
+  [[nodiscard]] bool is_forwards() const;
+};
+
+/// How turns are cut into several arcs of one radius.
+struct TurnCuts {
+  int parts;      ///< of a turn; one more of a large one
+  double least;   ///< turn that is cut [rad]
+  double widest;  ///< radius from which on turns are as fast as lines, and stay whole [m]
+};
+/// Cuts the turns of a chain. Lines that are next to nothing become a little longer.
+/// @param lines  of the chain.
+/// @return false if the chain has no line that is long enough to give way, or a part is driven backwards.
+bool cut_turns(const CircleChain& chain, std::span<const Bitangent> lines, const TurnCuts& cuts, ArcChain& result);
+
+/// The circles of a chain of arcs. Arcs that touch do so up to rounding, and neighbors of one radius become one.
+void circles_of(const ArcChain& arcs, CircleChain& result);
+
+}  // namespace arcway::internal

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/refine/arc_chain.h"
+
+namespace arcway::internal {
+
+/// The numbers that a term of one arc or of one line depends on, as indices into the following.
+///   Of an arc: its center and radius, the headings at its beginning and end, the squares of the speeds there.
+///   Of a line: center and radius of the circle before it, its heading and length, the squares of the speeds at its
+///   ends. The circle before the first line is the start, with radius 0.
+enum LocalNumber { kCenterX, kCenterY, kRadius, kHeading, kNextHeading, kEntry, kExit, kLocalNumbers };
+inline constexpr int kLength = kNextHeading;  ///< of a line
+
+/// A smooth function of the numbers of one arc or line, with its derivatives there.
+struct Term {
+  using Gradient = Eigen::Matrix<double, kLocalNumbers, 1>;
+  using Hessian = Eigen::Matrix<double, kLocalNumbers, kLocalNumbers>;
+
+  double value = 0.0;
+  Gradient gradient = Gradient::Zero();
+  Hessian hessian = Hessian::Zero();
+
+  /// Sets a second derivative, and its mirror image.
+  void curve(int a, int b, double second) { hessian(a, b) = hessian(b, a) = second; }
+};
+
+/// How fast the vehicle is on lines and in turns.
+struct ChainSpeeds {
+  double acceleration;  ///< [m/s^2]
+  double lateral;       ///< of turns, up to the square of the top speed [m/s^2]
+  double top;           ///< square of the top speed [m^2/s^2]
+
+  /// Radius from which on turns are as fast as lines [m].
+  [[nodiscard]] double widest() const { return top / lateral; }
+  /// The square of the speed on a circle.
+  [[nodiscard]] double of(double radius) const { return radius < widest() ? lateral * radius : top; }
+};
+
+/// The time through an arc or a line [s], between the speeds at its ends, which need not be as high as they may. It is
+/// smooth where the top speed is just reached. Speeds of 0 at start and goal are given and do not count as numbers.
+Term arc_time(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds);
+Term line_time(const ArcChain& chain, std::size_t line, const ChainSpeeds& speeds);
+/// Their values alone.
+double arc_time_alone(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds);
+double line_time_alone(const ArcChain& chain, std::size_t line, const ChainSpeeds& speeds);
+
+/// The squares of the speeds at the ends of a line: those of the arcs beside it, 0 at start and goal.
+double entry_of_line(const ArcChain& chain, std::size_t line);
+double exit_of_line(const ArcChain& chain, std::size_t line);
+
+}  // namespace arcway::internal
