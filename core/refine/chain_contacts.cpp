@@ -1,0 +1,331 @@
+#include "core/refine/chain_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/infinity.h"
+
+namespace arcway::internal {
+
+namespace {
+
+// Which side of the body is nearest to an obstacle's corner, or which corner of the body to it or to an edge.
+enum Kind : std::uint8_t {
+  kNothing,
+  kBeside,
+  kAhead,
+  kBehind,
+  kInside,  // the inner side, in a turn
+  kFrontCorner,
+  kRearCorner,
+  kSwing,    // a corner of the body swings by an edge
+  kAtEntry,  // or is nearest where the arc begins,
+  kAtExit    // or ends
+};
+
+// Shares of the body's length.
+constexpr double kWrongSide = 0.04;      // a free corner that overlaps by more is seen from the wrong side
+constexpr double kWrongSideLater = 0.4;  // as the chain moves
+constexpr double kSeen = 2.0;            // distance within which a corner is seen from more parts
+constexpr double kBehindEdge = 0.3;      // what is farther behind an edge faces another one
+constexpr double kPlaces[] = {0.0, 0.25, 0.5, 0.75, 1.0};  // of an arc, for its box
+
+// A line as a corner sees it.
+struct LineView {
+  Vec2 center;  // before the line
+  const Vec2& ahead;
+  Vec2 left;
+  double sideways;  // signed radius before the line
+  double length;
+};
+LineView line_at(const ArcChain& chain, std::size_t i) {
+  const ArcChain::Line& line = chain.lines[i];
+  const double sideways = i > 0 ? chain.arcs[i - 1].sign * chain.arcs[i - 1].radius : 0.0;
+  return {chain.before(i), line.ahead, perpendicular(line.ahead), sideways, line.length};
+}
+
+double norm_of(double x, double y) { return std::sqrt(x * x + y * y); }
+
+// Whether a point of the body passes a place on an arc: seen from the center, the place lies between where the point is
+// at the arc's beginning and at its end.
+bool passes(const ArcChain& chain, std::size_t arc, const Vec2& from_center, double ahead, double outwards) {
+  const double sign = chain.arcs[arc].sign;
+  const auto is_ahead = [&](const Vec2& heading) {
+    return from_center.dot(outwards * heading + sign * ahead * perpendicular(heading)) >= 0.0;
+  };
+  return is_ahead(chain.lines[arc].ahead) && !is_ahead(chain.lines[arc + 1].ahead);
+}
+
+Box box_of(const ArcChain& chain, std::uint32_t part) {
+  Box box;
+  const std::size_t i = part / 2;
+  if (part % 2 == 0) {
+    const LineView line = line_at(chain, i);
+    const Vec2 begin = line.center - line.sideways * line.left;
+    box.extend(begin);
+    box.extend(begin + line.length * line.ahead);
+    return box;
+  }
+  const ArcChain::Arc& arc = chain.arcs[i];
+  const double from = chain.lines[i].heading, turn = chain.lines[i + 1].heading - from;
+  for (const double share : kPlaces)
+    box.extend(arc.center - arc.sign * arc.radius * perpendicular(direction_of(from + share * turn)));
+  const double between = arc.radius * (1.0 - std::cos(std::min(0.125 * std::abs(turn), 1.0)));
+  return box.grown(between);
+}
+
+}  // namespace
+
+bool ChainContacts::is_seen(const Place& place) const {
+  return place.distance >= -kWrongSideLater * body_length() && place.distance < kSeen * body_length();
+}
+
+ChainContacts::Place ChainContacts::look_from(const ArcChain& chain, const Corner& corner, std::uint32_t part) const {
+  return part % 2 == 0 ? look_from_line(chain, corner, part) : look_from_arc(chain, corner, part);
+}
+
+// The distance from the rectangle that the body sweeps.
+ChainContacts::Place ChainContacts::look_from_line(const ArcChain& chain, const Corner& corner,
+                                                   std::uint32_t part) const {
+  const LineView line = line_at(chain, part / 2);
+  const Vec2 d = corner.place - line.center;
+  const double x = line.ahead.dot(d), y = corner.sign * (line.left.dot(d) + line.sideways);
+  // A corner wholly on the other side is not overlapped.
+  const double beside = std::max(y, -y > body_.half_width ? -y : y) - body_.half_width;
+  const double ahead = x - line.length - body_.front, behind = -x - body_.rear;
+  const double most = std::max({beside, ahead, behind});
+  return {part, most == beside ? kBeside : most == ahead ? kAhead : kBehind, most};
+}
+
+// The distance from the ring that the body sweeps, or rather from its inner side and its outer corners.
+ChainContacts::Place ChainContacts::look_from_arc(const ArcChain& chain, const Corner& corner,
+                                                  std::uint32_t part) const {
+  const std::size_t i = part / 2;
+  const ArcChain::Arc& arc = chain.arcs[i];
+  const Vec2 d = corner.place - arc.center;
+  const double r = d.norm();
+  Place place{part, kNothing, kInfinity};
+  const auto nearer = [&place, part](double distance, Kind kind) {
+    if (distance < place.distance) place = {part, kind, distance};
+  };
+  const bool is_inside = std::abs(r - arc.radius) < body_.half_width ? corner.sign == arc.sign : r < arc.radius;
+  if (is_inside) {
+    if (passes(chain, i, d, 0.0, 1.0)) nearer(arc.radius - r - body_.half_width, kInside);
+    return place;
+  }
+  const double outwards = arc.radius + body_.half_width;
+  if (passes(chain, i, d, body_.front, outwards)) nearer(r - norm_of(body_.front, outwards), kFrontCorner);
+  if (passes(chain, i, d, -body_.rear, outwards)) nearer(r - norm_of(body_.rear, outwards), kRearCorner);
+  return place;
+}
+
+ChainContacts::Place ChainContacts::look(const ArcChain& chain, std::size_t contact) const {
+  if (contact >= corners_.size()) return look_at(chain, edges_[contact - corners_.size()]);
+  const Corner& corner = corners_[contact];
+  Place nearest{corner.first, kNothing, kInfinity};
+  for (std::uint32_t part = corner.first; part <= corner.last; ++part) {
+    const Place place = look_from(chain, corner, part);
+    if (place.distance < nearest.distance) nearest = place;
+  }
+  return nearest;
+}
+
+ChainContacts::Place ChainContacts::look_around(const ArcChain& chain, std::size_t contact) {
+  if (contact < corners_.size()) {
+    Corner& corner = corners_[contact];
+    const auto last = static_cast<std::uint32_t>(2 * chain.arcs.size());
+    while (corner.first > 0 && is_seen(look_from(chain, corner, corner.first - 1))) --corner.first;
+    while (corner.last < last && is_seen(look_from(chain, corner, corner.last + 1))) ++corner.last;
+  }
+  return look(chain, contact);
+}
+
+ChainContacts::Place ChainContacts::look_at(const ArcChain& chain, const Edge& edge) const {
+  const std::size_t i = edge.arc;
+  const ArcChain::Arc& arc = chain.arcs[i];
+  const std::uint32_t part = 2 * edge.arc + 1;
+  const double outwards = arc.radius + body_.half_width;
+  Place nearest{part, kNothing, kInfinity};
+  const auto look = [&](const Vec2& corner, Kind kind) {
+    const double along = edge.along.dot(corner - edge.from), distance = edge.outwards.dot(corner - edge.from);
+    const bool faces = along >= 0.0 && along <= edge.length && distance >= -kBehindEdge * body_length();
+    if (faces && distance < nearest.distance) nearest = {part, kind, distance};
+  };
+  if (passes(chain, i, -edge.outwards, edge.ahead, outwards)) {
+    look(arc.center - norm_of(edge.ahead, outwards) * edge.outwards, kSwing);
+    return nearest;
+  }
+  for (const Kind kind : {kAtEntry, kAtExit}) {
+    const Vec2& heading = chain.lines[kind == kAtEntry ? i : i + 1].ahead;
+    look(arc.center + edge.ahead * heading - arc.sign * outwards * perpendicular(heading), kind);
+  }
+  return nearest;
+}
+
+Term ChainContacts::term(const ArcChain& chain, std::size_t contact, const Place& place) const {
+  if (contact >= corners_.size()) return edge_term(chain, edges_[contact - corners_.size()], place);
+  const Corner& corner = corners_[contact];
+  return place.is_on_line() ? line_term(chain, corner, place) : arc_term(chain, corner, place);
+}
+
+Term ChainContacts::line_term(const ArcChain& chain, const Corner& corner, const Place& place) const {
+  const LineView line = line_at(chain, place.index());
+  const Vec2 d = corner.place - line.center;
+  const double x = line.ahead.dot(d), y = line.left.dot(d);
+  const bool is_beside = place.kind == kBeside;
+  double sign = place.kind == kBehind ? -1.0 : 1.0;
+  if (is_beside) sign = corner.sign * (corner.sign * (y + line.sideways) < -body_.half_width ? -1.0 : 1.0);
+  // The direction away from the body, and how it turns with the heading.
+  const Vec2 away = sign * (is_beside ? line.left : line.ahead);
+  const Vec2 turned = perpendicular(away);
+  Term term;
+  term.value = place.distance;
+  auto& g = term.gradient;
+  g.segment<2>(kCenterX) = -away;
+  g[kHeading] = turned.dot(d);
+  term.curve(kHeading, kHeading, -sign * (is_beside ? y : x));
+  term.curve(kHeading, kCenterX, -turned.x());
+  term.curve(kHeading, kCenterY, -turned.y());
+  if (is_beside && place.index() > 0) g[kRadius] = sign * chain.arcs[place.index() - 1].sign;
+  if (place.kind == kAhead) g[kLength] = -1.0;
+  return term;
+}
+
+namespace {
+
+// Derivatives of the distance of a corner of the body from the center of the turn.
+void set_swing(double ahead, double outwards, Term& term) {
+  const double swing = norm_of(ahead, outwards);
+  term.gradient[kRadius] = -outwards / swing;
+  term.curve(kRadius, kRadius, -ahead * ahead / (swing * swing * swing));
+}
+
+}  // namespace
+
+Term ChainContacts::arc_term(const ArcChain& chain, const Corner& corner, const Place& place) const {
+  const ArcChain::Arc& arc = chain.arcs[place.index()];
+  const Vec2 d = corner.place - arc.center;
+  const double r = d.norm();
+  const Vec2 w = d / r;
+  const double sign = place.kind == kInside ? 1.0 : -1.0;
+  Term term;
+  term.value = place.distance;
+  term.gradient.segment<2>(kCenterX) = sign * w;
+  term.hessian.block<2, 2>(kCenterX, kCenterX) = -sign / r * (Eigen::Matrix2d::Identity() - w * w.transpose());
+  if (place.kind == kInside) {
+    term.gradient[kRadius] = 1.0;
+  } else {
+    set_swing(place.kind == kFrontCorner ? body_.front : body_.rear, arc.radius + body_.half_width, term);
+  }
+  return term;
+}
+
+Term ChainContacts::edge_term(const ArcChain& chain, const Edge& edge, const Place& place) const {
+  const ArcChain::Arc& arc = chain.arcs[edge.arc];
+  const double outwards = arc.radius + body_.half_width;
+  Term term;
+  term.value = place.distance;
+  term.gradient.segment<2>(kCenterX) = edge.outwards;
+  if (place.kind == kSwing) {
+    set_swing(edge.ahead, outwards, term);
+    return term;
+  }
+  const bool at_entry = place.kind == kAtEntry;
+  const auto heading = at_entry ? kHeading : kNextHeading;
+  const Vec2& t = chain.lines[at_entry ? edge.arc : edge.arc + 1].ahead;
+  const double along = edge.outwards.dot(t), across = edge.outwards.dot(perpendicular(t));
+  term.gradient[kRadius] = -arc.sign * across;
+  term.gradient[heading] = edge.ahead * across + arc.sign * outwards * along;
+  term.curve(heading, heading, -edge.ahead * along + arc.sign * outwards * across);
+  term.curve(heading, kRadius, arc.sign * along);
+  return term;
+}
+
+void ChainContacts::find(const ArcChain& chain, const World& world, const Outlines& outlines, const Footprint& body,
+                         double reach) {
+  body_ = body;
+  corners_.clear();
+  edges_.clear();
+  sights_.clear();
+  const auto parts = static_cast<std::uint32_t>(2 * chain.arcs.size() + 1);
+  for (std::uint32_t part = 0; part < parts; ++part) find_near(chain, part, world, outlines, reach);
+  std::ranges::sort(sights_, {}, [](const Sight& s) { return std::pair(s.vertex, s.part); });
+  for (std::size_t first = 0; first < sights_.size();) {
+    std::size_t last = first + 1;
+    while (last < sights_.size() && sights_[last].vertex == sights_[first].vertex &&
+           sights_[last].part - sights_[last - 1].part <= 1)
+      ++last;
+    add_corners(chain, world, first, last);
+    first = last;
+  }
+}
+
+// Of consecutive parts that a corner is near to: those around the nearest one from which it is seen on the same side,
+// then the others on either side of these.
+void ChainContacts::add_corners(const ArcChain& chain, const World& world, std::size_t first, std::size_t last) {
+  const auto at = [this](std::size_t i) { return sights_.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto nearest =
+      static_cast<std::size_t>(std::ranges::min_element(at(first), at(last), {}, &Sight::distance) - sights_.begin());
+  const Sight& sight = sights_[nearest];
+  if (sight.distance == kInfinity) return;
+  Corner corner{world.vertex(sight.vertex), sight.sign, sight.part, sight.part};
+  const auto is_on_this_side = [&](std::size_t i) {
+    return look_from(chain, corner, sights_[i].part).distance >= -kWrongSide * body_length();
+  };
+  std::size_t low = nearest, high = nearest + 1;
+  while (low > first && is_on_this_side(low - 1)) --low;
+  while (high < last && is_on_this_side(high)) ++high;
+  corner.first = sights_[low].part;
+  corner.last = sights_[high - 1].part;
+  corners_.push_back(corner);
+  if (low > first + 1) add_corners(chain, world, first, low - 1);
+  if (high + 1 < last) add_corners(chain, world, high + 1, last);
+}
+
+void ChainContacts::find_near(const ArcChain& chain, std::uint32_t part, const World& world, const Outlines& outlines,
+                              double reach) {
+  const Box near = box_of(chain, part).grown(reach);
+  near_.clear();
+  outlines.visit_if([&near](const Box& box) { return box.overlaps(near); },
+                    [this](const Outlines::Piece& piece) {
+                      for (std::size_t k = 0; k < piece.edge_count(); ++k)
+                        near_.push_back(piece.first + static_cast<VertexId>(k));
+                      return true;
+                    });
+  for (const VertexId v : near_) {
+    if (part % 2 == 1) add_edges(chain, part / 2, world, v, reach);
+    if (world.is_convex(v) && near.contains(world.vertex(v))) add_sight(chain, part, world, v);
+  }
+}
+
+void ChainContacts::add_edges(const ArcChain& chain, std::uint32_t arc, const World& world, VertexId vertex,
+                              double reach) {
+  const Vec2 &from = world.vertex(vertex), &to = world.vertex(world.next(vertex));
+  const double length = (to - from).norm();
+  const Vec2 along = (to - from) / length;
+  for (const double ahead : {body_.front, -body_.rear}) {
+    const Edge edge{from, along, -perpendicular(along), length, arc, ahead};
+    const Place place = look_at(chain, edge);
+    if (place.kind == kNothing || (place.distance >= 0.0 && place.distance < reach)) edges_.push_back(edge);
+  }
+}
+
+void ChainContacts::add_sight(const ArcChain& chain, std::uint32_t part, const World& world, VertexId vertex) {
+  const std::size_t i = part / 2;
+  if (part % 2 == 0) {
+    const LineView line = line_at(chain, i);
+    const Vec2 d = world.vertex(vertex) - line.center;
+    const double x = line.ahead.dot(d), y = line.left.dot(d) + line.sideways;
+    const double beyond = std::max({0.0, -x, x - line.length});
+    sights_.push_back({vertex, part, norm_of(beyond, y), y >= 0.0 ? 1.0 : -1.0});
+    return;
+  }
+  const ArcChain::Arc& arc = chain.arcs[i];
+  const Vec2 d = world.vertex(vertex) - arc.center;
+  const double r = d.norm();
+  const double distance = passes(chain, i, d, 0.0, 1.0) ? std::abs(r - arc.radius) : kInfinity;
+  sights_.push_back({vertex, part, distance, r < arc.radius ? arc.sign : -arc.sign});
+}
+
+}  // namespace arcway::internal

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
+#include "core/model/outlines.h"
+#include "core/refine/chain_terms.h"
+
+namespace arcway::internal {
+
+/// What the body may come to touch as a chain moves: corners of obstacles beside the path, and edges that the outer
+/// corners of the body swing towards. Each contact has a smooth distance, which is positive where it is free; together
+/// they say what the body sweeps, up to rounding. Only what begins near the path is known. Which side a corner is
+/// passed on is decided once, on a free path; a body that overlaps it later is pushed back there.
+class ChainContacts {
+ public:
+  /// Where a contact's distance is the least: a part of the path, and a place of the body there. Part 2 i is line i,
+  /// part 2 i + 1 is arc i.
+  struct Place {
+    std::uint32_t part = 0;
+    std::uint8_t kind = 0;
+    double distance = 0.0;  ///< infinite where nothing can be touched [m]
+    [[nodiscard]] bool is_on_line() const { return part % 2 == 0; }
+    [[nodiscard]] std::size_t index() const { return part / 2; }  ///< of the line or arc
+  };
+
+  /// Finds all contacts of a free chain within a distance.
+  void find(const ArcChain& chain, const World& world, const Outlines& outlines, const Footprint& body, double reach);
+
+  [[nodiscard]] std::size_t size() const { return corners_.size() + edges_.size(); }
+  /// The least distance of a contact.
+  [[nodiscard]] Place look(const ArcChain& chain, std::size_t contact) const;
+  /// The least distance in a chain that has moved: a corner may be seen from more parts of the path than before.
+  Place look_around(const ArcChain& chain, std::size_t contact);
+  /// The distance at such a place, with its derivatives by the numbers of that line or arc.
+  [[nodiscard]] Term term(const ArcChain& chain, std::size_t contact, const Place& place) const;
+
+ private:
+  // A corner of an obstacle, and the consecutive parts of the path that may touch it.
+  struct Corner {
+    Vec2 place;
+    double sign;  // +1: it lies to the left of the path
+    std::uint32_t first, last;
+  };
+  // An edge of an obstacle, and the arc on which a corner of the body swings towards it.
+  struct Edge {
+    Vec2 from, along, outwards;  // unit vectors
+    double length;
+    std::uint32_t arc;
+    double ahead;  // of the reference point: where the body's corner is [m], negative for the rear one
+  };
+  // A corner near one part of the path.
+  struct Sight {
+    std::uint32_t vertex, part;
+    double distance;  // of the path, infinite where it is not abeam
+    double sign;
+  };
+
+  void find_near(const ArcChain& chain, std::uint32_t part, const World& world, const Outlines& outlines, double reach);
+  void add_sight(const ArcChain& chain, std::uint32_t part, const World& world, VertexId vertex);
+  void add_edges(const ArcChain& chain, std::uint32_t arc, const World& world, VertexId vertex, double reach);
+  void add_corners(const ArcChain& chain, const World& world, std::size_t first, std::size_t last);
+  [[nodiscard]] Place look_from(const ArcChain& chain, const Corner& corner, std::uint32_t part) const;
+  [[nodiscard]] Place look_from_line(const ArcChain& chain, const Corner& corner, std::uint32_t part) const;
+  [[nodiscard]] Place look_from_arc(const ArcChain& chain, const Corner& corner, std::uint32_t part) const;
+  [[nodiscard]] Place look_at(const ArcChain& chain, const Edge& edge) const;
+  [[nodiscard]] Term line_term(const ArcChain& chain, const Corner& corner, const Place& place) const;
+  [[nodiscard]] Term arc_term(const ArcChain& chain, const Corner& corner, const Place& place) const;
+  [[nodiscard]] Term edge_term(const ArcChain& chain, const Edge& edge, const Place& place) const;
+  [[nodiscard]] bool is_seen(const Place& place) const;
+  [[nodiscard]] double body_length() const { return body_.front + body_.rear; }
+
+  Footprint body_{};
+  std::vector<Corner> corners_;
+  std::vector<Edge> edges_;
+  std::vector<Sight> sights_;
+  std::vector<VertexId> near_;
+};
+
+}  // namespace arcway::internal

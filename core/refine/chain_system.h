@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
+#include "core/model/outlines.h"
+#include "core/refine/arc_chain.h"
+#include "core/refine/banded_ldlt.h"
+#include "core/refine/chain_bounds.h"
+#include "core/refine/chain_contacts.h"
+#include "core/refine/chain_terms.h"
+#include "core/refine/chain_unknowns.h"
+
+namespace arcway::internal {
+
+/// A chain of arcs with all that holds it: its bounds, its contacts and its unknowns; and the linear system of a step
+/// of all unknowns. Keeps its memory for the next chain.
+struct ChainSystem {
+  ArcChain chain, trial;  ///< now, and after a step that is tried
+  ChainSpeeds speeds{};
+  double tightest = 0.0;  ///< radius of turns [m]
+  double unit = 0.0;      ///< length of the body [m]
+  std::vector<Bound> bounds;
+  ChainContacts contacts;
+  ChainUnknowns unknowns;
+  BandedLdlt matrix;
+  std::vector<double> right, step;  ///< by unknowns; a step is a solution for `right`
+  std::vector<Vec2> tensions;       ///< of lines
+
+  /// Begins with `chain`, whose arcs and lines are placed.
+  /// @param body  that keeps off the obstacles, and how far from the path these are looked for [m].
+  void begin(const Vehicle& vehicle, const Footprint& body, const World& world, const Outlines& outlines, double reach);
+
+  /// Numbers of the unknowns of the arc or line of a contact.
+  [[nodiscard]] const Numbers& numbers_at(const ChainContacts::Place& place) const {
+    return place.is_on_line() ? unknowns.of_line(place.index()) : unknowns.of_arc(place.index());
+  }
+  [[nodiscard]] const Numbers& numbers_of(const Bound& bound) const {
+    return bound.is_of_line() ? unknowns.of_line(bound.index) : unknowns.of_arc(bound.index);
+  }
+  [[nodiscard]] BoundValue value(const Bound& bound, const ArcChain& of) const {
+    return value_of(bound, of, speeds, tightest);
+  }
+
+  /// Makes the trial: the chain moved by a share of the step.
+  /// @return false if parts cannot be placed, or one is driven backwards.
+  bool move(double share);
+  /// How far the body moves at most from the chain to the trial [m], as seen at the ends and middles of arcs.
+  [[nodiscard]] double movement() const;
+
+ private:
+  void place_speeds();
+
+  std::vector<double> squares_;  // of speeds, at the ends of arcs
+};
+
+/// Moves a chain as little as frees it of small overlaps, whatever its time: a few steps of least squares. What remains
+/// is for the exact queries to find. The unknowns' numbers stay, step and tensions are lost.
+void resolve_overlaps(ChainSystem& system);
+
+}  // namespace arcway::internal
