@@ -1,0 +1,377 @@
+#include "core/refine/optimize_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/infinity.h"
+#include "core/refine/chain_system.h"
+
+namespace arcway::internal {
+
+namespace {
+
+// In lengths of the body: growth of the body, distances of contacts that count and that are looked for, and the least
+// slack at first. What cannot be touched is looked at again after a movement. An overlap must be small in the end.
+constexpr double kGrowth = 7e-4, kNear = 0.7, kReach = 4.0, kLeastSlack = 1e-3, kUnseen = 0.1, kOverlap = 3e-4;
+// The barrier falls after steps of nearly full length and of half their length, and rises after very short ones.
+constexpr double kFullStep = 0.9, kHalfStep = 0.5, kShortStep = 0.05;
+constexpr double kFall = 0.3, kSlowFall = 0.6, kRise = 4.0;
+constexpr double kLastBarrier = 1e-6;     // share of the travel time
+constexpr int kFirstSteps = 3;            // before the barrier changes
+constexpr double kLeastGain = 1e-5;       // share of the travel time by which the last step changes it
+constexpr double kMostToBoundary = 0.95;  // of the way to a slack of 0
+constexpr double kLeastLeft = 0.1;        // of a length, turn, radius or speed after a step
+// Steps that are refused are taken again, shorter; then shorter ones by more damping.
+constexpr double kShorter = 0.4, kMoreDamping = 10.0;
+constexpr int kMostShorter = 4;
+constexpr double kSufficient = 1e-4;  // share of the gain that was predicted
+constexpr double kPenalty = 1.5;      // of a residual, in multipliers
+// Damping, times the squares of the unknowns' scales: a trust region.
+constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-8, kMostDamping = 1e8;
+constexpr double kDampMore = 4.0, kDampLess = 6.0, kDampAgain = 3.0;
+constexpr double kGoodGain = 0.4, kPoorGain = 0.1;  // shares of the gain that was predicted
+constexpr double kMultiplierBand = 10.0;            // by which a multiplier is off the barrier's at most
+constexpr double kStiffness = 1.0;                  // of the chain's equations [s/m^2]
+
+// A constraint, value >= 0, with its slack and multiplier.
+struct Row {
+  bool is_on = false;
+  double clear_until = 0.0;  // movement of the chain until which a contact is far off
+  double value = 0.0, trial = 0.0;
+  double slack = 0.0, slack_step = 0.0;
+  double multiplier = 0.0, penalty = 0.0;
+  const Numbers* numbers = nullptr;
+  Term::Gradient gradient;
+  [[nodiscard]] double residual() const { return value - slack; }
+};
+
+}  // namespace
+
+struct ChainOptimizer::Memory {
+  ChainSystem system;
+  std::vector<Row> rows;  // of bounds, then of contacts
+  std::vector<double> gradient, correction, uncorrected;
+};
+
+namespace {
+
+class InteriorPoint {
+ public:
+  InteriorPoint(const ChainQuery& query, ChainOptimizer::Memory& memory)
+      : query_(query),
+        system_(memory.system),
+        rows_(memory.rows),
+        tensions_(memory.system.tensions),
+        gradient_(memory.gradient),
+        correction_(memory.correction),
+        uncorrected_(memory.uncorrected) {}
+
+  ChainOptimizer::Result run(CircleChain& optimized) {
+    const Vehicle& vehicle = query_.vehicle;
+    const ChainEffort& effort = query_.effort;
+    const auto& law = std::get<LateralAccelerationLimit>(vehicle.parameters().turn_speed);
+    const double widest = vehicle.max_speed() * vehicle.max_speed() / law.lateral_acceleration;
+    if (!cut_turns(query_.chain, query_.lines, {effort.parts, effort.least_turn, widest}, system_.chain))
+      return {false, 0};
+    const Footprint bare = vehicle.footprint();
+    const double unit = bare.front + bare.rear;
+    system_.begin(vehicle, vehicle.footprint(0.5 * vehicle.safety_margin() + kGrowth * unit), query_.world,
+                  query_.outlines, kReach * unit);
+    begin_barrier();
+    int iterations = 0;
+    for (; iterations < effort.iterations && !query_.clock.is_over(); ++iterations) {
+      evaluate();
+      if (iterations == 0) find_tensions();
+      if (is_optimal()) break;
+      if (iterations >= kFirstSteps) change_barrier();
+      if (!take_step()) break;
+    }
+    resolve_overlaps(system_);
+    circles_of(system_.chain, optimized);
+    for (TurnCircle& circle : optimized.circles) circle.radius = std::max(circle.radius, system_.tightest);
+    return {true, iterations};
+  }
+
+ private:
+  [[nodiscard]] ArcChain& chain() { return system_.chain; }
+  [[nodiscard]] const ArcChain& chain() const { return system_.chain; }
+  [[nodiscard]] std::size_t bounds() const { return system_.bounds.size(); }
+
+  void begin_barrier() {
+    const double time = time_of(chain());
+    first_barrier_ = barrier_ = query_.effort.first_barrier * time;
+    last_barrier_ = kLastBarrier * time;
+    rows_.assign(bounds() + system_.contacts.size(), Row{});
+    for (std::size_t i = 0; i < bounds(); ++i) {
+      Row& row = rows_[i];
+      row.numbers = &system_.numbers_of(system_.bounds[i]);
+      row.value = system_.value(system_.bounds[i], chain()).value;
+      begin(row);
+    }
+  }
+  void begin(Row& row) const {
+    row.is_on = true;
+    row.slack = std::max(row.value, kLeastSlack * system_.unit);
+    row.multiplier = barrier_ / row.slack;
+    row.penalty = 0.0;
+  }
+
+  [[nodiscard]] double time_of(const ArcChain& of) const {
+    double time = 0.0;
+    for (std::size_t i = 0; i < of.arcs.size(); ++i) time += arc_time_alone(of, i, system_.speeds);
+    for (std::size_t i = 0; i < of.lines.size(); ++i)
+      if (!of.lines[i].is_tied) time += line_time_alone(of, i, system_.speeds);
+    return time;
+  }
+
+  // Values and derivatives of all at the current chain.
+  void evaluate() {
+    system_.matrix.reset(system_.unknowns.size(), system_.unknowns.band());
+    gradient_.assign(system_.unknowns.size(), 0.0);
+    time_ = 0.0;
+    for (std::size_t i = 0; i < chain().arcs.size(); ++i)
+      evaluate(arc_time(chain(), i, system_.speeds), system_.unknowns.of_arc(i));
+    for (std::size_t i = 0; i < chain().lines.size(); ++i)
+      if (!chain().lines[i].is_tied) evaluate(line_time(chain(), i, system_.speeds), system_.unknowns.of_line(i));
+    for (std::size_t i = 0; i < bounds(); ++i) evaluate(system_.bounds[i], rows_[i]);
+    for (std::size_t i = bounds(); i < rows_.size(); ++i) evaluate(i - bounds(), rows_[i]);
+    for (const Row& row : rows_)
+      if (row.is_on)
+        add(*row.numbers, row.gradient * row.gradient.transpose(), row.multiplier / row.slack, system_.matrix);
+    system_.unknowns.add_equations(chain(), tensions_, kStiffness, system_.matrix);
+  }
+  void evaluate(const Term& time, const Numbers& numbers) {
+    time_ += time.value;
+    add(numbers, time.gradient, 1.0, gradient_);
+    add(numbers, time.hessian, 1.0, system_.matrix);
+  }
+  void evaluate(const Bound& bound, Row& row) {
+    const auto [value, gradient] = system_.value(bound, chain());
+    row.value = value;
+    row.gradient = gradient;
+    if (bound.limit == Limit::kSpeedUp || bound.limit == Limit::kBrake)
+      add(*row.numbers, length_curvature(chain(), bound.index), -row.multiplier, system_.matrix);
+  }
+  void evaluate(std::size_t contact, Row& row) {
+    const bool was_on = std::exchange(row.is_on, false);
+    if (moved_ < row.clear_until) return;
+    const ChainContacts::Place place = system_.contacts.look_around(chain(), contact);
+    row.value = place.distance;
+    const double near = kNear * system_.unit;
+    if (row.value >= near) {
+      row.clear_until = moved_ + (row.value < kInfinity ? row.value - near : kUnseen * system_.unit);
+      return;
+    }
+    const Term term = system_.contacts.term(chain(), contact, place);
+    row.numbers = &system_.numbers_at(place);
+    row.gradient = term.gradient;
+    row.is_on = true;
+    if (!was_on) begin(row);
+    add(*row.numbers, term.hessian, -row.multiplier, system_.matrix);
+  }
+
+  // The tensions at the beginning, from one solution without any.
+  void find_tensions() {
+    set_right();
+    if (!factorize()) return;
+    solve();
+    take_tensions(1.0);
+    evaluate();
+  }
+  void take_tensions(double share) {
+    for (std::size_t i = 0; i < tensions_.size(); ++i)
+      tensions_[i] += share * (system_.unknowns.tension(i, system_.step) - tensions_[i]);
+  }
+
+  [[nodiscard]] bool is_optimal() const {
+    if (barrier_ > last_barrier_ || gain_ > kLeastGain * time_) return false;
+    return std::ranges::all_of(rows_,
+                               [&](const Row& row) { return !row.is_on || row.value > -kOverlap * system_.unit; });
+  }
+  void change_barrier() {
+    if (share_ < kShortStep) barrier_ = std::min(first_barrier_, kRise * barrier_);
+    if (share_ > kHalfStep) barrier_ = std::max(last_barrier_, (share_ > kFullStep ? kFall : kSlowFall) * barrier_);
+  }
+
+  void set_right() {
+    auto& right = system_.right;
+    right = gradient_;
+    for (const Row& row : rows_)
+      if (row.is_on) add(*row.numbers, row.gradient, (row.multiplier * row.residual() - barrier_) / row.slack, right);
+    for (double& value : right) value = -value;
+  }
+  [[nodiscard]] bool factorize() {
+    for (; damping_ <= kMostDamping; damping_ *= kDampMore)
+      if (system_.matrix.factorize(system_.unknowns.inverse_squares(), damping_, system_.unknowns.equations()))
+        return true;
+    return false;
+  }
+  void solve() {
+    system_.step = system_.right;
+    system_.matrix.solve(system_.step);
+    for (Row& row : rows_)
+      if (row.is_on) row.slack_step = along(*row.numbers, row.gradient, system_.step) + row.residual();
+  }
+
+  bool take_step() {
+    set_right();
+    for (; factorize(); damping_ *= kMoreDamping) {
+      solve();
+      if (try_step()) return true;
+    }
+    return false;
+  }
+
+  bool try_step() {
+    double slope = 0.0;
+    for (std::size_t i = 0; i < gradient_.size(); ++i)
+      if (!system_.unknowns.is_tension(i)) slope += gradient_[i] * system_.step[i];
+    for (Row& row : rows_) {
+      if (!row.is_on) continue;
+      row.penalty = std::max(row.penalty, kPenalty * std::abs(next_multiplier(row)));
+      slope -= barrier_ * row.slack_step / row.slack + row.penalty * std::abs(row.residual());
+    }
+    const double before = merit(time_, &Row::value, 0.0);
+    double share = longest_share();
+    for (int tries = 0; tries < kMostShorter; ++tries, share *= kShorter) {
+      const auto is_taken = [&] {
+        const double gain = before - merit(time_of(system_.trial), &Row::trial, share), predicted = -slope * share;
+        if (!(gain >= kSufficient * predicted)) return false;
+        accept(share, predicted > 0.0 ? gain / predicted : 1.0);
+        return true;
+      };
+      if (!system_.move(share)) continue;
+      look_at_trial();
+      if (is_taken()) return true;
+      if (tries > 0) continue;
+      uncorrected_ = system_.step;
+      if (correct(share) && is_taken()) return true;
+      system_.step = uncorrected_;
+      for (Row& row : rows_)
+        if (row.is_on) row.slack_step = along(*row.numbers, row.gradient, system_.step) + row.residual();
+    }
+    return false;
+  }
+  [[nodiscard]] double next_multiplier(const Row& row) const {
+    return (barrier_ - row.multiplier * row.slack_step) / row.slack;
+  }
+
+  // The longest share of the step that keeps all strictly inside.
+  [[nodiscard]] double longest_share() const {
+    double share = 1.0;
+    const auto keep = [&share](double value, double change, double least) {
+      if (value + share * change < least * value) share = (least - 1.0) * value / change;
+    };
+    const auto change = [this](int number) { return part_of(system_.step, number); };
+    for (const Row& row : rows_)
+      if (row.is_on) keep(row.slack, row.slack_step, 1.0 - kMostToBoundary);
+    for (std::size_t i = 0; i < chain().arcs.size(); ++i) {
+      const Numbers& at = system_.unknowns.of_arc(i);
+      const ArcChain::Arc& arc = chain().arcs[i];
+      keep(arc.entry, change(at[kEntry]), kLeastLeft);
+      keep(arc.exit, change(at[kExit]), kLeastLeft);
+      keep(arc.radius, change(at[kRadius]), kLeastLeft);
+      keep(chain().turn(i), arc.sign * (change(at[kNextHeading]) - change(at[kHeading])), kLeastLeft);
+    }
+    for (std::size_t i = 0; i < chain().lines.size(); ++i)
+      if (!chain().lines[i].is_tied)
+        keep(chain().lines[i].length, change(system_.unknowns.of_line(i)[kLength]), kLeastLeft);
+    return share;
+  }
+
+  // Time, barrier, and what the residuals cost, after a share of the step.
+  [[nodiscard]] double merit(double time, double Row::*value, double share) const {
+    double sum = time;
+    for (const Row& row : rows_) {
+      if (!row.is_on) continue;
+      const double slack = row.slack + share * row.slack_step;
+      sum += row.penalty * std::abs(row.*value - slack) - barrier_ * std::log(slack);
+    }
+    return sum;
+  }
+  void look_at_trial() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      Row& row = rows_[i];
+      if (!row.is_on) continue;
+      if (i < bounds()) {
+        row.trial = system_.value(system_.bounds[i], system_.trial).value;
+      } else {
+        // What is far off is as good as what is just not near.
+        const double far = std::max(kNear * system_.unit, row.slack + row.slack_step);
+        row.trial = std::min(far, system_.contacts.look(system_.trial, i - bounds()).distance);
+      }
+    }
+  }
+
+  // A second-order correction: the residuals after the step are taken into account. Returns whether it can be made.
+  bool correct(double share) {
+    correction_.assign(system_.step.size(), 0.0);
+    const auto residual = [share](const Row& row) { return row.trial - (row.slack + share * row.slack_step); };
+    for (const Row& row : rows_)
+      if (row.is_on) add(*row.numbers, row.gradient, -row.multiplier * residual(row) / row.slack, correction_);
+    system_.matrix.solve(correction_);
+    for (Row& row : rows_) {
+      if (!row.is_on) continue;
+      row.slack_step += (along(*row.numbers, row.gradient, correction_) + residual(row)) / share;
+      if (row.slack + share * row.slack_step < (1.0 - kMostToBoundary) * row.slack) return false;
+    }
+    for (std::size_t i = 0; i < correction_.size(); ++i) system_.step[i] += correction_[i] / share;
+    if (!system_.move(share)) return false;
+    look_at_trial();
+    return true;
+  }
+
+  void accept(double share, double quality) {
+    for (Row& row : rows_) {
+      if (!row.is_on) continue;
+      const double change = next_multiplier(row) - row.multiplier;
+      const bool is_too_far = row.multiplier + change < (1.0 - kMostToBoundary) * row.multiplier;
+      const double most = is_too_far ? kMostToBoundary * row.multiplier / -change : 1.0;
+      row.multiplier += std::min(share, most) * change;
+      row.slack += share * row.slack_step;
+      const double central = barrier_ / row.slack;
+      row.multiplier = std::clamp(row.multiplier, central / kMultiplierBand, central * kMultiplierBand);
+    }
+    take_tensions(share);
+    share_ = share;
+    gain_ = std::abs(time_ - time_of(system_.trial));
+    moved_ += system_.movement();
+    std::swap(system_.chain, system_.trial);
+    if (quality > kGoodGain) damping_ = std::max(kLeastDamping, damping_ / kDampLess);
+    if (quality < kPoorGain) damping_ *= kDampAgain;
+  }
+
+  const ChainQuery& query_;
+  ChainSystem& system_;
+  std::vector<Row>& rows_;
+  std::vector<Vec2>& tensions_;
+  std::vector<double>&gradient_, &correction_, &uncorrected_;
+  double time_ = 0.0;  // of the chain, at its speeds [s]
+  double barrier_ = 0.0, first_barrier_ = 0.0, last_barrier_ = 0.0;
+  double damping_ = kFirstDamping;
+  double share_ = 0.0, gain_ = 0.0, moved_ = 0.0;  // of the last step; by all steps
+};
+
+}  // namespace
+
+ChainOptimizer::ChainOptimizer() : memory_(std::make_unique<Memory>()) {}
+ChainOptimizer::~ChainOptimizer() = default;
+ChainOptimizer::ChainOptimizer(ChainOptimizer&&) noexcept = default;
+ChainOptimizer& ChainOptimizer::operator=(ChainOptimizer&&) noexcept = default;
+
+bool ChainOptimizer::serves(const Vehicle& vehicle) {
+  const auto* law = std::get_if<LateralAccelerationLimit>(&vehicle.parameters().turn_speed);
+  const double tightest = vehicle.min_turning_radius();
+  if (law == nullptr || !(vehicle.turn_speed(tightest) < vehicle.max_speed())) return false;
+  const Footprint body = vehicle.footprint();
+  return body.front > 0.0 && body.rear > 0.0 && tightest > vehicle.footprint(vehicle.safety_margin()).half_width;
+}
+
+ChainOptimizer::Result ChainOptimizer::optimize(const ChainQuery& query, CircleChain& optimized) {
+  return InteriorPoint(query, *memory_).run(optimized);
+}
+
+}  // namespace arcway::internal

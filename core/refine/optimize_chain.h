@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "arcway/stop_clock.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
+#include "core/model/outlines.h"
+#include "core/refine/circle_chain.h"
+
+namespace arcway::internal {
+
+/// How far a chain is optimized.
+struct ChainEffort {
+  int parts;             ///< arcs of a turn; one more of a large one
+  double least_turn;     ///< that is driven in parts [rad]
+  int iterations;        ///< at most; some 2 us for each arc
+  double first_barrier;  ///< share of the travel time
+};
+
+/// A chain to optimize. What is referred to must outlive the optimization.
+struct ChainQuery {
+  const CircleChain& chain;          ///< of a free path
+  std::span<const Bitangent> lines;  ///< of the chain
+  const Vehicle& vehicle;            ///< see ChainOptimizer::serves
+  const World& world;
+  const Outlines& outlines;  ///< of the world
+  ChainEffort effort;
+  StopClock clock = {};  ///< asked before each iteration
+};
+
+/// Makes a chain of turns faster by a primal-dual interior-point method. Each turn is driven in several arcs, whose
+/// centers and radii move, with the speeds at their ends, until the time falls no more. Contacts with obstacles are
+/// constraints. It proposes: only the exact queries tell whether the result is free, and only its speed profile whether
+/// it is faster. The order and the sides of turns stay. Deterministic unless stopped. Keeps its memory for the next
+/// chain; one chain at a time.
+///
+/// Source: Nocedal and Wright, Numerical Optimization, chapter 19: slacks, a barrier, steps by Newton's method in a
+/// trust region, and a merit function with second-order corrections.
+class ChainOptimizer {
+ public:
+  ChainOptimizer();
+  ~ChainOptimizer();
+  ChainOptimizer(ChainOptimizer&&) noexcept;
+  ChainOptimizer& operator=(ChainOptimizer&&) noexcept;
+
+  /// Whether chains of a vehicle can be optimized: it is faster on wider arcs, by its lateral acceleration; its
+  /// reference point lies on its body, and turns about centers beside it.
+  static bool serves(const Vehicle& vehicle);
+
+  struct Result {
+    bool is_optimized;  ///< false if the chain has no line that can give way
+    int iterations;
+  };
+  /// Precondition: the vehicle is served.
+  Result optimize(const ChainQuery& query, CircleChain& optimized);
+
+  struct Memory;
+
+ private:
+  std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace arcway::internal
