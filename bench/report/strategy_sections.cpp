@@ -51,6 +51,10 @@ struct MoveText {
   std::string operator()(const SlideCircles& move) const {
     return "slide centers and radii in " + std::to_string(move.steps.size()) + " directions, by steps that are halved";
   }
+  std::string operator()(const OptimizeTurns& move) const {
+    return "drive each turn in " + std::to_string(move.effort.parts) + " arcs and optimize all at once, by at most " +
+           std::to_string(move.effort.iterations) + " Newton steps; where turns are the faster the wider they are";
+  }
 };
 
 struct GearMoveText {
@@ -62,12 +66,17 @@ struct GearMoveText {
   std::string operator()(const SlideCusps&) const { return "move and turn the pose of each, by steps that are halved"; }
 };
 
-const char* text_of(Stage stage) {
+std::string text_of(Stage stage) {
   switch (stage) {
     case Stage::kSimplify:
       return "as long as one helps";
+    case Stage::kSlide:
     case Stage::kImprove:
       return "each once; if one helps, from the first move on";
+    case Stage::kOptimize:
+      return "after " + std::to_string(kTrialsBefore) + " trials of the moves above; if it helps, this is the end";
+    case Stage::kOptimizeAtLength:
+      return "for the best paths, in " + std::to_string(kMostRounds) + " rounds";
     case Stage::kSettle:
       return "once, then it is a local optimum";
     case Stage::kEscape:

@@ -104,7 +104,7 @@ double PlanRun::travel_time(const Path& path) {
   return workspace_.profile.total_time;
 }
 
-void PlanRun::refine(const Path& path, double trials, bool reverse) {
+void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
   const Stopwatch refining;
   RefinedPath& refined = workspace_.refined;
   RefineOptions refinement = query_.options.refinement;
@@ -120,8 +120,11 @@ void PlanRun::refine(const Path& path, double trials, bool reverse) {
                           .vehicle = map_.vehicle,
                           .sweep = *map_.queries.sweep,
                           .options = refinement,
-                          .clock = search_options_.clock};
-  if (reverse) {
+                          .clock = search_options_.clock,
+                          .world = &map_.world,
+                          .outlines = map_.outlines.get(),
+                          .at_length = mode == RefineMode::kAtLength};
+  if (mode == RefineMode::kBothGears) {
     refined = refine_reversing_path(query, gear_changes_);
   } else {
     workspace_.refiner.refine(query, refined);
@@ -145,7 +148,7 @@ PlanRun::Times PlanRun::keep(Path&& path, double trials, bool reverse) {
     s.first_travel_time = unrefined;
     result_.first_path = path;
   }
-  refine(path, trials, reverse);
+  refine(path, trials, reverse ? RefineMode::kBothGears : RefineMode::kForwards);
   workspace_.find.search.reuse(std::move(path));
   const double cost = cost_of(workspace_.refined.path);
   if (cost < best_cost_) {

@@ -66,6 +66,8 @@ class PlanRun {
     std::uint32_t first_circle, last_circle;
   };
 
+  enum class RefineMode { kForwards, kAtLength, kBothGears };
+
   [[nodiscard]] bool holds(const When& when);
   [[nodiscard]] bool holds(Known known) const;
   // Whether a path is known, refined or not.
@@ -108,7 +110,7 @@ class PlanRun {
   // Refines a path, and keeps it if it is one of the two cheapest.
   Times keep(Path&& path, double trials, bool reverse);
   // Refines a path into the workspace.
-  void refine(const Path& path, double trials, bool reverse);
+  void refine(const Path& path, double trials, RefineMode mode);
   void try_faster(const Roadmap& map, std::size_t poses, double least_gain, double trials);
   void try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials);
   [[nodiscard]] double cost_of(const Path& path);

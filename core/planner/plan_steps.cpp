@@ -198,7 +198,7 @@ void PlanRun::take(const RefineBest& step, double trials) {
   double& unrefined_time = result_.statistics.unrefined_travel_time;
   const auto refine_further = [&](const Path& path, double unrefined) {
     if (result_.interrupted) return;
-    refine(path, trials, false);
+    refine(path, trials, RefineMode::kAtLength);
     const double cost = cost_of(workspace_.refined.path);
     if (cost >= best_cost_) return;
     std::swap(workspace_.best, workspace_.refined.path);

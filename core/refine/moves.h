@@ -7,6 +7,8 @@
 #include <string_view>
 #include <variant>
 
+#include "core/refine/optimize_chain.h"
+
 namespace arcway::internal {
 
 /// The moves of refinement: in which order it changes a path, by which amounts, and when it goes back to an earlier
@@ -15,11 +17,14 @@ namespace arcway::internal {
 
 /// When a move has its turn.
 enum class Stage {
-  kSimplify,  ///< over and over, as long as a move of the stage helps; the first one first
-  kImprove,   ///< each once; back to kSimplify if one helps
-  kSettle,    ///< each once, when no move above helps: the path is a local optimum then
-  kEscape,    ///< back to kSimplify if one helps
-  kFinish     ///< each once, in the end
+  kSimplify,          ///< over and over, as long as a move of the stage helps; the first one first
+  kSlide,             ///< each once; back to kSimplify if one helps
+  kOptimize,          ///< once after kTrialsBefore trials of the moves above; if it helps, refinement ends
+  kOptimizeAtLength,  ///< in place of these for the best paths, in kMostRounds rounds behind kSimplify
+  kImprove,           ///< each once; back to kSimplify if one helps
+  kSettle,            ///< each once, when no move above helps: the path is a local optimum then
+  kEscape,            ///< back to kSimplify if one helps
+  kFinish             ///< each once, in the end
 };
 
 /// Leaves out turns between two circles, many at once first.
@@ -53,7 +58,12 @@ struct SlideCircles {
   double last_step;  ///< 0: RefineOptions::smallest_step
 };
 
-using Move = std::variant<DropTurns, RejoinEnds, MergeTurns, WidenTurns, InsertWords, SlideCircles>;
+/// Drives each turn in several arcs and optimizes all of them at once, see ChainOptimizer. For vehicles that it serves.
+struct OptimizeTurns {
+  ChainEffort effort;
+};
+
+using Move = std::variant<DropTurns, RejoinEnds, MergeTurns, WidenTurns, InsertWords, SlideCircles, OptimizeTurns>;
 
 struct MoveRow {
   std::string_view name;
@@ -84,7 +94,11 @@ inline constexpr MoveRow kMoves[] = {
     {"drop turns", Stage::kSimplify, DropTurns{}},
     {"rejoin ends", Stage::kSimplify, RejoinEnds{}},
     {"merge turns", Stage::kSimplify, MergeTurns{kMergedRadii}},
-    {"slide circles roughly", Stage::kImprove, SlideCircles{kMiddleSteps, 0.125}},
+    {"slide circles roughly", Stage::kSlide, SlideCircles{kMiddleSteps, 0.125}},
+    {"optimize turns", Stage::kOptimize,
+     OptimizeTurns{{.parts = 3, .least_turn = 0.05, .iterations = 40, .first_barrier = 1e-3}}},
+    {"optimize turns at length", Stage::kOptimizeAtLength,
+     OptimizeTurns{{.parts = 2, .least_turn = 0.15, .iterations = 60, .first_barrier = 3e-4}}},
     {"widen turns", Stage::kImprove, WidenTurns{kWiderShares, kWiderFactors, kStepShares, kEndTurns, kEndFactors}},
     {"insert words", Stage::kImprove, InsertWords{2, {}}},
     {"slide circles finely", Stage::kSettle, SlideCircles{kEndSteps, 0.0}},
@@ -93,6 +107,13 @@ inline constexpr MoveRow kMoves[] = {
     {"slide circles along lines", Stage::kFinish, SlideCircles{kCircleSteps, 0.0}},
 };
 
+/// Trials of simpler moves before turns are optimized.
+inline constexpr std::uint64_t kTrialsBefore = 1000;
+/// Rounds of optimizing the best paths, as long as one makes them faster by a share; with trials of kSimplify before
+/// each. Where none helps, so many trials of all moves follow.
+inline constexpr int kMostRounds = 2;
+inline constexpr double kWorthRound = 1e-3;
+inline constexpr std::uint64_t kTrialsBetween = 500, kTrialsInVain = 4000;
 /// Local optima in a row, each faster by kWorthSettling than the one before, until refinement ends.
 inline constexpr int kMostSettled = 4;
 inline constexpr double kWorthSettling = 1e-5;  ///< share of the travel time

@@ -16,6 +16,7 @@
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/refine/circle_chain.h"
 #include "core/refine/moves.h"
+#include "core/refine/optimize_chain.h"
 #include "core/refine/tied_turns.h"
 #include "core/refine/timed_chain.h"
 
@@ -56,6 +57,8 @@ struct PathRefiner::Memory {
   std::vector<Station> stations;
   HeadingSet headings;
   SpeedProfile profile;
+  ChainOptimizer optimizer;
+  CircleChain optimized;
 };
 
 PathRefiner::PathRefiner() : memory_(std::make_unique<Memory>()) {}
@@ -68,7 +71,8 @@ namespace {
 class Refiner {
  public:
   Refiner(const RefineQuery& query, PathRefiner::Memory& memory, RefinedPath& result)
-      : vehicle_(query.vehicle),
+      : query_(query),
+        vehicle_(query.vehicle),
         sweep_(query.sweep),
         options_(query.options),
         clock_(query.clock),
@@ -78,7 +82,10 @@ class Refiner {
         chain_(memory.chain),
         radii_(memory.radii),
         stations_(memory.stations),
-        headings_(memory.headings) {}
+        headings_(memory.headings),
+        optimizer_(memory.optimizer),
+        optimized_(memory.optimized),
+        most_trials_(query.options.max_trials) {}
 
   void run(CircleChain& chain) {
     // A radius is known by its curvature alone, and may come out too small by rounding.
@@ -90,6 +97,7 @@ class Refiner {
     radii_.clear();
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
+    if (query_.outlines != nullptr && ChainOptimizer::serves(vehicle_) && optimize()) return;
     for (int i = 0; i < kMostSettled && !done(); ++i) {
       const double before = result_.travel_time;
       settle();
@@ -100,13 +108,44 @@ class Refiner {
   }
 
  private:
+  // Optimizes all turns, once it is roughly known which they are. Returns whether that ends refinement.
+  bool optimize() {
+    if (query_.at_length) return optimize_at_length();
+    most_trials_ = std::min<std::uint64_t>(options_.max_trials, kTrialsBefore);
+    do {
+      simplify();
+    } while (!done() && take_all(Stage::kSlide));
+    most_trials_ = options_.max_trials;
+    return take_all(Stage::kOptimize);
+  }
+  bool optimize_at_length() {
+    bool any = false;
+    for (int round = 0; round < kMostRounds && !done(); ++round) {
+      const double before = result_.travel_time;
+      most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsBetween);
+      simplify();
+      most_trials_ = options_.max_trials;
+      if (!take_all(Stage::kOptimizeAtLength)) break;
+      any = true;
+      if (result_.travel_time > (1.0 - kWorthRound) * before) break;
+    }
+    // Where it fails, turns have mostly been optimized before.
+    if (!any) most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsInVain);
+    return any;
+  }
+
+  void simplify() {
+    while (!done() && take_first(Stage::kSimplify)) {
+    }
+  }
+
   // A local optimum.
   void settle() {
     bool more = true;
     while (more && !done()) {
-      while (!done() && take_first(Stage::kSimplify)) {
-      }
-      more = take_all(Stage::kImprove);
+      simplify();
+      more = take_all(Stage::kSlide);
+      more = take_all(Stage::kImprove) || more;
     }
     take_all(Stage::kSettle);
   }
@@ -135,7 +174,7 @@ class Refiner {
   }
   // Whether that is known, without asking: in loops that ask by their trials. Those over the circles of a long path
   // have thousands of rounds left.
-  [[nodiscard]] bool is_over() const { return result_.interrupted || result_.trials >= options_.max_trials; }
+  [[nodiscard]] bool is_over() const { return result_.interrupted || result_.trials >= most_trials_; }
   // Asks once in a while: in loops that try next to nothing.
   [[nodiscard]] bool done_by_now() { return ++iterations_ % kIterationsUnasked == 0 ? done() : is_over(); }
 
@@ -156,11 +195,14 @@ class Refiner {
     // Whole turns that fall short of a circle by next to nothing count as none, see turn_between: then the path does
     // not get to a goal that is so little behind the start.
     if (chain_.made_time() < least_time_) return false;
+    take_made();
+    return true;
+  }
+  void take_made() {
     result_.path = chain_.made_path();
     result_.travel_time = chain_.made_time();
     chain_.take();
     ++result_.improvements;
-    return true;
   }
 
   // Whether the parts that the current path does not have are free, cheapest questions first.
@@ -190,6 +232,28 @@ class Refiner {
   bool is_free(const PathSegment& arc) {
     ++result_.turns_checked;
     return turn_free(sweep_, body_, arc, headings_);
+  }
+
+  bool take(const OptimizeTurns& move) {
+    if (done()) return false;
+    ChainEffort effort = move.effort;
+    effort.iterations = static_cast<int>(
+        std::min<std::uint64_t>(static_cast<std::uint64_t>(effort.iterations), most_trials_ - result_.trials));
+    const auto [is_optimized, iterations] = optimizer_.optimize(
+        {chain_.chain(), lines(), vehicle_, *query_.world, *query_.outlines, effort, clock_}, optimized_);
+    result_.trials += static_cast<std::uint64_t>(iterations);
+    if (!is_optimized || !chain_.make(optimized_)) return false;
+    if (!(chain_.made_time() < result_.travel_time * (1.0 - kSmallestGain)) || chain_.made_time() < least_time_)
+      return false;
+    const auto is_part_free = [this](bool lines, const PathSegment& segment) {
+      if (segment.is_line() != lines || is_known(segment)) return true;
+      return lines ? straight_free(segment.start, segment.length) : is_free(segment);
+    };
+    for (const bool lines : {true, false})
+      if (!std::ranges::all_of(chain_.made_path(), [&](const PathSegment& s) { return is_part_free(lines, s); }))
+        return false;
+    take_made();
+    return true;
   }
 
   bool take(const DropTurns&) {
@@ -442,6 +506,7 @@ class Refiner {
     return any;
   }
 
+  const RefineQuery& query_;
   const Vehicle& vehicle_;
   const SweepQuery& sweep_;
   const RefineOptions& options_;
@@ -455,6 +520,9 @@ class Refiner {
   std::vector<double>& radii_;
   std::vector<Station>& stations_;
   HeadingSet& headings_;
+  ChainOptimizer& optimizer_;
+  CircleChain& optimized_;
+  std::uint64_t most_trials_;
 };
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include "arcway/stop_clock.h"
 #include "arcway/sweep_query.h"
 #include "arcway/vehicle.h"
+#include "arcway/world.h"
+#include "core/model/outlines.h"
 
 namespace arcway::internal {
 
@@ -34,6 +36,10 @@ struct RefineQuery {
   /// Asked before each trial, and while pairs are told apart. Once it is over, refinement ends with the best path so
   /// far.
   StopClock clock = {};
+  /// The world and its outlines. Without them no turns are optimized.
+  const World* world = nullptr;
+  const Outlines* outlines = nullptr;
+  bool at_length = false;  ///< it is one of the best paths, refined before
 };
 
 /// Makes a free path faster by local changes, as long as time falls:
@@ -43,6 +49,8 @@ struct RefineQuery {
 /// - two arcs join places on two lines of the path by a Dubins word of the smallest radius;
 /// - where wider turns are faster, parts of a turn become wider ones, step by step, and the ends tighter ones;
 /// - centers and radii slide, by steps that are halved down to the smallest.
+/// For vehicles that ChainOptimizer serves, the first three and rough slides are tried first, then all turns are
+/// optimized at once. The other changes follow only where that fails.
 /// A change is accepted only if the travel time under the speed profile falls and the swept area of the body grown by
 /// half of the safety margin is free by `sweep`. So the result is as free as the input and never slower; a path that
 /// turns on fewer than two circles is returned as it is. A local optimum of these changes, not the fastest path.

@@ -21,8 +21,7 @@ ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t la
 
 bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle) {
   vehicle_ = &vehicle;
-  made_.chain = chain;
-  if (!complete(made_)) return false;
+  if (!make(chain)) return false;
   take();
   return true;
 }
@@ -51,6 +50,11 @@ bool TimedChain::make(const ChainChange& change) {
   made.circles.insert(made.circles.end(), change.circles.begin(),
                       change.circles.begin() + static_cast<std::ptrdiff_t>(change.count));
   made.circles.insert(made.circles.end(), at(change.last), circles.end());
+  return complete(made_);
+}
+
+bool TimedChain::make(const CircleChain& chain) {
+  made_.chain = chain;
   return complete(made_);
 }
 

@@ -69,6 +69,9 @@ class TimedChain {
   /// Makes the changed path.
   /// @return false if two neighbors have no bitangent.
   bool make(const ChainChange& change);
+  /// Makes the path of another chain.
+  /// @return false if two neighbors have no bitangent.
+  bool make(const CircleChain& chain);
   [[nodiscard]] const Path& made_path() const { return made_.path; }
   [[nodiscard]] double made_time() const { return made_.profile.total_time; }
   /// Makes the path made last the current one.
