@@ -16,7 +16,7 @@ constexpr double kBelowLimits = 0.9;  // of the fastest speeds' squares: all lim
 // Pushing: steps at most, weight of an overlap against that of a movement, and how free contacts become, in lengths of
 // the body.
 constexpr int kMostPushes = 8;
-constexpr double kPush = 1e4, kFree = 2e-4, kStiffness = 1.0, kLeastShare = 1e-3;
+constexpr double kPush = 1e4, kFree = 2e-4, kLeastShare = 1e-3;
 
 }  // namespace
 
@@ -116,7 +116,7 @@ void resolve_overlaps(ChainSystem& system) {
         push(place.distance, system.numbers_at(place), system.contacts.term(system.chain, i, place).gradient);
     }
     if (least >= 0.0) return;
-    system.unknowns.add_equations(system.chain, system.tensions, kStiffness, system.matrix);
+    system.unknowns.add_equations(system.chain, system.tensions, ChainSystem::kStiffness, system.matrix);
     system.step = system.right;
     if (!system.matrix.factorize(system.unknowns.inverse_squares(), 1.0, system.unknowns.equations())) return;
     system.matrix.solve(system.step);

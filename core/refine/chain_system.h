@@ -19,6 +19,8 @@ namespace arcway::internal {
 /// A chain of arcs with all that holds it: its bounds, its contacts and its unknowns; and the linear system of a step
 /// of all unknowns. Keeps its memory for the next chain.
 struct ChainSystem {
+  static constexpr double kStiffness = 1.0;  ///< of the chain's equations in the matrix [s/m^2]
+
   ArcChain chain, trial;  ///< now, and after a step that is tried
   ChainSpeeds speeds{};
   double tightest = 0.0;  ///< radius of turns [m]

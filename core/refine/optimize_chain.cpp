@@ -15,7 +15,7 @@ namespace {
 
 // In lengths of the body: growth of the body, distances of contacts that count and that are looked for, and the least
 // slack at first. What cannot be touched is looked at again after a movement. An overlap must be small in the end.
-constexpr double kGrowth = 7e-4, kNear = 0.7, kReach = 4.0, kLeastSlack = 1e-3, kUnseen = 0.1, kOverlap = 3e-4;
+constexpr double kGrowth = 7e-4, kNearContact = 0.7, kReach = 4.0, kLeastSlack = 1e-3, kUnseen = 0.1, kOverlap = 3e-4;
 // The barrier falls after steps of nearly full length and of half their length, and rises after very short ones.
 constexpr double kFullStep = 0.9, kHalfStep = 0.5, kShortStep = 0.05;
 constexpr double kFall = 0.3, kSlowFall = 0.6, kRise = 4.0;
@@ -34,7 +34,6 @@ constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-8, kMostDamping = 1e8;
 constexpr double kDampMore = 4.0, kDampLess = 6.0, kDampAgain = 3.0;
 constexpr double kGoodGain = 0.4, kPoorGain = 0.1;  // shares of the gain that was predicted
 constexpr double kMultiplierBand = 10.0;            // by which a multiplier is off the barrier's at most
-constexpr double kStiffness = 1.0;                  // of the chain's equations [s/m^2]
 
 // A constraint, value >= 0, with its slack and multiplier.
 struct Row {
@@ -141,7 +140,7 @@ class InteriorPoint {
     for (const Row& row : rows_)
       if (row.is_on)
         add(*row.numbers, row.gradient * row.gradient.transpose(), row.multiplier / row.slack, system_.matrix);
-    system_.unknowns.add_equations(chain(), tensions_, kStiffness, system_.matrix);
+    system_.unknowns.add_equations(chain(), tensions_, ChainSystem::kStiffness, system_.matrix);
   }
   void evaluate(const Term& time, const Numbers& numbers) {
     time_ += time.value;
@@ -160,7 +159,7 @@ class InteriorPoint {
     if (moved_ < row.clear_until) return;
     const ChainContacts::Place place = system_.contacts.look_around(chain(), contact);
     row.value = place.distance;
-    const double near = kNear * system_.unit;
+    const double near = kNearContact * system_.unit;
     if (row.value >= near) {
       row.clear_until = moved_ + (row.value < kInfinity ? row.value - near : kUnseen * system_.unit);
       return;
@@ -300,7 +299,7 @@ class InteriorPoint {
         row.trial = system_.value(system_.bounds[i], system_.trial).value;
       } else {
         // What is far off is as good as what is just not near.
-        const double far = std::max(kNear * system_.unit, row.slack + row.slack_step);
+        const double far = std::max(kNearContact * system_.unit, row.slack + row.slack_step);
         row.trial = std::min(far, system_.contacts.look(system_.trial, i - bounds()).distance);
       }
     }

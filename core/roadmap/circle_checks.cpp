@@ -15,7 +15,7 @@ namespace arcway::internal {
 namespace {
 
 // A turn round the thinnest vertex begins and ends at a right angle to the heading at the vertex; and a little more.
-constexpr double kWidestTurn = 0.55 * kPi;
+constexpr double kTurnAtVertex = 0.55 * kPi;
 
 std::span<const double> checked_radii(std::span<const double> radii) {
   const auto is_radius = [](double radius) { return radius > 0.0 && std::isfinite(radius); };
@@ -109,7 +109,7 @@ SweptRectangle CircleChecks::swept_by(const FeasibleLink& link) const {
 void CircleChecks::keep_at_vertex(std::uint32_t circle, HeadingSet& found) const {
   const TurnCircle& c = circles_.all()[circle];
   if (c.radius == smallest_radius_ || !body_covers_reference_) return;
-  found = found.around(heading_at_vertex(world_, c), kWidestTurn);
+  found = found.around(heading_at_vertex(world_, c), kTurnAtVertex);
 }
 
 // Calls visit(circle) for those that a straight from a circle may lead to, for some of them repeatedly.
