@@ -22,7 +22,7 @@ constexpr double kNearGap = 3.0;  // largest distance of a gap straight's circle
 constexpr std::size_t kMostPlaces = 3;  // number of entries, and of exits, on one side of a gap straight
 
 // Circles found so far, as a place may have many gaps with the same circle.
-class Known {
+class KnownGaps {
  public:
   bool add(const std::vector<TurnCircle>& circles) {
     std::vector<long long> key;
@@ -209,7 +209,7 @@ class GapCircles {
   double radius_;
   Footprint body_;
   SweptAnnulus swept_;
-  Known known_;
+  KnownGaps known_;
   AddedCircles found_;
 };
 
