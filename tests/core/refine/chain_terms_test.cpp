@@ -1,0 +1,199 @@
+#include "core/refine/chain_terms.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "core/motion/speed_profile.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway::internal {
+namespace {
+
+constexpr ChainSpeeds kTermSpeeds{2.0, 1.5, 16.0};  // the widest slow radius is 10.7 m
+
+// A chain as far as times depend on it: nothing is placed.
+ArcChain random_timed_arcs(test::Random& random) {
+  ArcChain chain;
+  const auto arcs = random.integer(2, 8);
+  double heading = random.uniform(-4.0, 4.0);
+  for (std::int64_t i = 0; i < arcs; ++i) {
+    const bool is_tied = i > 0 && random.unit() < 0.4;
+    chain.lines.push_back({heading, is_tied ? 0.0 : random.uniform(0.2, 9.0), is_tied});
+    const double sign = random.unit() < 0.5 ? 1.0 : -1.0;
+    chain.arcs.push_back({random.point(-9.0, 9.0), random.uniform(1.3, 14.0), sign, 0.0, 0.0});
+    heading += sign * random.uniform(0.05, 3.0);
+  }
+  chain.lines.push_back({heading, random.uniform(0.2, 9.0), false});
+  return chain;
+}
+
+// Speeds below the limits. Lengths need not suffice to reach one from the other.
+void set_random_speeds(test::Random& random, ArcChain& chain) {
+  for (ArcChain::Arc& arc : chain.arcs) {
+    const double limit = kTermSpeeds.of(arc.radius);
+    arc.entry = random.uniform(0.1, 0.95) * limit;
+    arc.exit = random.uniform(0.1, 0.95) * limit;
+  }
+}
+
+struct TermPart {
+  bool is_line;
+  std::size_t index;
+};
+
+// The number of a part; nothing where it is given.
+double* number_of(ArcChain& chain, const TermPart& part, int number) {
+  const std::size_t i = part.index;
+  ArcChain::Arc* const arc = !part.is_line ? &chain.arcs[i] : i > 0 ? &chain.arcs[i - 1] : nullptr;
+  if (number <= kRadius) return arc == nullptr ? nullptr : number == kRadius ? &arc->radius : &arc->center[number];
+  if (number == kHeading) return &chain.lines[i].heading;
+  if (number == kNextHeading) return part.is_line ? &chain.lines[i].length : &chain.lines[i + 1].heading;
+  if (!part.is_line) return number == kEntry ? &arc->entry : &arc->exit;
+  if (number == kEntry) return i > 0 ? &arc->exit : nullptr;
+  return i < chain.arcs.size() ? &chain.arcs[i].entry : nullptr;
+}
+
+Term time_of_part(const ArcChain& chain, const TermPart& part) {
+  return part.is_line ? line_time(chain, part.index, kTermSpeeds) : arc_time(chain, part.index, kTermSpeeds);
+}
+
+double time_alone_of_part(const ArcChain& chain, const TermPart& part) {
+  return part.is_line ? line_time_alone(chain, part.index, kTermSpeeds)
+                      : arc_time_alone(chain, part.index, kTermSpeeds);
+}
+
+// The length on which a part holds its top speed, negative where it does not reach it.
+double holding_length(const ArcChain& chain, const TermPart& part) {
+  const std::size_t i = part.index;
+  double length = chain.lines[i].length, limit = kTermSpeeds.top;
+  double entry = entry_of_line(chain, i), exit = exit_of_line(chain, i);
+  if (!part.is_line) {
+    const ArcChain::Arc& arc = chain.arcs[i];
+    length = arc.radius * chain.turn(i);
+    limit = kTermSpeeds.of(arc.radius);
+    entry = arc.entry;
+    exit = arc.exit;
+  }
+  return length - (2.0 * limit - entry - exit) / (2.0 * kTermSpeeds.acceleration);
+}
+
+void expect_term_derivatives(const ArcChain& chain, const TermPart& part) {
+  constexpr double kStep = 1e-5;
+  const Term term = time_of_part(chain, part);
+  EXPECT_NEAR((term.hessian - term.hessian.transpose()).norm(), 0.0, 1e-14 * (1.0 + term.hessian.norm()));
+  for (int number = 0; number < kLocalNumbers; ++number) {
+    ArcChain low = chain, high = chain;
+    double* const down = number_of(low, part, number);
+    if (down == nullptr) continue;
+    *down -= kStep;
+    *number_of(high, part, number) += kStep;
+    const double slope = (time_alone_of_part(high, part) - time_alone_of_part(low, part)) / (2.0 * kStep);
+    EXPECT_NEAR(term.gradient[number], slope, 1e-7 * (1.0 + std::abs(slope))) << "number " << number;
+    const Term::Gradient before = time_of_part(low, part).gradient, behind = time_of_part(high, part).gradient;
+    for (int other = 0; other < kLocalNumbers; ++other) {
+      // A speed that is given counts as none.
+      if (number_of(low, part, other) == nullptr) continue;
+      const double curve = (behind[other] - before[other]) / (2.0 * kStep);
+      EXPECT_NEAR(term.hessian(other, number), curve, 1e-6 * (1.0 + std::abs(curve)))
+          << "numbers " << other << " and " << number;
+    }
+  }
+}
+
+TEST(ChainTerms, DerivativesAreThoseOfTheTimes) {
+  test::Random random(1);
+  int held[2] = {0, 0}, not_held[2] = {0, 0}, fast = 0, ends = 0;
+  for (int i = 0; i < 300; ++i) {
+    ArcChain chain = random_timed_arcs(random);
+    set_random_speeds(random, chain);
+    for (const bool is_line : {false, true})
+      for (std::size_t k = 0; k < chain.arcs.size() + (is_line ? 1 : 0); ++k) {
+        if (is_line && chain.lines[k].is_tied) continue;
+        const TermPart part{is_line, k};
+        SCOPED_TRACE(testing::Message() << "chain " << i << (is_line ? " line " : " arc ") << k);
+        EXPECT_NEAR(time_of_part(chain, part).value, time_alone_of_part(chain, part), 1e-14);
+        const double holding = holding_length(chain, part);
+        if (std::abs(holding) < 1e-3) continue;  // second derivatives jump
+        (holding > 0.0 ? held : not_held)[is_line] += 1;
+        fast += !is_line && chain.arcs[k].radius > kTermSpeeds.widest();
+        ends += is_line && (k == 0 || k == chain.arcs.size());
+        expect_term_derivatives(chain, part);
+      }
+  }
+  for (const bool is_line : {false, true}) {
+    EXPECT_GT(held[is_line], 30);
+    EXPECT_GT(not_held[is_line], 30);
+  }
+  EXPECT_GT(fast, 30);
+  EXPECT_GT(ends, 100);
+}
+
+// The top speed is just reached: both formulas hold.
+TEST(ChainTerms, ValuesAndGradientsAreSmoothWhereTheTopSpeedIsReached) {
+  test::Random random(2);
+  for (int i = 0; i < 100; ++i) {
+    ArcChain chain = random_timed_arcs(random);
+    set_random_speeds(random, chain);
+    const TermPart part{true, 0};
+    const double reached = chain.lines[0].length - holding_length(chain, part);
+    chain.lines[0].length = reached * (1.0 - 1e-12);
+    const Term before = time_of_part(chain, part);
+    chain.lines[0].length = reached * (1.0 + 1e-12);
+    const Term behind = time_of_part(chain, part);
+    EXPECT_NEAR(before.value, behind.value, 1e-10);
+    EXPECT_NEAR((before.gradient - behind.gradient).norm(), 0.0, 1e-10);
+  }
+}
+
+TEST(ChainTerms, AnArcOfAKnownTime) {
+  // 4 m from 1 m/s to 1 m/s, at 2 m/s^2 and at most 2 m/s: each change of speed takes 0.5 s and 0.75 m.
+  ArcChain chain;
+  chain.lines = {{0.0, 1.0, false}, {-2.0, 1.0, false}};
+  chain.arcs = {{Vec2::Zero(), 2.0, -1.0, 1.0, 1.0}};
+  const ChainSpeeds speeds{2.0, 2.0, 100.0};
+  EXPECT_NEAR(arc_time_alone(chain, 0, speeds), 1.0 + 2.5 / 2.0, 1e-14);
+  EXPECT_EQ(entry_of_line(chain, 0), 0.0);
+  EXPECT_EQ(exit_of_line(chain, 0), 1.0);
+  EXPECT_EQ(entry_of_line(chain, 1), 1.0);
+  EXPECT_EQ(exit_of_line(chain, 1), 0.0);
+  EXPECT_EQ(speeds.widest(), 50.0);
+  EXPECT_EQ(speeds.of(49.0), 98.0);
+  EXPECT_EQ(speeds.of(51.0), 100.0);
+}
+
+TEST(ChainTerms, WithTheFastestSpeedsTheyAddUpToTheTravelTime) {
+  test::Random random(3);
+  const Vehicle vehicle({.max_speed = std::sqrt(kTermSpeeds.top),
+                         .turn_speed = LateralAccelerationLimit{kTermSpeeds.lateral},
+                         .max_acceleration = kTermSpeeds.acceleration});
+  for (int i = 0; i < 300; ++i) {
+    ArcChain chain = random_timed_arcs(random);
+    Path path;
+    const auto append = [&path](double length, double curvature) { path.push_back({Pose{}, length, curvature}); };
+    for (std::size_t k = 0; k < chain.lines.size(); ++k) {
+      if (!chain.lines[k].is_tied) append(chain.lines[k].length, 0.0);
+      if (k == chain.arcs.size()) break;
+      const ArcChain::Arc& arc = chain.arcs[k];
+      append(arc.radius * chain.turn(k), arc.sign / arc.radius);
+    }
+    const SpeedProfile profile = speed_profile(path, vehicle);
+    std::size_t segment = 0;
+    for (std::size_t k = 0; k < chain.arcs.size(); ++k) {
+      if (!chain.lines[k].is_tied) ++segment;
+      chain.arcs[k].entry = profile.speeds[segment] * profile.speeds[segment];
+      ++segment;
+      chain.arcs[k].exit = profile.speeds[segment] * profile.speeds[segment];
+    }
+    double time = 0.0;
+    for (std::size_t k = 0; k < chain.arcs.size(); ++k) time += arc_time(chain, k, kTermSpeeds).value;
+    for (std::size_t k = 0; k < chain.lines.size(); ++k)
+      if (!chain.lines[k].is_tied) time += line_time(chain, k, kTermSpeeds).value;
+    EXPECT_NEAR(time, profile.total_time, 1e-9 * profile.total_time) << "chain " << i;
+  }
+}
+
+}  // namespace
+}  // namespace arcway::internal
