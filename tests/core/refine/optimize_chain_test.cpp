@@ -1,0 +1,243 @@
+#include "core/refine/optimize_chain.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
+#include "core/collision/motion_free.h"
+#include "core/motion/speed_profile.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway::internal {
+namespace {
+
+constexpr ChainEffort kUsualEffort{.parts = 3, .least_turn = 0.05, .iterations = 40, .first_barrier = 1e-3};
+
+Vehicle optimized_vehicle() { return Vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0}); }
+
+// A world, with all that an optimization asks for.
+struct OptimizedWorld {
+  explicit OptimizedWorld(World of) : world(std::move(of)), outlines(world), queries(make_reference_queries(world)) {}
+
+  World world;
+  Outlines outlines;
+  QuerySet queries;
+};
+
+Clutter optimized_clutter(ClutterKind kind, std::uint64_t seed) {
+  return generate_clutter({.kind = kind, .obstacles = 40, .vertices = 8, .fill = 0.25, .seed = seed});
+}
+
+// The free chains that a planner finds.
+std::vector<CircleChain> free_chains(const World& world, std::size_t count, std::uint64_t seed) {
+  const Planner planner(world, optimized_vehicle(), {.radii = {}, .refinement = {.max_trials = 0}});
+  test::Random random(seed);
+  const Vec2 low = world.box().min, span = world.box().max - low;
+  std::vector<CircleChain> chains;
+  while (chains.size() < count) {
+    const auto pose = [&] {
+      const Vec2 place = low + span.cwiseProduct(random.point(0.05, 0.95));
+      return Pose{place.x(), place.y(), random.uniform(-kPi, kPi)};
+    };
+    const PlanRequest request{pose(), pose()};
+    const PlanResult plan = planner.plan(request);
+    if (!plan.solved()) continue;
+    if (const auto chain = chain_of(plan.path(), request.start, request.goal); chain && lines_of(*chain))
+      chains.push_back(*chain);
+  }
+  return chains;
+}
+
+struct OptimizedPath {
+  ChainOptimizer::Result result{};
+  Path path;  ///< empty if the circles have no bitangents
+  double time = 0.0;
+  bool is_free = false;
+};
+
+OptimizedPath optimized_path(ChainOptimizer& optimizer, const OptimizedWorld& in, const CircleChain& chain,
+                             const ChainEffort& effort = kUsualEffort, const StopClock& clock = {}) {
+  const Vehicle vehicle = optimized_vehicle();
+  const auto lines = lines_of(chain).value();
+  CircleChain optimized;
+  OptimizedPath now;
+  now.result = optimizer.optimize({chain, lines, vehicle, in.world, in.outlines, effort, clock}, optimized);
+  const auto joints = now.result.is_optimized ? lines_of(optimized) : std::nullopt;
+  if (!joints) return now;
+  for (const TurnCircle& circle : optimized.circles) EXPECT_GE(circle.radius, vehicle.min_turning_radius());
+  now.path = path_of(optimized, *joints);
+  now.time = speed_profile(now.path, vehicle).total_time;
+  now.is_free = motion_free(*in.queries.sweep, vehicle.footprint(0.5 * vehicle.safety_margin()), now.path);
+  const Pose start = now.path.front().start, end = now.path.back().end();
+  EXPECT_NEAR((start.position() - chain.start.position()).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((end.position() - chain.goal.position()).norm(), 0.0, 1e-6);
+  EXPECT_NEAR(wrap_signed(start.heading - chain.start.heading), 0.0, 1e-9);
+  EXPECT_NEAR(wrap_signed(end.heading - chain.goal.heading), 0.0, 1e-9);
+  return now;
+}
+
+double time_before(const CircleChain& chain) {
+  return speed_profile(path_of(chain, lines_of(chain).value()), optimized_vehicle()).total_time;
+}
+
+TEST(OptimizeChain, ServesVehiclesThatAreFasterOnWiderArcs) {
+  const auto serves = [](VehicleParameters parameters) {
+    return ChainOptimizer::serves(Vehicle(std::move(parameters)));
+  };
+  const LateralAccelerationLimit lateral{2.0};
+  EXPECT_FALSE(serves({}));
+  EXPECT_FALSE(serves({.turn_speed = ConstantTurnSpeed{1.0}}));
+  EXPECT_FALSE(serves({.turn_speed = TurnSpeedTable{{{1.0, 1.0}, {9.0, 3.0}}}}));
+  EXPECT_TRUE(serves({.turn_speed = lateral}));
+  EXPECT_TRUE(serves({.steering = Steering::kRear, .turn_speed = lateral}));
+  EXPECT_TRUE(serves({.steering = Steering::kSymmetric, .max_steering_angle = 0.5, .turn_speed = lateral}));
+  // The tightest circle, of radius 1.3 m, is driven at the top speed of 1.6 m/s, or just not.
+  EXPECT_FALSE(serves({.max_speed = 1.6, .turn_speed = lateral}));
+  EXPECT_TRUE(serves({.max_speed = 1.63, .turn_speed = lateral}));
+  // The reference point lies ahead of the body, or behind it.
+  EXPECT_FALSE(serves({.length = 1.2, .steering = Steering::kRear, .turn_speed = lateral}));
+  EXPECT_FALSE(serves({.length = 1.2, .steering = Steering::kFront, .turn_speed = lateral}));
+  // The body reaches over the center of the tightest turn, with its margin or without.
+  EXPECT_FALSE(serves({.width = 2.7, .turn_speed = lateral}));
+  EXPECT_FALSE(serves({.width = 2.4, .turn_speed = lateral, .safety_margin = 0.2}));
+  EXPECT_TRUE(serves({.width = 2.4, .turn_speed = lateral}));
+}
+
+class OptimizeChainInClutter : public testing::TestWithParam<ClutterKind> {};
+
+TEST_P(OptimizeChainInClutter, MostResultsAreFreeAndFasterAndTheSameEveryTime) {
+  const Clutter clutter = optimized_clutter(GetParam(), 3);
+  const OptimizedWorld in(World(clutter.obstacles, clutter.bounds));
+  const std::vector<CircleChain> chains = free_chains(in.world, 25, 1);
+  ChainOptimizer optimizer, again;
+  int free = 0, faster = 0;
+  double share = 0.0;
+  for (const CircleChain& chain : chains) {
+    const OptimizedPath result = optimized_path(optimizer, in, chain);
+    EXPECT_LE(result.result.iterations, kUsualEffort.iterations);
+    ASSERT_TRUE(result.result.is_optimized);
+    const OptimizedPath same = optimized_path(again, in, chain);
+    EXPECT_EQ(same.time, result.time);
+    EXPECT_EQ(same.result.iterations, result.result.iterations);
+    if (result.path.empty()) continue;
+    free += result.is_free;
+    faster += result.is_free && result.time < time_before(chain);
+    if (result.is_free) share += 1.0 - result.time / time_before(chain);
+  }
+  EXPECT_GE(free, 20);
+  EXPECT_GE(faster, 20);
+  EXPECT_GT(share / free, 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(Clutters, OptimizeChainInClutter, testing::Values(ClutterKind::kConvex, ClutterKind::kStar));
+
+Ring mirrored_ring(const Ring& ring) {
+  Ring result;
+  for (const Vec2& point : ring) result.emplace_back(point.x(), -point.y());
+  return test::reversed(result);
+}
+
+Pose mirrored_pose(const Pose& pose) { return {pose.x, -pose.y, -pose.heading}; }
+
+CircleChain mirrored_chain(CircleChain chain) {
+  chain.start = mirrored_pose(chain.start);
+  chain.goal = mirrored_pose(chain.goal);
+  for (TurnCircle& circle : chain.circles) {
+    circle.center.y() = -circle.center.y();
+    circle.side = opposite(circle.side);
+  }
+  return chain;
+}
+
+TEST(OptimizeChain, IsTheSameInAMirror) {
+  const Clutter clutter = optimized_clutter(ClutterKind::kConvex, 4);
+  std::vector<Polygon> obstacles;
+  for (const Polygon& obstacle : clutter.obstacles) obstacles.push_back({mirrored_ring(obstacle.outer), {}});
+  const OptimizedWorld in(World(clutter.obstacles, clutter.bounds)),
+      mirror(World(obstacles, mirrored_ring(clutter.bounds)));
+  ChainOptimizer optimizer;
+  for (const CircleChain& chain : free_chains(in.world, 20, 2)) {
+    const OptimizedPath result = optimized_path(optimizer, in, chain);
+    const OptimizedPath other = optimized_path(optimizer, mirror, mirrored_chain(chain));
+    EXPECT_NEAR(other.time, result.time, 1e-6 * result.time);
+    EXPECT_EQ(other.is_free, result.is_free);
+  }
+}
+
+TEST(OptimizeChain, EndsWhenTheClockIsOver) {
+  const Clutter clutter = optimized_clutter(ClutterKind::kConvex, 3);
+  const OptimizedWorld in(World(clutter.obstacles, clutter.bounds));
+  ChainOptimizer optimizer;
+  for (const CircleChain& chain : free_chains(in.world, 5, 3)) {
+    const OptimizedPath result = optimized_path(optimizer, in, chain, kUsualEffort, StopClock(0.0));
+    EXPECT_TRUE(result.result.is_optimized);
+    EXPECT_EQ(result.result.iterations, 0);
+    EXPECT_NEAR(result.time, time_before(chain), 0.03 * result.time);
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_EQ(optimized_path(optimizer, in, chain, kUsualEffort, StopClock(1e9, source.get_token())).result.iterations,
+              0);
+  }
+}
+
+TEST(OptimizeChain, KeepsToItsIterations) {
+  const Clutter clutter = optimized_clutter(ClutterKind::kConvex, 3);
+  const OptimizedWorld in(World(clutter.obstacles, clutter.bounds));
+  ChainOptimizer optimizer;
+  for (const CircleChain& chain : free_chains(in.world, 5, 3)) {
+    double slowest = 0.0;
+    for (const int iterations : {0, 1, 5, 40}) {
+      ChainEffort effort = kUsualEffort;
+      effort.iterations = iterations;
+      const OptimizedPath result = optimized_path(optimizer, in, chain, effort);
+      EXPECT_TRUE(result.result.is_optimized);
+      EXPECT_LE(result.result.iterations, iterations);
+      if (iterations <= 5) {
+        EXPECT_EQ(result.result.iterations, iterations);
+      }
+      if (iterations == 0) slowest = result.time;
+      EXPECT_LE(result.time, slowest * 1.01);
+    }
+  }
+}
+
+// In the open, where nothing is in the way, turns become spirals: tight where the vehicle is slow.
+TEST(OptimizeChain, TurnsAreWiderWhereTheVehicleIsFaster) {
+  const OptimizedWorld in{World({})};
+  Path path{{{0, 0, 0}, 2.0, 0.0}};
+  for (const auto& [length, curvature] : {std::pair{3.0, 0.5}, {30.0, 0.0}, {3.0, -0.5}, {2.0, 0.0}})
+    path.push_back({path.back().end(), length, curvature});
+  const CircleChain chain = chain_of(path, path.front().start, path.back().end()).value();
+  ChainOptimizer optimizer;
+  const OptimizedPath result = optimized_path(optimizer, in, chain);
+  ASSERT_TRUE(result.is_free);
+  EXPECT_LT(result.time, 0.97 * time_before(chain));
+  std::vector<double> radii;
+  for (const PathSegment& segment : result.path)
+    if (!segment.is_line()) radii.push_back(1.0 / std::abs(segment.curvature));
+  ASSERT_EQ(radii.size(), 6u);
+  for (const std::size_t i : {0u, 1u}) EXPECT_LT(1.2 * radii[i], radii[i + 1]);
+  for (const std::size_t i : {3u, 4u}) EXPECT_GT(radii[i], 1.2 * radii[i + 1]);
+}
+
+TEST(OptimizeChain, IsNotDoneWhereNoLineGivesWay) {
+  const OptimizedWorld in{World({})};
+  const Pose start{0, 0, 0};
+  const Path path{{start, 2.0, 0.5}, {PathSegment{start, 2.0, 0.5}.end(), 2.0, 0.2}};
+  const CircleChain chain = chain_of(path, start, path.back().end()).value();
+  ChainOptimizer optimizer;
+  const OptimizedPath result = optimized_path(optimizer, in, chain);
+  EXPECT_FALSE(result.result.is_optimized);
+  EXPECT_EQ(result.result.iterations, 0);
+}
+
+}  // namespace
+}  // namespace arcway::internal
