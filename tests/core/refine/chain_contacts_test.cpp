@@ -1,0 +1,249 @@
+#include "core/refine/chain_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
+#include "core/base/infinity.h"
+#include "core/collision/motion_free.h"
+#include "tests/support/random_inputs.h"
+
+namespace arcway::internal {
+namespace {
+
+// Kinds of places, in the order of the source: those of corners, then those of edges.
+constexpr std::uint8_t kFirstOfEdges = 7, kKindsOfPlaces = 10;
+constexpr double kContactError = 1e-6;  // [m]
+
+// A cluttered world, and the free chains that a planner finds there.
+class ContactCases {
+ public:
+  ContactCases(ClutterKind kind, std::uint64_t seed)
+      : world_(random_world({.kind = kind, .obstacles = 40, .vertices = 8, .fill = 0.25, .seed = seed})),
+        outlines_(world_),
+        queries_(make_reference_queries(world_)),
+        planner_(world_, vehicle_, {.radii = {}, .refinement = {.max_trials = 0}}),
+        random_(seed) {}
+
+  // The chain of another query. Lines of a chain that become longer may make it touch; such chains are left out.
+  ArcChain next() {
+    ArcChain chain;
+    const Vec2 low = world_.box().min, span = world_.box().max - low;
+    for (;;) {
+      const auto pose = [&] {
+        const Vec2 place = low + span.cwiseProduct(random_.point(0.05, 0.95));
+        return Pose{place.x(), place.y(), random_.uniform(-kPi, kPi)};
+      };
+      const PlanRequest request{pose(), pose()};
+      const PlanResult plan = planner_.plan(request);
+      if (!plan.solved()) continue;
+      const auto circles = chain_of(plan.path(), request.start, request.goal);
+      const auto lines = circles ? lines_of(*circles) : std::nullopt;
+      if (lines && cut_turns(*circles, *lines, {3, 0.05, 72.0}, chain) && is_free(chain)) return chain;
+    }
+  }
+  ChainContacts contacts_of(const ArcChain& chain) const {
+    ChainContacts contacts;
+    contacts.find(chain, world_, outlines_, body(), 4.0 * vehicle_.parameters().length);
+    return contacts;
+  }
+  // Whether the body touches nothing along a chain, by the exact query.
+  bool is_free(const ArcChain& chain) const {
+    Path path;
+    for (std::size_t i = 0; i < chain.lines.size(); ++i) {
+      const ArcChain::Line& line = chain.lines[i];
+      const double before = i > 0 ? chain.arcs[i - 1].sign * chain.arcs[i - 1].radius : 0.0;
+      const Vec2 begin = chain.before(i) - before * perpendicular(line.ahead);
+      if (line.length > 0.0) path.push_back({{begin.x(), begin.y(), line.heading}, line.length, 0.0});
+      if (i == chain.arcs.size()) break;
+      const ArcChain::Arc& arc = chain.arcs[i];
+      const Vec2 entry = arc.center - arc.sign * arc.radius * perpendicular(line.ahead);
+      path.push_back({{entry.x(), entry.y(), line.heading}, arc.radius * chain.turn(i), arc.sign / arc.radius});
+    }
+    return motion_free(*queries_.sweep, body(), path);
+  }
+  Footprint body() const { return vehicle_.footprint(0.5 * vehicle_.safety_margin()); }
+  test::Random& random() { return random_; }
+
+ private:
+  Vehicle vehicle_{{.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0}};
+  World world_;
+  Outlines outlines_;
+  QuerySet queries_;
+  Planner planner_;
+  test::Random random_;
+};
+
+// The chain after a random step of all that can move; nothing if it has no such path.
+std::optional<ArcChain> randomly_moved(const ArcChain& chain, double most, test::Random& random) {
+  ArcChain moved = chain;
+  for (ArcChain::Arc& arc : moved.arcs) {
+    arc.center += random.point(-most, most);
+    arc.radius = std::max(1.3, arc.radius + random.uniform(-most, most));
+  }
+  for (std::size_t i = 0; i < moved.lines.size(); ++i) {
+    ArcChain::Line& line = moved.lines[i];
+    if (i > 0 && i + 1 < moved.lines.size()) line.heading += random.uniform(-0.3, 0.3) * most;
+    if (!line.is_tied) line.length = std::max(1e-3, line.length + random.uniform(-most, most));
+  }
+  if (!moved.join() || !moved.is_forwards()) return std::nullopt;
+  return moved;
+}
+
+// The number of a part of a chain, with the directions that go with headings; false where it is given.
+bool step_number(ArcChain& chain, const ChainContacts::Place& place, int number, double by) {
+  const std::size_t i = place.index();
+  const bool is_line = place.is_on_line();
+  if (is_line && i == 0 && number <= kRadius) return false;
+  ArcChain::Arc& arc = chain.arcs[is_line && i > 0 ? i - 1 : i];
+  const auto turn = [&](ArcChain::Line& line) {
+    line.heading += by;
+    line.ahead = direction_of(line.heading);
+  };
+  if (number == kHeading) {
+    turn(chain.lines[i]);
+  } else if (number == kNextHeading && !is_line) {
+    turn(chain.lines[i + 1]);
+  } else if (number == kLength) {
+    chain.lines[i].length += by;
+  } else if (number == kRadius) {
+    arc.radius += by;
+  } else if (number <= kCenterY) {
+    arc.center[number] += by;
+  }
+  return true;
+}
+
+TEST(ChainContacts, FreeChainsTouchNothing) {
+  for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) {
+    ContactCases cases(kind, 3);
+    std::size_t near = 0;
+    for (int i = 0; i < 20; ++i) {
+      const ArcChain chain = cases.next();
+      const ChainContacts contacts = cases.contacts_of(chain);
+      for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const double distance = contacts.look(chain, k).distance;
+        EXPECT_GE(distance, -1e-9) << "chain " << i << " contact " << k;
+        near += distance < 2e-3;
+      }
+    }
+    // Paths pass corners by the safety margin.
+    EXPECT_GT(near, 10u);
+  }
+}
+
+// Whether a contact is where it was, after a step of a number, in a place that stays smooth.
+bool stays(const ChainContacts& contacts, const ArcChain& chain, std::size_t contact,
+           const ChainContacts::Place& place) {
+  const ChainContacts::Place now = contacts.look(chain, contact);
+  return now.part == place.part && now.kind == place.kind;
+}
+
+// Compares the derivatives by one number with differences. Returns whether they can be compared.
+bool expect_contact_derivatives(const ChainContacts& contacts, const ArcChain& chain, std::size_t contact, int number) {
+  constexpr double kStep = 1e-5;
+  const ChainContacts::Place place = contacts.look(chain, contact);
+  const Term term = contacts.term(chain, contact, place);
+  EXPECT_EQ(term.value, place.distance);
+  std::array<ArcChain, 2> moved{chain, chain};
+  std::array<Term, 2> terms;
+  for (const std::size_t side : {0u, 1u}) {
+    if (!step_number(moved[side], place, number, side == 0 ? -kStep : kStep)) return false;
+    if (!stays(contacts, moved[side], contact, place)) return false;
+    terms[side] = contacts.term(moved[side], contact, contacts.look(moved[side], contact));
+  }
+  EXPECT_NEAR(term.gradient[number], (terms[1].value - terms[0].value) / (2.0 * kStep), 1e-7)
+      << "kind " << int{place.kind} << " number " << number;
+  for (int other = 0; other < kLocalNumbers; ++other) {
+    if (ArcChain given = chain; !step_number(given, place, other, 0.0)) continue;
+    EXPECT_NEAR(term.hessian(other, number), (terms[1].gradient[other] - terms[0].gradient[other]) / (2.0 * kStep),
+                1e-6)
+        << "kind " << int{place.kind} << " numbers " << other << " and " << number;
+  }
+  return true;
+}
+
+TEST(ChainContacts, DerivativesAreThoseOfTheDistances) {
+  std::array<int, kKindsOfPlaces> compared{};
+  for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) {
+    ContactCases cases(kind, 4);
+    for (int i = 0; i < 10; ++i) {
+      const ArcChain free = cases.next();
+      ChainContacts contacts = cases.contacts_of(free);
+      const ArcChain chain = randomly_moved(free, 0.2, cases.random()).value_or(free);
+      for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const ChainContacts::Place place = contacts.look_around(chain, k);
+        if (place.distance == kInfinity) continue;
+        EXPECT_NEAR(
+            (contacts.term(chain, k, place).hessian - contacts.term(chain, k, place).hessian.transpose()).norm(), 0.0,
+            1e-14);
+        for (int number = 0; number < kLocalNumbers; ++number)
+          compared[place.kind] += expect_contact_derivatives(contacts, chain, k, number);
+      }
+    }
+  }
+  // All kinds but the first one, which is none.
+  for (std::size_t kind = 1; kind < compared.size(); ++kind) EXPECT_GT(compared[kind], 20) << "kind " << kind;
+}
+
+// How far the joints of arcs and lines move.
+double joint_movement(const ArcChain& from, const ArcChain& to) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < from.arcs.size(); ++i)
+    for (const std::size_t line : {i, i + 1}) {
+      const auto joint = [&](const ArcChain& of) -> Vec2 {
+        const ArcChain::Arc& arc = of.arcs[i];
+        return arc.center - arc.sign * arc.radius * perpendicular(of.lines[line].ahead);
+      };
+      most = std::max(most, (joint(to) - joint(from)).norm());
+    }
+  return most;
+}
+
+TEST(ChainContacts, AgreeWithTheExactQuery) {
+  int free = 0, touching = 0;
+  for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) {
+    ContactCases cases(kind, 5);
+    for (int i = 0; i < 20; ++i) {
+      const ArcChain chain = cases.next();
+      for (int k = 0; k < 60; ++k) {
+        const double most = std::pow(10.0, cases.random().uniform(-3.0, -0.5));
+        const auto moved = randomly_moved(chain, most, cases.random());
+        // Edges that the body overlaps by more than 0.3 of its length are not seen.
+        if (!moved || joint_movement(chain, *moved) > 0.45) continue;
+        ChainContacts contacts = cases.contacts_of(chain);
+        double least = kInfinity, least_of_corners = kInfinity;
+        for (std::size_t c = 0; c < contacts.size(); ++c) {
+          const ChainContacts::Place place = contacts.look_around(*moved, c);
+          least = std::min(least, place.distance);
+          if (place.kind < kFirstOfEdges) least_of_corners = std::min(least_of_corners, place.distance);
+        }
+        const bool is_free = cases.is_free(*moved);
+        if (least > kContactError) {
+          ++free;
+          EXPECT_TRUE(is_free) << "chain " << i << " step " << k << " of " << most << " m, distance " << least;
+        }
+        // Edges count as endless behind them, corners are where they are.
+        if (least_of_corners < -kContactError) {
+          ++touching;
+          EXPECT_FALSE(is_free) << "chain " << i << " step " << k << " of " << most << " m, distance "
+                                << least_of_corners;
+        }
+      }
+    }
+  }
+  EXPECT_GT(free, 300);
+  EXPECT_GT(touching, 300);
+}
+
+}  // namespace
+}  // namespace arcway::internal
