@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/catalog.h"
@@ -166,6 +169,119 @@ TEST(RefinePath, LeavesBarePathsAlone) {
     EXPECT_EQ(result.path[0].length, 4.0);
   }
   EXPECT_TRUE(refined(World({}), vehicle, {start, start}, {}).path.empty());
+}
+
+// The world's outlines let turns be optimized.
+RefinedPath refined_with_outlines(const World& world, const Outlines& outlines, const PlanRequest& request,
+                                  const Path& path, const RefineOptions& options = {}, const StopClock& clock = {},
+                                  bool at_length = false) {
+  const Vehicle vehicle = real_vehicle();
+  const QuerySet queries = make_reference_queries(world);
+  return refine_path(
+      {path, request.start, request.goal, vehicle, *queries.sweep, options, clock, &world, &outlines, at_length});
+}
+
+struct ClutteredPlan {
+  PlanRequest request;
+  Path path;  ///< not refined
+};
+
+std::vector<ClutteredPlan> cluttered_plans(const World& world, std::size_t count) {
+  const Planner planner(world, real_vehicle(), {.radii = {}, .refinement = {.max_trials = 0}});
+  const Vec2 low = world.box().min, span = world.box().max - low;
+  test::Random random(31);
+  std::vector<ClutteredPlan> plans;
+  while (plans.size() < count) {
+    const auto pose = [&] {
+      const Vec2 place = low + span.cwiseProduct(random.point(0.05, 0.95));
+      return Pose{place.x(), place.y(), random.uniform(-kPi, kPi)};
+    };
+    const PlanRequest request{pose(), pose()};
+    if (const PlanResult plan = planner.plan(request); plan.solved()) plans.push_back({request, plan.path()});
+  }
+  return plans;
+}
+
+// The gain is an average over both worlds. In one of them, for 20 queries, it is 0.4 % (convex) or 1.8 % (star).
+TEST(RefinePath, OptimizedTurnsAreValidAndFasterThanByOtherChangesAlone) {
+  const Vehicle vehicle = real_vehicle();
+  double with = 0.0, without = 0.0;
+  std::uint64_t trials_with = 0, trials_without = 0;
+  for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) {
+    const World world = random_world({.kind = kind, .obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
+    const Outlines outlines(world);
+    for (const auto& [request, path] : cluttered_plans(world, 20)) {
+      const double before = speed_profile(path, vehicle).total_time;
+      const RefinedPath result = refined_with_outlines(world, outlines, request, path);
+      const RefinedPath other = refined(world, vehicle, request, path);
+      EXPECT_LE(result.travel_time, before);
+      EXPECT_EQ(result.travel_time, speed_profile(result.path, vehicle).total_time);
+      EXPECT_LE(result.trials, RefineOptions{}.max_trials);
+      EXPECT_FALSE(result.interrupted);
+      expect_valid(world, vehicle, request, result.path);
+      with += result.travel_time / before;
+      without += other.travel_time / before;
+      trials_with += result.trials;
+      trials_without += other.trials;
+
+      const RefinedPath again = refined_with_outlines(world, outlines, request, path);
+      EXPECT_EQ(again.travel_time, result.travel_time);
+      EXPECT_EQ(again.trials, result.trials);
+      ASSERT_EQ(again.path.size(), result.path.size());
+      for (std::size_t k = 0; k < again.path.size(); ++k) {
+        EXPECT_EQ(again.path[k].start.x, result.path[k].start.x);
+        EXPECT_EQ(again.path[k].length, result.path[k].length);
+        EXPECT_EQ(again.path[k].curvature, result.path[k].curvature);
+      }
+      const RefinedPath longer =
+          refined_with_outlines(world, outlines, request, result.path, {}, {}, /*at_length=*/true);
+      EXPECT_LE(longer.travel_time, result.travel_time);
+      expect_valid(world, vehicle, request, longer.path);
+    }
+  }
+  EXPECT_LT(with, 0.995 * without);
+  EXPECT_LT(trials_with, trials_without);
+}
+
+TEST(RefinePath, OptimizationStopsWhenAskedAndAtItsLimit) {
+  const Vehicle vehicle = real_vehicle();
+  const World world = random_world({.obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
+  const Outlines outlines(world);
+  std::stop_source source;
+  source.request_stop();
+  for (const auto& [request, path] : cluttered_plans(world, 5))
+    for (const bool at_length : {false, true}) {
+      const double before = speed_profile(path, vehicle).total_time;
+      const RefinedPath stopped =
+          refined_with_outlines(world, outlines, request, path, {}, StopClock(1e9, source.get_token()), at_length);
+      EXPECT_TRUE(stopped.interrupted);
+      EXPECT_EQ(stopped.trials, 0u);
+      EXPECT_EQ(stopped.travel_time, before);
+      EXPECT_EQ(stopped.path.size(), path.size());
+      for (const std::uint32_t most : {0u, 1u, 7u, 30u, 1010u}) {
+        const RefinedPath limited =
+            refined_with_outlines(world, outlines, request, path, {.max_trials = most}, {}, at_length);
+        EXPECT_LE(limited.trials, most);
+        EXPECT_FALSE(limited.interrupted);
+        EXPECT_LE(limited.travel_time, before);
+        expect_valid(world, vehicle, request, limited.path);
+      }
+    }
+}
+
+// A constant speed in turns: no optimization, so outlines change nothing.
+TEST(RefinePath, OutlinesChangeNothingForVehiclesThatAreNotServed) {
+  const Vehicle vehicle;
+  const World world({});
+  const Outlines outlines(world);
+  const Path path = detour();
+  const PlanRequest request{path.front().start, path.back().end()};
+  const QuerySet queries = make_reference_queries(world);
+  const RefinedPath with =
+      refine_path({path, request.start, request.goal, vehicle, *queries.sweep, {}, {}, &world, &outlines});
+  const RefinedPath without = refined(world, vehicle, request, path);
+  EXPECT_EQ(with.travel_time, without.travel_time);
+  EXPECT_EQ(with.trials, without.trials);
 }
 
 // Queries that have kept refinement in a worse local optimum. One wants its turn to go around where it begins, one a
