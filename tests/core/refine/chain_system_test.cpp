@@ -310,5 +310,24 @@ TEST(PushFree, WidensArcsThatAreTooTight) {
   }
 }
 
+// A line of next to nothing is in the way of the whole step, not of a part of it.
+TEST(PushFree, TakesShorterStepsWhereALineIsShort) {
+  SystemCases cases(8);
+  ChainSystem& system = cases.system;
+  int shorter = 0;
+  for (int i = 0; i < 10; ++i) {
+    cases.begin_next();
+    const auto tightest_radius = [&] { return std::ranges::min(system.chain.arcs, {}, &ArcChain::Arc::radius).radius; };
+    std::ranges::min_element(system.chain.arcs, {}, &ArcChain::Arc::radius)->radius = system.tightest - 0.0075;
+    if (!system.chain.join() || !system.chain.is_forwards()) continue;
+    const double before = tightest_radius();
+    push_free(system);
+    EXPECT_TRUE(system.chain.is_forwards());
+    const double behind = tightest_radius();
+    shorter += behind > before + 1e-3 && behind < system.tightest;
+  }
+  EXPECT_GE(shorter, 4);
+}
+
 }  // namespace
 }  // namespace arcway::internal
