@@ -245,7 +245,7 @@ TEST(ChainSystem, NumbersAndValuesAreThoseOfTheParts) {
   }
 }
 
-TEST(PushFree, FreesMostChainsThatOverlapByLittle) {
+TEST(ResolveOverlaps, FreesMostChainsThatOverlapByLittle) {
   SystemCases cases(6);
   ChainSystem& system = cases.system;
   int overlapping = 0, freed = 0;
@@ -263,7 +263,7 @@ TEST(PushFree, FreesMostChainsThatOverlapByLittle) {
       const double least = cases.least_contact();
       if (!(least < -1e-5 * system.unit && least > -0.01 * system.unit)) continue;
       ++overlapping;
-      push_free(system);
+      resolve_overlaps(system);
       expect_ends_kept(system.chain, free);
       EXPECT_TRUE(system.chain.is_forwards());
       const double tightest = std::ranges::min(system.chain.arcs, {}, &ArcChain::Arc::radius).radius;
@@ -274,18 +274,18 @@ TEST(PushFree, FreesMostChainsThatOverlapByLittle) {
   EXPECT_GE(freed, overlapping * 8 / 10);
 }
 
-TEST(PushFree, LeavesFreeChainsAlone) {
+TEST(ResolveOverlaps, LeavesFreeChainsAlone) {
   SystemCases cases(7);
   for (int i = 0; i < 10; ++i) {
     cases.begin_next();
     const ArcChain before = cases.system.chain;
-    push_free(cases.system);
+    resolve_overlaps(cases.system);
     expect_same_chain(cases.system.chain, before);
   }
 }
 
 // Radii below the smallest one grow, where no line is so short that it ends the step.
-TEST(PushFree, WidensArcsThatAreTooTight) {
+TEST(ResolveOverlaps, WidensArcsThatAreTooTight) {
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
   const World world({});
   const Outlines outlines(world);
@@ -299,7 +299,7 @@ TEST(PushFree, WidensArcsThatAreTooTight) {
   const ArcChain before = system.chain;
   for (const std::size_t arc : {1u, 4u}) system.chain.arcs[arc].radius = system.tightest - 0.01;
   ASSERT_TRUE(system.chain.join());
-  push_free(system);
+  resolve_overlaps(system);
   expect_ends_kept(system.chain, before);
   for (std::size_t arc = 0; arc < before.arcs.size(); ++arc) {
     EXPECT_GE(system.chain.arcs[arc].radius, system.tightest);
@@ -311,7 +311,7 @@ TEST(PushFree, WidensArcsThatAreTooTight) {
 }
 
 // A line of next to nothing is in the way of the whole step, not of a part of it.
-TEST(PushFree, TakesShorterStepsWhereALineIsShort) {
+TEST(ResolveOverlaps, TakesShorterStepsWhereALineIsShort) {
   SystemCases cases(8);
   ChainSystem& system = cases.system;
   int shorter = 0;
@@ -321,7 +321,7 @@ TEST(PushFree, TakesShorterStepsWhereALineIsShort) {
     std::ranges::min_element(system.chain.arcs, {}, &ArcChain::Arc::radius)->radius = system.tightest - 0.0075;
     if (!system.chain.join() || !system.chain.is_forwards()) continue;
     const double before = tightest_radius();
-    push_free(system);
+    resolve_overlaps(system);
     EXPECT_TRUE(system.chain.is_forwards());
     const double behind = tightest_radius();
     shorter += behind > before + 1e-3 && behind < system.tightest;
