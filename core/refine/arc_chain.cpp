@@ -28,6 +28,23 @@ void follow_backwards(ArcChain& chain, std::size_t arc) {
   chain.arcs[arc].center = chain.behind(arc + 1) - line.length * ahead - chain.offset(arc + 1) * perpendicular(ahead);
 }
 
+// Arcs that are placed by one of them: that next to start or goal, or else the tightest one.
+struct Group {
+  std::size_t first, last, kept;
+};
+// `follows` says whether an arc belongs to the one before it.
+template <class Follows>
+Group group_from(const ArcChain& chain, std::size_t first, const Follows& follows) {
+  const std::size_t n = chain.arcs.size();
+  Group group{first, first, first};
+  while (group.last + 1 < n && follows(group.last + 1)) ++group.last;
+  if (first == 0) return group;
+  if (group.last + 1 == n) return {first, group.last, group.last};
+  for (std::size_t i = first; i <= group.last; ++i)
+    if (chain.arcs[i].radius < chain.arcs[group.kept].radius) group.kept = i;
+  return group;
+}
+
 bool follow_circles(ArcChain& chain, std::size_t i) {
   ArcChain::Line& line = chain.lines[i];
   const Vec2 d = chain.arcs[i].center - chain.arcs[i - 1].center;
@@ -56,23 +73,16 @@ bool ArcChain::join() {
   };
   for (std::size_t i = 0; i <= n; ++i)
     if (i == 0 || i == n || !is_long(i)) lines[i].ahead = direction_of(lines[i].heading);
-  std::size_t first = 0;
-  while (first < n) {
-    std::size_t last = first;  // arc of the group
-    while (last + 1 < n && !is_long(last + 1)) ++last;
-    std::size_t kept = first;
-    for (std::size_t i = first; i <= last; ++i)
-      if (arcs[i].radius < arcs[kept].radius) kept = i;
+  for (std::size_t begin = 0; begin < n;) {
+    const auto [first, last, kept] = group_from(*this, begin, [&](std::size_t i) { return !is_long(i); });
     if (first == 0) {
-      kept = 0;
       follow_forwards(*this, 0);
     } else if (last + 1 == n) {
-      kept = last;
       follow_backwards(*this, last);
     }
     for (std::size_t i = kept + 1; i <= last; ++i) follow_forwards(*this, i);
     for (std::size_t i = kept; i-- > first;) follow_backwards(*this, i);
-    first = last + 1;
+    begin = last + 1;
   }
   for (std::size_t i = 1; i < n; ++i)
     if (is_long(i) && !follow_circles(*this, i)) return false;
@@ -125,20 +135,13 @@ void circles_of(const ArcChain& arcs, CircleChain& result) {
   const auto touching = [&](const TurnCircle& other, std::size_t line, std::size_t i) {
     return turn_circle(pose_on(other, arcs.lines[line].heading), arcs.arcs[i].radius, other.side);
   };
-  std::size_t first = 0;
-  while (first < n) {
-    std::size_t last = first;
-    while (last + 1 < n && arcs.lines[last + 1].is_tied) ++last;
-    std::size_t kept = first;
-    for (std::size_t i = first; i <= last; ++i)
-      if (arcs.arcs[i].radius < arcs.arcs[kept].radius) kept = i;
+  for (std::size_t begin = 0; begin < n;) {
+    const auto [first, last, kept] = group_from(arcs, begin, [&](std::size_t i) { return arcs.lines[i].is_tied; });
     TurnCircle base = circle(kept);
     if (first == 0) {
-      kept = 0;
-      base = result.first_circle(result.lead_in, arcs.arcs[0].radius, circle(0).side);
+      base = result.first_circle(result.lead_in, base.radius, base.side);
     } else if (last + 1 == n) {
-      kept = last;
-      base = result.last_circle(result.lead_out, arcs.arcs[last].radius, circle(last).side);
+      base = result.last_circle(result.lead_out, base.radius, base.side);
     }
     const auto is_same = [](double a, double b) { return std::abs(a - b) <= kOneRadius * std::min(a, b); };
     const auto at = result.circles.size();
@@ -152,7 +155,7 @@ void circles_of(const ArcChain& arcs, CircleChain& result) {
       const TurnCircle& previous = result.circles.back();
       if (!is_same(previous.radius, arcs.arcs[i].radius)) result.circles.push_back(touching(previous, i, i));
     }
-    first = last + 1;
+    begin = last + 1;
   }
 }
 

@@ -31,11 +31,10 @@ struct ArcChain {
 
   /// The turn on arc i [rad].
   [[nodiscard]] double turn(std::size_t i) const { return arcs[i].sign * (lines[i + 1].heading - lines[i].heading); }
+  /// How far the reference point is to the right of the center before line i.
+  [[nodiscard]] double sideways(std::size_t i) const { return i > 0 ? arcs[i - 1].sign * arcs[i - 1].radius : 0.0; }
   /// The signed difference of the radii beside line i, which its centers lie apart across it.
-  [[nodiscard]] double offset(std::size_t i) const {
-    const double behind = i < arcs.size() ? arcs[i].sign * arcs[i].radius : 0.0;
-    return behind - (i > 0 ? arcs[i - 1].sign * arcs[i - 1].radius : 0.0);
-  }
+  [[nodiscard]] double offset(std::size_t i) const { return (i < arcs.size() ? sideways(i + 1) : 0.0) - sideways(i); }
   /// The center before line i, or the start; and the one behind it, or the goal.
   [[nodiscard]] Vec2 before(std::size_t i) const { return i > 0 ? arcs[i - 1].center : start.position(); }
   [[nodiscard]] Vec2 behind(std::size_t i) const { return i < arcs.size() ? arcs[i].center : goal.position(); }

@@ -41,8 +41,7 @@ struct LineView {
 };
 LineView line_at(const ArcChain& chain, std::size_t i) {
   const ArcChain::Line& line = chain.lines[i];
-  const double sideways = i > 0 ? chain.arcs[i - 1].sign * chain.arcs[i - 1].radius : 0.0;
-  return {chain.before(i), line.ahead, perpendicular(line.ahead), sideways, line.length};
+  return {chain.before(i), line.ahead, perpendicular(line.ahead), chain.sideways(i), line.length};
 }
 
 double norm_of(double x, double y) { return std::sqrt(x * x + y * y); }

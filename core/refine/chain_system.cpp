@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "core/base/infinity.h"
 
@@ -22,8 +21,7 @@ constexpr double kPush = 1e4, kFree = 2e-4, kLeastShare = 1e-3;
 
 void ChainSystem::begin(const Vehicle& vehicle, const Footprint& body, const World& world, const Outlines& outlines,
                         double reach) {
-  const auto& law = std::get<LateralAccelerationLimit>(vehicle.parameters().turn_speed);
-  speeds = {vehicle.max_acceleration(), law.lateral_acceleration, vehicle.max_speed() * vehicle.max_speed()};
+  speeds = speeds_of(vehicle);
   tightest = vehicle.min_turning_radius();
   unit = body.front + body.rear;
   place_speeds();

@@ -1,6 +1,7 @@
 #include "core/refine/chain_terms.h"
 
 #include <cmath>
+#include <variant>
 
 namespace arcway::internal {
 
@@ -56,6 +57,11 @@ Timed time_of(double length, double from, double to, double limit, double a) {
 }
 
 }  // namespace
+
+ChainSpeeds speeds_of(const Vehicle& vehicle) {
+  const auto& law = std::get<LateralAccelerationLimit>(vehicle.parameters().turn_speed);
+  return {vehicle.max_acceleration(), law.lateral_acceleration, vehicle.max_speed() * vehicle.max_speed()};
+}
 
 double entry_of_line(const ArcChain& chain, std::size_t line) { return line > 0 ? chain.arcs[line - 1].exit : 0.0; }
 double exit_of_line(const ArcChain& chain, std::size_t line) {

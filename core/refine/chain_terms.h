@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "arcway/vehicle.h"
 #include "core/refine/arc_chain.h"
 
 namespace arcway::internal {
@@ -37,6 +38,8 @@ struct ChainSpeeds {
   /// The square of the speed on a circle.
   [[nodiscard]] double of(double radius) const { return radius < widest() ? lateral * radius : top; }
 };
+/// Those of a vehicle that is limited by its lateral acceleration.
+ChainSpeeds speeds_of(const Vehicle& vehicle);
 
 /// The time through an arc or a line [s], between the speeds at its ends, which need not be as high as they may. It is
 /// smooth where the top speed is just reached. Speeds of 0 at start and goal are given and do not count as numbers.

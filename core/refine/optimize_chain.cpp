@@ -71,10 +71,8 @@ class InteriorPoint {
   ChainOptimizer::Result run(CircleChain& optimized) {
     const Vehicle& vehicle = query_.vehicle;
     const ChainEffort& effort = query_.effort;
-    const auto& law = std::get<LateralAccelerationLimit>(vehicle.parameters().turn_speed);
-    const double widest = vehicle.max_speed() * vehicle.max_speed() / law.lateral_acceleration;
-    if (!cut_turns(query_.chain, query_.lines, {effort.parts, effort.least_turn, widest}, system_.chain))
-      return {false, 0};
+    const TurnCuts cuts{effort.parts, effort.least_turn, speeds_of(vehicle).widest()};
+    if (!cut_turns(query_.chain, query_.lines, cuts, system_.chain)) return {false, 0};
     const Footprint bare = vehicle.footprint();
     const double unit = bare.front + bare.rear;
     system_.begin(vehicle, vehicle.footprint(0.5 * vehicle.safety_margin() + kGrowth * unit), query_.world,
@@ -89,8 +87,9 @@ class InteriorPoint {
       if (!take_step()) break;
     }
     resolve_overlaps(system_);
-    circles_of(system_.chain, optimized);
-    for (TurnCircle& circle : optimized.circles) circle.radius = std::max(circle.radius, system_.tightest);
+    // What is left to the smallest radius is next to nothing; circles that touch are placed behind it.
+    for (ArcChain::Arc& arc : chain().arcs) arc.radius = std::max(arc.radius, system_.tightest);
+    circles_of(chain(), optimized);
     return {true, iterations};
   }
 
@@ -211,6 +210,9 @@ class InteriorPoint {
   void solve() {
     system_.step = system_.right;
     system_.matrix.solve(system_.step);
+    set_slack_steps();
+  }
+  void set_slack_steps() {
     for (Row& row : rows_)
       if (row.is_on) row.slack_step = along(*row.numbers, row.gradient, system_.step) + row.residual();
   }
@@ -237,9 +239,10 @@ class InteriorPoint {
     double share = longest_share();
     for (int tries = 0; tries < kMostShorter; ++tries, share *= kShorter) {
       const auto is_taken = [&] {
-        const double gain = before - merit(time_of(system_.trial), &Row::trial, share), predicted = -slope * share;
+        const double time = time_of(system_.trial);
+        const double gain = before - merit(time, &Row::trial, share), predicted = -slope * share;
         if (!(gain >= kSufficient * predicted)) return false;
-        accept(share, predicted > 0.0 ? gain / predicted : 1.0);
+        accept(share, time, predicted > 0.0 ? gain / predicted : 1.0);
         return true;
       };
       if (!system_.move(share)) continue;
@@ -249,8 +252,7 @@ class InteriorPoint {
       uncorrected_ = system_.step;
       if (correct(share) && is_taken()) return true;
       system_.step = uncorrected_;
-      for (Row& row : rows_)
-        if (row.is_on) row.slack_step = along(*row.numbers, row.gradient, system_.step) + row.residual();
+      set_slack_steps();
     }
     return false;
   }
@@ -323,7 +325,7 @@ class InteriorPoint {
     return true;
   }
 
-  void accept(double share, double quality) {
+  void accept(double share, double time, double quality) {
     for (Row& row : rows_) {
       if (!row.is_on) continue;
       const double change = next_multiplier(row) - row.multiplier;
@@ -336,7 +338,7 @@ class InteriorPoint {
     }
     take_tensions(share);
     share_ = share;
-    gain_ = std::abs(time_ - time_of(system_.trial));
+    gain_ = std::abs(time_ - time);
     moved_ += system_.movement();
     std::swap(system_.chain, system_.trial);
     if (quality > kGoodGain) damping_ = std::max(kLeastDamping, damping_ / kDampLess);

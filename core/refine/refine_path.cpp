@@ -190,13 +190,15 @@ class Refiner {
     ++result_.trials;
     if (!chain_.lay_out(change)) return false;
     const double wanted = result_.travel_time * (1.0 - kSmallestGain);
-    if (chain_.time_after(change) > wanted * (1.0 + kTimeSlack) || !is_free(chain_.laid_out())) return false;
-    if (!chain_.make(change) || !(chain_.made_time() < wanted)) return false;
-    // Whole turns that fall short of a circle by next to nothing count as none, see turn_between: then the path does
-    // not get to a goal that is so little behind the start.
-    if (chain_.made_time() < least_time_) return false;
+    if (chain_.time_after(change) > wanted * (1.0 + kTimeSlack) || !are_free(chain_.laid_out())) return false;
+    if (!chain_.make(change) || !is_made_faster()) return false;
     take_made();
     return true;
+  }
+  // Whole turns that fall short of a circle by next to nothing count as none, see turn_between: then the path does not
+  // get to a goal that is so little behind the start.
+  [[nodiscard]] bool is_made_faster() const {
+    return chain_.made_time() < result_.travel_time * (1.0 - kSmallestGain) && chain_.made_time() >= least_time_;
   }
   void take_made() {
     result_.path = chain_.made_path();
@@ -205,17 +207,25 @@ class Refiner {
     ++result_.improvements;
   }
 
-  // Whether the parts that the current path does not have are free, cheapest questions first.
-  bool is_free(std::span<const TimedChain::Part> parts) {
-    for (const TimedChain::Part& part : parts)
-      if (!part.is_arc && !is_known(part.segment()) && !straight_free(part.line.start, part.length)) return false;
-    for (const TimedChain::Part& part : parts)
-      if (part.is_arc && !is_known(part.segment()) && !straight_free(part.segment().at(0.5 * part.length), 0.0))
-        return false;
-    for (const TimedChain::Part& part : parts)
-      if (part.is_arc && !is_known(part.segment()) && !is_free(part.segment())) return false;
-    return true;
+  // Whether the parts that the current path does not have are free, cheapest questions first. Parts are those of a
+  // changed chain, or the segments of a path.
+  template <class Parts>
+  bool are_free(const Parts& parts) {
+    const auto all = [&](bool arcs, const auto& is_part_free) {
+      return std::ranges::all_of(parts, [&](const auto& part) {
+        if (is_arc(part) != arcs) return true;
+        const PathSegment segment = segment_of(part);
+        return is_known(segment) || is_part_free(segment);
+      });
+    };
+    return all(false, [&](const PathSegment& line) { return straight_free(line.start, line.length); }) &&
+           all(true, [&](const PathSegment& arc) { return straight_free(arc.at(0.5 * arc.length), 0.0); }) &&
+           all(true, [&](const PathSegment& arc) { return is_free(arc); });
   }
+  static bool is_arc(const TimedChain::Part& part) { return part.is_arc; }
+  static bool is_arc(const PathSegment& segment) { return !segment.is_line(); }
+  static PathSegment segment_of(const TimedChain::Part& part) { return part.segment(); }
+  static const PathSegment& segment_of(const PathSegment& segment) { return segment; }
 
   [[nodiscard]] bool is_known(const PathSegment& s) const {
     return std::any_of(result_.path.begin(), result_.path.end(), [&s](const PathSegment& k) {
@@ -242,16 +252,7 @@ class Refiner {
     const auto [is_optimized, iterations] = optimizer_.optimize(
         {chain_.chain(), lines(), vehicle_, *query_.world, *query_.outlines, effort, clock_}, optimized_);
     result_.trials += static_cast<std::uint64_t>(iterations);
-    if (!is_optimized || !chain_.make(optimized_)) return false;
-    if (!(chain_.made_time() < result_.travel_time * (1.0 - kSmallestGain)) || chain_.made_time() < least_time_)
-      return false;
-    const auto is_part_free = [this](bool lines, const PathSegment& segment) {
-      if (segment.is_line() != lines || is_known(segment)) return true;
-      return lines ? straight_free(segment.start, segment.length) : is_free(segment);
-    };
-    for (const bool lines : {true, false})
-      if (!std::ranges::all_of(chain_.made_path(), [&](const PathSegment& s) { return is_part_free(lines, s); }))
-        return false;
+    if (!is_optimized || !chain_.make(optimized_) || !is_made_faster() || !are_free(chain_.made_path())) return false;
     take_made();
     return true;
   }
