@@ -13,6 +13,7 @@
 #include "arcway/datasets/random_queries.h"
 #include "core/motion/dubins.h"
 #include "core/roadmap/feasible_graph.h"
+#include "tests/support/free_plans.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
@@ -91,16 +92,11 @@ TEST_P(PlannerInClutter, EveryPlanIsValidAndMostAreFound) {
   const auto [kind, fill] = GetParam();
   const Clutter clutter = generate_clutter({.kind = kind, .obstacles = 40, .vertices = 8, .fill = fill, .seed = 7});
   const Planner planner(World(clutter.obstacles, clutter.bounds), Vehicle{});
-  const Vec2 low = planner.world().box().min;
-  const Vec2 span = planner.world().box().max - low;
   test::Random random(17);
   int asked = 0, solved = 0;
   for (int i = 0; i < 400 && asked < 15; ++i) {
-    const auto pose = [&] {
-      return Pose{low.x() + random.uniform(0.05, 0.95) * span.x(), low.y() + random.uniform(0.05, 0.95) * span.y(),
-                  random.uniform(-kPi, kPi)};
-    };
-    const PlanResult result = planner.plan({pose(), pose()});
+    const Pose start = test::pose_in(planner.world(), random), goal = test::pose_in(planner.world(), random);
+    const PlanResult result = planner.plan({start, goal});
     if (result.status == PlanStatus::kStartInCollision || result.status == PlanStatus::kGoalInCollision) continue;
     ++asked;
     if (!result.solved()) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arcway/angle.h"
+#include "tests/support/arc_chains.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -54,9 +55,7 @@ ArcChain random_cut_chain(test::Random& random) {
 // How far the equation of a line is from 0.
 double line_error(const ArcChain& chain, std::size_t i) {
   const ArcChain::Line& line = chain.lines[i];
-  const Vec2 ahead = direction_of(line.heading);
-  const Vec2 off = chain.behind(i) - chain.before(i) - line.length * ahead - chain.offset(i) * perpendicular(ahead);
-  return std::max(off.norm(), (ahead - line.ahead).norm());
+  return std::max(test::residual_of(chain, i).norm(), (direction_of(line.heading) - line.ahead).norm());
 }
 
 void expect_equations(const ArcChain& chain) {

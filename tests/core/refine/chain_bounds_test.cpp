@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/refine/chain_system.h"
+#include "tests/support/arc_chains.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -16,35 +17,7 @@ namespace {
 constexpr ChainSpeeds kBoundSpeeds{2.0, 1.5, 16.0};
 constexpr double kBoundTightest = 1.3;  // [m]
 
-// A chain as far as bounds depend on it: nothing is placed.
-ArcChain random_bounded_arcs(test::Random& random) {
-  ArcChain chain;
-  const auto arcs = random.integer(1, 6);
-  double heading = random.uniform(-4.0, 4.0);
-  for (std::int64_t i = 0; i < arcs; ++i) {
-    const bool is_tied = i > 0 && random.unit() < 0.4;
-    chain.lines.push_back({heading, is_tied ? 0.0 : random.uniform(0.2, 9.0), is_tied});
-    const double sign = random.unit() < 0.5 ? 1.0 : -1.0;
-    chain.arcs.push_back(
-        {random.point(-9.0, 9.0), random.uniform(1.3, 14.0), sign, random.uniform(0.5, 9.0), random.uniform(0.5, 9.0)});
-    heading += sign * random.uniform(0.05, 3.0);
-  }
-  chain.lines.push_back({heading, random.uniform(0.2, 9.0), false});
-  return chain;
-}
-
-// A number that a bound depends on; nothing where it is given.
-double* bounded_number(ArcChain& chain, const Bound& bound, int number) {
-  const std::size_t i = bound.index;
-  const bool is_line = bound.is_of_line();
-  ArcChain::Arc* const arc = !is_line ? &chain.arcs[i] : i > 0 ? &chain.arcs[i - 1] : nullptr;
-  if (number <= kRadius) return arc == nullptr ? nullptr : number == kRadius ? &arc->radius : &arc->center[number];
-  if (number == kHeading) return &chain.lines[i].heading;
-  if (number == kNextHeading) return is_line ? &chain.lines[i].length : &chain.lines[i + 1].heading;
-  if (!is_line) return number == kEntry ? &arc->entry : &arc->exit;
-  if (number == kEntry) return i > 0 ? &arc->exit : nullptr;
-  return i < chain.arcs.size() ? &chain.arcs[i].entry : nullptr;
-}
+test::ChainPart chain_part_of(const Bound& bound) { return {bound.is_of_line(), bound.index}; }
 
 // What a bound says, by its definition.
 double defined_value(const Bound& bound, const ArcChain& chain) {
@@ -86,7 +59,7 @@ TEST(ChainBounds, EveryPartHasItsOwn) {
   std::vector<Bound> bounds;
   std::size_t slow = 0, fast = 0;
   for (int i = 0; i < 100; ++i) {
-    const ArcChain chain = random_bounded_arcs(random);
+    const ArcChain chain = test::random_arcs(random, 6);
     find_bounds(chain, kBoundSpeeds, bounds);
     const std::size_t arcs = chain.arcs.size();
     const auto untied = static_cast<std::size_t>(std::ranges::count(chain.lines, false, &ArcChain::Line::is_tied));
@@ -117,7 +90,7 @@ TEST(ChainBounds, ValuesAreThoseDefinedAndGradientsTheirDerivatives) {
   test::Random random(2);
   std::vector<Bound> bounds;
   for (int i = 0; i < 100; ++i) {
-    const ArcChain chain = random_bounded_arcs(random);
+    const ArcChain chain = test::random_arcs(random, 6);
     find_bounds(chain, kBoundSpeeds, bounds);
     for (const Bound& bound : bounds) {
       SCOPED_TRACE(testing::Message() << "chain " << i << " limit " << static_cast<int>(bound.limit) << " of part "
@@ -126,10 +99,10 @@ TEST(ChainBounds, ValuesAreThoseDefinedAndGradientsTheirDerivatives) {
       EXPECT_NEAR(value.value, defined_value(bound, chain), 1e-12);
       for (int number = 0; number < kLocalNumbers; ++number) {
         ArcChain low = chain, high = chain;
-        double* const down = bounded_number(low, bound, number);
+        double* const down = test::number_of(low, chain_part_of(bound), number);
         if (down == nullptr) continue;
         *down -= kStep;
-        *bounded_number(high, bound, number) += kStep;
+        *test::number_of(high, chain_part_of(bound), number) += kStep;
         const double slope = (defined_value(bound, high) - defined_value(bound, low)) / (2.0 * kStep);
         EXPECT_NEAR(value.gradient[number], slope, 1e-8) << "number " << number;
       }
@@ -141,14 +114,14 @@ TEST(ChainBounds, LengthsOfArcsAreCurvedByRadiusAndHeadings) {
   constexpr double kStep = 1e-3;
   test::Random random(3);
   for (int i = 0; i < 50; ++i) {
-    const ArcChain chain = random_bounded_arcs(random);
+    const ArcChain chain = test::random_arcs(random, 6);
     for (std::uint32_t arc = 0; arc < chain.arcs.size(); ++arc) {
       const Bound bound{Limit::kTurn, arc, true};
       const Term::Hessian curvature = length_curvature(chain, arc);
       const auto length_after = [&](int a, double by_a, int b, double by_b) {
         ArcChain moved = chain;
-        *bounded_number(moved, bound, a) += by_a;
-        *bounded_number(moved, bound, b) += by_b;
+        *test::number_of(moved, chain_part_of(bound), a) += by_a;
+        *test::number_of(moved, chain_part_of(bound), b) += by_b;
         return moved.arcs[arc].radius * moved.turn(arc);
       };
       for (int a = 0; a < kLocalNumbers; ++a)

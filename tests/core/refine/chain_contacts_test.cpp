@@ -10,11 +10,12 @@
 #include <optional>
 #include <vector>
 
-#include "arcway/angle.h"
 #include "arcway/datasets/clutter.h"
 #include "arcway/planner.h"
 #include "core/base/infinity.h"
 #include "core/collision/motion_free.h"
+#include "tests/support/arc_chains.h"
+#include "tests/support/free_plans.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -37,16 +38,9 @@ class ContactCases {
   // The chain of another query. Lines of a chain that become longer may make it touch; such chains are left out.
   ArcChain next() {
     ArcChain chain;
-    const Vec2 low = world_.box().min, span = world_.box().max - low;
     for (;;) {
-      const auto pose = [&] {
-        const Vec2 place = low + span.cwiseProduct(random_.point(0.05, 0.95));
-        return Pose{place.x(), place.y(), random_.uniform(-kPi, kPi)};
-      };
-      const PlanRequest request{pose(), pose()};
-      const PlanResult plan = planner_.plan(request);
-      if (!plan.solved()) continue;
-      const auto circles = chain_of(plan.path(), request.start, request.goal);
+      const auto [request, path] = test::next_free_plan(planner_, random_);
+      const auto circles = chain_of(path, request.start, request.goal);
       const auto lines = circles ? lines_of(*circles) : std::nullopt;
       if (lines && cut_turns(*circles, *lines, {3, 0.05, 72.0}, chain) && is_free(chain)) return chain;
     }
@@ -57,20 +51,7 @@ class ContactCases {
     return contacts;
   }
   // Whether the body touches nothing along a chain, by the exact query.
-  bool is_free(const ArcChain& chain) const {
-    Path path;
-    for (std::size_t i = 0; i < chain.lines.size(); ++i) {
-      const ArcChain::Line& line = chain.lines[i];
-      const double before = i > 0 ? chain.arcs[i - 1].sign * chain.arcs[i - 1].radius : 0.0;
-      const Vec2 begin = chain.before(i) - before * perpendicular(line.ahead);
-      if (line.length > 0.0) path.push_back({{begin.x(), begin.y(), line.heading}, line.length, 0.0});
-      if (i == chain.arcs.size()) break;
-      const ArcChain::Arc& arc = chain.arcs[i];
-      const Vec2 entry = arc.center - arc.sign * arc.radius * perpendicular(line.ahead);
-      path.push_back({{entry.x(), entry.y(), line.heading}, arc.radius * chain.turn(i), arc.sign / arc.radius});
-    }
-    return motion_free(*queries_.sweep, body(), path);
-  }
+  bool is_free(const ArcChain& chain) const { return motion_free(*queries_.sweep, body(), test::path_of(chain)); }
   Footprint body() const { return vehicle_.footprint(0.5 * vehicle_.safety_margin()); }
   test::Random& random() { return random_; }
 
@@ -199,13 +180,8 @@ TEST(ChainContacts, DerivativesAreThoseOfTheDistances) {
 double joint_movement(const ArcChain& from, const ArcChain& to) {
   double most = 0.0;
   for (std::size_t i = 0; i < from.arcs.size(); ++i)
-    for (const std::size_t line : {i, i + 1}) {
-      const auto joint = [&](const ArcChain& of) -> Vec2 {
-        const ArcChain::Arc& arc = of.arcs[i];
-        return arc.center - arc.sign * arc.radius * perpendicular(of.lines[line].ahead);
-      };
-      most = std::max(most, (joint(to) - joint(from)).norm());
-    }
+    for (const std::size_t line : {i, i + 1})
+      most = std::max(most, (test::place_on(to, i, line) - test::place_on(from, i, line)).norm());
   return most;
 }
 

@@ -7,11 +7,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "arcway/angle.h"
 #include "arcway/datasets/clutter.h"
 #include "arcway/planner.h"
 #include "core/base/infinity.h"
 #include "core/motion/speed_profile.h"
+#include "tests/support/arc_chains.h"
+#include "tests/support/free_plans.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -28,16 +29,9 @@ class SystemCases {
 
   // Begins with the chain of another query.
   void begin_next() {
-    const Vec2 low = world_.box().min, span = world_.box().max - low;
     for (;;) {
-      const auto pose = [&] {
-        const Vec2 place = low + span.cwiseProduct(random_.point(0.05, 0.95));
-        return Pose{place.x(), place.y(), random_.uniform(-kPi, kPi)};
-      };
-      const PlanRequest request{pose(), pose()};
-      const PlanResult plan = planner_.plan(request);
-      if (!plan.solved()) continue;
-      const auto circles = chain_of(plan.path(), request.start, request.goal);
+      const auto [request, path] = test::next_free_plan(planner_, random_);
+      const auto circles = chain_of(path, request.start, request.goal);
       const auto lines = circles ? lines_of(*circles) : std::nullopt;
       if (!lines || !cut_turns(*circles, *lines, {3, 0.05, 72.0}, system.chain)) continue;
       const Footprint body = vehicle_.footprint(0.5 * vehicle_.safety_margin());
@@ -79,12 +73,6 @@ class SystemCases {
   test::Random random_;
 };
 
-// Where the reference point is at the beginning of an arc, or at its end.
-Vec2 joint_of_arc(const ArcChain& chain, std::size_t arc, bool at_end) {
-  const ArcChain::Arc& a = chain.arcs[arc];
-  return a.center - a.sign * a.radius * perpendicular(direction_of(chain.lines[at_end ? arc + 1 : arc].heading));
-}
-
 void expect_same_chain(const ArcChain& a, const ArcChain& b) {
   ASSERT_EQ(a.arcs.size(), b.arcs.size());
   for (std::size_t i = 0; i < a.arcs.size(); ++i) {
@@ -104,12 +92,8 @@ void expect_ends_kept(const ArcChain& chain, const ArcChain& before) {
   EXPECT_EQ(chain.goal.position(), before.goal.position());
   EXPECT_EQ(chain.lines.front().heading, before.lines.front().heading);
   EXPECT_EQ(chain.lines.back().heading, before.lines.back().heading);
-  for (std::size_t i = 0; i < chain.lines.size(); ++i) {
-    const ArcChain::Line& line = chain.lines[i];
-    const Vec2 ahead = direction_of(line.heading);
-    const Vec2 off = chain.behind(i) - chain.before(i) - line.length * ahead - chain.offset(i) * perpendicular(ahead);
-    EXPECT_LT(off.norm(), 1e-9) << "line " << i;
-  }
+  for (std::size_t i = 0; i < chain.lines.size(); ++i)
+    EXPECT_LT(test::residual_of(chain, i).norm(), 1e-9) << "line " << i;
 }
 
 TEST(ChainSystem, BeginsALittleBelowTheFastestSpeeds) {
@@ -117,14 +101,7 @@ TEST(ChainSystem, BeginsALittleBelowTheFastestSpeeds) {
   for (int i = 0; i < 10; ++i) {
     cases.begin_next();
     const ArcChain& chain = cases.system.chain;
-    Path path;
-    for (std::size_t k = 0; k < chain.lines.size(); ++k) {
-      if (!chain.lines[k].is_tied) path.push_back({Pose{}, chain.lines[k].length, 0.0});
-      if (k == chain.arcs.size()) break;
-      const ArcChain::Arc& arc = chain.arcs[k];
-      path.push_back({Pose{}, arc.radius * chain.turn(k), arc.sign / arc.radius});
-    }
-    const SpeedProfile profile = speed_profile(path, cases.vehicle());
+    const SpeedProfile profile = speed_profile(test::path_of(chain), cases.vehicle());
     std::size_t joint = 0;
     for (std::size_t k = 0; k < chain.arcs.size(); ++k) {
       if (!chain.lines[k].is_tied) ++joint;
@@ -216,9 +193,9 @@ TEST(ChainSystem, KnowsHowFarItMoves) {
       const double movement = system.movement();
       double joints = 0.0, turned = 0.0;
       for (std::size_t a = 0; a < system.chain.arcs.size(); ++a) {
-        for (const bool at_end : {false, true})
+        for (const std::size_t line : {a, a + 1})
           joints =
-              std::max(joints, (joint_of_arc(system.trial, a, at_end) - joint_of_arc(system.chain, a, at_end)).norm());
+              std::max(joints, (test::place_on(system.trial, a, line) - test::place_on(system.chain, a, line)).norm());
         turned = std::max(turned, std::abs(system.trial.lines[a].heading - system.chain.lines[a].heading));
       }
       EXPECT_GE(movement, joints - 1e-12);

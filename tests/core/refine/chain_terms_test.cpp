@@ -7,28 +7,13 @@
 #include <utility>
 
 #include "core/motion/speed_profile.h"
+#include "tests/support/arc_chains.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
 namespace {
 
 constexpr ChainSpeeds kTermSpeeds{2.0, 1.5, 16.0};  // the widest slow radius is 10.7 m
-
-// A chain as far as times depend on it: nothing is placed.
-ArcChain random_timed_arcs(test::Random& random) {
-  ArcChain chain;
-  const auto arcs = random.integer(2, 8);
-  double heading = random.uniform(-4.0, 4.0);
-  for (std::int64_t i = 0; i < arcs; ++i) {
-    const bool is_tied = i > 0 && random.unit() < 0.4;
-    chain.lines.push_back({heading, is_tied ? 0.0 : random.uniform(0.2, 9.0), is_tied});
-    const double sign = random.unit() < 0.5 ? 1.0 : -1.0;
-    chain.arcs.push_back({random.point(-9.0, 9.0), random.uniform(1.3, 14.0), sign, 0.0, 0.0});
-    heading += sign * random.uniform(0.05, 3.0);
-  }
-  chain.lines.push_back({heading, random.uniform(0.2, 9.0), false});
-  return chain;
-}
 
 // Speeds below the limits. Lengths need not suffice to reach one from the other.
 void set_random_speeds(test::Random& random, ArcChain& chain) {
@@ -39,34 +24,20 @@ void set_random_speeds(test::Random& random, ArcChain& chain) {
   }
 }
 
-struct TermPart {
-  bool is_line;
-  std::size_t index;
-};
+using test::ChainPart;
+using test::number_of;
 
-// The number of a part; nothing where it is given.
-double* number_of(ArcChain& chain, const TermPart& part, int number) {
-  const std::size_t i = part.index;
-  ArcChain::Arc* const arc = !part.is_line ? &chain.arcs[i] : i > 0 ? &chain.arcs[i - 1] : nullptr;
-  if (number <= kRadius) return arc == nullptr ? nullptr : number == kRadius ? &arc->radius : &arc->center[number];
-  if (number == kHeading) return &chain.lines[i].heading;
-  if (number == kNextHeading) return part.is_line ? &chain.lines[i].length : &chain.lines[i + 1].heading;
-  if (!part.is_line) return number == kEntry ? &arc->entry : &arc->exit;
-  if (number == kEntry) return i > 0 ? &arc->exit : nullptr;
-  return i < chain.arcs.size() ? &chain.arcs[i].entry : nullptr;
-}
-
-Term time_of_part(const ArcChain& chain, const TermPart& part) {
+Term time_of_part(const ArcChain& chain, const ChainPart& part) {
   return part.is_line ? line_time(chain, part.index, kTermSpeeds) : arc_time(chain, part.index, kTermSpeeds);
 }
 
-double time_alone_of_part(const ArcChain& chain, const TermPart& part) {
+double time_alone_of_part(const ArcChain& chain, const ChainPart& part) {
   return part.is_line ? line_time_alone(chain, part.index, kTermSpeeds)
                       : arc_time_alone(chain, part.index, kTermSpeeds);
 }
 
 // The length on which a part holds its top speed, negative where it does not reach it.
-double holding_length(const ArcChain& chain, const TermPart& part) {
+double holding_length(const ArcChain& chain, const ChainPart& part) {
   const std::size_t i = part.index;
   double length = chain.lines[i].length, limit = kTermSpeeds.top;
   double entry = entry_of_line(chain, i), exit = exit_of_line(chain, i);
@@ -80,7 +51,7 @@ double holding_length(const ArcChain& chain, const TermPart& part) {
   return length - (2.0 * limit - entry - exit) / (2.0 * kTermSpeeds.acceleration);
 }
 
-void expect_term_derivatives(const ArcChain& chain, const TermPart& part) {
+void expect_term_derivatives(const ArcChain& chain, const ChainPart& part) {
   constexpr double kStep = 1e-5;
   const Term term = time_of_part(chain, part);
   EXPECT_NEAR((term.hessian - term.hessian.transpose()).norm(), 0.0, 1e-14 * (1.0 + term.hessian.norm()));
@@ -107,12 +78,12 @@ TEST(ChainTerms, DerivativesAreThoseOfTheTimes) {
   test::Random random(1);
   int held[2] = {0, 0}, not_held[2] = {0, 0}, fast = 0, ends = 0;
   for (int i = 0; i < 300; ++i) {
-    ArcChain chain = random_timed_arcs(random);
+    ArcChain chain = test::random_arcs(random, 8);
     set_random_speeds(random, chain);
     for (const bool is_line : {false, true})
       for (std::size_t k = 0; k < chain.arcs.size() + (is_line ? 1 : 0); ++k) {
         if (is_line && chain.lines[k].is_tied) continue;
-        const TermPart part{is_line, k};
+        const ChainPart part{is_line, k};
         SCOPED_TRACE(testing::Message() << "chain " << i << (is_line ? " line " : " arc ") << k);
         EXPECT_NEAR(time_of_part(chain, part).value, time_alone_of_part(chain, part), 1e-14);
         const double holding = holding_length(chain, part);
@@ -135,9 +106,9 @@ TEST(ChainTerms, DerivativesAreThoseOfTheTimes) {
 TEST(ChainTerms, ValuesAndGradientsAreSmoothWhereTheTopSpeedIsReached) {
   test::Random random(2);
   for (int i = 0; i < 100; ++i) {
-    ArcChain chain = random_timed_arcs(random);
+    ArcChain chain = test::random_arcs(random, 8);
     set_random_speeds(random, chain);
-    const TermPart part{true, 0};
+    const ChainPart part{true, 0};
     const double reached = chain.lines[0].length - holding_length(chain, part);
     chain.lines[0].length = reached * (1.0 - 1e-12);
     const Term before = time_of_part(chain, part);
@@ -170,16 +141,8 @@ TEST(ChainTerms, WithTheFastestSpeedsTheyAddUpToTheTravelTime) {
                          .turn_speed = LateralAccelerationLimit{kTermSpeeds.lateral},
                          .max_acceleration = kTermSpeeds.acceleration});
   for (int i = 0; i < 300; ++i) {
-    ArcChain chain = random_timed_arcs(random);
-    Path path;
-    const auto append = [&path](double length, double curvature) { path.push_back({Pose{}, length, curvature}); };
-    for (std::size_t k = 0; k < chain.lines.size(); ++k) {
-      if (!chain.lines[k].is_tied) append(chain.lines[k].length, 0.0);
-      if (k == chain.arcs.size()) break;
-      const ArcChain::Arc& arc = chain.arcs[k];
-      append(arc.radius * chain.turn(k), arc.sign / arc.radius);
-    }
-    const SpeedProfile profile = speed_profile(path, vehicle);
+    ArcChain chain = test::random_arcs(random, 8);
+    const SpeedProfile profile = speed_profile(test::path_of(chain), vehicle);
     std::size_t segment = 0;
     for (std::size_t k = 0; k < chain.arcs.size(); ++k) {
       if (!chain.lines[k].is_tied) ++segment;

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <set>
 #include <vector>
 
 #include "arcway/angle.h"
+#include "tests/support/arc_chains.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -56,11 +58,8 @@ ArcChain changed_by(const ArcChain& chain, const ChainUnknowns& unknowns, std::s
 // How far the equation of each line is from 0.
 Eigen::VectorXd residuals_of(const ArcChain& chain) {
   Eigen::VectorXd result(2 * static_cast<Eigen::Index>(chain.lines.size()));
-  for (std::size_t i = 0; i < chain.lines.size(); ++i) {
-    const Vec2 ahead = direction_of(chain.lines[i].heading);
-    result.segment<2>(2 * static_cast<Eigen::Index>(i)) =
-        chain.behind(i) - chain.before(i) - chain.lines[i].length * ahead - chain.offset(i) * perpendicular(ahead);
-  }
+  for (std::size_t i = 0; i < chain.lines.size(); ++i)
+    result.segment<2>(2 * static_cast<Eigen::Index>(i)) = test::residual_of(chain, i);
   return result;
 }
 
@@ -77,6 +76,13 @@ Eigen::MatrixXd entries_of(BandedLdlt& matrix) {
     inverse.col(column) = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
   }
   return inverse.inverse() - kLarge * Eigen::MatrixXd::Identity(n, n);
+}
+
+// Each unknown's value is its number.
+std::vector<double> own_numbers(const ChainUnknowns& unknowns) {
+  std::vector<double> values(unknowns.size());
+  std::iota(values.begin(), values.end(), 0.0);
+  return values;
 }
 
 void add_numbers(const Numbers& numbers, std::set<int>& all) {
@@ -102,8 +108,7 @@ TEST(ChainUnknowns, HaveDistinctNumbersAlongThePath) {
       add_numbers(unknowns.of_line(k), all);
     }
     add_numbers(unknowns.of_line(n), all);
-    std::vector<double> values(unknowns.size());
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] = static_cast<double>(k);
+    const std::vector<double> values = own_numbers(unknowns);
     for (std::size_t k = 0; k <= n; ++k)
       for (const double number : unknowns.tension(k, values)) {
         EXPECT_TRUE(unknowns.is_tension(static_cast<std::size_t>(number)));
@@ -176,8 +181,7 @@ TEST(ChainUnknowns, TheBandIsAsWideAsTheirDependencies) {
     const auto depend = [&widest](const std::set<int>& on_each_other) {
       widest = std::max(widest, *on_each_other.rbegin() - *on_each_other.begin());
     };
-    std::vector<double> values(unknowns.size());
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] = static_cast<double>(k);
+    const std::vector<double> values = own_numbers(unknowns);
     for (std::size_t k = 0; k < chain.lines.size(); ++k) {
       std::set<int> line;
       add_numbers(unknowns.of_line(k), line);
@@ -236,8 +240,7 @@ TEST(ChainUnknowns, EquationsAddTheirDerivatives) {
         expected(a, b) += (pull(a, kStep, b, kStep) - pull(a, kStep, b, -kStep) - pull(a, -kStep, b, kStep) +
                            pull(a, -kStep, b, -kStep)) /
                           (4.0 * kStep * kStep);
-    std::vector<double> values(unknowns.size());
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] = static_cast<double>(k);
+    const std::vector<double> values = own_numbers(unknowns);
     for (std::size_t k = 0; k < tensions.size(); ++k)
       for (const int axis : {0, 1}) {
         const auto number = static_cast<Eigen::Index>(unknowns.tension(k, values)[axis]);

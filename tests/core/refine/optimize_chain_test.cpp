@@ -14,6 +14,7 @@
 #include "arcway/planner.h"
 #include "core/collision/motion_free.h"
 #include "core/motion/speed_profile.h"
+#include "tests/support/free_plans.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -40,17 +41,10 @@ Clutter optimized_clutter(ClutterKind kind, std::uint64_t seed) {
 std::vector<CircleChain> free_chains(const World& world, std::size_t count, std::uint64_t seed) {
   const Planner planner(world, optimized_vehicle(), {.radii = {}, .refinement = {.max_trials = 0}});
   test::Random random(seed);
-  const Vec2 low = world.box().min, span = world.box().max - low;
   std::vector<CircleChain> chains;
   while (chains.size() < count) {
-    const auto pose = [&] {
-      const Vec2 place = low + span.cwiseProduct(random.point(0.05, 0.95));
-      return Pose{place.x(), place.y(), random.uniform(-kPi, kPi)};
-    };
-    const PlanRequest request{pose(), pose()};
-    const PlanResult plan = planner.plan(request);
-    if (!plan.solved()) continue;
-    if (const auto chain = chain_of(plan.path(), request.start, request.goal); chain && lines_of(*chain))
+    const auto [request, path] = test::next_free_plan(planner, random);
+    if (const auto chain = chain_of(path, request.start, request.goal); chain && lines_of(*chain))
       chains.push_back(*chain);
   }
   return chains;

@@ -14,6 +14,7 @@
 #include "arcway/validation.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
+#include "tests/support/free_plans.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -52,16 +53,10 @@ TEST_P(RefinePathInClutter, IsNeverSlowerAlwaysValidAndTheSameEveryTime) {
   const World world = random_world({.kind = kind, .obstacles = 40, .vertices = 10, .fill = fill, .seed = 3});
   const Vehicle vehicle = real ? real_vehicle() : Vehicle{};
   const Planner planner(world, vehicle, {.radii = {}, .refinement = {.max_trials = 0}});
-  const Vec2 low = world.box().min;
-  const Vec2 span = world.box().max - low;
   test::Random random(29);
   int solved = 0, faster = 0;
   for (int i = 0; i < 100 && solved < 6; ++i) {
-    const auto pose = [&] {
-      return Pose{low.x() + random.uniform(0.05, 0.95) * span.x(), low.y() + random.uniform(0.05, 0.95) * span.y(),
-                  random.uniform(-kPi, kPi)};
-    };
-    const PlanRequest request{pose(), pose()};
+    const PlanRequest request{test::pose_in(world, random), test::pose_in(world, random)};
     const PlanResult plan = planner.plan(request);
     if (!plan.solved()) continue;
     ++solved;
@@ -181,24 +176,11 @@ RefinedPath refined_with_outlines(const World& world, const Outlines& outlines, 
       {path, request.start, request.goal, vehicle, *queries.sweep, options, clock, &world, &outlines, at_length});
 }
 
-struct ClutteredPlan {
-  PlanRequest request;
-  Path path;  ///< not refined
-};
-
-std::vector<ClutteredPlan> cluttered_plans(const World& world, std::size_t count) {
+std::vector<test::FreePlan> cluttered_plans(const World& world, std::size_t count) {
   const Planner planner(world, real_vehicle(), {.radii = {}, .refinement = {.max_trials = 0}});
-  const Vec2 low = world.box().min, span = world.box().max - low;
   test::Random random(31);
-  std::vector<ClutteredPlan> plans;
-  while (plans.size() < count) {
-    const auto pose = [&] {
-      const Vec2 place = low + span.cwiseProduct(random.point(0.05, 0.95));
-      return Pose{place.x(), place.y(), random.uniform(-kPi, kPi)};
-    };
-    const PlanRequest request{pose(), pose()};
-    if (const PlanResult plan = planner.plan(request); plan.solved()) plans.push_back({request, plan.path()});
-  }
+  std::vector<test::FreePlan> plans;
+  while (plans.size() < count) plans.push_back(test::next_free_plan(planner, random));
   return plans;
 }
 
