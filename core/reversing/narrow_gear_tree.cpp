@@ -30,7 +30,9 @@ constexpr double kLargestCell =
     0.125;  // edge of the largest cell, in lengths of the body or turning radii, whichever is larger
 constexpr double kLargestTurn = 0.25;  // heading range of the largest cell [rad]
 constexpr double kShare = 0.25;        // size of a cell, as a share of what one move to and fro can do
-constexpr double kVisit = 0.5;         // cost of an expansion in a coarse cell, in times to cross it
+// Cost of an expansion in a coarse cell, in times to cross it. With 0.5 a tree stays long where the estimate of the way
+// that remains misleads it: in 54 driven worlds that need this tree it takes 1.6 times as long.
+constexpr double kVisit = 20.0;
 
 // The largest power of two times `largest` that is no larger than `wanted`, at most `largest`.
 double quantized(double largest, double wanted) {

@@ -12,9 +12,10 @@ struct TreeShape {
   std::array<double, 4> shares;  ///< of the room, where motions end
   double longest;                ///< motion, in lengths of the body or turning radii, whichever is larger
   double coarsest;               ///< cell in which poses count as one, likewise
-  double visit;                  ///< what each turn of a pose makes its coarse cell less promising, in such cells
-  double least;                  ///< motion that is worth a pose
-  double slack;                  ///< by which motions end before a contact: more than rounding
+  double visit;     ///< what each turn of a pose makes its coarse cell less promising, in such cells: a tree
+                    ///< that follows the estimate into a dead end leaves it after few turns
+  double least;     ///< motion that is worth a pose
+  double slack;     ///< by which motions end before a contact: more than rounding
   double dead_end;  ///< how far a tree gets in a dead end, in lengths of the body or turning radii, likewise
   double greed;     ///< what the estimate of the way that remains counts
 };
@@ -23,7 +24,7 @@ inline constexpr TreeShape kTree{
     .shares = {1.0, 0.75, 0.5, 0.25},
     .longest = 2.0,
     .coarsest = 0.125,
-    .visit = 1.0,
+    .visit = 30.0,
     .least = 1e-3,
     .slack = 1e-6,
     .dead_end = 4.0,

@@ -79,7 +79,7 @@ TEST(NarrowGearTree, KnowsHowFarItsLastPoseLeads) {
   const Roadmap map = map_of(world, vehicle);
   NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit, 1.0}, [](const Pose&) { return 0.0; });
   int free = 0, blocked = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 200; ++i) {
     const auto node = tree.expand();
     ASSERT_TRUE(node);
     for (const double curvature : {-1.0, 0.0, 1.0})
