@@ -70,6 +70,7 @@ class PlanRun {
 
   [[nodiscard]] bool holds(const When& when);
   [[nodiscard]] bool holds(Known known) const;
+  [[nodiscard]] bool holds(WhenSlim when) const;
   // Whether a path is known, refined or not.
   [[nodiscard]] bool has_path() const { return found_ || (reversing_ && reversing_->path()); }
   [[nodiscard]] bool is_thorough() const { return refines() && !query_.maps.tightest; }
@@ -136,7 +137,8 @@ class PlanRun {
   const PlanMaps* maps_ = nullptr;                       // in use
   Fastest fastest_{};                                    // on these
   Surroundings surroundings_ = Surroundings::kOpen;      // of the ends, as trees found them
-  bool are_trees_vain_ = false;                          // a slimmer body has no path either, or an end is closed in
+  bool is_path_refused_ = false;                         // of a slimmer body: it could not be pushed free
+  bool are_trees_vain_ = false;                          // a slimmer body has no path either
   std::optional<ReversingSearch> reversing_;
   bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow ways
 };

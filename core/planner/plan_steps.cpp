@@ -94,14 +94,19 @@ void PlanRun::take(const GrowTrees& step, double trials) {
   });
   result_.statistics.tree_poses += end.poses;
   if (step.looks_around) surroundings_ = end.surroundings;
-  are_trees_vain_ = end.surroundings == Surroundings::kClosed;
   why_.trees = end;
   if (grown.search.path) keep_of_trees(maps, std::move(*grown.search.path), step.shortenings, trials);
 }
 
+bool PlanRun::holds(WhenSlim when) const {
+  const bool is_closed = surroundings_ == Surroundings::kClosed;
+  return when == WhenSlim::kUnlessClosed ? !is_closed : is_closed || is_path_refused_;
+}
+
 void PlanRun::take(const GrowSlimTrees& step, double trials) {
   const StopClock& clock = query_.clock;
-  const Roadmap* slim = are_trees_vain_ ? nullptr : query_.maps.slim(step.body, clock);
+  if (are_trees_vain_ || !holds(step.when)) return;
+  const Roadmap* slim = query_.maps.slim(step.body, clock);
   if (!slim) return;
   const Pose& goal = query_.request.goal;
   const auto widened = [&](const Path& path) -> std::optional<Path> {
@@ -112,9 +117,10 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
     return push_free(path, goal, map_.body, map_, clock);
   };
   const TreeLimits limits{.poses = tree_poses_,
-                          .passes = kCoarseTrees.passes,
+                          .passes = step.passes,
                           .effort = kTreeEffort,
-                          .way_out = &kWayOut,
+                          // Where the real body gets out, a slimmer one does.
+                          .way_out = surroundings_ == Surroundings::kOpen ? nullptr : &kWayOut,
                           .dead_end_passes = kDeadEndPasses,
                           .accept = widened};
   TreesEnd end;
@@ -123,7 +129,8 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   });
   result_.statistics.tree_poses += end.poses;
   const bool is_hopeless = end.surroundings != Surroundings::kOpen || end.ran_dry;
-  are_trees_vain_ = end.refused == 0 && is_hopeless;
+  is_path_refused_ = end.refused > 0;
+  are_trees_vain_ = !is_path_refused_ && is_hopeless;
   if (grown.search.path) keep_of_trees(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
 }
 

@@ -91,9 +91,16 @@ struct GrowTrees {
   bool only_in_the_open;      ///< not if the trees before found an end in a dead end
   std::uint32_t shortenings;  ///< trials of shortening the path, as a multiple of those of refinement
 };
+/// When trees of a slimmer body are worth it, as trees before found.
+enum class WhenSlim {
+  kUnlessClosed,    ///< unless an end of the real body is closed in
+  kClosedOrRefused  ///< if an end is, or paths of a slimmer body could not be pushed free
+};
 /// Grows trees of a slimmer body, and pushes their paths off what the real body touches: SlimMaps, push_free.
 struct GrowSlimTrees {
-  std::size_t body;           ///< of kSlimBodies
+  std::size_t body;  ///< of kSlimBodies
+  std::span<const TreePass> passes;
+  WhenSlim when;
   std::size_t shortening;     ///< trials of shortening a path before it is pushed
   std::uint32_t shortenings;  ///< of the free path, as for GrowTrees
 };

@@ -73,8 +73,10 @@ struct StepText {
            (step.looks_around ? ", unless an end is closed in" : "");
   }
   std::string operator()(const GrowSlimTrees& step) const {
-    return "grow trees of a body " + percent(kSlimBodies[step.body]) +
-           " narrower, and push their paths off what the body touches";
+    return "grow trees of a body " + percent(kSlimBodies[step.body]) + " narrower" +
+           (step.when == WhenSlim::kClosedOrRefused ? ", if an end is closed in or paths were not pushed free"
+                                                    : ", unless an end is closed in") +
+           ", and push their paths off what the body touches";
   }
   std::string operator()(const RaiseLowerBound&) const { return "raise the lower bound"; }
   std::string operator()(const TryManeuvers& step) const {
