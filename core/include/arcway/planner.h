@@ -99,8 +99,8 @@ struct ARCWAY_API PlanLimits {
   /// bit for bit, in some two thirds of the time where a core is free. FeasibleGraph::counts then differs from run to
   /// run.
   bool prefetch = false;
-  /// Most poses of a search by trees of forward motions, which grow from start and goal where nothing else finds a path.
-  /// Up to four searches follow each other, also for slimmer bodies. 0: no trees. None grow with
+  /// Most poses of a search by trees of forward motions, which grow from start and goal where nothing else finds a
+  /// path. Up to four searches follow each other, also for slimmer bodies. 0: no trees. None grow with
   /// PlannerOptions::maneuver_poses = 0 either. A pose takes 0.05 to 0.3 ms.
   std::uint32_t tree_poses = 16'000;
 };
