@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "accel/expansion/straight_boundary.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/predicates.h"
 
@@ -85,24 +86,11 @@ void ChangeVisibility::expand(const Corners& corners, Range range) {
 // Marks nodes on lines of sight that run along boundary edges all the way: from an edge at a place straight on, both
 // ways, to the first node.
 void ChangeVisibility::follow_boundary(const PlanarMap::Edge& boundary) {
-  const std::span<const Vec2> points = triangulation_.points();
-  const PlanarMap::Edge* edge = &boundary;
-  while (edge && triangulation_.first_node_at(edge->high) == kNone) {
-    const PlanarMap::Edge* straight_on = nullptr;
-    for (const PlanarMap::Edge& next : triangulation_.edges_from(edge->high))
-      if (orientation(points[edge->low], points[edge->high], points[next.high]) == 0) straight_on = &next;
-    edge = straight_on;
-  }
-  if (edge) mark(triangulation_.first_node_at(edge->high));
-  edge = &boundary;
-  while (edge && triangulation_.first_node_at(edge->low) == kNone) {
-    const PlanarMap::Edge* straight_on = nullptr;
-    for (const std::uint32_t next : triangulation_.edges_to(edge->low))
-      if (orientation(points[edge->high], points[edge->low], points[triangulation_.edge(next).low]) == 0)
-        straight_on = &triangulation_.edge(next);
-    edge = straight_on;
-  }
-  if (edge) mark(triangulation_.first_node_at(edge->low));
+  const auto any = [](const PlanarMap::Edge&) { return true; };
+  if (const PlanarMap::Edge* last = edge_to_node<Sense::kRight>(triangulation_, boundary, any))
+    mark(triangulation_.first_node_at(last->high));
+  if (const PlanarMap::Edge* last = edge_to_node<Sense::kLeft>(triangulation_, boundary, any))
+    mark(triangulation_.first_node_at(last->low));
 }
 
 void ChangeVisibility::mark(std::uint32_t first_node) {

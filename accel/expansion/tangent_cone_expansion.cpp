@@ -105,8 +105,8 @@ int TangentConeExpansion::exact_side(const BoundingRay& ray, std::uint32_t point
 void TangentConeExpansion::expand_all(std::uint32_t index) {
   alias_ = kNone;
   const Node& source = triangulation_.nodes()[index];
-  follow_edges_right(source);
-  follow_edges_left(source);
+  follow_edges<Sense::kRight>(source);
+  follow_edges<Sense::kLeft>(source);
   expand_cone(index, bounding_ray(Kind::kToward, index, source.previous_point, source.previous),
               bounding_ray(Kind::kAway, index, source.next_point, source.next));
   expand_cone(index, bounding_ray(Kind::kAway, index, source.previous_point, source.previous),
@@ -128,13 +128,13 @@ void TangentConeExpansion::expand_right(std::uint32_t index) {
       if (!from_left) add(source, triangulation_.nodes()[source.before]);
       if (!to_left) add(source, triangulation_.nodes()[source.after]);
     } else {
-      follow_edges_right(source);
+      follow_edges<Sense::kRight>(source);
     }
     // Chains start here unless the node lies within a chain, or its rays lead left.
     if (from_left ? source.before == kNone : !to_left) expand_from_chain<Hand::kLeft>(index);
     if (to_left ? source.after == kNone : !from_left) expand_from_chain<Hand::kRight>(index);
   } else {
-    follow_edges_right(source);
+    follow_edges<Sense::kRight>(source);
     expand_right_from(index);
   }
   take_tangent();
@@ -158,34 +158,13 @@ void TangentConeExpansion::expand_right_from(std::uint32_t index) {
 }
 
 // Follows boundary edges that leave the source, straight on, to the first point with a node.
-void TangentConeExpansion::follow_edges_right(const Node& source) {
-  for (const PlanarMap::Edge& first : triangulation_.edges_from(source.point)) {
-    const PlanarMap::Edge* edge = &first;
-    while (edge && !triangulation_.is_covered(*edge) && triangulation_.first_node_at(edge->high) == kNone) {
-      const PlanarMap::Edge* straight_on = nullptr;
-      for (const PlanarMap::Edge& next : triangulation_.edges_from(edge->high))
-        if (orientation(source.at, triangulation_.points()[edge->high], triangulation_.points()[next.high]) == 0)
-          straight_on = &next;
-      edge = straight_on;
-    }
-    if (edge && !triangulation_.is_covered(*edge)) report_along_boundary(source, first.high, edge->low, edge->high);
-  }
-}
-
-void TangentConeExpansion::follow_edges_left(const Node& source) {
-  for (const std::uint32_t first : triangulation_.edges_to(source.point)) {
-    const PlanarMap::Edge* edge = &triangulation_.edge(first);
-    while (edge && !triangulation_.is_covered(*edge) && triangulation_.first_node_at(edge->low) == kNone) {
-      const PlanarMap::Edge* straight_on = nullptr;
-      for (const std::uint32_t next : triangulation_.edges_to(edge->low))
-        if (orientation(source.at, triangulation_.points()[edge->low],
-                        triangulation_.points()[triangulation_.edge(next).low]) == 0)
-          straight_on = &triangulation_.edge(next);
-      edge = straight_on;
-    }
-    if (edge && !triangulation_.is_covered(*edge))
-      report_along_boundary(source, triangulation_.edge(first).low, edge->high, edge->low);
-  }
+template <Sense kSense>
+void TangentConeExpansion::follow_edges(const Node& source) {
+  const auto is_free = [&](const PlanarMap::Edge& edge) { return !triangulation_.is_covered(edge); };
+  visit_boundary<kSense>(triangulation_, source.point, [&](const PlanarMap::Edge& first) {
+    if (const PlanarMap::Edge* last = edge_to_node<kSense>(triangulation_, first, is_free))
+      report_along_boundary(source, end_of<kSense>(first), begin_of<kSense>(*last), end_of<kSense>(*last));
+  });
 }
 
 void TangentConeExpansion::report_along_boundary(const Node& source, std::uint32_t first, std::uint32_t before_end,

@@ -8,6 +8,7 @@
 #include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/long_fans.h"
 #include "accel/expansion/sleeves.h"
+#include "accel/expansion/straight_boundary.h"
 
 namespace arcway::internal {
 
@@ -61,8 +62,8 @@ class TangentConeExpansion {
   [[nodiscard]] BoundingRay straight(Kind down_or_up, std::uint32_t from) const;
   [[nodiscard]] static bool is_closed(const BoundingRay& ray) { return ray.kind() != Kind::kMet; }
 
-  void follow_edges_right(const Node& source);
-  void follow_edges_left(const Node& source);
+  template <Sense kSense>
+  void follow_edges(const Node& source);
   /// @param first       point at the other end of the boundary edge that leaves the source.
   /// @param before_end  last point before the end.
   void report_along_boundary(const Node& source, std::uint32_t first, std::uint32_t before_end, std::uint32_t end);
