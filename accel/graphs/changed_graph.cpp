@@ -22,22 +22,23 @@ constexpr std::size_t kNodesPerRange = 16;
 std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& after, const WorldChange& change,
                                      const FreeSpaceTriangulation& triangulation) {
   std::vector<std::uint8_t> stale(after.vertices().size(), 0);
-  std::fill(stale.begin() + change.first_come, stale.begin() + change.end_come, std::uint8_t{1});
-  const NearBoxes come(change.come);
-  if (!come.empty()) {
+  std::fill(stale.begin() + change.first_added, stale.begin() + change.end_added, std::uint8_t{1});
+  const NearBoxes added(change.added_boxes);
+  if (!added.empty()) {
     for (VertexId u = 0; u < graph.vertex_count(); ++u) {
-      const VertexId from = change.moved[u];
+      const VertexId from = change.vertex_after[u];
       if (from == kNone) continue;
       for (const VertexId v : graph.row(u)) {
-        const VertexId to = change.moved[v];
-        if (to == kNone || (stale[from] && stale[to]) || !come.may_meet(after.vertex(from), after.vertex(to))) continue;
+        const VertexId to = change.vertex_after[v];
+        if (to == kNone || (stale[from] && stale[to]) || !added.may_meet(after.vertex(from), after.vertex(to)))
+          continue;
         stale[from] = stale[to] = 1;
       }
     }
   }
-  if (!change.gone.empty()) {
+  if (!change.removed_boxes.empty()) {
     ChangeVisibility viewers(triangulation);
-    viewers.mark_viewers(change.gone);
+    viewers.mark_viewers(change.removed_boxes);
     for (std::size_t n = 0; n < triangulation.nodes().size(); ++n)
       if (viewers.seen()[n]) stale[triangulation.nodes()[n].vertex] = 1;
   }
@@ -49,19 +50,19 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
 VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, const World& after,
                                                 const WorldChange& change, const Executor& executor,
                                                 std::size_t* rows) {
-  if (graph.vertex_count() != change.moved.size() || change.end_come > after.vertices().size())
+  if (graph.vertex_count() != change.vertex_after.size() || change.end_added > after.vertices().size())
     throw std::invalid_argument("change of a reduced visibility graph: it has " + std::to_string(graph.vertex_count()) +
-                                " vertices, the change is one from " + std::to_string(change.moved.size()) + " to " +
-                                std::to_string(after.vertices().size()));
+                                " vertices, the change is one from " + std::to_string(change.vertex_after.size()) +
+                                " to " + std::to_string(after.vertices().size()));
   FreeSpaceTriangulation triangulation(after, executor);
   triangulation.list_left_edges();
   const std::vector<std::uint8_t> stale = find_stale(graph, after, change, triangulation);
   std::vector<EdgeList> lists(1);
   for (VertexId u = 0; u < graph.vertex_count(); ++u) {
-    const VertexId from = change.moved[u];
+    const VertexId from = change.vertex_after[u];
     if (from == kNone || stale[from]) continue;
     for (const VertexId v : graph.row(u)) {
-      const VertexId to = change.moved[v];
+      const VertexId to = change.vertex_after[v];
       if (to != kNone && !stale[to]) lists[0].emplace_back(from, to);
     }
   }

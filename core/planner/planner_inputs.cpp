@@ -131,12 +131,12 @@ void require_world(const World& world, const Backend& backend) {
 void require_change(const WorldChange& change, const World& before, const World& after) {
   const std::size_t old_vertices = before.vertices().size(), vertices = after.vertices().size();
   const auto stayed =
-      static_cast<std::size_t>(std::ranges::count_if(change.moved, [](VertexId v) { return v != kNone; }));
-  const std::size_t come = change.end_come - change.first_come;
-  if (change.moved.size() != old_vertices || change.end_come < change.first_come || stayed + come != vertices)
-    throw std::invalid_argument("the change leads from " + std::to_string(change.moved.size()) + " vertices to " +
-                                std::to_string(stayed + come) + ", the worlds have " + std::to_string(old_vertices) +
-                                " and " + std::to_string(vertices));
+      static_cast<std::size_t>(std::ranges::count_if(change.vertex_after, [](VertexId v) { return v != kNone; }));
+  const std::size_t added = change.end_added - change.first_added;
+  if (change.vertex_after.size() != old_vertices || change.end_added < change.first_added || stayed + added != vertices)
+    throw std::invalid_argument("the change leads from " + std::to_string(change.vertex_after.size()) +
+                                " vertices to " + std::to_string(stayed + added) + ", the worlds have " +
+                                std::to_string(old_vertices) + " and " + std::to_string(vertices));
 }
 
 }  // namespace arcway::internal

@@ -15,9 +15,9 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr std::size_t kChangedAtOnce = 64;  // circles that a thread takes at once
+constexpr std::size_t kChangedAtOnce = 64;  // number of circles that a thread takes at once
 
-// What a graph knows of circles after a change, by their numbers after it.
+// What the graph before a change knows of circles that stay, by their indices after it.
 class KeptKnowledge {
  public:
   KeptKnowledge(const FeasibleGraph& before, const FeasibleGraphInputs& inputs, const CircleChecks& after,
@@ -28,14 +28,14 @@ class KeptKnowledge {
                 {after.world(), after.rows(), after.circles()}, change,
                 inputs.vehicle.footprint(inputs.vehicle.safety_margin()), Destinations::kMostSteps) {}
 
-  // Null if they have to be found.
+  // The free headings of a circle; null if they have to be found.
   [[nodiscard]] const HeadingSet* headings(std::uint32_t circle) const {
     const std::uint32_t was = change_.before(circle);
-    const bool stay = was != kNone && change_.is_quiet_at(after_.circles().all()[circle].vertex);
+    const bool stay = was != kNone && change_.is_unchanged_at(after_.circles().all()[circle].vertex);
     return stay ? before_.known_headings(was) : nullptr;
   }
 
-  // Nothing if it has to be found.
+  // The row of a circle; nothing if it has to be found.
   [[nodiscard]] std::optional<CheckedRow> row(std::uint32_t circle) const {
     if (!keeps_row(circle)) return std::nullopt;
     std::optional<CheckedRow> row = before_.known_row(change_.before(circle));
@@ -48,7 +48,7 @@ class KeptKnowledge {
   }
 
  private:
-  // Whether the same vertices are arrived at from a circle, and the ways there are as free as before.
+  // Whether links lead from a circle to the same vertices as before, and are as free as before.
   [[nodiscard]] bool keeps_row(std::uint32_t circle) const;
 
   const FeasibleGraph& before_;
@@ -64,9 +64,9 @@ bool KeptKnowledge::keeps_row(std::uint32_t c) const {
     if (const VertexId before = u == kNone ? kNone : after_.destinations().vertex_before(u, circle.side);
         before != kNone && !change_.keeps_row(before))
       return false;
-  if (circle.second == kNone && change_.is_still_around(circle.vertex)) return true;
+  if (circle.second == kNone && change_.is_unchanged_around(circle.vertex)) return true;
   return std::ranges::all_of(after_.destinations().from(circle), [&](const Destinations::Arrival& arrival) {
-    return change_.keeps_row(arrival.vertex) && change_.is_quiet_between(circle.vertex, arrival.vertex);
+    return change_.keeps_row(arrival.vertex) && change_.is_unchanged_between(circle.vertex, arrival.vertex);
   });
 }
 

@@ -11,8 +11,8 @@
 
 namespace arcway::internal {
 
-/// The graph after a change of the world, the same as one built anew. What lies where nothing came or went is taken
-/// from the graph before, as far as that one knows it. The rest is checked. O(n) beside that.
+/// The graph after a change of the world, the same as one built anew. Where no obstacle was added or removed,
+/// results are taken from the graph before, as far as that one has them. The rest is checked. O(n) beside that.
 /// @param before  of the world before the change, the same vehicle and the same radii. All of its rows of the reduced
 ///   graph are asked for.
 /// @param after   inputs after the change. All rows are asked for.

@@ -6,8 +6,8 @@ namespace arcway::internal {
 
 namespace {
 
-// How far from its vertex a body reaches on a circle round it. Half of the margin is more than what is checked covers,
-// and more than rounding.
+// How far a body reaches from the vertex of a circle on that circle. The body has the whole safety margin, half of
+// which is more than what checks ask about, and more than rounding.
 double largest_reach(const CircleChange::Circles& of, const Footprint& grown_body) {
   double largest = 0.0;
   for (const TurnCircle& circle : of.circles.all())
@@ -17,13 +17,14 @@ double largest_reach(const CircleChange::Circles& of, const Footprint& grown_bod
 }
 
 NearBoxes places_of(const WorldChange& change, double reach) {
-  std::vector<Box> boxes = change.gone;
-  boxes.insert(boxes.end(), change.come.begin(), change.come.end());
+  std::vector<Box> boxes = change.removed_boxes;
+  boxes.insert(boxes.end(), change.added_boxes.begin(), change.added_boxes.end());
   return NearBoxes(boxes, reach);
 }
 
-bool same_row(std::span<const VertexId> before, std::span<const VertexId> after, const std::vector<VertexId>& moved) {
-  return std::ranges::equal(before, after, [&](VertexId v, VertexId now) { return moved[v] == now; });
+bool same_row(std::span<const VertexId> before, std::span<const VertexId> after,
+              const std::vector<VertexId>& vertex_after) {
+  return std::ranges::equal(before, after, [&](VertexId v, VertexId now) { return vertex_after[v] == now; });
 }
 
 }  // namespace
@@ -34,44 +35,44 @@ CircleChange::CircleChange(const Circles& before, const Circles& after, const Wo
       before_(after.circles.all().size(), kNone),
       after_(before.circles.all().size(), kNone),
       places_(places_of(change, largest_reach(after, grown_body))),
-      quiet_(after.world.vertices().size(), kNotQuiet),
-      still_(quiet_.size(), 0) {
-  match(before, after, change.moved);
+      kept_(after.world.vertices().size(), Kept::kNothing),
+      is_unchanged_around_(kept_.size(), 0) {
+  match(before, after, change.vertex_after);
   for (const VertexId v : world_.convex_vertices())
-    if (!places_.may_meet(world_.vertex(v), world_.vertex(v))) quiet_[v] = kQuiet;
+    if (!places_.may_meet(world_.vertex(v), world_.vertex(v))) kept_[v] = Kept::kSurroundings;
   for (const VertexId v : before.world.convex_vertices()) {
-    const VertexId now = change.moved[v];
-    if (now == kNone || quiet_[now] == kNotQuiet) continue;
-    if (same_row(before.rows.of(v), after.rows.of(now), change.moved)) quiet_[now] = kKeepsRow;
+    const VertexId now = change.vertex_after[v];
+    if (now == kNone || kept_[now] == Kept::kNothing) continue;
+    if (same_row(before.rows.of(v), after.rows.of(now), change.vertex_after)) kept_[now] = Kept::kRow;
   }
-  find_still(after.rows, steps);
+  find_unchanged_around(after.rows, steps);
 }
 
-void CircleChange::find_still(const VisibilityRows& rows, std::uint32_t steps) {
-  std::vector<Box> around(still_.size());
+void CircleChange::find_unchanged_around(const VisibilityRows& rows, std::uint32_t steps) {
+  std::vector<Box> around(kept_.size());
   for (const VertexId v : world_.convex_vertices()) {
     around[v].extend(world_.vertex(v));
-    still_[v] = keeps_row(v) ? 1 : 0;
+    is_unchanged_around_[v] = keeps_row(v) ? 1 : 0;
   }
   for (std::uint32_t step = 0; step < steps; ++step) {
     const std::vector<Box> nearer = around;
-    const std::vector<std::uint8_t> still_nearer = still_;
+    const std::vector<std::uint8_t> nearer_unchanged = is_unchanged_around_;
     for (const VertexId v : world_.convex_vertices())
       for (const VertexId w : rows.of(v)) {
         around[v].extend(nearer[w]);
-        still_[v] &= still_nearer[w];
+        is_unchanged_around_[v] &= nearer_unchanged[w];
       }
   }
   for (const VertexId v : world_.convex_vertices())
-    if (still_[v] && places_.may_meet(around[v])) still_[v] = 0;
+    if (is_unchanged_around_[v] && places_.may_meet(around[v])) is_unchanged_around_[v] = 0;
 }
 
-void CircleChange::match(const Circles& before, const Circles& after, const std::vector<VertexId>& moved) {
+void CircleChange::match(const Circles& before, const Circles& after, const std::vector<VertexId>& vertex_after) {
   const auto old = before.circles.all();
   const auto all = after.circles.all();
   for (std::uint32_t c = 0; c < old.size(); ++c) {
-    const VertexId v = moved[old[c].vertex];
-    const VertexId second = old[c].second == kNone ? kNone : moved[old[c].second];
+    const VertexId v = vertex_after[old[c].vertex];
+    const VertexId second = old[c].second == kNone ? kNone : vertex_after[old[c].second];
     if (v == kNone || !after.circles.has(v) || (second == kNone) != (old[c].second == kNone)) continue;
     after.circles.visit_around(v, old[c].side, [&](std::uint32_t now) {
       const TurnCircle& circle = all[now];

@@ -22,7 +22,7 @@ class CircleChange {
     const TurnCircles& circles;
   };
   /// Matches the circles of two worlds. It asks for all rows of both. Precondition: circles of the same radii.
-  /// @param steps  of is_still_around.
+  /// @param steps  number of edges that is_unchanged_around looks at.
   CircleChange(const Circles& before, const Circles& after, const WorldChange& change, const Footprint& grown_body,
                std::uint32_t steps);
 
@@ -31,26 +31,28 @@ class CircleChange {
   [[nodiscard]] std::uint32_t before(std::uint32_t circle) const { return before_[circle]; }
   [[nodiscard]] std::uint32_t after(std::uint32_t circle_before) const { return after_[circle_before]; }
 
-  /// Whether nothing came or went where a body can reach on circles around this vertex.
-  [[nodiscard]] bool is_quiet_at(VertexId v) const { return quiet_[v] != 0; }
-  /// Whether the vertex is quiet and has the neighbors that it had.
-  [[nodiscard]] bool keeps_row(VertexId v) const { return quiet_[v] == kKeepsRow; }
-  /// Whether all vertices within `steps` edges keep their rows, and nothing came or went between any two of them.
-  [[nodiscard]] bool is_still_around(VertexId v) const { return still_[v] != 0; }
-  /// Whether nothing came or went where a body can reach between circles around two vertices.
-  [[nodiscard]] bool is_quiet_between(VertexId u, VertexId v) const {
+  /// Whether no obstacle was added or removed where a body can reach on circles around this vertex.
+  [[nodiscard]] bool is_unchanged_at(VertexId v) const { return kept_[v] != Kept::kNothing; }
+  /// Whether the vertex is unchanged and has the neighbors that it had.
+  [[nodiscard]] bool keeps_row(VertexId v) const { return kept_[v] == Kept::kRow; }
+  /// Whether all vertices within `steps` edges keep their rows, and the space between any two of them is unchanged.
+  [[nodiscard]] bool is_unchanged_around(VertexId v) const { return is_unchanged_around_[v] != 0; }
+  /// Whether no obstacle was added or removed where a body can reach between circles around two vertices.
+  [[nodiscard]] bool is_unchanged_between(VertexId u, VertexId v) const {
     return !places_.may_meet(world_.vertex(u), world_.vertex(v));
   }
 
  private:
-  enum Quiet : std::uint8_t { kNotQuiet, kQuiet, kKeepsRow };
-  void match(const Circles& before, const Circles& after, const std::vector<VertexId>& moved);
-  void find_still(const VisibilityRows& rows, std::uint32_t steps);
+  // What a vertex keeps: its surroundings, and its row of the reduced graph as well.
+  enum class Kept : std::uint8_t { kNothing, kSurroundings, kRow };
+  void match(const Circles& before, const Circles& after, const std::vector<VertexId>& vertex_after);
+  void find_unchanged_around(const VisibilityRows& rows, std::uint32_t steps);
 
   World world_;
   std::vector<std::uint32_t> before_, after_;
-  NearBoxes places_;
-  std::vector<std::uint8_t> quiet_, still_;  // by vertex
+  NearBoxes places_;                               // where obstacles were added or removed
+  std::vector<Kept> kept_;                         // by vertex
+  std::vector<std::uint8_t> is_unchanged_around_;  // by vertex
 };
 
 }  // namespace arcway::internal
