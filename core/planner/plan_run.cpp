@@ -1,6 +1,7 @@
 #include "core/planner/plan_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -40,7 +41,7 @@ void PlanRun::follow(std::span<const StrategyRow> rows) {
     std::visit([&](const auto& step) { take(step, trials); }, row.step);
   }
   keep_in_both_gears();
-  if (!has_proof_ && forward_[0]) why_.obstruction = forward_[0]->obstruction();
+  if (!has_proof_ && forward_all_radii_) why_.obstruction = forward_all_radii_->obstruction();
 }
 
 bool PlanRun::holds(Known known) const {

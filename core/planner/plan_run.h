@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -130,15 +129,15 @@ class PlanRun {
   bool found_ = false;
   double distance_;  // that no path falls below [m]
   bool is_bound_raised_ = false;
-  double second_unrefined_ = 0.0;                        // travel time [s]
-  double best_cost_, second_cost_;                       // infinite where there is none
-  std::uint64_t first_expanded_ = 0;                     // until the first path was found
-  std::array<std::optional<ForwardSearch>, 2> forward_;  // by On
-  const PlanMaps* maps_ = nullptr;                       // in use
-  Fastest fastest_{};                                    // on these
-  Surroundings surroundings_ = Surroundings::kOpen;      // of the ends, as trees found them
-  bool is_path_refused_ = false;                         // of a slimmer body: it could not be pushed free
-  bool are_trees_vain_ = false;                          // a slimmer body has no path either
+  double second_unrefined_ = 0.0;     // travel time [s]
+  double best_cost_, second_cost_;    // infinite where there is none
+  std::uint64_t first_expanded_ = 0;  // until the first path was found
+  std::optional<ForwardSearch> forward_all_radii_, forward_tightest_;
+  const PlanMaps* maps_ = nullptr;                   // in use
+  Fastest fastest_{};                                // on these
+  Surroundings surroundings_ = Surroundings::kOpen;  // of the ends, as trees found them
+  bool is_path_refused_ = false;                     // of a slimmer body: it could not be pushed free
+  bool are_trees_vain_ = false;                      // a slimmer body has no path either
   std::optional<ReversingSearch> reversing_;
   bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow ways
 };

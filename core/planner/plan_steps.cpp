@@ -1,6 +1,8 @@
 // The steps of PlanRun: what each row of the strategy does.
 
 #include <algorithm>
+#include <cassert>
+#include <optional>
 #include <utility>
 
 #include "core/gaps/enclosure.h"
@@ -33,7 +35,8 @@ const PlanMaps& PlanRun::maps_on(On on) const {
 }
 
 ForwardSearch& PlanRun::forward_search(On on) {
-  auto& search = forward_[on == On::kTightest ? 1 : 0];
+  assert(on != On::kInUse);
+  std::optional<ForwardSearch>& search = on == On::kTightest ? forward_tightest_ : forward_all_radii_;
   if (!search) {
     const PlanMaps& maps = maps_on(on);
     search.emplace(maps.plain, maps.narrow ? &*maps.narrow : nullptr,
