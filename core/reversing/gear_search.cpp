@@ -8,6 +8,7 @@
 #include "core/motion/reeds_shepp.h"
 #include "core/motion/speed_profile.h"
 #include "core/reversing/gear_tree.h"
+#include "core/search/path_ends.h"
 
 namespace arcway::internal {
 
@@ -15,9 +16,9 @@ namespace {
 
 // Weight of the lower bound in a pose's estimate: a little more than 1, to reach the goal soon.
 constexpr double kGreed = 1.5;
-constexpr double kCells = 4.0;  // cells of the trees' grids in a turning radius
-constexpr double kMostCells = 4096.0;
-constexpr double kFiner = 4.0;
+constexpr double kCells = 4.0;            // cells of the trees' grids in a turning radius
+constexpr double kMostCells = 4096.0;     // finest grid
+constexpr double kFiner = 4.0;            // ratio of cells from one grid to the next finer one
 constexpr std::size_t kWordsTried = 8;    // words tried from a pose: the cheapest ones that have room there
 constexpr std::size_t kPosesAfter = 300;  // poses tried after the first path, beyond as many as it took
 
@@ -32,7 +33,7 @@ class GearSearch {
         body_(query.vehicle.footprint(0.5 * query.vehicle.safety_margin())),
         radius_(query.vehicle.min_turning_radius()),
         roots_{query.start, query.goal},
-        trees_{tree(0), tree(1)} {
+        trees_{tree(kStartEnd), tree(kGoalEnd)} {
     result_.cost = options.cutoff;
   }
 
@@ -43,51 +44,53 @@ class GearSearch {
         result_.interrupted = true;
         break;
       }
-      const double least = std::min(trees_[0].least_estimate(), trees_[1].least_estimate());
+      const double least = std::min(trees_[kStartEnd].least_estimate(), trees_[kGoalEnd].least_estimate());
       if (std::isfinite(result_.cost) && least >= kGreed * result_.cost) break;
-      const std::size_t side = turn % 2;
-      const auto node = trees_[side].expand();
+      const std::size_t at = turn % 2;
+      const auto node = trees_[at].expand();
       if (!node) {
-        if (cells_[side] >= kMostCells) break;
+        if (cells_[at] >= kMostCells) break;
         // The room is so narrow that the vehicle's few motions end in the same cells.
-        cells_[side] *= kFiner;
-        trees_[side] = tree(side);
+        cells_[at] *= kFiner;
+        trees_[at] = tree(at);
         continue;
       }
       ++result_.poses;
       const bool first = !result_.path;
-      join(side, *node);
+      join(at, *node);
       if (first && result_.path) limit = std::min(limit, 2 * result_.poses + kPosesAfter);
     }
   }
 
  private:
-  [[nodiscard]] GearTree tree(std::size_t side) const {
-    return {roots_[side],
-            side == 0 ? vehicle_ : vehicle_.with_gears_swapped(),
+  [[nodiscard]] GearTree tree(std::size_t at) const {
+    return {roots_[at],
+            at == kStartEnd ? vehicle_ : vehicle_.with_gears_swapped(),
             outlines_,
-            {cells_[side], cells_[side] == kCells, options_.cusp_cost, options_.max_cusps},
-            [this, to = roots_[1 - side]](const Pose& from) { return far(from, to); }};
+            {cells_[at], cells_[at] == kCells, options_.cusp_cost, options_.max_cusps},
+            [this, to = roots_[other_end(at)]](const Pose& from) { return far(from, to); }};
   }
 
+  // Estimate of the cost between two poses [s].
   [[nodiscard]] double far(const Pose& from, const Pose& to) const {
     return kGreed * reeds_shepp_distance(from, to, radius_) / vehicle_.top_speed();
   }
 
+  // A word from a pose to the other root, with the cost of the path by way of it [s].
   struct Shot {
     double estimate;
     std::size_t word;
   };
 
-  void join(std::size_t side, std::uint32_t node) {
-    const Pose& pose = trees_[side][node].pose;
-    const Pose& root = roots_[1 - side];
-    const Pose& from = side == 0 ? pose : root;
-    const Pose& to = side == 0 ? root : pose;
+  // Joins a new pose to the root of the other tree.
+  void join(std::size_t at, std::uint32_t node) {
+    const Pose& pose = trees_[at][node].pose;
+    const Pose& root = roots_[other_end(at)];
+    const Pose& from = at == kStartEnd ? pose : root;
+    const Pose& to = at == kStartEnd ? root : pose;
     std::array<Shot, kReedsSheppWords> shots{};
     for (std::size_t word = 0; word < kReedsSheppWords; ++word)
-      shots[word] = {trees_[side][node].cost + reeds_shepp_length(word, from, to, radius_) / vehicle_.top_speed(),
-                     word};
+      shots[word] = {trees_[at][node].cost + reeds_shepp_length(word, from, to, radius_) / vehicle_.top_speed(), word};
     std::sort(shots.begin(), shots.end(), [](const Shot& a, const Shot& b) {
       return a.estimate != b.estimate ? a.estimate < b.estimate : a.word < b.word;
     });
@@ -95,16 +98,17 @@ class GearSearch {
     for (const auto& [estimate, word] : shots) {
       if (estimate >= result_.cost) return;
       const auto middle = reeds_shepp_path(word, from, to, radius_);
-      if (!middle->empty() && !trees_[side].has_room(side == 0 ? middle->front() : middle->back().reversed())) continue;
+      if (!middle->empty() && !trees_[at].has_room(at == kStartEnd ? middle->front() : middle->back().reversed()))
+        continue;
       if (++tried > kWordsTried) return;
-      take(side, node, *middle);
+      take(at, node, *middle);
     }
   }
 
   // Keeps the path by way of a word between a node of one tree and the other root, if it is cheaper and free.
-  void take(std::size_t side, std::uint32_t node, const Path& word) {
-    Path path = side == 0 ? trees_[0].path_from_root(node) : word;
-    const Path rest = side == 0 ? word : trees_[1].path_to_root(node);
+  void take(std::size_t at, std::uint32_t node, const Path& word) {
+    Path path = at == kStartEnd ? trees_[kStartEnd].path_from_root(node) : word;
+    const Path rest = at == kStartEnd ? word : trees_[kGoalEnd].path_to_root(node);
     path.insert(path.end(), rest.begin(), rest.end());
     if (cusps_of(path) > options_.max_cusps) return;
     const double cost = travel_cost(path, vehicle_, options_.cusp_cost);

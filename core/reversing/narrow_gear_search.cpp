@@ -12,26 +12,27 @@
 #include "core/motion/speed_profile.h"
 #include "core/reversing/narrow_gear_tree.h"
 #include "core/search/near_poses.h"
+#include "core/search/path_ends.h"
 #include "core/search/route_field.h"
 
 namespace arcway::internal {
 
 namespace {
 
-// One pass: what is tried where the passes before found nothing.
+// One pass. Each is finer than the passes before, which found nothing.
 struct Pass {
-  double fineness;  // of the trees' cells
-  double share;     // of all poses that have their turn at most
+  double fineness;  // size of the trees' cells, 1 for the largest
+  double share;     // share of the search's poses that the pass may expand
 };
 constexpr std::array<Pass, 3> kPasses{{{1.0, 0.4}, {0.5, 0.3}, {0.25, 0.3}}};
 // Weight of the estimate of the rest of the route. Of 46 driven worlds that need these trees, 42 are solved with 2, 44
 // with 3 and 41 with 4.
 constexpr double kRestWeight = 3.0;
-constexpr std::size_t kFieldCells = 50'000;  // cells of the grid for that estimate
+constexpr std::size_t kFieldCells = 50'000;  // cells of the grid for the estimate of the rest of the route
 // Distance within which poses of the other tree are joined, in lengths of the body.
 constexpr double kJoinDistance = 1.0;
-constexpr std::size_t kNearest = 2;          // number of those that are tried
-constexpr std::size_t kJoiningWords = 6;     // words tried to each: the shortest ones that have room at the new pose
+constexpr std::size_t kNearest = 2;       // number of poses of the other tree that a new pose is joined to
+constexpr std::size_t kJoiningWords = 6;  // number of words tried to each: the shortest that have room at the new pose
 constexpr std::size_t kExpandedAfter = 500;  // poses expanded after the first path, beyond as many as it took
 
 class NarrowGearSearch {
@@ -43,7 +44,7 @@ class NarrowGearSearch {
         options_(options),
         result_(result),
         radius_(map.vehicle.min_turning_radius()),
-        fields_{field(1), field(0)} {
+        fields_{field(kGoalEnd), field(kStartEnd)} {
     result_.cost = options.cutoff;
   }
 
@@ -61,19 +62,19 @@ class NarrowGearSearch {
   };
 
   [[nodiscard]] RouteField field(std::size_t to) const {
-    return {map_, roots_[0], roots_[to], kFieldCells, options_.clock};
+    return {map_, roots_[kStartEnd], roots_[to], kFieldCells, options_.clock};
   }
 
-  [[nodiscard]] Side side(std::size_t i, double fineness) const {
+  [[nodiscard]] Side side(std::size_t at, double fineness) const {
     const Vehicle& vehicle = map_.vehicle;
     const double stopping = vehicle.top_speed() / vehicle.max_acceleration();
-    const auto remaining = [this, i](const Pose& from) {
-      const double way = std::max(fields_[i](from), reeds_shepp_distance(from, roots_[1 - i], radius_));
+    const auto remaining = [this, at](const Pose& from) {
+      const double way = std::max(fields_[at](from), reeds_shepp_distance(from, roots_[other_end(at)], radius_));
       return kRestWeight * way / map_.vehicle.top_speed();
     };
     return {{map_,
-             i == 0 ? vehicle : vehicle.with_gears_swapped(),
-             roots_[i],
+             at == kStartEnd ? vehicle : vehicle.with_gears_swapped(),
+             roots_[at],
              {options_.cusp_cost + stopping, options_.max_cusps, fineness},
              remaining},
             NearPoses(kJoinDistance * vehicle.parameters().length)};
@@ -85,7 +86,7 @@ class NarrowGearSearch {
   }
 
   void grow(const Pass& pass) {
-    std::array<Side, 2> sides{side(0, pass.fineness), side(1, pass.fineness)};
+    std::array<Side, 2> sides{side(kStartEnd, pass.fineness), side(kGoalEnd, pass.fineness)};
     auto most = static_cast<std::size_t>(pass.share * static_cast<double>(options_.max_poses));
     for (std::size_t i = 0; i < most && !interrupted(); ++i) {
       const std::size_t at = i % 2;
@@ -98,11 +99,11 @@ class NarrowGearSearch {
     }
   }
 
-  // A new pose to the root of the other tree and the poses near by.
+  // Joins a new pose to the root of the other tree and to its poses near by.
   void join(std::array<Side, 2>& sides, std::size_t at, std::uint32_t node) {
     const Pose pose = sides[at].tree[node].pose;
     near_.clear();
-    sides[1 - at].near.visit(pose, [&](const NearPoses::Entry& entry) {
+    sides[other_end(at)].near.visit(pose, [&](const NearPoses::Entry& entry) {
       near_.push_back({(entry.pose.position() - pose.position()).norm() +
                            radius_ * std::abs(wrap_signed(entry.pose.heading - pose.heading)),
                        entry.node});
@@ -115,12 +116,13 @@ class NarrowGearSearch {
     sides[at].near.add(node, pose);
   }
 
-  // @param node   of the tree `at`, whose pose had its turn last.
-  // @param other  of the other one.
+  // Joins two nodes by a word.
+  // @param node   of the tree `at`, which expanded it last.
+  // @param other  of the other tree.
   void connect(const std::array<Side, 2>& sides, std::size_t at, std::uint32_t node, std::uint32_t other) {
-    const Pose& from = sides[0].tree[at == 0 ? node : other].pose;
-    const Pose& to = sides[1].tree[at == 0 ? other : node].pose;
-    const double ends = sides[at].tree[node].cost + sides[1 - at].tree[other].cost;
+    const Pose& from = sides[kStartEnd].tree[at == kStartEnd ? node : other].pose;
+    const Pose& to = sides[kGoalEnd].tree[at == kStartEnd ? other : node].pose;
+    const double ends = sides[at].tree[node].cost + sides[other_end(at)].tree[other].cost;
     words_.clear();
     for (std::size_t word = 0; word < kGearWords; ++word) {
       const double length = gear_word_length(word, from, to, radius_);
@@ -132,17 +134,18 @@ class NarrowGearSearch {
     for (const auto& [length, word] : words_) {
       const Path between = *gear_word_path(word, from, to, radius_);
       if (between.empty()) continue;
-      if (!sides[at].tree.has_room(at == 0 ? between.front() : between.back().reversed())) continue;
+      if (!sides[at].tree.has_room(at == kStartEnd ? between.front() : between.back().reversed())) continue;
       if (++tried > kJoiningWords) return;
       if (!motion_free(*map_.queries.sweep, map_.body, between)) continue;
-      Path path = sides[0].tree.path_from_root(at == 0 ? node : other);
+      Path path = sides[kStartEnd].tree.path_from_root(at == kStartEnd ? node : other);
       path.insert(path.end(), between.begin(), between.end());
-      const Path rest = sides[1].tree.path_to_root(at == 0 ? other : node);
+      const Path rest = sides[kGoalEnd].tree.path_to_root(at == kStartEnd ? other : node);
       path.insert(path.end(), rest.begin(), rest.end());
       if (take(std::move(path))) return;
     }
   }
 
+  // Keeps a path if it is the cheapest and free.
   bool take(Path&& path) {
     if (cusps_of(path) > options_.max_cusps) return false;
     const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost);
@@ -157,9 +160,9 @@ class NarrowGearSearch {
   const GearSearchOptions& options_;
   GearSearchResult& result_;
   double radius_;
-  std::array<RouteField, 2> fields_;                   // to the other end
-  std::vector<NearPose> near_;                         // memory
-  std::vector<std::pair<double, std::size_t>> words_;  // memory
+  std::array<RouteField, 2> fields_;                   // by end: routes to the other one
+  std::vector<NearPose> near_;                         // memory of join
+  std::vector<std::pair<double, std::size_t>> words_;  // memory of connect
 };
 
 }  // namespace
