@@ -88,7 +88,7 @@ void PlanRun::take(const GrowTrees& step, double trials) {
   const TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
                           .passes = step.passes,
                           .effort = kTreeEffort,
-                          .way_out = step.looks_around ? &kWayOut : nullptr,
+                          .surroundings_effort = step.explores_surroundings ? &kSurroundingsEffort : nullptr,
                           .dead_end_passes = kDeadEndPasses};
   TreesEnd end;
   FoundPath grown = search([&] {
@@ -96,7 +96,7 @@ void PlanRun::take(const GrowTrees& step, double trials) {
                         workspace_.find.search, end);
   });
   result_.statistics.tree_poses += end.poses;
-  if (step.looks_around) surroundings_ = end.surroundings;
+  if (step.explores_surroundings) surroundings_ = end.surroundings;
   why_.trees = end;
   if (grown.search.path) keep_of_trees(maps, std::move(*grown.search.path), step.shortenings, trials);
 }
@@ -123,7 +123,7 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
                           .passes = step.passes,
                           .effort = kTreeEffort,
                           // Where the real body gets out, a slimmer one does.
-                          .way_out = surroundings_ == Surroundings::kOpen ? nullptr : &kWayOut,
+                          .surroundings_effort = surroundings_ == Surroundings::kOpen ? nullptr : &kSurroundingsEffort,
                           .dead_end_passes = kDeadEndPasses,
                           .accept = widened};
   TreesEnd end;

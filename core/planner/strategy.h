@@ -43,7 +43,7 @@ inline constexpr TreeEffort kTreeEffort{
     .most_refused = 6,
     .refused_poses = 32,
 };
-inline constexpr WayOutEffort kWayOut{
+inline constexpr SurroundingsEffort kSurroundingsEffort{
     .coarse = kTreePasses[0], .poses = 1600, .small = 300, .fine = {1.0 / 512.0, 8, 0.2, true}, .more = 1.25};
 
 // Shares of the width by which slim bodies are narrower; they are shorter by half the share. A path of the second one
@@ -59,13 +59,13 @@ inline constexpr std::array<TreePass, 1> kSlimPasses{{{1.0 / 64.0, 4, 0.8, false
 inline constexpr GrowTrees kCoarseTrees{.on = On::kAllRadii,
                                         .share = 1.0,
                                         .passes = std::span(kTreePasses).first<1>(),
-                                        .looks_around = true,
+                                        .explores_surroundings = true,
                                         .only_in_the_open = false,
                                         .shortenings = 10};
 inline constexpr GrowTrees kFinerTrees{.on = On::kAllRadii,
                                        .share = 1.0,
                                        .passes = std::span(kTreePasses).subspan<1, 1>(),
-                                       .looks_around = false,
+                                       .explores_surroundings = false,
                                        .only_in_the_open = true,
                                        .shortenings = 10};
 // A path of fewer motions is made free more often, and is faster then.
@@ -150,7 +150,7 @@ inline constexpr StrategyRow kStrategy[] = {
      GrowTrees{.on = On::kInUse,
                .share = 0.05,
                .passes = std::span(kTreePasses).first<1>(),
-               .looks_around = false,
+               .explores_surroundings = false,
                .only_in_the_open = false,
                .shortenings = 10}},
     {"faster turns",

@@ -87,9 +87,9 @@ struct GrowTrees {
   On on;
   double share;  ///< of PlanLimits::tree_poses
   std::span<const TreePass> passes;
-  bool looks_around;          ///< first, for a way out of the surroundings of each end: kWayOut
-  bool only_in_the_open;      ///< not if the trees before found an end in a dead end
-  std::uint32_t shortenings;  ///< trials of shortening the path, as a multiple of those of refinement
+  bool explores_surroundings;  ///< of both ends first: kSurroundingsEffort
+  bool only_in_the_open;       ///< not if the trees before found an end in a dead end
+  std::uint32_t shortenings;   ///< trials of shortening the path, as a multiple of those of refinement
 };
 /// When trees of a slimmer body are worth it, as trees before found.
 enum class WhenSlim {

@@ -39,8 +39,8 @@ struct TreePass {
   bool heeds_turns;  ///< in the estimate of the way that remains
 };
 
-/// How a way out of the surroundings of one end is looked for.
-struct WayOutEffort {
+/// How the surroundings of one end are explored.
+struct SurroundingsEffort {
   TreePass coarse;    ///< of the first tree
   std::size_t poses;  ///< of it that have their turns at most
   std::size_t small;  ///< poses of a tree that is compared with a finer one: ways out of larger ones are often found

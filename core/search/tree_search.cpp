@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,14 +15,17 @@
 #include "core/search/effort.h"
 #include "core/search/forward_tree.h"
 #include "core/search/near_poses.h"
+#include "core/search/path_ends.h"
 #include "core/search/route_field.h"
-#include "core/search/way_out.h"
+#include "core/search/surroundings.h"
 
 namespace arcway::internal {
 
 namespace {
 
-constexpr double kSameLength = 1e-9;  // paths whose lengths differ by a smaller share are one
+constexpr double kSameLength = 1e-9;  // paths whose lengths differ by a smaller share count as duplicates
+
+Direction direction_at(std::size_t end) { return end == kStartEnd ? Direction::kFromStart : Direction::kToGoal; }
 
 class TreeSearch {
  public:
@@ -40,12 +44,12 @@ class TreeSearch {
 
   void run() {
     std::span<const TreePass> passes = limits_.passes;
-    if (limits_.way_out) {
-      end_.surroundings = look_around();
+    if (limits_.surroundings_effort) {
+      end_.surroundings = explore_both_surroundings();
       if (end_.surroundings == Surroundings::kClosed || interrupted()) return;
       if (end_.surroundings == Surroundings::kDeadEnd) passes = limits_.dead_end_passes;
     }
-    fields_ = {field(1), field(0)};
+    fields_ = {field(kGoalEnd), field(kStartEnd)};
     for (const TreePass& pass : passes) {
       if (pass.heeds_turns && !std::exchange(heed_turns_, true))
         for (RouteField& field : fields_) field.heed_turns(radius_, options_.clock);
@@ -55,6 +59,7 @@ class TreeSearch {
   }
 
  private:
+  // The tree of one end.
   struct Side {
     ForwardTree tree;
     NearPoses near;
@@ -62,31 +67,35 @@ class TreeSearch {
     std::unordered_map<std::uint32_t, bool> is_free;  // of the motions that end at nodes, as far as was asked
   };
 
-  // A way to a pose is, the other way, one from the pose turned round.
+  // A route to a pose, backwards, is one from the pose turned round.
   static Pose turned_round(const Pose& pose) { return {pose.x, pose.y, pose.heading + kPi}; }
 
-  // What trees of each end alone say: of the end that is in more trouble.
-  Surroundings look_around() {
+  // What trees of each end alone find around the end that is in more trouble.
+  Surroundings explore_both_surroundings() {
     Surroundings worst = Surroundings::kOpen;
-    for (const std::size_t at : {0, 1}) {
-      const WayOut way = look_for_way_out(map_, roots_[at], at == 0 ? Direction::kFromStart : Direction::kToGoal,
-                                          *limits_.way_out, options_.clock);
-      end_.poses += way.poses;
-      worst = std::max(worst, way.surroundings);
-      if (way.surroundings != Surroundings::kClosed) continue;
-      (at == 0 ? end_.start_in_dead_end : end_.goal_in_dead_end) = end_.ran_dry = true;
+    for (const std::size_t at : {kStartEnd, kGoalEnd}) {
+      const ExploredSurroundings found =
+          explore_surroundings(map_, roots_[at], direction_at(at), *limits_.surroundings_effort, options_.clock);
+      end_.poses += found.poses;
+      worst = std::max(worst, found.surroundings);
+      if (found.surroundings != Surroundings::kClosed) continue;
+      (at == kStartEnd ? end_.start_in_dead_end : end_.goal_in_dead_end) = end_.ran_dry = true;
       break;
     }
     return worst;
   }
 
   [[nodiscard]] RouteField field(std::size_t to) const {
-    return {map_, roots_[0], to == 1 ? roots_[1] : turned_round(roots_[0]), limits_.effort.field_cells, options_.clock};
+    const Pose& pose = roots_[to];
+    return {map_, roots_[kStartEnd], to == kGoalEnd ? pose : turned_round(pose), limits_.effort.field_cells,
+            options_.clock};
   }
 
-  [[nodiscard]] Side side(std::size_t i, const TreePass& pass) const {
-    return {{map_, roots_[i], i == 0 ? Direction::kFromStart : Direction::kToGoal, pass,
-             [this, i](const Pose& pose) { return kTree.greed * fields_[i](i == 0 ? pose : turned_round(pose)); }},
+  [[nodiscard]] Side side(std::size_t at, const TreePass& pass) const {
+    return {{map_, roots_[at], direction_at(at), pass,
+             [this, at](const Pose& pose) {
+               return kTree.greed * fields_[at](at == kStartEnd ? pose : turned_round(pose));
+             }},
             NearPoses(limits_.effort.near * body_length_),
             {},
             {}};
@@ -98,15 +107,15 @@ class TreeSearch {
   }
 
   void grow(const TreePass& pass) {
-    std::array<Side, 2> sides{side(0, pass), side(1, pass)};
+    std::array<Side, 2> sides{side(kStartEnd, pass), side(kGoalEnd, pass)};
     std::size_t next_roadmap = limits_.effort.first_roadmap;
     attachments_joined_ = 0;
     std::array<bool, 2> dry{false, false};
     auto most = static_cast<std::size_t>(pass.share * static_cast<double>(limits_.poses));
     const std::uint64_t most_edges = limits_.effort.edges * most;
-    const auto edges = [&] { return sides[0].tree.edges_compared() + sides[1].tree.edges_compared(); };
+    const auto edges = [&] { return sides[kStartEnd].tree.edges_compared() + sides[kGoalEnd].tree.edges_compared(); };
     for (std::size_t i = 0; i < most && edges() < most_edges && end_.refused < limits_.effort.most_refused &&
-                            !(dry[0] && dry[1]) && !interrupted();
+                            !(dry[kStartEnd] && dry[kGoalEnd]) && !interrupted();
          ++i) {
       const std::size_t at = i % 2;
       if (dry[at]) continue;
@@ -126,9 +135,9 @@ class TreeSearch {
       if (result_.path) return;
     }
     const double dead_end = dead_end_radius(map_);
-    end_.start_in_dead_end = sides[0].tree.extent() < dead_end;
-    end_.goal_in_dead_end = sides[1].tree.extent() < dead_end;
-    end_.ran_dry = dry[0] || dry[1];
+    end_.start_in_dead_end = sides[kStartEnd].tree.extent() < dead_end;
+    end_.goal_in_dead_end = sides[kGoalEnd].tree.extent() < dead_end;
+    end_.ran_dry = dry[kStartEnd] || dry[kGoalEnd];
     if (!interrupted()) join_roadmap(sides);
   }
 
@@ -149,27 +158,28 @@ class TreeSearch {
     });
   }
 
-  // A new pose to the root of the other tree and the poses near by.
+  // Joins a new pose to the root of the other tree and to its poses near by.
   void join(std::array<Side, 2>& sides, std::size_t at, std::uint32_t node) {
     const Pose pose = sides[at].tree[node].pose;
-    find_near(sides[1 - at], pose, at == 0 ? 1.0 : -1.0);
+    find_near(sides[other_end(at)], pose, at == kStartEnd ? 1.0 : -1.0);
     near_.push_back({0.0, ForwardTree::kRoot});
     for (const NearPose& n : near_)
-      if (connect(sides, at, at == 0 ? node : n.node, at == 0 ? n.node : node)) return;
+      if (connect(sides, at, at == kStartEnd ? node : n.node, at == kStartEnd ? n.node : node)) return;
     sides[at].near.add(node, pose);
     add_attachment(sides[at], node);
   }
 
-  // @param at  whose pose had its turn last.
+  // Joins two poses of the trees. The tree of end `at` expanded its pose last.
   bool connect(const std::array<Side, 2>& sides, std::size_t at, std::uint32_t from, std::uint32_t to) {
-    const Pose& start = sides[0].tree[from].pose;
-    const Pose& goal = sides[1].tree[to].pose;
+    const Pose& start = sides[kStartEnd].tree[from].pose;
+    const Pose& goal = sides[kGoalEnd].tree[to].pose;
     const auto take = [&](std::span<const PathSegment> between) {
-      if (between.empty() || !has_room(sides[at].tree, at == 0 ? between.front() : between.back())) return false;
+      if (between.empty() || !has_room(sides[at].tree, at == kStartEnd ? between.front() : between.back()))
+        return false;
       if (!is_free(between)) return false;
-      Path path = sides[0].tree.connection(from);
+      Path path = sides[kStartEnd].tree.connection(from);
       path.insert(path.end(), between.begin(), between.end());
-      const Path rest = sides[1].tree.connection(to);
+      const Path rest = sides[kGoalEnd].tree.connection(to);
       path.insert(path.end(), rest.begin(), rest.end());
       if (!motion_free(*map_.queries.sweep, map_.body, path)) return false;
       return take_path(merged(path));
@@ -230,17 +240,18 @@ class TreeSearch {
   }
 
   void join_roadmap(std::array<Side, 2>& sides) {
-    const std::size_t attachment_count = sides[0].attachments.size() + sides[1].attachments.size();
+    const std::size_t attachment_count = sides[kStartEnd].attachments.size() + sides[kGoalEnd].attachments.size();
     if (std::exchange(attachments_joined_, attachment_count) == attachment_count) return;
-    const auto attachments = [&](std::size_t i) {
-      std::vector<Attachment> found{{roots_[i], {}}};
-      for (const std::uint32_t node : sides[i].attachments) {
+    const auto attachments = [&](std::size_t at) {
+      std::vector<Attachment> found{{roots_[at], {}}};
+      for (const std::uint32_t node : sides[at].attachments) {
         if (options_.interrupted()) break;
-        if (is_connected(sides[i], node)) found.push_back({sides[i].tree[node].pose, sides[i].tree.connection(node)});
+        if (is_connected(sides[at], node))
+          found.push_back({sides[at].tree[node].pose, sides[at].tree.connection(node)});
       }
       return found;
     };
-    const std::vector<Attachment> starts = attachments(0), goals = attachments(1);
+    const std::vector<Attachment> starts = attachments(kStartEnd), goals = attachments(kGoalEnd);
     SearchResult joined = arrivals_.find(map_, starts, goals, options_);
     result_.counts += joined.counts;
     result_.interrupted = result_.interrupted || joined.interrupted;
@@ -255,13 +266,13 @@ class TreeSearch {
   TreesEnd& end_;
   SearchResult& result_;
   double radius_, body_length_;
-  std::size_t next_asked_ = 0;   // when so many poses are grown
+  std::size_t next_asked_ = 0;   // number of poses before which no path is offered to `accept`
   std::vector<double> refused_;  // lengths of the paths that were refused [m]
   ContactReach contact_;
-  std::vector<RouteField> fields_;  // to the other end
+  std::vector<RouteField> fields_;  // by end: routes to the other one
   bool heed_turns_ = false;
   std::size_t attachments_joined_ = 0;  // to the roadmap, of this pass
-  std::vector<NearPose> near_;          // memory
+  std::vector<NearPose> near_;          // memory of find_near
 };
 
 }  // namespace

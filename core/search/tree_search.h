@@ -8,7 +8,7 @@
 #include "arcway/path.h"
 #include "core/search/effort.h"
 #include "core/search/forward_search.h"
-#include "core/search/way_out.h"
+#include "core/search/surroundings.h"
 
 namespace arcway::internal {
 
@@ -17,8 +17,8 @@ struct TreeLimits {
   std::size_t poses;  ///< number of poses grown in all, O(edges near by) each; fewer where those are very many
   std::span<const TreePass> passes;
   TreeEffort effort;
-  /// A way out of the neighborhood of each end is searched first, with this effort. Null: none is.
-  const WayOutEffort* way_out = nullptr;
+  /// The surroundings of both ends are explored first, with this effort. Null: they are not.
+  const SurroundingsEffort* surroundings_effort = nullptr;
   std::span<const TreePass> dead_end_passes = {};  ///< taken instead of `passes` if an end lies in a dead end
   /// Makes the wanted path of one that is found, or refuses it by returning nothing; the search then continues. Empty:
   /// any path will do.
@@ -35,7 +35,7 @@ struct TreeQuery {
 /// How a search by trees ended.
 struct TreesEnd {
   std::size_t poses = 0;                            ///< grown
-  Surroundings surroundings = Surroundings::kOpen;  ///< of the end in more trouble, if a way out was searched
+  Surroundings surroundings = Surroundings::kOpen;  ///< of the end in more trouble, if they were explored
   std::size_t refused = 0;                          ///< paths that were not accepted
   /// Whether, in the last pass, no pose of the end's tree was far from its root.
   bool start_in_dead_end = false, goal_in_dead_end = false;
@@ -46,9 +46,9 @@ struct TreesEnd {
 /// Finds a path of a vehicle that does not reverse, where start, goal or gaps are too narrow for the roadmap. Two trees
 /// of poses grow from start and goal in turn, guided by the routes through gaps that are wide enough. New poses are
 /// joined to near poses of the other tree by biarcs and Dubins words, and now and then to the roadmap. Passes tell
-/// poses apart more and more finely. A search may first look for a way out of the neighborhood of each end, and ends
-/// early if there is none (way_out.h). Paths are checked exactly. As the number of poses is limited, no path proves
-/// nothing. The path is free, but by no means the fastest. Deterministic unless interrupted.
+/// poses apart more and more finely. A search may first explore the surroundings of each end, and ends early if one of
+/// them is closed (surroundings.h). Paths are checked exactly. As the number of poses is limited, finding no path
+/// proves nothing. A path is free, but seldom the fastest. Deterministic unless interrupted.
 /// @param end  receives how the trees ended.
 FoundPath search_trees(const TreeQuery& query, const SearchOptions& options, ArrivalSearch& arrivals, TreesEnd& end);
 

@@ -16,7 +16,8 @@ enum class Surroundings {
   kClosed    ///< a small tree ran out of motions, and a finer one found hardly any more
 };
 
-struct WayOut {
+/// The answer of `explore_surroundings`.
+struct ExploredSurroundings {
   Surroundings surroundings = Surroundings::kOpen;
   std::size_t poses = 0;  ///< grown
 };
@@ -24,11 +25,11 @@ struct WayOut {
 /// Radius of a neighborhood: a tree that stays within it does not lead out [m].
 double dead_end_radius(const Roadmap& map);
 
-/// Grows a tree of forward motions from one end until it leaves the neighborhood, or has no more poses to expand. That
-/// is far cheaper than trees from both ends with an estimate of the way between them. It proves nothing. Deterministic
-/// unless stopped.
+/// Grows a tree of forward motions from one end until it leaves the neighborhood, or has no more poses to expand. This
+/// is far cheaper than trees from both ends with an estimate of the way between them. The answer is no proof.
+/// Deterministic unless stopped.
 /// @param clock  may end the search, with the result kOpen.
-WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const WayOutEffort& effort,
-                        const StopClock& clock);
+ExploredSurroundings explore_surroundings(const Roadmap& map, const Pose& root, Direction direction,
+                                          const SurroundingsEffort& effort, const StopClock& clock);
 
 }  // namespace arcway::internal

@@ -1,4 +1,4 @@
-#include "core/search/way_out.h"
+#include "core/search/surroundings.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using test::box;
 
-WayOut way_out(const World& world, const Pose& root, Direction direction) {
+ExploredSurroundings explored(const World& world, const Pose& root, Direction direction) {
   const Vehicle vehicle;
   const QuerySet queries = make_reference_queries(world);
   const std::vector<double> radii{vehicle.min_turning_radius()};
@@ -27,7 +27,7 @@ WayOut way_out(const World& world, const Pose& root, Direction direction) {
                           queries, radii},
       SerialExecutor());
   const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
-  return look_for_way_out(map, root, direction, kWayOut, {});
+  return explore_surroundings(map, root, direction, kSurroundingsEffort, {});
 }
 
 // What the tightest turn takes ahead of the reference point, with the safety margin.
@@ -38,37 +38,38 @@ double needed() {
 
 World wall_ahead(double ahead) { return World({box(ahead, -40, ahead + 1, 40)}); }
 
-TEST(WayOut, IsClosedBeforeAWallTooNearToTurn) {
+TEST(Surroundings, IsClosedBeforeAWallTooNearToTurn) {
   for (const double share : {0.8, 0.97, 0.999}) {
-    const WayOut way = way_out(wall_ahead(share * needed()), {0, 0, 0}, Direction::kFromStart);
-    EXPECT_EQ(way.surroundings, Surroundings::kClosed) << share;
-    EXPECT_LT(way.poses, 600u) << share;
+    const ExploredSurroundings found = explored(wall_ahead(share * needed()), {0, 0, 0}, Direction::kFromStart);
+    EXPECT_EQ(found.surroundings, Surroundings::kClosed) << share;
+    EXPECT_LT(found.poses, 600u) << share;
   }
 }
 
-TEST(WayOut, IsOpenBeforeAWallThatTheTightestTurnClears) {
+TEST(Surroundings, IsOpenBeforeAWallThatTheTightestTurnClears) {
   for (const double share : {1.001, 1.02, 1.5}) {
-    const WayOut way = way_out(wall_ahead(share * needed()), {0, 0, 0}, Direction::kFromStart);
-    EXPECT_EQ(way.surroundings, Surroundings::kOpen) << share;
-    EXPECT_LT(way.poses, 200u) << share;
+    const ExploredSurroundings found = explored(wall_ahead(share * needed()), {0, 0, 0}, Direction::kFromStart);
+    EXPECT_EQ(found.surroundings, Surroundings::kOpen) << share;
+    EXPECT_LT(found.poses, 200u) << share;
   }
 }
 
 // Motions to a goal come from behind: a wall ahead of it does not matter.
-TEST(WayOut, LooksBehindAGoal) {
+TEST(Surroundings, LooksBehindAGoal) {
   const World world = wall_ahead(0.97 * needed());
-  EXPECT_EQ(way_out(world, {0, 0, 0}, Direction::kToGoal).surroundings, Surroundings::kOpen);
-  EXPECT_EQ(way_out(World({box(-1.9, -40, -0.9, 40)}), {0, 0, 0}, Direction::kToGoal).surroundings,
+  EXPECT_EQ(explored(world, {0, 0, 0}, Direction::kToGoal).surroundings, Surroundings::kOpen);
+  EXPECT_EQ(explored(World({box(-1.9, -40, -0.9, 40)}), {0, 0, 0}, Direction::kToGoal).surroundings,
             Surroundings::kClosed);
 }
 
-TEST(WayOut, IsTheSameWhereverItLies) {
-  const WayOut here = way_out(wall_ahead(0.97 * needed()), {0, 0, 0}, Direction::kFromStart);
+TEST(Surroundings, IsTheSameWhereverItLies) {
+  const ExploredSurroundings here = explored(wall_ahead(0.97 * needed()), {0, 0, 0}, Direction::kFromStart);
   for (const double turn : {0.3, 1.9}) {
     Ring wall = box(0.97 * needed(), -40, 0.97 * needed() + 1, 40).outer;
     const Vec2 shift(1e3, -2e3), ahead = direction_of(turn);
     for (Vec2& p : wall) p = p.x() * ahead + p.y() * perpendicular(ahead) + shift;
-    const WayOut there = way_out(World({{wall, {}}}), {shift.x(), shift.y(), turn}, Direction::kFromStart);
+    const ExploredSurroundings there =
+        explored(World({{wall, {}}}), {shift.x(), shift.y(), turn}, Direction::kFromStart);
     EXPECT_EQ(there.surroundings, here.surroundings);
     EXPECT_NEAR(static_cast<double>(there.poses), static_cast<double>(here.poses),
                 0.1 * static_cast<double>(here.poses));
@@ -76,7 +77,7 @@ TEST(WayOut, IsTheSameWhereverItLies) {
 }
 
 // Neither estimates of routes nor trees of the other end are needed to say so.
-TEST(WayOut, SavesTreesOfBothEnds) {
+TEST(Surroundings, SavesTreesOfBothEnds) {
   const Planner planner(wall_ahead(0.99 * needed()), Vehicle{});
   const PlanResult plan = planner.plan({.start = {0, 0, 0}, .goal = {-30, 5, 0}});
   EXPECT_EQ(plan.status, PlanStatus::kStartBlocked) << plan.reason;

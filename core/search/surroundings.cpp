@@ -1,4 +1,4 @@
-#include "core/search/way_out.h"
+#include "core/search/surroundings.h"
 
 #include <algorithm>
 
@@ -36,8 +36,8 @@ double dead_end_radius(const Roadmap& map) {
   return kTree.dead_end * std::max(map.vehicle.min_turning_radius(), map.body.front + map.body.rear);
 }
 
-WayOut look_for_way_out(const Roadmap& map, const Pose& root, Direction direction, const WayOutEffort& effort,
-                        const StopClock& clock) {
+ExploredSurroundings explore_surroundings(const Roadmap& map, const Pose& root, Direction direction,
+                                          const SurroundingsEffort& effort, const StopClock& clock) {
   const PathEnd end{map, direction};
   const Growth coarse = grow(end, root, effort.coarse, effort.poses, clock);
   if (coarse.end != End::kDry) return {Surroundings::kOpen, coarse.poses};
