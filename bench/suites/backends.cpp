@@ -16,7 +16,7 @@ QuerySet QueryBackend::queries(const World& world) const {
   return corrupting() ? corrupted(make(world, {})) : make(world, {});
 }
 
-VisibilityGraph GraphBuilder::graph(const World& world, const Executor& executor) const {
+VisibilityGraph MeasuredBuilder::graph(const World& world, const Executor& executor) const {
   return corrupting() ? corrupted(build(world, executor)) : build(world, executor);
 }
 
@@ -31,8 +31,8 @@ const std::vector<QueryBackend>& query_backends() {
   return backends;
 }
 
-const std::vector<GraphBuilder>& graph_builders() {
-  static const std::vector<GraphBuilder> builders = {
+const std::vector<MeasuredBuilder>& graph_builders() {
+  static const std::vector<MeasuredBuilder> builders = {
       {"reference",
        [](const World& world, const Executor& executor) {
          return build_reduced_visibility_graph(world, *make_reference_queries(world).visibility, executor);
@@ -54,8 +54,8 @@ const std::vector<GraphBuilder>& graph_builders() {
   return builders;
 }
 
-const std::vector<GraphBuilder>& full_graph_builders() {
-  static const std::vector<GraphBuilder> builders = {
+const std::vector<MeasuredBuilder>& full_graph_builders() {
+  static const std::vector<MeasuredBuilder> builders = {
       {"reference",
        [](const World& world, const Executor& executor) {
          return build_full_visibility_graph(world, *make_reference_queries(world).visibility, executor);

@@ -20,11 +20,11 @@ struct QueryBackend {
   /// What benchmarks use: `make`, or with one answer wrong if that is asked for.
   [[nodiscard]] QuerySet queries(const World& world) const;
 };
-/// The reference first.
+/// All implementations, the reference first.
 const std::vector<QueryBackend>& query_backends();
 
-/// A way to build a visibility graph, queries and all.
-struct GraphBuilder {
+/// A builder of visibility graphs as benchmarks measure it: it also makes the queries that it needs.
+struct MeasuredBuilder {
   std::string name;
   std::function<VisibilityGraph(const World&, const Executor&)> build;
   std::string law;  ///< growth in obstacles n at constant density, as theory has it
@@ -33,9 +33,9 @@ struct GraphBuilder {
   [[nodiscard]] VisibilityGraph graph(const World& world, const Executor& executor) const;
 };
 /// Builders of the reduced visibility graph; the reference first.
-const std::vector<GraphBuilder>& graph_builders();
+const std::vector<MeasuredBuilder>& graph_builders();
 /// Builders of the full visibility graph; the reference first.
-const std::vector<GraphBuilder>& full_graph_builders();
+const std::vector<MeasuredBuilder>& full_graph_builders();
 
 /// An executor for this many threads; the serial one for 1.
 std::unique_ptr<Executor> make_executor(std::size_t threads);

@@ -18,7 +18,8 @@ void count_graph(benchmark::State& state, const World& world, const VisibilityGr
   state.counters["edges_per_vertex"] = static_cast<double>(graph.edge_count()) / vertices;
 }
 
-void build(benchmark::State& state, const GraphBuilder& builder, const std::string& world_name, std::size_t threads) {
+void build(benchmark::State& state, const MeasuredBuilder& builder, const std::string& world_name,
+           std::size_t threads) {
   const World& world = shared_world(world_name);
   const std::unique_ptr<Executor> executor = make_executor(threads);
   reset_heap_peak();
@@ -36,7 +37,7 @@ void build(benchmark::State& state, const GraphBuilder& builder, const std::stri
 }
 
 void add_full_graph(Study study) {
-  for (const GraphBuilder& builder : full_graph_builders()) {
+  for (const MeasuredBuilder& builder : full_graph_builders()) {
     Series series(study, "FullGraph/" + builder.name, "obstacles", builder.law, builder.exponent);
     const std::size_t largest = builder.exponent > 2.0 ? 100 : 10000;
     for (const std::size_t n :
@@ -57,7 +58,7 @@ void add_full_graph(Study study) {
 
 void add(Study study) {
   add_full_graph(study);
-  for (const GraphBuilder& builder : graph_builders()) {
+  for (const MeasuredBuilder& builder : graph_builders()) {
     const std::string stage = "ReducedGraph/" + builder.name;
     const auto add_size = [&](Series& series, std::size_t size, const std::string& world, std::size_t threads = 1) {
       series.add(static_cast<double>(size),

@@ -74,7 +74,7 @@ TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
 TEST(SelfContacts, ChangedWorldsKeepTheirs) {
   for (std::uint64_t seed = 1; seed <= kWorldsInContact / 2; ++seed) {
     SCOPED_TRACE(seed);
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     World world = test::touching_world(seed, 4);
     VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
     for (int step = 0; step < 4; ++step) {

@@ -39,7 +39,7 @@ Planner changed(const Planner& before, const World& after, std::span<const Obsta
 }
 
 // Free or not.
-Pose draw_pose(const World& world, test::Random& random) {
+Pose draw_pose(const World& world, test::RandomInputs& random) {
   Box box = world.box();
   box.extend(Vec2(0, 0));
   return {random.uniform(box.min.x(), box.max.x()), random.uniform(box.min.y(), box.max.y()),
@@ -49,8 +49,8 @@ Pose draw_pose(const World& world, test::Random& random) {
 // Steps of removing some obstacles and adding others, by a chain of eager and one of lazy planners; the lazy one finds
 // something out between the steps.
 // @returns how many plans there were.
-std::size_t expect_changes(World world, const Vehicle& vehicle, test::Random& random, int steps, std::int64_t one_in,
-                           const std::vector<double>& radii, const auto& draw_added) {
+std::size_t expect_changes(World world, const Vehicle& vehicle, test::RandomInputs& random, int steps,
+                           std::int64_t one_in, const std::vector<double>& radii, const auto& draw_added) {
   const RefineOptions short_refinement{.max_trials = 300};  // what changes is what comes before it
   PlannerOptions eager_options{.radii = radii, .refinement = short_refinement};
   PlannerOptions lazy_options{.graph_mode = GraphMode::kLazy, .radii = radii, .refinement = short_refinement};
@@ -82,7 +82,7 @@ std::size_t expect_changes(World world, const Vehicle& vehicle, test::Random& ra
 }
 
 // Copies of obstacles, some of them moved by an edge of theirs, so that they touch or overlap others.
-std::vector<Polygon> draw_copies(const std::vector<Polygon>& obstacles, test::Random& random) {
+std::vector<Polygon> draw_copies(const std::vector<Polygon>& obstacles, test::RandomInputs& random) {
   std::vector<Polygon> added;
   while (random.integer(0, 2) != 0) {
     Polygon copy =
@@ -103,7 +103,7 @@ TEST(ChangedPlanner, PlansAsOneBuiltAnewInClutter) {
                                       .fill = 0.15,
                                       .seed = seed});
     const std::vector<Polygon> obstacles = to_map_file(world).obstacles;
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     VehicleParameters parameters;
     if (seed % 3 == 0) parameters.turn_speed = LateralAccelerationLimit{2.0};
     const std::size_t solved =
@@ -118,7 +118,7 @@ TEST(ChangedPlanner, PlansAsOneBuiltAnewInNastyWorlds) {
   std::size_t solved = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     const std::vector<double> radii{vehicle.min_turning_radius(), 2.0 * vehicle.min_turning_radius()};
     solved += expect_changes(test::nasty_world(seed, 12), vehicle, random, 4, 4, radii, [&] {
       return random.integer(0, 2) == 0 ? std::vector<Polygon>{}

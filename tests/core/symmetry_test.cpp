@@ -60,7 +60,7 @@ MapFile moved(MapFile map, const Motion& motion) {
 }
 
 // Obstacles in another order, rings from another vertex on and some of them the other way round.
-MapFile shuffled(MapFile map, test::Random& random) {
+MapFile shuffled(MapFile map, test::RandomInputs& random) {
   const auto shuffle = [&](Ring& ring) {
     std::rotate(ring.begin(), ring.begin() + random.integer(0, static_cast<std::int64_t>(ring.size()) - 1), ring.end());
     if (random.integer(0, 1) == 0) std::ranges::reverse(ring);
@@ -110,7 +110,7 @@ std::vector<MapFile> maps() {
 
 TEST(Symmetry, ReducedGraphsAreThoseOfTheMovedMap) {
   const auto same = [](const Vec2& p) { return p; };
-  test::Random random(1);
+  test::RandomInputs random(1);
   std::size_t edges = 0;
   for (const MapFile& map : maps()) {
     const World world = to_world(map, "map");
@@ -131,7 +131,7 @@ TEST(Symmetry, PlansTakeAsLongOnTheMovedMap) {
   VehicleParameters gentle;
   gentle.turn_speed = LateralAccelerationLimit{2.0};
   gentle.max_acceleration = 2.0;
-  test::Random random(2);
+  test::RandomInputs random(2);
   int solved = 0;
   for (const Vehicle& vehicle : {Vehicle(), Vehicle(gentle)})
     for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) {

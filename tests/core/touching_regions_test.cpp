@@ -39,7 +39,7 @@ SameRegions square_with_triangle(double x, const Vec2& along, const Vec2& offset
 
 // The two are one set of points, so that the plan of one is a path of the other: no bound may exceed it.
 TEST(TouchingRegions, BoundsHoldForTheSameRegionsCutInTwo) {
-  test::Random random(7);
+  test::RandomInputs random(7);
   const Vehicle vehicle(small_robot());
   for (int round = 0; round < 12; ++round) {
     SCOPED_TRACE(round);
@@ -97,7 +97,7 @@ TEST(BodiesApartFromTheirReferencePoint, HaveValidPlans) {
   for (int i = 0; i < 5; ++i)
     for (int k = 0; k < 5; ++k) obstacles.push_back({test::square(2.0 * i, 2.0 * k + 0.3 * (i % 3), 0.3), {}});
   const Planner planner(World(obstacles, test::square(-4, -4, 18)), vehicle);
-  test::Random random(3);
+  test::RandomInputs random(3);
   int solved = 0;
   for (int i = 0; i < 12; ++i) {
     SCOPED_TRACE(i);

@@ -40,7 +40,7 @@ TEST(HostileInput, EveryReaderSurvivesEverySampleCutOffAnywhere) {
 }
 
 TEST(HostileInput, EveryReaderSurvivesChangedBytes) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   for (const Sample& sample : samples()) {
     for (const test::FuzzTarget& target : test::fuzz_targets()) {
       for (int round = 0; round < 150; ++round) {

@@ -10,7 +10,7 @@
 namespace arcway::internal::test {
 
 /// A chain as far as times and bounds depend on it, with any speeds: nothing is placed.
-inline ArcChain random_arcs(Random& random, std::int64_t most) {
+inline ArcChain random_arcs(RandomInputs& random, std::int64_t most) {
   ArcChain chain;
   const auto arcs = random.integer(1, most);
   double heading = random.uniform(-4.0, 4.0);

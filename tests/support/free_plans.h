@@ -7,7 +7,7 @@
 namespace arcway::internal::test {
 
 /// A pose somewhere in a world's box, a little off its border; free or not.
-inline Pose pose_in(const World& world, Random& random) {
+inline Pose pose_in(const World& world, RandomInputs& random) {
   const Vec2 low = world.box().min, span = world.box().max - low;
   const Vec2 place = low + span.cwiseProduct(random.point(0.05, 0.95));
   return {place.x(), place.y(), random.uniform(-kPi, kPi)};
@@ -20,7 +20,7 @@ struct FreePlan {
 };
 
 /// The next one that a planner solves.
-inline FreePlan next_free_plan(const Planner& planner, Random& random) {
+inline FreePlan next_free_plan(const Planner& planner, RandomInputs& random) {
   for (;;) {
     const Pose start = pose_in(planner.world(), random), goal = pose_in(planner.world(), random);
     const PlanRequest request{start, goal};

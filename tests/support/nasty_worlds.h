@@ -13,7 +13,7 @@ namespace arcway::internal::test {
 
 /// Rings on a coarse grid of whole numbers, so that contacts, overlaps, coincidences and collinear triples of every
 /// kind abound; about one in two has a shape that World takes.
-inline Ring grid_ring(Random& random, std::int64_t size) {
+inline Ring grid_ring(RandomInputs& random, std::int64_t size) {
   const auto at = [&] { return random.grid_point(0, size); };
   switch (random.integer(0, 4)) {
     case 0: {  // triangle
@@ -57,7 +57,7 @@ inline bool crosses(const Ring& a, const Ring& b) {
 /// headings half of the time, where rounding breaks some of the contacts by a hair. In one of two worlds no edges cross
 /// properly: obstacles touch, nest, and overlap along edges.
 inline World nasty_world(std::uint64_t seed, std::int64_t obstacles) {
-  Random random(seed);
+  RandomInputs random(seed);
   const std::int64_t size = random.integer(3, 14);
   const std::int64_t transform = random.integer(0, 5);
   const bool may_cross = random.integer(0, 1) == 0;

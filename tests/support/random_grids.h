@@ -22,7 +22,7 @@ inline OccupancyGrid grid_of(const std::vector<std::string>& rows) {
 
 /// Noise of any density, or slanted bands and discs with noise: stairs of all slopes, pinches, pockets.
 inline OccupancyGrid random_grid(std::uint64_t seed) {
-  Random random(seed);
+  RandomInputs random(seed);
   OccupancyGrid grid;
   grid.width = static_cast<std::size_t>(random.integer(1, 40));
   grid.height = static_cast<std::size_t>(random.integer(1, 40));

@@ -11,10 +11,10 @@
 
 namespace arcway::internal::test {
 
-/// splitmix64: the same numbers on every platform, unlike the distributions of <random>.
-class Random {
+/// Seeded random numbers and points, by splitmix64. They are the same on every platform, unlike those of <random>.
+class RandomInputs {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit RandomInputs(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t bits() {
     std::uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
@@ -44,7 +44,7 @@ class Random {
 };
 
 /// A simple counter-clockwise ring around `center`, star-shaped, radii in [inner, outer].
-inline Ring random_star(Random& random, const Vec2& center, double inner, double outer, std::size_t vertices) {
+inline Ring random_star(RandomInputs& random, const Vec2& center, double inner, double outer, std::size_t vertices) {
   Ring ring;
   for (std::size_t i = 0; i < vertices; ++i) {
     const double angle = kTwoPi * (static_cast<double>(i) + random.uniform(0.0, 0.8)) / static_cast<double>(vertices);

@@ -22,7 +22,7 @@ inline bool is_region(const Polygon& polygon) {
 
 /// A polygon of whole coordinates whose rings touch each other and themselves: at vertices, and inside edges from
 /// either side.
-inline Polygon touching_polygon(Random& random, std::int64_t size) {
+inline Polygon touching_polygon(RandomInputs& random, std::int64_t size) {
   constexpr double kSteps = 4.0;  // on an edge, at whole coordinates
   const auto at = [&]() -> Vec2 { return kSteps * random.grid_point(0, size); };
   Polygon polygon;
@@ -57,7 +57,7 @@ inline Polygon touching_polygon(Random& random, std::int64_t size) {
 
 /// A world of such polygons, now and then with bounds, turned by an angle with whole coordinates, mirrored and moved.
 inline World touching_world(std::uint64_t seed, std::int64_t obstacles) {
-  Random random(seed);
+  RandomInputs random(seed);
   const std::int64_t size = random.integer(3, 9);
   constexpr std::int64_t kTurns[][2] = {{1, 0}, {3, 4}, {20, 21}, {-7, 24}};  // legs of triangles with whole sides
   const auto& turn = kTurns[random.integer(0, 3)];

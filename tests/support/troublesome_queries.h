@@ -19,7 +19,7 @@ class TroublesomeQueries {
       : random_(seed), unit_(size / kCells), offset_(offset), world_(make_world()) {}
 
   [[nodiscard]] const World& world() const { return world_; }
-  Random& random() { return random_; }
+  RandomInputs& random() { return random_; }
 
   LineSegment segment() {
     switch (random_.integer(0, 8)) {
@@ -153,7 +153,7 @@ class TroublesomeQueries {
     return World(std::move(obstacles), std::move(bounds));
   }
 
-  Random random_;
+  RandomInputs random_;
   double unit_;
   double offset_;
   World world_;

@@ -187,7 +187,7 @@ TEST(EmbreeQueries, AnswerBatchesInParallelAlike) {
   const World world = random_world({.obstacles = 60, .vertices = 8, .fill = 0.25, .seed = 3});
   const QuerySet serial = make_embree_queries(world);
   const QuerySet parallel = make_embree_queries(world, {.batches = std::make_shared<TbbExecutor>(2)});
-  test::Random random(9);
+  test::RandomInputs random(9);
   std::vector<LineSegment> segments;
   std::vector<Vec2> points;
   for (int i = 0; i < 5000; ++i) {
@@ -217,7 +217,7 @@ TEST(EmbreeQueries, AnswerInAWorldWithoutObstacles) {
 
 TEST(EmbreeQueries, FindTheRegionAmongManyEdges) {
   // A ring with a jagged outline of many edges, a hole with one, and bounds.
-  test::Random random(4);
+  test::RandomInputs random(4);
   const Ring outer = test::random_star(random, {50, 50}, 30, 45, 400);
   const Ring hole = test::random_star(random, {50, 50}, 10, 20, 300);
   const World world({{outer, {hole}}, {test::square(48, 48, 3), {}}}, test::random_star(random, {50, 50}, 60, 70, 200));

@@ -15,7 +15,7 @@ namespace arcway::internal {
 namespace {
 
 // Removes and adds obstacles in steps, and compares every graph with one built anew.
-void expect_changes(World world, test::Random& random, int steps, std::int64_t one_in, const auto& draw_added) {
+void expect_changes(World world, test::RandomInputs& random, int steps, std::int64_t one_in, const auto& draw_added) {
   VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world);
   for (int step = 0; step < steps; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));
@@ -32,7 +32,7 @@ void expect_changes(World world, test::Random& random, int steps, std::int64_t o
 TEST(ChangedGraph, IsTheOneBuiltAnewInNastyWorlds) {
   for (std::uint64_t seed = 1; seed <= 250; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     expect_changes(test::nasty_world(seed, 12), random, 6, 4, [&] {
       return random.integer(0, 2) == 0 ? std::vector<Polygon>{}
                                        : to_map_file(test::nasty_world(random.bits(), 3)).obstacles;
@@ -49,7 +49,7 @@ TEST(ChangedGraph, IsTheOneBuiltAnewInWorldsOfTheCatalog) {
         "adversarial/collinear/v200/s2", "adversarial/nested/v200/s1", "adversarial/overlapping/v200/s3",
         "adversarial/contacts/v200/s1", "adversarial/needles/v200/s1", "adversarial/holes/v200/s1"}) {
     SCOPED_TRACE(name);
-    test::Random random(++seed);
+    test::RandomInputs random(++seed);
     const World world = to_world(catalog_map(name), name);
     const std::vector<Polygon> obstacles = to_map_file(world).obstacles;
     expect_changes(world, random, 25, static_cast<std::int64_t>(obstacles.size()) / 2, [&] {

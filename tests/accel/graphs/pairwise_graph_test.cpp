@@ -50,7 +50,7 @@ TEST(PairwiseGraph, IsTheReferenceGraphAmongTouchingAndCollinearObstacles) {
 }
 
 TEST(PairwiseGraph, IsTheReferenceGraphOfConvexObstaclesThatOverlap) {
-  test::Random random(8);
+  test::RandomInputs random(8);
   for (int world = 0; world < 20; ++world) {
     std::vector<Polygon> obstacles;
     for (int i = 0; i < 12; ++i) {

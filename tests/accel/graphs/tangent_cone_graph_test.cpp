@@ -161,7 +161,7 @@ TEST(TangentConeGraph, CoordinatesAtTheEndsOfTheRange) {
 }
 
 TEST(TangentConeGraph, OnePolygonOfManyVertices) {
-  test::Random random(5);
+  test::RandomInputs random(5);
   EXPECT_TRUE(agrees(World({{test::random_star(random, {0, 0}, 20, 100, 700), {}}})));
   EXPECT_TRUE(agrees(World({}, test::random_star(random, {0, 0}, 20, 100, 700))));
 }
@@ -178,7 +178,7 @@ Ring round(const Vec2& center, double radius, int vertices) {
 // Long chains of nodes that are expanded at once.
 TEST(TangentConeGraph, SmoothObstacles) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     std::vector<Polygon> obstacles;
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 3; ++k)
@@ -191,7 +191,7 @@ TEST(TangentConeGraph, SmoothObstacles) {
 
 // Teeth around a circle, or along a line if the radius is 0. The free space outside is a fan around each corner of the
 // frame.
-Ring saw(test::Random& random, std::size_t teeth, double radius, double deepest, bool is_on_grid) {
+Ring saw(test::RandomInputs& random, std::size_t teeth, double radius, double deepest, bool is_on_grid) {
   Ring ring;
   for (std::size_t i = 0; i < 2 * teeth; ++i) {
     const double share = static_cast<double>(i) / (2.0 * static_cast<double>(teeth));
@@ -210,7 +210,7 @@ Ring saw(test::Random& random, std::size_t teeth, double radius, double deepest,
 }
 
 TEST(TangentConeGraph, LongFansAroundSaws) {
-  test::Random random(7);
+  test::RandomInputs random(7);
   std::size_t fans = 0;
   for (int round = 0; round < 24; ++round) {
     const bool is_line = round % 3 == 0, is_on_grid = round % 2 == 0;
@@ -232,7 +232,7 @@ TEST(TangentConeGraph, LongFansAroundSaws) {
 }
 
 TEST(TangentConeGraph, LongFansEndAtTheirClock) {
-  test::Random random(7);
+  test::RandomInputs random(7);
   const FreeSpaceTriangulation triangulation(World({{saw(random, 200, 400.0, 50.0, false), {}}}));
   EXPECT_FALSE(LongFans(triangulation, 32).empty());
   EXPECT_THROW((void)LongFans(triangulation, 32, StopClock(0.0)), Canceled);
@@ -255,7 +255,7 @@ TEST(TangentConeGraph, ContactsOfLongEdges) {
 
 // A ring within a ring of teeth: fans from outside and from inside.
 TEST(TangentConeGraph, LongFansWithinARing) {
-  test::Random random(8);
+  test::RandomInputs random(8);
   for (int round = 0; round < 10; ++round) {
     const Ring outer = test::square(-500, -500, 1000);
     Ring hole = test::reversed(saw(random, 90, 300.0, 3.0, false));
@@ -266,7 +266,7 @@ TEST(TangentConeGraph, LongFansWithinARing) {
 // Worlds in which the builder uses fans by itself: the steps a vertex stay the same at every size.
 TEST(TangentConeGraph, StepsAroundASawGrowLikeItsTeeth) {
   for (const std::size_t teeth : {5000, 20000}) {
-    test::Random random(9);
+    test::RandomInputs random(9);
     const World world({{saw(random, teeth, static_cast<double>(teeth), 2.0, false), {}}});
     TangentConeStatistics statistics;
     const VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world, SerialExecutor(), &statistics);

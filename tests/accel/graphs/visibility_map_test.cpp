@@ -26,7 +26,7 @@ namespace {
 constexpr std::uint64_t kNastyMaps = 600;
 
 // Vertices, middles of edges, points on a coarse grid and anywhere, some beyond the map.
-Vec2 troublesome_point(const World& world, test::Random& random) {
+Vec2 troublesome_point(const World& world, test::RandomInputs& random) {
   const auto count = static_cast<std::int64_t>(world.vertices().size());
   const std::int64_t kind = random.integer(0, 4);
   if (count > 0 && kind == 0) return world.vertex(static_cast<VertexId>(random.integer(0, count - 1)));
@@ -43,7 +43,7 @@ Vec2 troublesome_point(const World& world, test::Random& random) {
 void expect_same_visibility(const World& world, std::uint64_t seed, int segments) {
   const VisibilityMap map(world);
   const QuerySet reference = make_reference_queries(world);
-  test::Random random(seed);
+  test::RandomInputs random(seed);
   for (int i = 0; i < segments; ++i) {
     const Vec2 a = troublesome_point(world, random);
     const Vec2 b = random.integer(0, 19) == 0 ? a : troublesome_point(world, random);
@@ -80,7 +80,7 @@ std::size_t expect_same_from_points(std::uint64_t first_seed, const Find& find, 
     const World world = test::nasty_world(seed + first_seed, 14);
     const VisibilityMap map(world);
     const QuerySet reference = make_reference_queries(world);
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     for (int i = 0; i < 30; ++i) {
       const Vec2 p = troublesome_point(world, random);
       const std::vector<VertexId> found = find(map, p);
@@ -169,7 +169,7 @@ TEST(VisibilityMap, RaysEndWhereLinesOfSightEnd) {
     if (world.vertices().empty() || !is_valid(world)) continue;
     const VisibilityMap map(world);
     const QuerySet reference = make_reference_queries(world);
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     for (int i = 0; i < 40; ++i) {
       const Vec2 from = random.integer(0, 1) == 0 ? random.grid_point(0, 14) : Vec2(0.5 * random.grid_point(0, 28));
       const Vec2 step = 0.25 * random.grid_point(-3, 3);
@@ -199,7 +199,7 @@ TEST(VisibilityMap, PolygonsAreWhereRaysEnd) {
     const World world = test::nasty_world(seed + 60000, 12);
     if (world.vertices().empty() || !is_valid(world)) continue;
     const VisibilityMap map(world);
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     for (int i = 0; i < 20; ++i) {
       const Vec2 p = random.integer(0, 1) == 0 ? random.grid_point(0, 14) : Vec2(0.5 * random.grid_point(0, 28));
       if (!world.has_bounds() && !Box{world.box().min, world.box().max}.contains(p)) continue;
@@ -258,7 +258,7 @@ TEST(VisibilityMap, PolygonOfARoom) {
 // The last digit of p decides on which side of the edge it lies, and where along the edge the ray meets it.
 TEST(VisibilityMap, RaysAlmostAlongAnEdgeMeetItSomewhere) {
   const double inf = std::numeric_limits<double>::infinity();
-  test::Random random(3);
+  test::RandomInputs random(3);
   std::size_t met = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vec2 a = random.grid_point(-8, 8), along = random.grid_point(-30, 30);

@@ -17,7 +17,7 @@ namespace {
 
 /// Medians of five repetitions with 10 % noise over four decades.
 std::vector<SizePoint> noisy_series(std::uint64_t seed, const std::function<double(double)>& law) {
-  test::Random random(seed);
+  test::RandomInputs random(seed);
   std::vector<SizePoint> points;
   for (double size = 10.0; size < 2e5; size *= std::sqrt(10.0)) {
     std::vector<double> repetitions;

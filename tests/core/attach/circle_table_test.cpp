@@ -16,7 +16,7 @@ namespace {
 
 TEST(CircleTable, SaysWhatTheGraphSays) {
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}});
-  test::Random random(4);
+  test::RandomInputs random(4);
   constexpr double kSlack = 1e-3;
   int inside = 0, outside = 0, ruled_out = 0;
   for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar})
@@ -55,7 +55,7 @@ TEST(CircleTable, SaysWhatTheGraphSays) {
 }
 
 TEST(Sectors, HoldTheHeadingsOfTheirRange) {
-  test::Random random(6);
+  test::RandomInputs random(6);
   for (int i = 0; i < 10000; ++i) {
     const double low = random.uniform(-3.0 * kPi, 3.0 * kPi), width = random.unit() * kTwoPi;
     const Sectors sectors = sectors_of(low, low + width);

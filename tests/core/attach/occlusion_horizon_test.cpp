@@ -20,7 +20,7 @@ TEST(OcclusionHorizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
     const World world = random_world({.kind = kind, .obstacles = 60, .vertices = 7, .fill = 0.25, .seed = seed});
     const QuerySet queries = make_reference_queries(world);
     const Outlines outlines(world);
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     for (int i = 0; i < 40; ++i) {
       const double far = world.box().max.x();
       const Side side = i % 2 == 0 ? Side::kLeft : Side::kRight;
@@ -57,7 +57,7 @@ TEST(OcclusionHorizon, HidesNoCircleOntoWhichAStraightIsFree) {
     const World world = random_world({.obstacles = 50, .vertices = 6, .fill = 0.2, .seed = seed});
     const QuerySet queries = make_reference_queries(world);
     const Outlines outlines(world);
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     for (int i = 0; i < 20; ++i) {
       const double far = world.box().max.x();
       const TurnCircle circle{random.point(0.0, far), 1.3, i % 2 == 0 ? Side::kLeft : Side::kRight, kNone};

@@ -19,7 +19,7 @@ class ContactReachOnClutter : public testing::Test {
   // Calls visit(pose) for some poses at which the body is free, most of them near obstacles.
   template <class Visit>
   void for_free_poses(Visit&& visit) {
-    test::Random random(7);
+    test::RandomInputs random(7);
     for (int i = 0; i < 3000; ++i) {
       const Pose pose{random.uniform(0.0, 120.0), random.uniform(0.0, 120.0), random.uniform(0.0, kTwoPi)};
       if (queries_.sweep->straight_free(swept_rectangle(pose, 0.0, body_))) visit(pose);

@@ -15,7 +15,7 @@ constexpr Footprint kBody{.front = 1.4, .rear = 0.1, .half_width = 0.4};
 
 // The free headings of one edge, of the range alone and of the whole circle.
 TEST(HeadingRange, HasTheBitsOfTheWholeCircleWithin) {
-  test::Random random(8);
+  test::RandomInputs random(8);
   HeadingRange::Memory memory;
   int clear = 0, touched = 0, left_out = 0;
   for (int i = 0; i < 20000; ++i) {

@@ -14,7 +14,7 @@ namespace {
 const Footprint kSweptBody{1.4, 0.1, 0.4};
 
 TEST(MemoizedSweep, AsksEachQuestionOnceAndAnswersAlike) {
-  test::Random random(3);
+  test::RandomInputs random(3);
   const World world({{{{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}, {}}});
   const auto counting = std::make_shared<test::CountingSweep>(world);
   const MemoizedSweep memoized(counting);

@@ -16,7 +16,7 @@ Polygon square(const Vec2& low, double size) {
 }
 
 TEST(MotionFree, SaysWhatTheClearanceSaysInBothGears) {
-  test::Random random(4);
+  test::RandomInputs random(4);
   int free = 0, blocked = 0;
   for (int round = 0; round < 300; ++round) {
     std::vector<Polygon> obstacles;

@@ -14,7 +14,7 @@ namespace arcway::internal {
 namespace {
 
 // A heading of a circle, half of the time within rounding of an end of a free interval.
-double heading_on(const HeadingSet& free, test::Random& random) {
+double heading_on(const HeadingSet& free, test::RandomInputs& random) {
   if (free.empty() || random.integer(0, 1) == 0) return random.uniform(-7.0, 7.0);
   const auto interval =
       free.intervals()[static_cast<std::size_t>(random.integer(0, static_cast<int>(free.intervals().size()) - 1))];
@@ -28,7 +28,7 @@ TEST(SweepQueryOfAnArc, AnswersAsTheSetOfFreeHeadingsDoes) {
       generate_clutter({.kind = ClutterKind::kMixed, .obstacles = 60, .vertices = 7, .fill = 0.35, .seed = 5});
   const World world(clutter.obstacles, clutter.bounds);
   const QuerySet reference = make_reference_queries(world), embree = make_embree_queries(world);
-  test::Random random(3);
+  test::RandomInputs random(3);
   HeadingSet memory;
   int free = 0, blocked = 0, near = 0;
   const Vec2 span = world.box().max - world.box().min;

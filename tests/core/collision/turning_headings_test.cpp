@@ -18,7 +18,7 @@ bool free_at(const SweepQuery& sweep, const TurningBody& body, double heading) {
 }
 
 void expect_agreement(const World& world, const QuerySet& queries, const Footprint& footprint) {
-  test::Random random(11);
+  test::RandomInputs random(11);
   std::size_t partly_free = 0;
   for (int i = 0; i < 150; ++i) {
     const Vec2 span = world.box().max - world.box().min;

@@ -17,7 +17,7 @@ Polygon sliver(const LineSegment& wall) {
 }
 
 TEST(WalledSweep, SaysWhatTheWorldWithTheWallsInItSays) {
-  test::Random random(7);
+  test::RandomInputs random(7);
   int free = 0, blocked = 0;
   for (int round = 0; round < 200; ++round) {
     std::vector<Polygon> obstacles;

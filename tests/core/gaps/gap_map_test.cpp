@@ -231,7 +231,7 @@ TEST(GapMap, EqualsAllPairs) {
     const double size = (world.box().max - world.box().min).maxCoeff();
     const double widest = 0.15 * size;
     const GapMap map(world, widest);
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     const auto regions = make_reference_queries(world);
     std::vector<Vec2> points;
     for (int i = 0; i < 40 && points.size() < 6; ++i) {
@@ -275,7 +275,7 @@ TEST(GapMap, LiesBetweenTheWidestWaysOfGrids) {
     const Grid grid(world, area, kCells);
     const auto regions = make_reference_queries(world);
     std::vector<int> cells;
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     while (cells.size() < 8) {  // each with more room than most, so that what lies between is narrower
       int best = -1;
       for (int trial = 0; trial < 60; ++trial) {

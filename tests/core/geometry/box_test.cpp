@@ -22,7 +22,7 @@ TEST(Box, IsSoFarFromAPoint) {
 }
 
 TEST(Box, HasNoPointNearerThanTheClosest) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   for (int i = 0; i < 2000; ++i) {
     Box box;
     box.extend(random.point(-5, 5));
@@ -42,7 +42,7 @@ TEST(Box, IsSoFarFromAnother) {
   EXPECT_EQ(box.distance_to(Box{{5, 4}, {6, 7}}), 0.0);
   EXPECT_EQ(box.distance_to(Box{{2, -9}, {3, -1}}), 3.0);
   EXPECT_EQ((Box{{-9, -9}, {-2, -2}}.distance_to(box)), 5.0);
-  test::Random random(2);
+  test::RandomInputs random(2);
   for (int i = 0; i < 1000; ++i) {
     const Vec2 p = random.point(-9, 9);
     EXPECT_EQ(box.distance_to(Box{p, p}), box.distance_to(p));

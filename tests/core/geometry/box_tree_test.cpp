@@ -10,7 +10,7 @@ namespace arcway::internal {
 namespace {
 
 TEST(BoxTree, FindsWhatAScanFinds) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   for (const std::size_t n : {0u, 1u, 4u, 5u, 33u, 1000u}) {
     std::vector<Box> boxes(n);
     for (Box& box : boxes) {
@@ -45,7 +45,7 @@ TEST(BoxTree, FindsWhatAScanFinds) {
 }
 
 TEST(BoxTree, FindsOtherBoxesAsWell) {
-  test::Random random(3);
+  test::RandomInputs random(3);
   for (const std::size_t n : {0u, 1u, 4u, 5u, 33u, 1000u}) {
     std::vector<Box> boxes(n), others(n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -83,7 +83,7 @@ TEST(BoxTree, FindsOtherBoxesAsWell) {
 TEST(BoxTree, LooksAtFewOfBoxesAroundOnePlace) {
   constexpr int kCount = 10'000;
   for (const double jitter : {0.0, 0.1}) {
-    test::Random random(3);
+    test::RandomInputs random(3);
     std::vector<Box> boxes;
     for (int i = 1; i <= kCount; ++i)
       for (const double y : {-1.0 * i, 1.0 * i}) {
@@ -114,7 +114,7 @@ TEST(BoxTree, StopsWhenTold) {
 }
 
 TEST(BoxTree, VisitsWhatIsNearEarly) {
-  test::Random random(2);
+  test::RandomInputs random(2);
   std::vector<Box> boxes(1000);
   for (Box& box : boxes) box.extend(random.point(0, 50));
   boxes.push_back({{-50, -50}, {100, 100}});  // no place is near to it alone

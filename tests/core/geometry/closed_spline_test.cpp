@@ -23,7 +23,7 @@ std::vector<Vec2> circle_points(const Vec2& center, double radius, std::size_t c
   return points;
 }
 
-ClosedSpline random_spline(test::Random& random) {
+ClosedSpline random_spline(test::RandomInputs& random) {
   const Vec2 center = random.point(-50.0, 50.0);
   const auto points = test::random_star(random, center, 4.0, 9.0, static_cast<std::size_t>(random.integer(4, 12)));
   return ClosedSpline(points);
@@ -40,7 +40,7 @@ double distance_to(const Vec2& p, const Ring& ring) {
 }
 
 TEST(ClosedSpline, GoesThroughItsPointsWithTwoContinuousDerivatives) {
-  test::Random random(3);
+  test::RandomInputs random(3);
   for (int trial = 0; trial < 50; ++trial) {
     std::vector<Vec2> points;
     for (std::int64_t i = random.integer(3, 9); i > 0; --i) points.push_back(random.point(-10.0, 10.0));
@@ -107,7 +107,7 @@ TEST(ClosedSpline, RefusesWhatIsNoCurve) {
 // Points of the curve at a dense spacing h lie inside the ring, exactly. No point between two samples is farther from
 // them than h times the largest derivative. A ring that leaves one out would have to come that near.
 TEST(CircumscribedRing, ContainsTheCurveWithinItsTolerance) {
-  test::Random random(5);
+  test::RandomInputs random(5);
   for (int trial = 0; trial < 20; ++trial) {
     const ClosedSpline spline = random_spline(random);
     for (const double tolerance : {1.0, 0.1, 0.01, 1e-4}) {
@@ -152,7 +152,7 @@ TEST(CircumscribedRing, OfOneCubicThatComesBack) {
 // hulls are of pieces far smaller than the ring's edges. Each has its corners inside the ring, or within rounding of
 // it.
 TEST(CircumscribedRing, ContainsTheHullsOfSmallPieces) {
-  test::Random random(6);
+  test::RandomInputs random(6);
   for (int trial = 0; trial < 20; ++trial) {
     const ClosedSpline spline = random_spline(random);
     const Ring ring = circumscribed_ring(spline.pieces(), 0.05);
@@ -178,7 +178,7 @@ TEST(CircumscribedRing, KeepsLinesAndCorners) {
   const Vec2 a(0, 0), b(8, 1), c(9, 7), d(4, 3), e(-1, 6);  // d is a reflex corner
   const Ring corners{a, b, c, d, e};
   EXPECT_EQ(circumscribed_ring(std::vector{line(a, b), line(b, c), line(c, d), line(d, e), line(e, a)}, 0.1), corners);
-  test::Random random(11);
+  test::RandomInputs random(11);
   int rings = 0;
   for (int trial = 0; trial < 200; ++trial) {
     // Sides that bend to either side, of a star with corners of both kinds.

@@ -13,7 +13,7 @@ namespace {
 
 // Segments on nearly the same line, the ends of one off it by some units in the last place.
 TEST(CrossingPoint, LiesOnBothSegmentsHoweverNearlyParallel) {
-  test::Random random(4);
+  test::RandomInputs random(4);
   std::size_t crossings = 0;
   for (int i = 0; i < 20000; ++i) {
     const double scale = i % 2 == 0 ? 1.0 : 1e6 / 3.0;

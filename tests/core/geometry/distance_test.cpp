@@ -11,7 +11,7 @@
 namespace arcway::internal {
 namespace {
 
-using test::Random;
+using test::RandomInputs;
 using test::square;
 
 Vec2 point_on(const LineSegment& s, double t) { return s.a + t * (s.b - s.a); }
@@ -34,7 +34,7 @@ TEST(Distance, OfAPointIsZeroOnlyOnTheSegment) {
   EXPECT_EQ(distance(Vec2(1e7 + 1, 1e7 + 1), s), 0.0);
   const Vec2 near(1e7 + 1, std::nextafter(1e7 + 1, 2e7));
   EXPECT_NEAR(distance(near, s), 0x1p-29 * std::sqrt(0.5), 0x1p-70);
-  Random random(1);
+  RandomInputs random(1);
   for (int i = 0; i < 20000; ++i) {
     const LineSegment t{random.point(-1, 1), random.point(-1, 1)};
     const Vec2 p = point_on(t, random.unit());
@@ -44,7 +44,7 @@ TEST(Distance, OfAPointIsZeroOnlyOnTheSegment) {
 }
 
 TEST(Distance, OfTwoSegmentsIsZeroExactlyIfTheyMeet) {
-  Random random(2);
+  RandomInputs random(2);
   for (int i = 0; i < 20000; ++i) {
     const LineSegment s{random.grid_point(0, 6), random.grid_point(0, 6)};
     const LineSegment t{random.grid_point(0, 6), random.grid_point(0, 6)};
@@ -101,7 +101,7 @@ TEST(Distance, OfASegmentFromAnArcFindsEveryKindOfNearestPair) {
 }
 
 TEST(Distance, OfASegmentFromAnArcAgreesWithSamples) {
-  Random random(3);
+  RandomInputs random(3);
   for (int i = 0; i < 500; ++i) {
     const CircularArc arc{random.point(-3, 3), random.uniform(0.1, 4), random.uniform(-7, 7), random.uniform(-7, 7)};
     const LineSegment s{random.point(-6, 6), random.point(-6, 6)};

@@ -9,7 +9,7 @@ namespace arcway::internal {
 namespace {
 
 using Kind = RingConflict::Kind;
-using test::Random;
+using test::RandomInputs;
 using test::square;
 
 void expect_conflict(const Polygon& polygon, Kind kind, std::size_t edge_a, std::size_t edge_b, const Vec2& place) {
@@ -29,7 +29,7 @@ TEST(Winding, IsExactForSliversFarFromTheOrigin) {
 }
 
 TEST(Winding, IsTheSignOfTheArea) {
-  Random random(1);
+  RandomInputs random(1);
   for (std::size_t n = 3; n < 200; n += 7) {
     const Ring ring = test::random_star(random, {50, -20}, 0.5, 4.0, n + 2);
     EXPECT_EQ(winding(ring), 1);
@@ -87,7 +87,7 @@ TEST(FindConflict, NamesRings) {
 }
 
 TEST(FindConflict, FindsTheFirstOfAllPairsInLargeRings) {
-  Random random(2);
+  RandomInputs random(2);
   for (int round = 0; round < 30; ++round) {
     const auto n = static_cast<std::size_t>(random.integer(40, 300));
     Ring ring = test::random_star(random, {0, 0}, 5, 9, n);

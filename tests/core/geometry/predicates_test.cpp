@@ -11,7 +11,7 @@
 namespace arcway::internal {
 namespace {
 
-using test::Random;
+using test::RandomInputs;
 __extension__ using Wide = __int128;
 
 // Oracle: the determinant in whole numbers, coordinates scaled by a power of two until whole.
@@ -55,7 +55,7 @@ TEST(Orientation, IsExactOnTheGridsThatBreakFloatingPoint) {
 }
 
 TEST(Orientation, IsExactNearTenMillion) {
-  Random random(1);
+  RandomInputs random(1);
   for (int i = 0; i < 20000; ++i) {
     const Vec2 a(1e7 + static_cast<double>(random.integer(-9, 9)) * 0x1p-29, 1e7);
     const Vec2 step(static_cast<double>(random.integer(-5, 5)), static_cast<double>(random.integer(-5, 5)));
@@ -68,7 +68,7 @@ TEST(Orientation, IsExactNearTenMillion) {
 }
 
 TEST(DoubledArea, HasAllDigitsOfThinTriangles) {
-  Random random(3);
+  RandomInputs random(3);
   for (int i = 0; i < 20000; ++i) {
     const Vec2 a = 0x1p-29 * random.grid_point(-9, 9) + Vec2(1e7, -1e7);
     const Vec2 b = a + random.grid_point(-5, 5);
@@ -79,7 +79,7 @@ TEST(DoubledArea, HasAllDigitsOfThinTriangles) {
 }
 
 TEST(Orientation, IsExactOnWholeNumbers) {
-  Random random(2);
+  RandomInputs random(2);
   for (int i = 0; i < 20000; ++i) {
     const std::int64_t size = std::int64_t{1} << random.integer(1, 50);
     const Vec2 a = random.grid_point(-size, size);
@@ -150,7 +150,7 @@ SegmentRelation solve_relation(const LineSegment& s, const LineSegment& t) {
 }
 
 TEST(Relate, AgreesWithWholeNumbersOnASmallGrid) {
-  Random random(3);
+  RandomInputs random(3);
   for (int i = 0; i < 200000; ++i) {
     const LineSegment s{random.grid_point(0, 4), random.grid_point(0, 4)};
     const LineSegment t{random.grid_point(0, 4), random.grid_point(0, 4)};
@@ -187,7 +187,7 @@ PointLocation locate_by_column(const Vec2& p, const Ring& ring) {
 }
 
 TEST(Locate, AgreesWithAnotherRayOnASmallGrid) {
-  Random random(4);
+  RandomInputs random(4);
   for (int i = 0; i < 3000; ++i) {
     Ring ring;
     const auto n = random.integer(3, 9);
@@ -229,7 +229,7 @@ TEST(InOpenCone, AgreesWithAngles) {
 }
 
 TEST(IntersectsQuad, AgreesWithEdgesAndContainment) {
-  Random random(5);
+  RandomInputs random(5);
   int convex = 0, flat = 0;
   while (convex < 5000 || flat < 500) {
     std::array<Vec2, 4> quad;

@@ -11,7 +11,7 @@ namespace arcway::internal {
 namespace {
 
 TEST(QuickDirection, IsTheDirection) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   double worst = 0.0;
   const auto compare = [&](double heading) {
     const double error = (quick_direction_of(heading) - direction_of(heading)).cwiseAbs().maxCoeff();

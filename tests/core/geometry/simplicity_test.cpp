@@ -15,11 +15,11 @@
 namespace arcway::internal {
 namespace {
 
-using test::Random;
+using test::RandomInputs;
 using test::square;
 
 // Whole coordinates: pinches, contacts, overlaps and crossings of every kind. Few enough edges for all pairs.
-Polygon random_polygon(Random& random) {
+Polygon random_polygon(RandomInputs& random) {
   const std::int64_t size = random.integer(2, 9);
   Polygon polygon{test::grid_ring(random, size), {}};
   if (random.integer(0, 2) == 0) {
@@ -31,7 +31,7 @@ Polygon random_polygon(Random& random) {
 }
 
 TEST(Simplicity, FindsConflictsWhereAllPairsDo) {
-  Random random(1);
+  RandomInputs random(1);
   int conflicts = 0, simple = 0;
   for (int round = 0; round < 20000; ++round) {
     const Polygon polygon = random_polygon(random);
@@ -45,7 +45,7 @@ TEST(Simplicity, FindsConflictsWhereAllPairsDo) {
 }
 
 TEST(Simplicity, ListsTheContactsThatAllPairsHave) {
-  Random random(3);
+  RandomInputs random(3);
   std::size_t count = 0;
   for (int round = 0; round < 1000; ++round) {
     const Polygon polygon = test::touching_polygon(random, 6);
@@ -65,7 +65,7 @@ TEST(Simplicity, ListsTheContactsThatAllPairsHave) {
 }
 
 TEST(Simplicity, AcceptsHolesWhereWorldDoes) {
-  Random random(2);
+  RandomInputs random(2);
   int misplaced = 0, nested = 0;
   for (int round = 0; round < 60000; ++round) {
     Polygon polygon = random_polygon(random);

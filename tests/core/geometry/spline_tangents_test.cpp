@@ -19,7 +19,7 @@ ClosedSpline circle(const Vec2& center, double radius, double phase = 0.1) {
   return ClosedSpline(points);
 }
 
-ClosedSpline wavy(test::Random& random, const Vec2& center, double inner) {
+ClosedSpline wavy(test::RandomInputs& random, const Vec2& center, double inner) {
   return ClosedSpline(test::random_star(random, center, inner, 8.0, static_cast<std::size_t>(random.integer(5, 11))));
 }
 
@@ -60,7 +60,7 @@ TEST(SplineTangents, TouchingAtAGivenPointOfTheSplineIsFoundOnce) {
 
 // Counted independently: changes of sign of cross(c - p, c') over samples far denser than its roots lie.
 TEST(SplineTangents, FromAPointAreAllFoundOnWavyCurves) {
-  test::Random random(21);
+  test::RandomInputs random(21);
   std::size_t most = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const ClosedSpline curve = wavy(random, random.point(-5, 5), 3.0);
@@ -107,7 +107,7 @@ TEST(SplineTangents, CommonOnesCountFourTwoOrNone) {
 }
 
 TEST(SplineTangents, CommonOnesAreSymmetric) {
-  test::Random random(31);
+  test::RandomInputs random(31);
   for (int trial = 0; trial < 12; ++trial) {
     const ClosedSpline a = wavy(random, {0, 0}, 5.0), b = wavy(random, {20, 6}, 5.0);
     const auto forth = common_tangents(a, b), back = common_tangents(b, a);
@@ -128,7 +128,7 @@ TEST(SplineTangents, CommonOnesAreSymmetric) {
 // Independently, point by point: from curve a at t, the tangents to b that leave along a's own tangent. Where the
 // signed angle between a's tangent and one of b's changes sign from t to t + dt, there is a common tangent in between.
 TEST(SplineTangents, CommonOnesAreAllFoundOnWavyCurves) {
-  test::Random random(41);
+  test::RandomInputs random(41);
   for (int trial = 0; trial < 6; ++trial) {
     const ClosedSpline a = wavy(random, {0, 0}, 4.0), b = wavy(random, {22, -5}, 4.0);
     // The tangent line of a at t meets b in a number of points that changes by two where it touches b.

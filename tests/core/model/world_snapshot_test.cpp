@@ -116,7 +116,7 @@ TEST(WorldSnapshot, ContactsThatAreNoneAreRefused) {
 TEST(ChangedWorld, IsTheOneMadeOfItsPolygons) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(seed);
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     World world = test::nasty_world(seed, 12);
     for (int step = 0; step < 8; ++step) {
       MapFile map = to_map_file(world);

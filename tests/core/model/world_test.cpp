@@ -10,7 +10,7 @@
 namespace arcway::internal {
 namespace {
 
-using test::Random;
+using test::RandomInputs;
 using test::square;
 
 struct Refusal {
@@ -132,7 +132,7 @@ TEST(World, TouchingDoesNotCover) {
 }
 
 TEST(World, CoversWhatAScanCovers) {
-  Random random(1);
+  RandomInputs random(1);
   for (int round = 0; round < 40; ++round) {
     std::vector<Polygon> obstacles;
     for (int k = 0; k < 15; ++k) {

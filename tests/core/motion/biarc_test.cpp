@@ -11,7 +11,7 @@ namespace arcway::internal {
 namespace {
 
 TEST(Biarc, JoinsPosesWithoutAKink) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   int found = 0;
   for (int i = 0; i < 2000; ++i) {
     const Pose start{random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0), random.uniform(-kPi, kPi)};

@@ -18,7 +18,7 @@ Vehicle slow_in_turns(double acceleration) {
   return Vehicle(parameters);
 }
 
-Path random_path(test::Random& random, std::size_t segments) {
+Path random_path(test::RandomInputs& random, std::size_t segments) {
   Path path;
   for (std::size_t i = 0; i < segments; ++i) {
     const double length = random.integer(0, 9) == 0 ? 0.0 : random.uniform(0.1, random.integer(0, 1) == 0 ? 3.0 : 30.0);
@@ -40,7 +40,7 @@ std::uint32_t add_path(SpeedTree& tree, const Vehicle& vehicle, const Path& path
 }
 
 TEST(SpeedTree, AgreesWithTheSpeedProfileAtEveryEndSpeed) {
-  test::Random random(3);
+  test::RandomInputs random(3);
   SpeedTree tree;
   for (int i = 0; i < 2000; ++i) {
     const Vehicle vehicle = slow_in_turns(i % 2 == 0 ? 2.0 : 50.0);
@@ -56,7 +56,7 @@ TEST(SpeedTree, AgreesWithTheSpeedProfileAtEveryEndSpeed) {
 }
 
 TEST(SpeedTree, WhatOnePathDominatesIsNeverFasterInTheEnd) {
-  test::Random random(8);
+  test::RandomInputs random(8);
   SpeedTree tree;
   int dominated = 0, faster = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -84,7 +84,7 @@ TEST(SpeedTree, WhatOnePathDominatesIsNeverFasterInTheEnd) {
 }
 
 TEST(SpeedTree, SlackMakesUpForALaterStart) {
-  test::Random random(5);
+  test::RandomInputs random(5);
   SpeedTree tree;
   const Vehicle vehicle = slow_in_turns(2.0);
   int dominated = 0;
@@ -107,7 +107,7 @@ TEST(SpeedTree, SlackMakesUpForALaterStart) {
 }
 
 TEST(SpeedTree, OneOfTwoPathsMostlyDominates) {
-  test::Random random(9);
+  test::RandomInputs random(9);
   SpeedTree tree;
   const Vehicle vehicle = slow_in_turns(2.0);
   int undecided = 0;
@@ -123,7 +123,7 @@ TEST(SpeedTree, OneOfTwoPathsMostlyDominates) {
 
 // The paths by the many circles around a pillar, which a search has to tell from each other, are compared exactly too.
 TEST(SpeedTree, ThePathThatIsShorterByAHairDominates) {
-  test::Random random(4);
+  test::RandomInputs random(4);
   SpeedTree tree;
   for (const double acceleration : {0.5, 2.0, 50.0}) {
     const Vehicle vehicle = slow_in_turns(acceleration);
@@ -144,7 +144,7 @@ TEST(SpeedTree, ThePathThatIsShorterByAHairDominates) {
 
 TEST(SpeedTree, StopsAddUpTheTimesBetweenThem) {
   const Vehicle vehicle = slow_in_turns(2.0);
-  test::Random random(8);
+  test::RandomInputs random(8);
   for (int round = 0; round < 100; ++round) {
     const Path before = random_path(random, 4), behind = random_path(random, 4);
     SpeedTree tree;

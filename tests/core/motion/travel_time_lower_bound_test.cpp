@@ -66,7 +66,7 @@ TEST(TravelTimeLowerBound, CountsTheTimeLostOnArcs) {
 }
 
 TEST(TravelTimeLowerBound, NoWordIsFaster) {
-  test::Random random(4);
+  test::RandomInputs random(4);
   const TurnSpeedTable table{{{1.0, 3.0}, {4.0, 9.0}, {9.0, 6.0}}};
   for (const TurnSpeedLaw& law : {TurnSpeedLaw{ConstantTurnSpeed{8.0}}, TurnSpeedLaw{ConstantTurnSpeed{1.0}},
                                   TurnSpeedLaw{LateralAccelerationLimit{2.0}}, TurnSpeedLaw{table}})
@@ -95,7 +95,7 @@ TEST(TravelTimeLowerBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
     const World world = random_world({.kind = ClutterKind::kStar, .obstacles = 40, .vertices = 8, .fill = 0.3});
     const Planner planner(world, vehicle, {.refinement = {.max_trials = 1000}});
     const Planner weaker(world, vehicle, {.point_robot_lower_bound = false, .refinement = {.max_trials = 0}});
-    test::Random random(8);
+    test::RandomInputs random(8);
     int solved = 0, sharper = 0;
     for (int i = 0; i < 60; ++i) {
       const auto pose = [&] {
@@ -122,7 +122,7 @@ TEST(TravelTimeLowerBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
 // Segments miss each other by the rounding of their coordinates.
 TEST(TravelTimeLowerBound, NoPlanIsFasterFarFromTheOrigin) {
   const Planner planner(World({}), Vehicle{});
-  test::Random random(5);
+  test::RandomInputs random(5);
   for (int i = 0; i < 20; ++i) {
     SCOPED_TRACE(i);
     const Vec2 from = random.point(5e6, 5e6 + 30.0);
@@ -142,7 +142,7 @@ TEST(TravelTimeLowerBound, HoldsInBothGearsIfBothAreAllowed) {
   const double back = travel_time_lower_bound({0, 0, 0}, {-10, 0, 0}, 10.0, vehicle, true);
   EXPECT_NEAR(back, straight_time(10.0, vehicle), 1e-10);
   EXPECT_GT(travel_time_lower_bound({0, 0, 0}, {-10, 0, 0}, 10.0, vehicle), back);
-  test::Random random(3);
+  test::RandomInputs random(3);
   for (int i = 0; i < 2000; ++i) {
     const auto pose = [&] {
       return Pose{random.uniform(0.0, 12.0), random.uniform(0.0, 12.0), random.uniform(-kPi, kPi)};
@@ -164,7 +164,7 @@ TEST(TravelTimeLowerBound, HoldsInBothGearsIfBothAreAllowed) {
 TEST(TravelTimeLowerBound, NoPlanBetweenPlacesNextToEachOtherIsFaster) {
   const Vehicle vehicle({.length = 0.375, .width = 1.018, .wheelbase = 0.08956});
   const Planner planner(World({}), vehicle, {.radii = {0.0896, 6.9}});
-  test::Random random(2);
+  test::RandomInputs random(2);
   for (int i = 0; i < 500; ++i) {
     const double heading = random.uniform(-kPi, kPi), distance = std::exp(random.uniform(-30.0, -10.0));
     const Vec2 at = random.point(0.0, 10.0), there = at + distance * direction_of(heading);
@@ -178,7 +178,7 @@ TEST(TravelTimeLowerBound, NoPlanBetweenPlacesNextToEachOtherIsFaster) {
 TEST(TravelTimeLowerBound, NoSingleArcIsFasterFarFromTheOrigin) {
   const Vehicle vehicle({.wheelbase = 0.2, .safety_margin = 0.1});
   const Planner planner(World({}), vehicle);
-  test::Random random(4);
+  test::RandomInputs random(4);
   for (int i = 0; i < 500; ++i) {
     const Vec2 at = random.point(-5e8, 5e8);
     const PathSegment arc{{at.x(), at.y(), random.uniform(-kPi, kPi)}, random.uniform(0.01, 0.5), 5.0};

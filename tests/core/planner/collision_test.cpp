@@ -54,7 +54,7 @@ TEST(Collision, ASwallowedBodyMeetsWhatSwallowsIt) {
 
 TEST(Collision, TheFreePoseIsFreeAndNear) {
   const Footprint body{.front = 3, .rear = 1, .half_width = 1};
-  test::Random random(3);
+  test::RandomInputs random(3);
   for (int round = 0; round < 50; ++round) {
     const Motion motion{random.uniform(-3, 3), {random.uniform(-1e6, 1e6), random.uniform(-1e6, 1e6)}};
     const double depth = random.uniform(0.1, 2.0);  // of the nose in the wall

@@ -31,7 +31,7 @@ Vehicle one_speed() {
 TEST(Planner, AnEmptyWorldGivesTheShortestDubinsWord) {
   const Vehicle vehicle = one_speed();
   const Planner planner(World({}), vehicle);
-  test::Random random(5);
+  test::RandomInputs random(5);
   for (int i = 0; i < 200; ++i) {
     const double side = i % 2 == 0 ? 4.0 : 40.0;
     const auto pose = [&] {
@@ -55,7 +55,7 @@ TEST(Planner, StartAtTheGoalTakesNoTime) {
   EXPECT_TRUE(result.solved());
   EXPECT_TRUE(result.segments.empty());
   EXPECT_EQ(result.travel_time, 0.0);
-  // A whole turn, which is no turn, at headings that are rounded.
+  // Headings that differ by a whole turn, up to rounding, need no motion.
   const PlanResult turned = planner.plan({{1, 2, 473856.92551958817}, {1, 2, 473856.92551958817 + kTwoPi}});
   EXPECT_EQ(turned.travel_time, 0.0);
   EXPECT_EQ(turned.lower_bound, 0.0);
@@ -75,8 +75,8 @@ TEST(Planner, AGoalNextToNothingBehindTheStartTakesAWholeTurn) {
   }
 }
 
-// Three turns to one side, the middle one round nothing: a word that begins where a maneuver ends. The ways by the
-// obstacle's vertices take 2.09 s.
+// Three turns to one side, the middle one around no obstacle: a Dubins word begins where a maneuver ends. Paths around
+// the obstacle's vertices take 2.09 s.
 TEST(Planner, AManeuverLeadsToTheGoalByAWord) {
   const World world({{{{18.783, 7.395}, {17.357, 7.183}, {17.444, 5.632}, {18.989, 4.853}}, {}}});
   const Planner planner(world,
@@ -92,7 +92,7 @@ TEST_P(PlannerInClutter, EveryPlanIsValidAndMostAreFound) {
   const auto [kind, fill] = GetParam();
   const Clutter clutter = generate_clutter({.kind = kind, .obstacles = 40, .vertices = 8, .fill = fill, .seed = 7});
   const Planner planner(World(clutter.obstacles, clutter.bounds), Vehicle{});
-  test::Random random(17);
+  test::RandomInputs random(17);
   int asked = 0, solved = 0;
   for (int i = 0; i < 400 && asked < 15; ++i) {
     const Pose start = test::pose_in(planner.world(), random), goal = test::pose_in(planner.world(), random);
@@ -132,12 +132,12 @@ TEST(Planner, WarmedUpPlansTheSame) {
   }
 }
 
-// All the way it speeds up or brakes: one that is ahead is the slower one there.
+// The vehicle speeds up or brakes all the way. Of two arrivals on a circle, the earlier one is then the slower one.
 TEST(Planner, PillarsOfManyVerticesTakeFewExpansionsWhereTheVehicleIsNeverAtItsTopSpeed) {
   VehicleParameters parameters;
   parameters.max_acceleration = 2.0;
   parameters.turn_speed = ConstantTurnSpeed{parameters.max_speed};
-  test::Random random(1);
+  test::RandomInputs random(1);
   std::vector<Polygon> pillars;
   for (int i = 0; i < 4; ++i) {
     const Vec2 middle = random.point(0.0, 16.0);
@@ -158,8 +158,8 @@ Vehicle turning_within(double radius, const TurnSpeedLaw& law, double wheelbase 
   return Vehicle(parameters);
 }
 
-// The body covers the middle of turns within half its width, where it goes round no vertex; also if the reference point
-// is behind it.
+// The body covers the center of a turn of less than half its width, so that such turns lead around no vertex. This
+// holds also if the reference point lies behind the body.
 TEST(Planner, FindsAWayForVehiclesThatTurnNearlyOnTheSpot) {
   const World world = random_world({.obstacles = 20, .vertices = 6, .fill = 0.15, .seed = 5});
   const QuerySet queries = make_reference_queries(world);
@@ -173,7 +173,7 @@ TEST(Planner, FindsAWayForVehiclesThatTurnNearlyOnTheSpot) {
           const PlanResult result = planner.plan(request);
           ASSERT_TRUE(result.solved()) << radius << ' ' << result.reason;
           expect_valid(planner, result);
-          // What the wider one drives it can drive as well.
+          // It can drive every path of the vehicle with wider turns.
           const PlanResult bound = wider.plan(request);
           ASSERT_TRUE(bound.solved()) << bound.reason;
           EXPECT_LE(result.travel_time, 1.01 * bound.travel_time) << radius;
@@ -182,7 +182,7 @@ TEST(Planner, FindsAWayForVehiclesThatTurnNearlyOnTheSpot) {
     }
 }
 
-// By circles round both of a thin wall's corners, whichever has the smaller number.
+// Circles around both corners at the end of a thin wall do not depend on which corner comes first.
 TEST(Planner, TurnsRoundTheEndOfAWallWhereverItsRingBegins) {
   const Vehicle vehicle(
       {.length = 0.6, .width = 1.2, .wheelbase = 0.5, .max_steering_angle = 0.9, .max_acceleration = 2.0});
@@ -240,7 +240,7 @@ TEST(Planner, HeuristicsAgreeWhereTheyMust) {
   const Planner paper(world, Vehicle{}, {.heuristic = Heuristic::kPaperDistance, .radii = {}});
   const Vec2 low = world.box().min;
   const Vec2 span = world.box().max - low;
-  test::Random random(3);
+  test::RandomInputs random(3);
   int solved = 0;
   for (int i = 0; i < 60; ++i) {
     const auto pose = [&] {
@@ -341,7 +341,7 @@ TEST(Planner, PlansTheSameFromManyThreadsAtOnce) {
   const Planner eager(world, Vehicle{});
   const Planner lazy(world, Vehicle{}, {.graph_mode = GraphMode::kLazy});
   std::vector<PlanRequest> requests;
-  test::Random random(6);
+  test::RandomInputs random(6);
   const double side = world.box().max.x();
   for (int i = 0; i < 12; ++i) {
     const auto pose = [&] {
@@ -381,7 +381,7 @@ TEST(Planner, SwingsWideWhereThatIsFasterAndIsNeverSlowerForIt) {
       world, vehicle,
       {.graph_mode = GraphMode::kLazy, .radii = {vehicle.min_turning_radius()}, .refinement = {.max_trials = 0}});
   const Planner wide(world, vehicle, {.graph_mode = GraphMode::kLazy, .refinement = {.max_trials = 0}});
-  test::Random random(12);
+  test::RandomInputs random(12);
   const double side = world.box().max.x();
   std::vector<double> ratios;
   for (int i = 0; i < 30; ++i) {
@@ -457,7 +457,7 @@ TEST(Planner, RefusesPosesAndOptionsThatCannotBe) {
   EXPECT_EQ(planner.plan({{2, 2, 1e-50}, {2, 2, -1e-50}}).status, planner.plan({{2, 2, 0}, {2, 2, 0}}).status);
 }
 
-// Of 1e9 rad a double knows seven digits behind the point, of a heading within a turn fifteen.
+// A double has seven digits behind the point at 1e9 rad, and fifteen for a heading within a turn.
 TEST(Planner, GetsToTheGoalWhateverTurnsHeadingsHave) {
   for (const World& world : {World({}), World({{{{400, 140}, {420, 140}, {420, 160}, {400, 160}}, {}}})}) {
     const Planner planner(world, Vehicle{});

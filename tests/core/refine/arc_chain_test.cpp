@@ -23,7 +23,7 @@ struct CircleCase {
 };
 
 // A path as planners find them: turns to either side, of a few radii, with lines between them.
-CircleCase random_circle_case(test::Random& random) {
+CircleCase random_circle_case(test::RandomInputs& random) {
   CircleCase result;
   Pose pose{random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0), random.uniform(-4.0, 4.0)};
   const Pose start = pose;
@@ -45,7 +45,7 @@ CircleCase random_circle_case(test::Random& random) {
 
 constexpr TurnCuts kSomeCuts{3, 0.05, 4.5};
 
-ArcChain random_cut_chain(test::Random& random) {
+ArcChain random_cut_chain(test::RandomInputs& random) {
   ArcChain cut;
   CircleCase input = random_circle_case(random);
   while (!cut_turns(input.chain, input.lines, kSomeCuts, cut)) input = random_circle_case(random);
@@ -76,7 +76,7 @@ void expect_path_end(const CircleChain& chain, const Pose& goal) {
 }
 
 TEST(ArcChain, CutsTurnsAndKeepsThePath) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   int cut_in_parts = 0, whole = 0, large = 0;
   for (int i = 0; i < 300; ++i) {
     const CircleCase input = random_circle_case(random);
@@ -162,7 +162,7 @@ TEST(ArcChain, NothingIsCutWhereNoLineGivesWay) {
 }
 
 TEST(ArcChain, LeavesAJoinedChainAsItIs) {
-  test::Random random(2);
+  test::RandomInputs random(2);
   for (int i = 0; i < 100; ++i) {
     const ArcChain chain = random_cut_chain(random);
     ArcChain again = chain;
@@ -178,7 +178,7 @@ TEST(ArcChain, LeavesAJoinedChainAsItIs) {
 }
 
 TEST(ArcChain, JoinsWhatHasMoved) {
-  test::Random random(3);
+  test::RandomInputs random(3);
   int moved = 0;
   for (int i = 0; i < 300; ++i) {
     const ArcChain before = random_cut_chain(random);

@@ -21,7 +21,7 @@ struct BandCase {
 };
 
 // A matrix [H A^T; A 0] whose rows are mixed: every fourth row is an equation, with zeros where it meets equations.
-void fill_band_case(test::Random& random, std::size_t size, std::size_t band, BandCase& result) {
+void fill_band_case(test::RandomInputs& random, std::size_t size, std::size_t band, BandCase& result) {
   const auto n = static_cast<Eigen::Index>(size);
   result.dense = Eigen::MatrixXd::Zero(n, n);
   result.banded.reset(size, band);
@@ -45,7 +45,7 @@ std::size_t negative_eigenvalues(const Eigen::MatrixXd& matrix) {
 }
 
 TEST(BandedLdlt, SolvesAsADenseSolverAndCountsNegativeEigenvalues) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   BandCase now;  // keeps its memory from one matrix to the next
   std::size_t most_negative = 0;
   for (int i = 0; i < 300; ++i) {
@@ -82,7 +82,7 @@ TEST(BandedLdlt, SolvesAsADenseSolverAndCountsNegativeEigenvalues) {
 }
 
 TEST(BandedLdlt, SolvesForSeveralRightSides) {
-  test::Random random(2);
+  test::RandomInputs random(2);
   BandCase now;
   fill_band_case(random, 20, 4, now);
   const std::vector<double> diagonal(20, 0.0);

@@ -55,7 +55,7 @@ std::size_t count_of(const std::vector<Bound>& bounds, Limit limit) {
 }
 
 TEST(ChainBounds, EveryPartHasItsOwn) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   std::vector<Bound> bounds;
   std::size_t slow = 0, fast = 0;
   for (int i = 0; i < 100; ++i) {
@@ -87,7 +87,7 @@ TEST(ChainBounds, EveryPartHasItsOwn) {
 
 TEST(ChainBounds, ValuesAreThoseDefinedAndGradientsTheirDerivatives) {
   constexpr double kStep = 1e-5;
-  test::Random random(2);
+  test::RandomInputs random(2);
   std::vector<Bound> bounds;
   for (int i = 0; i < 100; ++i) {
     const ArcChain chain = test::random_arcs(random, 6);
@@ -112,7 +112,7 @@ TEST(ChainBounds, ValuesAreThoseDefinedAndGradientsTheirDerivatives) {
 
 TEST(ChainBounds, LengthsOfArcsAreCurvedByRadiusAndHeadings) {
   constexpr double kStep = 1e-3;
-  test::Random random(3);
+  test::RandomInputs random(3);
   for (int i = 0; i < 50; ++i) {
     const ArcChain chain = test::random_arcs(random, 6);
     for (std::uint32_t arc = 0; arc < chain.arcs.size(); ++arc) {
@@ -136,7 +136,7 @@ TEST(ChainBounds, LengthsOfArcsAreCurvedByRadiusAndHeadings) {
 }
 
 TEST(ChainBounds, AreAllKeptWhereAnOptimizationBegins) {
-  test::Random random(4);
+  test::RandomInputs random(4);
   const Vehicle vehicle({.max_speed = 4.0, .turn_speed = LateralAccelerationLimit{1.5}, .max_acceleration = 2.0});
   const World world({});
   const Outlines outlines(world);

@@ -53,7 +53,7 @@ class ContactCases {
   // Whether the body touches nothing along a chain, by the exact query.
   bool is_free(const ArcChain& chain) const { return motion_free(*queries_.sweep, body(), test::path_of(chain)); }
   Footprint body() const { return vehicle_.footprint(0.5 * vehicle_.safety_margin()); }
-  test::Random& random() { return random_; }
+  test::RandomInputs& random() { return random_; }
 
  private:
   Vehicle vehicle_{{.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0}};
@@ -61,11 +61,11 @@ class ContactCases {
   Outlines outlines_;
   QuerySet queries_;
   Planner planner_;
-  test::Random random_;
+  test::RandomInputs random_;
 };
 
 // The chain after a random step of all that can move; nothing if it has no such path.
-std::optional<ArcChain> randomly_moved(const ArcChain& chain, double most, test::Random& random) {
+std::optional<ArcChain> randomly_moved(const ArcChain& chain, double most, test::RandomInputs& random) {
   ArcChain moved = chain;
   for (ArcChain::Arc& arc : moved.arcs) {
     arc.center += random.point(-most, most);

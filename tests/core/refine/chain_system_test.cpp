@@ -70,7 +70,7 @@ class SystemCases {
   World world_;
   Outlines outlines_;
   Planner planner_;
-  test::Random random_;
+  test::RandomInputs random_;
 };
 
 void expect_same_chain(const ArcChain& a, const ArcChain& b) {

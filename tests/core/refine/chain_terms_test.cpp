@@ -16,7 +16,7 @@ namespace {
 constexpr ChainSpeeds kTermSpeeds{2.0, 1.5, 16.0};  // the widest slow radius is 10.7 m
 
 // Speeds below the limits. Lengths need not suffice to reach one from the other.
-void set_random_speeds(test::Random& random, ArcChain& chain) {
+void set_random_speeds(test::RandomInputs& random, ArcChain& chain) {
   for (ArcChain::Arc& arc : chain.arcs) {
     const double limit = kTermSpeeds.of(arc.radius);
     arc.entry = random.uniform(0.1, 0.95) * limit;
@@ -75,7 +75,7 @@ void expect_term_derivatives(const ArcChain& chain, const ChainPart& part) {
 }
 
 TEST(ChainTerms, DerivativesAreThoseOfTheTimes) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   int held[2] = {0, 0}, not_held[2] = {0, 0}, fast = 0, ends = 0;
   for (int i = 0; i < 300; ++i) {
     ArcChain chain = test::random_arcs(random, 8);
@@ -104,7 +104,7 @@ TEST(ChainTerms, DerivativesAreThoseOfTheTimes) {
 
 // The top speed is just reached: both formulas hold.
 TEST(ChainTerms, ValuesAndGradientsAreSmoothWhereTheTopSpeedIsReached) {
-  test::Random random(2);
+  test::RandomInputs random(2);
   for (int i = 0; i < 100; ++i) {
     ArcChain chain = test::random_arcs(random, 8);
     set_random_speeds(random, chain);
@@ -136,7 +136,7 @@ TEST(ChainTerms, AnArcOfAKnownTime) {
 }
 
 TEST(ChainTerms, WithTheFastestSpeedsTheyAddUpToTheTravelTime) {
-  test::Random random(3);
+  test::RandomInputs random(3);
   const Vehicle vehicle({.max_speed = std::sqrt(kTermSpeeds.top),
                          .turn_speed = LateralAccelerationLimit{kTermSpeeds.lateral},
                          .max_acceleration = kTermSpeeds.acceleration});

@@ -20,7 +20,7 @@ namespace {
 constexpr double kUnknownsTightest = 1.3;  // [m]
 
 // A chain whose equations do not hold: their derivatives have to be right all the same.
-ArcChain random_unjoined_arcs(test::Random& random) {
+ArcChain random_unjoined_arcs(test::RandomInputs& random) {
   ArcChain chain;
   const auto arcs = random.integer(1, 7);
   const auto pose = [&] { return Pose{random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0), 0.0}; };
@@ -91,7 +91,7 @@ void add_numbers(const Numbers& numbers, std::set<int>& all) {
 }
 
 TEST(ChainUnknowns, HaveDistinctNumbersAlongThePath) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   ChainUnknowns unknowns;
   for (int i = 0; i < 100; ++i) {
     const ArcChain chain = random_unjoined_arcs(random);
@@ -121,7 +121,7 @@ TEST(ChainUnknowns, HaveDistinctNumbersAlongThePath) {
 }
 
 TEST(ChainUnknowns, NeighborsShareWhatTheyHaveInCommon) {
-  test::Random random(2);
+  test::RandomInputs random(2);
   ChainUnknowns unknowns;
   for (int i = 0; i < 100; ++i) {
     const ArcChain chain = random_unjoined_arcs(random);
@@ -148,7 +148,7 @@ TEST(ChainUnknowns, NeighborsShareWhatTheyHaveInCommon) {
 }
 
 TEST(ChainUnknowns, AreScaledByWhatTheyAre) {
-  test::Random random(3);
+  test::RandomInputs random(3);
   ChainUnknowns unknowns;
   const ArcChain chain = random_unjoined_arcs(random);
   unknowns.number(chain, kUnknownsTightest);
@@ -172,7 +172,7 @@ TEST(ChainUnknowns, AreScaledByWhatTheyAre) {
 }
 
 TEST(ChainUnknowns, TheBandIsAsWideAsTheirDependencies) {
-  test::Random random(4);
+  test::RandomInputs random(4);
   ChainUnknowns unknowns;
   for (int i = 0; i < 100; ++i) {
     const ArcChain chain = random_unjoined_arcs(random);
@@ -207,7 +207,7 @@ TEST(ChainUnknowns, TheBandIsAsWideAsTheirDependencies) {
 TEST(ChainUnknowns, EquationsAddTheirDerivatives) {
   constexpr double kStep = 1e-3;
   constexpr double kWeight = 0.7;
-  test::Random random(5);
+  test::RandomInputs random(5);
   ChainUnknowns unknowns;
   BandedLdlt matrix;
   for (int i = 0; i < 20; ++i) {
@@ -253,7 +253,7 @@ TEST(ChainUnknowns, EquationsAddTheirDerivatives) {
 }
 
 TEST(ChainUnknowns, TermsAreAddedByTheirNumbers) {
-  test::Random random(6);
+  test::RandomInputs random(6);
   const Numbers numbers{2, 0, kGiven, 5, 3, kGiven, 1};
   Term term;
   for (int a = 0; a < kLocalNumbers; ++a) {

@@ -19,7 +19,7 @@ void expect_joined(const Path& path, const Pose& start, const Pose& goal) {
 }
 
 TEST(CircleChain, GivesEveryDubinsWordBack) {
-  test::Random random(3);
+  test::RandomInputs random(3);
   int chains = 0;
   for (int i = 0; i < 2000; ++i) {
     const double side = i % 2 == 0 ? 5.0 : 500.0;

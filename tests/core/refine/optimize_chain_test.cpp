@@ -40,7 +40,7 @@ Clutter optimized_clutter(ClutterKind kind, std::uint64_t seed) {
 // The free chains that a planner finds.
 std::vector<CircleChain> free_chains(const World& world, std::size_t count, std::uint64_t seed) {
   const Planner planner(world, optimized_vehicle(), {.radii = {}, .refinement = {.max_trials = 0}});
-  test::Random random(seed);
+  test::RandomInputs random(seed);
   std::vector<CircleChain> chains;
   while (chains.size() < count) {
     const auto [request, path] = test::next_free_plan(planner, random);

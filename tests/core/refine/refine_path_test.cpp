@@ -53,7 +53,7 @@ TEST_P(RefinePathInClutter, IsNeverSlowerAlwaysValidAndTheSameEveryTime) {
   const World world = random_world({.kind = kind, .obstacles = 40, .vertices = 10, .fill = fill, .seed = 3});
   const Vehicle vehicle = real ? real_vehicle() : Vehicle{};
   const Planner planner(world, vehicle, {.radii = {}, .refinement = {.max_trials = 0}});
-  test::Random random(29);
+  test::RandomInputs random(29);
   int solved = 0, faster = 0;
   for (int i = 0; i < 100 && solved < 6; ++i) {
     const PlanRequest request{test::pose_in(world, random), test::pose_in(world, random)};
@@ -178,7 +178,7 @@ RefinedPath refined_with_outlines(const World& world, const Outlines& outlines, 
 
 std::vector<test::FreePlan> cluttered_plans(const World& world, std::size_t count) {
   const Planner planner(world, real_vehicle(), {.radii = {}, .refinement = {.max_trials = 0}});
-  test::Random random(31);
+  test::RandomInputs random(31);
   std::vector<test::FreePlan> plans;
   while (plans.size() < count) plans.push_back(test::next_free_plan(planner, random));
   return plans;
@@ -266,9 +266,9 @@ TEST(RefinePath, OutlinesChangeNothingForVehiclesThatAreNotServed) {
   EXPECT_EQ(with.trials, without.trials);
 }
 
-// Queries that have kept refinement in a worse local optimum. One wants its turn to go around where it begins, one a
-// turn in two parts that are close to each other. One wants a turn that begins sooner on the same line. RRTConnect,
-// shortcut for a second, reaches the times.
+// Queries on which refinement has ended in a worse local optimum. The better path of one pivots a turn around its
+// beginning, that of another has a turn in two parts close to each other. In a third, a turn begins sooner on the same
+// line. RRTConnect with shortcuts reaches these times within a second.
 TEST(RefinePath, IsNoSlowerThanWhatSamplingFinds) {
   struct Query {
     const char* world;

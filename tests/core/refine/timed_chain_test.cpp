@@ -11,12 +11,12 @@
 namespace arcway::internal {
 namespace {
 
-TurnCircle random_circle(test::Random& random) {
+TurnCircle random_circle(test::RandomInputs& random) {
   const Side side = random.unit() < 0.5 ? Side::kLeft : Side::kRight;
   return {random.point(0.0, 30.0), random.uniform(1.3, 4.0), side, kNone};
 }
 
-CircleChain random_chain(test::Random& random, std::size_t size) {
+CircleChain random_chain(test::RandomInputs& random, std::size_t size) {
   const auto pose = [&] { return Pose{random.uniform(0, 30), random.uniform(0, 30), random.uniform(-4.0, 4.0)}; };
   CircleChain chain{pose(), pose(), std::max(0.0, random.uniform(-3, 3)), std::max(0.0, random.uniform(-3, 3)), {}};
   for (std::size_t i = 0; i < size; ++i) chain.circles.push_back(random_circle(random));
@@ -24,7 +24,7 @@ CircleChain random_chain(test::Random& random, std::size_t size) {
   return chain;
 }
 
-ChainChange random_change(test::Random& random, const CircleChain& chain) {
+ChainChange random_change(test::RandomInputs& random, const CircleChain& chain) {
   const auto size = static_cast<std::int64_t>(chain.circles.size());
   const auto first = random.integer(0, size), last = random.integer(first, std::min(size, first + 3));
   auto count = static_cast<std::size_t>(random.integer(0, 2));
@@ -48,7 +48,7 @@ class TimedChainOf : public testing::TestWithParam<double> {};
 
 TEST_P(TimedChainOf, TimesAChangeAsTheWholePathIsTimed) {
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = GetParam()});
-  test::Random random(5);
+  test::RandomInputs random(5);
   TimedChain timed;
   int compared = 0, not_told = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -87,7 +87,7 @@ TEST_P(TimedChainOf, TimesAChangeAsTheWholePathIsTimed) {
 INSTANTIATE_TEST_SUITE_P(Accelerations, TimedChainOf, testing::Values(0.5, 2.0, 50.0));
 
 TEST(TimedChain, KnowsWhenAndHowFastItsLinesArePassed) {
-  test::Random random(6);
+  test::RandomInputs random(6);
   const Vehicle vehicle;
   TimedChain timed;
   for (int i = 0; i < 200; ++i) {

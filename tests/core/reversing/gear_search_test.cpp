@@ -26,7 +26,7 @@ TEST(GearSearch, InAnEmptyWorldIsAtLeastAsGoodAsEveryWord) {
   const World world({});
   const QuerySet queries = make_reference_queries(world);
   const Vehicle vehicle;
-  test::Random random(6);
+  test::RandomInputs random(6);
   for (int i = 0; i < 30; ++i) {
     const auto pose = [&] {
       return Pose{random.uniform(0.0, 6.0), random.uniform(0.0, 6.0), random.uniform(-kPi, kPi)};
@@ -97,7 +97,7 @@ TEST(GearSearch, KeepsItsLimits) {
       search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {.clock = StopClock(0.0)});
   EXPECT_TRUE(stopped.interrupted);
   EXPECT_FALSE(stopped.path);
-  // A cusp that costs enough is avoided where it can be.
+  // A cusp of high cost is avoided where a path without it exists.
   const GearSearchResult dear =
       search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {.cusp_cost = 10.0});
   ASSERT_TRUE(dear.path);

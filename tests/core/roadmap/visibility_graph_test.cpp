@@ -86,7 +86,7 @@ TEST(ReducedVisibilityGraph, NonConvexObstacles) {
 
 // Random triangles on a small grid: contacts, overlaps and collinear triples of every kind.
 TEST(ReducedVisibilityGraph, RandomTrianglesOnACoarseGrid) {
-  test::Random random(2024);
+  test::RandomInputs random(2024);
   for (int round = 0; round < 60; ++round) {
     Rings triangles;
     while (triangles.size() < 8) {
@@ -182,7 +182,7 @@ TEST(VisibilityGraphs, HaveTheSameShortestPaths) {
     const VisibilityQuery& visibility = *queries.visibility;
     const ShortestPaths full(world, build_full_visibility_graph(world, visibility), visibility);
     const ShortestPaths reduced(world, build_reduced_visibility_graph(world, visibility), visibility);
-    test::Random random(seed);
+    test::RandomInputs random(seed);
     const Vec2 size = world.box().max - world.box().min;
     for (int i = 0; i < 20; ++i) {
       const Vec2 p = world.box().min + size.cwiseProduct(random.point(-0.1, 1.1));

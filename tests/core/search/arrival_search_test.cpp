@@ -126,7 +126,7 @@ class Enumeration {
 };
 
 TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
-  test::Random random(11);
+  test::RandomInputs random(11);
   ArrivalSearch search;
   int solved = 0;
   std::size_t paths = 0;
@@ -170,9 +170,9 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
   EXPECT_GT(paths, 120u);
 }
 
-// The ends of the fastest path are closed to the next one.
+// The next path may not join the graph, or leave it, by the circle of the fastest one.
 TEST(ArrivalSearch, FindsTheFastestPathThatJoinsOrLeavesTheGraphElsewhere) {
-  test::Random random(17);
+  test::RandomInputs random(17);
   ArrivalSearch search;
   int others = 0, alone = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -197,7 +197,7 @@ TEST(ArrivalSearch, FindsTheFastestPathThatJoinsOrLeavesTheGraphElsewhere) {
       const double fastest = speed_profile(*best.path, vehicle).total_time;
       for (const bool at_start : {true, false}) {
         SearchOptions options;
-        options.warm_start = true;  // which it cannot
+        options.warm_start = true;  // has no effect, as the question differs
         (at_start ? options.not_first : options.not_last) = at_start ? best.first_circle : best.last_circle;
         const SearchResult other = search.find(map, {&start, 1}, {&goal, 1}, options);
         if (!other.path) {
@@ -232,7 +232,7 @@ TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
   const Roadmap eager = make_map(world, vehicle, radii, GraphMode::kEager);
   const Roadmap lazy = make_map(world, vehicle, radii, GraphMode::kLazy);
   ArrivalSearch first, second;
-  test::Random random(4);
+  test::RandomInputs random(4);
   const double side = world.box().max.x();
   int solved = 0;
   for (int i = 0; i < 120; ++i) {
@@ -264,7 +264,7 @@ TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
   const Roadmap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
   ArrivalSearch arrivals;
   const double side = world.box().max.x();
-  test::Random random(8);
+  test::RandomInputs random(8);
   const auto pose = [&] {
     return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
   };
@@ -298,7 +298,7 @@ TEST(ArrivalSearch, EndsWithTheBestPathThatItHasAfterSoManyExpansions) {
 }
 
 TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
-  test::Random random(3);
+  test::RandomInputs random(3);
   ArrivalSearch before, anew;
   int improved = 0, plain = 0;
   std::uint64_t expanded = 0, expanded_anew = 0;
@@ -334,7 +334,7 @@ TEST(ArrivalSearch, GoesOnWithMoreEndsAsFarAsASearchAnew) {
       const double time = more.path ? speed_profile(*more.path, vehicle).total_time : options.faster_than;
       EXPECT_GE(time, least * (1.0 - 1e-9)) << "seed " << seed << ", query " << i;
       EXPECT_LE(time, least * (1.0 + 1e-9) + options.least_gain) << "seed " << seed << ", query " << i;
-      // With fewer ends it cannot go on from one with more.
+      // A search with fewer ends cannot continue one with more.
       EXPECT_FALSE(before.find(map, std::span(starts).first(1), std::span(goals).first(1), options).path);
       improved += more.path ? 1 : 0;
       expanded += more.counts.nodes_expanded;
@@ -383,7 +383,7 @@ TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
       {"wanted time", map, with([](auto& o) { o.faster_than = 1.0; }), map, {}},
       {"expansions", map, with([](auto& o) { o.most_expanded = 3; }), map, {}},
   }};
-  test::Random random(9);
+  test::RandomInputs random(9);
   const double side = world.box().max.x();
   const auto pose = [&] {
     return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};

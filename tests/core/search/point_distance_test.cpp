@@ -61,7 +61,7 @@ TEST(PointDistance, IsInfiniteWhereThereIsNoWay) {
 }
 
 TEST(PointDistance, IsThatOfAllPairsOfVertices) {
-  test::Random random(11);
+  test::RandomInputs random(11);
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const ClutterKind kind = seed % 2 == 0 ? ClutterKind::kStar : ClutterKind::kConvex;
     const World world = random_world({.kind = kind, .obstacles = 8, .vertices = 6, .fill = 0.35, .seed = seed});
@@ -92,7 +92,7 @@ TEST(PointDistance, MayPassWhereTwoSquaresTouch) {
 
 // Squares that share corners, squares that share edges, and rows of collinear vertices: taut where angles are zero.
 TEST(PointDistance, IsThatOfAllPairsAmongContacts) {
-  test::Random random(12);
+  test::RandomInputs random(12);
   for (int world_index = 0; world_index < 12; ++world_index) {
     std::vector<Polygon> squares;
     for (int x = 0; x < 6; ++x)

@@ -95,7 +95,7 @@ TEST_F(TourInClutter, ToSeveralGoalsIsTheFastestOfThePlans) {
 }
 
 TEST_F(TourInClutter, AnOpenHeadingIsNoSlowerThanAnyHeading) {
-  test::Random random(2);
+  test::RandomInputs random(2);
   int solved = 0;
   for (std::size_t i = 0; i < 10; ++i) {
     const Pose start = queries_[i].start, goal = queries_[i].goal;

@@ -34,7 +34,7 @@ void expect_all_that_meet(const EdgeGrid& grid, const Box& asked) {
   }
 }
 
-std::vector<LineSegment> random_edges(test::Random& random, std::size_t count, double width, double height) {
+std::vector<LineSegment> random_edges(test::RandomInputs& random, std::size_t count, double width, double height) {
   std::vector<LineSegment> edges(count);
   for (LineSegment& edge : edges) {
     edge.a = Vec2(random.uniform(0.0, width), random.uniform(0.0, height));
@@ -45,7 +45,7 @@ std::vector<LineSegment> random_edges(test::Random& random, std::size_t count, d
 }
 
 TEST(EdgeGrid, VisitsEachEdgeThatMeetsABoxOnce) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   struct Size {
     double width, height;
   };
@@ -67,7 +67,7 @@ TEST(EdgeGrid, VisitsEachEdgeThatMeetsABoxOnce) {
 }
 
 TEST(EdgeGrid, VisitsLittleBesideThat) {
-  test::Random random(2);
+  test::RandomInputs random(2);
   std::vector<LineSegment> edges(100'000);
   for (LineSegment& edge : edges) {
     edge.a = random.point(0.0, 1000.0);

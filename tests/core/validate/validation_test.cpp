@@ -131,7 +131,7 @@ TEST(Validation, NoticesThatAJointLeadsIntoAnObstacle) {
 TEST(Validation, OfManyPathsIsThatOfEach) {
   const World world = catalog_world("clutter/star/n60/m10/f30/s3");
   const Validator validator(world);
-  test::Random random(5);
+  test::RandomInputs random(5);
   int valid = 0, invalid = 0;
   for (int i = 0; i < 200; ++i) {
     Path path{{{random.uniform(0, 60), random.uniform(0, 60), random.uniform(0, 6)}, random.uniform(0, 4), 0.0}};

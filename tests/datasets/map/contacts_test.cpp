@@ -80,7 +80,7 @@ TEST(Contacts, OfPolygonsWithHoles) {
 // On a small grid contacts of all kinds are common. Areas on a finer grid decide independently: a cell of half-integer
 // offset lies inside or outside, if all coordinates are even.
 TEST(Contacts, AgreeWithAreasOnAGrid) {
-  test::Random random(11);
+  test::RandomInputs random(11);
   std::vector<int> seen(5, 0);
   for (int trial = 0; trial < 3000; ++trial) {
     const auto draw = [&] {

@@ -174,7 +174,7 @@ TEST(Doctor, AgreesWithWorldOnTheCatalog) {
 }
 
 TEST(Doctor, AgreesWithWorldOnRings) {
-  test::Random random(1);
+  test::RandomInputs random(1);
   int taken = 0, refused = 0;
   for (int i = 0; i < 2000; ++i) {
     const auto ring = [&](std::int64_t size) {
