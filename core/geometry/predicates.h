@@ -9,11 +9,11 @@
 namespace arcway::internal {
 
 /// \file
-/// Signs that are those of exact arithmetic on the given doubles, always: a floating-point filter
-/// first [Shewchuk 1997, adaptive orient2d], expansions where it cannot decide. Compile without
-/// contraction, as the target arcway::core asks of its users. Exact for coordinates that are zero or of magnitude in
-/// [kMinMagnitude, kMaxMagnitude] (products neither underflow nor overflow there); World refuses all
-/// others at its door. All functions are pure, thread-safe and do not allocate.
+/// Geometric predicates whose signs are those of exact arithmetic on the given doubles. A floating-point filter decides
+/// most of them [Shewchuk 1997, adaptive orient2d], floating-point expansions the rest. Sources that include this are
+/// compiled without contraction to fused multiply-add. Coordinates must be zero or of a magnitude in [kMinMagnitude,
+/// kMaxMagnitude], where products neither underflow nor overflow. World refuses all others. All functions are pure,
+/// thread-safe and do not allocate.
 
 inline constexpr double kMinMagnitude = 1e-100;
 inline constexpr double kMaxMagnitude = 1e100;

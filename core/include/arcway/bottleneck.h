@@ -11,7 +11,7 @@ namespace arcway {
 /// The bottleneck between two poses: the narrowest gap of the widest route, and the width that the vehicle needs.
 struct ARCWAY_API Bottleneck {
   double width = 0.0;           ///< of the gap [m]; 0: no route at all, as obstacles meet or one surrounds a pose
-  double needed = 0.0;          ///< least width through which the body might pass [m], see widest_hopeless_gap
+  double needed = 0.0;          ///< least width through which the body might pass: a disc in it does [m]
   double needed_to_turn = 0.0;  ///< swept width of the tightest turn, (7), with the safety margin [m]
   ObstacleId obstacle_a = 0, obstacle_b = 0;  ///< on both sides of the gap; may be the same one
   Vec2 on_a{0.0, 0.0}, on_b{0.0, 0.0};        ///< the points where they are nearest to each other

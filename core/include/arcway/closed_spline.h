@@ -35,7 +35,7 @@ struct ARCWAY_API CubicBezier {
 /// Immutable, thread-safe.
 class ARCWAY_API ClosedSpline {
  public:
-  /// @param points  at least 3, in the range of predicates.h [m]; no two neighbors equal, the last and the first
+  /// @param points  at least 3, in the exact range of vec2.h [m]; no two neighbors equal, the last and the first
   ///   included.
   /// @throws std::invalid_argument naming the point. O(n).
   explicit ClosedSpline(std::span<const Vec2> points);

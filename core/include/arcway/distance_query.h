@@ -19,8 +19,8 @@ struct ARCWAY_API ClosestPoint {
 };
 
 /// Distances of points from the obstacles' boundaries, and the obstacles that contain them. All implementations give
-/// the same bits. Thread-safe; a call does not allocate. Coordinates must be finite and in the range of predicates.h
-/// [m]. All functions throw std::invalid_argument if sizes differ or a coordinate is out of range, naming its index.
+/// the same bits. Thread-safe; a call does not allocate. Coordinates must be in the exact range of vec2.h [m]. All
+/// functions throw std::invalid_argument if sizes differ or a coordinate is out of range, naming its index.
 class ARCWAY_API DistanceQuery {
  public:
   virtual ~DistanceQuery() = default;

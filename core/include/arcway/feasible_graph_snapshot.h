@@ -10,10 +10,10 @@ namespace arcway {
 
 /// How many bitangents a feasible visibility graph has, and why others were rejected.
 struct FeasibleGraphCounts {
-  std::uint64_t circles = 0;          ///< turn circles of convex vertices, see TurnCircles
+  std::uint64_t circles = 0;          ///< turn circles of convex vertices
   std::uint64_t circles_blocked = 0;  ///< circles without any free heading
-  std::uint64_t candidates =
-      0;  ///< directed circle pairs from neighbors in the reduced graph; in a lazy graph, those examined so far
+  /// Directed pairs of circles around neighbors in the reduced graph. Of a lazy graph, those examined so far.
+  std::uint64_t candidates = 0;
   std::uint64_t repeated = 0;            ///< candidates met before, of circles around two vertices
   std::uint64_t kept = 0;                ///< feasible bitangents
   std::uint64_t rejected_overlap = 0;    ///< the circles overlap, so that there is no bitangent

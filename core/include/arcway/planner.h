@@ -60,10 +60,10 @@ struct PlannerOptions {
   /// 65,536 straights to the graph, or half as many as the map has vertices if that is more, of some 60 bytes each.
   std::uint32_t maneuver_poses = 400;
   static constexpr std::uint32_t kMostManeuverPoses = 1'000'000;
-  /// Whether to search a second graph with added circles in narrow gaps, see find_gap_circles. It is searched where
-  /// single arcs find no path, or where the plan may be 5 % slower than the best one. That share is 10 % without
-  /// refinement or with several radii. The graph is made when a query first needs it, or by Planner::warm_up. Maps of
-  /// more than 50,000 vertices have none, as a query without a path would take seconds there.
+  /// Whether to search a second graph with added circles in narrow gaps. It is searched where single arcs find no path,
+  /// or where the plan may be some percent slower than the best one: see the strategy in core/README.md. The graph is
+  /// made when a query first needs it, or by Planner::warm_up. Maps of more than 50,000 vertices have none, as a query
+  /// without a path would take seconds there.
   bool gap_circles = true;
   /// Whether PlanResult::lower_bound counts the detour around obstacles, not only the straight line from start to goal.
   bool point_robot_lower_bound = true;
@@ -287,8 +287,8 @@ class ARCWAY_API Planner {
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Vehicle& vehicle() const;
   [[nodiscard]] const QuerySet& queries() const;
-  [[nodiscard]] const PlannerOptions& options()
-      const;  ///< with the radii and the suboptimality used, without a process group
+  /// The options, with the radii and the suboptimality used, and without a process group.
+  [[nodiscard]] const PlannerOptions& options() const;
   /// The reduced visibility graph. It has no vertices if the planner was made from lazy rows.
   [[nodiscard]] const VisibilityGraph& visibility_graph() const;
   /// The rows of the reduced visibility graph, however the planner was made. Another planner on the same map can use

@@ -41,13 +41,13 @@ class ARCWAY_API SweepQuery {
   virtual ~SweepQuery() = default;
 
   /// free[i] = 1 if no point of rectangles[i] belongs to an obstacle, else 0. Does not allocate.
-  /// @throws std::invalid_argument if the sizes differ or a coordinate is not in the range of predicates.h, naming its
+  /// @throws std::invalid_argument if the sizes differ or a coordinate is not in the exact range of vec2.h, naming its
   ///   index.
   void straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const;
   [[nodiscard]] bool straight_free(const SweptRectangle& rectangle) const;
 
   /// The headings at which the body, at that point of its circle, touches no obstacle.
-  /// @throws std::invalid_argument if the sizes differ or a center is not in the range of predicates.h, naming its
+  /// @throws std::invalid_argument if the sizes differ or a center is not in the exact range of vec2.h, naming its
   ///   index. Also if a radius, a half width or a length front + rear is not positive and finite. Either front or rear
   ///   may be negative.
   void free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const;

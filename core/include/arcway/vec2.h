@@ -10,6 +10,9 @@
 namespace arcway {
 
 /// A point or a vector of the plane [m]: x to the right, y up.
+///
+/// The *exact range* of a coordinate is 0 and the magnitudes from 1e-100 to 1e100. There, signs of orientation can be
+/// decided exactly, as products neither underflow nor overflow. Worlds and queries refuse other coordinates.
 using Vec2 = Eigen::Vector2d;
 
 /// The closed straight segment from `a` to `b`, which may be a single point [m].
@@ -18,8 +21,8 @@ struct LineSegment {
   Vec2 b;
 };
 
-/// The z component of the cross product, positive if `v` points to the left of `u`. It is rounded: use `orientation` of
-/// predicates.h where the sign decides.
+/// The z component of the cross product, positive if `v` points to the left of `u`. It is rounded, so that its sign
+/// decides nothing.
 inline double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 /// `v` turned counter-clockwise by 90 degrees.

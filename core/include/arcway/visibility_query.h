@@ -16,7 +16,7 @@ class ARCWAY_API VisibilityQuery {
   virtual ~VisibilityQuery() = default;
 
   /// visible[i] = 1 if segments[i] is a line of sight, else 0. A segment may be a single point. Coordinates must be
-  /// finite and in the range of predicates.h [m].
+  /// in the exact range of vec2.h [m].
   /// @throws std::invalid_argument if the sizes differ or a coordinate is out of range, naming its index.
   void visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const;
   [[nodiscard]] bool visible(const LineSegment& segment) const;

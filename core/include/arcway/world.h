@@ -62,7 +62,7 @@ class ARCWAY_API World {
   ///
   /// | refused | named in the error |
   /// |---|---|
-  /// | a coordinate that is not finite, or out of the range of predicates.h | ring, vertex, value |
+  /// | a coordinate that is not finite, or out of the exact range of vec2.h | ring, vertex, value |
   /// | fewer than 3 vertices, repeated consecutive vertices, area 0 | ring, vertex |
   /// | edges of one polygon that cross or overlap | both edges, the place |
   /// | a hole outside of its outer ring | ring |
@@ -81,8 +81,8 @@ class ARCWAY_API World {
   [[nodiscard]] WorldSnapshot snapshot() const;
 
   /// The world without some of the obstacles, and with others after its last one. The remaining ones keep their order.
-  /// Only what is new is checked, and coverage is updated near the change. O(n + m log m) for m vertices that come or
-  /// go, and O(k) for each of them among k obstacles.
+  /// Only what is new is checked, and coverage is updated near the change. O(n + m log m) for m vertices added or
+  /// removed, and O(k) for each of them among k obstacles.
   /// @param removed  obstacles, ascending.
   /// @throws std::invalid_argument if `removed` does not ascend or names no obstacle.
   /// @throws WorldError with the index that a refused obstacle has in the new world.

@@ -19,7 +19,7 @@ namespace arcway {
 ///     if (map.visible({a, b})) ...
 ///     for (const VisibleEdge& piece : map.visibility_polygon(p)) draw_triangle(p, piece.right, piece.left);
 ///
-/// Points must be finite and in the range of predicates.h: std::invalid_argument otherwise. Immutable and thread-safe;
+/// Points must be in the exact range of vec2.h: std::invalid_argument otherwise. Immutable and thread-safe;
 /// the world need not outlive it.
 class ARCWAY_API VisibilityMap {
  public:

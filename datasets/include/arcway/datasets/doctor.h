@@ -17,7 +17,7 @@ enum class FindingKind {
   kCollinearVertex,  ///< a vertex on the straight line between its neighbors
   kOrientation,      ///< a clockwise outer ring, a counter-clockwise hole
   kTooFewVertices,   ///< fewer than three different ones
-  kOutOfRange,       ///< a coordinate that is not finite, or beyond what predicates.h takes
+  kOutOfRange,       ///< a coordinate that is not finite, or out of the exact range of vec2.h
   kZeroArea,         ///< a ring without area
   kSelfCrossing,     ///< edges of one polygon that cross
   kEdgesOverlap,     ///< edges of one polygon that run along each other
