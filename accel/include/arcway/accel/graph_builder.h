@@ -7,10 +7,10 @@ namespace arcway {
 
 /// Builders of the reduced visibility graph; their graphs are equal.
 enum class GraphBuilder {
-  kPairwise,     ///< accel/graphs/pairwise_graph.h
-  kTangentCones  ///< accel/graphs/tangent_cone_graph.cpp
+  kPairwise,     ///< a line of sight, by Embree, for each pair of vertices that is tangent at both
+  kTangentCones  ///< tangent-cone expansion through a triangulation of the free space: tangent_cone_graph.h
 };
-/// "pairwise", "tangent-cones".
+/// The builder in words: "pairwise" or "tangent-cones".
 ARCWAY_API const char* name_of(GraphBuilder builder);
 
 /// The faster builder for a world, as measured (accel/README.md). Tangent-cone expansion is faster for any number and
