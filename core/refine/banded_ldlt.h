@@ -19,14 +19,14 @@ class BandedLdlt {
   }
 
   /// Factors the matrix plus `factor` times a diagonal one. O(n band^2).
-  /// @return whether no pivot is zero or not a number, and just so many are negative: as many as the matrix has
-  ///   negative eigenvalues.
+  /// @param negative  number of negative eigenvalues that the sum should have.
+  /// @return whether exactly that many pivots are negative, and none is zero or not a number.
   bool factorize(std::span<const double> diagonal, double factor, std::size_t negative);
   /// Solves in place, with the last factors. O(n band).
   void solve(std::span<double> x) const;
 
  private:
-  std::size_t size_ = 0, width_ = 0;      // width: band + 1
+  std::size_t size_ = 0, width_ = 0;      // width_ is the band plus 1
   std::vector<double> matrix_, factors_;  // by columns, from the diagonal on
 };
 

@@ -10,6 +10,7 @@ namespace arcway::internal {
 
 namespace {
 
+// Share of the coordinates and radii within which circles count as touching.
 constexpr double kChainUlps = 64.0 * std::numeric_limits<double>::epsilon();
 
 TurnCircle circle_of(const PathSegment& arc) {

@@ -11,40 +11,41 @@
 
 namespace arcway::internal {
 
-/// The moves of refinement: in which order it changes a path, by which amounts, and when it goes back to an earlier
-/// move. Lengths are in smallest turning radii, unless said otherwise. A move is known by its name:
-/// PlannerOptions::leave_out.
+/// The moves of refinement: in which order it changes a path, by which amounts, and when it returns to an earlier move.
+/// Lengths are in smallest turning radii, unless said otherwise. PlannerOptions::leave_out names moves to do without.
 
-/// When a move has its turn.
+/// When a move is tried.
 enum class Stage {
-  kSimplify,          ///< over and over, as long as a move of the stage helps; the first one first
-  kSlide,             ///< each once; back to kSimplify if one helps
-  kOptimize,          ///< once after kTrialsBefore trials of the moves above; if it helps, refinement ends
-  kOptimizeAtLength,  ///< in place of these for the best paths, in kMostRounds rounds behind kSimplify
-  kImprove,           ///< each once; back to kSimplify if one helps
-  kSettle,            ///< each once, when no move above helps: the path is a local optimum then
-  kEscape,            ///< back to kSimplify if one helps
-  kFinish             ///< each once, in the end
+  kSimplify,          ///< in order, again from the first one on whenever one helps
+  kSlide,             ///< each once; refinement returns to kSimplify if one helps
+  kOptimize,          ///< once, after kTrialsBefore trials of the stages above; if it helps, refinement ends
+  kOptimizeAtLength,  ///< instead of kOptimize for the best paths, in kMostRounds rounds after kSimplify
+  kImprove,           ///< each once; refinement returns to kSimplify if one helps
+  kSettle,            ///< each once, when no stage above helps; the path is a local optimum then
+  kEscape,            ///< each once, at a local optimum; refinement returns to kSimplify if one helps
+  kFinish             ///< each once, at the end
 };
 
 /// Leaves out turns between two circles, many at once first.
 struct DropTurns {};
 /// Joins start or goal to a later circle by an arc to either side.
 struct RejoinEnds {};
-/// Makes turns one turn, tangent to the lines before and behind.
+/// Makes several turns one turn, tangent to the lines before and behind.
 struct MergeTurns {
-  std::span<const double> radii;
+  std::span<const double> radii;  ///< radii tried for the one turn
 };
 /// Makes parts of a turn wider, and the ends tighter.
 struct WidenTurns {
-  std::span<const double> shares, factors;         ///< of the turn that becomes wider, and of its radius
-  std::span<const double> step_shares;             ///< of a turn between two others
-  std::span<const double> end_turns, end_factors;  ///< [rad] of the first or last turn, and of the radius beside it
+  std::span<const double> shares;       ///< shares of a turn that become wider
+  std::span<const double> factors;      ///< factors of its radius
+  std::span<const double> step_shares;  ///< shares of a turn between a tight and a wide one, on a radius between theirs
+  std::span<const double> end_turns;    ///< turns at the ends of the path that become as tight as allowed [rad]
+  std::span<const double> end_factors;  ///< factors of the radius of the rest of the first or the last turn
 };
 /// Two arcs and a line join places on two lines of the path.
 struct InsertWords {
-  int parts;                          ///< equal ones of each line, where places lie
-  std::span<const double> near_ends;  ///< distances of more places from the ends of a line
+  int parts;                          ///< number of equal parts of each line; words join at the places between them
+  std::span<const double> near_ends;  ///< distances of further places from the ends of a line
 };
 /// A step of the circle of a turn that is neither the first nor the last one. Its center moves inwards from the point
 /// of the inner swept circle where the share `at` of the turn is done, around that point, and along the heading there.
@@ -55,7 +56,7 @@ struct CircleStep {
 /// Slides centers and radii by steps that are halved.
 struct SlideCircles {
   std::span<const CircleStep> steps;
-  double last_step;  ///< 0: RefineOptions::smallest_step
+  double last_step;  ///< smallest step; 0: RefineOptions::smallest_step
 };
 
 /// Drives each turn in several arcs and optimizes all of them at once, see ChainOptimizer. For vehicles that it serves.
@@ -84,9 +85,9 @@ inline constexpr std::array<CircleStep, 21> kCircleSteps{
      {0, 0, -0.5, 0.5},  {-1, 0, 0, 0.5},   {0, 1, 1, 0.5},    {0, -1, 1, 0.5}, {1, 0, 1, 0.5},  {-1, 0, 1, 0.5},
      {-1, 0, -0.5, 0.5}, {0, 1, 0, 0.0},    {0, -1, 0, 0.0},   {0, 1, 0, 1.0},  {0, -1, 0, 1.0}, {0, 0, 0, 0.0, 1},
      {0, 0, 0, 0.0, -1}, {0, 0, 0, 1.0, 1}, {0, 0, 0, 1.0, -1}}};
-// Those around the middle of the turn. What is in the way is often where the turn begins or ends, or along the line
-// beside it, which stays where it is when the circle moves along it. Looked at too early, that leads some paths to a
-// worse optimum.
+// The steps around the middle of the turn. What is in the way often lies where the turn begins or ends, or beside a
+// line that stays where it is when the circle moves along it. Steps there lead some paths to a worse optimum if they
+// are tried too early.
 inline constexpr std::span kMiddleSteps = std::span(kCircleSteps).first<13>();
 inline constexpr std::span kEndSteps = std::span(kCircleSteps).first<17>();
 
@@ -107,14 +108,17 @@ inline constexpr MoveRow kMoves[] = {
     {"slide circles along lines", Stage::kFinish, SlideCircles{kCircleSteps, 0.0}},
 };
 
-/// Trials of simpler moves before turns are optimized.
+/// Number of trials of simpler moves before turns are optimized.
 inline constexpr std::uint64_t kTrialsBefore = 1000;
-/// Rounds of optimizing the best paths, as long as one makes them faster by a share; with trials of kSimplify before
-/// each. Where none helps, so many trials of all moves follow.
+/// Most rounds of optimizing a best path.
 inline constexpr int kMostRounds = 2;
+/// Share of the travel time that a round must save, if another one is to follow.
 inline constexpr double kWorthRound = 1e-3;
-inline constexpr std::uint64_t kTrialsBetween = 500, kTrialsInVain = 4000;
-/// Local optima in a row, each faster by kWorthSettling than the one before, until refinement ends.
+/// Number of trials of kSimplify before each round.
+inline constexpr std::uint64_t kTrialsBetween = 500;
+/// Number of trials of all moves where no round helps.
+inline constexpr std::uint64_t kTrialsInVain = 4000;
+/// Number of local optima in a row, each faster by kWorthSettling than the one before, at which refinement ends.
 inline constexpr int kMostSettled = 4;
 inline constexpr double kWorthSettling = 1e-5;  ///< share of the travel time
 
@@ -122,26 +126,26 @@ inline constexpr double kWorthSettling = 1e-5;  ///< share of the travel time
 
 /// Joins two places of the path: by a word of Reeds and Shepp, by a Dubins word in either gear, or by a biarc.
 struct InsertGearWords {
-  std::span<const double> radii;   ///< of words; the first one alone where no change of gear lies in between
-  std::span<const double> ratios;  ///< of the tangent lengths of biarcs
-  /// Words join places up to so many apart. Each further span is longer by 1 / span_ratio of it: some n log n pairs of
-  /// n places.
+  std::span<const double> radii;   ///< radii of words; the first one alone between places without a gear change
+  std::span<const double> ratios;  ///< ratios of the tangent lengths of biarcs
+  /// All places up to this many apart are joined. Each longer span is longer than the one before by 1 / span_ratio of
+  /// it. These are some n log n pairs of n places.
   std::size_t every_span, span_ratio;
 };
-/// Refines what lies between two changes of gear as a path that is driven forwards.
+/// Refines the part between two gear changes as a path that is driven forwards.
 struct RefineRuns {};
 /// Moves and turns the poses at which the gear changes, by steps that are halved.
 struct SlideCusps {
-  double first_step;
-  std::ptrdiff_t segments_beside;  ///< on either side, which may be replaced
-  std::size_t links_tried;         ///< connections on either side
+  double first_step;               ///< largest step, in smallest turning radii and in radians
+  std::ptrdiff_t segments_beside;  ///< number of segments on either side that may be replaced
+  std::size_t links_tried;         ///< number of connections tried on either side
 };
 
 using GearMove = std::variant<InsertGearWords, RefineRuns, SlideCusps>;
 
 struct GearMoveRow {
   std::string_view name;
-  Stage stage;  ///< kImprove: each once, in rounds; kFinish
+  Stage stage;  ///< kImprove: each once, in rounds; kFinish: once, at the end
   GearMove move;
 };
 
@@ -153,11 +157,12 @@ inline constexpr GearMoveRow kGearMoves[] = {
     {"words between places", Stage::kImprove, kInsertGearWords},
     {"refine between changes of gear", Stage::kImprove, RefineRuns{}},
     {"slide changes of gear", Stage::kImprove, SlideCusps{.first_step = 0.5, .segments_beside = 4, .links_tried = 4}},
-    // The last changes of gear that moved make room for words.
+    // Gear changes that moved last make room for words.
     {"words between places", Stage::kFinish, kInsertGearWords},
 };
-/// Rounds at most, and the share of the trials that they have at most; the rest is for kFinish.
+/// Most rounds of kImprove in both gears.
 inline constexpr int kMostGearRounds = 4;
+/// Share of the trials that these rounds may use; kFinish has the rest.
 inline constexpr double kGearRoundsShare = 0.8;
 
 /// The bit of a move in RefineOptions::moves; 0 for a name that no move has.

@@ -24,16 +24,16 @@ namespace arcway::internal {
 
 namespace {
 
-// Less than this part of the travel time is not worth a step.
-constexpr double kSmallestGain = 1e-6;
-// Far more than the rounding of travel times, relative to them.
-constexpr double kTimeSlack = 1e-9;  // share of a travel time, far above its rounding
-constexpr double kFirstStep = 1.0;   // first step of centers and radii, in smallest turning radii
-constexpr int kMostIterations = 8;   // iterations with steps of one length
-constexpr double kTiedTurn = 0.5;    // first step of tied circles [rad]
-constexpr double kLeastTurn = 0.02;  // smallest turn worth being driven in two parts [rad]
-constexpr double kLeastRatio = 1.5;  // ratio of two radii that leaves room for one between them
-constexpr double kNear = 0.25;       // largest distance of places near a line's end, as a share of its length
+constexpr double kSmallestGain = 1e-6;  // share of the travel time that a change must save
+constexpr double kTimeSlack = 1e-9;     // share of a travel time, far above its rounding
+constexpr double kFirstStep = 1.0;      // first step of centers and radii, in smallest turning radii
+constexpr int kMostIterations = 8;      // iterations with steps of one length
+constexpr double kTiedTurn = 0.5;       // first step of tied circles [rad]
+constexpr double kLeastTurn = 0.02;     // smallest turn worth being driven in two parts [rad]
+constexpr double kLeastRatio = 1.5;     // ratio of two radii that leaves room for one between them
+constexpr double kNear = 0.25;          // largest distance of places near a line's end, as a share of its length
+constexpr double kLeastMerged = 1e-3, kMostMerged = 3.0;  // range of the one turn that takes the place of several [rad]
+constexpr double kLeastBeside = 1.5;  // smallest radius beside a tightest turn at an end, in smallest turning radii
 // Iterations of a loop between two questions to the clock. They take some nanoseconds to some tenths of a microsecond
 // each.
 constexpr std::uint32_t kIterationsUnasked = 64;
@@ -44,8 +44,8 @@ struct Station {
   double part;  // of the line's length
   Pose pose;
   Vec2 left;
-  double time;   // when the path gets there; between the ends of a line roughly [s]
-  double speed;  // there [m/s]
+  double time;   // when the path gets there, approximate between the ends of a line [s]
+  double speed;  // upper bound there [m/s]
 };
 
 }  // namespace
@@ -129,7 +129,7 @@ class Refiner {
       any = true;
       if (result_.travel_time > (1.0 - kWorthRound) * before) break;
     }
-    // Where it fails, turns have mostly been optimized before.
+    // Where optimizing fails, the turns have mostly been optimized before.
     if (!any) most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsInVain);
     return any;
   }
@@ -139,7 +139,7 @@ class Refiner {
     }
   }
 
-  // A local optimum.
+  // Leads to a local optimum of the moves.
   void settle() {
     bool more = true;
     while (more && !done()) {
@@ -150,13 +150,13 @@ class Refiner {
     take_all(Stage::kSettle);
   }
 
-  // The moves of a stage, one by one until one helps. Returns whether one did.
+  // Tries the moves of a stage, one by one until one helps. Returns whether one did.
   bool take_first(Stage stage) {
     for (const MoveRow& row : kMoves)
       if (row.stage == stage && take(row)) return true;
     return false;
   }
-  // All moves of a stage. Returns whether one helped.
+  // Tries all moves of a stage. Returns whether one helped.
   bool take_all(Stage stage) {
     bool any = false;
     for (const MoveRow& row : kMoves)
@@ -172,10 +172,10 @@ class Refiner {
     result_.interrupted = result_.interrupted || clock_.is_over();
     return is_over();
   }
-  // Whether that is known, without asking: in loops that ask by their trials. Those over the circles of a long path
-  // have thousands of rounds left.
+  // Whether refinement is over, without a question to the clock. It serves loops whose trials ask the clock.
   [[nodiscard]] bool is_over() const { return result_.interrupted || result_.trials >= most_trials_; }
-  // Asks once in a while: in loops that try next to nothing.
+  // Whether refinement is over, with a question to the clock once in kIterationsUnasked calls. It serves loops that try
+  // next to nothing.
   [[nodiscard]] bool done_by_now() { return ++iterations_ % kIterationsUnasked == 0 ? done() : is_over(); }
 
   [[nodiscard]] const std::vector<TurnCircle>& circles() const { return chain_.chain().circles; }
@@ -195,8 +195,8 @@ class Refiner {
     take_made();
     return true;
   }
-  // Whole turns that fall short of a circle by next to nothing count as none, see turn_between: then the path does not
-  // get to a goal that is so little behind the start.
+  // A turn that falls short of a full circle by next to nothing counts as none, see turn_between. Such a path misses a
+  // goal closely behind the start, and is faster than any path can be.
   [[nodiscard]] bool is_made_faster() const {
     return chain_.made_time() < result_.travel_time * (1.0 - kSmallestGain) && chain_.made_time() >= least_time_;
   }
@@ -289,12 +289,12 @@ class Refiner {
     return any;
   }
 
-  // One circle tangent to the lines before and behind the circles [first, last).
+  // Replaces the circles [first, last) by one circle, tangent to the lines before and behind them.
   bool merge(std::size_t first, std::size_t last, std::span<const double> radii) {
     const Bitangent before = lines()[first];
     const Bitangent behind = lines()[last];
     const double turn = wrap_signed(behind.start.heading - before.start.heading);
-    if (std::abs(turn) < 1e-3 || std::abs(turn) > 3.0) return false;
+    if (std::abs(turn) < kLeastMerged || std::abs(turn) > kMostMerged) return false;
     const Vec2 d = direction_of(before.start.heading);
     const Vec2 e = direction_of(behind.start.heading);
     const Vec2 between = behind.start.position() - before.start.position();
@@ -395,7 +395,7 @@ class Refiner {
     return false;
   }
 
-  // Parts of turns become wider ones, where these are faster.
+  // Makes parts of turns wider, where wider turns are faster.
   bool take(const WidenTurns& move) {
     if (radii_.size() < 2) return false;
     bool any = false;
@@ -416,7 +416,7 @@ class Refiner {
     return false;
   }
 
-  // A turn that gets wider gets so by more steps.
+  // Puts a turn of a radius between those of a tight turn and of a wider one beside it.
   bool step(std::size_t i, bool leaving, const WidenTurns& move) {
     const std::size_t wide = leaving ? i + 1 : i - 1;
     const double ratio = circles()[wide].radius / circles()[i].radius;
@@ -428,13 +428,13 @@ class Refiner {
     return false;
   }
 
-  // The vehicle is slow at the ends of its path: tight turns cost little there.
+  // Makes the turn at an end of the path tight: the vehicle is slow there, so that this costs little.
   bool pinch(std::size_t i, const WidenTurns& move) {
     const double radius = circles()[i].radius;
     if (radius <= smallest_) return false;
     for (const double turn : move.end_turns)
       for (const double factor : move.end_factors)
-        if (accept(pinched(chain_.chain(), i, smallest_, turn, std::max(factor * radius, 1.5 * smallest_))))
+        if (accept(pinched(chain_.chain(), i, smallest_, turn, std::max(factor * radius, kLeastBeside * smallest_))))
           return true;
     return false;
   }
@@ -515,7 +515,7 @@ class Refiner {
   RefinedPath& result_;
   Footprint body_;
   double smallest_;
-  double least_time_ = 0.0;  // of any path [s]
+  double least_time_ = 0.0;  // lower bound of the time of all paths [s]
   std::uint32_t iterations_ = 0;
   TimedChain& chain_;
   std::vector<double>& radii_;

@@ -16,11 +16,12 @@ namespace arcway::internal {
 /// @throws std::invalid_argument if the smallest step is not positive and finite, naming it.
 void require_refinement(const RefineOptions& options);
 
+/// A refined path, and what refinement took.
 struct RefinedPath {
   Path path;
   double travel_time = 0.0;             ///< of `path`, by speed_profile [s]
   std::uint64_t trials = 0;             ///< paths whose travel time was computed
-  std::uint64_t improvements = 0;       ///< of them, accepted: faster and free
+  std::uint64_t improvements = 0;       ///< trials that were accepted: faster and free
   std::uint64_t straights_checked = 0;  ///< swept rectangles decided
   std::uint64_t turns_checked = 0;      ///< heading sets computed
   bool interrupted = false;             ///< the clock ended it: more trials might have made the path faster
@@ -39,7 +40,7 @@ struct RefineQuery {
   /// The world and its outlines. Without them no turns are optimized.
   const World* world = nullptr;
   const Outlines* outlines = nullptr;
-  bool at_length = false;  ///< it is one of the best paths, refined before
+  bool at_length = false;  ///< whether the path is one of the best, refined before: Stage::kOptimizeAtLength
 };
 
 /// Makes a free path faster by local changes, as long as time falls:
@@ -51,9 +52,10 @@ struct RefineQuery {
 /// - centers and radii slide, by steps that are halved down to the smallest.
 /// For vehicles that ChainOptimizer serves, the first three and rough slides are tried first, then all turns are
 /// optimized at once. The other changes follow only where that fails.
-/// A change is accepted only if the travel time under the speed profile falls and the swept area of the body grown by
-/// half of the safety margin is free by `sweep`. So the result is as free as the input and never slower; a path that
-/// turns on fewer than two circles is returned as it is. A local optimum of these changes, not the fastest path.
+/// A change is accepted only if the travel time under the speed profile falls, and the swept area of the body grown by
+/// half of the safety margin is free by `sweep`. The result is therefore as free as the input and never slower. It is a
+/// local optimum of these changes, not the fastest path. A path that turns on fewer than two circles is returned as it
+/// is.
 /// Deterministic unless stopped. Keeps its memory for the next path, and that of `result`; one path at a time.
 class PathRefiner {
  public:

@@ -43,9 +43,10 @@ class Shortener {
   }
 
  private:
+  // A place on the path, at a length along a segment.
   struct Place {
     std::size_t segment;
-    double along;  // of it [m]
+    double along;  // [m]
     Pose pose;
   };
 
@@ -84,6 +85,7 @@ class Shortener {
     return false;
   }
 
+  // Replaces the part between two places, if that is faster and free.
   bool take(const Place& from, const Place& to, std::span<const PathSegment> between) {
     if (done()) return false;
     --trials_left_;

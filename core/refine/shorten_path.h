@@ -10,9 +10,9 @@
 namespace arcway::internal {
 
 /// Makes a free path driven forwards faster: the part between two places on it becomes a Dubins word or a biarc that is
-/// free by `sweep`, as long as time falls. Places are ends and middles of segments. It serves paths of many short
-/// motions, which refine_path leaves as they are, since it moves one turn at a time. The result is as free as the
-/// input, and never slower.
+/// free by `sweep`, as long as time falls. Places are ends and middles of segments. This serves paths of many short
+/// motions, which refine_path hardly improves, since it moves one turn at a time. The result is as free as the input,
+/// and never slower.
 /// @param max_trials  number of paths whose travel time is computed, at most; some microseconds each.
 /// @param clock  asked before each trial; once over, the path so far is the result.
 Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
