@@ -105,7 +105,7 @@ class CircleTable {
   bool has_one_radius_ = false;
   std::span<const FeasibleGraph::Link> links_;
   HugeVector<Record> records_;    // none of a lazy graph
-  std::vector<Sectors> sectors_;  // likewise
+  std::vector<Sectors> sectors_;  // none of a lazy graph
   SlotCache<Incoming> incoming_{1};
 };
 

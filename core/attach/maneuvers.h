@@ -26,14 +26,14 @@ struct ManeuveringBody {
 
 /// How many poses to look for, and how far from each other.
 struct ManeuverPoses {
-  std::size_t most;
+  std::size_t most;  ///< number of poses
   Spread spread = Spread::kDense;
 };
 
 /// Finds maneuvers: chains of short free motions, left arcs, right arcs and straights, that leave a start or lead to a
 /// goal. It grows a tree of poses from the end's own pose, which is the first one returned:
-/// 1. The pose nearest to the root that had no turn yet is extended by all steps that are free.
-/// 2. A step's pose is kept if its cell of a grid over position and heading has none.
+/// 1. The pose nearest to the root that has not been extended is extended by all steps that are free.
+/// 2. The pose at the end of a step is kept if its cell of a grid over position and heading is empty.
 /// 3. The tree ends at `ManeuverPoses::most` poses, or with up to ten more from the last pose extended.
 ///
 /// Straight steps have three lengths. Arcs turn by one angle; where an obstacle ends them sooner, by shares of the turn

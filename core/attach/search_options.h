@@ -1,13 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stop_token>
 
 #include "arcway/heuristic.h"
 #include "arcway/path.h"
+#include "arcway/stop_clock.h"
 #include "arcway/time_model.h"
 #include "arcway/world.h"
 

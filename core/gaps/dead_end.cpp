@@ -249,8 +249,8 @@ class ForwardFlood {
   // By heading, once they were asked for: the body with the reference point at the origin, and the moves.
   std::vector<std::optional<SweptRectangle>> bodies_;
   std::vector<std::vector<Move>> moves_;
-  std::vector<Places> places_;  // memory
-  std::vector<Turns> turns_;    // likewise
+  std::vector<Places> places_;  // memory of one call
+  std::vector<Turns> turns_;    // memory of one call
   double reach_ = 0.0;
 };
 

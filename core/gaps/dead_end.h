@@ -28,8 +28,8 @@ struct ForwardBody {
 
 /// How much work a search for a dead end may do.
 struct DeadEndEffort {
-  int halvings;            ///< of the boxes; each makes some eight times as many
-  std::size_t max_checks;  ///< of the largest boxes from one end; twice as many after each halving
+  int halvings;            ///< number of halvings of the boxes; each makes them some eight times as many
+  std::size_t max_checks;  ///< largest number of checks of the largest boxes, from one end; doubled by each halving
 };
 
 /// Searches for a proof that an end is a dead end, by reachability over boxes of positions and headings:

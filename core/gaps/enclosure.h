@@ -29,7 +29,7 @@ struct MovedBody {
 /// 2. If no box is left before the other end is reached, that is a proof.
 /// 3. Else boxes are halved, a few times.
 ///
-/// @param max_boxes  of one size from one end; some tenths of a microsecond each.
+/// @param max_boxes  largest number of boxes of one size from one end; some tenths of a microsecond each.
 /// @param clock  may end the search.
 /// @return nothing if no proof is found; a path may exist or not.
 std::optional<Enclosure> find_enclosure(const Pose& start, const Pose& goal, const MovedBody& body,

@@ -36,7 +36,7 @@ struct World::Data {
   std::vector<bool> covered;
   HugeVector<VertexId> convex_vertices;
   std::vector<SelfContact> contacts;            // ascending by edge
-  std::vector<SelfContact> contacts_by_vertex;  // the same
+  std::vector<SelfContact> contacts_by_vertex;  // all contacts, ascending by vertex
   std::vector<VertexId> region_starts{0};       // one more than regions
   std::vector<VertexId> ring_starts;
   std::vector<std::size_t> region_rings{0};  // into ring_starts, one more than regions

@@ -42,8 +42,8 @@ struct GearSearchResult {
 /// Finds a path of arcs of the smallest radius and lines in both gears, for start and goal that are close to each other
 /// or parked. Two trees of poses grow from start and goal in turn. Each pose of one is joined to the root of the other
 /// by a free Reeds-Shepp word, if there is one. The search ends some time after the first path, with the best one, or
-/// when everything left costs more. Paths are checked exactly. As the number of poses is limited, no path proves
-/// nothing. Deterministic.
+/// when everything left costs more. Paths are checked exactly. As the number of poses is limited, finding no
+/// path proves nothing. Deterministic.
 GearSearchResult search_gears(const GearQuery& query, const GearSearchOptions& options);
 
 }  // namespace arcway::internal

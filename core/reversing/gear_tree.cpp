@@ -13,8 +13,8 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kStepTurn = kPi / 8.0;
-constexpr double kFarContactTurn = 3.0 * kStepTurn;  // largest turn of motions up to contact
+constexpr double kStepTurn = kPi / 8.0;              // turn of motions of a fixed length [rad]
+constexpr double kFarContactTurn = 3.0 * kStepTurn;  // largest turn of motions up to contact [rad]
 constexpr double kSmallestTurn = 1e-3;               // smallest turn worth a motion [rad]
 constexpr double kContactSlack = 1e-6;  // turn by which motions end before a contact [rad]: more than rounding
 // Spreads the number of gear changes over the bits of a cell's key: an odd number, 2^64 over the golden ratio.
@@ -46,7 +46,7 @@ std::optional<std::uint32_t> GearTree::expand() {
     open_.pop();
     const Node& node = nodes_[at];
     if (at != kRoot && cells_.at(cell_of(node.pose, node.motion.gear, node.cusps)) != at)
-      continue;  // there is a cheaper one
+      continue;  // its cell has a cheaper pose by now
     contact_.begin(node.pose, radius_ * kFarContactTurn);
     for (const double curvature : {0.0, 1.0 / radius_, -1.0 / radius_})
       for (const Gear gear : {Gear::kForward, Gear::kReverse})

@@ -21,10 +21,11 @@ namespace arcway::internal {
 
 /// How finely a tree tells poses apart, which motions it tries, and what gear changes cost.
 struct GearTreeOptions {
-  double cells;            ///< number of cells in a turning radius; headings are told apart as finely
+  double cells;            ///< number of cells in a turning radius, and of headings in a radian
   bool halves;             ///< whether motions that an obstacle ends early are also made half as long
   double cusp_cost = 0.0;  ///< cost of a gear change, beside the time for it [s]
-  std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< of the way to a pose
+  std::size_t max_cusps =
+      std::numeric_limits<std::size_t>::max();  ///< largest number of gear changes from the root to a pose
 };
 
 /// A tree of poses that free motions in both gears reach from a pose: lines, and arcs of the smallest radius to either
@@ -39,7 +40,7 @@ class GearTree {
     Pose pose;
     PathSegment motion;    ///< from the parent; of zero length for the root
     std::uint32_t parent;  ///< kRoot for the root itself
-    std::uint32_t joint;   ///< of the speed tree
+    std::uint32_t joint;   ///< joint of the speed tree at the pose
     std::uint32_t cusps;   ///< gear changes from the root
     double cost;           ///< least time to pass here plus the cost of gear changes [s]
   };

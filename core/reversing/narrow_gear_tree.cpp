@@ -14,9 +14,9 @@ namespace arcway::internal {
 
 namespace {
 
-// Curvatures of motions, as multiples of the largest one. Those of words come first: right, straight, left. Of 23
-// driven worlds with 2 mm of room that need this tree it solves 20. With the curvatures of words and half of them alone
-// it solves 16.
+// Curvatures of motions, as multiples of the largest one. The curvatures of words come first: right, straight, left. Of
+// 23 driven worlds with 2 mm of room that need this tree it solves 20. With the curvatures of words and half of them
+// alone it solves 16.
 constexpr std::array kBends{-1.0, 0.0, 1.0, -0.7, 0.7, -0.4, 0.4, -0.2, 0.2, -0.08, 0.08};
 constexpr double kFarLine = 1.0;  // longest line, in lengths of the body or turning radii, whichever is larger
 constexpr double kFarWide = 2.0;  // longest arc, in the same unit
@@ -30,8 +30,8 @@ constexpr double kLargestCell =
     0.125;  // edge of the largest cell, in lengths of the body or turning radii, whichever is larger
 constexpr double kLargestTurn = 0.25;  // heading range of the largest cell [rad]
 constexpr double kShare = 0.25;        // size of a cell, as a share of what one move to and fro can do
-// Cost of an expansion in a coarse cell, in times to cross it. With 0.5 a tree stays long where the estimate of the way
-// that remains misleads it: in 54 driven worlds that need this tree it takes 1.6 times as long.
+// Cost of an expansion in a coarse cell, in times to cross it. With 0.5 a tree stays long where the estimate of the
+// rest of the route misleads it: in 54 driven worlds that need this tree it takes 1.6 times as long.
 constexpr double kVisit = 20.0;
 
 // The largest power of two times `largest` that is no larger than `wanted`, at most `largest`.
@@ -114,7 +114,7 @@ void NarrowGearTree::add(std::uint32_t from, const Cell& cell, const PathSegment
   open_.push(cost + remaining_(end), node);
 }
 
-// The size of cells where the longest motion and the largest turn to and fro are these.
+// The size of cells by the longest motion and the largest turn to and fro.
 NarrowGearTree::Cell NarrowGearTree::cell_where(double way, double turn) const {
   const double share = kShare * options_.fineness;
   const double q = std::max(way, kLeast * vehicle_.parameters().length), t = std::clamp(turn, kLeast, 1.0);

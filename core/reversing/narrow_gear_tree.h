@@ -20,7 +20,7 @@ namespace arcway::internal {
 /// What a gear change costs in a tree, how many there may be, and how finely the tree tells poses apart.
 struct NarrowGearTreeOptions {
   double gear_change;     ///< cost of a gear change, with the time to stop and set off [s]
-  std::size_t max_cusps;  ///< from the root to a pose
+  std::size_t max_cusps;  ///< largest number of gear changes from the root to a pose
   double fineness;        ///< size of cells, 1 for the largest
 };
 
@@ -79,8 +79,9 @@ class NarrowGearTree {
   Vehicle vehicle_;
   NarrowGearTreeOptions options_;
   std::function<double(const Pose&)> remaining_;
-  double radius_, size_;  // size_: of the body or the turn, whichever is larger [m]
-  double far_line_;       // the longest line [m]
+  double radius_;    // smallest turning radius [m]
+  double size_;      // the larger one of that radius and the length of the body [m]
+  double far_line_;  // the longest line [m]
   Cell largest_;
   ContactReach contact_;
   std::array<std::array<double, 2>, 3> rooms_{};  // of motions from the last pose: right, straight, left, by gear [m]

@@ -29,12 +29,12 @@ FoundPath ReversingSearch::join_between(const GearAttachments& wanted) {
   return found;
 }
 
-// What is driven backwards from one pose to another is driven forwards the other way.
+// A path driven backwards is searched as one driven forwards from goal to start.
 void ReversingSearch::join(const GearAttachments& wanted, Gear gear, FoundPath& found) {
   if (found.search.interrupted) return;
   const auto starts = attachments(Direction::kFromStart, wanted, gear);
   const auto goals = attachments(Direction::kToGoal, wanted, gear);
-  const bool are_ends = starts.size() + goals.size() == 2;  // which have been joined before
+  const bool are_ends = starts.size() + goals.size() == 2;  // the ends alone have been joined before
   if (wanted.most > 0 && are_ends) return;
   if (join(starts, goals, gear, found)) return;
   // Each end alone changes gear seldom enough.
@@ -54,8 +54,7 @@ bool ReversingSearch::join(std::span<const Attachment> starts, std::span<const A
   return !joined.path || offer(gear == Gear::kForward ? *joined.path : reversed(*joined.path));
 }
 
-// Poses from which the graph is entered forwards behind a motion backwards, or the other way round for the goal; the
-// end itself first.
+// The end itself, then poses that a motion in the other gear reaches from it.
 std::vector<Attachment> ReversingSearch::attachments(Direction direction, const GearAttachments& wanted,
                                                      Gear gear) const {
   const bool from_start = direction == Direction::kFromStart;
@@ -65,7 +64,7 @@ std::vector<Attachment> ReversingSearch::attachments(Direction direction, const 
   std::vector<Attachment> found{{end, {}}};
   if (wanted.most == 0) return found;
   const Vehicle& vehicle = map_.vehicle;
-  // A goal's tree is driven the other way.
+  // Motions of a goal's tree are driven in the opposite sense.
   GearTree tree(end, at_start ? vehicle : vehicle.with_gears_swapped(), *map_.outlines,
                 {wanted.cells, true, options_.cusp_cost}, [](const Pose&) { return 0.0; });
   for (std::size_t i = 0; i < wanted.most_expansions && found.size() <= wanted.most; ++i) {
@@ -75,8 +74,8 @@ std::vector<Attachment> ReversingSearch::attachments(Direction direction, const 
     const GearTree::Node& reached = tree[*node];
     if (*node == GearTree::kRoot || reached.motion.gear != (from_start ? Gear::kReverse : Gear::kForward)) continue;
     Path connection = from_start ? tree.path_from_root(*node) : tree.path_to_root(*node);
-    if (cusps_of(connection) >= query_.max_cusps) continue;  // where it ends the gear changes once more
-    // The vehicle stops there, and what it has come is all that the rest is shorter by.
+    if (cusps_of(connection) >= query_.max_cusps) continue;  // the gear changes once more at its end
+    // The vehicle stops at its end. The rest of the path is shorter by the length of the connection at most.
     const double rest = query_.distance - length_of(connection);
     if (reached.cost + options_.cusp_cost + least_cost(reached.pose, other, rest) >= cost_) continue;
     if (!motion_free(*map_.queries.sweep, map_.body, connection)) continue;

@@ -12,37 +12,38 @@
 
 namespace arcway::internal {
 
+/// What a search in both gears is to find.
 struct ReversingQuery {
-  Pose start, goal;  ///< that differ
-  double distance;   ///< that no path of the vehicle falls below, as travel_time_lower_bound takes it [m]
-  double cutoff;     ///< cost of a path that is known, driven forwards; only cheaper ones are of interest [s]
-  std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< of paths of interest
+  Pose start, goal;  ///< two different poses
+  double distance;   ///< lower bound of the length of all paths, as travel_time_lower_bound takes it [m]
+  double cutoff;     ///< cost of a known path, driven forwards; only cheaper ones are wanted [s]
+  std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< largest number of gear changes of a path
 };
 
-/// Poses near one end, behind a motion in the other gear, by which that end joins the roadmap.
+/// How many poses near one end join the roadmap. A motion in the other gear leads from the end to each of them.
 struct GearAttachments {
-  double cells = 0.0;               ///< of the grid that tells poses apart, in a turning radius
-  std::size_t most = 0;             ///< beside the end itself; 0: the end alone
-  std::size_t most_expansions = 0;  ///< of the tree that finds them
+  double cells = 0.0;               ///< number of cells in a turning radius, of the grid that tells poses apart
+  std::size_t most = 0;             ///< largest number of poses beside the end itself; 0: the end alone
+  std::size_t most_expansions = 0;  ///< largest number of expansions of the tree that finds the poses
 };
 
-/// The cheapest path of a vehicle that may drive backwards, in travel time and a cost of each change of gear. Steps may
-/// be left out, and each looks for what is cheaper than the paths known so far. The number of trials is limited, so
-/// that no path proves nothing.
+/// Finds the cheapest path of a vehicle that may drive backwards. The cost is the travel time plus a cost of each gear
+/// change. Each step searches for a path that is cheaper than those known so far. Steps may be left out. As the number
+/// of trials is limited, finding no path proves nothing.
 class ReversingSearch {
  public:
   /// All arguments but the query must outlive this.
   ReversingSearch(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options,
                   ArrivalSearch& arrivals);
 
-  /// By the roadmap, driven backwards all the way.
+  /// Searches the roadmap for a path that is driven backwards all the way.
   FoundPath join_backwards();
-  /// By the roadmap, driven either way between poses that motions in both gears reach from start and goal. Poses are
-  /// left out if the lower bounds say that no path by way of them is cheaper.
+  /// Searches the roadmap, in each gear, for a path between poses that motions in both gears reach from start and goal.
+  /// Poses are left out if lower bounds say that no path through them is cheaper.
   FoundPath join_between(const GearAttachments& wanted);
-  /// By Reeds-Shepp words and trees in both gears all the way, see search_gears.
+  /// Searches by Reeds-Shepp words and trees in both gears, without the roadmap: search_gears.
   FoundPath grow_gear_trees(std::size_t poses);
-  /// By trees for narrow ways, see search_narrow_gears.
+  /// Searches by trees in both gears for narrow places: search_narrow_gears.
   FoundPath grow_narrow_gear_trees(std::size_t poses);
 
   /// The cheapest path found so far, if any.
@@ -52,11 +53,11 @@ class ReversingSearch {
 
  private:
   void join(const GearAttachments& wanted, Gear gear, FoundPath& found);
-  // Whether the cheapest path between these poses, if any, changes gear seldom enough.
+  // Searches between given poses. False if the cheapest path changes gear too often.
   bool join(std::span<const Attachment> starts, std::span<const Attachment> goals, Gear gear, FoundPath& found);
   [[nodiscard]] std::vector<Attachment> attachments(Direction direction, const GearAttachments& wanted,
                                                     Gear gear) const;
-  // From rest to rest by a way of at least this length.
+  // Least cost from rest to rest of a path of at least this length.
   [[nodiscard]] double least_cost(const Pose& from, const Pose& to, double length) const;
   [[nodiscard]] GearSearchOptions gear_options(std::size_t poses) const;
   FoundPath taken(const GearSearchResult& gears);

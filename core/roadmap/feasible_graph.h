@@ -21,9 +21,14 @@ namespace arcway::internal {
 class FinishedFeasibleGraph;
 
 /// What a check of a link has found.
-enum class LinkVerdict : std::uint8_t { kUnknown, kKept, kArrival, kStraight };
+enum class LinkVerdict : std::uint8_t {
+  kUnknown,  ///< not checked yet
+  kKept,     ///< the vehicle may drive the link
+  kArrival,  ///< the heading is not free on the circle where it ends
+  kStraight  ///< its swept rectangle is not free
+};
 
-/// A row of links, and of each what is known of it.
+/// A row of links, with what is known of each.
 struct CheckedRow {
   LinkRow row;
   std::vector<LinkVerdict> verdicts;  ///< by link
@@ -41,7 +46,7 @@ class FeasibleGraph {
   FeasibleGraph(const FeasibleGraph&) = delete;
   FeasibleGraph& operator=(const FeasibleGraph&) = delete;
 
-  /// In the order of TurnCircles::all.
+  /// The turn circles, in the order of TurnCircles::all.
   [[nodiscard]] std::span<const TurnCircle> circles() const { return circles_; }
   [[nodiscard]] const TurnCircles& turn_circles() const { return checks_->circles(); }
   /// See CircleChecks::free_headings.
@@ -52,7 +57,7 @@ class FeasibleGraph {
   [[nodiscard]] virtual std::span<const Link> links_from(std::uint32_t circle, const StopClock& clock = {}) const = 0;
   /// Whether links_from(circle)[index] is kept: whether the vehicle may drive it.
   [[nodiscard]] virtual bool is_kept(std::uint32_t circle, std::size_t index) const = 0;
-  /// Of what has been decided so far.
+  /// Counts of what has been decided so far.
   [[nodiscard]] virtual FeasibleGraphCounts counts() const = 0;
 
   /// This graph if all is known of it, else null.

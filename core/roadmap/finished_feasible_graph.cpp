@@ -22,16 +22,16 @@ std::optional<CheckedRow> FinishedFeasibleGraph::known_row(std::uint32_t circle)
 }
 
 FeasibleGraphSnapshot FinishedFeasibleGraph::snapshot() const {
-  FeasibleGraphSnapshot tables;
-  tables.interval_starts.push_back(0);
+  FeasibleGraphSnapshot flat;
+  flat.interval_starts.push_back(0);
   for (const HeadingSet& set : headings_) {
-    tables.intervals.insert(tables.intervals.end(), set.intervals().begin(), set.intervals().end());
-    tables.interval_starts.push_back(tables.intervals.size());
+    flat.intervals.insert(flat.intervals.end(), set.intervals().begin(), set.intervals().end());
+    flat.interval_starts.push_back(flat.intervals.size());
   }
-  tables.link_starts = rows_.starts;
-  tables.links = rows_.links;
-  tables.link_counts = rows_.counts;
-  return tables;
+  flat.link_starts = rows_.starts;
+  flat.links = rows_.links;
+  flat.link_counts = rows_.counts;
+  return flat;
 }
 
 }  // namespace arcway::internal

@@ -8,9 +8,9 @@
 
 namespace arcway::internal {
 
-/// The graph whose tables these are. Checks no heading and no link again.
-/// @throws SnapshotError if the tables are not those of such a graph: a value out of range or order.
+/// The graph of a snapshot. Checks no heading and no link again.
+/// @throws SnapshotError if a value of the snapshot is out of range or order.
 [[nodiscard]] std::shared_ptr<const FinishedFeasibleGraph> restore_feasible_graph(const FeasibleGraphInputs& inputs,
-                                                                                  FeasibleGraphSnapshot tables);
+                                                                                  FeasibleGraphSnapshot snapshot);
 
 }  // namespace arcway::internal

@@ -51,7 +51,7 @@ struct Entry {
   [[nodiscard]] Kind kind() const { return static_cast<Kind>(what >> 61); }
   [[nodiscard]] std::size_t index() const { return what & ((std::uint64_t{1} << 61) - 1); }
 
-  double estimate;  // of the whole path's time; the time itself for complete paths
+  double estimate;  // estimated time of the whole path, exact for complete paths [s]
   std::uint64_t what;
 };
 
@@ -63,10 +63,10 @@ bool is_complete(const Entry& entry) { return entry.kind() == Kind::kDirect || e
 
 // A link of the graph, or a goal link, on the open list.
 struct Step {
-  std::uint32_t label;  // that it goes on from
+  std::uint32_t label;  // from which it continues
   std::uint32_t to;     // circle of the graph, or goal link
   std::uint32_t index;  // of the link among those of its circle
-  double turn;          // before it
+  double turn;          // on the circle, before the link [rad]
   double heading, length;
 };
 
@@ -78,7 +78,7 @@ struct Label {
   double heading;
   double reach;  // of the free interval
   std::uint32_t joint;
-  std::uint32_t parent;  // label; kNone: by a start link
+  std::uint32_t parent;  // the label before; kNone: a start link leads here
   std::uint32_t index;   // of the graph link among those of the parent's circle, or of the start link
   std::uint32_t next;    // label on the same circle
 };
@@ -92,7 +92,7 @@ void append_line(Path& path, const Pose& start, double length) {
   if (length > 0.0) path.push_back({start, length, 0.0});
 }
 
-// Everything that labels depend on beside the map, the starts and the goals.
+// What labels depend on beside the map, the starts and the goals.
 struct Question {
   Vehicle vehicle;  // with the gears as the path will be driven
   Heuristic heuristic;
@@ -114,12 +114,12 @@ struct ArrivalSearch::Memory {
   SearchAttachments attachments;
   SearchTimes times;
   struct Reached {
-    std::weak_ptr<const CircleTable> map;  // its memory may have become another's
+    std::weak_ptr<const CircleTable> map;  // weak, as a new table may lie at the same address
     Reachability by_starts;
   };
-  std::array<Reached, 2> reached;  // on the map of a query, and on that with circles in narrow places
+  std::array<Reached, 2> reached;  // of the roadmap of a query, and of that with circles in gaps
   // State of the search before.
-  std::weak_ptr<const CircleTable> map;  // none if no search can go on from it
+  std::weak_ptr<const CircleTable> map;  // empty if no search can continue the one before
   std::optional<Question> question;
   double faster_than = 0.0;
   std::uint32_t pushed_start_circles = 0;
@@ -129,7 +129,7 @@ struct ArrivalSearch::Memory {
   HugeVector<Label> labels;
   PerCircle first_label;
   std::vector<std::uint32_t> chain;  // labels of the path found, last first
-  Path path;                         // memory for it
+  Path path;                         // memory of the path found
 };
 
 // One search.
@@ -231,7 +231,7 @@ class ArrivalSearch::Run {
         ahead.clock = ahead.clock.with_stop(done);
         try {
           ArrivalSearch().find(context_.map, context_.starts, context_.goals, ahead);
-        } catch (...) {  // what it meets the search meets, or can do without
+        } catch (...) {  // the search itself meets the same error, or does without
         }
       });
     } catch (const std::system_error&) {  // no thread is left

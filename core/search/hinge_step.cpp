@@ -31,8 +31,8 @@ class HingeStep {
  private:
   struct Direction {
     Eigen::VectorXd step;
-    double room;           // the share of it after which a part comes to its limit, at most 1
-    Eigen::Index limited;  // that part; none: -1
+    double room;           // the share of the step after which a component comes to its limit, at most 1
+    Eigen::Index limited;  // that component; -1: none
   };
 
   [[nodiscard]] bool counts(Eigen::Index row, double value) const {
@@ -69,7 +69,7 @@ class HingeStep {
     square_ = values.head(rows).squaredNorm();
   }
 
-  // Parts at a limit that would leave it are fixed.
+  // The Newton step. Components at a limit that it would cross are fixed.
   Direction direction() {
     while (true) {
       Direction to{newton(), 1.0, -1};
@@ -102,7 +102,7 @@ class HingeStep {
     return -hessian.ldlt().solve(gradient);
   }
 
-  // The slope along a direction grows with the share of it that is gone.
+  // The share of a direction that costs least. The slope grows along a direction, so that bisection finds it.
   [[nodiscard]] double best_share(const Direction& to, const Eigen::VectorXd& by) const {
     const auto slope = [&](double share) {
       double sum = damping_ * to.step.dot(step_ + share * to.step);
@@ -121,7 +121,8 @@ class HingeStep {
   const LinearResiduals& residuals_;
   const StepLimits& limits_;
   double damping_;
-  Eigen::VectorXd step_, then_;  // and the values after it
+  Eigen::VectorXd step_;
+  Eigen::VectorXd then_;  // values of the residuals after the step
   std::vector<char> is_fixed_;
   Eigen::MatrixXd counted_, hessian_;
   Eigen::VectorXd gradient_;

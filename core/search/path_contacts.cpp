@@ -12,12 +12,12 @@ namespace arcway::internal {
 namespace {
 
 // Lengths are in lengths of the body.
-constexpr double kStep = 1.0 / 24.0;   // that any point of the body moves between two looks at the edges
+constexpr double kStep = 1.0 / 24.0;   // largest move of a point of the body between two looks at the edges
 constexpr double kNearContact = 0.02;  // edges so near beside the body count: the next step may come to touch them
-constexpr double kFlat = 1e-7;         // depths that differ by no more are one
-constexpr int kSections = 16;          // of two steps, in which the deepest contact is looked for
+constexpr double kFlat = 1e-7;         // depths that differ by no more count as equal
+constexpr int kSections = 16;          // number of golden sections of two steps around the deepest contact
 constexpr double kGolden = 0.6180339887498949;
-constexpr double kSmallTurn = 1e-3;  // of an arc, below which series are used [rad]
+constexpr double kSmallTurn = 1e-3;  // turn of an arc below which series are used [rad]
 constexpr double kAroundArc = 0.25;  // of an arc's length: how far it lies from five of its places at most
 constexpr double kNoContact = -std::numeric_limits<double>::infinity();
 

@@ -31,9 +31,12 @@ class PathContacts {
 
   static constexpr double kEndWeight = 100.0;
   [[nodiscard]] const LinearResiduals& residuals() const { return residuals_; }
-  [[nodiscard]] double deepest() const { return deepest_; }        ///< contact, 0 if there is none [body lengths]
-  [[nodiscard]] double off_goal() const { return off_goal_; }      ///< [body lengths or rad]
-  [[nodiscard]] double square_sum() const { return square_sum_; }  ///< of depths and of the way from the goal
+  /// Depth of the deepest contact, 0 if there is none [body lengths].
+  [[nodiscard]] double deepest() const { return deepest_; }
+  /// How far the path ends from the goal: the largest of the three components [body lengths or rad].
+  [[nodiscard]] double off_goal() const { return off_goal_; }
+  /// Sum of the squares of all residuals that count.
+  [[nodiscard]] double square_sum() const { return square_sum_; }
 
   /// How the end of a path moves: gradients of its place and heading, as above.
   [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic> end_gradients(const std::vector<PathSegment>& motions) const;
@@ -64,12 +67,13 @@ class PathContacts {
 
   const Outlines& outlines_;
   Footprint body_;
-  double unit_, around_;  // the body lies within, of its reference point [m]
+  double unit_;    // length of the body [m]
+  double around_;  // radius of the circle around the reference point that holds the body [m]
   double deepest_ = 0.0, off_goal_ = 0.0, square_sum_ = 0.0;
   std::vector<PathSegment> motions_;
-  std::vector<End> ends_;           // of them
+  std::vector<End> ends_;           // by motion
   std::vector<LineSegment> edges_;  // near one motion
-  std::vector<Step> steps_;         // of it
+  std::vector<Step> steps_;         // of one motion
   std::vector<double> values_, gradients_;
   LinearResiduals residuals_;
 };

@@ -41,7 +41,7 @@ class PointDistance {
     };
     struct Reached {
       double length;       ///< of the shortest path known
-      VertexId parent;     ///< on it; kNone: the start itself
+      VertexId parent;     ///< vertex before this one on that path; kNone: the start itself
       std::uint32_t mark;  ///< the last search that came here, one more once that path is the shortest of all
     };
     void reset(std::size_t vertices);
@@ -67,9 +67,9 @@ class PointDistance {
 
  private:
   [[nodiscard]] OcclusionHorizon horizon_of(const Vec2& place) const;
-  // Has the search ask for the segments from the start to vertices that nothing hides.
+  // Puts the segments from the start to the vertices that nothing near hides on the open list.
   void push_from_start(const Vec2& start, const Vec2& goal, Workspace& w) const;
-  // Says that the memory will be asked for that the next entries need.
+  // Prefetches the memory that the next entries need.
   void prefetch_next(const Workspace& w) const;
 
   World world_;

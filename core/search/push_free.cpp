@@ -18,7 +18,7 @@ namespace arcway::internal {
 namespace {
 
 // Lengths are in lengths of the body. A path of some tens of parts takes some milliseconds.
-constexpr double kLongestPart = 1.0;  // that bends as one; twice as long and so on where there would be too many
+constexpr double kLongestPart = 1.0;  // longest part with one curvature; doubled until kMostParts are enough
 constexpr std::size_t kMostParts = 48;
 constexpr double kRoom = 2e-4;         // beside the body that is asked for, as contacts are found by rounding numbers
 constexpr double kMostDepth = 1.5e-4;  // of contacts with the body and that room that are none with the body
@@ -79,7 +79,7 @@ class Pusher {
  private:
   struct Part {
     double curvature, length;
-    bool is_line;  // for good
+    bool is_line;  // stays one
   };
 
   static Footprint with_room(const Footprint& body) {
@@ -165,7 +165,7 @@ class Pusher {
 
   Pose start_, goal_;
   PathContacts contacts_;
-  double radius_;  // the smallest
+  double radius_;  // smallest turning radius [m]
   std::vector<Part> parts_;
 };
 

@@ -37,7 +37,7 @@ class Reachability {
   // An arrival on a circle that waits for its turn.
   struct Arrival {
     double distance;       // to the goal
-    std::uint32_t circle;  // that the link leaves; kNone: a link of the start
+    std::uint32_t circle;  // the circle that the link leaves; kNone: a link of the start
     std::uint32_t index;
     // Links of the start come last among equals.
     friend bool before(const Arrival& a, const Arrival& b) {

@@ -19,10 +19,10 @@ class RouteField {
  public:
   /// The grid lies in the frame of a pose. A map that is moved and turned with its poses has the same field. O(cells
   /// log cells + edges).
-  /// @param frame  such as the start of the query.
-  /// @param to  to which routes lead; its heading matters once routes turn.
-  /// @param most_cells  of the grid, at most.
-  /// @param clock  may end that; the rest of the grid then has no routes.
+  /// @param frame  a pose of the query, such as its start.
+  /// @param to  the pose to which routes lead; its heading matters once routes turn.
+  /// @param most_cells  largest number of cells of the grid.
+  /// @param clock  may end the construction; the rest of the grid then has no routes.
   RouteField(const Roadmap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
              const StopClock& clock = {});
 
