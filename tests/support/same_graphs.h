@@ -10,12 +10,13 @@
 
 namespace arcway::internal::test {
 
+/// Whether two arrays are equal, bit for bit.
 template <class T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// Two finished graphs, bit for bit.
+/// Expects two finished graphs to be equal, bit for bit.
 inline void expect_same(const FeasibleGraph& a, const FeasibleGraph& b) {
   ASSERT_TRUE(a.finished() && b.finished());
   const FeasibleGraphSnapshot x = a.finished()->snapshot(), y = b.finished()->snapshot();

@@ -30,7 +30,7 @@ double cost_of(const PlanResult& result, double cusp_cost) {
   return result.travel_time + cusp_cost * static_cast<double>(cusps_of(result.path()));
 }
 
-// A lane with a dead end, as wide as to let the paper's robot in but not turn.
+// A lane with a dead end. It is wide enough for the paper's robot to drive in, and too narrow to turn.
 World dead_end() {
   return World({box(0.0, 1.0, 8.0, 2.0), box(0.0, -2.0, 8.0, -1.0), box(8.0, -2.0, 9.0, 2.0)},
                box(-20.0, -20.0, 20.0, 20.0).outer);
@@ -74,7 +74,7 @@ TEST(PlannerReverse, IsNeverDearerThanForwards) {
   EXPECT_GT(faster, 0);
 }
 
-// Aside on an open field: to and fro, or round in a loop.
+// A goal beside the start on an open field: gear changes lead there, or a loop driven forwards.
 TEST(PlannerReverse, TheCostOfAChangeOfGearChangesThePlan) {
   const Planner planner(World({box(50.0, 50.0, 51.0, 51.0)}), Vehicle{});
   PlanRequest request{.start = {0, 0, 0}, .goal = {0, 2, 0}, .reverse = true};
@@ -119,7 +119,7 @@ TEST(PlannerReverse, ChangesGearNoMoreOftenThanAllowed) {
   EXPECT_TRUE(closed.plan(request).solved());
 }
 
-// A lane that is left backwards at a speed of its own.
+// A lane that the vehicle leaves backwards, with a speed limit of its own for reversing.
 TEST(PlannerReverse, KeepsToTheSpeedLimitForReversing) {
   VehicleParameters parameters{.max_acceleration = 2.0};
   const Pose inside{6.0, 0.0, 0.0}, outside{-10.0, 5.0, 0.0};
@@ -143,7 +143,7 @@ TEST(PlannerReverse, KeepsToTheSpeedLimitForReversing) {
   }
 }
 
-// To and fro on an open field, a vehicle is as fast as its mirror image the other way round.
+// A vehicle with its gears swapped, turned around at start and goal, drives as the vehicle itself does.
 TEST(PlannerReverse, FasterBackwardsThanForwards) {
   const Vehicle forwards({.max_speed = 6.0, .max_reverse_speed = 2.0, .max_acceleration = 2.0});
   const Vehicle backwards = forwards.with_gears_swapped();
@@ -160,7 +160,7 @@ TEST(PlannerReverse, FasterBackwardsThanForwards) {
   }
 }
 
-// A car park, the goal a bay: poses close to it lead nowhere that the way round is not as fast.
+// The goal is a bay of a car park. Only gear changes further away from it save time over the drive forwards.
 TEST(PlannerReverse, FindsPlacesToTurnAwayFromTheEnds) {
   const Vehicle car(read_robot_file(std::filesystem::path(ARCWAY_SOURCE_DIR) / "tests/data/robots/parking.json"));
   const MapFile map = catalog_map("parking");

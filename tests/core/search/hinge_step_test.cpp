@@ -40,7 +40,7 @@ TEST(HingeStep, KeepsTheLimits) {
   EXPECT_NEAR(step(1), -1.75, 1e-6);
 }
 
-// No step near the one found is better, whatever the pieces it lies on.
+// No step near the one found costs less, whichever residuals count there.
 TEST(HingeStep, IsTheLeast) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -62,7 +62,7 @@ TEST(HingeStep, IsTheLeast) {
       for (const double change : {-1e-3, 1e-3}) {
         Eigen::VectorXd other = step;
         other(i) += change;
-        if (limits.high(i) < 1.0) continue;  // a part at its limit stays there
+        if (limits.high(i) < 1.0) continue;  // a component at its limit stays there
         EXPECT_GE(value_of(residuals, damping, other), least) << trial << " part " << i;
       }
     }

@@ -27,7 +27,7 @@ std::vector<PathSegment> chain(const Pose& start, const std::vector<PathSegment>
 
 const std::vector<PathSegment> kMotions{{{}, 1.7, 0.1}, {{}, 2.2, 0.4}, {{}, 1.3, -0.7}, {{}, 2.0, 1e-6}};
 
-// Against the change of the end as each part changes a little.
+// Compares the gradients with differences of the end as each part changes a little.
 TEST(PathContacts, EndGradientsAreThoseOfTheEnd) {
   const World world({box(30.0, 0.3, 31.0, 1.0)});
   const Outlines outlines(world);
