@@ -11,13 +11,14 @@
 
 namespace arcway::internal {
 
+/// Edges of a visibility graph by their ends, in any order.
 using EdgeList = std::vector<std::pair<VertexId, VertexId>>;
 
 /// The graph with the edges of all lists, which may be in any order and direction.
 inline VisibilityGraph graph_of(std::size_t vertices, const std::vector<EdgeList>& lists, const Executor& executor) {
   constexpr std::size_t kRowsPerRange = 1024;
-  std::vector<std::uint64_t> starts(vertices + 2,
-                                    0);  // offset of a row while it is filled; becomes the start of the next row
+  // The offset of each row. It advances while the row is filled, and ends up as the start of the next row.
+  std::vector<std::uint64_t> starts(vertices + 2, 0);
   const auto place_of = [&](const auto& edge) { return &starts[std::min(edge.first, edge.second) + 1]; };
   for (const EdgeList& list : lists)
     for (const auto& edge : list) ++place_of(edge)[1];

@@ -8,11 +8,9 @@
 
 namespace arcway::internal::peers {
 
-/// CGAL's triangular expansion visibility [Bungiu et al. 2014], the fastest of CGAL's visibility algorithms. Exact
-/// predicates and constructions, as its documentation asks for: with rounded constructions answers are wrong or the
-/// process ends.
-///
-/// For worlds with bounds whose regions do not touch or cross.
+/// CGAL's triangular expansion visibility [Bungiu et al. 2014], the fastest of CGAL's visibility algorithms. It runs
+/// with exact predicates and constructions, as its documentation asks for. With rounded constructions answers are wrong
+/// or the process ends. It serves worlds with bounds whose regions do not touch or cross.
 class CgalVisibility {
  public:
   /// Builds the arrangement and its triangulation.
@@ -30,11 +28,11 @@ class CgalVisibility {
 };
 
 /// CGAL's constrained Delaunay triangulation of all vertices and edges: what any builder on triangles must do first.
-/// Exact predicates; constraints inserted at once in CGAL's own spatial order, which is its fast way.
+/// Predicates are exact. All constraints are inserted at once, in CGAL's own spatial order, which is fastest.
 /// @return  number of triangles.
 std::size_t triangulate_by_cgal(const World& world);
 
-/// "5.5.1"
+/// Version of CGAL: "5.5.1".
 std::string cgal_version();
 
 }  // namespace arcway::internal::peers
