@@ -14,11 +14,13 @@ namespace {
 
 // Beyond this many parallel rays, one point query about the whole rectangle is cheaper.
 constexpr double kMostRays = 16.0;
-// Where obstacles end a turn within this angle to both sides, no more of the circle need be looked at [rad].
+// Angle to both sides of a heading that is examined first [rad]. Where obstacles end the turn within it, the rest of
+// the circle need not be examined.
 constexpr double kNearTurn = kPi / 4.0;
-// Up to so many edges near the circle, it is looked at as a whole at once.
+// Number of edges near a circle up to which the whole circle is examined at once.
 constexpr std::size_t kFewEdges = 24;
-constexpr double kSureOfEnd = 1e-6;  // from the ends of that range, where the edges that were looked at may not do
+// Distance from the ends of the angle examined first at which other edges may count [rad].
+constexpr double kSureOfEnd = 1e-6;
 
 }  // namespace
 

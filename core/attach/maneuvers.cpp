@@ -44,7 +44,7 @@ class CellSet {
  public:
   // Empties the set and makes room for `most` cells.
   void begin(std::size_t most) { slots_.assign(std::bit_ceil(2 * most), Slot{}); }
-  // False if the cell was in before.
+  // Adds a cell. False if the set has it.
   bool insert(const Cell& cell) {
     std::uint64_t hash = 0;
     for (const std::int64_t part : cell) hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15u;

@@ -35,13 +35,14 @@ struct PoseBox {
   std::int32_t x, y, heading;
 };
 
-/// From a box to some at one position: how far that is from it, and by how many headings they turn, from first to last.
+/// The moves from a box to the boxes at one position. They differ from the box by (x, y) in position, and by any number
+/// of headings from the first turn to the last.
 struct Move {
   std::int32_t x, y, first_turn, last_turn;
 };
 
-/// Where a step of length `step` leads that turns by an angle in `turn`, seen from its begin: x ahead, y to the left.
-/// The heading on the way lies between those of the sharpest turns out and back; all bounds are attained.
+/// The ranges of x (ahead) and y (to the left) to which a step of length `step` leads that turns by an angle in `turn`.
+/// Along the step, the heading lies between those of the sharpest turns out and back. All bounds are attained.
 std::array<Range, 2> places_after(double step, double radius, const Range& turn) {
   const double most = step / radius;
   const double least = turn.low > 0.0 ? turn.low : turn.high < 0.0 ? -turn.high : 0.0;  // of the angle's size
@@ -54,17 +55,17 @@ std::array<Range, 2> places_after(double step, double radius, const Range& turn)
            {-to_the_left(-turn.low), to_the_left(turn.high)}}};
 }
 
-/// Which of many boxes have been seen: bits, those of one position together.
+/// A set of boxes, one bit each. The bits of one position lie together.
 class SeenBoxes {
  public:
-  // Boxes from -furthest to furthest, and of so many headings: a power of two, at least kBits.
+  // @param furthest  positions are from -furthest to furthest along both axes.
+  // @param headings  number of headings: a power of two, at least kBits.
   SeenBoxes(std::int32_t furthest, std::int32_t headings, std::vector<std::uint32_t>& memory)
       : furthest_(furthest), words_(headings / kBits), seen_(memory) {
     seen_.assign(static_cast<std::size_t>((2 * furthest + 1) * (2 * furthest + 1) * words_), 0);
   }
 
-  /// Calls visit(heading) for each of so many boxes, from a heading on, up to full turns, that was not seen. Now they
-  /// are.
+  /// Adds the boxes of `count` headings at a position, from a heading on. Calls visit(heading) for those that are new.
   template <class Visitor>
   void see(std::int32_t x, std::int32_t y, std::int32_t first_heading, std::int32_t count, Visitor&& visit) {
     std::uint32_t* const place = seen_.data() + ((x + furthest_) * (2 * furthest_ + 1) + y + furthest_) * words_;
@@ -130,7 +131,7 @@ class ForwardFlood {
     bool has_collided = false;
     StopTicker ticker(clock);
     for (std::size_t checks = 0; !open.empty(); ++checks) {
-      // Boxes are expanded last in, first out: a way out is then found soon.
+      // Boxes are expanded last in, first out, so that a path out is found soon.
       const PoseBox box = open.back();
       open.pop_back();
       if (checks > max_checks || ticker.is_over()) return End::kGivenUp;
@@ -168,7 +169,7 @@ class ForwardFlood {
   }
   [[nodiscard]] double heading_of(std::int32_t heading) const { return from_.heading + kTwoPi * heading / headings_; }
   [[nodiscard]] Vec2 position_of(const PoseBox& box) const { return from_.position() + edge_ * Vec2(box.x, box.y); }
-  // Where steps may end that turn by so many headings, and half a one more or less.
+  // Where steps may end that turn by a number of headings, up to half a heading more or less.
   struct Turned {
     std::int32_t headings;
     Range x, y;
@@ -187,7 +188,7 @@ class ForwardFlood {
     return steps;
   }
 
-  // Where a step may end that turns by so many headings.
+  // The boxes in which a step may end that turns by a number of headings.
   struct Places {
     std::int32_t first_x, last_x, first_y, last_y, turned;
   };
@@ -196,7 +197,7 @@ class ForwardFlood {
     std::int32_t first, last;
   };
 
-  // To all boxes in which a step from a box with this heading may end.
+  // The moves to all boxes in which a step from a box with this heading may end.
   const std::vector<Move>& moves_from(std::int32_t heading) {
     std::vector<Move>& moves = moves_[static_cast<std::size_t>(heading)];
     if (!moves.empty()) return moves;

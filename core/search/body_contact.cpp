@@ -10,18 +10,19 @@ namespace {
 
 constexpr double kSameDepth = 1e-4;  // difference of depths over two sides that counts as none, in lengths of the body
 
-// In the frame of the body.
+// How far an edge reaches over a side of the body, in the frame of the body.
 struct Over {
   double depth;
-  Vec2 at;  // the contact
-  Vec2 by;  // gradient of the depth by its place
+  Vec2 at;  // place of the contact
+  Vec2 by;  // gradient of the depth by that place
 };
 
 struct Range {
   double low, high;
 };
 
-// How far an edge reaches over the ends of one range, of y, where it lies within another one, of x; or the other way.
+// How far an edge reaches over the nearer end of the range `ends`, where it lies within the range `within`.
+// @param along  axis of `within`: 0 for x, 1 for y. The other axis is that of `ends`.
 std::optional<Over> over_ends(Vec2 a, Vec2 b, const Range& within, const Range& ends, Eigen::Index along) {
   const Eigen::Index across = 1 - along;
   if (a[along] > b[along]) std::swap(a, b);
@@ -35,7 +36,7 @@ std::optional<Over> over_ends(Vec2 a, Vec2 b, const Range& within, const Range& 
   const double over_low = most[across] - ends.low, over_high = ends.high - least[across];
   const bool is_low = over_low < over_high;
   const bool is_cut = is_low == a_is_lower ? cut_b : cut_a;
-  // Where a side of the body ends at the edge, it is the corner there that counts, and its distance from the edge.
+  // Where the edge goes on beyond `within`, a corner of the body is nearest to it: its distance from the edge counts.
   const double tilt = is_cut ? slope : 0.0, scale = 1.0 / std::hypot(1.0, tilt), sign = is_low ? scale : -scale;
   Vec2 by;
   by[across] = sign;
@@ -45,13 +46,13 @@ std::optional<Over> over_ends(Vec2 a, Vec2 b, const Range& within, const Range& 
   return Over{scale * std::min(over_low, over_high), at, by};
 }
 
-// The contact moves against the body.
+// The contact by the position and the heading of the body, relative to which the edge moves the other way.
 BodyContact contact_of(const Over& over, const Vec2& ahead) {
   return {over.depth, -over.by.x() * ahead - over.by.y() * perpendicular(ahead),
           over.by.x() * over.at.y() - over.by.y() * over.at.x()};
 }
 
-// The contact at a corner, from two contacts of one depth of which one falls as the other grows.
+// The contact at a corner, from two contacts of equal depth. The depth of one falls as that of the other grows.
 BodyContact at_corner(const BodyContact& a, const BodyContact& b, const Vec2& ahead, double curvature) {
   const double rate_a = a.by_place.dot(ahead) + a.by_turn * curvature;
   const double rate_b = b.by_place.dot(ahead) + b.by_turn * curvature;

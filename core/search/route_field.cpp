@@ -31,11 +31,11 @@ struct Waiting {
   std::uint32_t cell;
 };
 
-/// Cells by length, roughly the nearest first: a ring of buckets, after Dial (1969). Cells of a bucket may be found
-/// again on a shorter way, which ends with the same lengths and takes less than an exact order.
+/// Cells by length, roughly the nearest first, in a ring of buckets [Dial 1969]. Cells of one bucket come in any order,
+/// so that a cell may be found again by a shorter route. The lengths are the same in the end, and sooner than in order.
 class NearestFirst {
  public:
-  /// @param longest  a cell that is pushed is further than the one popped last by no more than this.
+  /// @param longest  largest difference of the lengths of a cell that is pushed and of the one popped last.
   explicit NearestFirst(float longest)
       : width_(std::max(kBucket, longest / kMostBuckets)), buckets_(static_cast<std::size_t>(longest / width_) + 3) {}
 
@@ -189,7 +189,8 @@ double RouteField::heading_in_grid(double heading) const {
   return wrap_positive(heading - frame_.heading) / kTwoPi * kHeadings;
 }
 
-// Straight on to the next cell that lies about there, or an arc of the radius, in cells, to the next heading.
+// A motion from a heading: straight to a cell that lies about ahead, or an arc to the next heading.
+// @param radius  of arcs [cells].
 RouteField::Motion RouteField::motion(int heading, int turn, double radius) {
   const double from = kTwoPi * heading / kHeadings, by = kTwoPi * turn / kHeadings;
   Motion result{turn, 0.0F, {}};
