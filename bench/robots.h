@@ -54,8 +54,8 @@ inline Vehicle boat() {
                   .max_acceleration = 0.5});
 }
 
-/// The robot whose turns of any radius are as fast as its tightest ones: what it drives, the given one drives as well,
-/// and has no use for wide turns.
+/// A robot whose turns of any radius are as fast as its tightest ones. The given robot can drive all of its paths, and
+/// wider turns bring it nothing.
 inline Vehicle without_faster_turns(const Vehicle& vehicle) {
   VehicleParameters parameters = vehicle.parameters();
   parameters.turn_speed = ConstantTurnSpeed{vehicle.turn_speed(vehicle.min_turning_radius())};

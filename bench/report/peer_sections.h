@@ -8,7 +8,7 @@
 
 namespace arcway::internal::report {
 
-/// Who wins what by how much, both ways.
+/// Sentences that say in which tasks arcway or a peer is faster, and by how much.
 std::vector<std::string> peer_findings(const PeerResults& peers);
 
 /// Plots of the ratios over the map's size, and of quality over time, as HTML.

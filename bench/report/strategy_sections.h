@@ -8,8 +8,9 @@ namespace arcway::internal::report {
 /// Cells are empty where the results have nothing of the stage "Strategy".
 Section strategy_section(const Results& results);
 
-/// The moves of refinement in their order, likewise.
+/// The moves of refinement in their order, with the same columns.
 Section moves_section(const Results& results);
+/// The moves of refinement in both gears in their order, with the same columns.
 Section gear_moves_section(const Results& results);
 
 }  // namespace arcway::internal::report

@@ -8,11 +8,11 @@
 #include "bench/suites/readme_plan.h"
 #include "bench/suites/suite.h"
 
-// What who copies the README's lines waits for: from a map in memory to the first plan, on all threads of the machine.
+// The time of the README's own lines, from a map in memory to the first plan, on all threads of the machine.
 namespace arcway::internal::bench::accel_readme_suite {
 namespace {
 
-constexpr std::size_t kPlans = 5;  // an iteration, each with a planner of its own
+constexpr std::size_t kPlans = 5;  // plans in an iteration, each with a planner of its own
 
 void time_first_plans(benchmark::State& state, const std::string& name) {
   const World& world = shared_world(name);

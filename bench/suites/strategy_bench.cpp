@@ -24,7 +24,7 @@ struct Case {
   bool has_several_radii;  ///< wider turns are faster for the robot
   bool reverses;
 };
-constexpr std::size_t kChecked = 12;  // one of so many names is checked: all take the same code
+constexpr std::size_t kChecked = 12;  // one of this many names is checked, as all run the same code
 constexpr Case kCases[] = {{"one radius", false, false}, {"several radii", true, false}, {"both gears", false, true}};
 
 bool may_be_taken(const StrategyRow& row, const Case& c) {

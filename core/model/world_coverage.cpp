@@ -53,8 +53,8 @@ class Sweeper final : public EdgeSweep::Visitor {
   }
 
   bool crosses(std::uint32_t e, std::uint32_t f) override {
-    // What was left out before leaves the other one in. Who has come before another stays, if it can: else in a row of
-    // regions, each of which crosses the next, all but one might go.
+    // One of two crossing regions is left out, unless one of them is already. A region for which another one was left
+    // out stays, if possible: else all but one might be left out of a row of regions, each of which crosses the next.
     ObstacleId stays = region_of_[e], goes = region_of_[f];
     if (has_come_before_[goes]) std::swap(stays, goes);
     if (!is_left_out_[stays] && !is_left_out_[goes]) is_left_out_[goes] = has_come_before_[stays] = true;

@@ -105,7 +105,7 @@ SweptRectangle CircleChecks::swept_by(const FeasibleLink& link) const {
   return swept_rectangle(pose_on(circles_.all()[link.from], link.heading), link.length, body_);
 }
 
-// A wide circle passes through much that has nothing to do with its vertex; there the smallest radius turns as well.
+// Keeps the headings of a wide circle near its vertex. Away from the vertex, smaller circles serve the same turns.
 void CircleChecks::keep_at_vertex(std::uint32_t circle, HeadingSet& found) const {
   const TurnCircle& c = circles_.all()[circle];
   if (c.radius == smallest_radius_ || !body_covers_reference_) return;

@@ -56,8 +56,8 @@ std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle, 
     const auto line = line_between(circle, middle);
     if (!line) continue;
     const Vec2 here = vertices[at.vertex], across = sign_of(at.side) * perpendicular(*line);
-    // A bitangent begins and ends within two radii of its vertices: from one that is so far to the side the path turns
-    // as well. In open country that is nearly every one.
+    // A bitangent begins and ends within two radii of its vertices. A path to a vertex farther to this side than that
+    // turns to this side, not away. Among sparse obstacles that is nearly every vertex.
     const double far = 4.0 * middle.radius * across.norm();
     for (const VertexId next : rows_.of(at.vertex)) {
       end_if_over(ticker);

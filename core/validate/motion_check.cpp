@@ -313,7 +313,7 @@ void MotionCheck::check_arc(const PathSegment& arc, std::vector<Hit>& hits) {
   });
   while (!queue.empty()) {
     const Interval node = queue.top();
-    if (proved(node.lower)) {  // then all others are as well
+    if (proved(node.lower)) {  // and so are all others, whose bounds are larger
       lower_ = std::min(lower_, node.lower);
       return;
     }

@@ -267,8 +267,8 @@ class ContactFinder {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Meeting> meetings_;
 };
 
-// Edges of different regions that meet, and who holds each ring that meets no other one, from left to right. Of
-// regions that cross one is left out.
+// Finds the edges of different regions that meet, from left to right, and the region that holds each ring that meets no
+// other one. Of two regions that cross, one is left out.
 class ContactSweep final : public EdgeSweep::Visitor {
  public:
   explicit ContactSweep(ContactFinder& finder)
@@ -325,7 +325,8 @@ class ContactSweep final : public EdgeSweep::Visitor {
         if (owner(here_[i]) != owner(here_[k]))
           finder_.compare(finder_.edges_[here_[i]], owner(here_[i]), finder_.edges_[here_[k]], owner(here_[k]));
   }
-  // What was left out before leaves the other one in. Who has come before another stays, if it can.
+  // One of two crossing regions is left out, unless one of them is already. A region for which another one was left out
+  // stays, if possible.
   bool crosses(std::uint32_t e, std::uint32_t f) override {
     std::uint32_t stays = finder_.owners_[e], goes = finder_.owners_[f];
     if (has_come_before_[goes]) std::swap(stays, goes);

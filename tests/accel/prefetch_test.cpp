@@ -19,7 +19,7 @@
 namespace arcway::internal {
 namespace {
 
-// Rows that record who asks for them. After so many calls the first thread waits until another thread has asked.
+// Rows that record which threads ask for them. After a number of calls the first thread waits for another one to ask.
 class WatchedRows final : public VisibilityRows {
  public:
   explicit WatchedRows(std::shared_ptr<const VisibilityRows> rows) : rows_(std::move(rows)) {}

@@ -51,7 +51,7 @@ TEST(LocalSweep, AnswersAsTheQueryAndSeldomAsks) {
   }
 }
 
-// As those who look for a way out do: from what is free to what is near it.
+// Searches for dead ends ask in this way: from a free rectangle to rectangles near it.
 TEST(LocalSweep, SeldomAsksAboutStepsFromWhatIsFree) {
   const World world = random_world({.obstacles = 30, .vertices = 6, .fill = 0.3, .seed = 5});
   const CountingSweep sweep(world);

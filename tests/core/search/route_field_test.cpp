@@ -40,7 +40,7 @@ TEST(RouteField, LeadsRoundGapsThatAreTooNarrow) {
   EXPECT_NEAR(field_behind_a_wall(0.7)({0.0, 0.0, 0.0}), round, 0.1 * round);
 }
 
-// Who faces away turns round first.
+// A vehicle that faces away from the goal has to turn around first.
 TEST(RouteField, HeedsTurns) {
   RouteField field = field_behind_a_wall(1.0);
   EXPECT_NEAR(field({0.0, 0.0, kPi}), 20.0, 2.0);
