@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "core/geometry/predicates.h"
-#include "datasets/io/random.h"
 
 namespace arcway::internal {
 namespace {
@@ -23,7 +22,7 @@ double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (a + t * (b - a) - p).norm();
 }
 
-// Of the outlines; none lies inside another one here, or the areas would not add up.
+// The distance of two outlines. None lies inside another one, or the areas would not add up.
 double distance(const Ring& r, const Ring& s) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < r.size(); ++i)
@@ -33,26 +32,6 @@ double distance(const Ring& r, const Ring& s) {
       least = std::min({least, distance(a, c, d), distance(c, a, b)});
     }
   return least;
-}
-
-TEST(Random, IsTheSameEverywhere) {
-  // splitmix64 and xoshiro256** as published.
-  Random random(0);
-  EXPECT_EQ(random.next(), 0x99EC5F36CB75F2B4u);
-  EXPECT_EQ(random.next(), 0xBF6E1F784956452Au);
-  EXPECT_EQ(random.next(), 0x1A5F849D4933E6E0u);
-}
-
-TEST(Random, UnitVectorsAgreeWithTheLibrary) {
-  for (int i = 0; i <= 1000; ++i) {
-    const double turns = i / 1000.0;
-    EXPECT_NEAR((unit_vector_at(turns) - direction_of(2.0 * 3.141592653589793 * turns)).norm(), 0.0, 1e-15) << turns;
-  }
-  Random random(7);
-  for (int i = 0; i < 1000; ++i) {
-    EXPECT_NEAR(random.unit_vector().norm(), 1.0, 1e-15);
-    EXPECT_LT(random.below(7), 7u);
-  }
 }
 
 struct ClutterCase {
