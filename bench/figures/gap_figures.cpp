@@ -106,7 +106,7 @@ Figure minimum_distance_pairs(const Planner& planner, const PlanResult& plan) {
   picture.add_edges(across, {.color = "#d55e00", .width = 2.2, .opacity = 0.9}, "across");
   const std::string caption =
       "Minimum distances: " + std::to_string(across.size()) + " between obstacles across the path (orange), " +
-      std::to_string(to_path.size()) + " from its segments to obstacles (green).\nThe narrowest passage is " +
+      std::to_string(to_path.size()) + " from its segments to obstacles (green).\nThe narrowest gap is " +
       digits(narrowest, 1) + " m wide; driving straight needs " + digits(planner.vehicle().parameters().width, 1) +
       " m, (6), turning at the smallest radius " +
       digits(swept_annulus(planner.vehicle().footprint(), planner.vehicle().min_turning_radius()).width(), 2) +

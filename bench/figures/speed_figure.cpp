@@ -45,7 +45,7 @@ Figure speed_profiles(const Vehicle& vehicle) {
     canvas.line({t, 0.0}, {t, v3}, "#7a828c", 1.0, "4 4");
     canvas.text({t, -0.08 * v2}, digits(1e3 * t, 0) + " ms", "middle");
   }
-  const std::string caption = "The fastest way along a straight, from and to " + digits(v1, 0) + " m/s at " +
+  const std::string caption = "The fastest drive along a straight, from and to " + digits(v1, 0) + " m/s at " +
                               digits(a, 0) + " m/s²: " + digits(long_way, 2) + " m take " + digits(1e3 * long_time, 0) +
                               " ms, (9),\n" + digits(short_way, 2) + " m take " + digits(1e3 * short_time, 0) +
                               " ms, (10). Top speed is reached from " + digits(critical, 2) + " m on.";
