@@ -55,7 +55,7 @@ class ARCWAY_API ReportingExecutor final : public Executor {
         body(first, last);
         done += last - first;
         first = last;
-        // Who finds another thread here leaves the report to it, or to the next one.
+        // A thread that finds another one here leaves the report to it, or to a later one.
         const std::unique_lock lock(mutex_, std::try_to_lock);
         if (!lock) continue;
         const std::size_t now = done;
