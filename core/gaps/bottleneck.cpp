@@ -20,7 +20,7 @@ std::string Bottleneck::text(const World& world) const {
   const std::string place = obstacle_a == obstacle_b
                                 ? "between two sides of " + a + " at " + text_of(on_a) + " and " + text_of(on_b)
                                 : "between " + a + " at " + text_of(on_a) + " and " + b + " at " + text_of(on_b);
-  return "the widest way narrows to " + rounded_text(width) + " m " + place;
+  return "the widest route narrows to " + rounded_text(width) + " m " + place;
 }
 
 }  // namespace arcway

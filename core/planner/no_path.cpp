@@ -32,7 +32,7 @@ void explain_dead_end(const Roadmap& map, const DeadEnd& dead_end, PlanResult& r
 
 void explain_enclosure(const Roadmap& map, const Enclosure& enclosure, PlanResult& result) {
   result.status = PlanStatus::kNoPassage;
-  result.reason = "no passage is wide enough: however the body is moved and turned, its middle gets less than " +
+  result.reason = "no gap is wide enough: however the body is moved and turned, its middle gets less than " +
                   rounded_text(enclosure.reach) + " m away from " +
                   (enclosure.at_start ? start_text(result) : goal_text(result)) + "; nearest is " +
                   nearest_region(map, enclosure.at_start ? result.start : result.goal);
@@ -112,9 +112,9 @@ void explain(const Roadmap& map, const NoPath& why, const PlanLimits& limits, Pl
   if (result.interrupted) return explain_interruption(limits, result);
   result.certainty = Certainty::kProved;
   if (why.dead_end) return explain_dead_end(map, *why.dead_end, result);
-  if (why.obstruction == Obstruction::kPassage) {
+  if (why.obstruction == Obstruction::kBottleneck) {
     result.status = PlanStatus::kNoPassage;
-    result.reason = "no passage is wide enough: " + result.bottleneck->text(map.world) + "; the body takes more than " +
+    result.reason = "no gap is wide enough: " + result.bottleneck->text(map.world) + "; the body takes more than " +
                     rounded_text(result.bottleneck->needed) + " m";
     return;
   }

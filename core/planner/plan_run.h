@@ -80,7 +80,7 @@ class PlanRun {
   void take(const JoinByNarrowPlaces& step, double trials);
   void take(const JoinByManeuvers& step, double trials);
   void take(const JoinByManeuversAndNarrowPlaces& step, double trials);
-  void take(const ProveNoPassage& step, double trials);
+  void take(const ProveBottleneck& step, double trials);
   void take(const ProveDeadEnd& step, double trials);
   void take(const ProveEnclosure& step, double trials);
   void take(const GrowTrees& step, double trials);

@@ -63,10 +63,10 @@ void PlanRun::take(const JoinByManeuversAndNarrowPlaces& step, double trials) {
       step.on, search([&] { return forward_search(step.on).join_by_maneuvers_and_narrow_places(step.poses); }), trials);
 }
 
-void PlanRun::take(const ProveNoPassage&, double) {
+void PlanRun::take(const ProveBottleneck&, double) {
   result_.bottleneck = query_.maps.bottleneck(query_.request.start, query_.request.goal, query_.clock);
   has_proof_ = result_.bottleneck && result_.bottleneck->too_narrow();
-  if (has_proof_) why_.obstruction = Obstruction::kPassage;
+  if (has_proof_) why_.obstruction = Obstruction::kBottleneck;
 }
 
 void PlanRun::take(const ProveDeadEnd& step, double) {

@@ -85,7 +85,7 @@ inline constexpr When kOtherRadii{
 inline constexpr StrategyRow kStrategy[] = {
     // A first path, driven forwards.
     {"single arcs", {}, JoinBySingleArcs{On::kAllRadii}, kUntilCompared},
-    {"proof of no passage", {.known = Known::kNoPath}, ProveNoPassage{}},
+    {"proof of a bottleneck", {.known = Known::kNoPath}, ProveBottleneck{}},
     // A quick proof: before maneuvers are tried.
     {"proof of a dead end",
      {.known = Known::kNoPath, .driving = Driving::kForwards},

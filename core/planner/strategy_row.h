@@ -72,8 +72,8 @@ struct JoinByManeuversAndNarrowPlaces {
   On on;
   std::size_t poses;  ///< at each end
 };
-/// Looks for a proof that no passage is wide enough for the body: BottleneckFinder.
-struct ProveNoPassage {};
+/// Looks for a proof that the widest route is too narrow for the body: BottleneckFinder.
+struct ProveBottleneck {};
 /// Looks for a proof that an end is a dead end without reversing: find_dead_end.
 struct ProveDeadEnd {
   DeadEndEffort effort;
@@ -153,7 +153,7 @@ struct GrowNarrowGearTrees {
 };
 
 using Step =
-    std::variant<JoinBySingleArcs, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces, ProveNoPassage,
+    std::variant<JoinBySingleArcs, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces, ProveBottleneck,
                  ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound, TryManeuvers, TryNarrowPlaces,
                  TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest, JoinBackwards,
                  JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees>;

@@ -58,7 +58,7 @@ struct StepText {
     return std::string("join the roadmap of ") + text_of(step.on) + " with circles in gaps by maneuvers of " +
            std::to_string(step.poses) + " poses";
   }
-  std::string operator()(const ProveNoPassage&) const { return "prove that no passage is wide enough"; }
+  std::string operator()(const ProveBottleneck&) const { return "prove that the widest route is too narrow"; }
   std::string operator()(const ProveDeadEnd& step) const {
     return "prove a dead end: " + std::to_string(step.effort.max_checks) + " boxes, halved " +
            std::to_string(step.effort.halvings) + " times";

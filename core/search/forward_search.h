@@ -12,10 +12,10 @@ namespace arcway::internal {
 /// What stands in the way.
 enum class Obstruction {
   kNothing,
-  kStart,    ///< nothing leads from the start, or from the poses reached from it, to a circle of the graph
-  kGoal,     ///< nothing leads from a circle of the graph to the goal, or to poses from which it is reached
-  kBetween,  ///< the graph joins neither to the other
-  kPassage   ///< it is known that there is no path
+  kStart,      ///< nothing leads from the start, or from the poses reached from it, to a circle of the graph
+  kGoal,       ///< nothing leads from a circle of the graph to the goal, or to poses from which it is reached
+  kBetween,    ///< the graph joins neither to the other
+  kBottleneck  ///< the widest route is too narrow, which proves that there is no path
 };
 
 /// A path that one step of a search found, if any, and what the step took.

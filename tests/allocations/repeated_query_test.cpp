@@ -42,7 +42,7 @@ TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
   const Planner planner(world, vehicle, backend_of(world, queries), {.refinement = {.max_trials = c.trials}});
   ASSERT_EQ(planner.options().radii.size() > 1, c.lateral_acceleration > 0.0);
   std::vector<PlanRequest> requests = random_queries(world, queries, vehicle, {.count = c.queries, .seed = 3});
-  // Where single arcs reach no path, the planner looks for the narrowest passage, which takes memory.
+  // Where single arcs reach no path, the planner looks for the bottleneck, which takes memory.
   const Planner plain(world, vehicle, backend_of(world, queries, planner.visibility_graph()),
                       {.radii = {vehicle.min_turning_radius()}, .maneuver_poses = 0, .gap_circles = false});
   std::erase_if(requests, [&](const PlanRequest& request) { return !plain.plan(request).solved(); });

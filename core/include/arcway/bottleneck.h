@@ -17,7 +17,7 @@ struct ARCWAY_API Bottleneck {
   Vec2 on_a{0.0, 0.0}, on_b{0.0, 0.0};        ///< the points where they are nearest to each other
   /// Whether the bottleneck proves that no path exists.
   [[nodiscard]] bool too_narrow() const { return width < needed; }
-  /// In words, as "the widest way narrows to 0.52 m between obstacle 3 at (1, 2) and the bounds at (1, 2.52)".
+  /// In words, as "the widest route narrows to 0.52 m between obstacle 3 at (1, 2) and the bounds at (1, 2.52)".
   [[nodiscard]] std::string text(const World& world) const;
 };
 
