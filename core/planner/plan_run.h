@@ -139,7 +139,7 @@ class PlanRun {
   bool is_path_refused_ = false;                     // of a slimmer body: it could not be pushed free
   bool are_trees_vain_ = false;                      // a slimmer body has no path either
   std::optional<ReversingSearch> reversing_;
-  bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow ways
+  bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow places
 };
 
 }  // namespace arcway::internal

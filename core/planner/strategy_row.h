@@ -22,7 +22,7 @@ enum class Known {
   kNoPath,         ///< no path at all
   kPath,           ///< some path
   kPathElsewhere,  ///< some path, but none of the tightest radii alone
-  kNarrowPath      ///< only a path of trees for narrow ways, which know little of cost
+  kNarrowPath      ///< only a path of trees for narrow places, which know little of cost
 };
 /// What the request allows.
 enum class Driving { kAny, kForwards, kBothGears };
@@ -147,7 +147,7 @@ struct JoinBetweenGears {
 struct GrowGearTrees {
   std::size_t poses;  ///< of both ends together
 };
-/// Grows trees in both gears for narrow ways: search_narrow_gears.
+/// Grows trees in both gears for narrow places: search_narrow_gears.
 struct GrowNarrowGearTrees {
   std::size_t poses;
 };

@@ -108,7 +108,7 @@ struct StepText {
     return "grow trees in both gears: " + std::to_string(step.poses) + " poses";
   }
   std::string operator()(const GrowNarrowGearTrees& step) const {
-    return "grow trees in both gears for narrow ways: " + std::to_string(step.poses) + " poses";
+    return "grow trees in both gears for narrow places: " + std::to_string(step.poses) + " poses";
   }
 };
 
