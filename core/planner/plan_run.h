@@ -28,7 +28,7 @@ struct PlanWorkspace {
   RefinedPath refined;
   Path best, second;
   SpeedProfile profile;
-  std::vector<double> unrefined_times;  // of all paths found so far
+  std::vector<double> unrefined_times;  // travel times of all paths found so far, before refinement [s]
   PointDistance::Workspace point;
 };
 
@@ -54,14 +54,14 @@ class PlanRun {
 
  private:
   struct Times {
-    double unrefined;
-    double cost;
+    double unrefined;  // travel time before refinement [s]
+    double cost;       // of the refined path [s]
   };
   // The fastest path on the roadmaps in use.
   struct Fastest {
     Times times;
-    const Roadmap* map;  // that it was found on
-    std::size_t poses;   // of maneuvers at both ends
+    const Roadmap* map;  // on which it was found
+    std::size_t poses;   // number of poses of maneuvers at each end
     std::uint32_t first_circle, last_circle;
   };
 
@@ -127,17 +127,17 @@ class PlanRun {
   NoPath why_;
   bool has_proof_ = false;
   bool found_ = false;
-  double distance_;  // that no path falls below [m]
+  double distance_;  // lower bound of the length of all paths [m]
   bool is_bound_raised_ = false;
-  double second_unrefined_ = 0.0;     // travel time [s]
+  double second_unrefined_ = 0.0;     // travel time of the second best path before refinement [s]
   double best_cost_, second_cost_;    // infinite where there is none
-  std::uint64_t first_expanded_ = 0;  // until the first path was found
+  std::uint64_t first_expanded_ = 0;  // number of expansions until the first path was found
   std::optional<ForwardSearch> forward_all_radii_, forward_tightest_;
-  const PlanMaps* maps_ = nullptr;                   // in use
-  Fastest fastest_{};                                // on these
+  const PlanMaps* maps_ = nullptr;                   // roadmaps in use, see On
+  Fastest fastest_{};                                // the fastest path on the roadmaps in use
   Surroundings surroundings_ = Surroundings::kOpen;  // of the ends, as trees found them
-  bool is_path_refused_ = false;                     // of a slimmer body: it could not be pushed free
-  bool are_trees_vain_ = false;                      // a slimmer body has no path either
+  bool is_path_refused_ = false;                     // a path of a slimmer body could not be pushed free
+  bool are_trees_vain_ = false;                      // trees of a slimmer body found no path either
   std::optional<ReversingSearch> reversing_;
   bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow places
 };
