@@ -13,7 +13,7 @@ namespace arcway::internal::peers {
 
 enum class OmplPlanner {
   kRrtConnect,       ///< restarted, every solution shortcut for travel time, the best one kept
-  kRrtConnectWide,   ///< the same, shortcut by turns of all of turning_radii
+  kRrtConnectWide,   ///< as kRrtConnect, with shortcuts by turns of all radii of turning_radii
   kInformedRrtStar,  ///< asymptotically optimal in length, one run
 };
 const char* name_of(OmplPlanner planner);

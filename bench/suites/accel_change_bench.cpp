@@ -19,9 +19,9 @@
 #include "bench/suites/suite.h"
 #include "core/roadmap/finished_feasible_graph.h"
 
-// A prepared map after some obstacles have left their places and come back a little aside, against preparing it anew:
-// queries and all graphs, one thread. Lazily, where all that was checked before and is not near the change is kept,
-// also with some plans, against a lazy planner made anew that plans the same.
+// A prepared map of which some obstacles move a little, against preparing it anew: queries and all graphs, one thread.
+// A lazy planner keeps what was checked before, away from the change. It is compared with a new lazy planner, with and
+// without some plans.
 namespace arcway::internal::bench::accel_change_suite {
 namespace {
 

@@ -9,8 +9,8 @@
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
 
-// The pairwise build: what a tangent pair costs in all, tangents by binary search beside trying all pairs of vertices,
-// and what a second thread brings. The queries are made beforehand.
+// The pairwise build. It measures the cost of a tangent pair, tangents by binary search against trying all pairs of
+// vertices, and the speedup by a second thread. The queries are made beforehand.
 namespace arcway::internal::bench::accel_pairs_suite {
 namespace {
 

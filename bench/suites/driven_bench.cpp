@@ -9,7 +9,7 @@
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
 
-// The share solved of worlds in which a way is known: `driven/...` of the catalog. From map to plan, one thread.
+// The share solved of worlds in which a path is known: `driven/...` of the catalog. From map to plan, one thread.
 namespace arcway::internal::bench::driven_suite {
 namespace {
 

@@ -24,8 +24,8 @@
 namespace arcway::internal::bench::limits_suite {
 namespace {
 
-constexpr double kAllowedShare = 0.1;     // behind the limit, of the limit
-constexpr double kAllowedSeconds = 5e-3;  // and beside that
+constexpr double kAllowedShare = 0.1;     // allowed overshoot, as a share of the limit
+constexpr double kAllowedSeconds = 5e-3;  // allowed overshoot beside that share [s]
 constexpr std::size_t kQueries = 4;       // queries of each world; one where only answers are checked
 constexpr double kLongest = 20.0;         // time limit of a query that is only checked [s]
 

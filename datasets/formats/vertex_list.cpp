@@ -144,7 +144,7 @@ MapFile read_vertex_list(std::string_view text, std::string_view name, const Vec
 }
 
 bool is_vertex_list(std::string_view text) {
-  constexpr std::size_t kLines = 1000;  // that are looked at
+  constexpr std::size_t kLines = 1000;  // number of lines examined
   detail::TextScanner scanner(text, "");
   std::size_t vertices = 0;
   for (std::size_t i = 0; i < kLines && !scanner.at_end(); ++i) {

@@ -118,7 +118,7 @@ class TreeBuilder : public nlohmann::json_sax<json> {
   RepeatedKeys repeated_;
   json root_;
   std::vector<json*> open_;  // from the root to the innermost array or object
-  json* member_ = nullptr;   // that the next value of the innermost object goes to
+  json* member_ = nullptr;   // member of the innermost object that gets the next value
   bool streaming_ = false;   // the root's current member is the streamed one
   std::string error_;
 };
@@ -166,7 +166,7 @@ json parse_json(std::string_view text, std::string_view name, const JsonElements
   if (builder.error().empty()) return builder.take_root();
 
   const std::string_view read = text.substr(0, static_cast<std::size_t>(at - text.data()));
-  // A token that ends at a line end has had that read as well.
+  // The parser has read the line end behind a token that ends there.
   const auto breaks = std::count(read.begin(), read.end() - (read.empty() ? 0 : 1), '\n');
   const std::string place =
       std::string(name) + ": line " + std::to_string(first_line + static_cast<std::size_t>(breaks)) + ": ";

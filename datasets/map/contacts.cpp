@@ -35,8 +35,10 @@ class Region {
   }
 
   [[nodiscard]] const std::vector<LineSegment>& edges() const { return edges_; }
-  [[nodiscard]] const std::vector<Vec2>& ring_starts() const { return ring_starts_; }  // that of the outer ring first
-  [[nodiscard]] const std::vector<std::uint32_t>& rings() const { return rings_; }     // by edge
+  // The first vertex of each ring, the outer ring first.
+  [[nodiscard]] const std::vector<Vec2>& ring_starts() const { return ring_starts_; }
+  // By edge: its ring.
+  [[nodiscard]] const std::vector<std::uint32_t>& rings() const { return rings_; }
   [[nodiscard]] const Box& box() const { return box_; }
 
   // @param looks  how many edges were looked at is added.
@@ -96,10 +98,10 @@ class Region {
   BoxTree tree_;
 };
 
-// What the boundaries of a pair were seen to do.
+// What is known about the boundaries of a pair of polygons.
 struct Meeting {
-  bool first_enters = false;   // the first one's boundary has points strictly inside of the second
-  bool second_enters = false;  // and the other way round
+  bool first_enters = false;   // the boundary of the first has points strictly inside the second
+  bool second_enters = false;  // the boundary of the second has points strictly inside the first
   bool same_side = false;      // along a common piece of boundary both interiors lie on one side
   bool boundaries_meet = false;
   Vec2 place{0.0, 0.0};
@@ -316,7 +318,7 @@ class ContactSweep final : public EdgeSweep::Visitor {
     here_.assign(event.left.begin(), event.left.end());
     here_.insert(here_.end(), event.right.begin(), event.right.end());
     const auto owner = [&](std::uint32_t e) { return finder_.owners_[e]; };
-    std::ranges::sort(here_, {}, [&](std::uint32_t e) { return ring_of_[e]; });  // and by owner, then
+    std::ranges::sort(here_, {}, [&](std::uint32_t e) { return ring_of_[e]; });  // sorts by owner, too
     if (here_.empty() || ring_of_[here_.front()] == ring_of_[here_.back()]) return;
     for (const std::uint32_t e : here_) rings_[ring_of_[e]].is_alone = false;
     if (owner(here_.front()) == owner(here_.back())) return;
