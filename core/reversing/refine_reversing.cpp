@@ -36,6 +36,8 @@ class ReversingRefiner {
         changes_(changes),
         options_(query.options),
         clock_(query.clock),
+        world_(query.world),
+        outlines_(query.outlines),
         result_(result),
         body_(query.vehicle.footprint(0.5 * query.vehicle.safety_margin())),
         most_cusps_(std::max(changes.most, cusps_of(result.path))),
@@ -318,7 +320,16 @@ class ReversingRefiner {
   Path refined(const Path& run, const Vehicle& vehicle) {
     RefineOptions rest = options_;
     rest.max_trials -= static_cast<std::uint32_t>(result_.trials);
-    RefinedPath refined = refine_path({run, run.front().start, run.back().end(), vehicle, sweep_, rest, clock_});
+    RefinedPath refined = refine_path({.path = run,
+                                       .start = run.front().start,
+                                       .goal = run.back().end(),
+                                       .vehicle = vehicle,
+                                       .sweep = sweep_,
+                                       .options = rest,
+                                       .clock = clock_,
+                                       .world = world_,
+                                       .outlines = outlines_,
+                                       .at_length = true});
     result_.trials += refined.trials;
     result_.straights_checked += refined.straights_checked;
     result_.turns_checked += refined.turns_checked;
@@ -330,6 +341,8 @@ class ReversingRefiner {
   GearChanges changes_;
   const RefineOptions& options_;
   const StopClock& clock_;
+  const World* world_;
+  const Outlines* outlines_;
   RefinedPath& result_;
   Footprint body_;
   std::size_t most_cusps_;

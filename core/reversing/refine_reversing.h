@@ -21,7 +21,7 @@ struct GearChanges {
 /// are kGearMoves of moves.h:
 /// 1. Words. Places are ends of segments and middles of long ones. Words are tried until none makes the path cheaper.
 /// 2. Parts between two cusps are refined by refine_path, which need not know of gears: a part from rest to rest takes
-///    the same time in either direction.
+///    the same time in either direction. With outlines of the world, their turns are optimized.
 /// 3. Cusps move and turn, in steps that are halved down to the smallest. Dubins words of the smallest radius lead
 ///    there from the path before, and on to the path behind.
 ///

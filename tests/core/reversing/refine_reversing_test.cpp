@@ -6,12 +6,17 @@
 #include <utility>
 
 #include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
 #include "arcway/query_set.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
+#include "core/refine/moves.h"
 #include "core/reversing/gear_search.h"
 #include "tests/support/boxes.h"
+#include "tests/support/free_plans.h"
 #include "tests/support/plans.h"
+#include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
 namespace {
@@ -138,6 +143,51 @@ TEST(RefineReversing, StopsWhenItIsAsked) {
   EXPECT_FALSE(refined.interrupted);
   EXPECT_EQ(cusps_of(refined.path), 0u);
   EXPECT_NEAR(length_of(refined.path), 1.0, 1e-9);
+}
+
+// Forwards through a clutter and back again: where no word is tried, the change of gear stays. The outlines let the
+// turns on either side be optimized.
+TEST(RefineReversing, OptimizesTurnsInBothGears) {
+  VehicleParameters parameters;
+  parameters.turn_speed = LateralAccelerationLimit{2.0};
+  parameters.max_acceleration = 2.0;
+  const Vehicle vehicle(parameters);
+  const Clutter clutter =
+      generate_clutter({.kind = ClutterKind::kConvex, .obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
+  const World world(clutter.obstacles, clutter.bounds);
+  const Outlines outlines(world);
+  const QuerySet queries = make_reference_queries(world);
+  const Planner planner(world, vehicle, {.radii = {}, .refinement = {.max_trials = 0}});
+  RefineOptions options;
+  options.moves = move_bit("optimize turns at length") | move_bit("refine between changes of gear");
+  test::RandomInputs random(31);
+  double there = 0.0, back = 0.0, before_there = 0.0, before_back = 0.0;
+  for (int i = 0; i < 6; ++i) {
+    Path path = test::next_free_plan(planner, random).path;
+    const Path way_back = reversed(path);
+    path.insert(path.end(), way_back.begin(), way_back.end());
+    const Pose& start = path.front().start;
+    const RefineQuery query{.path = path,
+                            .start = start,
+                            .goal = start,
+                            .vehicle = vehicle,
+                            .sweep = *queries.sweep,
+                            .options = options,
+                            .world = &world,
+                            .outlines = &outlines};
+    const RefinedPath refined = refine_reversing_path(query, {});
+    expect_valid(world, vehicle, start, start, refined.path);
+    ASSERT_EQ(cusps_of(refined.path), 1u);
+    const auto times = [&](const Path& of, double& forwards, double& backwards) {
+      const SpeedProfile profile = speed_profile(of, vehicle);
+      for (std::size_t k = 0; k < of.size(); ++k)
+        (of[k].gear == Gear::kForward ? forwards : backwards) += profile.durations[k];
+    };
+    times(path, before_there, before_back);
+    times(refined.path, there, back);
+  }
+  EXPECT_LT(there, 0.97 * before_there);
+  EXPECT_LT(back, 0.97 * before_back);
 }
 
 }  // namespace
