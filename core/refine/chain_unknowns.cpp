@@ -135,6 +135,18 @@ void add(const Numbers& numbers, const Term::Hessian& hessian, double weight, Ba
   }
 }
 
+// Few entries of a gradient are not zero.
+void add_square(const Numbers& numbers, const Term::Gradient& gradient, double weight, BandedLdlt& matrix) {
+  std::array<int, kLocalNumbers> used;
+  std::size_t count = 0;
+  for (int a = 0; a < kLocalNumbers; ++a) {
+    if (gradient[a] == 0.0 || numbers[at(a)] == kGiven) continue;
+    used[count++] = a;
+    for (std::size_t b = 0; b < count; ++b)
+      matrix.add(at(numbers[at(a)]), at(numbers[at(used[b])]), weight * (gradient[a] * gradient[used[b]]));
+  }
+}
+
 void add(const Numbers& numbers, const Term::Gradient& gradient, double weight, std::span<double> to) {
   for (int a = 0; a < kLocalNumbers; ++a)
     if (numbers[at(a)] != kGiven) to[at(numbers[at(a)])] += weight * gradient[a];

@@ -54,6 +54,8 @@ class ChainUnknowns {
 
 /// Adds the second derivatives of a term to a matrix, times a weight.
 void add(const Numbers& numbers, const Term::Hessian& hessian, double weight, BandedLdlt& matrix);
+/// Adds a gradient times itself to a matrix, times a weight.
+void add_square(const Numbers& numbers, const Term::Gradient& gradient, double weight, BandedLdlt& matrix);
 /// Adds a gradient to a vector of all unknowns, times a weight.
 void add(const Numbers& numbers, const Term::Gradient& gradient, double weight, std::span<double> to);
 /// The change of a term along a step of all unknowns.

@@ -137,8 +137,7 @@ class InteriorPoint {
     for (std::size_t i = 0; i < bounds(); ++i) evaluate(system_.bounds[i], rows_[i]);
     for (std::size_t i = bounds(); i < rows_.size(); ++i) evaluate(i - bounds(), rows_[i]);
     for (const Row& row : rows_)
-      if (row.is_on)
-        add(*row.numbers, row.gradient * row.gradient.transpose(), row.multiplier / row.slack, system_.matrix);
+      if (row.is_on) add_square(*row.numbers, row.gradient, row.multiplier / row.slack, system_.matrix);
     system_.unknowns.add_equations(chain(), tensions_, ChainSystem::kStiffness, system_.matrix);
   }
   void evaluate(const Term& time, const Numbers& numbers) {

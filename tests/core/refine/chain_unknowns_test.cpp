@@ -264,6 +264,7 @@ TEST(ChainUnknowns, TermsAreAddedByTheirNumbers) {
   matrix.reset(6, 5);
   add(numbers, term.hessian, 2.0, matrix);
   add(numbers, term.hessian, 0.5, matrix);
+  add_square(numbers, term.gradient, -1.5, matrix);
   std::vector<double> to(6, 1.0), step(6);
   for (double& part : step) part = random.uniform(-1.0, 1.0);
   add(numbers, term.gradient, -3.0, to);
@@ -278,7 +279,7 @@ TEST(ChainUnknowns, TermsAreAddedByTheirNumbers) {
     expected_along += term.gradient[a] * step[static_cast<std::size_t>(row)];
     for (int b = 0; b < kLocalNumbers; ++b)
       if (const int column = numbers[static_cast<std::size_t>(b)]; column != kGiven)
-        expected(row, column) += 2.5 * term.hessian(a, b);
+        expected(row, column) += 2.5 * term.hessian(a, b) - 1.5 * term.gradient[a] * term.gradient[b];
   }
   EXPECT_NEAR((entries_of(matrix) - expected).cwiseAbs().maxCoeff(), 0.0, 1e-9);
   for (std::size_t i = 0; i < 6; ++i) EXPECT_DOUBLE_EQ(to[i], expected_to[i]);
