@@ -65,6 +65,9 @@ struct SearchResult {
   std::optional<Path> path;  ///< from start to goal, connections included
   /// The circles of the graph that the path joins first, and leaves for the goal; kNone if it touches none.
   std::uint32_t first_circle = kNone, last_circle = kNone;
+  /// A number for the way that the path takes: which obstacles it turns around one after the other, and to which sides.
+  /// Paths of one way have the same. 0 if it touches no circle of the graph.
+  std::uint64_t way = 0;
   bool interrupted = false;      ///< by the clock; a path is then the best one found by then
   bool start_connected = false;  ///< some motion leads from a start attachment to the graph or the goal
   bool goal_connected = false;  ///< some straight leads from a circle, reached or not, to a circle of a goal attachment

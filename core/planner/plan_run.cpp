@@ -24,6 +24,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
       result_(result),
       why_{.reverse = query.request.reverse, .max_gear_changes = query.request.max_gear_changes},
       distance_((query.request.goal.position() - query.request.start.position()).norm()),
+      are_turns_optimized_(optimizes_turns(query.map().vehicle, query.options.refinement)),
       best_cost_(kInfinity),
       second_cost_(kInfinity) {
   if (query.request.max_gear_changes) gear_changes_.most = *query.request.max_gear_changes;
@@ -31,6 +32,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
   search_options_.suboptimality = query.options.suboptimality.value_or(0.0);
   search_options_.prefetch = query.limits.prefetch;
   workspace_.unrefined_times.clear();
+  workspace_.ways.clear();
 }
 
 void PlanRun::follow(std::span<const StrategyRow> rows) {
@@ -139,19 +141,31 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
   s.refine_seconds += refining.seconds();
 }
 
-PlanRun::Times PlanRun::keep(Path&& path, double trials, bool reverse) {
+const RefinedWay* PlanRun::refined_before(std::uint64_t way, double unrefined) const {
+  const auto& ways = workspace_.ways;
+  const auto known = std::ranges::find_if(
+      ways, [&](const RefinedWay& w) { return w.way == way && unrefined > (1.0 - kMuchFaster) * w.unrefined; });
+  return known != ways.end() ? &*known : nullptr;
+}
+
+PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, RefineMode mode) {
   PlanStatistics& s = result_.statistics;
   const double unrefined = travel_time(path);
   workspace_.unrefined_times.push_back(unrefined);
+  if (const RefinedWay* known = refined_before(way, unrefined)) {
+    workspace_.find.search.reuse(std::move(path));
+    return {unrefined, known->cost};
+  }
   if (!found_) {
     first_expanded_ = s.nodes_expanded;
     s.first_path_seconds = total_.seconds();
     s.first_travel_time = unrefined;
     result_.first_path = path;
   }
-  refine(path, trials, reverse ? RefineMode::kBothGears : RefineMode::kForwards);
+  refine(path, trials, mode);
   workspace_.find.search.reuse(std::move(path));
   const double cost = cost_of(workspace_.refined.path);
+  if (way != 0 && are_turns_optimized_) workspace_.ways.push_back({way, unrefined, cost});
   if (cost < best_cost_) {
     // Of paths that refinement has led to the same place one is enough.
     if (best_cost_ > (1.0 + kSameCost) * cost) {
@@ -175,7 +189,7 @@ void PlanRun::keep_forwards(On on, FoundPath&& found, double trials) {
   if (!found.search.path) return;
   const PlanMaps& maps = maps_on(on);
   const Roadmap& map = forward_search(on).used_narrow_places() ? maps.narrow->map() : maps.plain;
-  const Times times = keep(std::move(*found.search.path), trials, false);
+  const Times times = keep(std::move(*found.search.path), found.search.way, trials, RefineMode::kForwards);
   maps_ = &maps;
   fastest_ = {times, &map, 0, found.search.first_circle, found.search.last_circle};
 }
@@ -187,7 +201,7 @@ void PlanRun::keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t sho
     const std::size_t most = std::size_t{shortenings} * query_.options.refinement.max_trials;
     path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock);
   }
-  const Times times = keep(std::move(path), trials, false);
+  const Times times = keep(std::move(path), 0, trials, RefineMode::kForwards);
   if (!is_first && times.cost >= fastest_.times.cost) return;
   maps_ = &maps;
   fastest_ = {times, &maps.plain, 0, kNone, kNone};
@@ -195,7 +209,7 @@ void PlanRun::keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t sho
 
 void PlanRun::keep_in_both_gears() {
   if (!reversing_ || !reversing_->path()) return;
-  keep(Path(*reversing_->path()), kBothGearsTrials, true);
+  keep(Path(*reversing_->path()), 0, kBothGearsTrials, RefineMode::kBothGears);
 }
 
 }  // namespace arcway::internal

@@ -21,6 +21,12 @@
 
 namespace arcway::internal {
 
+/// A way on which a path has been refined.
+struct RefinedWay {
+  std::uint64_t way;       ///< see SearchResult
+  double unrefined, cost;  ///< travel time of the path before refinement [s], and its cost afterwards
+};
+
 /// Memory of a query, kept for the next one.
 struct PlanWorkspace {
   FindWorkspace find;
@@ -29,6 +35,7 @@ struct PlanWorkspace {
   Path best, second;
   SpeedProfile profile;
   std::vector<double> unrefined_times;  // travel times of all paths found so far, before refinement [s]
+  std::vector<RefinedWay> ways;         // of paths whose turns were optimized
   PointDistance::Workspace point;
 };
 
@@ -107,8 +114,11 @@ class PlanRun {
   void keep_forwards(On on, FoundPath&& found, double trials);
   void keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
   void keep_in_both_gears();
-  // Refines a path, and keeps it if it is one of the two cheapest.
-  Times keep(Path&& path, double trials, bool reverse);
+  // Refines a path, unless that promises nothing, and keeps it if it is one of the two cheapest.
+  // `way`: see SearchResult.
+  Times keep(Path&& path, std::uint64_t way, double trials, RefineMode mode);
+  // What is known of another path of its way, if refining this one promises nothing better.
+  [[nodiscard]] const RefinedWay* refined_before(std::uint64_t way, double unrefined) const;
   // Refines a path into the workspace.
   void refine(const Path& path, double trials, RefineMode mode);
   void try_faster(const Roadmap& map, std::size_t poses, double least_gain, double trials);
@@ -129,6 +139,7 @@ class PlanRun {
   bool found_ = false;
   double distance_;  // lower bound of the length of all paths [m]
   bool is_bound_raised_ = false;
+  bool are_turns_optimized_;          // by refinement, where a path is driven forwards
   double second_unrefined_ = 0.0;     // travel time of the second best path before refinement [s]
   double best_cost_, second_cost_;    // infinite where there is none
   std::uint64_t first_expanded_ = 0;  // number of expansions until the first path was found

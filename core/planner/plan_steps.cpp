@@ -158,7 +158,7 @@ void PlanRun::try_faster(const Roadmap& map, std::size_t poses, double least_gai
     return find_path_with_maneuvers(map, {query_.request.start, query_.request.goal, poses}, faster, workspace_.find);
   });
   if (!turning.search.path) return;
-  const Times times = keep(std::move(*turning.search.path), trials, false);
+  const Times times = keep(std::move(*turning.search.path), turning.search.way, trials, RefineMode::kForwards);
   if (times.cost >= fastest_.times.cost) return;
   fastest_ = {times, &map, poses, turning.search.first_circle, turning.search.last_circle};
 }
@@ -198,7 +198,7 @@ void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptio
   // Paths of one time to the last bit are one path.
   const auto& known = workspace_.unrefined_times;
   if (std::ranges::find(known, travel_time(*other.search.path)) == known.end()) {
-    keep(std::move(*other.search.path), trials, false);
+    keep(std::move(*other.search.path), other.search.way, trials, RefineMode::kForwards);
   } else {
     workspace_.find.search.reuse(std::move(*other.search.path));
   }

@@ -154,18 +154,15 @@ inline constexpr StrategyRow kStrategy[] = {
                .only_in_the_open = false,
                .shortenings = 10}},
     {"faster turns",
-     {.known = Known::kPath, .refines = true, .best_gap = kWorthOtherRoutes},
+     {.known = Known::kPath, .radii = Radii::kTightest, .refines = true, .best_gap = kWorthOtherRoutes},
      TryOtherTurns{kFasterTurns}},
     {"slower turns",
-     {.known = Known::kPath, .refines = true, .best_gap = kWorthOtherRoutes},
+     {.known = Known::kPath, .radii = Radii::kTightest, .refines = true, .best_gap = kWorthOtherRoutes},
      TryOtherTurns{kSlowerTurns}},
     // Circles around vertices have few radii, and what refinement makes of a turn is not known before.
     {"3 radii, 4 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 3, .factor = 4.0}, kUntilCompared},
     {"2 radii, 4 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 2, .factor = 4.0}, kUntilCompared},
     {"2 radii, 16 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 2, .factor = 16.0}, kUntilCompared},
-    {"1 radius, 16 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 1, .factor = 16.0}, kUntilCompared},
-    {"4 radii, 2 x lateral acceleration", kOtherRadii, TryOtherRadii{.radii = 4, .factor = 2.0}, kUntilCompared},
-    {"3 radii", kOtherRadii, TryOtherRadii{.radii = 3, .factor = 1.0}, kUntilCompared},
     {"refinement at length",
      {.known = Known::kPath, .radii = Radii::kSeveral},
      RefineBest{.close = 0.01},
@@ -203,6 +200,9 @@ inline constexpr StrategyRow kStrategy[] = {
 inline constexpr double kBothGearsTrials = 10.0;
 /// Paths whose costs differ by less than this share count as one.
 inline constexpr double kSameCost = 1e-6;
+/// Where turns are optimized, paths of one way mostly end at the same place: one that is not faster before refinement
+/// by this share than another one was is not refined.
+inline constexpr double kMuchFaster = 0.05;
 /// Expansions of a search for another path, beside a quarter of those of the first search: where turns cost next to
 /// nothing, thousands of paths are as good as each other.
 inline constexpr std::uint64_t kMoreExpanded = 1000;

@@ -551,4 +551,8 @@ RefinedPath refine_path(const RefineQuery& query) {
   return result;
 }
 
+bool optimizes_turns(const Vehicle& vehicle, const RefineOptions& options) {
+  return (options.moves & move_bit("optimize turns")) != 0 && ChainOptimizer::serves(vehicle);
+}
+
 }  // namespace arcway::internal

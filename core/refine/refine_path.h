@@ -77,4 +77,7 @@ class PathRefiner {
 /// @throws std::invalid_argument as require_refinement does.
 RefinedPath refine_path(const RefineQuery& query);
 
+/// Whether refinement optimizes turns: ChainOptimizer serves the vehicle, and the move is not left out.
+bool optimizes_turns(const Vehicle& vehicle, const RefineOptions& options);
+
 }  // namespace arcway::internal

@@ -478,12 +478,26 @@ class ArrivalSearch::Run {
     }
   }
 
+  // The number of a way, by the hash of Fowler, Noll and Vo. Turns in a row around one obstacle count as one.
+  [[nodiscard]] std::uint64_t way_of(std::span<const std::uint32_t> chain) const {
+    constexpr std::uint64_t kBasis = 0xcbf29ce484222325, kPrime = 0x100000001b3;
+    std::uint64_t way = kBasis, last = kBasis;
+    for (std::size_t i = chain.size(); i-- > 0;) {
+      const TurnCircle& circle = graph_.circles()[w_.labels[chain[i]].circle];
+      const std::uint64_t obstacle = context_.map.world.obstacle_of(circle.vertex);
+      const std::uint64_t turn = 2 * obstacle + (circle.side == Side::kLeft ? 1 : 0);
+      if (std::exchange(last, turn) != turn) way = (way ^ turn) * kPrime;
+    }
+    return way;
+  }
+
   [[nodiscard]] Path path_through(std::uint32_t last, const AttachmentLink& goal) {
     std::vector<std::uint32_t>& chain = w_.chain;
     chain.clear();
     for (std::uint32_t at = last; at != kNone; at = w_.labels[at].parent) chain.push_back(at);
     result_.first_circle = w_.labels[chain.back()].circle;
     result_.last_circle = w_.labels[last].circle;
+    result_.way = way_of(chain);
     const AttachmentLink& start = attachments_.start_link(w_.labels[chain.back()].index);
     const AttachmentCircle& from = attachments_.start_circles()[start.attachment_circle];
     Path path = std::move(w_.path);

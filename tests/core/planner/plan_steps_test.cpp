@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <ostream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/driven_world.h"
+#include "core/planner/strategy.h"
+#include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
 namespace arcway::internal {
@@ -50,6 +53,25 @@ INSTANTIATE_TEST_SUITE_P(
       std::ranges::replace(name, ' ', '_');
       return name;
     });
+
+// There is one way between long walls, which all roadmaps lead along. Its first path is refined, and in the end the
+// best one at length: other roadmaps add no trials, though they are searched.
+TEST(PlanSteps, RefineAWayOnce) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  const World world(
+      {test::box(0.0, -3.0, 1.0, 60.0), test::box(10.0, -60.0, 11.0, 3.0), test::box(20.0, -3.0, 21.0, 60.0)});
+  const PlanRequest request{.start = {-15.0, 0.0, 0.0}, .goal = {35.0, 0.0, 0.0}};
+  const PlanResult all = Planner(world, vehicle, {}).plan(request);
+  std::vector<std::string> other_radii;
+  for (const StrategyRow& row : kStrategy)
+    if (std::holds_alternative<TryOtherRadii>(row.step)) other_radii.emplace_back(row.name);
+  ASSERT_FALSE(other_radii.empty());
+  const PlanResult few = Planner(world, vehicle, {.leave_out = other_radii}).plan(request);
+  ASSERT_TRUE(all.solved());
+  EXPECT_EQ(all.travel_time, few.travel_time);
+  EXPECT_EQ(all.statistics.refine_trials, few.statistics.refine_trials);
+  EXPECT_GT(all.statistics.nodes_expanded, few.statistics.nodes_expanded);
+}
 
 }  // namespace
 }  // namespace arcway::internal

@@ -412,5 +412,26 @@ TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
   EXPECT_GT(solved, 40);
 }
 
+// Around a square below or above, by circles of several radii.
+TEST(ArrivalSearch, PathsOfOneWayHaveItsNumber) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  const World world({{test::square(-3.0, -3.0, 6.0), {}}});
+  ArrivalSearch search;
+  const auto way_at = [&](double height, const std::vector<double>& radii) {
+    const Roadmap map = make_map(world, vehicle, radii, GraphMode::kEager);
+    const std::vector<Attachment> start{{{-12.0, height, 0.0}, {}}}, goal{{{12.0, height, 0.0}, {}}};
+    const SearchResult result = search.find(map, start, goal, {});
+    EXPECT_TRUE(result.path);
+    return result.way;
+  };
+  const std::vector<double> tightest{1.3}, wider{5.2};
+  const std::uint64_t below = way_at(-1.0, tightest), above = way_at(1.0, tightest);
+  EXPECT_NE(below, 0u);
+  EXPECT_NE(above, below);
+  EXPECT_EQ(way_at(-1.0, wider), below);
+  EXPECT_EQ(way_at(1.0, wider), above);
+  EXPECT_EQ(way_at(8.0, tightest), 0u);
+}
+
 }  // namespace
 }  // namespace arcway::internal
