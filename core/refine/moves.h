@@ -147,21 +147,23 @@ struct GearMoveRow {
   std::string_view name;
   Stage stage;  ///< kImprove: each once, in rounds; kFinish: once, at the end
   GearMove move;
+  int last_round = 0;  ///< up to which another round follows if the move helps, counted from 0
 };
 
 inline constexpr double kGearWordRadii[] = {1.0, 2.0, 4.0};
 inline constexpr double kGearBiarcs[] = {1.0, 0.5, 2.0};
 inline constexpr InsertGearWords kInsertGearWords{kGearWordRadii, kGearBiarcs, 16, 8};
 
+/// Most rounds of kImprove in both gears.
+inline constexpr int kMostGearRounds = 4;
 inline constexpr GearMoveRow kGearMoves[] = {
-    {"words between places", Stage::kImprove, kInsertGearWords},
+    {"words between places", Stage::kImprove, kInsertGearWords, kMostGearRounds},
     {"refine between changes of gear", Stage::kImprove, RefineRuns{}},
-    {"slide changes of gear", Stage::kImprove, SlideCusps{.first_step = 0.5, .segments_beside = 4, .links_tried = 4}},
+    {"slide changes of gear", Stage::kImprove, SlideCusps{.first_step = 0.5, .segments_beside = 4, .links_tried = 4},
+     kMostGearRounds},
     // Gear changes that moved last make room for words.
     {"words between places", Stage::kFinish, kInsertGearWords},
 };
-/// Most rounds of kImprove in both gears.
-inline constexpr int kMostGearRounds = 4;
 /// Share of the trials that these rounds may use; kFinish has the rest.
 inline constexpr double kGearRoundsShare = 0.8;
 

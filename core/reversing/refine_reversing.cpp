@@ -46,12 +46,10 @@ class ReversingRefiner {
 
   void run() {
     most_trials_ = static_cast<std::uint32_t>(kGearRoundsShare * options_.max_trials);
-    for (int round = 0; round < kMostGearRounds && !done(); ++round) {
-      const Changes made = take_all(Stage::kImprove);
-      if (!made.cusps_or_words && (!made.runs || round > 0)) break;
-    }
+    for (int round = 0; round < kMostGearRounds && !done(); ++round)
+      if (!take_all(Stage::kImprove, round)) break;
     most_trials_ = options_.max_trials;
-    take_all(Stage::kFinish);
+    take_all(Stage::kFinish, 0);
     result_.travel_time = speed_profile(result_.path, vehicle_).total_time;
   }
 
@@ -65,20 +63,15 @@ class ReversingRefiner {
     std::size_t cusps;  // before it
   };
 
-  // What moves have made cheaper.
-  struct Changes {
-    bool cusps_or_words = false, runs = false;
-  };
-
-  Changes take_all(Stage stage) {
-    Changes made;
+  // All moves of a stage. Returns whether one helped that another round follows.
+  bool take_all(Stage stage, int round) {
+    bool again = false;
     for (const GearMoveRow& row : kGearMoves) {
       if (row.stage != stage || (options_.moves & move_bit(row.name)) == 0) continue;
       const bool helps = std::visit([this](const auto& move) { return take(move); }, row.move);
-      bool& kind = std::holds_alternative<RefineRuns>(row.move) ? made.runs : made.cusps_or_words;
-      kind = kind || helps;
+      again = again || (helps && round <= row.last_round);
     }
-    return made;
+    return again;
   }
 
   [[nodiscard]] bool done() {
