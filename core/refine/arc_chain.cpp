@@ -10,9 +10,9 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kLongLine = 0.7;    // shortest one that follows from its circles, in radii of the larger one
-constexpr double kLargeTurn = 2.0;   // [rad]
-constexpr double kShortest = 1e-3;   // line of a chain that is cut, in radii of its tightest circle
+constexpr double kLongLine = 0.7;    // least length of a line that follows from its circles, in radii of the larger one
+constexpr double kLargeTurn = 2.0;   // least turn that is cut into one arc more [rad]
+constexpr double kShortest = 1e-3;   // least length of a line that is not tied, in radii of the tightest circle
 constexpr double kOneRadius = 1e-6;  // relative difference of radii that count as one
 constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
 
@@ -28,7 +28,8 @@ void follow_backwards(ArcChain& chain, std::size_t arc) {
   chain.arcs[arc].center = chain.behind(arc + 1) - line.length * ahead - chain.offset(arc + 1) * perpendicular(ahead);
 }
 
-// Arcs that are placed by one of them: that next to start or goal, or else the tightest one.
+// Neighboring arcs of which one keeps its place and places the others: the one next to start or goal, or else the
+// tightest one.
 struct Group {
   std::size_t first, last, kept;
 };

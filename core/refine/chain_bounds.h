@@ -8,23 +8,23 @@
 
 namespace arcway::internal {
 
-/// What must not be negative at one arc or line, whatever the obstacles: all are lengths [m] but for turns [rad].
+/// What must not be negative at one arc or line, whatever the obstacles. All are lengths [m], but for turns [rad].
 enum class Limit : std::uint8_t {
-  kTurn,         ///< of an arc
-  kTightest,     ///< its radius, above the smallest
-  kWidest,       ///< its radius, below that of full speed; or above it, for an arc that began there
-  kEntry,        ///< the radius that its speed at the beginning needs
-  kExit,         ///< and at its end
-  kSpeedUp,      ///< its length, beyond that for its change of speed
-  kBrake,        ///< likewise
-  kLineLength,   ///< of a line
-  kLineSpeedUp,  ///< its length, beyond that for its change of speed
-  kLineBrake     ///< likewise
+  kTurn,         ///< the turn on an arc
+  kTightest,     ///< the radius of an arc, less the smallest one
+  kWidest,       ///< the radius of full speed, less that of an arc; for an arc that began above it, the reverse
+  kEntry,        ///< the radius of an arc, less that which its speed at the beginning needs
+  kExit,         ///< the radius of an arc, less that which its speed at the end needs
+  kSpeedUp,      ///< the length of an arc, less that in which the vehicle gains speed from beginning to end
+  kBrake,        ///< the length of an arc, less that in which the vehicle loses speed from beginning to end
+  kLineLength,   ///< the length of a line
+  kLineSpeedUp,  ///< the length of a line, less that in which the vehicle gains speed from beginning to end
+  kLineBrake     ///< the length of a line, less that in which the vehicle loses speed from beginning to end
 };
 struct Bound {
   Limit limit;
   std::uint32_t index;  ///< of the arc or line
-  bool is_slow;         ///< an arc where turns are slower than lines
+  bool is_slow;         ///< whether it belongs to an arc on which the vehicle is slower than on lines
   [[nodiscard]] bool is_of_line() const { return limit >= Limit::kLineLength; }
 };
 

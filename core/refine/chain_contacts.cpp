@@ -19,17 +19,17 @@ enum Kind : std::uint8_t {
   kInside,  // the inner side, in a turn
   kFrontCorner,
   kRearCorner,
-  kSwing,    // a corner of the body swings by an edge
-  kAtEntry,  // or is nearest where the arc begins,
-  kAtExit    // or ends
+  kSwing,    // a corner of the body swings by an edge, and is nearest on the way
+  kAtEntry,  // a corner of the body is nearest to an edge where the arc begins
+  kAtExit    // a corner of the body is nearest to an edge where the arc ends
 };
 
 // Shares of the body's length.
-constexpr double kWrongSide = 0.04;      // a free corner that overlaps by more is seen from the wrong side
-constexpr double kWrongSideLater = 0.4;  // as the chain moves
+constexpr double kWrongSide = 0.04;      // overlap of a free chain beyond which a corner is seen from the wrong side
+constexpr double kWrongSideLater = 0.4;  // the same overlap, of a chain that has moved
 constexpr double kSeen = 2.0;            // distance within which a corner is seen from more parts
-constexpr double kBehindEdge = 0.3;      // what is farther behind an edge faces another one
-constexpr double kPlaces[] = {0.0, 0.25, 0.5, 0.75, 1.0};  // of an arc, for its box
+constexpr double kBehindEdge = 0.3;      // distance behind an edge beyond which the body faces another edge
+constexpr double kPlaces[] = {0.0, 0.25, 0.5, 0.75, 1.0};  // shares of an arc, where points for its box lie
 
 // A line as a corner sees it.
 struct LineView {

@@ -38,14 +38,14 @@ struct ChainSpeeds {
   /// The square of the speed on a circle.
   [[nodiscard]] double of(double radius) const { return radius < widest() ? lateral * radius : top; }
 };
-/// Those of a vehicle that is limited by its lateral acceleration.
+/// The speeds of a vehicle that is limited by its lateral acceleration.
 ChainSpeeds speeds_of(const Vehicle& vehicle);
 
 /// The time through an arc or a line [s], between the speeds at its ends, which need not be as high as they may. It is
 /// smooth where the top speed is just reached. Speeds of 0 at start and goal are given and do not count as numbers.
 Term arc_time(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds);
 Term line_time(const ArcChain& chain, std::size_t line, const ChainSpeeds& speeds);
-/// Their values alone.
+/// Only the values of these times [s].
 double arc_time_alone(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds);
 double line_time_alone(const ArcChain& chain, std::size_t line, const ChainSpeeds& speeds);
 

@@ -21,7 +21,7 @@ using Numbers = std::array<int, kLocalNumbers>;
 /// They are the force that pulls at the circles on either side.
 class ChainUnknowns {
  public:
-  /// Numbers those of a chain. A tied line has no length, and one speed.
+  /// Numbers the unknowns of a chain. A tied line has no length, and one speed.
   /// @param tightest  radius of turns [m]: the scale of lengths.
   void number(const ArcChain& chain, double tightest);
 

@@ -13,27 +13,33 @@ namespace arcway::internal {
 
 namespace {
 
-// In lengths of the body: growth of the body, distances of contacts that count and that are looked for, and the least
-// slack at first. What cannot be touched is looked at again after a movement. An overlap must be small in the end.
-constexpr double kGrowth = 7e-4, kNearContact = 0.7, kReach = 4.0, kLeastSlack = 1e-3, kUnseen = 0.1, kOverlap = 3e-4;
+// Contacts, in lengths of the body.
+constexpr double kGrowth = 7e-4;      // growth of the body, so that the result is free
+constexpr double kReach = 4.0;        // distance of the path within which contacts are looked for, once
+constexpr double kNearContact = 0.7;  // distance within which a contact is a constraint
+constexpr double kUnseen = 0.1;       // movement after which a contact that nothing can touch is looked at again
+constexpr double kLeastSlack = 1e-3;  // least slack of a constraint at first
+constexpr double kOverlap = 3e-4;     // largest overlap of an optimal chain
 // The barrier falls after steps of nearly full length and of half their length, and rises after very short ones.
 constexpr double kFullStep = 0.9, kHalfStep = 0.5, kShortStep = 0.05;
 constexpr double kFall = 0.3, kSlowFall = 0.6, kRise = 4.0;
-constexpr double kLastBarrier = 1e-6;     // share of the travel time
-constexpr int kFirstSteps = 3;            // before the barrier changes
-constexpr double kLeastGain = 1e-5;       // share of the travel time by which the last step changes it
-constexpr double kMostToBoundary = 0.95;  // of the way to a slack of 0
-constexpr double kLeastLeft = 0.1;        // of a length, turn, radius or speed after a step
-// Steps that are refused are taken again, shorter; then shorter ones by more damping.
+constexpr int kFirstSteps = 3;            // number of steps before the barrier changes
+constexpr double kLastBarrier = 1e-6;     // weight of the barrier in the end, as a share of the travel time
+constexpr double kLeastGain = 1e-5;       // change of the travel time, as a share, below which a chain is optimal
+constexpr double kMostToBoundary = 0.95;  // largest share of a slack that a step may use up
+constexpr double kLeastLeft = 0.1;        // share of a length, turn, radius or speed that a step must leave
+// A step that is refused is tried again, shorter. If that does not help, a new step is computed with more damping.
 constexpr double kShorter = 0.4, kMoreDamping = 10.0;
-constexpr int kMostShorter = 4;
-constexpr double kSufficient = 1e-4;  // share of the gain that was predicted
-constexpr double kPenalty = 1.5;      // of a residual, in multipliers
-// Damping, times the squares of the unknowns' scales: a trust region.
+constexpr int kMostShorter = 4;       // tries of one step
+constexpr double kSufficient = 1e-4;  // share of the predicted gain that a step must bring
+constexpr double kPenalty = 1.5;      // weight of a residual in the merit function, in multipliers
+// Damping is added to the matrix, times the squares of the unknowns' scales: a trust region.
 constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-8, kMostDamping = 1e8;
-constexpr double kDampMore = 4.0, kDampLess = 6.0, kDampAgain = 3.0;
-constexpr double kGoodGain = 0.4, kPoorGain = 0.1;  // shares of the gain that was predicted
-constexpr double kMultiplierBand = 10.0;            // by which a multiplier is off the barrier's at most
+constexpr double kDampMore = 4.0;   // factor if the matrix has the wrong inertia
+constexpr double kDampLess = 6.0;   // divisor if a step brings more than kGoodGain of the predicted gain
+constexpr double kDampAgain = 3.0;  // factor if a step brings less than kPoorGain of the predicted gain
+constexpr double kGoodGain = 0.4, kPoorGain = 0.1;
+constexpr double kMultiplierBand = 10.0;  // largest ratio of a multiplier to barrier / slack, either way
 
 // A constraint, value >= 0, with its slack and multiplier.
 struct Row {
@@ -299,7 +305,7 @@ class InteriorPoint {
       if (i < bounds()) {
         row.trial = system_.value(system_.bounds[i], system_.trial).value;
       } else {
-        // What is far off is as good as what is just not near.
+        // All distances beyond that of a constraint are equally good.
         const double far = std::max(kNearContact * system_.unit, row.slack + row.slack_step);
         row.trial = std::min(far, system_.contacts.look(system_.trial, i - bounds()).distance);
       }

@@ -13,10 +13,10 @@ namespace arcway::internal {
 
 /// How far a chain is optimized.
 struct ChainEffort {
-  int parts;             ///< arcs of a turn; one more of a large one
-  double least_turn;     ///< that is driven in parts [rad]
-  int iterations;        ///< at most; some 2 us for each arc
-  double first_barrier;  ///< share of the travel time
+  int parts;             ///< number of arcs that a turn is cut into; a large turn gets one more
+  double least_turn;     ///< smallest turn that is cut [rad]
+  int iterations;        ///< most steps; each takes some 2 us for each arc
+  double first_barrier;  ///< weight of the barrier at first, as a share of the travel time
 };
 
 /// A chain to optimize. What is referred to must outlive the optimization.

@@ -98,8 +98,8 @@ class TimedChain {
   State now_, made_;
   // Lines and circles alternate: line i has index 2 i, circle i has 2 i + 1.
   std::vector<Stretch> stretches_;
-  std::vector<Passing> passings_;  // of their beginnings, and of the end
-  // Joints at the beginning of each, from the start; and at its end, backwards from the goal.
+  std::vector<Passing> passings_;  // of the beginnings of lines and circles, and of the end of the path
+  // Joints at the beginning of each line or circle, from the start, and at its end, backwards from the goal.
   SpeedTree from_start_, from_goal_;
   std::vector<std::uint32_t> start_joints_, goal_joints_;
   std::vector<Part> laid_out_;
