@@ -32,7 +32,8 @@ struct DropTurns {};
 struct RejoinEnds {};
 /// Makes several turns one turn, tangent to the lines before and behind.
 struct MergeTurns {
-  std::span<const double> radii;  ///< radii tried for the one turn
+  std::span<const double> radii;              ///< radii that are tried, the smallest first
+  double least_turn = 1e-3, most_turn = 3.0;  ///< range of the turn that takes the place of several [rad]
 };
 /// Makes parts of a turn wider, and the ends tighter.
 struct WidenTurns {
@@ -41,11 +42,15 @@ struct WidenTurns {
   std::span<const double> step_shares;  ///< shares of a turn between a tight and a wide one, on a radius between theirs
   std::span<const double> end_turns;    ///< turns at the ends of the path that become as tight as allowed [rad]
   std::span<const double> end_factors;  ///< factors of the radius of the rest of the first or the last turn
+  double least_turn = 0.02;             ///< smallest turn that is driven in two parts [rad]
+  double least_ratio = 1.5;             ///< smallest ratio of two radii that leaves room for one between them
+  double least_beside = 1.5;            ///< smallest radius beside a turn at the end that is as tight as allowed
 };
 /// Two arcs and a line join places on two lines of the path.
 struct InsertWords {
   int parts;                          ///< number of equal parts of each line; words join at the places between them
   std::span<const double> near_ends;  ///< distances of further places from the ends of a line
+  double near = 0.25;                 ///< largest such distance, as a share of the line's length
 };
 /// A step of the circle of a turn that is neither the first nor the last one. Its center moves inwards from the point
 /// of the inner swept circle where the share `at` of the turn is done, around that point, and along the heading there.
@@ -56,7 +61,12 @@ struct CircleStep {
 /// Slides centers and radii by steps that are halved.
 struct SlideCircles {
   std::span<const CircleStep> steps;
-  double last_step;  ///< smallest step; 0: RefineOptions::smallest_step
+  double last_step;         ///< smallest step; 0: RefineOptions::smallest_step
+  double first_step = 1.0;  ///< largest step
+  int most_iterations = 8;  ///< iterations with steps of one length
+  double tied_turn = 0.5;   ///< by which circles that touch another one turn around it, for a step of 1 [rad]
+  /// Growths of the radii of such circles and of those at the ends, for a step of 1.
+  std::array<double, 3> growths{0.0, 1.0, -0.5};
 };
 
 /// Drives each turn in several arcs and optimizes all of them at once, see ChainOptimizer. For vehicles that it serves.

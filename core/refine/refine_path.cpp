@@ -26,14 +26,6 @@ namespace {
 
 constexpr double kSmallestGain = 1e-6;  // share of the travel time that a change must save
 constexpr double kTimeSlack = 1e-9;     // share of a travel time, far above its rounding
-constexpr double kFirstStep = 1.0;      // first step of centers and radii, in smallest turning radii
-constexpr int kMostIterations = 8;      // iterations with steps of one length
-constexpr double kTiedTurn = 0.5;       // first step of tied circles [rad]
-constexpr double kLeastTurn = 0.02;     // smallest turn worth being driven in two parts [rad]
-constexpr double kLeastRatio = 1.5;     // ratio of two radii that leaves room for one between them
-constexpr double kNear = 0.25;          // largest distance of places near a line's end, as a share of its length
-constexpr double kLeastMerged = 1e-3, kMostMerged = 3.0;  // range of the one turn that takes the place of several [rad]
-constexpr double kLeastBeside = 1.5;  // smallest radius beside a tightest turn at an end, in smallest turning radii
 // Iterations of a loop between two questions to the clock. They take some nanoseconds to some tenths of a microsecond
 // each.
 constexpr std::uint32_t kIterationsUnasked = 64;
@@ -284,17 +276,16 @@ class Refiner {
   bool take(const MergeTurns& move) {
     bool any = false;
     for (std::size_t span = circles().size(); span >= 2; --span)
-      for (std::size_t i = 0; i + span <= circles().size() && !done_by_now(); ++i)
-        any |= merge(i, i + span, move.radii);
+      for (std::size_t i = 0; i + span <= circles().size() && !done_by_now(); ++i) any |= merge(i, i + span, move);
     return any;
   }
 
   // Replaces the circles [first, last) by one circle, tangent to the lines before and behind them.
-  bool merge(std::size_t first, std::size_t last, std::span<const double> radii) {
+  bool merge(std::size_t first, std::size_t last, const MergeTurns& move) {
     const Bitangent before = lines()[first];
     const Bitangent behind = lines()[last];
     const double turn = wrap_signed(behind.start.heading - before.start.heading);
-    if (std::abs(turn) < kLeastMerged || std::abs(turn) > kMostMerged) return false;
+    if (std::abs(turn) < move.least_turn || std::abs(turn) > move.most_turn) return false;
     const Vec2 d = direction_of(before.start.heading);
     const Vec2 e = direction_of(behind.start.heading);
     const Vec2 between = behind.start.position() - before.start.position();
@@ -303,7 +294,7 @@ class Refiner {
     const double room = std::min(ahead, back);
     const double slope = std::tan(0.5 * std::abs(turn));
     const Side side = turn > 0.0 ? Side::kLeft : Side::kRight;
-    for (const double factor : radii) {
+    for (const double factor : move.radii) {
       const double radius = factor * smallest_;
       if (radius * slope > room) break;
       const Vec2 touch = before.start.position() + (ahead - radius * slope) * d;
@@ -335,7 +326,7 @@ class Refiner {
         for (int k = 1; k < move.parts; ++k) stations_.push_back(station(i, k / static_cast<double>(move.parts)));
       for (const double radii : move.near_ends) {
         const double part = radii * smallest_ / length;
-        if (!(part < kNear)) break;
+        if (!(part < move.near)) break;
         stations_.push_back(station(i, part));
         stations_.push_back(station(i, 1.0 - part));
       }
@@ -408,7 +399,7 @@ class Refiner {
 
   bool widen(std::size_t i, bool leaving, const WidenTurns& move) {
     const std::size_t other = leaving ? i + 1 : i - 1;
-    if (other >= circles().size() || chain_.turn_on(i) < kLeastTurn) return false;
+    if (other >= circles().size() || chain_.turn_on(i) < move.least_turn) return false;
     if (are_tied(chain_.chain(), lines(), std::min(i, other))) return step(i, leaving, move);
     for (const double share : move.shares)
       for (const double factor : move.factors)
@@ -420,7 +411,7 @@ class Refiner {
   bool step(std::size_t i, bool leaving, const WidenTurns& move) {
     const std::size_t wide = leaving ? i + 1 : i - 1;
     const double ratio = circles()[wide].radius / circles()[i].radius;
-    if (wide == 0 || wide + 1 == circles().size() || ratio < kLeastRatio) return false;
+    if (wide == 0 || wide + 1 == circles().size() || ratio < move.least_ratio) return false;
     if (are_tied(chain_.chain(), lines(), leaving ? wide : wide - 1)) return false;
     for (const double share : move.step_shares)
       if (accept(stepped(chain_.chain(), lines(), {i, leaving, share}, std::sqrt(ratio) * circles()[i].radius)))
@@ -434,7 +425,8 @@ class Refiner {
     if (radius <= smallest_) return false;
     for (const double turn : move.end_turns)
       for (const double factor : move.end_factors)
-        if (accept(pinched(chain_.chain(), i, smallest_, turn, std::max(factor * radius, kLeastBeside * smallest_))))
+        if (accept(
+                pinched(chain_.chain(), i, smallest_, turn, std::max(factor * radius, move.least_beside * smallest_))))
           return true;
     return false;
   }
@@ -442,41 +434,42 @@ class Refiner {
   bool take(const SlideCircles& move) {
     const double last_step = move.last_step > 0.0 ? move.last_step : options_.smallest_step;
     bool any = false;
-    for (double step = kFirstStep; step >= last_step && !done(); step *= 0.5) {
+    for (double step = move.first_step; step >= last_step && !done(); step *= 0.5) {
       bool moved = true;
-      for (int iteration = 0; moved && iteration < kMostIterations && !done(); ++iteration) {
+      for (int iteration = 0; moved && iteration < move.most_iterations && !done(); ++iteration) {
         moved = false;
-        for (std::size_t i = 0; i < circles().size() && !is_over(); ++i) moved |= slide_circle(i, step, move.steps);
+        for (std::size_t i = 0; i < circles().size() && !is_over(); ++i) moved |= slide_circle(i, step, move);
         any |= moved;
       }
     }
     return any;
   }
 
-  bool slide_circle(std::size_t i, double step, std::span<const CircleStep> steps) {
-    if (i == 0 || i + 1 == circles().size()) return slide_end(i, step);
-    return is_tied(chain_.chain(), lines(), i) ? slide_tied(i, step) : slide_middle(i, step, steps);
+  bool slide_circle(std::size_t i, double step, const SlideCircles& move) {
+    if (i == 0 || i + 1 == circles().size()) return slide_end(i, step, move);
+    return is_tied(chain_.chain(), lines(), i) ? slide_tied(i, step, move) : slide_middle(i, step, move.steps);
   }
 
-  bool slide_tied(std::size_t i, double step) {
+  bool slide_tied(std::size_t i, double step, const SlideCircles& move) {
     bool any = false;
-    for (const double turn : {0.0, kTiedTurn * step, -kTiedTurn * step})
-      for (const double grow : {0.0, step, -0.5 * step}) {
+    for (const double turn : {0.0, move.tied_turn * step, -move.tied_turn * step})
+      for (const double growth : move.growths) {
+        const double grow = growth * step;
         if ((turn == 0.0 && grow == 0.0) || !is_tied(chain_.chain(), lines(), i)) continue;
         any |= accept(retied(chain_.chain(), lines(), i, turn, circles()[i].radius * (1.0 + grow)));
       }
     return any;
   }
 
-  bool slide_end(std::size_t i, double step) {
+  bool slide_end(std::size_t i, double step, const SlideCircles& move) {
     bool any = false;
     for (const double lead : {0.0, step * smallest_, -step * smallest_})
-      for (const double grow : {0.0, step, -0.5 * step}) {
+      for (const double growth : move.growths) {
         const CircleChain& chain = chain_.chain();
         const TurnCircle& old = circles()[i];
         const double length = i == 0 ? chain.lead_in : chain.lead_out;
         const double longer = std::max(0.0, length + lead);
-        const double larger = std::max(smallest_, old.radius * (1.0 + grow));
+        const double larger = std::max(smallest_, old.radius * (1.0 + growth * step));
         if (longer == length && larger == old.radius) continue;
         ChainChange change = shifted(
             chain, lines(), i,
