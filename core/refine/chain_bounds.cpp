@@ -19,8 +19,13 @@ BoundValue line_bound(const Bound& bound, const ArcChain& chain, const ChainSpee
 // The radius of an arc, or that of full speed, beyond the one that the square of a speed needs.
 BoundValue speed_bound(const ArcChain::Arc& arc, bool is_slow, LocalNumber end, const ChainSpeeds& speeds) {
   const double square = end == kEntry ? arc.entry : arc.exit;
-  BoundValue result{(is_slow ? arc.radius : speeds.widest()) - square / speeds.lateral, Term::Gradient::Zero()};
-  result.gradient[kRadius] = is_slow ? 1.0 : 0.0;
+  BoundValue result{speeds.widest() - square / speeds.lateral, Term::Gradient::Zero()};
+  if (is_slow) {
+    const ChainSpeeds::Square limit = speeds.square(arc.radius);
+    result.value =
+        speeds.table.empty() ? arc.radius - square / speeds.lateral : (limit.value - square) / speeds.lateral;
+    result.gradient[kRadius] = speeds.table.empty() ? 1.0 : limit.slope / speeds.lateral;
+  }
   result.gradient[end] = -1.0 / speeds.lateral;
   return result;
 }
@@ -79,6 +84,11 @@ BoundValue value_of(const Bound& bound, const ArcChain& chain, const ChainSpeeds
   g[kExit] = share;
   g[kEntry] = -share;
   return result;
+}
+
+double speed_curvature(const Bound& bound, const ArcChain& chain, const ChainSpeeds& speeds) {
+  if (!bound.is_slow) return 0.0;
+  return speeds.square(chain.arcs[bound.index].radius).curvature / speeds.lateral;
 }
 
 Term::Hessian length_curvature(const ArcChain& chain, std::size_t arc) {

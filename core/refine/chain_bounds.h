@@ -32,7 +32,7 @@ struct Bound {
 void find_bounds(const ArcChain& chain, const ChainSpeeds& speeds, std::vector<Bound>& bounds);
 
 /// The value and the gradient of a bound. It has no second derivatives but those of the length of an arc, see
-/// length_curvature.
+/// length_curvature, and of the speed on it, see speed_curvature.
 struct BoundValue {
   double value;
   Term::Gradient gradient;
@@ -41,5 +41,7 @@ BoundValue value_of(const Bound& bound, const ArcChain& chain, const ChainSpeeds
 
 /// The second derivatives of the length of an arc.
 Term::Hessian length_curvature(const ArcChain& chain, std::size_t arc);
+/// The second derivative of kEntry and kExit of an arc by its radius.
+double speed_curvature(const Bound& bound, const ArcChain& chain, const ChainSpeeds& speeds);
 
 }  // namespace arcway::internal

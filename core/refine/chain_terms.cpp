@@ -1,5 +1,6 @@
 #include "core/refine/chain_terms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -58,9 +59,44 @@ Timed time_of(double length, double from, double to, double limit, double a) {
 
 }  // namespace
 
+ChainSpeeds::Square ChainSpeeds::square_by_table(double radius) const {
+  const auto above = std::ranges::upper_bound(table, radius, {}, &std::pair<double, double>::first);
+  if (above == table.begin()) return {above->second * above->second, 0.0, 0.0};
+  const auto below = above - 1;
+  const double slope = (above->second - below->second) / (above->first - below->first);
+  const double speed = below->second + slope * (radius - below->first);
+  return {speed * speed, 2.0 * speed * slope, 2.0 * slope * slope};
+}
+
+namespace {
+
+// Where a table reaches a speed, if both ascend so far; else 0.
+double radius_of(const TurnSpeedTable& law, double speed) {
+  const auto& entries = law.entries;
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    const auto& [from, slow] = entries[i - 1];
+    const auto& [to, fast] = entries[i];
+    if (!(fast > slow)) return 0.0;
+    if (fast >= speed) return from + (to - from) * ((speed - slow) / (fast - slow));
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+bool has_chain_speeds(const Vehicle& vehicle) {
+  const TurnSpeedLaw& law = vehicle.parameters().turn_speed;
+  if (!(vehicle.turn_speed(vehicle.min_turning_radius()) < vehicle.max_speed())) return false;
+  const auto* table = std::get_if<TurnSpeedTable>(&law);
+  return table ? radius_of(*table, vehicle.max_speed()) > 0.0 : std::holds_alternative<LateralAccelerationLimit>(law);
+}
+
 ChainSpeeds speeds_of(const Vehicle& vehicle) {
-  const auto& law = std::get<LateralAccelerationLimit>(vehicle.parameters().turn_speed);
-  return {vehicle.max_acceleration(), law.lateral_acceleration, vehicle.max_speed() * vehicle.max_speed()};
+  const double top = vehicle.max_speed() * vehicle.max_speed();
+  const TurnSpeedLaw& law = vehicle.parameters().turn_speed;
+  if (const auto* table = std::get_if<TurnSpeedTable>(&law))
+    return {vehicle.max_acceleration(), top / radius_of(*table, vehicle.max_speed()), top, table->entries};
+  return {vehicle.max_acceleration(), std::get<LateralAccelerationLimit>(law).lateral_acceleration, top};
 }
 
 double entry_of_line(const ArcChain& chain, std::size_t line) { return line > 0 ? chain.arcs[line - 1].exit : 0.0; }
@@ -81,17 +117,19 @@ double line_time_alone(const ArcChain& chain, std::size_t line, const ChainSpeed
 Term arc_time(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds) {
   const ArcChain::Arc& a = chain.arcs[arc];
   const double turn = chain.turn(arc);
-  const Timed timed = time_of(a.radius * turn, a.entry, a.exit, speeds.of(a.radius), speeds.acceleration);
+  const ChainSpeeds::Square limit = speeds.square(a.radius);
+  const Timed timed = time_of(a.radius * turn, a.entry, a.exit, limit.value, speeds.acceleration);
   Eigen::Matrix<double, kTimedNumbers, kLocalNumbers> map = Eigen::Matrix<double, kTimedNumbers, kLocalNumbers>::Zero();
   map(kSegment, kRadius) = turn;
   map(kSegment, kHeading) = -a.sign * a.radius;
   map(kSegment, kNextHeading) = a.sign * a.radius;
   map(kFrom, kEntry) = map(kTo, kExit) = 1.0;
-  map(kLimit, kRadius) = a.radius < speeds.widest() ? speeds.lateral : 0.0;
+  map(kLimit, kRadius) = limit.slope;
   Term term;
   term.value = timed.value;
   term.gradient.noalias() = map.transpose() * timed.gradient;
   term.hessian.noalias() = map.transpose() * timed.hessian * map;
+  term.hessian(kRadius, kRadius) += timed.gradient[kLimit] * limit.curvature;
   const double by_length = a.sign * timed.gradient[kSegment];
   term.hessian(kRadius, kNextHeading) += by_length;
   term.hessian(kNextHeading, kRadius) += by_length;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
+#include <utility>
 
 #include "arcway/vehicle.h"
 #include "core/refine/arc_chain.h"
@@ -27,18 +29,34 @@ struct Term {
   void curve(int a, int b, double second) { hessian(a, b) = hessian(b, a) = second; }
 };
 
-/// How fast the vehicle is on lines and in turns.
+/// How fast the vehicle is on lines and in turns. Turns are driven by a lateral acceleration, or by a table.
 struct ChainSpeeds {
   double acceleration;  ///< [m/s^2]
-  double lateral;       ///< of turns, up to the square of the top speed [m/s^2]
+  double lateral;       ///< lateral acceleration of turns; with a table, on the radius of top speed [m/s^2]
   double top;           ///< square of the top speed [m^2/s^2]
+  /// Pairs (radius [m], speed [m/s]), linear in between. Both ascend, up to the top speed. Empty: no table.
+  std::span<const std::pair<double, double>> table = {};
 
   /// Radius from which on turns are as fast as lines [m].
   [[nodiscard]] double widest() const { return top / lateral; }
-  /// The square of the speed on a circle.
-  [[nodiscard]] double of(double radius) const { return radius < widest() ? lateral * radius : top; }
+  /// The square of the speed on a circle, with its first and second derivative by the radius.
+  struct Square {
+    double value, slope, curvature;
+  };
+  [[nodiscard]] Square square(double radius) const {
+    if (radius >= widest()) return {top, 0.0, 0.0};
+    if (table.empty()) return {lateral * radius, lateral, 0.0};
+    return square_by_table(radius);
+  }
+  [[nodiscard]] double of(double radius) const { return square(radius).value; }
+
+ private:
+  [[nodiscard]] Square square_by_table(double radius) const;
 };
-/// The speeds of a vehicle that is limited by its lateral acceleration.
+/// Whether a vehicle drives turns by a lateral acceleration, or by such a table, and the tightest ones slower than
+/// lines.
+bool has_chain_speeds(const Vehicle& vehicle);
+/// The speeds of a vehicle that has them. It must outlive the use.
 ChainSpeeds speeds_of(const Vehicle& vehicle);
 
 /// The time through an arc or a line [s], between the speeds at its ends, which need not be as high as they may. It is

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "core/base/infinity.h"
@@ -157,6 +156,10 @@ class InteriorPoint {
     row.gradient = gradient;
     if (bound.limit == Limit::kSpeedUp || bound.limit == Limit::kBrake)
       add(*row.numbers, length_curvature(chain(), bound.index), -row.multiplier, system_.matrix);
+    if (bound.limit == Limit::kEntry || bound.limit == Limit::kExit) {
+      const auto radius = static_cast<std::size_t>((*row.numbers)[kRadius]);
+      system_.matrix.add(radius, radius, -row.multiplier * speed_curvature(bound, chain(), system_.speeds));
+    }
   }
   void evaluate(std::size_t contact, Row& row) {
     const bool was_on = std::exchange(row.is_on, false);
@@ -369,9 +372,8 @@ ChainOptimizer::ChainOptimizer(ChainOptimizer&&) noexcept = default;
 ChainOptimizer& ChainOptimizer::operator=(ChainOptimizer&&) noexcept = default;
 
 bool ChainOptimizer::serves(const Vehicle& vehicle) {
-  const auto* law = std::get_if<LateralAccelerationLimit>(&vehicle.parameters().turn_speed);
   const double tightest = vehicle.min_turning_radius();
-  if (law == nullptr || !(vehicle.turn_speed(tightest) < vehicle.max_speed())) return false;
+  if (!has_chain_speeds(vehicle)) return false;
   const Footprint body = vehicle.footprint();
   return body.front > 0.0 && body.rear > 0.0 && tightest > vehicle.footprint(vehicle.safety_margin()).half_width;
 }

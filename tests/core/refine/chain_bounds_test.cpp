@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "core/refine/chain_system.h"
@@ -133,6 +134,30 @@ TEST(ChainBounds, LengthsOfArcsAreCurvedByRadiusAndHeadings) {
         }
     }
   }
+}
+
+TEST(ChainBounds, SpeedsOfATableAreCurvedByTheRadius) {
+  constexpr double kStep = 1e-4;
+  constexpr std::pair<double, double> kTable[] = {{1.0, 1.0}, {8.0, 4.0}};
+  const ChainSpeeds speeds{2.0, 2.0, 16.0, kTable};
+  ArcChain chain;
+  chain.lines = {{0.0, 1.0, false}, {1.0, 1.0, false}};
+  chain.arcs = {{Vec2::Zero(), 5.0, 1.0, 3.0, 4.0}};
+  for (const Limit limit : {Limit::kEntry, Limit::kExit})
+    for (const bool is_slow : {true, false}) {
+      const Bound bound{limit, 0, is_slow};
+      const auto value_at = [&](double radius) {
+        ArcChain moved = chain;
+        moved.arcs[0].radius = radius;
+        return value_of(bound, moved, speeds, 1.0);
+      };
+      const BoundValue now = value_at(5.0), low = value_at(5.0 - kStep), high = value_at(5.0 + kStep);
+      EXPECT_NEAR(now.gradient[kRadius], (high.value - low.value) / (2.0 * kStep), 1e-8);
+      EXPECT_NEAR(speed_curvature(bound, chain, speeds),
+                  (high.gradient[kRadius] - low.gradient[kRadius]) / (2.0 * kStep), 1e-8);
+      // On the bound the speed is that of the circle, or of a line.
+      EXPECT_NEAR(now.value, ((is_slow ? speeds.of(5.0) : 16.0) - (limit == Limit::kEntry ? 3.0 : 4.0)) / 2.0, 1e-13);
+    }
 }
 
 TEST(ChainBounds, AreAllKeptWhereAnOptimizationBegins) {

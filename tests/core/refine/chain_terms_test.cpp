@@ -158,5 +158,62 @@ TEST(ChainTerms, WithTheFastestSpeedsTheyAddUpToTheTravelTime) {
   }
 }
 
+const Vehicle& vehicle_of_table() {
+  static const Vehicle vehicle({.max_speed = 4.0,
+                                .turn_speed = TurnSpeedTable{{{2.0, 1.0}, {4.0, 2.5}, {8.0, 3.5}, {10.0, 4.5}}},
+                                .max_acceleration = 2.0});
+  return vehicle;
+}
+
+TEST(ChainTerms, SpeedsOfATableAreThoseOfTheVehicle) {
+  const ChainSpeeds speeds = speeds_of(vehicle_of_table());
+  EXPECT_NEAR(speeds.widest(), 9.0, 1e-14);
+  constexpr double kStep = 1e-5;
+  for (const double radius : {1.4, 1.9, 2.5, 3.9, 4.1, 7.0, 8.5, 8.9, 9.5, 30.0}) {
+    const double speed = vehicle_of_table().turn_speed(radius);
+    const ChainSpeeds::Square square = speeds.square(radius);
+    EXPECT_NEAR(square.value, speed * speed, 1e-13);
+    const double low = speeds.of(radius - kStep), high = speeds.of(radius + kStep);
+    EXPECT_NEAR(square.slope, (high - low) / (2.0 * kStep), 1e-8) << radius;
+    EXPECT_NEAR(square.curvature, (high - 2.0 * square.value + low) / (kStep * kStep), 1e-3) << radius;
+  }
+}
+
+TEST(ChainTerms, TimesOfATableHaveItsDerivatives) {
+  test::RandomInputs random(5);
+  const ChainSpeeds speeds = speeds_of(vehicle_of_table());
+  constexpr double kStep = 1e-5;
+  for (int i = 0; i < 200; ++i) {
+    ArcChain chain;
+    chain.lines = {{0.0, 1.0, false}, {2.0, 1.0, false}};
+    chain.arcs = {{Vec2::Zero(), random.uniform(2.1, 3.9), 1.0, 0.0, 0.0}};
+    ArcChain::Arc& arc = chain.arcs[0];
+    arc.entry = random.uniform(0.5, 0.9) * speeds.of(arc.radius);
+    arc.exit = random.uniform(0.5, 0.9) * speeds.of(arc.radius);
+    const Term term = arc_time(chain, 0, speeds);
+    ArcChain low = chain, high = chain;
+    low.arcs[0].radius -= kStep;
+    high.arcs[0].radius += kStep;
+    const double slope = (arc_time_alone(high, 0, speeds) - arc_time_alone(low, 0, speeds)) / (2.0 * kStep);
+    EXPECT_NEAR(term.gradient[kRadius], slope, 1e-7);
+    const double curve =
+        (arc_time(high, 0, speeds).gradient[kRadius] - arc_time(low, 0, speeds).gradient[kRadius]) / (2.0 * kStep);
+    EXPECT_NEAR(term.hessian(kRadius, kRadius), curve, 1e-6);
+  }
+}
+
+// Tables must ascend up to the top speed.
+TEST(ChainTerms, SomeTablesHaveNoSpeedsOfChains) {
+  const auto has = [](TurnSpeedTable table) {
+    return has_chain_speeds(Vehicle({.max_speed = 4.0, .turn_speed = std::move(table)}));
+  };
+  EXPECT_TRUE(has({{{1.0, 1.0}, {9.0, 4.0}}}));
+  EXPECT_TRUE(has({{{1.0, 1.0}, {9.0, 5.0}, {10.0, 2.0}}}));  // below the top speed it ascends
+  EXPECT_FALSE(has({{{1.0, 1.0}, {9.0, 3.0}}}));
+  EXPECT_FALSE(has({{{1.0, 1.0}, {5.0, 1.0}, {9.0, 4.0}}}));
+  EXPECT_FALSE(has({{{1.0, 4.0}}}));
+  EXPECT_FALSE(has({{{1.0, 2.0}}}));
+}
+
 }  // namespace
 }  // namespace arcway::internal

@@ -225,6 +225,28 @@ TEST(RefinePath, OptimizedTurnsAreValidAndFasterThanByOtherChangesAlone) {
   EXPECT_LT(trials_with, trials_without);
 }
 
+// Turns that are driven by a table. The optimizer saves 0.8 % here.
+TEST(RefinePath, TurnsDrivenByATableAreOptimizedAsWell) {
+  const Vehicle vehicle(
+      {.turn_speed = TurnSpeedTable{{{1.3, 1.6}, {4.0, 2.8}, {12.0, 4.9}, {72.0, 12.0}}}, .max_acceleration = 2.0});
+  const World world =
+      random_world({.kind = ClutterKind::kConvex, .obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
+  const Outlines outlines(world);
+  const QuerySet queries = make_reference_queries(world);
+  double with = 0.0, without = 0.0;
+  for (const auto& [request, path] : cluttered_plans(world, 20)) {
+    RefineQuery query{path, request.start, request.goal, vehicle, *queries.sweep};
+    without += refine_path(query).travel_time;
+    query.world = &world;
+    query.outlines = &outlines;
+    const RefinedPath result = refine_path(query);
+    EXPECT_LE(result.travel_time, speed_profile(path, vehicle).total_time);
+    expect_valid(world, vehicle, request, result.path);
+    with += result.travel_time;
+  }
+  EXPECT_LT(with, 0.997 * without);
+}
+
 TEST(RefinePath, OptimizationStopsWhenAskedAndAtItsLimit) {
   const Vehicle vehicle = real_vehicle();
   const World world = random_world({.obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
