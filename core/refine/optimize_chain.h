@@ -45,9 +45,9 @@ class ChainOptimizer {
   ChainOptimizer(ChainOptimizer&&) noexcept;
   ChainOptimizer& operator=(ChainOptimizer&&) noexcept;
 
-  /// Whether chains of a vehicle can be optimized. It must be the faster the wider it turns, up to its top speed, by its
-  /// lateral acceleration or by a table that ascends so far. Its reference point must lie on its body, and turn about
-  /// centers beside the body.
+  /// Whether chains of a vehicle can be optimized. It must be the faster the wider it turns, up to its top speed, by
+  /// its lateral acceleration or by a table that ascends so far. Its reference point must lie on its body, and turn
+  /// about centers beside the body.
   static bool serves(const Vehicle& vehicle);
 
   struct Result {
