@@ -44,7 +44,7 @@ struct ChainSpeeds {
     double value, slope, curvature;
   };
   [[nodiscard]] Square square(double radius) const {
-    if (radius >= widest()) return {top, 0.0, 0.0};
+    if (!(radius < widest())) return {top, 0.0, 0.0};
     if (table.empty()) return {lateral * radius, lateral, 0.0};
     return square_by_table(radius);
   }

@@ -168,6 +168,7 @@ const Vehicle& vehicle_of_table() {
 TEST(ChainTerms, SpeedsOfATableAreThoseOfTheVehicle) {
   const ChainSpeeds speeds = speeds_of(vehicle_of_table());
   EXPECT_NEAR(speeds.widest(), 9.0, 1e-14);
+  EXPECT_EQ(speeds.of(std::nan("")), speeds.top);
   constexpr double kStep = 1e-5;
   for (const double radius : {1.4, 1.9, 2.5, 3.9, 4.1, 7.0, 8.5, 8.9, 9.5, 30.0}) {
     const double speed = vehicle_of_table().turn_speed(radius);
