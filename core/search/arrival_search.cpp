@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -15,6 +17,7 @@
 #include "core/attach/search_attachments.h"
 #include "core/attach/search_context.h"
 #include "core/attach/walk_links.h"
+#include "core/base/hash_of.h"
 #include "core/base/infinity.h"
 #include "core/base/open_list.h"
 #include "core/base/prefetch.h"
@@ -478,15 +481,14 @@ class ArrivalSearch::Run {
     }
   }
 
-  // The number of a way, by the hash of Fowler, Noll and Vo. Turns in a row around one obstacle count as one.
+  // The number of a way. Turns in a row around one obstacle count as one.
   [[nodiscard]] std::uint64_t way_of(std::span<const std::uint32_t> chain) const {
-    constexpr std::uint64_t kBasis = 0xcbf29ce484222325, kPrime = 0x100000001b3;
-    std::uint64_t way = kBasis, last = kBasis;
+    std::uint64_t way = 1, last = std::numeric_limits<std::uint64_t>::max();  // 0 is no way
     for (std::size_t i = chain.size(); i-- > 0;) {
       const TurnCircle& circle = graph_.circles()[w_.labels[chain[i]].circle];
       const std::uint64_t obstacle = context_.map.world.obstacle_of(circle.vertex);
       const std::uint64_t turn = 2 * obstacle + (circle.side == Side::kLeft ? 1 : 0);
-      if (std::exchange(last, turn) != turn) way = (way ^ turn) * kPrime;
+      if (std::exchange(last, turn) != turn) way = hash_of(std::array{way, turn});
     }
     return way;
   }
