@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "arcway/angle.h"
@@ -13,8 +12,8 @@
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/reversing/narrow_gear_search.h"
-#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/boxes.h"
+#include "tests/support/lazy_maps.h"
 #include "tests/support/plans.h"
 
 namespace arcway::internal {
@@ -23,16 +22,6 @@ namespace {
 using test::box;
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
-
-Roadmap map_of(const World& world, const Vehicle& vehicle) {
-  const QuerySet queries = make_reference_queries(world);
-  const std::vector<double> radii{vehicle.min_turning_radius()};
-  auto graph = std::make_shared<const LazyFeasibleGraph>(
-      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
-                          queries, radii},
-      SerialExecutor());
-  return {world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world)};
-}
 
 // A delivery robot that turns on 0.6 m in front of a recess that is as deep as its body and little longer.
 VehicleParameters robot() {
@@ -55,7 +44,7 @@ std::vector<Polygon> recess(double slack) {
 TEST(NarrowGearTree, WaysAreJoinedFreeAndCounted) {
   const World world(recess(0.2));
   const Vehicle vehicle(robot());
-  const Roadmap map = map_of(world, vehicle);
+  const Roadmap map = test::lazy_map(world, vehicle);
   NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit, 1.0}, [](const Pose&) { return 0.0; });
   for (int i = 0; i < 200; ++i) ASSERT_TRUE(tree.expand());
   std::size_t most_cusps = 0;
@@ -76,7 +65,7 @@ TEST(NarrowGearTree, WaysAreJoinedFreeAndCounted) {
 TEST(NarrowGearTree, KnowsHowFarItsLastPoseLeads) {
   const World world(recess(0.2));
   const Vehicle vehicle(robot());
-  const Roadmap map = map_of(world, vehicle);
+  const Roadmap map = test::lazy_map(world, vehicle);
   NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit, 1.0}, [](const Pose&) { return 0.0; });
   int free = 0, blocked = 0;
   for (int i = 0; i < 200; ++i) {
@@ -97,7 +86,7 @@ TEST(NarrowGearTree, KnowsHowFarItsLastPoseLeads) {
 TEST(NarrowGearTree, KeepsToTheLimitOfCusps) {
   const World world(recess(0.2));
   const Vehicle vehicle(robot());
-  const Roadmap map = map_of(world, vehicle);
+  const Roadmap map = test::lazy_map(world, vehicle);
   for (const std::size_t most : {0u, 1u, 2u}) {
     NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, most, 1.0}, [](const Pose&) { return 0.0; });
     for (int i = 0; i < 200 && tree.expand(); ++i)
@@ -110,7 +99,7 @@ TEST(NarrowGearTree, KeepsToTheLimitOfCusps) {
 
 TEST(NarrowGearTree, EndsWhereNothingMoves) {
   const Vehicle vehicle(robot());
-  const Roadmap map = map_of(World(recess(0.0006)), vehicle);  // half of the margin and a little
+  const Roadmap map = test::lazy_map(World(recess(0.0006)), vehicle);  // half of the margin and a little
   NarrowGearTree tree(map, vehicle, {0.0, 0.0, 0.0}, {0.5, kNoLimit, 1.0}, [](const Pose&) { return 0.0; });
   EXPECT_EQ(tree.expand(), NarrowGearTree::kRoot);
   EXPECT_EQ(tree.expand(), std::nullopt);
@@ -119,7 +108,7 @@ TEST(NarrowGearTree, EndsWhereNothingMoves) {
 TEST(NarrowGearSearch, KeepsItsLimits) {
   const World world(recess(0.3));
   const Vehicle vehicle(robot());
-  const Roadmap map = map_of(world, vehicle);
+  const Roadmap map = test::lazy_map(world, vehicle);
   const Pose start{0.0, 0.0, 0.0}, goal{-1.5, 1.1, 0.0};
   const GearSearchResult all = search_narrow_gears(map, start, goal, {});
   ASSERT_TRUE(all.path);

@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/query_set.h"
 #include "core/collision/motion_free.h"
-#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/boxes.h"
+#include "tests/support/lazy_maps.h"
 
 namespace arcway::internal {
 namespace {
@@ -27,16 +26,6 @@ Pose turned(const Pose& pose, double by, const Vec2& moved) {
   return {p.x(), p.y(), pose.heading + by};
 }
 
-Roadmap map_of(const World& world, const Vehicle& vehicle) {
-  const QuerySet queries = make_reference_queries(world);
-  const std::vector<double> radii{vehicle.min_turning_radius()};
-  auto graph = std::make_shared<const LazyFeasibleGraph>(
-      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
-                          queries, radii},
-      SerialExecutor());
-  return {world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world)};
-}
-
 // Two posts, a little to the left of a straight line, with 2 mm beside the body and its margin on either side.
 World two_posts(double aside, double by, const Vec2& moved) {
   const Vehicle vehicle;
@@ -50,7 +39,7 @@ TEST(PushFree, LeadsThroughAGapBesideThePath) {
   for (const double aside : {0.05, -0.1})
     for (const double by : {0.0, 37.0 * std::numbers::pi / 180.0}) {
       const Vec2 moved(by == 0.0 ? 0.0 : 1000.0, -by);
-      const Roadmap map = map_of(two_posts(aside, by, moved), vehicle);
+      const Roadmap map = test::lazy_map(two_posts(aside, by, moved), vehicle);
       const Pose start = turned({0.0, 0.0, 0.0}, by, moved), goal = turned({12.0, 0.0, 0.0}, by, moved);
       const Path line{{start, 12.0, 0.0}};
       ASSERT_FALSE(motion_free(*map.queries.sweep, map.body, line));
@@ -68,13 +57,14 @@ TEST(PushFree, LeadsThroughAGapBesideThePath) {
 TEST(PushFree, GivesUpWhereTheBodyDoesNotFit) {
   const Vehicle vehicle;
   const double half = vehicle.footprint().half_width - 0.02;
-  const Roadmap map = map_of(World({test::box(6.0, half, 6.4, 3.0), test::box(6.0, -3.0, 6.4, -half)}), vehicle);
+  const Roadmap map =
+      test::lazy_map(World({test::box(6.0, half, 6.4, 3.0), test::box(6.0, -3.0, 6.4, -half)}), vehicle);
   EXPECT_FALSE(push_free({{{0.0, 0.0, 0.0}, 12.0, 0.0}}, {12.0, 0.0, 0.0}, map.body, map, {}));
 }
 
 TEST(PushFree, LeavesAFreePathAsItIs) {
   const Vehicle vehicle;
-  const Roadmap map = map_of(World({test::box(6.0, 3.0, 6.4, 4.0)}), vehicle);
+  const Roadmap map = test::lazy_map(World({test::box(6.0, 3.0, 6.4, 4.0)}), vehicle);
   const Path line{{{0.0, 0.0, 0.0}, 12.0, 0.0}};
   const auto path = push_free(line, {12.0, 0.0, 0.0}, map.body, map, {});
   ASSERT_TRUE(path);

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 
 #include "arcway/angle.h"
 #include "arcway/query_set.h"
-#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/boxes.h"
+#include "tests/support/lazy_maps.h"
 
 namespace arcway::internal {
 
@@ -21,13 +20,7 @@ RouteField field_behind_a_wall(double gap) {
   const World world({{box_ring(9.0, -20.0, 10.0, -0.5 * gap), {}}, {box_ring(9.0, 0.5 * gap, 10.0, 20.0), {}}},
                     box_ring(-5.0, -20.0, 30.0, 30.0));
   const Vehicle vehicle;
-  const QuerySet queries = make_reference_queries(world);
-  const std::vector<double> radii{vehicle.min_turning_radius()};
-  auto graph = std::make_shared<const LazyFeasibleGraph>(
-      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
-                          queries, radii},
-      SerialExecutor());
-  const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
+  const Roadmap map = test::lazy_map(world, vehicle);
   return {map, {0.0, 0.0, 0.3}, {20.0, 0.0, 0.0}, 100'000, {}};
 }
 

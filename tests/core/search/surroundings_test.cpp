@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/planner.h"
 #include "arcway/query_set.h"
 #include "core/planner/strategy.h"
-#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/boxes.h"
+#include "tests/support/lazy_maps.h"
 
 namespace arcway::internal {
 namespace {
@@ -20,13 +19,7 @@ using test::box;
 
 ExploredSurroundings explored(const World& world, const Pose& root, Direction direction) {
   const Vehicle vehicle;
-  const QuerySet queries = make_reference_queries(world);
-  const std::vector<double> radii{vehicle.min_turning_radius()};
-  auto graph = std::make_shared<const LazyFeasibleGraph>(
-      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
-                          queries, radii},
-      SerialExecutor());
-  const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
+  const Roadmap map = test::lazy_map(world, vehicle);
   return explore_surroundings(map, root, direction, kSurroundingsEffort, {});
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,8 +12,8 @@
 #include "arcway/angle.h"
 #include "arcway/query_set.h"
 #include "core/planner/strategy.h"
-#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/boxes.h"
+#include "tests/support/lazy_maps.h"
 #include "tests/support/narrow_queries.h"
 #include "tests/support/plans.h"
 
@@ -115,13 +114,7 @@ TEST(TreeSearch, CanBeStopped) {
 TEST(TreeSearch, OffersNoPathTwice) {
   const Vehicle vehicle;
   const World world({test::box(-2.0, 0.402, 14.0, 2.0), test::box(-2.0, -2.0, 14.0, -0.402)});
-  const QuerySet queries = make_reference_queries(world);
-  const std::vector<double> radii{vehicle.min_turning_radius()};
-  auto graph = std::make_shared<const LazyFeasibleGraph>(
-      FeasibleGraphInputs{world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
-                          queries, radii},
-      SerialExecutor());
-  const Roadmap map(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
+  const Roadmap map = test::lazy_map(world, vehicle);
   std::vector<double> offered;
   const auto refuse = [&](const Path& path) -> std::optional<Path> {
     offered.push_back(length_of(path));
