@@ -42,8 +42,7 @@ constexpr double kMultiplierBand = 10.0;  // largest ratio of a multiplier to ba
 
 // A constraint, value >= 0, with its slack and multiplier.
 struct Row {
-  bool is_on = false;
-  double clear_until = 0.0;  // movement of the chain until which a contact is far off
+  std::size_t of = 0;  // index of the bound; of contacts, behind those of all bounds
   double value = 0.0, trial = 0.0;
   double slack = 0.0, slack_step = 0.0;
   double multiplier = 0.0, penalty = 0.0;
@@ -56,7 +55,8 @@ struct Row {
 
 struct ChainOptimizer::Memory {
   ChainSystem system;
-  std::vector<Row> rows;  // of bounds, then of contacts
+  std::vector<Row> rows, next_rows;  // of all bounds and of near contacts
+  std::vector<double> clear_until;   // movement of the chain until which each contact is far off
   std::vector<double> gradient, correction, uncorrected;
 };
 
@@ -68,6 +68,8 @@ class InteriorPoint {
       : query_(query),
         system_(memory.system),
         rows_(memory.rows),
+        next_rows_(memory.next_rows),
+        clear_until_(memory.clear_until),
         tensions_(memory.system.tensions),
         gradient_(memory.gradient),
         correction_(memory.correction),
@@ -107,16 +109,17 @@ class InteriorPoint {
     const double time = time_of(chain());
     first_barrier_ = barrier_ = query_.effort.first_barrier * time;
     last_barrier_ = kLastBarrier * time;
-    rows_.assign(bounds() + system_.contacts.size(), Row{});
+    clear_until_.assign(system_.contacts.size(), 0.0);
+    rows_.assign(bounds(), Row{});
     for (std::size_t i = 0; i < bounds(); ++i) {
       Row& row = rows_[i];
+      row.of = i;
       row.numbers = &system_.numbers_of(system_.bounds[i]);
       row.value = system_.value(system_.bounds[i], chain()).value;
       begin(row);
     }
   }
   void begin(Row& row) const {
-    row.is_on = true;
     row.slack = std::max(row.value, kLeastSlack * system_.unit);
     row.multiplier = barrier_ / row.slack;
     row.penalty = 0.0;
@@ -140,9 +143,8 @@ class InteriorPoint {
     for (std::size_t i = 0; i < chain().lines.size(); ++i)
       if (!chain().lines[i].is_tied) evaluate(line_time(chain(), i, system_.speeds), system_.unknowns.of_line(i));
     for (std::size_t i = 0; i < bounds(); ++i) evaluate(system_.bounds[i], rows_[i]);
-    for (std::size_t i = bounds(); i < rows_.size(); ++i) evaluate(i - bounds(), rows_[i]);
-    for (const Row& row : rows_)
-      if (row.is_on) add_square(*row.numbers, row.gradient, row.multiplier / row.slack, system_.matrix);
+    evaluate_contacts();
+    for (const Row& row : rows_) add_square(*row.numbers, row.gradient, row.multiplier / row.slack, system_.matrix);
     system_.unknowns.add_equations(chain(), tensions_, ChainSystem::kStiffness, system_.matrix);
   }
   void evaluate(const Term& time, const Numbers& numbers) {
@@ -161,22 +163,29 @@ class InteriorPoint {
       system_.matrix.add(radius, radius, -row.multiplier * speed_curvature(bound, chain(), system_.speeds));
     }
   }
-  void evaluate(std::size_t contact, Row& row) {
-    const bool was_on = std::exchange(row.is_on, false);
-    if (moved_ < row.clear_until) return;
-    const ChainContacts::Place place = system_.contacts.look_around(chain(), contact);
-    row.value = place.distance;
-    const double near = kNearContact * system_.unit;
-    if (row.value >= near) {
-      row.clear_until = moved_ + (row.value < kInfinity ? row.value - near : kUnseen * system_.unit);
-      return;
+  // Rows of contacts begin when they come near, and end when they are far off.
+  void evaluate_contacts() {
+    next_rows_.assign(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(bounds()));
+    std::size_t known = bounds();  // the first row of this contact or of a later one
+    for (std::size_t contact = 0; contact < clear_until_.size(); ++contact) {
+      while (known < rows_.size() && rows_[known].of < bounds() + contact) ++known;
+      if (moved_ < clear_until_[contact]) continue;
+      const ChainContacts::Place place = system_.contacts.look_around(chain(), contact);
+      const double near = kNearContact * system_.unit;
+      if (place.distance >= near) {
+        clear_until_[contact] = moved_ + (place.distance < kInfinity ? place.distance - near : kUnseen * system_.unit);
+        continue;
+      }
+      const bool was_near = known < rows_.size() && rows_[known].of == bounds() + contact;
+      Row& row = next_rows_.emplace_back(was_near ? rows_[known] : Row{.of = bounds() + contact});
+      const Term term = system_.contacts.term(chain(), contact, place);
+      row.value = place.distance;
+      row.numbers = &system_.numbers_at(place);
+      row.gradient = term.gradient;
+      if (!was_near) begin(row);
+      add(*row.numbers, term.hessian, -row.multiplier, system_.matrix);
     }
-    const Term term = system_.contacts.term(chain(), contact, place);
-    row.numbers = &system_.numbers_at(place);
-    row.gradient = term.gradient;
-    row.is_on = true;
-    if (!was_on) begin(row);
-    add(*row.numbers, term.hessian, -row.multiplier, system_.matrix);
+    std::swap(rows_, next_rows_);
   }
 
   // The tensions at the beginning, from one solution without any.
@@ -194,8 +203,7 @@ class InteriorPoint {
 
   [[nodiscard]] bool is_optimal() const {
     if (barrier_ > last_barrier_ || gain_ > kLeastGain * time_) return false;
-    return std::ranges::all_of(rows_,
-                               [&](const Row& row) { return !row.is_on || row.value > -kOverlap * system_.unit; });
+    return std::ranges::all_of(rows_, [&](const Row& row) { return row.value > -kOverlap * system_.unit; });
   }
   void change_barrier() {
     if (share_ < kShortStep) barrier_ = std::min(first_barrier_, kRise * barrier_);
@@ -206,7 +214,7 @@ class InteriorPoint {
     auto& right = system_.right;
     right = gradient_;
     for (const Row& row : rows_)
-      if (row.is_on) add(*row.numbers, row.gradient, (row.multiplier * row.residual() - barrier_) / row.slack, right);
+      add(*row.numbers, row.gradient, (row.multiplier * row.residual() - barrier_) / row.slack, right);
     for (double& value : right) value = -value;
   }
   [[nodiscard]] bool factorize() {
@@ -221,8 +229,7 @@ class InteriorPoint {
     set_slack_steps();
   }
   void set_slack_steps() {
-    for (Row& row : rows_)
-      if (row.is_on) row.slack_step = along(*row.numbers, row.gradient, system_.step) + row.residual();
+    for (Row& row : rows_) row.slack_step = along(*row.numbers, row.gradient, system_.step) + row.residual();
   }
 
   bool take_step() {
@@ -239,7 +246,6 @@ class InteriorPoint {
     for (std::size_t i = 0; i < gradient_.size(); ++i)
       if (!system_.unknowns.is_tension(i)) slope += gradient_[i] * system_.step[i];
     for (Row& row : rows_) {
-      if (!row.is_on) continue;
       row.penalty = std::max(row.penalty, kPenalty * std::abs(next_multiplier(row)));
       slope -= barrier_ * row.slack_step / row.slack + row.penalty * std::abs(row.residual());
     }
@@ -275,8 +281,7 @@ class InteriorPoint {
       if (value + share * change < least * value) share = (least - 1.0) * value / change;
     };
     const auto change = [this](int number) { return part_of(system_.step, number); };
-    for (const Row& row : rows_)
-      if (row.is_on) keep(row.slack, row.slack_step, 1.0 - kMostToBoundary);
+    for (const Row& row : rows_) keep(row.slack, row.slack_step, 1.0 - kMostToBoundary);
     for (std::size_t i = 0; i < chain().arcs.size(); ++i) {
       const Numbers& at = system_.unknowns.of_arc(i);
       const ArcChain::Arc& arc = chain().arcs[i];
@@ -295,22 +300,19 @@ class InteriorPoint {
   [[nodiscard]] double merit(double time, double Row::*value, double share) const {
     double sum = time;
     for (const Row& row : rows_) {
-      if (!row.is_on) continue;
       const double slack = row.slack + share * row.slack_step;
       sum += row.penalty * std::abs(row.*value - slack) - barrier_ * std::log(slack);
     }
     return sum;
   }
   void look_at_trial() {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      Row& row = rows_[i];
-      if (!row.is_on) continue;
-      if (i < bounds()) {
-        row.trial = system_.value(system_.bounds[i], system_.trial).value;
+    for (Row& row : rows_) {
+      if (row.of < bounds()) {
+        row.trial = system_.value(system_.bounds[row.of], system_.trial).value;
       } else {
         // All distances beyond that of a constraint are equally good.
         const double far = std::max(kNearContact * system_.unit, row.slack + row.slack_step);
-        row.trial = std::min(far, system_.contacts.look(system_.trial, i - bounds()).distance);
+        row.trial = std::min(far, system_.contacts.look(system_.trial, row.of - bounds()).distance);
       }
     }
   }
@@ -320,10 +322,9 @@ class InteriorPoint {
     correction_.assign(system_.step.size(), 0.0);
     const auto residual = [share](const Row& row) { return row.trial - (row.slack + share * row.slack_step); };
     for (const Row& row : rows_)
-      if (row.is_on) add(*row.numbers, row.gradient, -row.multiplier * residual(row) / row.slack, correction_);
+      add(*row.numbers, row.gradient, -row.multiplier * residual(row) / row.slack, correction_);
     system_.matrix.solve(correction_);
     for (Row& row : rows_) {
-      if (!row.is_on) continue;
       row.slack_step += (along(*row.numbers, row.gradient, correction_) + residual(row)) / share;
       if (row.slack + share * row.slack_step < (1.0 - kMostToBoundary) * row.slack) return false;
     }
@@ -335,7 +336,6 @@ class InteriorPoint {
 
   void accept(double share, double time, double quality) {
     for (Row& row : rows_) {
-      if (!row.is_on) continue;
       const double change = next_multiplier(row) - row.multiplier;
       const bool is_too_far = row.multiplier + change < (1.0 - kMostToBoundary) * row.multiplier;
       const double most = is_too_far ? kMostToBoundary * row.multiplier / -change : 1.0;
@@ -355,7 +355,8 @@ class InteriorPoint {
 
   const ChainQuery& query_;
   ChainSystem& system_;
-  std::vector<Row>& rows_;
+  std::vector<Row>&rows_, &next_rows_;
+  std::vector<double>& clear_until_;
   std::vector<Vec2>& tensions_;
   std::vector<double>&gradient_, &correction_, &uncorrected_;
   double time_ = 0.0;  // of the chain, at its speeds [s]
