@@ -29,6 +29,7 @@ constexpr double kWrongSide = 0.04;      // overlap of a free chain beyond which
 constexpr double kWrongSideLater = 0.4;  // the same overlap, of a chain that has moved
 constexpr double kSeen = 2.0;            // distance within which a corner is seen from more parts
 constexpr double kBehindEdge = 0.3;      // distance behind an edge beyond which the body faces another edge
+constexpr double kLargeTurn = 3.0;       // turn from which on its middle says little [rad]
 constexpr double kPlaces[] = {0.0, 0.25, 0.5, 0.75, 1.0};  // shares of an arc, where points for its box lie
 
 // A line as a corner sees it.
@@ -160,6 +161,39 @@ ChainContacts::Place ChainContacts::look_at(const ArcChain& chain, const Edge& e
     look(arc.center + edge.ahead * heading - arc.sign * outwards * perpendicular(heading), kind);
   }
   return nearest;
+}
+
+namespace {
+
+// The least and the largest distance of a point from an edge.
+struct DistanceRange {
+  double least, most;
+};
+DistanceRange distances(const Vec2& point, const Vec2& from, const Vec2& along, double length) {
+  const Vec2 d = point - from;
+  const double x = along.dot(d), y = cross(along, d);
+  const double beyond = std::max({0.0, -x, x - length});
+  return {norm_of(beyond, y), norm_of(std::max(std::abs(x), std::abs(x - length)), y)};
+}
+
+}  // namespace
+
+// The corner moves on a circle, and near to where it is in the middle of the arc.
+double ChainContacts::room(const ArcChain& chain, std::size_t contact, double near) const {
+  if (contact < corners_.size()) return 0.0;
+  const Edge& edge = edges_[contact - corners_.size()];
+  const ArcChain::Arc& arc = chain.arcs[edge.arc];
+  const double outwards = arc.radius + body_.half_width, swing = norm_of(edge.ahead, outwards);
+  const double turn = chain.turn(edge.arc);
+  const double half = turn < kLargeTurn ? 0.5 * swing * turn : kInfinity;
+  const Vec2 heading = (chain.lines[edge.arc].ahead + chain.lines[edge.arc + 1].ahead).normalized();
+  const Vec2 middle = arc.center + edge.ahead * heading - arc.sign * outwards * perpendicular(heading);
+  const double in_front =
+      std::min(edge.outwards.dot(arc.center - edge.from) + swing, edge.outwards.dot(middle - edge.from) + half);
+  if (in_front < -kBehindEdge * body_length()) return -kBehindEdge * body_length() - in_front;
+  const DistanceRange of_center = distances(arc.center, edge.from, edge.along, edge.length);
+  const double beside = std::max(of_center.least - swing, swing - of_center.most);
+  return std::max(beside, distances(middle, edge.from, edge.along, edge.length).least - half) - near;
 }
 
 Term ChainContacts::term(const ArcChain& chain, std::size_t contact, const Place& place) const {

@@ -35,6 +35,9 @@ class ChainContacts {
   [[nodiscard]] Place look(const ArcChain& chain, std::size_t contact) const;
   /// The least distance in a chain that has moved: a corner may be seen from more parts of the path than before.
   Place look_around(const ArcChain& chain, std::size_t contact);
+  /// How far a chain must move at least before a contact that nothing can touch now comes to lie nearer than `near`.
+  /// Corners are not looked at: 0.
+  [[nodiscard]] double room(const ArcChain& chain, std::size_t contact, double near) const;
   /// The distance at such a place, with its derivatives by the numbers of that line or arc.
   [[nodiscard]] Term term(const ArcChain& chain, std::size_t contact, const Place& place) const;
 

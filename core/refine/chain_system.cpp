@@ -94,7 +94,7 @@ void resolve_overlaps(ChainSystem& system) {
   const double wanted = kFree * system.unit;
   system.tensions.assign(system.chain.lines.size(), Vec2::Zero());
   for (int pushes = 0; pushes < kMostPushes; ++pushes) {
-    system.matrix.reset(system.unknowns.size(), system.unknowns.band());
+    system.matrix.reset(system.unknowns.size());
     system.right.assign(system.unknowns.size(), 0.0);
     double least = kInfinity;
     const auto push = [&](double value, const Numbers& numbers, const Term::Gradient& gradient) {

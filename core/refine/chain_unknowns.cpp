@@ -61,25 +61,6 @@ void ChainUnknowns::number(const ArcChain& chain, double tightest) {
     }
     tensions_[i] = {unknown(0.0), unknown(0.0)};
   }
-  find_band();
-}
-
-void ChainUnknowns::find_band() {
-  band_ = 0;
-  const auto widen = [&](const auto& a, const auto& b) {
-    for (const int i : a)
-      for (const int k : b)
-        if (i != kGiven && k != kGiven) band_ = std::max(band_, at(std::abs(i - k)));
-  };
-  for (const Numbers& arc : arcs_) widen(arc, arc);
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    widen(lines_[i], lines_[i]);
-    widen(lines_[i], tensions_[i]);
-    if (i == arcs_.size()) continue;
-    const std::array circle{arcs_[i][kCenterX], arcs_[i][kCenterY], arcs_[i][kRadius]};
-    widen(circle, tensions_[i]);
-    widen(circle, lines_[i]);
-  }
 }
 
 void ChainUnknowns::add_equations(const ArcChain& chain, std::span<const Vec2> tensions, double stiffness,

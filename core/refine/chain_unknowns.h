@@ -15,7 +15,8 @@ inline constexpr int kGiven = -1;  ///< the number of what is no unknown
 /// The numbers of the unknowns of one arc or one line, by LocalNumber.
 using Numbers = std::array<int, kLocalNumbers>;
 
-/// A chain's unknowns, numbered along the path, so that what depends on each other has numbers that differ by little.
+/// A chain's unknowns, numbered along the path, so that what depends on each other has numbers that differ by at most
+/// BandedLdlt::kBand.
 /// Beside the numbers of all arcs and lines there are two *tensions* for each line, the multipliers of its equation
 ///   behind - before - length ahead - offset left = 0.
 /// They are the force that pulls at the circles on either side.
@@ -26,8 +27,6 @@ class ChainUnknowns {
   void number(const ArcChain& chain, double tightest);
 
   [[nodiscard]] std::size_t size() const { return inverse_squares_.size(); }
-  /// The largest difference of the numbers of two that depend on each other.
-  [[nodiscard]] std::size_t band() const { return band_; }
   [[nodiscard]] std::size_t equations() const { return 2 * lines_.size(); }
   [[nodiscard]] const Numbers& of_arc(std::size_t i) const { return arcs_[i]; }
   [[nodiscard]] const Numbers& of_line(std::size_t i) const { return lines_[i]; }
@@ -44,12 +43,9 @@ class ChainUnknowns {
   void add_equations(const ArcChain& chain, std::span<const Vec2> tensions, double stiffness, BandedLdlt& matrix) const;
 
  private:
-  void find_band();
-
   std::vector<Numbers> arcs_, lines_;
   std::vector<std::array<int, 2>> tensions_;
   std::vector<double> inverse_squares_;
-  std::size_t band_ = 0;
 };
 
 /// Adds the second derivatives of a term to a matrix, times a weight.

@@ -29,11 +29,11 @@ constexpr double kMostToBoundary = 0.95;  // largest share of a slack that a ste
 constexpr double kLeastLeft = 0.1;        // share of a length, turn, radius or speed that a step must leave
 // A step that is refused is tried again, shorter. If that does not help, a new step is computed with more damping.
 constexpr double kShorter = 0.4, kMoreDamping = 10.0;
-constexpr int kMostShorter = 4;       // tries of one step
+constexpr int kMostShorter = 2;       // tries of one step
 constexpr double kSufficient = 1e-4;  // share of the predicted gain that a step must bring
 constexpr double kPenalty = 1.5;      // weight of a residual in the merit function, in multipliers
 // Damping is added to the matrix, times the squares of the unknowns' scales: a trust region.
-constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-8, kMostDamping = 1e8;
+constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-3, kMostDamping = 1e8;
 constexpr double kDampMore = 4.0;   // factor if the matrix has the wrong inertia
 constexpr double kDampLess = 6.0;   // divisor if a step brings more than kGoodGain of the predicted gain
 constexpr double kDampAgain = 3.0;  // factor if a step brings less than kPoorGain of the predicted gain
@@ -135,7 +135,7 @@ class InteriorPoint {
 
   // Values and derivatives of all at the current chain.
   void evaluate() {
-    system_.matrix.reset(system_.unknowns.size(), system_.unknowns.band());
+    system_.matrix.reset(system_.unknowns.size());
     gradient_.assign(system_.unknowns.size(), 0.0);
     time_ = 0.0;
     for (std::size_t i = 0; i < chain().arcs.size(); ++i)
@@ -165,7 +165,7 @@ class InteriorPoint {
   }
   // Rows of contacts begin when they come near, and end when they are far off.
   void evaluate_contacts() {
-    next_rows_.assign(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(bounds()));
+    next_rows_.clear();
     std::size_t known = bounds();  // the first row of this contact or of a later one
     for (std::size_t contact = 0; contact < clear_until_.size(); ++contact) {
       while (known < rows_.size() && rows_[known].of < bounds() + contact) ++known;
@@ -173,7 +173,10 @@ class InteriorPoint {
       const ChainContacts::Place place = system_.contacts.look_around(chain(), contact);
       const double near = kNearContact * system_.unit;
       if (place.distance >= near) {
-        clear_until_[contact] = moved_ + (place.distance < kInfinity ? place.distance - near : kUnseen * system_.unit);
+        const double unseen = kUnseen * system_.unit;
+        clear_until_[contact] =
+            moved_ + (place.distance < kInfinity ? place.distance - near
+                                                 : std::max(unseen, system_.contacts.room(chain(), contact, near)));
         continue;
       }
       const bool was_near = known < rows_.size() && rows_[known].of == bounds() + contact;
@@ -185,7 +188,8 @@ class InteriorPoint {
       if (!was_near) begin(row);
       add(*row.numbers, term.hessian, -row.multiplier, system_.matrix);
     }
-    std::swap(rows_, next_rows_);
+    rows_.resize(bounds());
+    rows_.insert(rows_.end(), next_rows_.begin(), next_rows_.end());
   }
 
   // The tensions at the beginning, from one solution without any.

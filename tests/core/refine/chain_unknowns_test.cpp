@@ -200,8 +200,10 @@ TEST(ChainUnknowns, TheBandIsAsWideAsTheirDependencies) {
       equation.erase(kGiven);
       depend(equation);
     }
-    EXPECT_EQ(unknowns.band(), static_cast<std::size_t>(widest)) << "chain " << i;
+    ASSERT_LE(widest, static_cast<int>(BandedLdlt::kBand)) << "chain " << i;
+    widest_of_all = std::max(widest_of_all, widest);
   }
+  EXPECT_EQ(widest_of_all, static_cast<int>(BandedLdlt::kBand));
 }
 
 TEST(ChainUnknowns, EquationsAddTheirDerivatives) {
@@ -220,7 +222,7 @@ TEST(ChainUnknowns, EquationsAddTheirDerivatives) {
       tensions[k] = random.point(-2.0, 2.0);
       forces.segment<2>(2 * static_cast<Eigen::Index>(k)) = tensions[k];
     }
-    matrix.reset(unknowns.size(), unknowns.band());
+    matrix.reset(unknowns.size());
     unknowns.add_equations(chain, tensions, kWeight, matrix);
 
     const auto after = [&](Eigen::Index number, double change) {
@@ -261,7 +263,7 @@ TEST(ChainUnknowns, TermsAreAddedByTheirNumbers) {
     for (int b = 0; b <= a; ++b) term.curve(a, b, random.uniform(-1.0, 1.0));
   }
   BandedLdlt matrix;
-  matrix.reset(6, 5);
+  matrix.reset(6);
   add(numbers, term.hessian, 2.0, matrix);
   add(numbers, term.hessian, 0.5, matrix);
   add_square(numbers, term.gradient, -1.5, matrix);
