@@ -185,8 +185,11 @@ void PlanRun::take(const TryOtherTurns& step, double trials) {
 }
 
 void PlanRun::take(const TryOtherRadii& step, double trials) {
-  if (const Roadmap* map = query_.maps.other.find({step.radii, step.factor}))
-    try_other_route(*map, 0, search_options_, trials);
+  const Roadmap* map = query_.maps.other.find({step.radii, step.factor});
+  if (map == nullptr) return;
+  SearchOptions other = search_options_;
+  other.faster_than = (1.0 + step.slower) * best_cost_;
+  try_other_route(*map, 0, other, trials);
 }
 
 void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials) {

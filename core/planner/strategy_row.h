@@ -128,10 +128,12 @@ struct TryOtherFirstCircle {
 struct TryOtherTurns {
   double factor;  ///< of the lateral acceleration
 };
-/// Looks for the fastest path, on a roadmap of its own, of a vehicle with other turning speeds and fewer radii.
+/// Looks for the fastest path, on a roadmap of its own, of a vehicle with other turning speeds and fewer radii. Turns
+/// that are refined take about as long as those of that vehicle.
 struct TryOtherRadii {
   std::size_t radii;  ///< the first so many, at most all
   double factor;      ///< of the lateral acceleration
+  double slower;      ///< than the best path so far, at most this share, for that vehicle
 };
 /// Refines the best path further, and the second best one if it is close.
 struct RefineBest {

@@ -94,7 +94,8 @@ struct StepText {
   }
   std::string operator()(const TryOtherRadii& step) const {
     return "search again, with the first " + std::to_string(step.radii) + " radii, for a vehicle of " +
-           shortest_text(step.factor) + " x lateral acceleration";
+           shortest_text(step.factor) + " x lateral acceleration, unless that takes " + percent(step.slower) +
+           " longer than the best path";
   }
   std::string operator()(const RefineBest& step) const {
     return "refine the best path further, and the second if slower by at most " + percent(step.close);
