@@ -56,12 +56,13 @@ struct LengthLimit {
 struct PathEnd {
   const Roadmap& map;
   Direction direction;
+  std::size_t radii = std::numeric_limits<std::size_t>::max();  ///< of its circles, from the smallest on
 };
 
 /// Finds circles and straights by which attachments join the roadmap. Memory is kept for the next call.
 class AttachmentLinks {
  public:
-  /// Appends the circles of all attachments from `first` on: left and right ones of every radius, or of the smallest
+  /// Appends the circles of all attachments from `first` on: left and right ones of the end's radii, or of the smallest
   /// radius for attachments with a connection. Circles that another attachment has too are left out. O(attachments *
   /// radii) heading sets.
   /// @param clock  may end that before all attachments have their circles.

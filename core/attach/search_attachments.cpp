@@ -70,8 +70,9 @@ void SearchAttachments::begin(SearchContext& context) {
   for (std::size_t g = known_goals; g < context.goals.size(); ++g) goals_.push_back(context.goals[g].pose);
 
   const StopClock& clock = context.options.clock;
-  links_.append_circles({context.map, Direction::kFromStart}, context.starts, known_starts, start_circles_, clock);
-  links_.append_circles({context.map, Direction::kToGoal}, context.goals, known_goals, goal_circles_, clock);
+  const std::size_t radii = context.options.end_radii;
+  links_.append_circles({context.map, Direction::kFromStart, radii}, context.starts, known_starts, start_circles_, clock);
+  links_.append_circles({context.map, Direction::kToGoal, radii}, context.goals, known_goals, goal_circles_, clock);
   const std::size_t new_starts = start_circles_.size() - first_start_circle;
   const std::size_t new_goals = goal_circles_.size() - first_goal_circle;
   context.result.counts.turns_checked += new_starts + new_goals;

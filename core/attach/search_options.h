@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -11,6 +12,9 @@
 #include "arcway/world.h"
 
 namespace arcway::internal {
+
+/// As a number of radii: all of the roadmap.
+inline constexpr std::size_t kEveryRadius = std::numeric_limits<std::size_t>::max();
 
 /// Options of one search on a roadmap.
 struct SearchOptions {
@@ -38,6 +42,8 @@ struct SearchOptions {
   /// Circles of the graph that a path may not join first, or leave for the goal; kNone: all allowed. They are those of
   /// a known path, where another route is wanted.
   std::uint32_t not_first = kNone, not_last = kNone;
+  /// Number of radii, from the smallest on, of the circles by which start and goal join the roadmap.
+  std::size_t end_radii = kEveryRadius;
   /// Whether a second thread runs ahead of a long search on a lazy graph, in a workspace of its own. It computes rows,
   /// headings and bitangents that the search will ask for.
   bool prefetch = false;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arcway/angle.h"
+#include "core/attach/search_options.h"
 #include "core/planner/strategy_row.h"
 #include "core/search/effort.h"
 
@@ -85,9 +86,18 @@ inline constexpr double kRefinedFaster = 0.04;
 inline constexpr When kOtherRadii{
     .known = Known::kPath, .radii = Radii::kSeveral, .refines = true, .best_gap = kWorthOtherRoutes};
 
+// Number of radii of the circles of start and goal, where a path is there or easy to find. The vehicle is slow there,
+// and refinement makes these turns wider. Measured on 306 paths of three robots: all five take a quarter longer, and
+// the paths are as fast in the mean.
+inline constexpr std::size_t kEndRadii = 2;
+
 inline constexpr StrategyRow kStrategy[] = {
     // A first path, driven forwards.
-    {"single arcs", {}, JoinBySingleArcs{On::kAllRadii}, kUntilCompared},
+    {"single arcs", {}, JoinBySingleArcs{On::kAllRadii, kEndRadii}, kUntilCompared},
+    {"single arcs of all radii",
+     {.known = Known::kNoPath, .radii = Radii::kSeveral},
+     JoinBySingleArcs{On::kAllRadii, kEveryRadius},
+     kUntilCompared},
     {"proof of a bottleneck", {.known = Known::kNoPath}, ProveBottleneck{}},
     // A quick proof: before maneuvers are tried.
     {"proof of a dead end",
@@ -112,7 +122,9 @@ inline constexpr StrategyRow kStrategy[] = {
 
     // Faster paths, driven forwards.
     {"lower bound around obstacles", {.known = Known::kPath}, RaiseLowerBound{}},
-    {"tightest radii alone", {.known = Known::kPath, .radii = Radii::kSeveral}, JoinBySingleArcs{On::kTightest}},
+    {"tightest radii alone",
+     {.known = Known::kPath, .radii = Radii::kSeveral},
+     JoinBySingleArcs{On::kTightest, kEndRadii}},
     {"tightest radii alone",
      {.known = Known::kPathElsewhere, .radii = Radii::kSeveral},
      JoinByNarrowPlaces{On::kTightest}},

@@ -57,6 +57,7 @@ enum class On {
 /// Joins both ends to the roadmap by their own turn circles: ForwardSearch::join_by_single_arcs.
 struct JoinBySingleArcs {
   On on;
+  std::size_t end_radii;  ///< number of radii of these circles, from the smallest on
 };
 /// Joins both ends to the roadmap with circles in narrow gaps.
 struct JoinByNarrowPlaces {

@@ -44,7 +44,8 @@ const char* text_of(On on) {
 
 struct StepText {
   std::string operator()(const JoinBySingleArcs& step) const {
-    return std::string("join the roadmap of ") + text_of(step.on) + " by single arcs";
+    return std::string("join the roadmap of ") + text_of(step.on) + " by single arcs" +
+           (step.end_radii == kEveryRadius ? "" : " of " + std::to_string(step.end_radii) + " radii");
   }
   std::string operator()(const JoinByNarrowPlaces& step) const {
     return std::string("join the roadmap of ") + text_of(step.on) + " with circles in gaps by single arcs";

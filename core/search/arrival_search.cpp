@@ -103,12 +103,13 @@ struct Question {
   double cusp_cost;
   double suboptimality;
   std::uint32_t not_first, not_last;
+  std::size_t end_radii;
   friend bool operator==(const Question&, const Question&) = default;
 };
 
 Question question_of(const SearchContext& context) {
   const SearchOptions& o = context.options;
-  return {context.vehicle, o.heuristic, o.time_model, o.cusp_cost, o.suboptimality, o.not_first, o.not_last};
+  return {context.vehicle, o.heuristic, o.time_model, o.cusp_cost, o.suboptimality, o.not_first, o.not_last, o.end_radii};
 }
 
 }  // namespace
