@@ -125,7 +125,7 @@ inline constexpr int kMostRounds = 2;
 /// Share of the travel time that a round must save, if another one is to follow.
 inline constexpr double kWorthRound = 1e-3;
 /// Number of trials of kSimplify before each round.
-inline constexpr std::uint64_t kTrialsBetween = 500;
+inline constexpr std::uint64_t kTrialsBetween = 200;
 /// Number of trials of all moves where no round helps.
 inline constexpr std::uint64_t kTrialsInVain = 4000;
 /// Number of local optima in a row, each faster by kWorthSettling than the one before, at which refinement ends.
