@@ -180,7 +180,8 @@ class InteriorPoint {
         continue;
       }
       const bool was_near = known < rows_.size() && rows_[known].of == bounds() + contact;
-      Row& row = next_rows_.emplace_back(was_near ? rows_[known] : Row{.of = bounds() + contact});
+      Row& row = next_rows_.emplace_back(was_near ? rows_[known] : Row{});
+      row.of = bounds() + contact;
       const Term term = system_.contacts.term(chain(), contact, place);
       row.value = place.distance;
       row.numbers = &system_.numbers_at(place);

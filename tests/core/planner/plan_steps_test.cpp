@@ -1,16 +1,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "arcway/datasets/catalog.h"
+#include "arcway/datasets/clutter.h"
 #include "arcway/datasets/driven_world.h"
 #include "core/planner/strategy.h"
 #include "tests/support/boxes.h"
+#include "tests/support/free_plans.h"
 #include "tests/support/plans.h"
+#include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
 namespace {
@@ -71,6 +77,47 @@ TEST(PlanSteps, RefineAWayOnce) {
   EXPECT_EQ(all.travel_time, few.travel_time);
   EXPECT_EQ(all.statistics.refine_trials, few.statistics.refine_trials);
   EXPECT_GT(all.statistics.nodes_expanded, few.statistics.nodes_expanded);
+}
+
+PlannerOptions only_with(std::initializer_list<std::string_view> rows) {
+  PlannerOptions options;
+  options.refinement.max_trials = 0;
+  for (const StrategyRow& row : kStrategy)
+    if (std::ranges::find(rows, row.name) == rows.end()) options.leave_out.emplace_back(row.name);
+  return options;
+}
+
+// The rear swings towards a wall 2 cm beside the body, the more the tighter the turn.
+TEST(PlanSteps, JoinByWideArcsWhereTightOnesAreBlocked) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  const World world({test::box(-50.0, -3.0, 80.0, -0.42), test::box(20.0, 2.0, 22.0, 60.0)});
+  const PlanRequest request{.start = {-30.0, 0.0, 0.0}, .goal = {60.0, 20.0, 0.0}};
+  EXPECT_FALSE(Planner(world, vehicle, only_with({"single arcs"})).plan(request).solved());
+  const PlanResult wide = Planner(world, vehicle, only_with({"single arcs", "single arcs of all radii"})).plan(request);
+  ASSERT_TRUE(wide.solved());
+  const auto first_turn = std::ranges::find_if(wide.segments, [](const auto& s) { return !s.segment.is_line(); });
+  EXPECT_LT(first_turn->segment.curvature, 1.0 / 20.0);
+}
+
+// Of five radii, two serve the ends, as long as there is a path.
+TEST(PlanSteps, JoinByFewRadiiFirst) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  const World world = random_world({.obstacles = 60, .vertices = 8, .fill = 0.25, .seed = 3});
+  const Planner planner(world, vehicle, only_with({"single arcs"}));
+  const std::vector<double>& radii = planner.options().radii;
+  ASSERT_GT(radii.size(), kEndRadii);
+  test::RandomInputs random(1);
+  int joined = 0;
+  for (int i = 0; i < 40; ++i) {
+    const auto [request, path] = test::next_free_plan(planner, random);
+    if (path.size() <= 3) continue;  // a Dubins path, which joins no roadmap
+    ++joined;
+    for (const PathSegment& end : {path.front(), path.back()})
+      if (!end.is_line()) {
+        EXPECT_LT(1.0 / std::abs(end.curvature), 1.001 * radii[kEndRadii - 1]) << "query " << i;
+      }
+  }
+  EXPECT_GT(joined, 20);
 }
 
 }  // namespace

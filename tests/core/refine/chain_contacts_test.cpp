@@ -176,6 +176,30 @@ TEST(ChainContacts, DerivativesAreThoseOfTheDistances) {
   for (std::size_t kind = 1; kind < compared.size(); ++kind) EXPECT_GT(compared[kind], 20) << "kind " << kind;
 }
 
+// What is moved by less than the room is not near.
+TEST(ChainContacts, AreNotReachedWithinTheirRoom) {
+  constexpr double kNear = 1.0;
+  int moved = 0;
+  for (const ClutterKind kind : {ClutterKind::kConvex, ClutterKind::kStar}) {
+    ContactCases cases(kind, 6);
+    for (int i = 0; i < 10; ++i) {
+      const ArcChain chain = cases.next();
+      const ChainContacts contacts = cases.contacts_of(chain);
+      for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const double room = contacts.room(chain, k, kNear);
+        if (contacts.look(chain, k).distance < kInfinity || room <= 0.0) continue;
+        ++moved;
+        ArcChain other = chain;
+        const double length = 0.999 * room;
+        const Vec2 step = length * direction_of(cases.random().uniform(0.0, kTwoPi));
+        for (ArcChain::Arc& arc : other.arcs) arc.center += step;
+        EXPECT_GE(contacts.look(other, k).distance, kNear) << "chain " << i << " contact " << k;
+      }
+    }
+  }
+  EXPECT_GT(moved, 1000);
+}
+
 // How far the joints of arcs and lines move.
 double joint_movement(const ArcChain& from, const ArcChain& to) {
   double most = 0.0;

@@ -174,6 +174,7 @@ TEST(ChainUnknowns, AreScaledByWhatTheyAre) {
 TEST(ChainUnknowns, TheBandIsAsWideAsTheirDependencies) {
   test::RandomInputs random(4);
   ChainUnknowns unknowns;
+  int widest_of_all = 0;
   for (int i = 0; i < 100; ++i) {
     const ArcChain chain = random_unjoined_arcs(random);
     unknowns.number(chain, kUnknownsTightest);
