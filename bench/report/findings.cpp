@@ -27,20 +27,6 @@ constexpr std::array kPlanningStages = {
 };
 constexpr double kVerticesEach = 10.0;  // vertices of each obstacle in these series
 
-const Study::Line* find_line(const std::vector<Study>& studies, std::string_view series, std::string_view key) {
-  for (const Study& study : studies) {
-    if (study.key != key) continue;
-    const auto line = std::ranges::find(study.lines, series, &Study::Line::series);
-    if (line != study.lines.end()) return &*line;
-  }
-  return nullptr;
-}
-
-std::optional<double> time_at(const Study::Line& line, double size) {
-  const auto point = std::ranges::find(line.curve.points, size, &Curve::Point::x);
-  return point == line.curve.points.end() ? std::nullopt : std::optional(point->y);
-}
-
 std::string vertices_text(double obstacles) { return count_text(kVerticesEach * obstacles) + " vertices"; }
 
 /// "0.6 ms at 1,000 vertices and 0.12 s at 100,000 vertices", by the sizes that there are.
@@ -109,13 +95,6 @@ std::string memory_text(const std::vector<Study>& studies) {
 
 /// The part of a name after the stage.
 std::string rest_of(const Measurement& m) { return place_of(m.name).variant; }
-
-std::vector<const Measurement*> of_stage(const Results& results, std::string_view stage) {
-  std::vector<const Measurement*> found;
-  for (const Measurement& m : results.measurements)
-    if (place_of(m.name).stage == stage && m.error.empty() && !m.wall_seconds.empty()) found.push_back(&m);
-  return found;
-}
 
 std::string counter_text(const Measurement& m, const std::string& name, const char* format) {
   const auto found = m.counters.find(name);

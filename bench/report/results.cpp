@@ -126,6 +126,13 @@ SeriesPlace place_of(std::string_view name) {
   return place;
 }
 
+std::vector<const Measurement*> of_stage(const Results& results, std::string_view stage) {
+  std::vector<const Measurement*> found;
+  for (const Measurement& m : results.measurements)
+    if (place_of(m.name).stage == stage && m.error.empty() && !m.wall_seconds.empty()) found.push_back(&m);
+  return found;
+}
+
 std::size_t threads_of(std::string_view name) {
   constexpr std::string_view kKey = "/threads:";
   const std::size_t at = name.find(kKey);

@@ -40,6 +40,9 @@ struct SeriesPlace {
 /// Nothing found: empty key, the whole name as series.
 SeriesPlace place_of(std::string_view name);
 
+/// The measurements of a stage that have times, in the order of the file.
+std::vector<const Measurement*> of_stage(const Results& results, std::string_view stage);
+
 /// What a name says of threads, "/threads:2", anywhere in it; 1 otherwise.
 std::size_t threads_of(std::string_view name);
 
