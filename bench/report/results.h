@@ -31,6 +31,14 @@ struct Results {
 /// @throws FormatError naming file and place.
 Results read_results(std::string_view json, std::string_view name);
 
+/// A benchmark's name without what Google Benchmark adds of clocks and repetitions.
+std::string plain_name(std::string name);
+
+/// An earlier file of Google Benchmark with the runs of a newer one: those of equal benchmarks are replaced, others are
+/// added. The context stays the earlier one's; its key `updated_at` lists the commits of newer runs.
+/// @throws FormatError naming file and place; also for files of two processors.
+std::string updated_results(std::string_view earlier, std::string_view run, std::string_view name);
+
 /// A measurement's place in its series: "ReducedGraph/embree/obstacles:100" is size 100 of the key "obstacles" in the
 /// series "ReducedGraph/embree", of the stage "ReducedGraph" and the variant "embree".
 struct SeriesPlace {

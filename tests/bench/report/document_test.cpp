@@ -105,6 +105,31 @@ TEST(Results, GiveTheTimeOfOneAnswerOfABatch) {
   EXPECT_TRUE(results.measurements.front().counters.empty());
 }
 
+std::string file_on(const std::string& processor, const std::string& commit, const std::string& runs) {
+  return R"({"context":{"processor":")" + processor + R"(","commit":")" + commit + R"("},"benchmarks":[)" + runs + "]}";
+}
+
+TEST(UpdatedResults, KeepWhatTheRunLacks) {
+  const std::string earlier = file_on("P", "a", run("Old/n:10/repeats:3", 1.0) + "," + run("Both/n:10/repeats:3", 1.0));
+  const std::string newer =
+      file_on("P", "b", run("Both/n:10/iterations:1", 2.0) + "," + run("New/n:10/iterations:1", 3.0));
+  const std::string updated = updated_results(earlier, newer, "r.json");
+  const Results results = read_results(updated, "r.json");
+  std::vector<std::string> names;
+  for (const Measurement& m : results.measurements) names.push_back(m.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"Old/n:10", "Both/n:10", "New/n:10"}));
+  EXPECT_EQ(results.measurements[1].wall_seconds, std::vector<double>{2.0});
+  const std::vector<std::pair<std::string, std::string>> context{
+      {"commit", "a"}, {"processor", "P"}, {"updated_at", "b"}};
+  EXPECT_EQ(results.context, context);
+  EXPECT_EQ(updated_results(updated, newer, "r.json"), updated);
+}
+
+TEST(UpdatedResults, AreOfOneProcessor) {
+  EXPECT_THROW((void)updated_results(file_on("P", "a", ""), file_on("Q", "a", ""), "r.json"), FormatError);
+  EXPECT_THROW((void)updated_results("{}", file_on("Q", "a", ""), "r.json"), FormatError);
+}
+
 TEST(Sentences, SayWhatGrowsHowAndWhatWins) {
   const Results results = read_results(two_builders(1.0), "r.json");
   const std::vector<std::string> sentences = sentences_of(studies_of(results, Clock(results)).front());
