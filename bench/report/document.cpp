@@ -193,10 +193,13 @@ Document make_document(const Inputs& inputs) {
   append(document.summary, run_findings(results, clock));
 
   document.figures = vehicle_figures(studies);
-  if (inputs.peers) append(document.figures, peer_figures(*inputs.peers));
+  if (inputs.peers) append(document.figures, planner_figures(*inputs.peers));
   append(document.figures, growth_figures(studies));
+  if (inputs.peers) append(document.figures, duel_figures(*inputs.peers));
 
   add(vehicles_section(results, studies));
+  if (inputs.peers) add(claims_section(*inputs.peers));
+  if (inputs.peers) add(losses_section(*inputs.peers));
   if (inputs.peers) add(planners_section(*inputs.peers));
   add(quality_section(results));
   add(cost_section(studies));

@@ -35,6 +35,8 @@ Table named_table(const std::string& name, const Inputs& inputs, const std::stri
   if (name == "moves") return moves_section(inputs.results).table;
   if (name == "gear moves") return gear_moves_section(inputs.results).table;
   if (name == "duels") return duels_section(peers()).table;
+  if (name == "claims") return claims_section(peers()).table;
+  if (name == "losses") return losses_section(peers()).table;
   if (name == "planners") return planners_section(peers()).table;
   throw FormatError(place + ": there is no table \"" + name + "\"");
 }
