@@ -16,6 +16,7 @@ struct PlannerSetting {
   std::string name;
   std::vector<std::string> worlds;  ///< names of the catalog
   Vehicle vehicle;
+  bool scaled = false;             ///< whether the worlds are scaled to the vehicle, by world_for
   std::size_t queries = 50;        ///< a world
   std::vector<double> times{1.0};  ///< times at which the peers' best path is recorded [s]
   double long_time = 10.0;         ///< once more on the first `long_queries` of each world [s]
@@ -28,9 +29,11 @@ struct PlannerSetting {
 };
 
 /// The standard settings:
+/// - amr, forklift and so on: the real vehicles of bench/robots.h in four clutters of 100 obstacles of their size.
+/// - lateral2_along2 and so on: the paper's robot with limits on its accelerations [m/s²], by which it is named, in
+/// four
+///   clutters of 100 obstacles.
 /// - n100, n1000: the paper's robot in six clutters of 100 and of 1,000 obstacles.
-/// - lateral2_along2 and so on: robots whose turns are the faster the wider they are, named by their accelerations
-///   [m/s²], in four clutters of 100 obstacles.
 std::vector<PlannerSetting> standard_settings();
 
 struct PlannerStudyProgress {
