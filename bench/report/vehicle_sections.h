@@ -9,8 +9,8 @@
 
 namespace arcway::internal::report {
 
-/// The place of a vehicle in the kept set (bench/robots.h), where names of benchmarks and settings begin with it; the
-/// number of real vehicles for all other names, which are of the paper's robot.
+/// The place in the kept set (bench/robots.h) of the vehicle that a name of a benchmark or setting begins with. All other
+/// names are of the paper's robot; their rank is the number of real vehicles.
 std::size_t vehicle_rank(std::string_view name);
 
 /// What plans of real vehicles cost and how good they are; that nothing was measured of them, if so.

@@ -20,8 +20,8 @@
 #include "bench/vehicle_worlds.h"
 #include "core/roadmap/feasible_graph.h"
 
-// Whole plans, of real vehicles and the paper's robot: on a prepared map, one for a new map with everything checked
-// before or as it is needed; batches by several threads; and what distance, fill and radii do to them.
+// Whole plans of real vehicles and of the paper's robot: on a prepared map, and one for a new map with everything
+// checked before or as it is needed. Batches by several threads. What distance, fill and radii do to plans.
 namespace arcway::internal::bench::plan_suite {
 namespace {
 
