@@ -64,8 +64,9 @@ bool goes_on(const std::string& planner) { return !planner.ends_with(" first"); 
 void count(Record& record, const PlannerQuery& query, const PlannerAnswer& answer, const PlannerAnswer& ours,
            double best) {
   ++record.queries;
-  record.ours_alone += ours.solved() && !answer.solved();
-  record.theirs_alone += answer.solved() && !ours.solved();
+  const bool counts = answer.solved() && answer.valid;
+  record.ours_alone += ours.solved() && !counts;
+  record.theirs_alone += counts && !ours.solved();
   if (!answer.solved()) {
     ++record.reasons[answer.status];
     return;
@@ -75,7 +76,7 @@ void count(Record& record, const PlannerQuery& query, const PlannerAnswer& answe
   record.seconds.push_back(answer.seconds);
   record.over_bound.push_back(answer.travel_time / query.lower_bound);
   record.over_best.push_back(answer.travel_time / best);
-  if (!ours.solved()) return;
+  if (!ours.solved() || !answer.valid) return;
   record.over_ours.push_back(answer.travel_time / ours.travel_time);
   record.faster_path += is_slower(ours.travel_time, answer.travel_time);
   record.slower_path += is_slower(answer.travel_time, ours.travel_time);

@@ -126,6 +126,16 @@ TEST(Claims, StateTheirToleranceAndTheirLosses) {
   EXPECT_EQ(losses.rows[1], (std::vector<std::string>{"car", "w", "2", "peer 1 s", "10.000 s", "10.011 s", "0.11 %"}));
 }
 
+TEST(Claims, CountNoInvalidPath) {
+  PeerResults peers = losing_by({0.5});
+  peers.queries.back().answers.back().valid = false;
+  for (const auto& row : claims_section(peers).table.rows) EXPECT_EQ(row[0], "n1");
+  EXPECT_EQ(losses_section(peers).table.rows.size(), 1u);
+  const auto planners = planners_section(peers).table.rows;
+  EXPECT_EQ(planners[2][3], "0");
+  EXPECT_EQ(planners[2].back(), "0 / 1");
+}
+
 TEST(Claims, AreMadeForRealVehiclesFirst) {
   const std::vector<std::string> findings = peer_findings(losing_by({0.0, 0.0011}));
   ASSERT_EQ(findings.size(), 4u);
