@@ -54,7 +54,8 @@ PlannerSetting vehicle_setting(const bench::KeptVehicle& kept) {
           .vehicle = kept.vehicle(),
           .scaled = true,
           .queries = 10,
-          .shortest_too = false};
+          .shortest_too = false,
+          .ompl_2_too = true};
 }
 
 PlannerSetting gentle_setting(const bench::GentleRobot& robot) {
@@ -141,6 +142,8 @@ class Study {
     if (setting_.first_only) return;
     if (has_wide_turns) run_peer(OmplPlanner::kRrtConnectWide, problem, random, result, our_time);
     if (setting_.shortest_too) run_peer(OmplPlanner::kInformedRrtStar, problem, random, result, our_time);
+    if (!setting_.ompl_2_too) return;
+    for (const OmplPlanner kind : planners_of_ompl_2()) run_peer(kind, problem, random, result, our_time);
   }
 
   void run_peer(OmplPlanner kind, const Problem& problem, Random& random, PlannerQuery& result, double our_time) {
@@ -150,7 +153,7 @@ class Study {
     const double first_within = times.empty() ? setting_.first_within : times.back();
     const PeerRun run = run_ompl(kind, problem, first_within, times, random);
     const auto add = [&](const std::string& when, double limit, const std::optional<PeerSolution>& solution) {
-      const std::string planner = std::string(name_of(kind)) + " " + when;
+      const std::string planner = name_of(kind) + " " + when;
       if (!solution) {
         result.answers.push_back({planner, "no path in" + text_of(" %g s", limit), limit, 0.0, false});
         return;

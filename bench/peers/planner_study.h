@@ -22,6 +22,7 @@ struct PlannerSetting {
   double long_time = 10.0;         ///< once more on the first `long_queries` of each world [s]
   std::size_t long_queries = 10;
   bool shortest_too = true;    ///< whether planners that look for the shortest path take part
+  bool ompl_2_too = false;     ///< whether the planners take part that OMPL has from version 2 on
   bool ours_only = false;      ///< no peer takes part
   bool first_only = false;     ///< RRTConnect's first path and nothing else
   double first_within = 10.0;  ///< the time for that [s]; with `times`, the last of them is
