@@ -165,9 +165,9 @@ Section vehicles_section(const Results& results, const std::vector<Study>& studi
            "the most. Bound: no path takes less. First path: before refinement. The last two columns are for 1,000 "
            "obstacles of 10 vertices at fill 0.3."},
       .figures = {},
-      .table = {{"vehicle", "body", "turning radius", "top speed", "acceleration along / sideways", "world × ",
-                 "solved", "first path after", "first path / bound", "plan after", "95 % of plans after",
-                 "plan / bound", "plan, prepared map of 10,000 vertices", "first plan, new map of 10,000 vertices"},
+      .table = {{"vehicle", "body", "turning radius", "top speed", "acceleration along / sideways", "world ×", "solved",
+                 "first path after", "first path / bound", "plan after", "95 % of plans after", "plan / bound",
+                 "plan, prepared map of 10,000 vertices", "first plan, new map of 10,000 vertices"},
                 {},
                 1}};
   const std::vector<bench::KeptVehicle>& kept = bench::real_vehicles();

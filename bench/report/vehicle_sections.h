@@ -9,8 +9,8 @@
 
 namespace arcway::internal::report {
 
-/// The place in the kept set (bench/robots.h) of the vehicle that a name of a benchmark or setting begins with. All other
-/// names are of the paper's robot; their rank is the number of real vehicles.
+/// The place in the kept set (bench/robots.h) of the vehicle that a name of a benchmark or setting begins with. All
+/// other names are of the paper's robot; their rank is the number of real vehicles.
 std::size_t vehicle_rank(std::string_view name);
 
 /// What plans of real vehicles cost and how good they are; that nothing was measured of them, if so.
