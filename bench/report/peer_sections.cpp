@@ -347,6 +347,9 @@ Section claims_section(const PeerResults& peers) {
                                     more_text(bench::median(r.over_ours)) + ", " + more_text(high),
                                     std::to_string(r.theirs_alone), std::to_string(r.ours_alone)});
     }
+  auto& rows = section.table.rows;
+  if (std::ranges::none_of(rows, [](const auto& row) { return is_of_real_vehicle(row.front()); }))
+    rows.insert(rows.begin(), {"real vehicles", "not compared in these results", "", "", "", "", "", "", ""});
   return section;
 }
 

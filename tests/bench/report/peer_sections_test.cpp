@@ -129,7 +129,11 @@ TEST(Claims, StateTheirToleranceAndTheirLosses) {
 TEST(Claims, CountNoInvalidPath) {
   PeerResults peers = losing_by({0.5});
   peers.queries.back().answers.back().valid = false;
-  for (const auto& row : claims_section(peers).table.rows) EXPECT_EQ(row[0], "n1");
+  const auto claims = claims_section(peers).table.rows;
+  ASSERT_EQ(claims.size(), 2u);
+  EXPECT_EQ(claims[0][0], "real vehicles");
+  EXPECT_EQ(claims[0][1], "not compared in these results");
+  EXPECT_EQ(claims[1][0], "n1");
   EXPECT_EQ(losses_section(peers).table.rows.size(), 1u);
   const auto planners = planners_section(peers).table.rows;
   EXPECT_EQ(planners[2][3], "0");
