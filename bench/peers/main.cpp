@@ -82,7 +82,7 @@ report::PeerResults new_results() {
   results.context.emplace_back("cgal", cgal_version());
 #endif
 #ifdef ARCWAY_PEER_OMPL
-  results.context.emplace_back("ompl", ompl_version());
+  results.context.emplace_back(ompl_name(), ompl_version());
 #endif
   return results;
 }

@@ -9,6 +9,11 @@
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/planners/rrt/InformedRRTstar.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
+#if OMPL_VERSION_VALUE >= 2000000
+#include <ompl/geometric/planners/informedtrees/EITstar.h>
+#include <ompl/geometric/planners/lazyinformedtrees/BLITstar.h>
+#define ARCWAY_OMPL_2
+#endif
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
@@ -30,6 +35,16 @@ namespace og = ompl::geometric;
 
 // Attempts in a row without a faster path after which a shortcut is taken for exhausted.
 constexpr int kPatience = 200;
+
+// Distance of the poses at which planners check that ask for no motions, as a share of the body's width.
+constexpr double kSampleStep = 0.1;
+
+#ifdef ARCWAY_OMPL_2
+using DubinsWord = ob::DubinsStateSpace::PathType;
+constexpr std::array kOfOmpl2{OmplPlanner::kEitStar, OmplPlanner::kBlitStar};
+#else
+using DubinsWord = ob::DubinsStateSpace::DubinsPath;
+#endif
 
 Pose pose_of(const ob::State* state) {
   const auto* s = state->as<ob::SE2StateSpace::StateType>();
@@ -59,7 +74,7 @@ class DubinsSpace final : public ob::DubinsStateSpace {
     result->setYaw(wrap_signed(pose.heading));
   }
   // Many parameters because OMPL's interface has them.
-  void interpolate(const ob::State* from, const ob::State* to, double share, bool& /*first_time*/, DubinsPath& /*path*/,
+  void interpolate(const ob::State* from, const ob::State* to, double share, bool& /*first_time*/, DubinsWord& /*path*/,
                    ob::State* state) const override {
     interpolate(from, to, share, state);
   }
@@ -105,6 +120,9 @@ class Setup {
     information_->setStateValidityChecker([&problem, body = checked_body(problem.vehicle)](const ob::State* state) {
       return pose_free(problem.sweep, body, pose_of(state));
     });
+    // EIT* and BLIT* check motions at sampled poses only, whatever the validator of motions.
+    information_->setStateValidityCheckingResolution(kSampleStep * problem.vehicle.parameters().width /
+                                                     space->getMaximumExtent());
     information_->setMotionValidator(std::make_shared<ExactMotionValidator>(information_, problem));
     information_->setup();
     definition_ = std::make_shared<ob::ProblemDefinition>(information_);
@@ -115,12 +133,7 @@ class Setup {
   [[nodiscard]] const Problem& problem() const { return problem_; }
 
   std::shared_ptr<ob::Planner> make(OmplPlanner kind) {
-    std::shared_ptr<ob::Planner> planner;
-    if (kind != OmplPlanner::kInformedRrtStar) {
-      planner = std::make_shared<og::RRTConnect>(information_);
-    } else {
-      planner = std::make_shared<og::InformedRRTstar>(information_);
-    }
+    const std::shared_ptr<ob::Planner> planner = made(kind);
     planner->setProblemDefinition(definition_);
     planner->setup();
     return planner;
@@ -128,18 +141,15 @@ class Setup {
 
   /// Runs on until `seconds` of the clock, or the first exact solution if `stop_at_first`.
   void solve(ob::Planner& planner, const bench::CpuClock& clock, double seconds, bool stop_at_first) {
-    // RRT* hands its solution over when it ends; until then the finite cost tells of it.
-    const auto* star = dynamic_cast<const og::RRTstar*>(&planner);
-    planner.solve(ob::PlannerTerminationCondition([&, star, stop_at_first, seconds] {
-      if (clock.seconds() >= seconds) return true;
-      if (!stop_at_first) return false;
-      return star != nullptr ? std::isfinite(star->bestCost().value()) : definition_->hasExactSolution();
-    }));
+    planner.solve(ob::PlannerTerminationCondition(
+        [&, stop_at_first, seconds] { return clock.seconds() >= seconds || (stop_at_first && has_path(planner)); }));
   }
 
   [[nodiscard]] std::optional<PeerSolution> solution(const bench::CpuClock& clock) const {
-    if (!definition_->hasExactSolution()) return std::nullopt;
-    const auto& found = *definition_->getSolutionPath()->as<og::PathGeometric>();
+    const ob::PathPtr path = definition_->getSolutionPath();
+    // BLIT* hands over a null path if it has none.
+    if (path == nullptr || !definition_->hasExactSolution()) return std::nullopt;
+    const auto& found = *path->as<og::PathGeometric>();
     PeerSolution solution;
     solution.seconds = clock.seconds();
     Pose from = problem_.request.start;  // unwrapped, as asked for
@@ -156,6 +166,30 @@ class Setup {
   void forget_solutions() { definition_->clearSolutionPaths(); }
 
  private:
+  /// Some planners hand their solution over when they end; until then the finite cost tells of it.
+  [[nodiscard]] bool has_path(const ob::Planner& planner) const {
+    if (const auto* star = dynamic_cast<const og::RRTstar*>(&planner)) return std::isfinite(star->bestCost().value());
+    const auto& progress = planner.getPlannerProgressProperties();
+    const auto cost = progress.find("best cost DOUBLE");
+    if (cost != progress.end()) return std::isfinite(std::stod(cost->second()));
+    return definition_->hasExactSolution();
+  }
+
+  [[nodiscard]] std::shared_ptr<ob::Planner> made(OmplPlanner kind) const {
+    switch (kind) {
+      case OmplPlanner::kInformedRrtStar:
+        return std::make_shared<og::InformedRRTstar>(information_);
+#ifdef ARCWAY_OMPL_2
+      case OmplPlanner::kEitStar:
+        return std::make_shared<og::EITstar>(information_);
+      case OmplPlanner::kBlitStar:
+        return std::make_shared<og::BLITstar>(information_);
+#endif
+      default:
+        return std::make_shared<og::RRTConnect>(information_);
+    }
+  }
+
   ob::ScopedState<> state_of(const Pose& pose) const {
     ob::ScopedState<> state(information_);
     auto* s = state->as<ob::SE2StateSpace::StateType>();
@@ -199,16 +233,29 @@ void run_restarts(Setup& setup, const Restarts& restarts, const bench::CpuClock&
 
 }  // namespace
 
-const char* name_of(OmplPlanner planner) {
+std::string name_of(OmplPlanner planner) {
+  const auto named = [](const char* name) { return ompl_name() + "_" + name; };
   switch (planner) {
     case OmplPlanner::kRrtConnect:
-      return "ompl_rrtconnect";
+      return named("rrtconnect");
     case OmplPlanner::kRrtConnectWide:
-      return "ompl_rrtconnect_wide";
+      return named("rrtconnect_wide");
     case OmplPlanner::kInformedRrtStar:
-      return "ompl_informed_rrtstar";
+      return named("informed_rrtstar");
+    case OmplPlanner::kEitStar:
+      return named("eitstar");
+    case OmplPlanner::kBlitStar:
+      return named("blitstar");
   }
-  return "unknown";
+  return named("unknown");
+}
+
+std::span<const OmplPlanner> planners_of_ompl_2() {
+#ifdef ARCWAY_OMPL_2
+  return kOfOmpl2;
+#else
+  return {};
+#endif
 }
 
 PeerRun run_ompl(OmplPlanner kind, const Problem& problem, double first_within, std::span<const double> times,
@@ -238,6 +285,8 @@ PeerRun run_ompl(OmplPlanner kind, const Problem& problem, double first_within, 
 }
 
 void seed_ompl(std::uint64_t seed) { ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed)); }
+
+std::string ompl_name() { return OMPL_MAJOR_VERSION < 2 ? "ompl" : "ompl" + std::to_string(OMPL_MAJOR_VERSION); }
 
 std::string ompl_version() {
   return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +

@@ -15,8 +15,15 @@ enum class OmplPlanner {
   kRrtConnect,       ///< restarted, every solution shortcut for travel time, the best one kept
   kRrtConnectWide,   ///< as kRrtConnect, with shortcuts by turns of all radii of turning_radii
   kInformedRrtStar,  ///< asymptotically optimal in length, one run
+  kEitStar,          ///< of OMPL 2: effort informed trees, asymptotically optimal in length
+  kBlitStar,         ///< of OMPL 2: bidirectional lazy informed trees, asymptotically optimal in length
 };
-const char* name_of(OmplPlanner planner);
+/// "ompl_rrtconnect": ompl_name and the planner.
+std::string name_of(OmplPlanner planner);
+
+/// The planners that OMPL has from version 2 on; none if this build has an earlier one. AORRTC is left out: in 2.0.2 it
+/// takes distances for symmetric, and reads beyond its neighbors where they are not.
+std::span<const OmplPlanner> planners_of_ompl_2();
 
 struct PeerSolution {
   Path path;
@@ -40,6 +47,8 @@ PeerRun run_ompl(OmplPlanner planner, const Problem& problem, double first_withi
 /// What OMPL draws comes from this seed, for all threads. To be called once, before any run.
 void seed_ompl(std::uint64_t seed);
 
+/// "ompl", from version 2 on with the number: results of two versions are told apart.
+std::string ompl_name();
 /// "1.5.2"
 std::string ompl_version();
 

@@ -14,6 +14,7 @@
 #include "bench/peers/ompl_peer.h"
 #include "bench/peers/ours.h"
 #include "bench/robots.h"
+#include "bench/vehicle_worlds.h"
 
 namespace arcway::internal::peers {
 namespace {
@@ -44,13 +45,22 @@ std::string plan_text(const PlanRequest& request, const PeerSolution& solution, 
   return plan_to_json(plan, query.query);
 }
 
-PlannerSetting gentle_setting(const bench::GentleRobot& robot) {
-  return {.name = robot.name(),
-          .worlds = {"clutter/convex/n100/m10/f15", "clutter/convex/n100/m10/f30", "clutter/star/n100/m10/f15",
-                     "clutter/star/n100/m10/f30"},
-          .vehicle = robot.vehicle(),
+const std::vector<std::string> kFourClutters = {"clutter/convex/n100/m10/f15", "clutter/convex/n100/m10/f30",
+                                                "clutter/star/n100/m10/f15", "clutter/star/n100/m10/f30"};
+
+PlannerSetting vehicle_setting(const bench::KeptVehicle& kept) {
+  return {.name = std::string(kept.name),
+          .worlds = kFourClutters,
+          .vehicle = kept.vehicle(),
+          .scaled = true,
           .queries = 10,
-          .shortest_too = false};
+          .shortest_too = false,
+          .ompl_2_too = true};
+}
+
+PlannerSetting gentle_setting(const bench::GentleRobot& robot) {
+  return {
+      .name = robot.name(), .worlds = kFourClutters, .vehicle = robot.vehicle(), .queries = 10, .shortest_too = false};
 }
 
 bool has_faster_turns(const Vehicle& vehicle, const World& world) { return turning_radii(vehicle, world).size() > 1; }
@@ -65,15 +75,17 @@ class Study {
 
  private:
   std::vector<PlannerQuery> run_world(const std::string& name) {
-    const World world = catalog_world(name);
     const Vehicle& vehicle = setting_.vehicle;
+    const World world = setting_.scaled ? bench::world_for(vehicle, name) : catalog_world(name);
     const bench::CpuClock preparing(bench::CpuClock::Of::kProcess);
     const Planner planner = make_planner(world, vehicle, GraphMode::kEager);
     progress_.line(setting_.name + ", " + name + ": arcway prepared in " + text_of("%.3g s", preparing.seconds()));
     std::optional<Planner> tightest;
     if (has_faster_turns(vehicle, world))
       tightest = make_planner(world, bench::without_faster_turns(vehicle), GraphMode::kEager);
-    const std::vector<PlanRequest> requests = catalog_queries(name, setting_.queries, setting_.seed);
+    const std::vector<PlanRequest> requests = setting_.scaled
+                                                  ? bench::queries_for(vehicle, world, setting_.queries, setting_.seed)
+                                                  : catalog_queries(name, setting_.queries, setting_.seed);
     std::vector<PlannerQuery> results;
     for (std::size_t q = 0; q < requests.size(); ++q) {
       const Problem problem{world, vehicle, *planner.queries().sweep, requests[q]};
@@ -130,6 +142,8 @@ class Study {
     if (setting_.first_only) return;
     if (has_wide_turns) run_peer(OmplPlanner::kRrtConnectWide, problem, random, result, our_time);
     if (setting_.shortest_too) run_peer(OmplPlanner::kInformedRrtStar, problem, random, result, our_time);
+    if (!setting_.ompl_2_too) return;
+    for (const OmplPlanner kind : planners_of_ompl_2()) run_peer(kind, problem, random, result, our_time);
   }
 
   void run_peer(OmplPlanner kind, const Problem& problem, Random& random, PlannerQuery& result, double our_time) {
@@ -139,7 +153,7 @@ class Study {
     const double first_within = times.empty() ? setting_.first_within : times.back();
     const PeerRun run = run_ompl(kind, problem, first_within, times, random);
     const auto add = [&](const std::string& when, double limit, const std::optional<PeerSolution>& solution) {
-      const std::string planner = std::string(name_of(kind)) + " " + when;
+      const std::string planner = name_of(kind) + " " + when;
       if (!solution) {
         result.answers.push_back({planner, "no path in" + text_of(" %g s", limit), limit, 0.0, false});
         return;
@@ -176,10 +190,12 @@ std::vector<PlannerSetting> standard_settings() {
         worlds.push_back(std::string("clutter/") + kind + "/" + size + "/m10/" + fill);
     return worlds;
   };
-  std::vector<PlannerSetting> settings{
-      {.name = "n100", .worlds = clutters("n100"), .vehicle = Vehicle()},
-      {.name = "n1000", .worlds = clutters("n1000"), .vehicle = Vehicle(), .queries = 5, .long_queries = 5}};
+  std::vector<PlannerSetting> settings;
+  for (const bench::KeptVehicle& kept : bench::real_vehicles()) settings.push_back(vehicle_setting(kept));
   for (const bench::GentleRobot& robot : bench::kGentleRobots) settings.push_back(gentle_setting(robot));
+  settings.push_back({.name = "n100", .worlds = clutters("n100"), .vehicle = Vehicle()});
+  settings.push_back(
+      {.name = "n1000", .worlds = clutters("n1000"), .vehicle = Vehicle(), .queries = 5, .long_queries = 5});
   return settings;
 }
 

@@ -16,11 +16,13 @@ struct PlannerSetting {
   std::string name;
   std::vector<std::string> worlds;  ///< names of the catalog
   Vehicle vehicle;
+  bool scaled = false;             ///< whether the worlds are scaled to the vehicle, by world_for
   std::size_t queries = 50;        ///< a world
   std::vector<double> times{1.0};  ///< times at which the peers' best path is recorded [s]
   double long_time = 10.0;         ///< once more on the first `long_queries` of each world [s]
   std::size_t long_queries = 10;
   bool shortest_too = true;    ///< whether planners that look for the shortest path take part
+  bool ompl_2_too = false;     ///< whether the planners take part that OMPL has from version 2 on
   bool ours_only = false;      ///< no peer takes part
   bool first_only = false;     ///< RRTConnect's first path and nothing else
   double first_within = 10.0;  ///< the time for that [s]; with `times`, the last of them is
@@ -28,9 +30,11 @@ struct PlannerSetting {
 };
 
 /// The standard settings:
+/// - amr, forklift and so on: the real vehicles of bench/robots.h in four clutters of 100 obstacles of their size.
+/// - lateral2_along2 and so on: the paper's robot with limits on its accelerations [m/s²], by which it is named, in
+/// four
+///   clutters of 100 obstacles.
 /// - n100, n1000: the paper's robot in six clutters of 100 and of 1,000 obstacles.
-/// - lateral2_along2 and so on: robots whose turns are the faster the wider they are, named by their accelerations
-///   [m/s²], in four clutters of 100 obstacles.
 std::vector<PlannerSetting> standard_settings();
 
 struct PlannerStudyProgress {

@@ -9,6 +9,7 @@
 #include "bench/report/markup.h"
 #include "bench/report/peer_sections.h"
 #include "bench/report/study.h"
+#include "bench/report/vehicle_sections.h"
 
 namespace arcway::internal::report {
 namespace {
@@ -186,17 +187,23 @@ Document make_document(const Inputs& inputs) {
     document.summary.push_back(changes_sentence(changes, inputs.before->name));
     add(std::move(changes));
   }
+  document.summary.push_back(vehicle_finding(results));
   append(document.summary, growth_findings(results, studies));
   if (inputs.peers) append(document.summary, peer_findings(*inputs.peers));
   append(document.summary, run_findings(results, clock));
 
-  document.figures = growth_figures(studies);
-  if (inputs.peers) append(document.figures, peer_figures(*inputs.peers));
+  document.figures = vehicle_figures(studies);
+  if (inputs.peers) append(document.figures, planner_figures(*inputs.peers));
+  append(document.figures, growth_figures(studies));
+  if (inputs.peers) append(document.figures, duel_figures(*inputs.peers));
 
-  add(cost_section(studies));
-  if (inputs.peers) add(duels_section(*inputs.peers));
+  add(vehicles_section(results, studies));
+  if (inputs.peers) add(claims_section(*inputs.peers));
+  if (inputs.peers) add(losses_section(*inputs.peers));
   if (inputs.peers) add(planners_section(*inputs.peers));
   add(quality_section(results));
+  add(cost_section(studies));
+  if (inputs.peers) add(duels_section(*inputs.peers));
   add(ablation_section(results));
   add(radii_section(results));
   add(real_maps_section(results));

@@ -51,7 +51,8 @@ std::string to_markdown(const Table& table);
 std::string to_csv(const Results& results);
 
 /// A Markdown text with its tables made anew: what stands between lines `<!-- table NAME -->` and `<!-- end of table
-/// -->`. Names: "cost", "ablation", "strategy", "moves", "gear moves", "duels", "planners".
+/// -->`. Names: "vehicles", "cost", "ablation", "strategy", "moves", "gear moves", "duels", "claims", "losses",
+/// "planners".
 /// @throws FormatError for an unknown name or an end that is missing, naming `name` and the line.
 std::string with_tables(const std::string& markdown, const Inputs& inputs, const std::string& name);
 

@@ -6,6 +6,8 @@
 
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
+#include "bench/report/vehicle_sections.h"
+#include "bench/robots.h"
 
 namespace arcway::internal::report {
 namespace {
@@ -26,20 +28,6 @@ constexpr std::array kPlanningStages = {
     PlanningStage{"Free headings on a turn circle", "TurningIntervals/embree"},
 };
 constexpr double kVerticesEach = 10.0;  // vertices of each obstacle in these series
-
-const Study::Line* find_line(const std::vector<Study>& studies, std::string_view series, std::string_view key) {
-  for (const Study& study : studies) {
-    if (study.key != key) continue;
-    const auto line = std::ranges::find(study.lines, series, &Study::Line::series);
-    if (line != study.lines.end()) return &*line;
-  }
-  return nullptr;
-}
-
-std::optional<double> time_at(const Study::Line& line, double size) {
-  const auto point = std::ranges::find(line.curve.points, size, &Curve::Point::x);
-  return point == line.curve.points.end() ? std::nullopt : std::optional(point->y);
-}
 
 std::string vertices_text(double obstacles) { return count_text(kVerticesEach * obstacles) + " vertices"; }
 
@@ -68,9 +56,9 @@ void add_growth_with_obstacles(const std::vector<Study>& studies, std::vector<st
   const auto* first = find_line(studies, "Plan/lazy", "obstacles");
   const auto* more = find_line(studies, "Plan/graph_reused", "obstacles");
   if (first && first->curve.fit && more && more->curve.fit)
-    sentences.push_back("A plan: the first on a new map, nothing prepared, takes " + times_text(*first) + ", n^" +
-                        interval_text(first->curve.fit) + "; each on a prepared map " + times_text(*more) + ", n^" +
-                        interval_text(more->curve.fit) + ".");
+    sentences.push_back("A plan of the paper's robot: the first on a new map, nothing prepared, takes " +
+                        times_text(*first) + ", n^" + interval_text(first->curve.fit) + "; each on a prepared map " +
+                        times_text(*more) + ", n^" + interval_text(more->curve.fit) + ".");
 }
 
 void add_growth_with_shape(const std::vector<Study>& studies, std::vector<std::string>& sentences) {
@@ -110,10 +98,10 @@ std::string memory_text(const std::vector<Study>& studies) {
 /// The part of a name after the stage.
 std::string rest_of(const Measurement& m) { return place_of(m.name).variant; }
 
-std::vector<const Measurement*> of_stage(const Results& results, std::string_view stage) {
-  std::vector<const Measurement*> found;
-  for (const Measurement& m : results.measurements)
-    if (place_of(m.name).stage == stage && m.error.empty() && !m.wall_seconds.empty()) found.push_back(&m);
+/// The measurements of quality, by vehicle: real ones first, the paper's robot last.
+std::vector<const Measurement*> quality_of(const Results& results) {
+  std::vector<const Measurement*> found = of_stage(results, "Quality");
+  std::ranges::stable_sort(found, {}, [](const Measurement* m) { return vehicle_rank(rest_of(*m)); });
   return found;
 }
 
@@ -135,6 +123,7 @@ std::vector<std::string> growth_findings(const Results& results, const std::vect
   add_growth_with_shape(studies, sentences);
   double queries = 0.0, solved = 0.0, low = 0.0, high = 0.0;
   for (const Measurement* m : of_stage(results, "Quality")) {
+    if (vehicle_rank(rest_of(*m)) < bench::real_vehicles().size()) continue;
     const auto value = [&](const char* name) {
       const auto found = m->counters.find(name);
       return found == m->counters.end() ? 0.0 : found->second;
@@ -146,7 +135,7 @@ std::vector<std::string> growth_findings(const Results& results, const std::vect
     high = std::max(high, gap);
   }
   if (queries > 0.0)
-    sentences.push_back("Quality: " + count_text(solved) + " of " + count_text(queries) +
+    sentences.push_back("Quality, the paper's robot: " + count_text(solved) + " of " + count_text(queries) +
                         " random queries are solved, every path valid; by the world, the median travel time is " +
                         number_text("%.1f", 100.0 * low) + " to " + number_text("%.1f", 100.0 * high) +
                         " % above a lower bound that no path can beat.");
@@ -177,8 +166,10 @@ std::vector<std::string> run_findings(const Results& results, const Clock& clock
 Section cost_section(const std::vector<Study>& studies) {
   Section section{
       .title = "What it costs",
-      .paragraphs = {"Clutters of n convex obstacles, 10 vertices each, fill 0.3; one thread, medians. Growth: "
-                     "exponent of n, fitted to the medians of all sizes, with its 95 % confidence interval."},
+      .paragraphs =
+          {"Clutters of n convex obstacles, 10 vertices each, fill 0.3; one thread, medians. Growth: "
+           "exponent of n, fitted to the medians of all sizes, with its 95 % confidence interval. Graphs and plans "
+           "are those of the paper's robot."},
       .figures = {},
       .table = {{"stage", "grows like n^", "1,000 vertices", "10,000", "100,000", "bytes a vertex"}, {}, 1}};
   for (const PlanningStage& stage : kPlanningStages) {
@@ -227,17 +218,18 @@ std::vector<std::string> growth_figures(const std::vector<Study>& studies) {
 Section quality_section(const Results& results) {
   Section section{
       .title = "Quality of the plans",
-      .paragraphs =
-          {"Random queries in clutters of 100 obstacles. Bound: no path takes less. Best known: the graph's best "
-           "path by Dijkstra's search, refined the same way. First path: before refinement. Wall times, median "
-           "over the queries that are solved; the mean over all."},
+      .paragraphs = {"Random queries in clutters of 100 obstacles, for the paper's robot unless a vehicle is named. "
+                     "Bound: no path takes less. Best known: the graph's best "
+                     "path by Dijkstra's search, refined the same way; not searched for real vehicles. First path: "
+                     "before refinement. Processor times, median "
+                     "over the queries that are solved; the mean over all."},
       .figures = {},
       .table = {{"world", "queries", "solved", "start blocked", "goal blocked", "no path", "first path / bound, median",
                  "after", "refined / bound, median", "after", "time / best known, worst", "smallest clearance",
                  "expansions a query", "time a query, mean"},
                 {},
                 1}};
-  for (const Measurement* m : of_stage(results, "Quality"))
+  for (const Measurement* m : quality_of(results))
     section.table.rows.push_back(
         {rest_of(*m), counter_text(*m, "queries", "%.0f"), counter_text(*m, "solved_share", "%.2f"),
          counter_text(*m, "start_blocked", "%.0f"), counter_text(*m, "goal_blocked", "%.0f"),

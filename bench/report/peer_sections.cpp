@@ -1,11 +1,15 @@
 #include "bench/report/peer_sections.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
+#include "bench/report/vehicle_sections.h"
+#include "bench/robots.h"
 
 namespace arcway::internal::report {
 namespace {
@@ -43,15 +47,26 @@ struct Record {
   std::string planner;
   std::size_t queries = 0, solved = 0, valid = 0;
   std::size_t ours_alone = 0, theirs_alone = 0, faster_path = 0, slower_path = 0;
+  std::size_t faster_at_all = 0;  // without the tolerance
   std::vector<double> seconds, over_bound, over_best, over_ours;
   std::map<std::string, int> reasons;
 };
 
+bool is_slower(double time, double other) { return time > (1.0 + kTravelTimeTolerance) * other; }
+
+/// "0.1 %"
+std::string tolerance_text() { return number_text("%g", 100.0 * kTravelTimeTolerance) + " %"; }
+
+bool is_peer(const std::string& planner) { return !planner.starts_with("arcway"); }
+/// Planners that went on after their first path.
+bool goes_on(const std::string& planner) { return !planner.ends_with(" first"); }
+
 void count(Record& record, const PlannerQuery& query, const PlannerAnswer& answer, const PlannerAnswer& ours,
            double best) {
   ++record.queries;
-  record.ours_alone += ours.solved() && !answer.solved();
-  record.theirs_alone += answer.solved() && !ours.solved();
+  const bool counts = answer.solved() && answer.valid;
+  record.ours_alone += ours.solved() && !counts;
+  record.theirs_alone += counts && !ours.solved();
   if (!answer.solved()) {
     ++record.reasons[answer.status];
     return;
@@ -61,11 +76,11 @@ void count(Record& record, const PlannerQuery& query, const PlannerAnswer& answe
   record.seconds.push_back(answer.seconds);
   record.over_bound.push_back(answer.travel_time / query.lower_bound);
   record.over_best.push_back(answer.travel_time / best);
-  if (!ours.solved()) return;
+  if (!ours.solved() || !answer.valid) return;
   record.over_ours.push_back(answer.travel_time / ours.travel_time);
-  // Less than a thousandth is no difference to a vehicle.
-  record.faster_path += record.over_ours.back() < 0.999;
-  record.slower_path += record.over_ours.back() > 1.001;
+  record.faster_path += is_slower(ours.travel_time, answer.travel_time);
+  record.slower_path += is_slower(answer.travel_time, ours.travel_time);
+  record.faster_at_all += answer.travel_time < ours.travel_time;
 }
 
 /// @param world  empty: all.
@@ -114,8 +129,14 @@ const std::vector<std::string> kRecordHeader = {"planner",
                                                 "travel time / bound: 25 %, median, 75 %",
                                                 "/ best known: median, 90 %, worst",
                                                 "/ arcway's: least, median, most",
-                                                "faster / slower than arcway's",
+                                                "faster / slower than arcway's by more than " + tolerance_text(),
                                                 "solves alone / arcway alone"};
+
+/// "99.6 %"; never rounded up to all.
+std::string share_text(std::size_t part, std::size_t all) {
+  const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(all);
+  return part == all ? "100 %" : number_text("%.1f", std::min(percent, 99.9)) + " %";
+}
 
 /// A planner's records after its first path, 1 s, 10 s make one curve.
 std::vector<Curve> trade_off(const std::vector<Record>& records) {
@@ -132,11 +153,27 @@ std::vector<Curve> trade_off(const std::vector<Record>& records) {
   return curves;
 }
 
-/// In the order of the file.
+/// Settings that one claim is made for.
+struct Group {
+  const char* name;
+  bool (*has)(const std::string& setting);
+};
+bool is_of_real_vehicle(const std::string& setting) { return vehicle_rank(setting) < bench::real_vehicles().size(); }
+bool is_of_limited_robot(const std::string& setting) { return setting.starts_with("lateral"); }
+constexpr Group kGroups[] = {
+    {"real vehicles", is_of_real_vehicle},
+    {"the paper's robot with limits on its acceleration", is_of_limited_robot},
+    {"the paper's robot", [](const std::string& s) { return !is_of_real_vehicle(s) && !is_of_limited_robot(s); }}};
+
+/// By group and vehicle, each in the order of the file.
 std::vector<std::string> settings_of(const PeerResults& peers) {
   std::vector<std::string> settings;
   for (const PlannerQuery& q : peers.queries)
     if (std::ranges::find(settings, q.setting) == settings.end()) settings.push_back(q.setting);
+  std::ranges::stable_sort(settings, {}, [](const std::string& setting) {
+    const auto group = std::ranges::find_if(kGroups, [&](const Group& g) { return g.has(setting); });
+    return std::pair(group - std::begin(kGroups), vehicle_rank(setting));
+  });
   return settings;
 }
 
@@ -172,14 +209,40 @@ void add_planner_findings(const PeerResults& peers, const std::string& setting, 
   std::string text = "Planners, " + setting + ": arcway solves " + std::to_string(ours.solved) + " of " +
                      std::to_string(ours.queries) + " queries in " + time_text(bench::median(ours.seconds)) + " each";
   for (const Record& r : records) {
-    // Planners that went on after their first path, on all queries.
-    if (&r == &ours || r.planner.starts_with("arcway") || r.planner.ends_with(" first") || r.queries < ours.queries)
-      continue;
+    if (!is_peer(r.planner) || !goes_on(r.planner) || r.queries < ours.queries) continue;
     text += "; " + r.planner + " solves " + std::to_string(r.solved) + ", with faster paths on " +
             std::to_string(r.faster_path) + " and slower ones on " + std::to_string(r.slower_path) +
             (r.theirs_alone > 0 ? ", " + std::to_string(r.theirs_alone) + " of them alone" : "");
   }
-  sentences.push_back(text + ".");
+  sentences.push_back(text + ". Times within " + tolerance_text() + " count as equal.");
+}
+
+/// What is found of the paths of one group of settings.
+std::string claim_text(const PeerResults& peers, const Group& group) {
+  std::size_t both = 0, slower = 0, alone = 0;
+  double worst = 1.0;
+  for (const std::string& setting : settings_of(peers)) {
+    if (!group.has(setting)) continue;
+    for (const Record& r : records_of(peers, setting)) {
+      if (!is_peer(r.planner) || !goes_on(r.planner)) continue;
+      both += r.over_ours.size();
+      slower += r.faster_path;
+      alone += r.theirs_alone;
+      for (const double ratio : r.over_ours) worst = std::max(worst, 1.0 / ratio);
+    }
+  }
+  if (both == 0) return std::string(group.name) + ": not compared in these results";
+  return std::string(group.name) + ": not slower in " + share_text(both - slower, both) + " of " +
+         count_text(static_cast<double>(both)) + " comparisons, at worst by " +
+         number_text("%.2f", 100.0 * (worst - 1.0)) + " %, and " + std::to_string(alone) +
+         " answers of peers where arcway has none";
+}
+
+std::string claims_finding(const PeerResults& peers) {
+  std::string text = "Not slower than a peer's improved path, where a travel time at most " + tolerance_text() +
+                     " longer counts as not slower:";
+  for (const Group& group : kGroups) text += (&group == kGroups ? " " : "; ") + claim_text(peers, group);
+  return text + ".";
 }
 
 }  // namespace
@@ -187,6 +250,7 @@ void add_planner_findings(const PeerResults& peers, const std::string& setting, 
 std::vector<std::string> peer_findings(const PeerResults& peers) {
   std::vector<std::string> sentences;
   if (!peers.duels.empty()) add_duel_findings(peers, sentences);
+  if (!peers.queries.empty()) sentences.push_back(claims_finding(peers));
   for (const std::string& setting : settings_of(peers)) add_planner_findings(peers, setting, sentences);
   return sentences;
 }
@@ -220,7 +284,7 @@ Section duels_section(const PeerResults& peers) {
   return section;
 }
 
-std::vector<std::string> peer_figures(const PeerResults& peers) {
+std::vector<std::string> duel_figures(const PeerResults& peers) {
   std::vector<Curve> duels;
   for (const Duel& d : peers.duels) {
     if (!d.error.empty()) continue;
@@ -238,6 +302,11 @@ std::vector<std::string> peer_figures(const PeerResults& peers) {
                                    .y_text = ratio_text,
                                    .level = 1.0},
                                   duels, "Visibility: above the line at 1 arcway is faster, below it the peer."));
+  return figures;
+}
+
+std::vector<std::string> planner_figures(const PeerResults& peers) {
+  std::vector<std::string> figures;
   for (const std::string& setting : settings_of(peers)) {
     const std::vector<Curve> planners = trade_off(records_of(peers, setting));
     if (planners.empty()) continue;
@@ -254,6 +323,57 @@ std::vector<std::string> peer_figures(const PeerResults& peers) {
   return figures;
 }
 
+Section claims_section(const PeerResults& peers) {
+  Section section{
+      .title = "Not slower than a peer",
+      .paragraphs =
+          {"On how many queries arcway's path is not slower than that of a peer which improves its path until "
+           "its time is over. With the tolerance, a travel time at most " +
+           tolerance_text() +
+           " longer counts as not slower; at all: without it. Real vehicles first, if they were compared."},
+      .figures = {},
+      .table = {{"setting", "peer", "both solve", "not slower, " + tolerance_text(), "not slower at all",
+                 "arcway slower by, most", "peer slower by: median, most", "peer alone solves", "arcway alone solves"},
+                {},
+                2}};
+  const auto more_text = [](double ratio) { return number_text("%.2f", 100.0 * std::max(0.0, ratio - 1.0)) + " %"; };
+  for (const std::string& setting : settings_of(peers))
+    for (const Record& r : records_of(peers, setting)) {
+      if (!is_peer(r.planner) || !goes_on(r.planner) || r.over_ours.empty()) continue;
+      const std::size_t both = r.over_ours.size();
+      const auto [low, high] = std::ranges::minmax(r.over_ours);
+      section.table.rows.push_back({setting, r.planner, std::to_string(both), share_text(both - r.faster_path, both),
+                                    share_text(both - r.faster_at_all, both), more_text(1.0 / low),
+                                    more_text(bench::median(r.over_ours)) + ", " + more_text(high),
+                                    std::to_string(r.theirs_alone), std::to_string(r.ours_alone)});
+    }
+  auto& rows = section.table.rows;
+  if (std::ranges::none_of(rows, [](const auto& row) { return is_of_real_vehicle(row.front()); }))
+    rows.insert(rows.begin(), {"real vehicles", "not compared in these results", "", "", "", "", "", "", ""});
+  return section;
+}
+
+Section losses_section(const PeerResults& peers) {
+  Section section{
+      .title = "Where a peer does better",
+      .paragraphs = {"Every query that a peer alone solves, or with a path that is faster by more than " +
+                     tolerance_text() + "."},
+      .figures = {},
+      .table = {{"setting", "world", "query", "peer", "its travel time", "arcway's", "arcway slower by"}, {}, 4}};
+  for (const PlannerQuery& q : peers.queries) {
+    const PlannerAnswer& ours = q.answers.front();
+    for (const PlannerAnswer& a : q.answers) {
+      if (!is_peer(a.planner) || !a.solved() || !a.valid) continue;
+      if (ours.solved() && !is_slower(ours.travel_time, a.travel_time)) continue;
+      section.table.rows.push_back(
+          {q.setting, q.world, std::to_string(q.query), a.planner, number_text("%.3f s", a.travel_time),
+           ours.solved() ? number_text("%.3f s", ours.travel_time) : ours.status,
+           ours.solved() ? number_text("%.2f %%", 100.0 * (ours.travel_time / a.travel_time - 1.0)) : "–"});
+    }
+  }
+  return section;
+}
+
 Section planners_section(const PeerResults& peers) {
   Section section{
       .title = "Planners: time against quality",
@@ -262,8 +382,9 @@ Section planners_section(const PeerResults& peers) {
            "processor time. `arcway` answers on a map that was prepared before; `arcway, map and all`, where the "
            "study has it, begins with the bare map, as the peers do, for one query. What is only "
            "in the peers' favor: after the first path they go on to improve it until the time is up. Settings: "
-           "the paper's robot in clutters of 100 and of 1,000 obstacles; robots whose speed on an arc is "
-           "limited by their lateral acceleration, in clutters of 100, fill 0.15 and 0.3. `arcway first` is "
+           "real vehicles in clutters of 100 obstacles of their size, fill 0.15 and 0.3, as far as they were compared; "
+           "the paper's robot with limits on its acceleration in clutters of 100, fill 0.15 and 0.3; the paper's "
+           "robot in clutters of 100 and of 1,000 obstacles. `arcway first` is "
            "the first path, before refinement; `arcway_tightest` turns as tightly as it can only."},
       .figures = {},
       .table = {kRecordHeader, {}, 2}};

@@ -23,17 +23,6 @@ const std::set<std::string> kOwnFields = {
     "cpu_time",    "time_unit",        "label",    "error_occurred", "error_message",
     "batch"};
 
-std::string plain_name(std::string name) {
-  for (bool stripped = true; stripped;) {
-    stripped = false;
-    for (const char* policy : {"/repeats:", "/iterations:"})
-      if (const auto at = name.rfind(policy); at != std::string::npos) name.erase(at), stripped = true;
-    for (const std::string_view suffix : kSuffixes)
-      if (name.ends_with(suffix)) name.erase(name.size() - suffix.size()), stripped = true;
-  }
-  return name;
-}
-
 double unit_seconds(const std::string& unit, std::string_view file) {
   if (unit == "ns") return 1e-9;
   if (unit == "us") return 1e-6;
@@ -75,7 +64,58 @@ void read_run(const json& run, const std::string& place, Results& results, std::
     if (value.is_number() && !kOwnFields.contains(key)) counters[name][key].push_back(value.get<double>());
 }
 
+nlohmann::ordered_json parsed(std::string_view text, std::string_view name) {
+  nlohmann::ordered_json document;
+  try {
+    document = nlohmann::ordered_json::parse(text);
+  } catch (const json::parse_error& error) {
+    throw FormatError(std::string(name) + ": " + message_of(error));
+  }
+  for (const char* key : {"context", "benchmarks"})
+    if (!document.is_object() || !document.contains(key))
+      throw FormatError(std::string(name) + ": \"" + key + "\" is missing");
+  return document;
+}
+
+std::string name_of(const nlohmann::ordered_json& run) {
+  return run.is_object() ? plain_name(run.value("name", "")) : std::string();
+}
+
 }  // namespace
+
+std::string plain_name(std::string name) {
+  for (bool stripped = true; stripped;) {
+    stripped = false;
+    for (const char* policy : {"/repeats:", "/iterations:"})
+      if (const auto at = name.rfind(policy); at != std::string::npos) name.erase(at), stripped = true;
+    for (const std::string_view suffix : kSuffixes)
+      if (name.ends_with(suffix)) name.erase(name.size() - suffix.size()), stripped = true;
+  }
+  return name;
+}
+
+std::string updated_results(std::string_view earlier, std::string_view run, std::string_view name) {
+  const nlohmann::ordered_json before = parsed(earlier, name), after = parsed(run, "the run");
+  nlohmann::ordered_json context = before["context"];
+  const auto value = [](const nlohmann::ordered_json& from, const char* key) { return from.value(key, ""); };
+  if (const std::string ours = value(context, "processor"), theirs = value(after["context"], "processor");
+      ours != theirs)
+    throw FormatError(std::string(name) + ": measured on \"" + ours + "\", the run on \"" + theirs +
+                      "\": results of two processors are not mixed");
+  std::set<std::string> anew;
+  for (const auto& benchmark : after["benchmarks"]) anew.insert(name_of(benchmark));
+  std::string lines;
+  const auto add = [&lines](const nlohmann::ordered_json& benchmark) {
+    lines += (lines.empty() ? "\n" : ",\n") + benchmark.dump();
+  };
+  for (const auto& benchmark : before["benchmarks"])
+    if (!anew.contains(name_of(benchmark))) add(benchmark);
+  for (const auto& benchmark : after["benchmarks"]) add(benchmark);
+  const std::string commit = value(after["context"], "commit"), updates = value(context, "updated_at");
+  if (updates.find(commit) == std::string::npos)
+    context["updated_at"] = updates.empty() ? commit : updates + ", " + commit;
+  return "{\n\"context\": " + context.dump(1) + ",\n\"benchmarks\": [" + lines + "\n]\n}\n";
+}
 
 Results read_results(std::string_view text, std::string_view name) {
   json document;
@@ -124,6 +164,13 @@ SeriesPlace place_of(std::string_view name) {
   }
   if (place.series.size() > place.stage.size()) place.variant = place.series.substr(place.stage.size() + 1);
   return place;
+}
+
+std::vector<const Measurement*> of_stage(const Results& results, std::string_view stage) {
+  std::vector<const Measurement*> found;
+  for (const Measurement& m : results.measurements)
+    if (place_of(m.name).stage == stage && m.error.empty() && !m.wall_seconds.empty()) found.push_back(&m);
+  return found;
 }
 
 std::size_t threads_of(std::string_view name) {

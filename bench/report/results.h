@@ -31,6 +31,14 @@ struct Results {
 /// @throws FormatError naming file and place.
 Results read_results(std::string_view json, std::string_view name);
 
+/// A benchmark's name without what Google Benchmark adds of clocks and repetitions.
+std::string plain_name(std::string name);
+
+/// An earlier file of Google Benchmark with the runs of a newer one: those of equal benchmarks are replaced, others are
+/// added. The context stays the earlier one's; its key `updated_at` lists the commits of newer runs.
+/// @throws FormatError naming file and place; also for files of two processors.
+std::string updated_results(std::string_view earlier, std::string_view run, std::string_view name);
+
 /// A measurement's place in its series: "ReducedGraph/embree/obstacles:100" is size 100 of the key "obstacles" in the
 /// series "ReducedGraph/embree", of the stage "ReducedGraph" and the variant "embree".
 struct SeriesPlace {
@@ -39,6 +47,9 @@ struct SeriesPlace {
 };
 /// Nothing found: empty key, the whole name as series.
 SeriesPlace place_of(std::string_view name);
+
+/// The measurements of a stage that have times, in the order of the file.
+std::vector<const Measurement*> of_stage(const Results& results, std::string_view stage);
 
 /// What a name says of threads, "/threads:2", anywhere in it; 1 otherwise.
 std::size_t threads_of(std::string_view name);

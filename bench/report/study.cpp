@@ -93,6 +93,20 @@ std::vector<Study> studies_of(const Results& results, const Clock& clock) {
   return studies;
 }
 
+const Study::Line* find_line(const std::vector<Study>& studies, std::string_view series, std::string_view key) {
+  for (const Study& study : studies) {
+    if (study.key != key) continue;
+    const auto line = std::ranges::find(study.lines, series, &Study::Line::series);
+    if (line != study.lines.end()) return &*line;
+  }
+  return nullptr;
+}
+
+std::optional<double> time_at(const Study::Line& line, double size) {
+  const auto point = std::ranges::find(line.curve.points, size, &Curve::Point::x);
+  return point == line.curve.points.end() ? std::nullopt : std::optional(point->y);
+}
+
 std::vector<std::string> sentences_of(const Study& study) {
   std::vector<std::string> sentences;
   for (const Study::Line& line : study.lines) {

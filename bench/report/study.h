@@ -1,7 +1,9 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/report/plot.h"
@@ -42,6 +44,11 @@ struct Study {
 /// than "threads".
 /// @param results  must outlive the studies.
 std::vector<Study> studies_of(const Results& results, const Clock& clock);
+
+/// The line of a series over a key; null if there is none.
+const Study::Line* find_line(const std::vector<Study>& studies, std::string_view series, std::string_view key);
+/// The median time at a size [s].
+std::optional<double> time_at(const Study::Line& line, double size);
 
 /// What one study shows: how each series grows, and how the others compare with the best at the largest size.
 std::vector<std::string> sentences_of(const Study& study);

@@ -7,6 +7,7 @@
 #include "bench/report/findings.h"
 #include "bench/report/peer_sections.h"
 #include "bench/report/strategy_sections.h"
+#include "bench/report/vehicle_sections.h"
 
 namespace arcway::internal::report {
 namespace {
@@ -26,12 +27,16 @@ Table named_table(const std::string& name, const Inputs& inputs, const std::stri
     if (!inputs.peers) throw FormatError(place + ": the table \"" + name + "\" needs a file of arcway_peers");
     return *inputs.peers;
   };
+  if (name == "vehicles")
+    return vehicles_section(inputs.results, studies_of(inputs.results, Clock(inputs.results))).table;
   if (name == "cost") return cost_section(studies_of(inputs.results, Clock(inputs.results))).table;
   if (name == "ablation") return ablation_section(inputs.results).table;
   if (name == "strategy") return strategy_section(inputs.results).table;
   if (name == "moves") return moves_section(inputs.results).table;
   if (name == "gear moves") return gear_moves_section(inputs.results).table;
   if (name == "duels") return duels_section(peers()).table;
+  if (name == "claims") return claims_section(peers()).table;
+  if (name == "losses") return losses_section(peers()).table;
   if (name == "planners") return planners_section(peers()).table;
   throw FormatError(place + ": there is no table \"" + name + "\"");
 }

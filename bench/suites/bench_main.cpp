@@ -10,6 +10,7 @@
 
 #include "arcway/datasets/file_io.h"
 #include "bench/context/context.h"
+#include "bench/report/results.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
@@ -18,7 +19,9 @@ namespace arcway::internal::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "arcway_bench [--study=check|quick|full] [--out=F.json] [--corrupt] [Google Benchmark's own arguments]\n"
+    "arcway_bench [--study=check|quick|full] [--out=F.json [--update]] [--corrupt] [Google Benchmark's own "
+    "arguments]\n"
+    "--update keeps what the file has of other benchmarks.\n"
     "--corrupt makes every implementation get one answer wrong, and is done if all benchmarks notice; with\n"
     "--study=check, as larger sizes check some answers only.\n"
     "Exit codes: 0 all answers right (--corrupt: all noticed to be wrong), 1 not so, 2 bad usage.\n";
@@ -26,6 +29,7 @@ constexpr const char* kUsage =
 struct Options {
   Study study = Study::kQuick;
   std::string out;
+  bool update = false;
   bool corrupt = false;
 };
 
@@ -121,6 +125,8 @@ bool take_options(int argc, char** argv, Options& options, std::vector<std::stri
       options.study = Study::kFull;
     } else if (argument == "--corrupt") {
       options.corrupt = true;
+    } else if (argument == "--update") {
+      options.update = true;
     } else if (argument.rfind("--out=", 0) == 0) {
       options.out = argument.substr(6);
     } else if (argument.rfind("--benchmark_", 0) == 0) {
@@ -135,10 +141,12 @@ bool take_options(int argc, char** argv, Options& options, std::vector<std::stri
 int run(int argc, char** argv) {
   Options options;
   std::vector<std::string> others;
-  if (!take_options(argc, argv, options, others) || (options.corrupt && options.study != Study::kCheck)) {
+  const bool known = take_options(argc, argv, options, others);
+  if (!known || (options.corrupt && options.study != Study::kCheck) || (options.update && options.out.empty())) {
     std::fputs(kUsage, stderr);
     return 2;
   }
+  const std::string earlier = options.update ? read_file(options.out) : std::string();
   std::vector<std::string> arguments = benchmark_arguments(options.study);
   arguments.insert(arguments.begin(), argv[0]);
   arguments.insert(arguments.end(), others.begin(), others.end());
@@ -156,7 +164,11 @@ int run(int argc, char** argv) {
     std::fputs("arcway_bench: no benchmark of that name\n", stderr);
     return 2;
   }
-  if (!options.out.empty()) write_file_atomically(options.out, reporter.json());
+  if (!options.out.empty()) {
+    const std::string results = reporter.json();
+    write_file_atomically(options.out,
+                          options.update ? report::updated_results(earlier, results, options.out) : results);
+  }
   if (options.corrupt) {
     std::fprintf(stderr, "arcway_bench: %d noticed the wrong answer, %d did not\n", reporter.failures(),
                  reporter.successes());

@@ -17,15 +17,17 @@
 #include "bench/suites/backends.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
+#include "bench/vehicle_worlds.h"
 #include "core/roadmap/feasible_graph.h"
 
-// Whole plans: on a prepared map, one for a new map with everything checked before or as it is needed; batches by
-// several threads; and what distance, fill and radii do to them.
+// Whole plans of real vehicles and of the paper's robot: on a prepared map, and one for a new map with everything
+// checked before or as it is needed. Batches by several threads. What distance, fill and radii do to plans.
 namespace arcway::internal::bench::plan_suite {
 namespace {
 
 constexpr std::size_t kQueries = 20;
 constexpr std::size_t kFewQueries = 5;  // queries with seven radii, which take long
+constexpr std::size_t kVehicleQueries = 10;
 constexpr const char* kWrong = "the validator refuses a path, or there is none";
 
 void time_queries(benchmark::State& state, const Planner& planner, const std::vector<PlanRequest>& requests) {
@@ -67,23 +69,22 @@ std::vector<PlanRequest> requests_at(const std::string& world_name, double low) 
   return kept;
 }
 
-/// The first of a world's queries that has a plan.
-const PlanRequest& first_solved(const std::string& world_name) {
+/// The first of a world's queries that has a plan, found once for each key.
+const PlanRequest& first_solved(const std::string& key, const World& world, const Vehicle& vehicle) {
   static std::map<std::string, PlanRequest> known;
-  const auto found = known.find(world_name);
+  const auto found = known.find(key);
   if (found != known.end()) return found->second;
-  const Planner planner = make_planner(shared_world(world_name), Vehicle(), {.graph_mode = GraphMode::kLazy});
-  for (const PlanRequest& request : catalog_queries(world_name, kQueries, 1))
-    if (planner.plan(request).solved()) return known.emplace(world_name, request).first->second;
-  throw std::runtime_error(world_name + ": no query has a plan");
+  const Planner planner = make_planner(world, vehicle, {.graph_mode = GraphMode::kLazy});
+  for (const PlanRequest& request : queries_for(vehicle, world, kQueries, 1))
+    if (planner.plan(request).solved()) return known.emplace(key, request).first->second;
+  throw std::runtime_error(key + ": no query has a plan");
 }
 
 /// Queries, graphs and one plan.
-void time_from_nothing(benchmark::State& state, const std::string& world_name, GraphMode mode) {
-  const World& world = shared_world(world_name);
-  const PlanRequest& request = first_solved(world_name);
+void time_from_nothing(benchmark::State& state, const World& world, const Vehicle& vehicle, const PlanRequest& request,
+                       GraphMode mode) {
   const auto solve = [&] {
-    const Planner planner = make_planner(world, Vehicle(), {.graph_mode = mode});
+    const Planner planner = make_planner(world, vehicle, {.graph_mode = mode});
     return std::pair(planner, std::vector{planner.plan(request)});
   };
   reset_heap_peak();
@@ -96,6 +97,25 @@ void time_from_nothing(benchmark::State& state, const std::string& world_name, G
   state.counters["vertices"] = vertices;
   state.counters["peak_bytes_per_vertex"] = static_cast<double>(after.peak_bytes - before.live_bytes) / vertices;
   state.counters["bytes_per_vertex"] = static_cast<double>(after.live_bytes - before.live_bytes) / vertices;
+}
+
+/// A real vehicle's plans on a prepared map, each once.
+void time_prepared(benchmark::State& state, const KeptVehicle& kept, const std::string& world_name) {
+  static std::map<std::pair<std::string_view, std::string>, Planner> planners;
+  const World& world = shared_world(kept, world_name);
+  const std::pair key{kept.name, world_name};
+  auto found = planners.find(key);
+  if (found == planners.end()) found = planners.emplace(key, make_planner(world, kept.vehicle(), {})).first;
+  const Planner& planner = found->second;
+  planner.warm_up();
+  const std::vector<PlanRequest> requests = queries_for(kept.vehicle(), world, kVehicleQueries, 1);
+  std::vector<PlanResult> results;
+  for (auto _ : state) results = plan_all(planner, requests);
+  if (!require(state, are_right(planner, results), kWrong)) return;
+  set_batch(state, requests.size());
+  state.counters["vertices"] = static_cast<double>(world.vertices().size());
+  state.counters["queries"] = static_cast<double>(requests.size());
+  state.counters["solved"] = static_cast<double>(std::ranges::count_if(results, &PlanResult::solved));
 }
 
 /// How long single queries take, the slow ones above all: when first asked of a prepared planner, and again.
@@ -151,7 +171,37 @@ void time_radii(benchmark::State& state, const std::string& world_name, std::siz
   state.counters["links"] = static_cast<double>(planner.feasible_graph().counts().kept);
 }
 
+void add_vehicles(Study study) {
+  const std::string law = "A* over the part of the graph towards the goal";
+  const int repetitions = study == Study::kCheck ? 1 : 3;
+  for (const KeptVehicle& kept : real_vehicles()) {
+    Series prepared(study, "PlanPrepared/" + std::string(kept.name), "obstacles", law, 1.0);
+    Series first(study, "PlanFirst/" + std::string(kept.name), "obstacles",
+                 "O(n log n), visibility graph and what one query asks for", 1.1);
+    prepared.allow(20.0);
+    first.allow(4.0);
+    for (const std::size_t n : sizes(study, {10, 32, 100, 316, 1000}, 10, 1000)) {
+      const std::string name = clutter_name("convex", n, 10, 30);
+      const auto size = static_cast<double>(n);
+      prepared.add(size, [&kept, name](benchmark::State& state) { time_prepared(state, kept, name); })
+          ->Iterations(1)
+          ->Repetitions(repetitions);
+      first
+          .add(size,
+               [&kept, name](benchmark::State& state) {
+                 const World& world = shared_world(kept, name);
+                 const PlanRequest& request =
+                     first_solved(std::string(kept.name) + " in " + name, world, kept.vehicle());
+                 time_from_nothing(state, world, kept.vehicle(), request, GraphMode::kLazy);
+               })
+          ->Iterations(1)
+          ->Repetitions(repetitions);
+    }
+  }
+}
+
 void add(Study study) {
+  add_vehicles(study);
   Series reused(study, "Plan/graph_reused", "obstacles", "A* over the part of the graph towards the goal", 1.0);
   Series eager(study, "Plan/eager", "obstacles", "O(n log n + k log n), graphs and one query", 1.1);
   reused.allow(6.0);
@@ -162,8 +212,12 @@ void add(Study study) {
     reused.add(size, [name](benchmark::State& state) {
       time_queries(state, shared_planner(name), catalog_queries(name, kQueries, 1));
     });
-    eager.add(size, [name](benchmark::State& state) { time_from_nothing(state, name, GraphMode::kEager); });
-    lazy.add(size, [name](benchmark::State& state) { time_from_nothing(state, name, GraphMode::kLazy); });
+    const auto from_nothing = [name](benchmark::State& state, GraphMode mode) {
+      const World& world = shared_world(name);
+      time_from_nothing(state, world, Vehicle(), first_solved(name, world, Vehicle()), mode);
+    };
+    eager.add(size, [from_nothing](benchmark::State& state) { from_nothing(state, GraphMode::kEager); });
+    lazy.add(size, [from_nothing](benchmark::State& state) { from_nothing(state, GraphMode::kLazy); });
   }
   const std::size_t many = study == Study::kCheck ? 32 : 1000;
   Series each(study, "PlanEach/n:" + std::to_string(many), "fill_percent", "falls with what is seen", 0.0);

@@ -7,6 +7,7 @@
 #include "bench/suites/backends.h"
 #include "bench/suites/corruption.h"
 #include "bench/suites/suite.h"
+#include "bench/vehicle_worlds.h"
 
 namespace arcway::internal::bench {
 
@@ -35,6 +36,14 @@ const Planner& shared_planner(const std::string& world_name, Heuristic heuristic
   if (found != planners.end()) return found->second;
   return planners.emplace(key, make_planner(shared_world(world_name), Vehicle(), {.heuristic = heuristic}))
       .first->second;
+}
+
+const World& shared_world(const KeptVehicle& kept, const std::string& world_name) {
+  static std::map<std::pair<std::string_view, std::string>, World> worlds;
+  const std::pair key{kept.name, world_name};
+  const auto found = worlds.find(key);
+  if (found != worlds.end()) return found->second;
+  return worlds.emplace(key, world_for(kept.vehicle(), world_name)).first->second;
 }
 
 std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanRequest>& requests) {

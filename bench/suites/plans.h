@@ -6,6 +6,7 @@
 
 #include "arcway/planner.h"
 #include "arcway/validation.h"
+#include "bench/robots.h"
 
 namespace arcway::internal::bench {
 
@@ -19,6 +20,9 @@ Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOp
                      const Executor& executor = SerialExecutor());
 /// A planner for the paper's robot, made once for each name and heuristic and kept.
 const Planner& shared_planner(const std::string& world_name, Heuristic heuristic = Heuristic::kTravelTime);
+
+/// world_for a kept vehicle, made once for each name and kept.
+const World& shared_world(const KeptVehicle& kept, const std::string& world_name);
 
 std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanRequest>& requests);
 

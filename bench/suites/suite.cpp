@@ -73,7 +73,7 @@ Series& Series::allow(double seconds) {
   return *this;
 }
 
-void Series::add(double size, Body body) {
+benchmark::internal::Benchmark* Series::add(double size, Body body) {
   const auto run = [series = state_, size, body = std::move(body)](benchmark::State& state) {
     const double expected =
         series->last_size > 0.0 ? series->last_seconds * std::pow(size / series->last_size, series->exponent) : 0.0;
@@ -89,7 +89,7 @@ void Series::add(double size, Body body) {
     series->last_seconds = clock.seconds();
     series->last_size = size;
   };
-  add_benchmark(name_ + "/" + size_name_ + ":" + number_text(size), run);
+  return add_benchmark(name_ + "/" + size_name_ + ":" + number_text(size), run);
 }
 
 const World& shared_world(const std::string& name) {

@@ -58,7 +58,7 @@ class Series {
   Series& allow(double seconds);
 
   /// Registers one size. `body` runs the timed loop itself.
-  void add(double size, Body body);
+  benchmark::internal::Benchmark* add(double size, Body body);
 
  private:
   struct State;

@@ -105,6 +105,31 @@ TEST(Results, GiveTheTimeOfOneAnswerOfABatch) {
   EXPECT_TRUE(results.measurements.front().counters.empty());
 }
 
+std::string file_on(const std::string& processor, const std::string& commit, const std::string& runs) {
+  return R"({"context":{"processor":")" + processor + R"(","commit":")" + commit + R"("},"benchmarks":[)" + runs + "]}";
+}
+
+TEST(UpdatedResults, KeepWhatTheRunLacks) {
+  const std::string earlier = file_on("P", "a", run("Old/n:10/repeats:3", 1.0) + "," + run("Both/n:10/repeats:3", 1.0));
+  const std::string newer =
+      file_on("P", "b", run("Both/n:10/iterations:1", 2.0) + "," + run("New/n:10/iterations:1", 3.0));
+  const std::string updated = updated_results(earlier, newer, "r.json");
+  const Results results = read_results(updated, "r.json");
+  std::vector<std::string> names;
+  for (const Measurement& m : results.measurements) names.push_back(m.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"Old/n:10", "Both/n:10", "New/n:10"}));
+  EXPECT_EQ(results.measurements[1].wall_seconds, std::vector<double>{2.0});
+  const std::vector<std::pair<std::string, std::string>> context{
+      {"commit", "a"}, {"processor", "P"}, {"updated_at", "b"}};
+  EXPECT_EQ(results.context, context);
+  EXPECT_EQ(updated_results(updated, newer, "r.json"), updated);
+}
+
+TEST(UpdatedResults, AreOfOneProcessor) {
+  EXPECT_THROW((void)updated_results(file_on("P", "a", ""), file_on("Q", "a", ""), "r.json"), FormatError);
+  EXPECT_THROW((void)updated_results("{}", file_on("Q", "a", ""), "r.json"), FormatError);
+}
+
 TEST(Sentences, SayWhatGrowsHowAndWhatWins) {
   const Results results = read_results(two_builders(1.0), "r.json");
   const std::vector<std::string> sentences = sentences_of(studies_of(results, Clock(results)).front());
@@ -174,12 +199,12 @@ Inputs inputs_of(const std::string& json) { return {read_results(json, "r.json")
 
 TEST(Summary, TellsAStrangerWhatItCosts) {
   const std::vector<std::string> summary = make_document(inputs_of(stages(false))).summary;
-  ASSERT_EQ(summary.size(), 4u);
-  EXPECT_EQ(summary[0],
+  ASSERT_EQ(summary.size(), 5u);
+  EXPECT_EQ(summary[1],
             "Obstacles: the visibility graph's time grows like n^1.00 (1.00 – 1.00) with n obstacles of 10 vertices: "
             "100 µs at 1,000 vertices, 10 ms at 100,000 vertices.");
-  EXPECT_EQ(summary[2].substr(0, 43), "Quality: 45 of 50 random queries are solved");
-  EXPECT_NE(summary[3].find("none failed"), std::string::npos);
+  EXPECT_TRUE(summary[3].starts_with("Quality, the paper's robot: 45 of 50 random queries are solved")) << summary[3];
+  EXPECT_NE(summary[4].find("none failed"), std::string::npos);
 }
 
 TEST(Tables, SayWhatBecameOfTheQueriesOnARealMap) {
@@ -205,8 +230,56 @@ TEST(Summary, AdmitsThatTheMachineWasBusy) {
 TEST(Summary, CountsFailures) {
   const std::string failed = R"({"name":"Build/n:7","error_occurred":true,"error_message":"edges differ"})";
   const Document document = make_document(inputs_of(file_of(run("Build/n:10", 1.0) + "," + failed)));
-  EXPECT_NE(document.summary.front().find("1 benchmarks failed"), std::string::npos) << document.summary.front();
+  EXPECT_NE(document.summary[1].find("1 benchmarks failed"), std::string::npos) << document.summary[1];
   EXPECT_NE(to_markdown(document).find("| Build/n:7 | edges differ |"), std::string::npos);
+}
+
+/// Of the car all benchmarks, of the others none.
+std::string of_the_car() {
+  std::string runs;
+  for (const char* series : {"PlanPrepared/car", "PlanFirst/car", "Plan/graph_reused", "Plan/lazy"})
+    for (const int n : {10, 100, 1000}) runs += run(series + ("/obstacles:" + std::to_string(n)), 1e-5 * n) + ",";
+  const auto quality = [](const std::string& world, double seconds, double over_bound) {
+    return run("Quality/" + world, seconds,
+               R"(,"queries":10,"solved_share":0.9,"plan_seconds_median":)" + std::to_string(seconds) +
+                   R"(,"first_path_seconds_median":0.001,"time_over_bound_median":)" + std::to_string(over_bound));
+  };
+  return file_of(runs + quality("convex_f15", 0.004, 1.02) + "," + quality("car/convex_f15", 0.003, 1.05) + "," +
+                 quality("car/star_f15", 0.007, 1.25));
+}
+
+TEST(RealVehicles, ComeFirst) {
+  const Document document = make_document(inputs_of(of_the_car()));
+  EXPECT_EQ(
+      document.summary[0].substr(document.summary[0].find("): ")),
+      "): 18 of 20 random queries are solved among 100 obstacles. By vehicle and world, a first path takes 1 ms in "
+      "the median, the plan 3 ms – 7 ms; its travel time is 5.0 – 25.0 % above a lower bound that no path can beat.");
+  ASSERT_GE(document.figures.size(), 2u);
+  EXPECT_NE(document.figures[0].find("passenger car"), std::string::npos);
+  EXPECT_NE(document.figures[1].find("The first plan on a new map"), std::string::npos);
+  const Section& section = document.sections.front();
+  EXPECT_EQ(section.title, "Real vehicles");
+  ASSERT_EQ(section.table.rows.size(), 6u);
+  EXPECT_EQ(section.table.rows[0][0], "AMR of 1 m/s");
+  EXPECT_EQ(section.table.rows[0][6], "not measured");
+  EXPECT_EQ(section.table.rows[2],
+            (std::vector<std::string>{"passenger car", "4.74 × 1.76 m", "3.7 m", "13.9 m/s", "2 / 2 m/s²", "2.68",
+                                      "18 of 20", "1 ms", "–", "3 ms – 7 ms", "–", "1.050 – 1.250", "10 ms", "10 ms"}));
+  EXPECT_EQ(section.table.rows.back()[0], "the paper's robot");
+  EXPECT_EQ(section.table.rows.back()[9], "4 ms");
+  const auto quality = std::ranges::find(document.sections, "Quality of the plans", &Section::title);
+  ASSERT_NE(quality, document.sections.end());
+  EXPECT_EQ(quality->table.rows[0][0], "car/convex_f15");
+  EXPECT_EQ(quality->table.rows[2][0], "convex_f15");
+}
+
+TEST(RealVehicles, AreMissedWhereNothingIsMeasured) {
+  const Inputs inputs = inputs_of(stages(false));
+  EXPECT_NE(make_document(inputs).summary[0].find("not measured in these results"), std::string::npos);
+  const std::string made = with_tables("<!-- table vehicles -->\n<!-- end of table -->\n", inputs, "F.md");
+  EXPECT_NE(made.find("| passenger car | 4.74 × 1.76 m | 3.7 m | 13.9 m/s | 2 / 2 m/s² | 2.68 | not measured |"),
+            std::string::npos)
+      << made;
 }
 
 TEST(Tables, ReplaceWhatStandsBetweenTheirMarks) {

@@ -80,10 +80,11 @@ TEST(Planners, AreCountedByWhatOneOfTwoSolves) {
 TEST(Planners, HaveAPlotOfEachSettingWithItsName) {
   PeerResults peers = example();
   peers.queries.push_back({"n2", "w", 0, 9.0, peers.queries[0].answers});
-  const std::vector<std::string> figures = peer_figures(peers);
-  ASSERT_EQ(figures.size(), 3u);
-  EXPECT_NE(figures[1].find("<figcaption>Planners, n1: "), std::string::npos) << figures[1];
-  EXPECT_NE(figures[2].find("<figcaption>Planners, n2: "), std::string::npos) << figures[2];
+  const std::vector<std::string> figures = planner_figures(peers);
+  ASSERT_EQ(figures.size(), 2u);
+  EXPECT_NE(figures[0].find("<figcaption>Planners, n1: "), std::string::npos) << figures[0];
+  EXPECT_NE(figures[1].find("<figcaption>Planners, n2: "), std::string::npos) << figures[1];
+  EXPECT_EQ(duel_figures(peers).size(), 1u);
 }
 
 TEST(Planners, AreComparedWithinASetting) {
@@ -95,6 +96,66 @@ TEST(Planners, AreComparedWithinASetting) {
   EXPECT_EQ(table.rows[1][2], "1 of 2");
   EXPECT_EQ(table.rows[3][0], "n2");
   EXPECT_EQ(table.rows[3][2], "1 of 1");
+}
+
+/// A car whose path is longer than a peer's by these shares.
+PeerResults losing_by(const std::vector<double>& shares) {
+  PeerResults peers = example();
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    peers.queries.push_back({"car",
+                             "w",
+                             i,
+                             9.0,
+                             {{"arcway", "solved", 0.01, 10.0 * (1.0 + shares[i]), true},
+                              {"peer first", "solved", 0.1, 20.0, true},
+                              {"peer 1 s", "solved", 1.0, 10.0, true}}});
+  return peers;
+}
+
+TEST(Claims, StateTheirToleranceAndTheirLosses) {
+  const PeerResults peers = losing_by({0.0, 0.0009, 0.0011, -0.2});
+  const Table table = claims_section(peers).table;
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.header[3], "not slower, 0.1 %");
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"car", "peer 1 s", "4", "75.0 %", "50.0 %", "0.11 %",
+                                                     "0.00 %, 25.00 %", "0", "0"}));
+  EXPECT_EQ(table.rows[1][0], "n1") << "real vehicles come first";
+  const Table losses = losses_section(peers).table;
+  ASSERT_EQ(losses.rows.size(), 2u);
+  EXPECT_EQ(losses.rows[0], (std::vector<std::string>{"n1", "v", "0", "peer 1 s", "15.000 s", "no path", "–"}));
+  EXPECT_EQ(losses.rows[1], (std::vector<std::string>{"car", "w", "2", "peer 1 s", "10.000 s", "10.011 s", "0.11 %"}));
+}
+
+TEST(Claims, CountNoInvalidPath) {
+  PeerResults peers = losing_by({0.5});
+  peers.queries.back().answers.back().valid = false;
+  const auto claims = claims_section(peers).table.rows;
+  ASSERT_EQ(claims.size(), 2u);
+  EXPECT_EQ(claims[0][0], "real vehicles");
+  EXPECT_EQ(claims[0][1], "not compared in these results");
+  EXPECT_EQ(claims[1][0], "n1");
+  EXPECT_EQ(losses_section(peers).table.rows.size(), 1u);
+  const auto planners = planners_section(peers).table.rows;
+  EXPECT_EQ(planners[2][3], "0");
+  EXPECT_EQ(planners[2].back(), "0 / 1");
+}
+
+TEST(Claims, AreMadeForRealVehiclesFirst) {
+  const std::vector<std::string> findings = peer_findings(losing_by({0.0, 0.0011}));
+  ASSERT_EQ(findings.size(), 4u);
+  EXPECT_EQ(
+      findings[1],
+      "Not slower than a peer's improved path, where a travel time at most 0.1 % longer counts as not slower: real "
+      "vehicles: not slower in 50.0 % of 2 comparisons, at worst by 0.11 %, and 0 answers of peers where arcway has "
+      "none; the paper's robot with limits on its acceleration: not compared in these results; the paper's robot: "
+      "not slower in 100 % of 1 comparisons, at worst by 0.00 %, and 1 answers of peers where arcway has none.");
+  EXPECT_NE(peer_findings(example())[1].find("real vehicles: not compared in these results"), std::string::npos);
+}
+
+TEST(Claims, AreNotRoundedUpToAll) {
+  std::vector<double> shares(3000, 0.0);
+  shares.front() = 0.01;
+  EXPECT_EQ(claims_section(losing_by(shares)).table.rows[0][3], "99.9 %");
 }
 
 }  // namespace
