@@ -82,9 +82,9 @@ bool PlanRun::holds(const When& when) {
 bool PlanRun::is_tight(const Pose& pose, Direction direction, double angle) const {
   const double radius = map_.radii[0];
   return std::ranges::all_of(std::array{Side::kLeft, Side::kRight}, [&](Side side) {
-    const HeadingSet free =
-        map_.queries.sweep->free_headings({turn_circle(pose, radius, side).center, radius, side, map_.body});
-    return free.reach(pose.heading, direction == Direction::kFromStart ? side : opposite(side)) < angle;
+    const TurningBody body{turn_circle(pose, radius, side).center, radius, side, map_.body};
+    const Side towards = direction == Direction::kFromStart ? side : opposite(side);
+    return map_.queries.sweep->reach(body, pose.heading, towards, workspace_.headings) < angle;
   });
 }
 

@@ -37,6 +37,7 @@ struct PlanWorkspace {
   std::vector<double> unrefined_times;  // travel times of all paths found so far, before refinement [s]
   std::vector<RefinedWay> ways;         // of paths whose turns were optimized
   PointDistance::Workspace point;
+  HeadingSet headings;
 };
 
 /// One query, from its first path to its best one: takes the rows of a strategy one by one, refines the paths that they
