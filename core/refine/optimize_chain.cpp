@@ -29,11 +29,11 @@ constexpr double kMostToBoundary = 0.95;  // largest share of a slack that a ste
 constexpr double kLeastLeft = 0.1;        // share of a length, turn, radius or speed that a step must leave
 // A step that is refused is tried again, shorter. If that does not help, a new step is computed with more damping.
 constexpr double kShorter = 0.4, kMoreDamping = 10.0;
-constexpr int kMostShorter = 4;       // tries of one step
+constexpr int kMostShorter = 2;       // tries of one step
 constexpr double kSufficient = 1e-4;  // share of the predicted gain that a step must bring
 constexpr double kPenalty = 1.5;      // weight of a residual in the merit function, in multipliers
 // Damping is added to the matrix, times the squares of the unknowns' scales: a trust region.
-constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-3, kMostDamping = 1e8;
+constexpr double kFirstDamping = 1e-2, kLeastDamping = 3e-4, kMostDamping = 1e8;
 constexpr double kDampMore = 4.0;   // factor if the matrix has the wrong inertia
 constexpr double kDampLess = 6.0;   // divisor if a step brings more than kGoodGain of the predicted gain
 constexpr double kDampAgain = 3.0;  // factor if a step brings less than kPoorGain of the predicted gain
