@@ -171,11 +171,10 @@ int plan_one(const PreparedPlanner& prepared, const TourRequest& request, const 
     json += plan_json(prepared, request, plans[i], i);
   if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
   if (!arguments.csv.empty() && result.solved()) {
-    files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle(), arguments.sampling()));
+    files.add(arguments.csv, path_to_csv(result.trajectory(), arguments.sampling()));
   }
   if (!arguments.ros_path.empty() && result.solved()) {
-    files.add(arguments.ros_path,
-              path_to_nav_msgs(result.segments, planner.vehicle(), "map", arguments.sampling()) + "\n");
+    files.add(arguments.ros_path, path_to_nav_msgs(result.trajectory(), "map", arguments.sampling()) + "\n");
   }
 
   out += arguments.map + ": " + name_of(result.status) + "\n";

@@ -1,10 +1,16 @@
 #include "arcway/path.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "arcway/angle.h"
+#include "core/base/shortest_text.h"
 
 namespace arcway {
+
+using internal::shortest_text;
 
 namespace {
 
@@ -20,6 +26,46 @@ Pose PathSegment::at(double s) const {
   const double chord = half_turn == 0.0 ? ahead : ahead * (std::sin(half_turn) / half_turn);
   const Vec2 p = start.position() + chord * direction_of(start.heading + half_turn);
   return {p.x(), p.y(), start.heading + curvature * ahead};
+}
+
+Pose Path::at(double s) const {
+  const auto refuse = [&](const std::string& what) {
+    throw std::out_of_range("Path::at: arc length " + shortest_text(s) + " m " + what);
+  };
+  if (empty()) refuse("of a path without segments");
+  double begin = 0.0;
+  if (s >= 0.0) {
+    for (const PathSegment& segment : *this) {
+      const double end = begin + segment.length;
+      if (s < end) return segment.at(std::min(s - begin, segment.length));
+      begin = end;
+    }
+    if (s == begin) return back().end();
+  } else {
+    begin = length();
+  }
+  refuse("is outside of the path, 0 to " + shortest_text(begin));
+  return {};
+}
+
+double Path::length() const { return length_of(*this); }
+
+std::vector<Vec2> polyline(std::span<const PathSegment> path, double step) {
+  if (!(step > 0.0)) throw std::invalid_argument("polyline: step is " + shortest_text(step) + " m, must be > 0");
+  double steps = 0.0;
+  for (const PathSegment& segment : path) steps += std::ceil(segment.length / step);
+  if (!(steps <= kMostSamplingSteps)) {
+    throw std::invalid_argument("polyline: the path has " + shortest_text(steps) + " steps of at most " +
+                                shortest_text(step) + " m, must be at most " + shortest_text(kMostSamplingSteps));
+  }
+  std::vector<Vec2> points;
+  points.reserve(static_cast<std::size_t>(steps) + 1);
+  for (const PathSegment& segment : path) {
+    const double count = std::max(std::ceil(segment.length / step), segment.length > 0.0 ? 1.0 : 0.0);
+    for (double k = 0.0; k < count; ++k) points.push_back(segment.at(segment.length * k / count).position());
+  }
+  if (!path.empty()) points.push_back(path.back().end().position());
+  return points;
 }
 
 double length_of(std::span<const PathSegment> path) {

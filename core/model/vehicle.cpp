@@ -130,6 +130,18 @@ double Vehicle::min_turning_radius() const {
   return parameters_.steering == Steering::kSymmetric ? 0.5 * radius : radius;
 }
 
+double Vehicle::steering_angle(double curvature) const {
+  switch (parameters_.steering) {
+    case Steering::kFront:
+      return std::atan(parameters_.wheelbase * curvature);
+    case Steering::kRear:
+      return -std::atan(parameters_.wheelbase * curvature);
+    case Steering::kSymmetric:
+      return std::atan(0.5 * parameters_.wheelbase * curvature);
+  }
+  return 0.0;
+}
+
 Footprint Vehicle::footprint(double growth) const {
   const double a = 0.5 * parameters_.length;
   const double offset = reference_offset();

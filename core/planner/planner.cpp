@@ -129,7 +129,8 @@ struct Planner::Data {
         rows(std::move(r)),
         maps(make_map(
                  world, vehicle, queries, options, [&] { return make_feasible(rows, options); }, executor),
-             options, rows, executor) {
+             options, rows, executor),
+        scene(std::make_shared<const PlanScene>(PlanScene{world, vehicle})) {
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = map().graph->counts();
     options.process_group = nullptr;  // need not outlive the construction
@@ -146,6 +147,7 @@ struct Planner::Data {
   Backend::Graph visibility_graph;  // without vertices if there are only rows
   std::shared_ptr<const VisibilityRows> rows;
   PlannerMaps maps;
+  std::shared_ptr<const PlanScene> scene;  // that results share
   PrepareStatistics prepare_statistics;
   mutable WorkspacePool<PlanWorkspace> workspaces;
 };
@@ -184,77 +186,6 @@ void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profil
   // Rounding is taken off the bound: a plan below it is a defect.
   assert(result.travel_time >= result.lower_bound);
   result.statistics.profile_seconds += finishing.seconds();
-}
-
-const char* name_of(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::kSolved:
-      return "solved";
-    case PlanStatus::kStartInCollision:
-      return "start in collision";
-    case PlanStatus::kGoalInCollision:
-      return "goal in collision";
-    case PlanStatus::kStartOutsideBounds:
-      return "start outside bounds";
-    case PlanStatus::kGoalOutsideBounds:
-      return "goal outside bounds";
-    case PlanStatus::kStartBlocked:
-      return "start blocked";
-    case PlanStatus::kGoalBlocked:
-      return "goal blocked";
-    case PlanStatus::kWaypointInCollision:
-      return "waypoint in collision";
-    case PlanStatus::kWaypointOutsideBounds:
-      return "waypoint outside bounds";
-    case PlanStatus::kWaypointBlocked:
-      return "waypoint blocked";
-    case PlanStatus::kNoPassage:
-      return "no passage";
-    case PlanStatus::kNoPath:
-      return "no path";
-    case PlanStatus::kTimeLimit:
-      return "time limit";
-    case PlanStatus::kCanceled:
-      return "canceled";
-  }
-  return "unknown";
-}
-
-const char* name_of(Certainty certainty) { return certainty == Certainty::kProved ? "proved" : "gave up"; }
-
-PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
-  nodes_expanded += other.nodes_expanded;
-  nodes_pushed += other.nodes_pushed;
-  straights_checked += other.straights_checked;
-  turns_checked += other.turns_checked;
-  maneuver_poses += other.maneuver_poses;
-  tree_poses += other.tree_poses;
-  refine_trials += other.refine_trials;
-  refine_improvements += other.refine_improvements;
-  suboptimality = std::max(suboptimality, other.suboptimality);
-  search_seconds += other.search_seconds;
-  refine_seconds += other.refine_seconds;
-  lower_bound_seconds += other.lower_bound_seconds;
-  profile_seconds += other.profile_seconds;
-  return *this;
-}
-
-Path PlanResult::path() const {
-  Path path;
-  path.reserve(segments.size());
-  for (const TimedSegment& s : segments) path.push_back(s.segment);
-  return path;
-}
-
-TimedPath PlanResult::timed_path() const {
-  TimedPath path;
-  for (const TimedSegment& s : segments) {
-    path.segments.push_back(s.segment);
-    path.speed_in.push_back(s.speed_in);
-    path.speed_out.push_back(s.speed_out);
-    path.durations.push_back(s.duration);
-  }
-  return path;
 }
 
 Planner::Planner(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
@@ -333,6 +264,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   const StopClock clock(limits.time, limits.stop);
   const Data& d = *data_;
   clear(result);
+  result.scene = d.scene;
   result.start = asked.start;
   result.goal = asked.goal;
   const double distance = (asked.goal.position() - asked.start.position()).norm();

@@ -278,6 +278,7 @@ class TourPlanner {
     PlanResult& plan = tour.plan;
     plan.status = PlanStatus::kSolved;
     plan.goal = legs.back()->goal;
+    plan.scene = legs.back()->scene;
     plan.min_clearance = kInfinity;
     for (const PlanResult* leg : legs) {
       if (leg != legs.front()) tour.passed.push_back(plan.segments.size());

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "arcway/export.h"
@@ -46,7 +48,38 @@ struct ARCWAY_API PathSegment {
 
 /// Segments, each starting where the one before ends. Where the gear changes the path has a cusp, at which the vehicle
 /// stops.
-using Path = std::vector<PathSegment>;
+///
+/// It is a vector of segments: `path[i]` is segment i. `path.at(s)` is the pose at arc length s [m], not a segment.
+class ARCWAY_API Path : public std::vector<PathSegment> {
+ public:
+  using std::vector<PathSegment>::vector;
+  Path(std::vector<PathSegment> segments) : std::vector<PathSegment>(std::move(segments)) {}
+
+  /// Segment i. An index that is not whole is an arc length by mistake, and does not compile: see `at`.
+  template <std::integral Index>
+  [[nodiscard]] PathSegment& operator[](Index i) {
+    return std::vector<PathSegment>::operator[](static_cast<std::size_t>(i));
+  }
+  template <std::integral Index>
+  [[nodiscard]] const PathSegment& operator[](Index i) const {
+    return std::vector<PathSegment>::operator[](static_cast<std::size_t>(i));
+  }
+
+  /// The pose at arc length s from the start [m], 0 <= s <= length(). The heading is that of PathSegment::at. At a
+  /// joint it is the start of the later segment. O(segments).
+  /// @throws std::out_of_range if s is outside, or the path has no segments.
+  [[nodiscard]] Pose at(double s) const;
+  /// The sum of the segments' lengths [m]. O(segments).
+  [[nodiscard]] double length() const;
+};
+
+/// A segment with its speeds. Between them the speed changes as fast as the vehicle and its limits allow.
+struct TimedSegment {
+  PathSegment segment;
+  double speed_in = 0.0;   ///< [m/s]
+  double speed_out = 0.0;  ///< [m/s]
+  double duration = 0.0;   ///< [s]
+};
 
 /// A path with the speeds and durations that someone claims for it. Either all three arrays have one entry a segment,
 /// or all are empty and only the geometry is claimed.
@@ -68,5 +101,15 @@ ARCWAY_API std::size_t cusps_of(std::span<const PathSegment> path);
 
 /// The length of a path [m].
 ARCWAY_API double length_of(std::span<const PathSegment> path);
+
+/// Most points or states that a path is sampled at, so that a step that is far too small cannot use up all memory.
+inline constexpr double kMostSamplingSteps = 1e7;
+
+/// Positions of the reference point along a path [m], at most `step` apart. The joints and both ends are among them,
+/// each once. Each segment is divided evenly. An empty path has none. O(points).
+/// @param step  [m], > 0; infinity gives the joints alone.
+/// @throws std::invalid_argument naming the value and the limit, unless the step is positive and gives at most
+///   kMostSamplingSteps points.
+ARCWAY_API std::vector<Vec2> polyline(std::span<const PathSegment> path, double step);
 
 }  // namespace arcway

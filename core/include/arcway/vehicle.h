@@ -75,6 +75,9 @@ class ARCWAY_API Vehicle {
   [[nodiscard]] double reference_offset() const;
   /// rho_min [m]: l / tan(gamma), or l / (2 tan(gamma)) if symmetric.
   [[nodiscard]] double min_turning_radius() const;
+  /// The angle of the steered axle that drives this curvature [1/m], of each if both steer [rad]. Left is positive at
+  /// the front.
+  [[nodiscard]] double steering_angle(double curvature) const;
   /// The body about F, grown by `growth` [m] on every side.
   [[nodiscard]] Footprint footprint(double growth = 0.0) const;
 

@@ -35,42 +35,6 @@ PlanResult example() {
   return plan_along({line, arc, {arc.end(), 1.0 / 3.0, 0.0}});
 }
 
-// A car that is parked: slow, and slower yet on arcs.
-Vehicle parking_vehicle() {
-  VehicleParameters parameters;
-  parameters.max_speed = 2.5;
-  parameters.turn_speed = ConstantTurnSpeed{2.0};
-  parameters.max_acceleration = 1.0;
-  return Vehicle(parameters);
-}
-
-// Each from the end of the one before.
-Path joined(Path path) {
-  Pose at{-11.3, 1.1, 1.0};
-  for (PathSegment& segment : path) {
-    segment.start = at;
-    at = segment.end();
-  }
-  return path;
-}
-
-// To and fro on arcs, ever less far.
-Path shuffle() {
-  Path path;
-  for (double length = 0.2; length > 1e-7; length *= 0.6) {
-    path.push_back({{}, length, -0.3});
-    path.push_back({{}, 0.7 * length, 0.3, Gear::kReverse});
-  }
-  return joined(path);
-}
-
-// Too short to reach the top speed on, and to stop on.
-Path pieces() {
-  Path path;
-  while (path.size() < 100) path.push_back({{}, 0.01, path.size() % 2 == 0 ? 0.0 : 0.2});
-  return joined(path);
-}
-
 // Ahead, and back the same way for half of it.
 PlanResult example_with_a_cusp() {
   const PathSegment line{{0.0, 0.0, 0.0}, 4.0, 0.0};
@@ -192,85 +156,24 @@ TEST(PlanJson, KeepsTheGear) {
   EXPECT_EQ(file.path.segments[1].end().x, 2.0);
 }
 
-TEST(SamplePath, DrivesAtConstantAccelerationBetweenSamples) {
-  const std::vector<Path> paths{
-      joined({{{}, 30.0, 0.0}}),
-      joined({{{}, 30.0, 0.0}, {{}, 3.0, 0.4}, {{}, 0.4, 0.0}, {{}, 5.0, -0.4}, {{}, 1e-9, 0.0}}),
-      example().path(),
-      reversed(example().path()),
-      example_with_a_cusp().path(),
-      shuffle(),
-      pieces()};
-  for (std::size_t k = 0; k < paths.size(); ++k) {
-    for (const Vehicle& vehicle : {Vehicle{}, parking_vehicle()}) {
-      for (const PathSampling& sampling :
-           {PathSampling{}, PathSampling{.max_length = 1e3, .max_angle = 1e3}, PathSampling{.max_length = 0.013}}) {
-        SCOPED_TRACE(testing::Message() << "path " << k << ", top speed " << vehicle.max_speed() << ", step "
-                                        << sampling.max_length);
-        const PlanResult result = plan_along(paths[k], vehicle);
-        const std::vector<PathSample> samples = sample_path(result.segments, vehicle, sampling);
-        const double a = vehicle.max_acceleration();
-        const double rounding = 1e-13 * (1.0 + result.length), moment = 1e-13 * (1.0 + result.travel_time);
-        double length = 0.0;
-        for (std::size_t i = 1; i < samples.size(); ++i) {
-          const PathSample &before = samples[i - 1], &after = samples[i];
-          const double ds = after.s - before.s, dt = after.t - before.t;
-          ASSERT_GE(ds, 0.0) << i;
-          ASSERT_GE(dt, 0.0) << i;
-          ASSERT_LE(ds, sampling.max_length + rounding) << i;
-          ASSERT_LE(ds * std::abs(after.curvature), sampling.max_angle + rounding) << i;
-          ASSERT_NEAR(0.5 * (before.v + after.v) * dt, ds, rounding) << i;
-          // It accelerates, holds its speed, or brakes.
-          const double dv = std::abs(after.v - before.v);
-          ASSERT_LE(std::min(dv, std::abs(a * dt - dv)), a * moment) << i;
-          length += 0.5 * (before.v + after.v) * dt;
-        }
-        EXPECT_NEAR(length, result.length, rounding);
-        EXPECT_EQ(samples.back().v, 0.0);
-        EXPECT_NEAR(samples.back().t, result.travel_time, moment);
-      }
-    }
-  }
-}
-
-TEST(SamplePath, HasNoSampleForRounding) {
-  // Braking all the way: the speeds that it takes are rounded, and no way is left to accelerate on.
-  for (double length = 1e-9; length < 1.0; length *= 1.7) {
-    const Path path{{{}, 20.0, 0.0}, {{20.0, 0.0, 0.0}, length, 0.0}};
-    const std::vector<PathSample> samples = sample_path(plan_along(path).segments, Vehicle{}, {.max_length = 100.0});
-    EXPECT_EQ(samples.size(), 5u) << length;
-  }
-}
-
-TEST(SamplePath, HasTheCuspOnceInEachGear) {
-  const PlanResult result = example_with_a_cusp();
-  const std::vector<PathSample> samples = sample_path(result.segments, Vehicle{}, {.max_length = 1.0});
-  // 1.44 m each to accelerate to 12 m/s and to brake, 1.12 m between; back 1 m each.
-  ASSERT_EQ(samples.size(), 7u + 3u);
-  EXPECT_EQ(samples[2].v, 12.0);
-  EXPECT_NEAR(samples[2].s, 1.44, 1e-15);
-  EXPECT_NEAR(samples[2].t, 12.0 / 50.0, 1e-15);
-  EXPECT_EQ(samples[4].v, 12.0);
-  EXPECT_NEAR(samples[4].s, 4.0 - 1.44, 1e-15);
-  EXPECT_EQ(samples[6].gear, Gear::kForward);
-  EXPECT_EQ(samples[7].gear, Gear::kReverse);
-  EXPECT_EQ(samples[7].s, samples[6].s);
-  EXPECT_EQ(samples[7].t, samples[6].t);
-  EXPECT_EQ(samples[6].v, 0.0);
-  EXPECT_EQ(samples[7].v, 0.0);
-  EXPECT_DOUBLE_EQ(samples[8].v, 10.0);
-  EXPECT_EQ(samples[9].pose.x, 2.0);
-  EXPECT_EQ(samples[9].s, 6.0);
-  EXPECT_NE(path_to_csv(result.segments, Vehicle{}).find("\n6,2,0,0,0,-1,"), std::string::npos);
+TEST(PathCsv, TellsTheGear) {
+  const Trajectory trajectory(example_with_a_cusp().segments, Vehicle{});
+  EXPECT_NE(path_to_csv(trajectory).find("\n6,2,0,0,0,-1,"), std::string::npos);
   // The message has poses only: the body looks ahead while it moves back.
-  const auto poses = nlohmann::json::parse(path_to_nav_msgs(result.segments, Vehicle{}))["poses"];
+  const auto poses = nlohmann::json::parse(path_to_nav_msgs(trajectory))["poses"];
   EXPECT_EQ(poses.back()["pose"]["position"]["x"], 2.0);
   EXPECT_EQ(poses.back()["pose"]["orientation"]["w"], 1.0);
 }
 
+TEST(PathCsv, RefusesStepsThatAreTooMany) {
+  const Trajectory trajectory(example().segments, Vehicle{});
+  EXPECT_THROW(path_to_csv(trajectory, {.max_length = 1e-9}), std::invalid_argument);
+  EXPECT_THROW(path_to_nav_msgs(trajectory, "map", {.max_length = 1e-9}), std::invalid_argument);
+}
+
 TEST(PathCsv, RunsThroughAllJointsInTimeOrder) {
   const PlanResult result = example();
-  const std::string csv = path_to_csv(result.segments, Vehicle{}, {.max_length = 0.5, .max_angle = 0.1});
+  const std::string csv = path_to_csv(Trajectory(result.segments, Vehicle{}), {.max_length = 0.5, .max_angle = 0.1});
   std::vector<std::vector<double>> rows;
   std::size_t at = csv.find('\n') + 1;
   EXPECT_EQ(csv.substr(0, at), "s,x,y,yaw,curvature,direction,t,v,steer\n");
@@ -303,30 +206,9 @@ TEST(PathCsv, RunsThroughAllJointsInTimeOrder) {
   EXPECT_NEAR(rows[20][8], std::atan(1.3 * -0.5), 1e-15);
 }
 
-TEST(SamplePath, RefusesStepsThatAreNoneOrTooMany) {
-  const PlanResult result = example();
-  const auto error_of = [&](const PathSampling& sampling) -> std::string {
-    try {
-      sample_path(result.segments, Vehicle{}, sampling);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
-  };
-  EXPECT_EQ(error_of({.max_length = 0.0}), "sample_path: max_length is 0, must be > 0");
-  EXPECT_EQ(error_of({.max_angle = -1.0}), "sample_path: max_angle is -1, must be > 0");
-  EXPECT_EQ(error_of({.max_length = std::nan("")}), "sample_path: max_length is nan, must be > 0");
-  const std::string few = error_of({.max_length = 1e-300});
-  EXPECT_NE(few.find("steps of at most 1e-300 m and 0.05 rad, must be at most 1e+07"), std::string::npos) << few;
-  EXPECT_NE(error_of({.max_angle = 5e-324}).find("the path has inf steps"), std::string::npos);
-  EXPECT_EQ(error_of({.max_length = 100.0 * result.length / kMostSamplingSteps}), "");
-  EXPECT_THROW(path_to_csv(result.segments, Vehicle{}, {.max_length = 1e-9}), std::invalid_argument);
-  EXPECT_THROW(path_to_nav_msgs(result.segments, Vehicle{}, "map", {.max_length = 1e-9}), std::invalid_argument);
-}
-
 TEST(NavMsgsPath, HasPosesInTimeOrder) {
   const PlanResult result = example();
-  const auto json = nlohmann::json::parse(path_to_nav_msgs(result.segments, Vehicle{}, "a \"map\""));
+  const auto json = nlohmann::json::parse(path_to_nav_msgs(Trajectory(result.segments, Vehicle{}), "a \"map\""));
   EXPECT_EQ(json["header"]["frame_id"], "a \"map\"");
   const auto& poses = json["poses"];
   ASSERT_GT(poses.size(), 10u);

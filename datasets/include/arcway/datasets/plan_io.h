@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +9,7 @@
 #include "arcway/datasets/file_io.h"
 #include "arcway/export.h"
 #include "arcway/planner.h"
-#include "arcway/validation.h"
+#include "arcway/trajectory.h"
 #include "arcway/vehicle.h"
 
 namespace arcway {
@@ -30,44 +29,19 @@ namespace arcway {
 ARCWAY_API std::string plan_to_json(const PlanResult& result, std::uint64_t q,
                                     const std::optional<VehicleParameters>& robot = {});
 
-struct PathSampling {
-  double max_length = 0.5;  ///< between two samples [m], > 0
-  double max_angle = 0.05;  ///< between two samples [rad], > 0
-};
-/// Most sampling steps of a path, so that a step that is far too small cannot use up all memory.
-inline constexpr double kMostSamplingSteps = 1e7;
-/// A moment of the motion.
-struct PathSample {
-  double s;          ///< from the start [m]
-  Pose pose;         ///< heading not wrapped
-  double curvature;  ///< [1/m], left positive
-  Gear gear;
-  double t;  ///< [s]
-  double v;  ///< [m/s]
-};
-/// Samples a path by length and by angle. The ends of all segments are kept. Where curvature or gear change, the joint
-/// comes twice, once with each value.
-///
-/// Time and speed follow the fastest motion within the segment: accelerate, hold, brake. There is a sample at each
-/// change between these phases, so the acceleration between neighbors is constant. The mean of their speeds times the
-/// time between them is their distance, up to rounding. Times never descend.
-/// @param segments  with the speeds and durations of speed_profile.
-/// @throws std::invalid_argument naming value and limit unless both steps are positive and the path has at most
-///   kMostSamplingSteps of them. Both functions below throw it too.
-ARCWAY_API std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
-                                               const PathSampling& sampling = {});
+/// The states of a trajectory as `s,x,y,yaw,curvature,direction,t,v,steer` with a header line: meters, radians,
+/// seconds. The steering angle is that of Vehicle::steering_angle. Headings are in (-pi, pi].
+/// @throws std::invalid_argument as Trajectory::sample does.
+ARCWAY_API std::string path_to_csv(const Trajectory& trajectory, const PathSampling& sampling = {});
 
-/// The samples as `s,x,y,yaw,curvature,direction,t,v,steer` with a header line: meters, radians, seconds.
-/// The steering angle is the one of the steered axle (of each, if symmetric), left positive at the front.
-ARCWAY_API std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle,
-                                   const PathSampling& sampling = {});
-
-/// The samples as a nav_msgs/Path of ROS 2 in JSON, named as rosbridge does; stamps are times since the start. The
+/// The states as a nav_msgs/Path of ROS 2 in JSON, named as rosbridge does; stamps are times since the start. The
 /// message has no gear: orientations are those of the body, so that backwards the positions move against them.
 /// @param frame  of the coordinates, as "map".
-ARCWAY_API std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehicle& vehicle,
-                                        std::string_view frame = "map", const PathSampling& sampling = {});
+/// @throws std::invalid_argument as Trajectory::sample does.
+ARCWAY_API std::string path_to_nav_msgs(const Trajectory& trajectory, std::string_view frame = "map",
+                                        const PathSampling& sampling = {});
 
+/// A plan as plan_to_json writes it.
 struct PlanFile {
   std::optional<std::uint64_t> q;  ///< number of the query
   std::string status;
