@@ -1,9 +1,12 @@
 #include "arcway/polygon.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 
+#include "arcway/angle.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/crossing_point.h"
 #include "core/geometry/expansion.h"
@@ -111,6 +114,13 @@ std::optional<RingConflict> find_conflict_of(const Edge& e, const Edge& f, bool 
 }
 
 }  // namespace
+
+std::string to_string(const Polygon& polygon) {
+  const std::size_t vertices = polygon.outer.size(), holes = polygon.holes.size();
+  const std::string text = "polygon of " + std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices");
+  if (holes == 0) return text;
+  return text + " with " + std::to_string(holes) + (holes == 1 ? " hole" : " holes");
+}
 
 double signed_area(std::span<const Vec2> ring) { return 0.5 * accumulate_area(ring).twice; }
 

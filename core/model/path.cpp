@@ -6,10 +6,11 @@
 #include <string>
 
 #include "arcway/angle.h"
-#include "core/base/shortest_text.h"
+#include "core/model/pose_text.h"
 
 namespace arcway {
 
+using internal::rounded_text;
 using internal::shortest_text;
 
 namespace {
@@ -97,6 +98,30 @@ Path merged(std::span<const PathSegment> path) {
     whole.push_back(next);
   }
   return whole;
+}
+
+std::string to_string(const Pose& pose) { return shortest_text(pose); }
+
+std::string to_string(Side side) { return side == Side::kLeft ? "left" : "right"; }
+
+std::string to_string(Gear gear) { return gear == Gear::kForward ? "forwards" : "backwards"; }
+
+std::string to_string(const PathSegment& segment) {
+  const std::string motion = " " + to_string(segment.gear) + " from " + to_string(segment.start);
+  if (segment.is_line()) return "line of " + rounded_text(segment.length) + " m" + motion;
+  return std::string(segment.curvature > 0.0 ? "left" : "right") + " arc of " + rounded_text(segment.length) +
+         " m with radius " + rounded_text(1.0 / std::abs(segment.curvature)) + " m" + motion;
+}
+
+std::string to_string(const Path& path) {
+  const std::size_t cusps = cusps_of(path);
+  return std::to_string(path.size()) + (path.size() == 1 ? " segment, " : " segments, ") + rounded_text(path.length()) +
+         " m, " + std::to_string(cusps) + (cusps == 1 ? " gear change" : " gear changes");
+}
+
+std::string to_string(const TimedSegment& timed) {
+  return to_string(timed.segment) + ", from " + rounded_text(timed.speed_in) + " to " + rounded_text(timed.speed_out) +
+         " m/s in " + rounded_text(timed.duration) + " s";
 }
 
 std::size_t cusps_of(std::span<const PathSegment> path) {

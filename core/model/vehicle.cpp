@@ -202,4 +202,23 @@ SweptAnnulus swept_annulus(const Footprint& footprint, double radius) {
   return {gap == 0.0 ? side : std::hypot(gap, side), std::hypot(far, radius + footprint.half_width)};
 }
 
+std::string to_string(Steering steering) {
+  switch (steering) {
+    case Steering::kFront:
+      return "front";
+    case Steering::kRear:
+      return "rear";
+    case Steering::kSymmetric:
+      return "symmetric";
+  }
+  return "unknown";
+}
+
+std::string to_string(const Vehicle& vehicle) {
+  const VehicleParameters& p = vehicle.parameters();
+  return rounded_text(p.length) + " m x " + rounded_text(p.width) + " m, " + to_string(p.steering) +
+         " steering, turning radius " + rounded_text(vehicle.min_turning_radius()) + " m, " +
+         rounded_text(p.max_speed) + " m/s, " + rounded_text(p.max_acceleration) + " m/s^2";
+}
+
 }  // namespace arcway

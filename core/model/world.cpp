@@ -474,4 +474,10 @@ const Box& World::box_of(ObstacleId o) const { return data_->boxes[o]; }
 const Box& World::box() const { return data_->box; }
 PointLocation World::locate(const Vec2& p, ObstacleId o) const { return data_->locate(p, o); }
 
+std::string to_string(const World& world) {
+  const std::size_t obstacles = world.obstacle_count(), vertices = world.vertices().size();
+  return std::to_string(obstacles) + (obstacles == 1 ? " obstacle of " : " obstacles of ") + std::to_string(vertices) +
+         (vertices == 1 ? " vertex" : " vertices") + (world.has_bounds() ? " within bounds" : "");
+}
+
 }  // namespace arcway

@@ -334,4 +334,17 @@ std::vector<TrajectoryState> Trajectory::sample(const PathSampling& sampling) co
 std::span<const TimedSegment> Trajectory::segments() const { return data_->segments; }
 const Vehicle& Trajectory::vehicle() const { return data_->vehicle; }
 
+std::string to_string(const TrajectoryState& state) {
+  return rounded_text(state.time) + " s, " + rounded_text(state.distance) + " m: (" + rounded_text(state.pose.x) +
+         ", " + rounded_text(state.pose.y) + ", " + rounded_text(state.pose.heading) + ") at " +
+         rounded_text(state.speed) + " m/s " + to_string(state.gear) + ", " + rounded_text(state.acceleration) +
+         " m/s^2, curvature " + rounded_text(state.curvature) + " 1/m";
+}
+
+std::string to_string(const Trajectory& trajectory) {
+  const std::size_t segments = trajectory.segments().size();
+  return rounded_text(trajectory.duration()) + " s, " + rounded_text(trajectory.length()) + " m, " +
+         std::to_string(segments) + (segments == 1 ? " segment" : " segments");
+}
+
 }  // namespace arcway

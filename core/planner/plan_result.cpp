@@ -1,10 +1,15 @@
 #include "arcway/plan_result.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "core/base/shortest_text.h"
+
 namespace arcway {
+
+using internal::rounded_text;
 
 namespace {
 
@@ -100,5 +105,17 @@ TimedPath PlanResult::timed_path() const {
 
 Trajectory::Trajectory(const PlanResult& result)
     : Trajectory(segments_of(result), scene_of(result).vehicle, scene_of(result).world) {}
+
+std::string to_string(const PlanResult& result) {
+  const std::string status = name_of(result.status);
+  if (!result.solved())
+    return status + " (" + name_of(result.certainty) + ")" + (result.reason.empty() ? "" : ": " + result.reason);
+  const double percent = 0.1 * std::ceil(1e3 * result.optimality_gap());
+  return status + ": " + rounded_text(result.travel_time) + " s, " + to_string(result.path()) +
+         (result.travel_time > 0.0 && result.lower_bound > 0.0
+              ? ", at most " + rounded_text(percent) + " % slower than the fastest path"
+              : "") +
+         (result.interrupted ? ", interrupted" : "");
+}
 
 }  // namespace arcway

@@ -315,4 +315,11 @@ PreparedGraph Planner::prepared_graph() const {
 }
 const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }
 
+std::string to_string(const PlanRequest& request) {
+  std::string text = "from " + to_string(request.start) + " to " + to_string(request.goal) +
+                     (request.reverse ? " in both gears" : " forwards");
+  if (request.max_gear_changes) text += ", at most " + std::to_string(*request.max_gear_changes) + " gear changes";
+  return text;
+}
+
 }  // namespace arcway

@@ -360,4 +360,11 @@ Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLim
   return TourPlanner(planner, request, limits).run();
 }
 
+std::string to_string(const Tour& tour) {
+  if (!tour.plan.solved()) return to_string(tour.plan);
+  const std::size_t waypoints = tour.passed.size();
+  return to_string(tour.plan) + ", to goal " + std::to_string(tour.goal) + " over " + std::to_string(waypoints) +
+         (waypoints == 1 ? " waypoint" : " waypoints");
+}
+
 }  // namespace arcway

@@ -34,6 +34,7 @@
 #include "arcway/snapshot.h"
 #include "arcway/stop_clock.h"
 #include "arcway/sweep_query.h"
+#include "arcway/text.h"
 #include "arcway/time_model.h"
 #include "arcway/tour.h"
 #include "arcway/trajectory.h"

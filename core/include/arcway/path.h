@@ -3,10 +3,12 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "arcway/export.h"
+#include "arcway/text.h"
 #include "arcway/vec2.h"
 
 namespace arcway {
@@ -19,14 +21,21 @@ struct Pose {
   [[nodiscard]] Vec2 position() const { return {x, y}; }
 };
 
+/// "(x, y, heading)" [m, m, rad]. Each number reads back to the same double.
+ARCWAY_API std::string to_string(const Pose& pose);
+
 /// The side of a turn's center, seen in the direction of the body.
 enum class Side : signed char { kLeft = 1, kRight = -1 };
 inline Side opposite(Side side) { return side == Side::kLeft ? Side::kRight : Side::kLeft; }
 inline double sign_of(Side side) { return side == Side::kLeft ? 1.0 : -1.0; }
+/// "left" or "right".
+ARCWAY_API std::string to_string(Side side);
 
 /// The direction of travel along the body.
 enum class Gear : signed char { kForward = 1, kReverse = -1 };
 inline double sign_of(Gear gear) { return gear == Gear::kForward ? 1.0 : -1.0; }
+/// "forwards" or "backwards".
+ARCWAY_API std::string to_string(Gear gear);
 
 /// A straight line (curvature 0) or a circular arc, driven forwards or backwards.
 struct ARCWAY_API PathSegment {
@@ -45,6 +54,9 @@ struct ARCWAY_API PathSegment {
   /// The motion driven forwards: the segment itself, or its reverse.
   [[nodiscard]] PathSegment forwards() const { return gear == Gear::kForward ? *this : reversed(); }
 };
+
+/// "line of 3 m forwards from (1, 2, 0)", "left arc of 2 m with radius 1.5 m backwards from (4, 2, 0)".
+ARCWAY_API std::string to_string(const PathSegment& segment);
 
 /// Segments, each starting where the one before ends. Where the gear changes the path has a cusp, at which the vehicle
 /// stops.
@@ -73,6 +85,9 @@ class ARCWAY_API Path : public std::vector<PathSegment> {
   [[nodiscard]] double length() const;
 };
 
+/// "3 segments, 12.3 m, 1 gear change".
+ARCWAY_API std::string to_string(const Path& path);
+
 /// A segment with its speeds. Between them the speed changes as fast as the vehicle and its limits allow.
 struct TimedSegment {
   PathSegment segment;
@@ -80,6 +95,8 @@ struct TimedSegment {
   double speed_out = 0.0;  ///< [m/s]
   double duration = 0.0;   ///< [s]
 };
+/// The segment, "from 0 to 12 m/s in 1.5 s".
+ARCWAY_API std::string to_string(const TimedSegment& segment);
 
 /// A path with the speeds and durations that someone claims for it. Either all three arrays have one entry a segment,
 /// or all are empty and only the geometry is claimed.

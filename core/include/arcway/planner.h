@@ -89,6 +89,9 @@ struct PlanRequest {
   std::optional<std::uint32_t> max_gear_changes = std::nullopt;
 };
 
+/// "from (1, 2, 0) to (3, 4, 0) forwards", "... in both gears, at most 3 gear changes".
+ARCWAY_API std::string to_string(const PlanRequest& request);
+
 /// When to end a query early, and what it may spend. A query that ends early gives the best path found by then, if any.
 /// Every stage of a query checks the clock within about a millisecond. What follows the stages, the speeds and the
 /// clearance of the path, takes at most 2 ms and a twentieth of the time limit more.

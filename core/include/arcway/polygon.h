@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "arcway/export.h"
+#include "arcway/text.h"
 #include "arcway/vec2.h"
 
 namespace arcway {
@@ -14,10 +16,12 @@ namespace arcway {
 using Ring = std::vector<Vec2>;
 
 /// A region: the inside of an outer ring without its holes. World checks whether it is valid.
-struct Polygon {
+struct ARCWAY_API Polygon {
   Ring outer;
-  std::vector<Ring> holes;
+  std::vector<Ring> holes = {};
 };
+/// "polygon of 4 vertices", "polygon of 4 vertices with 2 holes".
+ARCWAY_API std::string to_string(const Polygon& polygon);
 
 /// Where a point lies relative to a region.
 enum class PointLocation { kOutside, kBoundary, kInside };

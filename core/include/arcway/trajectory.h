@@ -4,10 +4,12 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "arcway/export.h"
 #include "arcway/path.h"
+#include "arcway/text.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 
@@ -27,6 +29,9 @@ struct TrajectoryState {
   Gear gear = Gear::kForward;   ///< direction of travel along the body
   std::size_t segment = 0;      ///< index of the segment
 };
+
+/// "1.5 s, 12 m: (13, 2, 0) at 12 m/s forwards, 0 m/s^2, curvature 0 1/m".
+ARCWAY_API std::string to_string(const TrajectoryState& state);
 
 /// Steps of samples by length and angle.
 struct PathSampling {
@@ -110,5 +115,8 @@ class ARCWAY_API Trajectory {
   struct Data;
   std::shared_ptr<const Data> data_;
 };
+
+/// "2.74 s, 30 m, 3 segments".
+ARCWAY_API std::string to_string(const Trajectory& trajectory);
 
 }  // namespace arcway

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "arcway/export.h"
+#include "arcway/text.h"
 #include "arcway/vec2.h"
 
 namespace arcway {
@@ -14,6 +16,8 @@ namespace arcway {
 /// Which axle steers. The reference point F, whose velocity is along the body, lies on the other axle. If both steer,
 /// it lies at the center.
 enum class Steering { kFront, kRear, kSymmetric };
+/// "front", "rear" or "symmetric".
+ARCWAY_API std::string to_string(Steering steering);
 
 /// Speed on arcs: one value for all radii [m/s].
 struct ConstantTurnSpeed {
@@ -108,6 +112,9 @@ class ARCWAY_API Vehicle {
  private:
   VehicleParameters parameters_;
 };
+
+/// "1.5 m x 0.8 m, front steering, turning radius 1.3 m, 12 m/s, 50 m/s^2".
+ARCWAY_API std::string to_string(const Vehicle& vehicle);
 
 /// The annulus about the rotation center that the body sweeps when it turns [m].
 struct SweptAnnulus {

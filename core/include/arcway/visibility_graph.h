@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "arcway/executor.h"
 #include "arcway/export.h"
 #include "arcway/path.h"
+#include "arcway/text.h"
 #include "arcway/visibility_query.h"
 #include "arcway/world.h"
 
@@ -34,6 +36,9 @@ class ARCWAY_API VisibilityGraph {
   std::vector<std::uint64_t> row_starts_;
   std::vector<VertexId> targets_;
 };
+
+/// "45 vertices, 120 edges".
+ARCWAY_API std::string to_string(const VisibilityGraph& graph);
 
 /// The full visibility graph: all pairs of vertices that see each other and are not covered, convex and reflex ones;
 /// figure 1 of the paper, all lines. Lines may pass through other vertices. Coincident vertices are not joined. O(n^2)

@@ -11,6 +11,7 @@
 #include "arcway/export.h"
 #include "arcway/polygon.h"
 #include "arcway/snapshot.h"
+#include "arcway/text.h"
 #include "arcway/vec2.h"
 
 namespace arcway {
@@ -141,5 +142,8 @@ class ARCWAY_API World {
   struct Data;
   std::shared_ptr<const Data> data_;
 };
+
+/// "8 obstacles of 45 vertices", "8 obstacles of 45 vertices within bounds": bounds count as vertices, too.
+ARCWAY_API std::string to_string(const World& world);
 
 }  // namespace arcway
