@@ -19,6 +19,22 @@ using Ring = std::vector<Vec2>;
 struct ARCWAY_API Polygon {
   Ring outer;
   std::vector<Ring> holes = {};
+
+  /// An upright rectangle by two opposite corners [m]. Counter-clockwise from the lower left one.
+  static Polygon rectangle(const Vec2& corner, const Vec2& opposite);
+  /// An upright rectangle by its sides [m].
+  static Polygon rectangle(double min_x, double min_y, double max_x, double max_y);
+  /// A rectangle about its middle [m].
+  /// @param length, width  along and across the heading [m].
+  /// @param heading  [rad], counter-clockwise from +x.
+  static Polygon rectangle(const Vec2& middle, double length, double width, double heading = 0.0);
+  /// The box as a polygon.
+  static Polygon rectangle(const Box& box);
+  /// A regular polygon, counter-clockwise, as a disc's place holder. The disc of radius `radius * cos(pi / corners)`
+  /// lies inside.
+  /// @param radius  of the corners about the middle [m].
+  /// @param heading  from the middle to the first corner [rad].
+  static Polygon regular(const Vec2& middle, double radius, std::size_t corners, double heading = 0.0);
 };
 /// "polygon of 4 vertices", "polygon of 4 vertices with 2 holes".
 ARCWAY_API std::string to_string(const Polygon& polygon);

@@ -74,6 +74,14 @@ class ARCWAY_API World {
   /// @throws WorldError for the first obstacle that is refused.
   explicit World(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt);
 
+  /// The world of these obstacles, checked as the constructor does.
+  /// @param bounds  without holes.
+  /// @throws WorldError for the first obstacle that is refused, or for bounds with holes.
+  static World from_polygons(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt);
+  static World from_polygons(std::vector<Polygon> obstacles, const Polygon& bounds);
+  /// Obstacles without holes.
+  static World from_polygons(const std::vector<Ring>& obstacles, std::optional<Ring> bounds = std::nullopt);
+
   /// The world of a snapshot, in O(n). Whether rings cross and which vertices are covered, which take longest to find
   /// out, is taken from the snapshot unchecked.
   /// @throws SnapshotError if a value of the snapshot is out of range or order.
