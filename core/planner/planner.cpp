@@ -17,9 +17,11 @@
 #include "core/base/shortest_text.h"
 #include "core/base/stopwatch.h"
 #include "core/base/workspace_pool.h"
+#include "core/collision/motion_free.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
+#include "core/planner/collision.h"
 #include "core/planner/no_path.h"
 #include "core/planner/plan_run.h"
 #include "core/planner/planner_inputs.h"
@@ -298,6 +300,28 @@ void Planner::warm_up(std::size_t queries_at_once) const {
   std::list<WorkspacePool<PlanWorkspace>::Lease> leases;
   for (std::size_t i = 0; i < queries_at_once; ++i)
     leases.emplace_back(d.workspaces)->find.search.warm_up(most_circles);
+}
+
+bool Planner::is_free(const Pose& pose) const {
+  require_pose("pose", pose, vehicle());
+  return data_->map().queries.sweep->straight_free(swept_rectangle(pose, 0.0, data_->map().body));
+}
+
+bool Planner::is_free(std::span<const PathSegment> path) const {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::string name = "segment " + std::to_string(i);
+    if (!(path[i].length >= 0.0))
+      throw std::invalid_argument(name + ": length " + shortest_text(path[i].length) + " m, must be >= 0");
+    require_pose(name + ": start", path[i].start, vehicle());
+    require_pose(name + ": end", path[i].end(), vehicle());
+  }
+  return motion_free(*data_->map().queries.sweep, data_->map().body, path);
+}
+
+std::optional<Pose> Planner::nearest_free(const Pose& pose) const {
+  if (is_free(pose)) return pose;
+  const std::optional<FreePose> free = nearest_free_pose(*data_->map().queries.sweep, data_->map().body, pose);
+  return free ? std::optional(free->pose) : std::nullopt;
 }
 
 const World& Planner::world() const { return data_->map().world; }

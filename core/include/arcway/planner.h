@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -181,6 +182,23 @@ class ARCWAY_API Planner {
   /// that was answered before allocates nothing. This holds without `reverse` and trees, if single arcs join start and
   /// goal to a path on circles of the smallest radius.
   void plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const;
+
+  /// Whether a plan may start or end at a pose: the body, grown by half of the safety margin, touches no obstacle there
+  /// and lies within the bounds. Exact, by one sweep query. Thread-safe.
+  /// @throws std::invalid_argument if `plan` refuses the pose's numbers.
+  [[nodiscard]] bool is_free(const Pose& pose) const;
+  /// Whether the grown body is free all along a path, in whichever gears. The swept area is decided, no samples;
+  /// speeds, curvatures and joints are not looked at: `validate` does that. One sweep query a segment. Thread-safe.
+  /// @throws std::invalid_argument naming the first segment whose length is negative or whose ends `plan` refuses.
+  [[nodiscard]] bool is_free(std::span<const PathSegment> path) const;
+  /// The pose itself if it is free, else the nearest free one of a pattern, by how far the body's points move:
+  /// - the same position, with headings turned by multiples of 15 degrees;
+  /// - the same heading, up to two diagonals of the body away, in 24 directions.
+  ///
+  /// Nothing if no pose of the pattern is free. Free poses off the pattern may be nearer. At most 768 sweep queries.
+  /// Thread-safe.
+  /// @throws std::invalid_argument as is_free does.
+  [[nodiscard]] std::optional<Pose> nearest_free(const Pose& pose) const;
 
   /// Does now what the first queries would have to do: builds the graph with added circles in narrow gaps, and takes
   /// memory for searches. It makes the slowest query faster and changes no plan. Thread-safe.
