@@ -346,4 +346,24 @@ std::string to_string(const PlanRequest& request) {
   return text;
 }
 
+PlanResult plan(const Backend& backend, const Vehicle& vehicle, const PlanRequest& request, const PlanLimits& limits) {
+  require_request(request, limits, vehicle);  // before the graphs are built
+  const Stopwatch watch;
+  const Planner planner(backend.world(), vehicle, backend);
+  PlanLimits rest = limits;
+  rest.time = std::max(0.0, limits.time - watch.seconds());
+  PlanResult result = planner.plan(request, rest);
+  if (result.status == PlanStatus::kTimeLimit) result.reason = time_limit_reason(limits);
+  return result;
+}
+
+PlanResult plan(const World& world, const Vehicle& vehicle, const PlanRequest& request, const PlanLimits& limits) {
+  return plan(reference_backend(world), vehicle, request, limits);
+}
+
+PlanResult plan(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
+                const PlanLimits& limits) {
+  return plan(world, vehicle, {.start = start, .goal = goal}, limits);
+}
+
 }  // namespace arcway

@@ -226,4 +226,22 @@ class ARCWAY_API Planner {
   std::shared_ptr<const Data> data_;
 };
 
+/// One plan, for those who need no more: Planner(world, vehicle).plan(...), with all defaults.
+///
+///     const PlanResult result = plan(world, Vehicle{}, {1, 1, 0}, {50, 40, kPi / 2});
+///
+/// The graphs are built for this plan alone, in O(n^2) pairs of vertices, each against all edges: for maps of some
+/// hundred vertices. Keep a Planner for several plans on one map, and give a backend, as accel_backend(world), for
+/// large maps. Thread-safe.
+/// @param limits  their time counts from the call of this function on, but does not end the building of the graphs.
+/// @throws std::invalid_argument as Planner's constructor and Planner::plan do.
+ARCWAY_API PlanResult plan(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
+                           const PlanLimits& limits = {});
+/// A request with more wishes than two poses.
+ARCWAY_API PlanResult plan(const World& world, const Vehicle& vehicle, const PlanRequest& request,
+                           const PlanLimits& limits = {});
+/// A plan in the backend's world.
+ARCWAY_API PlanResult plan(const Backend& backend, const Vehicle& vehicle, const PlanRequest& request,
+                           const PlanLimits& limits = {});
+
 }  // namespace arcway

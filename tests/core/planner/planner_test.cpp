@@ -578,5 +578,19 @@ TEST(Planner, FindsTheNearestFreePose) {
   EXPECT_EQ(filled.nearest_free({0, 0, 0}), std::nullopt);
 }
 
+TEST(Plan, IsThatOfAPlanner) {
+  const World world({test::box(8.0, -4.0, 12.0, 4.0)});
+  const PlanResult result = plan(world, Vehicle{}, {0, 0, 0}, {20, 0, 0});
+  const PlanResult expected = Planner(world, Vehicle{}).plan({.start = {0, 0, 0}, .goal = {20, 0, 0}});
+  EXPECT_TRUE(result.solved());
+  EXPECT_EQ(result.travel_time, expected.travel_time);
+  EXPECT_EQ(plan(world, Vehicle{}, {.start = {0, 0, 0}, .goal = {20, 0, 0}}).travel_time, expected.travel_time);
+  EXPECT_EQ(plan(reference_backend(world), Vehicle{}, {.start = {0, 0, 0}, .goal = {20, 0, 0}}).travel_time,
+            expected.travel_time);
+  const PlanResult late = plan(world, Vehicle{}, {0, 0, 0}, {20, 0, 0}, {.time = 0.0});
+  EXPECT_EQ(late.reason, "no path was found within the time limit of 0 s");
+  EXPECT_THROW(plan(world, Vehicle{}, {std::nan(""), 0, 0}, {20, 0, 0}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace arcway::internal
