@@ -17,7 +17,7 @@
 
 namespace arcway {
 
-/// How a query ended.
+/// How a query ended. core/README.md has one table of all statuses and exceptions, with what to do about each.
 enum class PlanStatus {
   kSolved,
   kStartInCollision,  ///< the body grown by half of the safety margin touches an obstacle at the start
