@@ -233,12 +233,12 @@ std::size_t length_of_first(std::string_view text) {
 
 }  // namespace
 
-PlanFile read_plan(std::string_view text, std::string_view name) {
+PlanFile parse_plan(std::string_view text, std::string_view name) {
   const nlohmann::json value = detail::parse_json(text, name);
   return plan_of({value, std::string(name)});
 }
 
-std::vector<PlanOnLine> read_plans(std::string_view text, std::string_view name) {
+std::vector<PlanOnLine> parse_plans(std::string_view text, std::string_view name) {
   const bool several = length_of_first(text) < text.size();
   std::vector<PlanOnLine> plans;
   std::size_t line = 1;
@@ -250,6 +250,16 @@ std::vector<PlanOnLine> read_plans(std::string_view text, std::string_view name)
     text.remove_prefix(one.size());
   } while (!text.empty());
   return plans;
+}
+
+Trajectory PlanFile::trajectory() const { return Trajectory(path, Vehicle(robot.value_or(VehicleParameters{}))); }
+
+PlanFile read_plan(const std::filesystem::path& path) { return parse_plan(read_file(path), path.string()); }
+
+void write_plan(const std::filesystem::path& path, const PlanResult& result) {
+  std::optional<VehicleParameters> robot;
+  if (result.scene) robot = result.scene->vehicle.parameters();
+  write_file_atomically(path, plan_to_json(result, 0, robot) + "\n");
 }
 
 }  // namespace arcway

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -42,7 +43,7 @@ PlanResult example_with_a_cusp() {
 }
 
 std::string plan_error(const std::string& text) {
-  return test::format_error_of([&] { read_plan(text, "plan.json"); });
+  return test::format_error_of([&] { parse_plan(text, "plan.json"); });
 }
 
 TEST(PlanJson, RoundTripIsExact) {
@@ -52,7 +53,7 @@ TEST(PlanJson, RoundTripIsExact) {
   EXPECT_EQ(text.rfind(R"({"format":"arcway-plan","version":1,"q":7,"status":"solved","start":[0.1,0.2,0],)", 0), 0u)
       << text;
   EXPECT_NE(text.find(R"("min_clearance":null)"), std::string::npos);
-  const PlanFile file = read_plan(text, "plan.json");
+  const PlanFile file = parse_plan(text, "plan.json");
   EXPECT_EQ(file.status, "solved");
   EXPECT_EQ(file.goal.x, result.goal.x);
   ASSERT_EQ(file.path.segments.size(), 3u);
@@ -72,7 +73,7 @@ TEST(PlanJson, TellsWhyThereIsNoPath) {
   result.reason = "no \"way\" out";
   const std::string text = plan_to_json(result, 0);
   EXPECT_NE(text.find(R"("reason":"no \"way\" out")"), std::string::npos) << text;
-  EXPECT_TRUE(read_plan(text, "p").path.segments.empty());
+  EXPECT_TRUE(parse_plan(text, "p").path.segments.empty());
   EXPECT_EQ(text.find("interrupted"), std::string::npos);
   PlanResult interrupted = result;
   interrupted.interrupted = true;
@@ -96,7 +97,7 @@ TEST(PlanJson, TellsTheBottleneck) {
                       R"({"obstacle":3,"point":[1,2]},{"obstacle":7,"point":[1,2.5]}]})"),
             std::string::npos)
       << text;
-  EXPECT_TRUE(read_plan(text, "p").path.segments.empty());
+  EXPECT_TRUE(parse_plan(text, "p").path.segments.empty());
 }
 
 TEST(PlanJson, ReadsPathsWithoutSpeeds) {
@@ -104,7 +105,7 @@ TEST(PlanJson, ReadsPathsWithoutSpeeds) {
     return R"({"format":"arcway-plan","version":1,"start":[0,0,0],"goal":[1,0,0],"path":[)" + segments + "]}";
   };
   const std::string bare = R"({"type":"line","start":[0,0,0],"length":1,"curvature":0})";
-  const PlanFile file = read_plan(plan(bare), "plan.json");
+  const PlanFile file = parse_plan(plan(bare), "plan.json");
   EXPECT_EQ(file.path.segments.size(), 1u);
   EXPECT_TRUE(file.path.durations.empty());
   EXPECT_EQ(plan_error(plan(bare + R"(,{"type":"line","start":[0,0,0],"length":null,"curvature":0})")),
@@ -129,7 +130,7 @@ TEST(PlanJson, ReadsPathsWithoutSpeeds) {
 TEST(PlanJson, MayComeSeveralTimes) {
   const std::string plan = plan_to_json(example(), 7);
   const std::vector<PlanOnLine> plans =
-      read_plans(plan + "\r\n\n" + plan_to_json(example_with_a_cusp(), 8) + "\n", "p");
+      parse_plans(plan + "\r\n\n" + plan_to_json(example_with_a_cusp(), 8) + "\n", "p");
   ASSERT_EQ(plans.size(), 2u);
   EXPECT_EQ(plans[0].line, 1u);
   EXPECT_EQ(plans[0].plan.q, 7u);
@@ -137,8 +138,8 @@ TEST(PlanJson, MayComeSeveralTimes) {
   EXPECT_EQ(plans[1].plan.q, 8u);
   EXPECT_EQ(plans[1].plan.path.segments.size(), 2u);
   // One written on many lines.
-  EXPECT_EQ(read_plans(nlohmann::json::parse(plan).dump(2), "p").size(), 1u);
-  const auto error = [&](const std::string& text) { return test::format_error_of([&] { read_plans(text, "p"); }); };
+  EXPECT_EQ(parse_plans(nlohmann::json::parse(plan).dump(2), "p").size(), 1u);
+  const auto error = [&](const std::string& text) { return test::format_error_of([&] { parse_plans(text, "p"); }); };
   EXPECT_EQ(error(plan + "\n{\"q\":-1}\n").rfind("p:2: missing key", 0), 0u);
   EXPECT_EQ(error(plan + "\n{\n3}\n").rfind("p: line 3: ", 0), 0u);
   EXPECT_EQ(error("{\"q\":-1}"), plan_error("{\"q\":-1}").replace(0, 9, "p"));
@@ -148,7 +149,7 @@ TEST(PlanJson, MayComeSeveralTimes) {
 TEST(PlanJson, KeepsTheGear) {
   const std::string text = plan_to_json(example_with_a_cusp(), 0);
   EXPECT_NE(text.find(R"("curvature":0,"direction":-1,"speed_in":0,)"), std::string::npos) << text;
-  const PlanFile file = read_plan(text, "plan.json");
+  const PlanFile file = parse_plan(text, "plan.json");
   ASSERT_EQ(file.path.segments.size(), 2u);
   EXPECT_EQ(file.path.segments[0].gear, Gear::kForward);
   EXPECT_EQ(file.path.segments[1].gear, Gear::kReverse);
@@ -226,6 +227,30 @@ TEST(NavMsgsPath, HasPosesInTimeOrder) {
   EXPECT_EQ(end["position"]["x"], result.goal.x);
   const double yaw = 2.0 * std::atan2(end["orientation"]["z"].get<double>(), end["orientation"]["w"].get<double>());
   EXPECT_NEAR(yaw, result.goal.heading, 1e-12);
+}
+
+TEST(PlanFile, IsWrittenAndReadBack) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "arcway_plan.json";
+  VehicleParameters slow;
+  slow.max_speed = 3.0;
+  slow.turn_speed = ConstantTurnSpeed{2.0};
+  const PlanResult result = Planner(World({}), Vehicle(slow)).plan({.start = {0, 0, 0}, .goal = {9, 4, 1}});
+  ASSERT_TRUE(result.solved());
+  write_plan(path, result);
+  const PlanFile file = read_plan(path);
+  EXPECT_EQ(file.robot, slow);
+  EXPECT_EQ(file.travel_time, result.travel_time);
+  const Trajectory trajectory = file.trajectory();
+  EXPECT_EQ(trajectory.duration(), result.trajectory().duration());
+  EXPECT_EQ(trajectory.at(1.0).pose.x, result.trajectory().at(1.0).pose.x);
+  std::filesystem::remove(path);
+  EXPECT_THROW(read_plan(path), FileError);
+  PlanResult unknown = result;
+  unknown.scene = nullptr;
+  write_plan(path, unknown);
+  EXPECT_FALSE(read_plan(path).robot.has_value());
+  std::filesystem::remove(path);
+  EXPECT_THROW(static_cast<void>(PlanFile{}.trajectory()), std::invalid_argument);
 }
 
 }  // namespace

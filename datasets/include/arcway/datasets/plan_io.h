@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,7 +44,7 @@ ARCWAY_API std::string path_to_nav_msgs(const Trajectory& trajectory, std::strin
                                         const PathSampling& sampling = {});
 
 /// A plan as plan_to_json writes it.
-struct PlanFile {
+struct ARCWAY_API PlanFile {
   std::optional<std::uint64_t> q;  ///< number of the query
   std::string status;
   std::optional<VehicleParameters> robot;     ///< robot that the plan names
@@ -50,19 +52,35 @@ struct PlanFile {
   std::optional<double> gear_changes;         ///< as stated by the plan
   Pose start, goal;
   TimedPath path;  ///< speeds and durations empty if the file has none
+  /// The path in time for the robot that the plan names; if it names none, for that of VehicleParameters' defaults.
+  /// @throws std::invalid_argument as Vehicle and Trajectory do, among others if the path has no segments.
+  [[nodiscard]] Trajectory trajectory() const;
 };
 /// Reads what plan_to_json writes; only "format", "version", "start", "goal" and "path" are required, and of its
 /// segments "type", "start", "length" and "curvature". Speeds and durations must be on all segments or on none.
 /// @param name  of the source, for messages.
 /// @throws FormatError, "plan.json: path[3].length: expected a number, found null".
-ARCWAY_API PlanFile read_plan(std::string_view json, std::string_view name);
+ARCWAY_API PlanFile parse_plan(std::string_view json, std::string_view name);
 
 struct PlanOnLine {
   std::size_t line;  ///< line where the plan begins, from 1
   PlanFile plan;
 };
-/// Reads one plan, or several, each beginning on a line of its own.
-/// @throws FormatError as read_plan; of several "plans.json:2: path[3].length: ...".
-ARCWAY_API std::vector<PlanOnLine> read_plans(std::string_view json, std::string_view name);
+/// Reads one plan, or several, each beginning on a line of its own; or the one path of parse_path_csv or
+/// parse_nav_msgs. The content tells which it is.
+/// @throws FormatError as parse_plan; of several "plans.json:2: path[3].length: ...".
+ARCWAY_API std::vector<PlanOnLine> parse_plans(std::string_view json, std::string_view name);
+
+/// Reads the file of one plan: see parse_plan.
+///
+///     const PlanFile file = read_plan("plan.json");
+///     const Pose pose = file.trajectory().at(1.5).pose;
+///
+/// @throws FileError if the file cannot be read, FormatError as parse_plan does.
+ARCWAY_API PlanFile read_plan(const std::filesystem::path& path);
+/// Writes a plan with the robot that it is for, by plan_to_json: read_plan reads it back to the same doubles. Readers
+/// see the old file or the new one, never half of it.
+/// @throws FileError if the file cannot be written; the old one then stays.
+ARCWAY_API void write_plan(const std::filesystem::path& path, const PlanResult& result);
 
 }  // namespace arcway
