@@ -284,7 +284,9 @@ std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<s
   std::string_view rest = text;
   if (rest.substr(0, 3) == "\xEF\xBB\xBF") rest.remove_prefix(3);
   constexpr std::array<std::string_view, 7> kColumns = {"q", "sx", "sy", "stheta", "gx", "gy", "gtheta"};
-  constexpr std::string_view kHeader = "q,sx,sy,stheta,gx,gy,gtheta";
+  constexpr std::array<std::string_view, 7> kWithUnits = {"q",    "sx_m", "sy_m",      "stheta_rad",
+                                                          "gx_m", "gy_m", "gtheta_rad"};
+  constexpr std::string_view kHeader = kQueryColumns;
   std::vector<NumberedRequest> queries;
   bool header_seen = false;
   std::size_t turns = 0;  // headings beyond a full turn
@@ -296,7 +298,7 @@ std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<s
     const std::string where = file + ":" + std::to_string(line_number);
     const std::vector<std::string_view> fields = split(line, ',');
     if (!header_seen) {
-      if (!std::equal(fields.begin(), fields.end(), kColumns.begin(), kColumns.end())) {
+      if (!std::ranges::equal(fields, kColumns) && !std::ranges::equal(fields, kWithUnits)) {
         throw UsageError(where + ": expected the header " + std::string(kHeader) + ", got " + in_quotes(line));
       }
       header_seen = true;

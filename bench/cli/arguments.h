@@ -158,7 +158,10 @@ struct NumberedRequest {
   std::uint64_t q;
   PlanRequest request;
 };
-/// Reads queries with the columns q,sx,sy,stheta,gx,gy,gtheta; lines that start with # and blank lines are skipped.
+/// Header of files of queries. Headings may also be given in degrees, as 90deg.
+inline constexpr const char* kQueryColumns = "q,sx_m,sy_m,stheta_rad,gx_m,gy_m,gtheta_rad";
+/// Reads queries with these columns, in the header also without units; lines that start with # and blank lines are
+/// skipped.
 /// @param warnings  gets what may not mean what its author meant.
 /// @throws UsageError naming file, line and value.
 std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<std::string>& warnings);

@@ -89,7 +89,7 @@ std::string queries_csv(const GenerateArguments& arguments, const World& world, 
       world, make_reference_queries(world), vehicle,
       {.count = parse_count(arguments.count, "--count"), .seed = parse_count(arguments.query_seed, "--query-seed")});
   std::string csv = "# random poses in " + arguments.world + ", seed " + arguments.query_seed + "\n";
-  csv += "q,sx,sy,stheta,gx,gy,gtheta\n";
+  csv += std::string(kQueryColumns) + "\n";
   for (std::size_t q = 0; q < queries.size(); ++q) {
     csv += std::to_string(q);
     for (const Pose& pose : {queries[q].start, queries[q].goal})

@@ -45,7 +45,7 @@ void PlanArguments::add_to(CLI::App& command) {
       ->type_name("K")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command.add_option("--queries", queries, "Many queries: q,sx,sy,stheta,gx,gy,gtheta")->type_name("Q.csv");
+  command.add_option("--queries", queries, std::string("Many queries: ") + kQueryColumns)->type_name("Q.csv");
   command.add_option("--out", out, "Results of --queries, one line a query")->type_name("R.csv");
   command.add_option("--heuristic", heuristic, "travel_time (admissible), paper (distance) or dijkstra")
       ->type_name("NAME")

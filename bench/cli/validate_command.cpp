@@ -123,8 +123,10 @@ void add_validate_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<ValidateArguments>();
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
   arguments->reading.add_to(command);
-  command.add_option("--path", arguments->path, "Plan, or plans, as written by plan --json")
-      ->type_name("P.json")
+  command
+      .add_option("--path", arguments->path,
+                  "Plan, or plans, as written by plan --json; or a path by --csv or --ros-path")
+      ->type_name("P")
       ->required();
   command
       .add_option("--robot", arguments->robot, "Robot (JSON); default: the plan's, else the map's, else the paper's")

@@ -119,7 +119,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
 }
 
 std::string path_to_csv(const Trajectory& trajectory, const PathSampling& sampling) {
-  std::string out = "s,x,y,yaw,curvature,direction,t,v,steer\n";
+  std::string out = "s_m,x_m,y_m,yaw_rad,curvature_per_m,direction,t_s,v_m_per_s,steer_rad\n";
   for (const TrajectoryState& state : trajectory.sample(sampling)) {
     for (const double value : {state.distance, state.pose.x, state.pose.y, wrap_signed(state.pose.heading),
                                state.curvature, sign_of(state.gear), state.time, state.speed, state.steering_angle}) {
@@ -135,9 +135,10 @@ std::string path_to_nav_msgs(const Trajectory& trajectory, std::string_view fram
   const auto append_header = [&](std::string& out, double t) {
     const double seconds = std::floor(t);
     out += R"({"stamp":{"sec":)";
-    append_number(out, seconds);
+    // Whole numbers without an exponent, which readers would take for others.
+    out += std::to_string(static_cast<std::uint64_t>(seconds));
     out += R"(,"nanosec":)";
-    append_number(out, std::min(std::floor((t - seconds) * 1e9), 999999999.0));
+    out += std::to_string(static_cast<std::uint64_t>(std::min(std::floor((t - seconds) * 1e9), 999999999.0)));
     out += R"(},"frame_id":)";
     detail::append_string(out, frame);
     out += '}';
@@ -239,12 +240,17 @@ PlanFile parse_plan(std::string_view text, std::string_view name) {
 }
 
 std::vector<PlanOnLine> parse_plans(std::string_view text, std::string_view name) {
+  const std::size_t begin = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  if (begin != std::string_view::npos && text[begin] != '{' && text.find("yaw") != std::string_view::npos)
+    return {{1, parse_path_csv(text.substr(begin), name)}};
   const bool several = length_of_first(text) < text.size();
   std::vector<PlanOnLine> plans;
   std::size_t line = 1;
   do {
     const std::string_view one = text.substr(0, length_of_first(text));
     const nlohmann::json value = detail::parse_json(one, name, nullptr, line);
+    if (!several && value.is_object() && value.contains("poses") && !value.contains("format"))
+      return {{1, parse_nav_msgs(text, name)}};
     plans.push_back({line, plan_of({value, std::string(name) + (several ? ":" + std::to_string(line) : "")})});
     line += static_cast<std::size_t>(std::count(one.begin(), one.end(), '\n'));
     text.remove_prefix(one.size());

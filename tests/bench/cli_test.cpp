@@ -58,7 +58,7 @@ TEST_F(Tool, PlansThePaperExampleAndValidatesItsOwnPlan) {
   }
   EXPECT_NE(read("p.json").find("\"format\":\"arcway-plan\""), std::string::npos);
   EXPECT_NE(read("p.svg").find("<svg"), std::string::npos);
-  EXPECT_EQ(read("p.csv").rfind("s,x,y,yaw,curvature,direction,t,v,steer\n", 0), 0u);
+  EXPECT_EQ(read("p.csv").rfind("s_m,x_m,y_m,yaw_rad,curvature_per_m,direction,t_s,v_m_per_s,steer_rad\n", 0), 0u);
   const Run check = run("validate paper --path " + file("p.json"));
   EXPECT_EQ(check.code, 0) << check.out << check.err;
 }
@@ -776,6 +776,32 @@ TEST_F(Tool, GenerateGivesTheSameMapForTheSameSeed) {
   ASSERT_EQ(run(kind + file("b.geojson")).code, 0);
   EXPECT_EQ(read("a.geojson"), read("b.geojson"));
   EXPECT_EQ(run("graph " + file("a.geojson")).code, 0);
+}
+
+TEST_F(Tool, ValidatesWhatItWritesAsSamples) {
+  for (const std::string& how : {std::string(kAround), std::string(" --start 10,10,0 --goal 10,14,180deg --reverse")}) {
+    ASSERT_EQ(run("plan " + map_ + how + " --csv " + file("p.csv") + " --ros-path " + file("r.json")).code, 0);
+    for (const char* name : {"p.csv", "r.json"}) {
+      const Run check = run("validate " + map_ + " --path " + file(name));
+      EXPECT_EQ(check.code, 0) << name << how << "\n" << check.out << check.err;
+    }
+  }
+  // Without units in the header, and with a sample that lies beside the path.
+  std::string csv = read("p.csv");
+  const std::string rows = csv.substr(csv.find('\n'));
+  put("old.csv", "s,x,y,yaw,curvature,direction,t,v,steer" + rows);
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("old.csv")).code, 0);
+  std::vector<std::string> lines = lines_of(csv);
+  const std::size_t x = lines[4].find(',') + 1;
+  lines[4].insert(x, "1");
+  std::string moved;
+  for (const std::string& line : lines) moved += line + "\n";
+  put("moved.csv", moved);
+  const Run bad = run("validate " + map_ + " --path " + file("moved.csv"));
+  EXPECT_EQ(bad.code, 1) << bad.out;
+  EXPECT_NE(bad.out.find("position jump"), std::string::npos) << bad.out;
+  put("bad.csv", "s,x,y,yaw,curvature,direction,t,v,steer\n0,1,2,zero,0,1,0,0,0\n");
+  expect_bad_input("validate " + map_ + " --path " + file("bad.csv"), "bad.csv:2: yaw_rad: expected a number, found");
 }
 
 }  // namespace

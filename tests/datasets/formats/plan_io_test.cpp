@@ -177,7 +177,7 @@ TEST(PathCsv, RunsThroughAllJointsInTimeOrder) {
   const std::string csv = path_to_csv(Trajectory(result.segments, Vehicle{}), {.max_length = 0.5, .max_angle = 0.1});
   std::vector<std::vector<double>> rows;
   std::size_t at = csv.find('\n') + 1;
-  EXPECT_EQ(csv.substr(0, at), "s,x,y,yaw,curvature,direction,t,v,steer\n");
+  EXPECT_EQ(csv.substr(0, at), "s_m,x_m,y_m,yaw_rad,curvature_per_m,direction,t_s,v_m_per_s,steer_rad\n");
   while (at < csv.size()) {
     rows.emplace_back();
     for (bool more = true; more;) {

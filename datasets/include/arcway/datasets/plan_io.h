@@ -66,6 +66,15 @@ struct PlanOnLine {
   std::size_t line;  ///< line where the plan begins, from 1
   PlanFile plan;
 };
+/// Reads a path that path_to_csv wrote, with or without units in the header: a segment between two samples, with its
+/// speeds and duration. Of other writers' paths the columns up to v_m_per_s must be there, in any order.
+/// @throws FormatError, "path.csv:7: v_m_per_s: expected a number, found "x"".
+ARCWAY_API PlanFile parse_path_csv(std::string_view text, std::string_view name);
+/// Reads a path that path_to_nav_msgs wrote: a line or arc between two poses, by their headings, without speeds. It is
+/// driven backwards where the positions move against the headings.
+/// @throws FormatError, "path.json: poses[3].pose.position.x: expected a number, found null".
+ARCWAY_API PlanFile parse_nav_msgs(std::string_view text, std::string_view name);
+
 /// Reads one plan, or several, each beginning on a line of its own; or the one path of parse_path_csv or
 /// parse_nav_msgs. The content tells which it is.
 /// @throws FormatError as parse_plan; of several "plans.json:2: path[3].length: ...".
