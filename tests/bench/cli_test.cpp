@@ -804,4 +804,14 @@ TEST_F(Tool, ValidatesWhatItWritesAsSamples) {
   expect_bad_input("validate " + map_ + " --path " + file("bad.csv"), "bad.csv:2: yaw_rad: expected a number, found");
 }
 
+TEST_F(Tool, GeneratesQueriesForAnyMap) {
+  const Run made = run("generate " + map_ + " --queries " + file("q.csv") + " --count 5");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const std::vector<std::string> lines = lines_of(read("q.csv"));
+  ASSERT_EQ(lines.size(), 7u);
+  EXPECT_EQ(lines[1], "q,sx_m,sy_m,stheta_rad,gx_m,gy_m,gtheta_rad");
+  EXPECT_EQ(run("plan " + map_ + " --queries " + file("q.csv") + " --out " + file("r.csv")).code, 0);
+  expect_bad_input("generate " + map_ + " --out " + file("w.geojson"), "is a map already");
+}
+
 }  // namespace
