@@ -30,6 +30,7 @@ class UsageError : public std::runtime_error {
 inline constexpr int kExitSolved = 0;
 inline constexpr int kExitNoPath = 1;
 inline constexpr int kExitBadInput = 2;
+inline constexpr int kExitInterrupted = 130;  ///< as shells say of SIGINT
 
 /// Action of a subcommand once the command line is read; returns the exit code. It appends to the text for standard
 /// output, which is printed only if the action does not throw.

@@ -814,4 +814,17 @@ TEST_F(Tool, GeneratesQueriesForAnyMap) {
   expect_bad_input("generate " + map_ + " --out " + file("w.geojson"), "is a map already");
 }
 
+TEST_F(Tool, KeepsFinishedQueriesWhenInterrupted) {
+  ASSERT_EQ(run("generate " + map_ + " --queries " + file("q.csv") + " --count 50000").code, 0);
+  const Run result = run_command("timeout --preserve-status -s INT 3 \"" ARCWAY_TOOL "\" plan " + map_ + " --queries " +
+                                 file("q.csv") + " --out " + file("r.csv"));
+  EXPECT_EQ(result.code, 130) << result.err << result.out;
+  const std::vector<std::string> lines = lines_of(read("r.csv"));
+  ASSERT_GT(lines.size(), 3u);
+  EXPECT_LT(lines.size(), 20000u);
+  EXPECT_EQ(lines[2].rfind("# interrupted: ", 0), 0u) << lines[2];
+  EXPECT_EQ(count_of(read("r.csv"), '\n') - 3, lines.size() - 3);
+  for (std::size_t i = 3; i < lines.size(); ++i) EXPECT_EQ(lines[i].find("canceled"), std::string::npos) << lines[i];
+}
+
 }  // namespace
