@@ -116,6 +116,7 @@ struct LoadedMap {
 
 /// Options for reading map files, shared by all subcommands that read one.
 struct MapOptions {
+  std::vector<Polygon> added = {};           ///< obstacles to add to a prepared map once a planner holds its graphs
   bool lonlat = false, planar = false;
   std::string wall_width, curve_tolerance;
   std::string format, polygons = "blocked";

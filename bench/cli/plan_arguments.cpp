@@ -29,6 +29,9 @@ GraphMode graph_mode_of(const std::string& name, bool batch) {
 void PlanArguments::add_to(CLI::App& command) {
   command.add_option("WORLD", map, kMapHelp)->required();
   reading.add_to(command);
+  command.add_option("--add", added, "Map whose obstacles come after those of WORLD, as what a robot sees; repeated")
+      ->type_name("MAP")
+      ->allow_extra_args(false);
   command.add_option("--robot", robot, kRobotHelp)->type_name("R.json");
   command.add_option("--start", start, "Start pose; default: the map's")->type_name("X,Y,HEADING");
   command
@@ -102,6 +105,12 @@ void PlanArguments::add_outputs_to(CLI::App& command) {
       .add_option("--sample-step", sample_step,
                   "Largest distance between samples of --csv and --ros-path [m]; default: 0.5")
       ->type_name("M");
+}
+
+std::vector<std::string> PlanArguments::inputs() const {
+  std::vector<std::string> files{map, robot, queries};
+  files.insert(files.end(), added.begin(), added.end());
+  return files;
 }
 
 void PlanArguments::check() const {

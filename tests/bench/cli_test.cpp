@@ -827,4 +827,21 @@ TEST_F(Tool, KeepsFinishedQueriesWhenInterrupted) {
   for (std::size_t i = 3; i < lines.size(); ++i) EXPECT_EQ(lines[i].find("canceled"), std::string::npos) << lines[i];
 }
 
+TEST_F(Tool, AddsObstaclesOfAnotherMap) {
+  put("wall.wkt", "POLYGON ((0 25, 20 25, 20 30, 0 30, 0 25))");
+  const std::string plan = " --start 10,10,0 --goal 10,50,90deg";
+  const auto time_of = [&](const std::string& arguments) {
+    const Run result = run("plan " + arguments);
+    EXPECT_EQ(result.code, 0) << arguments << result.out << result.err;
+    const std::size_t at = result.out.find("travel time");
+    return result.out.substr(at, result.out.find('\n', at) - at);
+  };
+  const std::string without = time_of(map_ + plan), with = time_of(map_ + plan + " --add " + file("wall.wkt"));
+  EXPECT_NE(with, without);
+  ASSERT_EQ(run("prepare " + map_ + " --out " + file("m.arcway")).code, 0);
+  EXPECT_EQ(time_of(file("m.arcway") + plan + " --add " + file("wall.wkt")), with);
+  EXPECT_EQ(run("plan " + map_ + plan + " --add " + file("wall.wkt") + " --json " + file("wall.wkt")).code, 2);
+  expect_bad_input("plan " + map_ + plan + " --lonlat --add " + file("wall.wkt"), "--lonlat projects each map");
+}
+
 }  // namespace
