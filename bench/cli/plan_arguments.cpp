@@ -88,13 +88,19 @@ void PlanArguments::add_to(CLI::App& command) {
 
 void PlanArguments::add_outputs_to(CLI::App& command) {
   CLI::Option* picture = command.add_option("--svg", svg, "Write a picture")->type_name("F.svg");
-  command.add_option("--svg-layers", svg_layers, "What it shows: bounds,obstacles,graph,swept,path,robot,markers")
+  command
+      .add_option("--svg-layers", svg_layers,
+                  "What it shows: bounds,obstacles,graph,swept,path,robot,numbers,axes,markers")
       ->type_name("LAYER,...")
       ->delimiter(',')
-      ->default_str("all but graph")
+      ->default_str("all but graph and numbers")
       ->needs(picture);
   command.add_option("--svg-view", svg_view, "What part it shows: the whole map, or the path's surroundings")
       ->type_name("map|path")
+      ->capture_default_str()
+      ->needs(picture);
+  command.add_option("--svg-color", svg_color, "What the path's color shows: the gear, or the speed, with a legend")
+      ->type_name("gear|speed")
       ->capture_default_str()
       ->needs(picture);
   command.add_option("--json", json, "Write the exact plan; with --queries one object a line")->type_name("F.json");
@@ -132,10 +138,13 @@ void PlanArguments::check() const {
   build.check();
   if (svg_view != "map" && svg_view != "path")
     throw UsageError("--svg-view: expected map or path, got " + in_quotes(svg_view));
+  if (svg_color != "gear" && svg_color != "speed")
+    throw UsageError("--svg-color: expected gear or speed, got " + in_quotes(svg_color));
   for (const std::string& layer : svg_layers)
     if (std::ranges::find(SvgPicture::layers(), layer) == SvgPicture::layers().end())
-      throw UsageError("--svg-layers: expected bounds, obstacles, graph, swept, path, robot or markers, got " +
-                       in_quotes(layer));
+      throw UsageError(
+          "--svg-layers: expected bounds, obstacles, graph, swept, path, robot, numbers, axes or markers, got " +
+          in_quotes(layer));
 }
 
 PlannerOptions PlanArguments::planner_options(const ProcessGroup& process_group) const {

@@ -33,8 +33,8 @@ struct PlanArguments {
   std::vector<std::string> leave_out;
   std::string svg, json, csv, ros_path;
   std::string sample_step;
-  std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "markers"};
-  std::string svg_view = "map";
+  std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "axes", "markers"};
+  std::string svg_view = "map", svg_color = "gear";
   BuildOptions build;
 
   void add_to(CLI::App& command);
