@@ -98,10 +98,14 @@ struct BuildOptions {
   [[nodiscard]] std::size_t threads_asked_for() const;
 };
 
+/// The file that an argument names: itself, or for "-" a copy of standard input, which is read once.
+/// @throws FileError if standard input cannot be read or copied.
+std::string input_file(const std::string& name);
+
 /// Help text of the argument that names a map.
 inline constexpr const char* kMapHelp =
     "Map file (GeoJSON, WKT, SVG, ROS, MovingAI, TPCAP, plain text, prepared), or a name of the catalog: paper, "
-    "clutter/star/n100";
+    "clutter/star/n100; - is standard input";
 
 /// A map as loaded: the world and, if it has them, start and goal.
 struct LoadedMap {
@@ -112,11 +116,11 @@ struct LoadedMap {
   CoordinateFrame frame = CoordinateFrame::kUnstated;
   std::vector<std::filesystem::path> files;  ///< files that were read
   std::optional<PreparedMap> prepared;       ///< contents of a prepared map; its world is the one above
+  std::vector<Polygon> added = {};           ///< obstacles to add to a prepared map once a planner holds its graphs
 };
 
 /// Options for reading map files, shared by all subcommands that read one.
 struct MapOptions {
-  std::vector<Polygon> added = {};           ///< obstacles to add to a prepared map once a planner holds its graphs
   bool lonlat = false, planar = false;
   std::string wall_width, curve_tolerance;
   std::string format, polygons = "blocked";

@@ -93,7 +93,7 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap&
 
 int run_validate(const ValidateArguments& arguments, std::string& out) {
   LoadedMap map = load_map(arguments.map, arguments.reading);
-  const std::vector<PlanOnLine> plans = parse_plans(read_file(arguments.path), arguments.path);
+  const std::vector<PlanOnLine> plans = parse_plans(read_file(input_file(arguments.path)), arguments.path);
   const Validator validator(map.world);
   std::size_t paths = 0;
   std::size_t valid = 0;
