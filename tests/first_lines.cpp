@@ -4,6 +4,7 @@
 #include <arcway/datasets/read_map.h>
 #include <arcway/datasets/svg.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <numeric>
@@ -104,9 +105,15 @@ int main() {
   const std::vector<PlanRequest> requests{{.start = {0, 0, 0}, .goal = {30, 0, 0}}, {{0, 5, 0}, {30, 5, 0}}};
   for (const PlanResult& one : plan_batch(planner, requests, ThreadExecutor())) EXPECT(one.solved());
   // 24. A picture.
-  SvgPicture picture(world);
-  picture.add_path(result.path(), Vehicle{}.footprint());
-  EXPECT(!picture.str().empty());
+  write_svg("first_lines.svg", result);
+  // 25. Two poses for a planner.
+  EXPECT(planner.plan({0, 0, 0}, {30, 0, 0}).solved());
+  // 26. Bounds as a rectangle.
+  EXPECT(World({}, Polygon::rectangle({0, 0}, {9, 9})).has_bounds());
+  // 27. Whether it arrives at the goal.
+  const Pose goal{20, 0, 0};
+  EXPECT(result.goal == goal);
+  std::remove("first_lines.svg");
   std::remove(path.c_str());
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

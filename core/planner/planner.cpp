@@ -260,6 +260,10 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   return result;
 }
 
+PlanResult Planner::plan(const Pose& start, const Pose& goal, const PlanLimits& limits) const {
+  return plan(PlanRequest{.start = start, .goal = goal}, limits);
+}
+
 void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResult& result) const {
   require_request(asked, limits, vehicle());
   const Stopwatch total;

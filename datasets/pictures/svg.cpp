@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "arcway/angle.h"
+#include "arcway/datasets/file_io.h"
 #include "core/model/pose_text.h"
 #include "datasets/io/markup_text.h"
 
@@ -537,6 +538,31 @@ std::string SvgPicture::str() const {
   append_captions(out, captions);
   out += "</svg>\n";
   return out;
+}
+
+void write_svg(const std::filesystem::path& path, const PlanResult& result) {
+  if (!result.scene)
+    throw std::invalid_argument("write_svg: no planner made this result, so that its world is not known");
+  const Footprint body = result.scene->vehicle.footprint();
+  const Path driven = result.path();
+  Box view = result.scene->world.box();
+  std::vector<Vec2> places = polyline(driven, std::max(body.front + body.rear, 1e-4 * result.length));
+  places.insert(places.end(), {result.start.position(), result.goal.position()});
+  for (const Vec2& p : places)
+    view.extend(Box{p, p}.grown(std::hypot(std::max(body.front, body.rear), body.half_width)));
+  SvgPicture picture(result.scene->world, view);
+  picture.add_axes();
+  if (result.solved()) {
+    picture.add_swept_area(driven, body);
+    picture.add_path(driven, body, to_string(result));
+    picture.add_speeds(result.trajectory());
+  } else {
+    picture.add_bodies(std::vector{result.start, result.goal}, body);
+    picture.add_poses(result.start, result.goal, body);
+    picture.add_caption(to_string(result));
+  }
+  picture.set_title(name_of(result.status));
+  write_file_atomically(path, picture.str());
 }
 
 }  // namespace arcway

@@ -19,6 +19,8 @@ struct Pose {
   double y = 0.0;
   double heading = 0.0;
   [[nodiscard]] Vec2 position() const { return {x, y}; }
+  /// Whether all numbers are the same: headings are not compared modulo a turn.
+  friend bool operator==(const Pose&, const Pose&) = default;
 };
 
 /// "(x, y, heading)" [m, m, rad]. Each number reads back to the same double.

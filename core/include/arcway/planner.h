@@ -178,6 +178,8 @@ class ARCWAY_API Planner {
   /// @throws std::invalid_argument if the safety margin is too small for the poses' coordinates (see the constructor),
   ///   or the cusp cost is negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
+  /// A plan between two poses with the defaults of PlanRequest: planner.plan({0, 0, 0}, {20, 5, 0}).
+  [[nodiscard]] PlanResult plan(const Pose& start, const Pose& goal, const PlanLimits& limits = {}) const;
   /// Overload that writes into a result whose memory is used again. With accel's queries and an eager graph, a request
   /// that was answered before allocates nothing. This holds without `reverse` and trees, if single arcs join start and
   /// goal to a path on circles of the smallest radius.

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arcway/export.h"
@@ -73,6 +75,10 @@ class ARCWAY_API World {
   /// to 250 where boxes nest or overlap all over.
   /// @throws WorldError for the first obstacle that is refused.
   explicit World(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt);
+  /// Bounds as a polygon, as Polygon::rectangle makes it.
+  /// @throws WorldError as above, or for bounds with holes.
+  template <std::same_as<Polygon> Bounds>
+  World(std::vector<Polygon> obstacles, const Bounds& bounds) : World(from_polygons(std::move(obstacles), bounds)) {}
 
   /// The world of these obstacles, checked as the constructor does.
   /// @param bounds  without holes.

@@ -246,6 +246,7 @@ TEST(World, IsMadeOfPolygonsOrRings) {
   EXPECT_TRUE(world.has_bounds());
   const World rings = World::from_polygons({{{8, -4}, {12, -4}, {12, 4}, {8, 4}}}, bounds.outer);
   EXPECT_TRUE(std::ranges::equal(world.vertices(), rings.vertices()));
+  EXPECT_TRUE(std::ranges::equal(World({Polygon::rectangle({8, -4}, {12, 4})}, bounds).vertices(), world.vertices()));
   EXPECT_FALSE(World::from_polygons({Polygon::regular({0, 0}, 1.0, 8)}).has_bounds());
   try {
     World::from_polygons({bounds}, Polygon{bounds.outer, {Polygon::rectangle(1, 1, 2, 2).outer}});

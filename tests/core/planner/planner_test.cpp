@@ -584,6 +584,7 @@ TEST(Plan, IsThatOfAPlanner) {
   const PlanResult expected = Planner(world, Vehicle{}).plan({.start = {0, 0, 0}, .goal = {20, 0, 0}});
   EXPECT_TRUE(result.solved());
   EXPECT_EQ(result.travel_time, expected.travel_time);
+  EXPECT_EQ(Planner(world, Vehicle{}).plan({0, 0, 0}, {20, 0, 0}).travel_time, expected.travel_time);
   EXPECT_EQ(plan(world, Vehicle{}, {.start = {0, 0, 0}, .goal = {20, 0, 0}}).travel_time, expected.travel_time);
   EXPECT_EQ(plan(reference_backend(world), Vehicle{}, {.start = {0, 0, 0}, .goal = {20, 0, 0}}).travel_time,
             expected.travel_time);

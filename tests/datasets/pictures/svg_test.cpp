@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "arcway/datasets/file_io.h"
 #include "arcway/datasets/paper_example.h"
+#include "arcway/planner.h"
 #include "arcway/trajectory.h"
 
 namespace arcway::internal {
@@ -160,6 +163,19 @@ TEST(Svg, ColorsThePathBySpeed) {
   EXPECT_GE(count(svg, "stroke-dasharray"), 1u);    // backwards
   EXPECT_EQ(count(svg, "#e4572e"), 0u);
   EXPECT_EQ(svg.find("{y}"), std::string::npos);
+}
+
+TEST(Svg, IsWrittenOfAPlan) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "arcway_plan.svg";
+  const Planner planner(World({Polygon::rectangle({8, -4}, {12, 4})}), Vehicle{});
+  write_svg(path, planner.plan({0, 0, 0}, {20, 0, 0}));
+  const std::string solved = read_file(path);
+  for (const char* layer : {"obstacles", "swept", "path", "axes", "legend"})
+    EXPECT_EQ(count(solved, "id=\"" + std::string(layer) + "\""), 1u) << layer;
+  write_svg(path, planner.plan({0, 0, 0}, {10, 0, 0}));
+  EXPECT_NE(read_file(path).find("goal in collision (proved)"), std::string::npos);
+  std::filesystem::remove(path);
+  EXPECT_THROW(write_svg(path, PlanResult{}), std::invalid_argument);
 }
 
 TEST(Svg, KeepsTextsOnThePage) {

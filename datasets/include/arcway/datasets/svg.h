@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "arcway/export.h"
 #include "arcway/path.h"
+#include "arcway/plan_result.h"
 #include "arcway/trajectory.h"
 #include "arcway/vec2.h"
 #include "arcway/vehicle.h"
@@ -114,5 +116,10 @@ class ARCWAY_API SvgPicture {
   bool backwards_ = false;  // some path is driven so
   std::string title_, description_;
 };
+
+/// Writes a picture of a plan in its world: the path in colors of speed, the swept area, axes. Without a path it shows
+/// start, goal and the reason. SvgPicture draws other choices.
+/// @throws FileError if the file cannot be written; std::invalid_argument if no planner made the result.
+ARCWAY_API void write_svg(const std::filesystem::path& path, const PlanResult& result);
 
 }  // namespace arcway
