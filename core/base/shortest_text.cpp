@@ -14,7 +14,7 @@ std::string rounded_text(double value) {
   std::string out(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 3).ptr);
   out.erase(out.find_last_not_of('0') + 1);
   if (out.back() == '.') out.pop_back();
-  return out;
+  return out == "-0" ? "0" : out;
 }
 
 }  // namespace arcway::internal

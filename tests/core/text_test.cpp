@@ -6,6 +6,7 @@
 #include <string>
 
 #include "arcway/arcway.h"
+#include "core/base/shortest_text.h"
 #include "tests/support/boxes.h"
 
 namespace arcway::internal {
@@ -30,6 +31,14 @@ TEST(Text, IsWhatStreamsShow) {
             "line of 3 m forwards from (1, 2, 0.5), from 0 to 1.5 m/s in 4 s");
   EXPECT_EQ(streamed(Side::kLeft) + streamed(Side::kRight), "leftright");
   EXPECT_EQ(streamed(Gear::kForward) + streamed(Gear::kReverse), "forwardsbackwards");
+}
+
+TEST(Text, RoundsToThreeDecimals) {
+  EXPECT_EQ(rounded_text(1.0 / 3.0), "0.333");
+  EXPECT_EQ(rounded_text(1200.0), "1200");
+  EXPECT_EQ(rounded_text(-2.5), "-2.5");
+  EXPECT_EQ(rounded_text(-1e-9), "0");
+  EXPECT_EQ(rounded_text(-0.0), "0");
 }
 
 TEST(Text, DescribesWorldsAndVehicles) {
