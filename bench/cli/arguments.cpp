@@ -13,6 +13,7 @@
 #include "arcway/datasets/file_io.h"
 #include "arcway/datasets/paper_example.h"
 #include "arcway/datasets/robot.h"
+#include "bench/cli/standard_streams.h"
 #include "core/model/pose_text.h"
 #include "core/roadmap/feasible_graph.h"
 #include "datasets/io/nearest_word.h"
@@ -175,7 +176,14 @@ MapReadOptions MapOptions::read_options() const {
   return options;
 }
 
-MapFile read_named_map(const std::string& name, const MapOptions& options, bool as_written) {
+std::string input_file(const std::string& name) {
+  if (name != "-") return name;
+  static const std::string copy = copy_of_standard_input();
+  return copy;
+}
+
+MapFile read_named_map(const std::string& given, const MapOptions& options, bool as_written) {
+  const std::string name = input_file(given);
   MapReadOptions read_options = options.read_options();
   read_options.vector.as_written = as_written;
   const bool is_file = std::filesystem::is_regular_file(name), generated = is_catalog_name(name) && !is_file;
@@ -183,7 +191,8 @@ MapFile read_named_map(const std::string& name, const MapOptions& options, bool 
   return generated ? catalog_map(name) : read_map(name, read_options);
 }
 
-LoadedMap load_map(const std::string& name, const MapOptions& options) {
+LoadedMap load_map(const std::string& given, const MapOptions& options) {
+  const std::string name = input_file(given);
   if (is_prepared_map_file(name)) {
     PreparedMap map = read_prepared_map_file(name);
     LoadedMap loaded{map.world, map.start, map.goal, {}, {}, {}, CoordinateFrame::kMeters, {name}, std::move(map)};
@@ -209,7 +218,7 @@ LoadedMap load_map(const std::string& name, const MapOptions& options) {
 
 Vehicle load_vehicle(const std::string& file) {
   if (file.empty()) return Vehicle(paper_example().robot);
-  const VehicleParameters parameters = read_robot_file(file);
+  const VehicleParameters parameters = read_robot_file(input_file(file));
   try {
     return Vehicle(parameters);
   } catch (const std::invalid_argument& error) {
@@ -280,11 +289,13 @@ void warn_of(const Vehicle& vehicle, LoadedMap& map) {
 }
 
 std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<std::string>& warnings) {
-  const std::string text = read_file(file);
+  const std::string text = read_file(input_file(file));
   std::string_view rest = text;
   if (rest.substr(0, 3) == "\xEF\xBB\xBF") rest.remove_prefix(3);
   constexpr std::array<std::string_view, 7> kColumns = {"q", "sx", "sy", "stheta", "gx", "gy", "gtheta"};
-  constexpr std::string_view kHeader = "q,sx,sy,stheta,gx,gy,gtheta";
+  constexpr std::array<std::string_view, 7> kWithUnits = {"q",    "sx_m", "sy_m",      "stheta_rad",
+                                                          "gx_m", "gy_m", "gtheta_rad"};
+  constexpr std::string_view kHeader = kQueryColumns;
   std::vector<NumberedRequest> queries;
   bool header_seen = false;
   std::size_t turns = 0;  // headings beyond a full turn
@@ -296,7 +307,7 @@ std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<s
     const std::string where = file + ":" + std::to_string(line_number);
     const std::vector<std::string_view> fields = split(line, ',');
     if (!header_seen) {
-      if (!std::equal(fields.begin(), fields.end(), kColumns.begin(), kColumns.end())) {
+      if (!std::ranges::equal(fields, kColumns) && !std::ranges::equal(fields, kWithUnits)) {
         throw UsageError(where + ": expected the header " + std::string(kHeader) + ", got " + in_quotes(line));
       }
       header_seen = true;

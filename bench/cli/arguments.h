@@ -30,6 +30,7 @@ class UsageError : public std::runtime_error {
 inline constexpr int kExitSolved = 0;
 inline constexpr int kExitNoPath = 1;
 inline constexpr int kExitBadInput = 2;
+inline constexpr int kExitInterrupted = 130;  ///< as shells say of SIGINT
 
 /// Action of a subcommand once the command line is read; returns the exit code. It appends to the text for standard
 /// output, which is printed only if the action does not throw.
@@ -97,10 +98,14 @@ struct BuildOptions {
   [[nodiscard]] std::size_t threads_asked_for() const;
 };
 
+/// The file that an argument names: itself, or for "-" a copy of standard input, which is read once.
+/// @throws FileError if standard input cannot be read or copied.
+std::string input_file(const std::string& name);
+
 /// Help text of the argument that names a map.
 inline constexpr const char* kMapHelp =
     "Map file (GeoJSON, WKT, SVG, ROS, MovingAI, TPCAP, plain text, prepared), or a name of the catalog: paper, "
-    "clutter/star/n100";
+    "clutter/star/n100; - is standard input";
 
 /// A map as loaded: the world and, if it has them, start and goal.
 struct LoadedMap {
@@ -111,6 +116,7 @@ struct LoadedMap {
   CoordinateFrame frame = CoordinateFrame::kUnstated;
   std::vector<std::filesystem::path> files;  ///< files that were read
   std::optional<PreparedMap> prepared;       ///< contents of a prepared map; its world is the one above
+  std::vector<Polygon> added = {};           ///< obstacles to add to a prepared map once a planner holds its graphs
 };
 
 /// Options for reading map files, shared by all subcommands that read one.
@@ -158,7 +164,10 @@ struct NumberedRequest {
   std::uint64_t q;
   PlanRequest request;
 };
-/// Reads queries with the columns q,sx,sy,stheta,gx,gy,gtheta; lines that start with # and blank lines are skipped.
+/// Header of files of queries. Headings may also be given in degrees, as 90deg.
+inline constexpr const char* kQueryColumns = "q,sx_m,sy_m,stheta_rad,gx_m,gy_m,gtheta_rad";
+/// Reads queries with these columns, in the header also without units; lines that start with # and blank lines are
+/// skipped.
 /// @param warnings  gets what may not mean what its author meant.
 /// @throws UsageError naming file, line and value.
 std::vector<NumberedRequest> read_queries(const std::string& file, std::vector<std::string>& warnings);

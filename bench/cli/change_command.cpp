@@ -9,6 +9,7 @@
 #include "arcway/datasets/prepared_map.h"
 #include "arcway/planner.h"
 #include "arcway/world_change.h"
+#include "bench/cli/added_maps.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/progress_bar.h"
@@ -41,56 +42,9 @@ std::vector<ObstacleId> removed_obstacles(const ChangeArguments& arguments, cons
   return removed;
 }
 
-// Longest edge of any obstacle [m].
-double longest_edge(const MapFile& map) {
-  double longest = 0.0;
-  for (const Polygon& polygon : map.obstacles)
-    for (std::size_t i = 0; i < polygon.outer.size(); ++i)
-      longest = std::max(longest, (polygon.outer[(i + 1) % polygon.outer.size()] - polygon.outer[i]).norm());
-  return longest;
-}
-
-// Degrees by what the file says, or by their looks: then with edges that no obstacle in meters has.
-void refuse_degrees(const std::string& file, const LoadedMap& added, const MapFile& map, const std::string& prepared) {
-  constexpr double kShortestEdge = 0.01;  // 1 cm; as degrees more than 1 km
-  const bool stated = added.frame == CoordinateFrame::kDegrees;
-  const bool looks = added.frame == CoordinateFrame::kUnstated && looks_like_degrees(added.world.box()) &&
-                     longest_edge(map) < kShortestEdge;
-  if (stated || looks)
-    throw UsageError("--add: " + file + (stated ? " has" : " seems to have") +
-                     " degrees of longitude and latitude, near " + shortest_text(added.world.box().min) + ", and " +
-                     prepared + " is in meters; put both into one file and prepare it with --lonlat" +
-                     ", or use --planar if they are meters");
-}
-
-// The obstacles of the maps to be added; what else these say goes to the warnings and notes of the map.
-std::vector<Polygon> added_obstacles(const ChangeArguments& arguments, LoadedMap& map, OutputFiles& files) {
-  std::vector<Polygon> added;
-  for (const std::string& file : arguments.added) {
-    const LoadedMap more = load_map(file, arguments.reading);
-    files.protect(more.files);
-    MapFile polygons = to_map_file(more.world);
-    refuse_degrees(file, more, polygons, arguments.map);
-    added.insert(added.end(), std::move_iterator(polygons.obstacles.begin()),
-                 std::move_iterator(polygons.obstacles.end()));
-    map.notes.insert(map.notes.end(), more.notes.begin(), more.notes.end());
-    map.warnings.insert(map.warnings.end(), more.warnings.begin(), more.warnings.end());
-    std::string left_out;
-    for (const auto& [has, what] : {std::pair{more.world.has_bounds(), "bounds"},
-                                    {more.start.has_value(), "start"},
-                                    {more.goal.has_value(), "goal"}})
-      if (has) left_out += (left_out.empty() ? "" : ", ") + std::string(what);
-    if (!left_out.empty())
-      map.warnings.push_back(file + ": its " + left_out + " are left out; only obstacles are added");
-  }
-  return added;
-}
-
 int run_change(const ChangeArguments& arguments, std::string& out) {
   if (arguments.removed.empty() && arguments.added.empty())
     throw UsageError("nothing to change: give --add MAP or --remove ID");
-  if (arguments.reading.lonlat && !arguments.added.empty())
-    throw UsageError("--add: --lonlat projects each map around its own middle; put them into one file");
   arguments.build.check();
   OutputFiles files({arguments.out}, {arguments.map});
   files.protect({arguments.added.begin(), arguments.added.end()});
@@ -98,7 +52,7 @@ int run_change(const ChangeArguments& arguments, std::string& out) {
   if (!map.prepared) throw UsageError(arguments.map + ": no prepared map; arcway prepare makes one");
   PreparedMap& prepared = *map.prepared;
   const std::vector<ObstacleId> removed = removed_obstacles(arguments, map.world);
-  const std::vector<Polygon> added = added_obstacles(arguments, map, files);
+  const std::vector<Polygon> added = added_obstacles({arguments.added, arguments.reading, arguments.map}, map, files);
   const auto threads = arguments.build.executor();
   ProgressBar bar;
   const ReportingExecutor executor(*threads, bar.callback());

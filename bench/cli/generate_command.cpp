@@ -22,6 +22,7 @@ namespace {
 
 struct GenerateArguments {
   std::string world;
+  MapOptions reading;
   std::string obstacles, vertices, fill, seed, gap;
   std::string out;
   std::string queries, count = "50", query_seed = "1", robot;
@@ -79,6 +80,13 @@ MapFile make_map(const GenerateArguments& arguments, std::string& out) {
                        "says it all, got " + in_quotes(arguments.world));
     }
   }
+  if (arguments.world == "-" || std::filesystem::is_regular_file(arguments.world)) {
+    if (!arguments.out.empty())
+      throw UsageError("--out: " + in_quotes(arguments.world) + " is a map already; arcway convert writes it anew");
+    const LoadedMap map = load_map(arguments.world, arguments.reading);
+    out += warning_rows(map);
+    return to_map_file(map.world);
+  }
   return catalog_map(arguments.world);
 }
 
@@ -89,7 +97,7 @@ std::string queries_csv(const GenerateArguments& arguments, const World& world, 
       world, make_reference_queries(world), vehicle,
       {.count = parse_count(arguments.count, "--count"), .seed = parse_count(arguments.query_seed, "--query-seed")});
   std::string csv = "# random poses in " + arguments.world + ", seed " + arguments.query_seed + "\n";
-  csv += "q,sx,sy,stheta,gx,gy,gtheta\n";
+  csv += std::string(kQueryColumns) + "\n";
   for (std::size_t q = 0; q < queries.size(); ++q) {
     csv += std::to_string(q);
     for (const Pose& pose : {queries[q].start, queries[q].goal})
@@ -106,7 +114,8 @@ int run_generate(const GenerateArguments& arguments, std::string& out) {
     if (std::filesystem::path(arguments.out).extension() == ending)
       throw UsageError("--out: writes GeoJSON, got " + in_quotes(arguments.out) +
                        "; convert and prepare write other formats");
-  OutputFiles files({arguments.out, arguments.queries, arguments.robot_out, arguments.drive_out}, {arguments.robot});
+  OutputFiles files({arguments.out, arguments.queries, arguments.robot_out, arguments.drive_out},
+                    {arguments.robot, arguments.world});
   std::string details;
   const MapFile map = make_map(arguments, details);
   const World world = to_world(map, arguments.world);
@@ -138,7 +147,9 @@ void add_generate_command(CLI::App& app, Action& action) {
   command.footer(families_text());
   const auto arguments = std::make_shared<GenerateArguments>();
   const ClutterParameters defaults;
-  command.add_option("WORLD", arguments->world, "convex, star, mixed or rectangle; or a name of the catalog")
+  command
+      .add_option("WORLD", arguments->world,
+                  "convex, star, mixed or rectangle; or a name of the catalog; for --queries also a map file")
       ->required();
   const auto option = [&](const char* name, std::string& value, const std::string& what,
                           const std::string& default_value) {
@@ -159,6 +170,7 @@ void add_generate_command(CLI::App& app, Action& action) {
   command.add_option("--robot-out", arguments->robot_out, "Robot of a world driven/... to write")->type_name("R.json");
   command.add_option("--drive-out", arguments->drive_out, "Drive of a world driven/... to write, a plan for validate")
       ->type_name("P.json");
+  arguments->reading.add_to(command);
   command.callback(
       [arguments, &action] { action = [arguments](std::string& out) { return run_generate(*arguments, out); }; });
 }

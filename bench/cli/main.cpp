@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -12,6 +13,8 @@
 
 #include "arcway/process_group.h"
 #include "bench/cli/arguments.h"
+#include "bench/cli/help_files.h"
+#include "bench/cli/standard_streams.h"
 #include "datasets/io/nearest_word.h"
 #include "datasets/io/shortened.h"
 #ifdef ARCWAY_WITH_MPI
@@ -29,7 +32,8 @@ constexpr std::size_t kMostOfMessage = 10'000;  ///< bytes printed of an error: 
 constexpr const char* kDescription = "Time-optimal smooth paths for car-like robots on polygon maps.";
 constexpr const char* kFooter =
     "Units: meters, seconds, radians counter-clockwise from +x (or degrees: 90deg).\n"
-    "Exit codes: 0 solved, valid or done; 1 no path, not valid or refused; 2 bad input or usage.";
+    "Exit codes: 0 solved, valid or done; 1 no path, not valid or refused; 2 bad input or usage;\n"
+    "130 a batch that a signal ended, whose finished queries are kept.";
 
 /// @throws std::system_error if that fails, as on a disk that is full.
 void print(const std::string& text) {
@@ -44,6 +48,46 @@ void refuse_empty_values(const CLI::App& app) {
     for (const CLI::Option* option : command->get_options())
       for (const std::string& value : option->results())
         if (value.empty()) throw arcway::internal::cli::UsageError(option->get_name() + ": its value is empty");
+}
+
+/// Standard input is read once, so that two arguments cannot both be it. Of outputs, any number may be "-".
+/// @throws arcway::internal::cli::UsageError naming the second one.
+void refuse_repeated_input(const CLI::App& app) {
+  const CLI::Option* first = nullptr;
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* option : command->get_options()) {
+      const std::string name = option->get_name();
+      const bool is_input = option->get_positional() || name == "--path" || name == "--robot" || name == "--add" ||
+                            (name == "--queries" && command->get_name() == "plan");
+      for (const std::string& value : option->results()) {
+        if (!is_input || value != "-" || name == "OUT") continue;
+        if (first != nullptr)
+          throw arcway::internal::cli::UsageError(first->get_name() + " and " + name +
+                                                  ": both are standard input, which can be read only once");
+        first = option;
+      }
+    }
+  }
+}
+
+/// `arcway help plan` as `arcway plan --help`, and `arcway help` as `arcway --help`.
+/// @throws arcway::internal::cli::UsageError for help of a command that there is not.
+std::vector<std::string> arguments_of(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.empty() || arguments[0] != "help" || arguments.size() > 2) return arguments;
+  if (arguments.size() == 2 && arguments[1].starts_with("-")) return arguments;
+  arguments.erase(arguments.begin());
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (!arguments.empty() && std::ranges::find(names, arguments[0]) == names.end()) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string_view nearest = arcway::internal::nearest_word(arguments[0], known);
+    throw arcway::internal::cli::UsageError("help: no command " + arcway::internal::cli::in_quotes(arguments[0]) +
+                                            (nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?"));
+  }
+  arguments.emplace_back("--help");
+  return arguments;
 }
 
 /// What was meant by words that are neither subcommands nor options; empty if nothing near.
@@ -82,8 +126,13 @@ int run(int argc, char** argv, const arcway::ProcessGroup& process_group) {
   add_report_command(app, action);
   add_figures_command(app, action);
 #endif
+  add_help_command(app, action);
+  for (CLI::App* command : app.get_subcommands(nullptr))
+    command->add_flag_callback("-q,--quiet", set_quiet, "Print nothing but errors, and what - asks for");
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> arguments = arguments_of(app, argc, argv);
+    std::ranges::reverse(arguments);  // as CLI11 takes them
+    app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream err;
@@ -98,11 +147,17 @@ int run(int argc, char** argv, const arcway::ProcessGroup& process_group) {
     return kExitSolved;
   }
   refuse_empty_values(app);
+  refuse_repeated_input(app);
   if (!action) throw UsageError("a subcommand is required; --help names them");
   std::string text;
   const int code = action(text);
-  if (process_group.rank() > 0) return code;
-  print(text);
+  if (process_group.rank() > 0 || is_quiet()) return code;
+  text = with_stream_names(std::move(text));
+  if (writes_data_to_standard_output()) {
+    std::fputs(text.c_str(), stderr);
+  } else {
+    print(text);
+  }
   return code;
 }
 
@@ -120,7 +175,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "%s: out of memory\n", kName);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", kName, arcway::internal::shortened(error.what(), kMostOfMessage).c_str());
+    const std::string message = arcway::internal::cli::with_stream_names(error.what());
+    std::fprintf(stderr, "%s: %s\n", kName, arcway::internal::shortened(message, kMostOfMessage).c_str());
   }
 #ifdef ARCWAY_WITH_MPI
   process_group.abort(arcway::internal::cli::kExitBadInput);  // the others would wait for this process

@@ -4,18 +4,27 @@
 
 #include "bench/cli/arguments.h"
 #include "bench/cli/deferred_signals.h"
+#include "bench/cli/standard_streams.h"
 
 namespace arcway::internal::cli {
+namespace {
+
+// "-" is standard output.
+std::string output_path(const std::string& target) { return target == "-" ? "/dev/stdout" : target; }
+
+}  // namespace
 
 OutputFiles::OutputFiles(const std::vector<std::string>& targets, const std::vector<std::string>& inputs, bool writes)
     : writes_(writes) {
   if (!writes_) return;
   for (const std::string& input : inputs)
-    if (!input.empty()) files_.protect(input);
+    if (!input.empty() && input != "-") files_.protect(input);
   files_.protect("/dev/stdout", "takes what is printed");
   const DeferredSignals signals;  // none leaves the file behind by which the target is tried
-  for (const std::string& target : targets)
-    if (!target.empty()) files_.claim(target);
+  for (const std::string& target : targets) {
+    if (target == "-") set_writes_data_to_standard_output();
+    if (!target.empty()) files_.claim(output_path(target));
+  }
 }
 
 void OutputFiles::protect(const std::vector<std::filesystem::path>& inputs) {
@@ -24,7 +33,7 @@ void OutputFiles::protect(const std::vector<std::filesystem::path>& inputs) {
 
 void OutputFiles::add(const std::string& target, std::string text) {
   if (target.empty()) return;
-  if (writes_) files_.put(target, std::move(text));
+  if (writes_) files_.put(output_path(target), std::move(text));
   added_.push_back(target);
 }
 
@@ -35,7 +44,7 @@ void OutputFiles::write() {
 
 std::string OutputFiles::summary() const {
   std::string text;
-  for (const std::string& file : added_) text += row("wrote", file);
+  for (const std::string& file : added_) text += row("wrote", file == "-" ? "standard output" : file);
   return text;
 }
 

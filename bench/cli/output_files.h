@@ -12,7 +12,7 @@ namespace arcway::internal::cli {
 /// before long work, because it finds out what cannot be written.
 class OutputFiles {
  public:
-  /// @param targets  output options; empty ones are ignored.
+  /// @param targets  output options; empty ones are ignored, and "-" is standard output.
   /// @param inputs   files that are read and must not be replaced; names of no file, as of the catalog, are ignored.
   /// @param writes   false in all but one of several processes that run the same command: they leave the files alone.
   /// @throws FileError naming the target that cannot be written, is read, or is named twice.

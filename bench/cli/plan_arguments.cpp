@@ -29,6 +29,9 @@ GraphMode graph_mode_of(const std::string& name, bool batch) {
 void PlanArguments::add_to(CLI::App& command) {
   command.add_option("WORLD", map, kMapHelp)->required();
   reading.add_to(command);
+  command.add_option("--add", added, "Map whose obstacles come after those of WORLD, as what a robot sees; repeated")
+      ->type_name("MAP")
+      ->allow_extra_args(false);
   command.add_option("--robot", robot, kRobotHelp)->type_name("R.json");
   command.add_option("--start", start, "Start pose; default: the map's")->type_name("X,Y,HEADING");
   command
@@ -45,7 +48,7 @@ void PlanArguments::add_to(CLI::App& command) {
       ->type_name("K")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command.add_option("--queries", queries, "Many queries: q,sx,sy,stheta,gx,gy,gtheta")->type_name("Q.csv");
+  command.add_option("--queries", queries, std::string("Many queries: ") + kQueryColumns)->type_name("Q.csv");
   command.add_option("--out", out, "Results of --queries, one line a query")->type_name("R.csv");
   command.add_option("--heuristic", heuristic, "travel_time (admissible), paper (distance) or dijkstra")
       ->type_name("NAME")
@@ -85,13 +88,19 @@ void PlanArguments::add_to(CLI::App& command) {
 
 void PlanArguments::add_outputs_to(CLI::App& command) {
   CLI::Option* picture = command.add_option("--svg", svg, "Write a picture")->type_name("F.svg");
-  command.add_option("--svg-layers", svg_layers, "What it shows: bounds,obstacles,graph,swept,path,robot,markers")
+  command
+      .add_option("--svg-layers", svg_layers,
+                  "What it shows: bounds,obstacles,graph,swept,path,robot,numbers,axes,markers")
       ->type_name("LAYER,...")
       ->delimiter(',')
-      ->default_str("all but graph")
+      ->default_str("all but graph and numbers")
       ->needs(picture);
   command.add_option("--svg-view", svg_view, "What part it shows: the whole map, or the path's surroundings")
       ->type_name("map|path")
+      ->capture_default_str()
+      ->needs(picture);
+  command.add_option("--svg-color", svg_color, "What the path's color shows: the gear, or the speed, with a legend")
+      ->type_name("gear|speed")
       ->capture_default_str()
       ->needs(picture);
   command.add_option("--json", json, "Write the exact plan; with --queries one object a line")->type_name("F.json");
@@ -102,6 +111,12 @@ void PlanArguments::add_outputs_to(CLI::App& command) {
       .add_option("--sample-step", sample_step,
                   "Largest distance between samples of --csv and --ros-path [m]; default: 0.5")
       ->type_name("M");
+}
+
+std::vector<std::string> PlanArguments::inputs() const {
+  std::vector<std::string> files{map, robot, queries};
+  files.insert(files.end(), added.begin(), added.end());
+  return files;
 }
 
 void PlanArguments::check() const {
@@ -123,10 +138,13 @@ void PlanArguments::check() const {
   build.check();
   if (svg_view != "map" && svg_view != "path")
     throw UsageError("--svg-view: expected map or path, got " + in_quotes(svg_view));
+  if (svg_color != "gear" && svg_color != "speed")
+    throw UsageError("--svg-color: expected gear or speed, got " + in_quotes(svg_color));
   for (const std::string& layer : svg_layers)
     if (std::ranges::find(SvgPicture::layers(), layer) == SvgPicture::layers().end())
-      throw UsageError("--svg-layers: expected bounds, obstacles, graph, swept, path, robot or markers, got " +
-                       in_quotes(layer));
+      throw UsageError(
+          "--svg-layers: expected bounds, obstacles, graph, swept, path, robot, numbers, axes or markers, got " +
+          in_quotes(layer));
 }
 
 PlannerOptions PlanArguments::planner_options(const ProcessGroup& process_group) const {

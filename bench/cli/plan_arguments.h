@@ -17,6 +17,7 @@ namespace arcway::internal::cli {
 struct PlanArguments {
   std::string map;
   MapOptions reading;
+  std::vector<std::string> added;
   std::string robot;
   std::string start;
   std::vector<std::string> goals, waypoints;
@@ -32,8 +33,8 @@ struct PlanArguments {
   std::vector<std::string> leave_out;
   std::string svg, json, csv, ros_path;
   std::string sample_step;
-  std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "markers"};
-  std::string svg_view = "map";
+  std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "axes", "markers"};
+  std::string svg_view = "map", svg_color = "gear";
   BuildOptions build;
 
   void add_to(CLI::App& command);
@@ -43,7 +44,7 @@ struct PlanArguments {
   void check() const;
 
   [[nodiscard]] bool batch() const { return !queries.empty(); }
-  [[nodiscard]] std::vector<std::string> inputs() const { return {map, robot, queries}; }
+  [[nodiscard]] std::vector<std::string> inputs() const;
   [[nodiscard]] std::vector<std::string> outputs() const { return {out, svg, json, csv, ros_path}; }
   /// @throws UsageError, as the next three.
   [[nodiscard]] PlannerOptions planner_options(const ProcessGroup& process_group) const;

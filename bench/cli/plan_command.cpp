@@ -9,6 +9,8 @@
 #include "arcway/datasets/robot.h"
 #include "arcway/planner.h"
 #include "arcway/stop_clock.h"
+#include "arcway/world_change.h"
+#include "bench/cli/added_maps.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/cli/plan_arguments.h"
@@ -42,6 +44,32 @@ Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehic
   } catch (const SnapshotError& error) {
     throw FormatError(map.prepared->source.complaint(error));
   }
+}
+
+/// The planner for the map with what --add names. Of a prepared map all is kept that lies far from that.
+/// @throws Canceled as make_planner does.
+Planner make_planner_with_added(const PlanArguments& arguments, LoadedMap& map, const Vehicle& vehicle,
+                                const ProcessGroup& process_group, const StopClock& clock) {
+  Planner planner = make_planner(arguments, map, vehicle, process_group, clock);
+  if (map.added.empty()) return planner;
+  const std::vector<ObstacleId> removed;
+  const World without = map.world;
+  map.world = without.changed(removed, map.added);
+  const auto arena = arguments.build.executor();
+  const StoppableExecutor executor(*arena, clock);
+  const Backend backend = arguments.build.backend_for(map.world, executor, process_group);
+  return Planner::changed(planner, WorldChange(without, map.world, removed), backend,
+                          arguments.planner_options(process_group));
+}
+
+/// Adds the obstacles of --add, at once unless the map is prepared.
+void add_obstacles(const PlanArguments& arguments, LoadedMap& map, OutputFiles& files) {
+  map.added = added_obstacles({arguments.added, arguments.reading, arguments.map}, map, files);
+  if (map.prepared || map.added.empty()) return;
+  map.world = map.world.changed({}, map.added);
+  if (!map.curved.curves.empty())
+    map.curved.polygons.insert(map.curved.polygons.end(), map.added.begin(), map.added.end());
+  map.added.clear();
 }
 
 // Warns of poses with doubtful headings.
@@ -110,6 +138,7 @@ int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::st
   OutputFiles files(arguments.outputs(), arguments.inputs(), process_group.rank() == 0);
   LoadedMap map = load_map(arguments.map, arguments.reading);
   files.protect(map.files);
+  add_obstacles(arguments, map, files);
   arguments.build.prepared = map.prepared.has_value();
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
   map.warnings.insert(map.warnings.end(), query_warnings.begin(), query_warnings.end());
@@ -128,7 +157,7 @@ int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::st
   try {
     if (plain && !map.curved.curves.empty()) return plan_curved(arguments, map, request, plan_on, {files, out});
     const Stopwatch watch;
-    const Planner planner = make_planner(arguments, map, vehicle, process_group, clock);
+    const Planner planner = make_planner_with_added(arguments, map, vehicle, process_group, clock);
     if (batch && map.prepared) planner.warm_up(std::min(arguments.build.thread_count(), queries.size()));
     const double build_seconds = watch.seconds();
     const PreparedPlanner prepared{arguments, map, planner, build_seconds};

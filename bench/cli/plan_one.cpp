@@ -1,6 +1,7 @@
 #include "bench/cli/plan_one.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -51,8 +52,11 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
   view.extend(result.start.position());
   view.extend(result.goal.position());
   for (const Place& place : request.waypoints) view.extend(place.position);
+  // All that the body covers: on arcs the path bulges beyond its joints.
+  const double length = body.front + body.rear, far = std::hypot(std::max(body.front, body.rear), body.half_width);
   for (const CheckedPlan& plan : plans)
-    for (const TimedSegment& s : plan.result.segments) view.extend(s.segment.start.position());
+    for (const Vec2& p : polyline(plan.result.path(), std::max(length, plan.result.length / 10'000.0)))
+      view.extend(Box{p, p}.grown(far));
   if (arguments.svg_view == "map" && !planner.world().box().empty()) {
     view.extend(planner.world().box().min);
     view.extend(planner.world().box().max);
@@ -62,6 +66,8 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
     view.extend(Vec2(view.max.array() + reach));
   }
   SvgPicture svg(planner.world(), view);
+  svg.add_axes();
+  svg.add_obstacle_numbers(planner.world());
   if (std::ranges::find(arguments.svg_layers, "graph") != arguments.svg_layers.end()) svg.add_edges(edges_of(planner));
   if (result.solved()) {
     svg.add_swept_area(result.path(), body);
@@ -69,6 +75,7 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
       svg.add_alternative(plans[i].result.path(), body,
                           "alternative " + std::to_string(i + 1) + ": " + caption_of(plans[i].result));
     svg.add_path(result.path(), body, caption_of(result));
+    if (arguments.svg_color == "speed") svg.add_speeds(result.trajectory());
     svg.set_title("Time-optimal path",
                   "The path of a car-like robot among polygonal obstacles, with its body drawn "
                   "along the way.");
@@ -171,11 +178,10 @@ int plan_one(const PreparedPlanner& prepared, const TourRequest& request, const 
     json += plan_json(prepared, request, plans[i], i);
   if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
   if (!arguments.csv.empty() && result.solved()) {
-    files.add(arguments.csv, path_to_csv(result.segments, planner.vehicle(), arguments.sampling()));
+    files.add(arguments.csv, path_to_csv(result.trajectory(), arguments.sampling()));
   }
   if (!arguments.ros_path.empty() && result.solved()) {
-    files.add(arguments.ros_path,
-              path_to_nav_msgs(result.segments, planner.vehicle(), "map", arguments.sampling()) + "\n");
+    files.add(arguments.ros_path, path_to_nav_msgs(result.trajectory(), "map", arguments.sampling()) + "\n");
   }
 
   out += arguments.map + ": " + name_of(result.status) + "\n";

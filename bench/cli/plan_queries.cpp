@@ -11,6 +11,7 @@
 #include "arcway/plan_batch.h"
 #include "bench/cli/plan_rows.h"
 #include "bench/cli/progress_bar.h"
+#include "bench/cli/signal_stop.h"
 #include "bench/quantiles.h"
 #include "core/base/bytes.h"
 #include "core/base/shortest_text.h"
@@ -33,7 +34,8 @@ std::string batch_line(std::uint64_t q, const CheckedPlan& plan) {
 
 /// Output of a batch for one query.
 struct Answer {
-  std::string line, json, refusal;  ///< `refusal`: the validator's first complaint, if it refuses the plan
+  std::string line, json, refusal;  ///< `refusal`: the validator's first complaint, if it refuses the plan; `line` is
+                                    ///< empty for a query that a signal ended
   double seconds = 0.0;
   bool solved = false;
 };
@@ -70,14 +72,16 @@ std::vector<Answer> answer_share(const Planner& planner, std::span<const Numbere
   std::vector<PlanRequest> requests;
   for (const NumberedRequest& query : queries) requests.push_back(query.request);
   ProgressBar bar;
-  std::vector<PlanResult> results =
-      plan_batch(planner, requests, threads, {.time_limit = limits.time, .progress = bar.callback()});
+  std::vector<PlanResult> results = plan_batch(
+      planner, requests, threads, {.time_limit = limits.time, .stop = limits.stop, .progress = bar.callback()});
   std::vector<Answer> answers(results.size());
   const ReportingExecutor watched(threads, bar.callback());
   watched.begin_stage("validations");
   const Validator validator(planner.world());
   watched.for_ranges(results.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      if (limits.stop.stop_requested() && (results[i].interrupted || results[i].status == PlanStatus::kCanceled))
+        continue;
       const CheckedPlan plan = checked(validator, planner.vehicle(), std::move(results[i]), requests[i].reverse);
       Answer& answer = answers[i];
       answer.line = batch_line(queries[i].q, plan);
@@ -92,20 +96,24 @@ std::vector<Answer> answer_share(const Planner& planner, std::span<const Numbere
   return answers;
 }
 
+// Lines before those of the queries: how the graphs were built, and the header.
+std::string batch_header(const PreparedPlanner& prepared) {
+  const PrepareStatistics& prepare = prepared.planner.prepare_statistics();
+  std::string csv = "# build " + fixed(prepared.build_seconds, 6) + " s: reduced graph " +
+                    fixed(prepare.visibility_seconds, 6) + " s, feasible graph " + fixed(prepare.feasible_seconds, 6) +
+                    " s; " + prepared.arguments.build.summary(prepared.planner.world());
+  const double suboptimality = prepared.planner.options().suboptimality.value_or(0.0);
+  if (suboptimality > 0.0) csv += "; suboptimality " + shortest_text(suboptimality);
+  return csv + "\nq,status,travel_time_s,length_m,lower_bound_s,min_clearance_m,valid,plan_ms\n";
+}
+
 }  // namespace
 
 int answer_queries(const PreparedPlanner& prepared, const std::vector<NumberedRequest>& queries,
                    const ProcessGroup& process_group, const PlanOutput& output) {
   const auto& [arguments, map, planner, build_seconds] = prepared;
   auto& [files, out] = output;
-  const PrepareStatistics& prepare = planner.prepare_statistics();
-  std::string csv = "# build " + fixed(build_seconds, 6) + " s: reduced graph " + fixed(prepare.visibility_seconds, 6) +
-                    " s, feasible graph " + fixed(prepare.feasible_seconds, 6) + " s; " +
-                    arguments.build.summary(planner.world());
-  const double suboptimality = planner.options().suboptimality.value_or(0.0);
-  if (suboptimality > 0.0) csv += "; suboptimality " + shortest_text(suboptimality);
-  csv += "\n";
-  csv += "q,status,travel_time_s,length_m,lower_bound_s,min_clearance_m,valid,plan_ms\n";
+  std::string csv = batch_header(prepared);
   std::string json;
   std::size_t solved = 0;
   std::size_t refused = 0;
@@ -115,10 +123,14 @@ int answer_queries(const PreparedPlanner& prepared, const std::vector<NumberedRe
   const auto threads = arguments.build.executor();
   const auto [first, last] = process_group.share_of(queries.size());
   std::vector<Answer> answers;
-  for (const std::string& share :
-       process_group.gather(to_bytes(answer_share(planner, std::span(queries).subspan(first, last - first),
-                                                  arguments.limits(), !arguments.json.empty(), *threads))))
+  const SignalStop signals;
+  PlanLimits limits = arguments.limits();
+  limits.stop = signals.token();
+  for (const std::string& share : process_group.gather(to_bytes(answer_share(
+           planner, std::span(queries).subspan(first, last - first), limits, !arguments.json.empty(), *threads))))
     append_answers(share, answers);
+  const std::size_t canceled = std::erase_if(answers, [](const Answer& answer) { return answer.line.empty(); });
+  if (canceled > 0) csv += "# interrupted: " + std::to_string(canceled) + " queries have no line\n";
   for (const Answer& answer : answers) {
     csv += answer.line;
     json += answer.json;
@@ -132,6 +144,8 @@ int answer_queries(const PreparedPlanner& prepared, const std::vector<NumberedRe
   if (!arguments.json.empty()) files.add(arguments.json, std::move(json));
 
   out += arguments.map + ": " + count_text(solved) + " of " + count_text(queries.size()) + " solved\n";
+  if (canceled > 0)
+    out += row("interrupted", count_text(canceled) + " queries were not finished; those that were are kept");
   out += row("valid", solved == 0    ? "no plan to check"
                       : refused == 0 ? "all of them, every moment of the motion checked"
                                      : "NO, " + count_text(refused) + " refused; " + first_refusal);
@@ -141,11 +155,12 @@ int answer_queries(const PreparedPlanner& prepared, const std::vector<NumberedRe
   out += row("query times", "median " + share_text(0.5) + ", 99 % within " + share_text(0.99) + ", sum " +
                                 duration_text(std::accumulate(seconds.begin(), seconds.end(), 0.0)) + "; " +
                                 duration_text(total) + " with validation");
-  out += suboptimality_row(suboptimality);
+  out += suboptimality_row(planner.options().suboptimality.value_or(0.0));
   out += "\n" + world_rows(map.world) + prepare_rows(planner, build_seconds) +
          row("built by", arguments.build.summary(planner.world())) + warning_rows(map);
   files.write();
   out += files.summary();
+  if (canceled > 0) return kExitInterrupted;
   return refused == 0 ? kExitSolved : kExitNoPath;
 }
 

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <string>
 
+#include "bench/cli/standard_streams.h"
+
 namespace arcway::internal::cli {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr std::size_t kWidth = 40;
 
 }  // namespace
 
-ProgressBar::ProgressBar() : is_terminal_(isatty(STDERR_FILENO) == 1), next_(Clock::now() + kFirst) {}
+ProgressBar::ProgressBar() : is_terminal_(!is_quiet() && isatty(STDERR_FILENO) == 1), next_(Clock::now() + kFirst) {}
 
 ProgressBar::~ProgressBar() {
   if (shown_ == 0) return;

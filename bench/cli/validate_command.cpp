@@ -93,7 +93,7 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap&
 
 int run_validate(const ValidateArguments& arguments, std::string& out) {
   LoadedMap map = load_map(arguments.map, arguments.reading);
-  const std::vector<PlanOnLine> plans = read_plans(read_file(arguments.path), arguments.path);
+  const std::vector<PlanOnLine> plans = parse_plans(read_file(input_file(arguments.path)), arguments.path);
   const Validator validator(map.world);
   std::size_t paths = 0;
   std::size_t valid = 0;
@@ -123,8 +123,10 @@ void add_validate_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<ValidateArguments>();
   command.add_option("WORLD", arguments->map, kMapHelp)->required();
   arguments->reading.add_to(command);
-  command.add_option("--path", arguments->path, "Plan, or plans, as written by plan --json")
-      ->type_name("P.json")
+  command
+      .add_option("--path", arguments->path,
+                  "Plan, or plans, as written by plan --json; or a path by --csv or --ros-path")
+      ->type_name("P")
       ->required();
   command
       .add_option("--robot", arguments->robot, "Robot (JSON); default: the plan's, else the map's, else the paper's")

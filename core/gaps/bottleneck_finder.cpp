@@ -1,22 +1,14 @@
 #include "core/gaps/bottleneck_finder.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "arcway/sweep_query.h"
 
 namespace arcway::internal {
+
 std::string region_text(const World& world, ObstacleId region) {
   return region == world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region);
-}
-
-std::string rounded_text(double meters) {
-  char text[400];  // the largest double has 309 digits
-  std::string out(text, std::to_chars(text, text + sizeof text, meters, std::chars_format::fixed, 3).ptr);
-  out.erase(out.find_last_not_of('0') + 1);
-  if (out.back() == '.') out.pop_back();
-  return out;
 }
 
 BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle)

@@ -9,14 +9,13 @@
 #include "arcway/stop_clock.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
+#include "core/base/shortest_text.h"
 #include "core/gaps/vehicle_gaps.h"
 
 namespace arcway::internal {
 
 /// "obstacle 17" or "the bounds".
 std::string region_text(const World& world, ObstacleId region);
-/// A length as people read it: to a millimeter, without trailing zeros.
-std::string rounded_text(double meters);
 
 /// Finds bottlenecks on one map for one vehicle. Thread-safe.
 class BottleneckFinder {

@@ -1,9 +1,12 @@
 #include "arcway/polygon.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 
+#include "arcway/angle.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/crossing_point.h"
 #include "core/geometry/expansion.h"
@@ -111,6 +114,44 @@ std::optional<RingConflict> find_conflict_of(const Edge& e, const Edge& f, bool 
 }
 
 }  // namespace
+
+Polygon Polygon::rectangle(const Vec2& corner, const Vec2& opposite) {
+  Box box;
+  box.extend(corner);
+  box.extend(opposite);
+  return rectangle(box);
+}
+
+Polygon Polygon::rectangle(double min_x, double min_y, double max_x, double max_y) {
+  return rectangle(Vec2(min_x, min_y), Vec2(max_x, max_y));
+}
+
+Polygon Polygon::rectangle(const Vec2& middle, double length, double width, double heading) {
+  const Vec2 ahead = 0.5 * length * direction_of(heading), aside = 0.5 * width * perpendicular(direction_of(heading));
+  return {{middle - ahead - aside, middle + ahead - aside, middle + ahead + aside, middle - ahead + aside}, {}};
+}
+
+Polygon Polygon::rectangle(const Box& box) {
+  const std::array<Vec2, 4> corners = box.corners();
+  return {Ring(corners.begin(), corners.end()), {}};
+}
+
+Polygon Polygon::regular(const Vec2& middle, double radius, std::size_t corners, double heading) {
+  Polygon polygon;
+  polygon.outer.reserve(corners);
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double angle = heading + kTwoPi * static_cast<double>(i) / static_cast<double>(corners);
+    polygon.outer.push_back(middle + radius * direction_of(angle));
+  }
+  return polygon;
+}
+
+std::string to_string(const Polygon& polygon) {
+  const std::size_t vertices = polygon.outer.size(), holes = polygon.holes.size();
+  const std::string text = "polygon of " + std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices");
+  if (holes == 0) return text;
+  return text + " with " + std::to_string(holes) + (holes == 1 ? " hole" : " holes");
+}
 
 double signed_area(std::span<const Vec2> ring) { return 0.5 * accumulate_area(ring).twice; }
 

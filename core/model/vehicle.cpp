@@ -130,6 +130,18 @@ double Vehicle::min_turning_radius() const {
   return parameters_.steering == Steering::kSymmetric ? 0.5 * radius : radius;
 }
 
+double Vehicle::steering_angle(double curvature) const {
+  switch (parameters_.steering) {
+    case Steering::kFront:
+      return std::atan(parameters_.wheelbase * curvature);
+    case Steering::kRear:
+      return -std::atan(parameters_.wheelbase * curvature);
+    case Steering::kSymmetric:
+      return std::atan(0.5 * parameters_.wheelbase * curvature);
+  }
+  return 0.0;
+}
+
 Footprint Vehicle::footprint(double growth) const {
   const double a = 0.5 * parameters_.length;
   const double offset = reference_offset();
@@ -188,6 +200,25 @@ SweptAnnulus swept_annulus(const Footprint& footprint, double radius) {
   const auto [far, gap] = reach_of(footprint);
   const double side = std::max(0.0, radius - footprint.half_width);
   return {gap == 0.0 ? side : std::hypot(gap, side), std::hypot(far, radius + footprint.half_width)};
+}
+
+std::string to_string(Steering steering) {
+  switch (steering) {
+    case Steering::kFront:
+      return "front";
+    case Steering::kRear:
+      return "rear";
+    case Steering::kSymmetric:
+      return "symmetric";
+  }
+  return "unknown";
+}
+
+std::string to_string(const Vehicle& vehicle) {
+  const VehicleParameters& p = vehicle.parameters();
+  return rounded_text(p.length) + " m x " + rounded_text(p.width) + " m, " + to_string(p.steering) +
+         " steering, turning radius " + rounded_text(vehicle.min_turning_radius()) + " m, " +
+         rounded_text(p.max_speed) + " m/s, " + rounded_text(p.max_acceleration) + " m/s^2";
 }
 
 }  // namespace arcway

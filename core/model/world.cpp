@@ -474,4 +474,29 @@ const Box& World::box_of(ObstacleId o) const { return data_->boxes[o]; }
 const Box& World::box() const { return data_->box; }
 PointLocation World::locate(const Vec2& p, ObstacleId o) const { return data_->locate(p, o); }
 
+World World::from_polygons(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
+  return World(std::move(obstacles), std::move(bounds));
+}
+
+World World::from_polygons(std::vector<Polygon> obstacles, const Polygon& bounds) {
+  if (!bounds.holes.empty())
+    throw WorldError("bounds: a polygon with " + std::to_string(bounds.holes.size()) +
+                         (bounds.holes.size() == 1 ? " hole" : " holes") + ", must have none; make holes obstacles",
+                     static_cast<ObstacleId>(obstacles.size()));
+  return World(std::move(obstacles), bounds.outer);
+}
+
+World World::from_polygons(const std::vector<Ring>& obstacles, std::optional<Ring> bounds) {
+  std::vector<Polygon> polygons;
+  polygons.reserve(obstacles.size());
+  for (const Ring& ring : obstacles) polygons.push_back({ring, {}});
+  return World(std::move(polygons), std::move(bounds));
+}
+
+std::string to_string(const World& world) {
+  const std::size_t obstacles = world.obstacle_count(), vertices = world.vertices().size();
+  return std::to_string(obstacles) + (obstacles == 1 ? " obstacle of " : " obstacles of ") + std::to_string(vertices) +
+         (vertices == 1 ? " vertex" : " vertices") + (world.has_bounds() ? " within bounds" : "");
+}
+
 }  // namespace arcway

@@ -17,9 +17,11 @@
 #include "core/base/shortest_text.h"
 #include "core/base/stopwatch.h"
 #include "core/base/workspace_pool.h"
+#include "core/collision/motion_free.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
+#include "core/planner/collision.h"
 #include "core/planner/no_path.h"
 #include "core/planner/plan_run.h"
 #include "core/planner/planner_inputs.h"
@@ -129,7 +131,8 @@ struct Planner::Data {
         rows(std::move(r)),
         maps(make_map(
                  world, vehicle, queries, options, [&] { return make_feasible(rows, options); }, executor),
-             options, rows, executor) {
+             options, rows, executor),
+        scene(std::make_shared<const PlanScene>(PlanScene{world, vehicle})) {
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = map().graph->counts();
     options.process_group = nullptr;  // need not outlive the construction
@@ -146,6 +149,7 @@ struct Planner::Data {
   Backend::Graph visibility_graph;  // without vertices if there are only rows
   std::shared_ptr<const VisibilityRows> rows;
   PlannerMaps maps;
+  std::shared_ptr<const PlanScene> scene;  // that results share
   PrepareStatistics prepare_statistics;
   mutable WorkspacePool<PlanWorkspace> workspaces;
 };
@@ -184,77 +188,6 @@ void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profil
   // Rounding is taken off the bound: a plan below it is a defect.
   assert(result.travel_time >= result.lower_bound);
   result.statistics.profile_seconds += finishing.seconds();
-}
-
-const char* name_of(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::kSolved:
-      return "solved";
-    case PlanStatus::kStartInCollision:
-      return "start in collision";
-    case PlanStatus::kGoalInCollision:
-      return "goal in collision";
-    case PlanStatus::kStartOutsideBounds:
-      return "start outside bounds";
-    case PlanStatus::kGoalOutsideBounds:
-      return "goal outside bounds";
-    case PlanStatus::kStartBlocked:
-      return "start blocked";
-    case PlanStatus::kGoalBlocked:
-      return "goal blocked";
-    case PlanStatus::kWaypointInCollision:
-      return "waypoint in collision";
-    case PlanStatus::kWaypointOutsideBounds:
-      return "waypoint outside bounds";
-    case PlanStatus::kWaypointBlocked:
-      return "waypoint blocked";
-    case PlanStatus::kNoPassage:
-      return "no passage";
-    case PlanStatus::kNoPath:
-      return "no path";
-    case PlanStatus::kTimeLimit:
-      return "time limit";
-    case PlanStatus::kCanceled:
-      return "canceled";
-  }
-  return "unknown";
-}
-
-const char* name_of(Certainty certainty) { return certainty == Certainty::kProved ? "proved" : "gave up"; }
-
-PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
-  nodes_expanded += other.nodes_expanded;
-  nodes_pushed += other.nodes_pushed;
-  straights_checked += other.straights_checked;
-  turns_checked += other.turns_checked;
-  maneuver_poses += other.maneuver_poses;
-  tree_poses += other.tree_poses;
-  refine_trials += other.refine_trials;
-  refine_improvements += other.refine_improvements;
-  suboptimality = std::max(suboptimality, other.suboptimality);
-  search_seconds += other.search_seconds;
-  refine_seconds += other.refine_seconds;
-  lower_bound_seconds += other.lower_bound_seconds;
-  profile_seconds += other.profile_seconds;
-  return *this;
-}
-
-Path PlanResult::path() const {
-  Path path;
-  path.reserve(segments.size());
-  for (const TimedSegment& s : segments) path.push_back(s.segment);
-  return path;
-}
-
-TimedPath PlanResult::timed_path() const {
-  TimedPath path;
-  for (const TimedSegment& s : segments) {
-    path.segments.push_back(s.segment);
-    path.speed_in.push_back(s.speed_in);
-    path.speed_out.push_back(s.speed_out);
-    path.durations.push_back(s.duration);
-  }
-  return path;
 }
 
 Planner::Planner(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
@@ -327,12 +260,17 @@ PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) c
   return result;
 }
 
+PlanResult Planner::plan(const Pose& start, const Pose& goal, const PlanLimits& limits) const {
+  return plan(PlanRequest{.start = start, .goal = goal}, limits);
+}
+
 void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResult& result) const {
   require_request(asked, limits, vehicle());
   const Stopwatch total;
   const StopClock clock(limits.time, limits.stop);
   const Data& d = *data_;
   clear(result);
+  result.scene = d.scene;
   result.start = asked.start;
   result.goal = asked.goal;
   const double distance = (asked.goal.position() - asked.start.position()).norm();
@@ -368,6 +306,28 @@ void Planner::warm_up(std::size_t queries_at_once) const {
     leases.emplace_back(d.workspaces)->find.search.warm_up(most_circles);
 }
 
+bool Planner::is_free(const Pose& pose) const {
+  require_pose("pose", pose, vehicle());
+  return data_->map().queries.sweep->straight_free(swept_rectangle(pose, 0.0, data_->map().body));
+}
+
+bool Planner::is_free(std::span<const PathSegment> path) const {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::string name = "segment " + std::to_string(i);
+    if (!(path[i].length >= 0.0))
+      throw std::invalid_argument(name + ": length " + shortest_text(path[i].length) + " m, must be >= 0");
+    require_pose(name + ": start", path[i].start, vehicle());
+    require_pose(name + ": end", path[i].end(), vehicle());
+  }
+  return motion_free(*data_->map().queries.sweep, data_->map().body, path);
+}
+
+std::optional<Pose> Planner::nearest_free(const Pose& pose) const {
+  if (is_free(pose)) return pose;
+  const std::optional<FreePose> free = nearest_free_pose(*data_->map().queries.sweep, data_->map().body, pose);
+  return free ? std::optional(free->pose) : std::nullopt;
+}
+
 const World& Planner::world() const { return data_->map().world; }
 const Vehicle& Planner::vehicle() const { return data_->map().vehicle; }
 const QuerySet& Planner::queries() const { return data_->map().queries; }
@@ -382,5 +342,32 @@ PreparedGraph Planner::prepared_graph() const {
   return {*data_->visibility_graph, data_->options.radii, finished->snapshot()};
 }
 const PrepareStatistics& Planner::prepare_statistics() const { return data_->prepare_statistics; }
+
+std::string to_string(const PlanRequest& request) {
+  std::string text = "from " + to_string(request.start) + " to " + to_string(request.goal) +
+                     (request.reverse ? " in both gears" : " forwards");
+  if (request.max_gear_changes) text += ", at most " + std::to_string(*request.max_gear_changes) + " gear changes";
+  return text;
+}
+
+PlanResult plan(const Backend& backend, const Vehicle& vehicle, const PlanRequest& request, const PlanLimits& limits) {
+  require_request(request, limits, vehicle);  // before the graphs are built
+  const Stopwatch watch;
+  const Planner planner(backend.world(), vehicle, backend);
+  PlanLimits rest = limits;
+  rest.time = std::max(0.0, limits.time - watch.seconds());
+  PlanResult result = planner.plan(request, rest);
+  if (result.status == PlanStatus::kTimeLimit) result.reason = time_limit_reason(limits);
+  return result;
+}
+
+PlanResult plan(const World& world, const Vehicle& vehicle, const PlanRequest& request, const PlanLimits& limits) {
+  return plan(reference_backend(world), vehicle, request, limits);
+}
+
+PlanResult plan(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
+                const PlanLimits& limits) {
+  return plan(world, vehicle, {.start = start, .goal = goal}, limits);
+}
 
 }  // namespace arcway

@@ -92,4 +92,8 @@ VisibilityGraph build_reduced_visibility_graph(const World& world, const Visibil
   return without_carried_edges(world, compress(rows), executor);
 }
 
+std::string to_string(const VisibilityGraph& graph) {
+  return std::to_string(graph.vertex_count()) + " vertices, " + std::to_string(graph.edge_count()) + " edges";
+}
+
 }  // namespace arcway

@@ -22,14 +22,9 @@ namespace {
 // free among the curves when grown by 9/16, it is free among such rings.
 constexpr double kFinestShare = 1.0 / 16.0;
 
-// Poses along the path, no two neighbors farther apart.
+// Positions along the path, no two neighbors farther apart.
 std::vector<Vec2> samples_of(const PlanResult& result, double spacing) {
-  std::vector<Vec2> samples;
-  for (const TimedSegment& timed : result.segments) {
-    const double steps = std::ceil(timed.segment.length / spacing);
-    for (double k = 0.0; k < steps; ++k)
-      samples.push_back(timed.segment.at(timed.segment.length * k / steps).position());
-  }
+  std::vector<Vec2> samples = polyline(result.path(), spacing);
   samples.push_back(result.goal.position());
   return samples;
 }
@@ -136,6 +131,7 @@ void keep_cheaper(const Planner& planner, double cusp_cost, PlanResult&& found, 
     return;
   }
   measure_clearance(planner, plan);
+  plan.scene = found.scene;
   plan.lower_bound = std::min(plan.lower_bound, found.lower_bound);  // among finer rings there may be shorter ways
   plan.interrupted = found.interrupted;
 }

@@ -278,6 +278,7 @@ class TourPlanner {
     PlanResult& plan = tour.plan;
     plan.status = PlanStatus::kSolved;
     plan.goal = legs.back()->goal;
+    plan.scene = legs.back()->scene;
     plan.min_clearance = kInfinity;
     for (const PlanResult* leg : legs) {
       if (leg != legs.front()) tour.passed.push_back(plan.segments.size());
@@ -357,6 +358,13 @@ Tour plan_tour(const Planner& planner, const TourRequest& request, const PlanLim
   require_places("waypoint", request.waypoints, planner.vehicle());
   require_places("goal", request.goals, planner.vehicle());
   return TourPlanner(planner, request, limits).run();
+}
+
+std::string to_string(const Tour& tour) {
+  if (!tour.plan.solved()) return to_string(tour.plan);
+  const std::size_t waypoints = tour.passed.size();
+  return to_string(tour.plan) + ", to goal " + std::to_string(tour.goal) + " over " + std::to_string(waypoints) +
+         (waypoints == 1 ? " waypoint" : " waypoints");
 }
 
 }  // namespace arcway

@@ -259,4 +259,18 @@ ValidationReport validate(const World& world, const Vehicle& vehicle, const Pose
   return Validator(world)(vehicle, start, goal, path, options);
 }
 
+std::string to_string(const ValidationIssue& issue) {
+  return std::string(name_of(issue.violation)) + " in segment " + std::to_string(issue.segment) + " after " +
+         rounded_text(issue.arc_length) + " m: " + issue.message;
+}
+
+std::string to_string(const ValidationReport& report) {
+  if (report.valid())
+    return "valid: " + rounded_text(report.length) + " m, " + rounded_text(report.travel_time) + " s, clearance " +
+           rounded_text(report.min_clearance) + " m";
+  std::string text = std::to_string(report.issues.size()) + (report.issues.size() == 1 ? " issue" : " issues");
+  for (const ValidationIssue& issue : report.issues) text += "\n" + to_string(issue);
+  return text;
+}
+
 }  // namespace arcway

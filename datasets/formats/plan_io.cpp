@@ -7,7 +7,6 @@
 #include "arcway/angle.h"
 #include "arcway/datasets/robot.h"
 #include "core/base/shortest_text.h"
-#include "core/motion/speed_profile.h"
 #include "datasets/io/json_text.h"
 
 namespace arcway {
@@ -65,73 +64,6 @@ void append_bottleneck(std::string& out, const Bottleneck& bottleneck) {
   out += "]}";
 }
 
-// A part of a segment that is driven at constant acceleration.
-struct Phase {
-  double length;    // > 0
-  double speed_in;  // not both 0
-  double speed_out;
-  // Within the phase, s from its start.
-  [[nodiscard]] double speed(double s) const {
-    return std::sqrt(std::lerp(speed_in * speed_in, speed_out * speed_out, s / length));
-  }
-  [[nodiscard]] double time(double s) const { return 2.0 * s / (speed_in + speed(s)); }
-};
-
-// None of a segment without length.
-std::vector<Phase> phases_of(const TimedSegment& timed, const Vehicle& vehicle) {
-  const double length = timed.segment.length, v1 = timed.speed_in, v3 = timed.speed_out;
-  if (!(length > 0.0)) return {};
-  const double a = vehicle.max_acceleration();
-  const auto [peak, accelerating, holding, braking] =
-      segment_phases(length, v1, speed_limit(timed.segment, vehicle), v3, a);
-  // Shorter phases come from rounding of speeds near the peak. A unit in the last place of the speed makes up to 2e-16
-  // of the way from rest to the peak and back.
-  const double rounding = 1e-14 * peak * peak / a;
-  std::vector<Phase> phases;
-  for (const Phase& phase : {Phase{accelerating, v1, peak}, Phase{holding, peak, peak}, Phase{braking, peak, v3}})
-    if (phase.length > rounding) phases.push_back(phase);
-  if (phases.empty()) return {{length, v1, v3}};
-  phases.front().speed_in = v1;
-  phases.back().speed_out = v3;
-  return phases;
-}
-
-double steering_angle(double curvature, const VehicleParameters& vehicle) {
-  switch (vehicle.steering) {
-    case Steering::kFront:
-      return std::atan(vehicle.wheelbase * curvature);
-    case Steering::kRear:
-      return -std::atan(vehicle.wheelbase * curvature);
-    case Steering::kSymmetric:
-      return std::atan(0.5 * vehicle.wheelbase * curvature);
-  }
-  return 0.0;
-}
-
-double steps_of(const Phase& phase, double curvature, const PathSampling& sampling) {
-  return std::ceil(
-      std::max(phase.length / sampling.max_length, phase.length * std::abs(curvature) / sampling.max_angle));
-}
-
-void check(const PathSampling& sampling, std::span<const TimedSegment> segments, const Vehicle& vehicle) {
-  const auto require_positive = [](double value, const char* name) {
-    if (!(value > 0.0)) {
-      throw std::invalid_argument("sample_path: " + std::string(name) + " is " + shortest_text(value) +
-                                  ", must be > 0");
-    }
-  };
-  require_positive(sampling.max_length, "max_length");
-  require_positive(sampling.max_angle, "max_angle");
-  double steps = 0.0;
-  for (const TimedSegment& timed : segments)
-    for (const Phase& phase : phases_of(timed, vehicle)) steps += steps_of(phase, timed.segment.curvature, sampling);
-  if (!(steps <= kMostSamplingSteps)) {
-    throw std::invalid_argument("sample_path: the path has " + shortest_text(steps) + " steps of at most " +
-                                shortest_text(sampling.max_length) + " m and " + shortest_text(sampling.max_angle) +
-                                " rad, must be at most " + shortest_text(kMostSamplingSteps));
-  }
-}
-
 }  // namespace
 
 std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::optional<VehicleParameters>& robot) {
@@ -186,46 +118,11 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   return out;
 }
 
-std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
-                                    const PathSampling& sampling) {
-  check(sampling, segments, vehicle);
-  std::vector<PathSample> samples;
-  double distance = 0.0, time = 0.0;
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    const TimedSegment& timed = segments[k];
-    const double length = timed.segment.length;
-    const auto add = [&](double s, double t, double v) {
-      samples.push_back({distance + s, timed.segment.at(s), timed.segment.curvature, timed.segment.gear, time + t, v});
-    };
-    const bool joined = k > 0 && segments[k - 1].segment.curvature == timed.segment.curvature &&
-                        segments[k - 1].segment.gear == timed.segment.gear;
-    if (!joined) add(0.0, 0.0, timed.speed_in);
-    double from = 0.0, begun = 0.0;  // start of the phase within the segment [m], [s]
-    for (const Phase& phase : phases_of(timed, vehicle)) {
-      if (from > 0.0) add(from, begun, phase.speed_in);
-      const double steps = steps_of(phase, timed.segment.curvature, sampling);
-      for (double i = 1.0; i < steps; ++i) {
-        const double s = phase.length * (i / steps);
-        add(from + s, begun + phase.time(s), phase.speed(s));
-      }
-      // Rounding may not lead past the segment's end.
-      from = std::min(from + phase.length, length);
-      begun = std::min(begun + phase.time(phase.length), timed.duration);
-    }
-    // The segment's end; its duration is the plan's, not ours, so that errors do not add up.
-    if (length > 0.0) add(length, timed.duration, timed.speed_out);
-    distance += length;
-    time += timed.duration;
-  }
-  return samples;
-}
-
-std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle, const PathSampling& sampling) {
-  std::string out = "s,x,y,yaw,curvature,direction,t,v,steer\n";
-  for (const PathSample& sample : sample_path(segments, vehicle, sampling)) {
-    for (const double value :
-         {sample.s, sample.pose.x, sample.pose.y, wrap_signed(sample.pose.heading), sample.curvature,
-          sign_of(sample.gear), sample.t, sample.v, steering_angle(sample.curvature, vehicle.parameters())}) {
+std::string path_to_csv(const Trajectory& trajectory, const PathSampling& sampling) {
+  std::string out = "s_m,x_m,y_m,yaw_rad,curvature_per_m,direction,t_s,v_m_per_s,steer_rad\n";
+  for (const TrajectoryState& state : trajectory.sample(sampling)) {
+    for (const double value : {state.distance, state.pose.x, state.pose.y, wrap_signed(state.pose.heading),
+                               state.curvature, sign_of(state.gear), state.time, state.speed, state.steering_angle}) {
       append_number(out, value == 0.0 ? 0.0 : value);
       out += ',';
     }
@@ -234,14 +131,14 @@ std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& v
   return out;
 }
 
-std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehicle& vehicle, std::string_view frame,
-                             const PathSampling& sampling) {
+std::string path_to_nav_msgs(const Trajectory& trajectory, std::string_view frame, const PathSampling& sampling) {
   const auto append_header = [&](std::string& out, double t) {
     const double seconds = std::floor(t);
     out += R"({"stamp":{"sec":)";
-    append_number(out, seconds);
+    // Whole numbers without an exponent, which readers would take for others.
+    out += std::to_string(static_cast<std::uint64_t>(seconds));
     out += R"(,"nanosec":)";
-    append_number(out, std::min(std::floor((t - seconds) * 1e9), 999999999.0));
+    out += std::to_string(static_cast<std::uint64_t>(std::min(std::floor((t - seconds) * 1e9), 999999999.0)));
     out += R"(},"frame_id":)";
     detail::append_string(out, frame);
     out += '}';
@@ -249,14 +146,14 @@ std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehic
   std::string out = R"({"header":)";
   append_header(out, 0.0);
   out += R"(,"poses":[)";
-  const PathSample* last = nullptr;
-  const std::vector<PathSample> samples = sample_path(segments, vehicle, sampling);
-  for (const PathSample& sample : samples) {
+  const TrajectoryState* last = nullptr;
+  const std::vector<TrajectoryState> samples = trajectory.sample(sampling);
+  for (const TrajectoryState& sample : samples) {
     // A joint is sampled once for each of its curvatures, which a pose does not show.
-    if (last != nullptr && last->s == sample.s) continue;
+    if (last != nullptr && last->distance == sample.distance) continue;
     out += last == nullptr ? R"({"header":)" : R"(,{"header":)";
     last = &sample;
-    append_header(out, sample.t);
+    append_header(out, sample.time);
     out += R"(,"pose":{"position":{"x":)";
     append_number(out, sample.pose.x);
     append_member(out, "y", sample.pose.y);
@@ -337,23 +234,38 @@ std::size_t length_of_first(std::string_view text) {
 
 }  // namespace
 
-PlanFile read_plan(std::string_view text, std::string_view name) {
+PlanFile parse_plan(std::string_view text, std::string_view name) {
   const nlohmann::json value = detail::parse_json(text, name);
   return plan_of({value, std::string(name)});
 }
 
-std::vector<PlanOnLine> read_plans(std::string_view text, std::string_view name) {
+std::vector<PlanOnLine> parse_plans(std::string_view text, std::string_view name) {
+  const std::size_t begin = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  if (begin != std::string_view::npos && text[begin] != '{' && text.find("yaw") != std::string_view::npos)
+    return {{1, parse_path_csv(text.substr(begin), name)}};
   const bool several = length_of_first(text) < text.size();
   std::vector<PlanOnLine> plans;
   std::size_t line = 1;
   do {
     const std::string_view one = text.substr(0, length_of_first(text));
     const nlohmann::json value = detail::parse_json(one, name, nullptr, line);
+    if (!several && value.is_object() && value.contains("poses") && !value.contains("format"))
+      return {{1, parse_nav_msgs(text, name)}};
     plans.push_back({line, plan_of({value, std::string(name) + (several ? ":" + std::to_string(line) : "")})});
     line += static_cast<std::size_t>(std::count(one.begin(), one.end(), '\n'));
     text.remove_prefix(one.size());
   } while (!text.empty());
   return plans;
+}
+
+Trajectory PlanFile::trajectory() const { return Trajectory(path, Vehicle(robot.value_or(VehicleParameters{}))); }
+
+PlanFile read_plan(const std::filesystem::path& path) { return parse_plan(read_file(path), path.string()); }
+
+void write_plan(const std::filesystem::path& path, const PlanResult& result) {
+  std::optional<VehicleParameters> robot;
+  if (result.scene) robot = result.scene->vehicle.parameters();
+  write_file_atomically(path, plan_to_json(result, 0, robot) + "\n");
 }
 
 }  // namespace arcway

@@ -192,4 +192,8 @@ MapFile read_map(const fs::path& path, const MapReadOptions& options) {
   }
 }
 
+World read_world(const std::filesystem::path& path, const MapReadOptions& options) {
+  return to_world(read_map(path, options), path.string());
+}
+
 }  // namespace arcway

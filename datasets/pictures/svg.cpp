@@ -1,10 +1,13 @@
 #include "arcway/datasets/svg.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
 
+#include "arcway/angle.h"
+#include "arcway/datasets/file_io.h"
 #include "core/model/pose_text.h"
 #include "datasets/io/markup_text.h"
 
@@ -29,6 +32,35 @@ constexpr const char* kGapColor = "#d00000";
 constexpr const char* kStartColor = "#1b9e5a";
 constexpr const char* kGoalColor = "#7b3fc4";
 constexpr const char* kPlaceColor = "#0b7285";
+
+constexpr std::string_view kHalo = R"( stroke="#ffffff" stroke-width="3" paint-order="stroke")";
+constexpr double kLetter = 8.6;             // width of a bold letter, on the safe side [px]
+constexpr std::size_t kMostNumbers = 2000;  // obstacles that are numbered; more would hide the map
+constexpr double kSpeedColors = 40.0;       // steps of color from rest to the highest speed
+// Viridis at even steps, from slow to fast: it is told apart in gray and by color-blind people.
+constexpr std::array<std::array<double, 3>, 5> kViridis = {
+    {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
+
+// "#rrggbb" of a share of the highest speed.
+std::string speed_color(double share) {
+  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(kViridis.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
+  std::string color = "#";
+  for (std::size_t c = 0; c < 3; ++c) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    const auto value = static_cast<unsigned>(
+        std::lround(std::lerp(kViridis[i][c], kViridis[i + 1][c], place - static_cast<double>(i))));
+    color += kDigits[value / 16];
+    color += kDigits[value % 16];
+  }
+  return color;
+}
+
+// The largest of 1, 2, 5, 10, 20, ... times a power of ten that is at most this.
+double round_step(double at_most) {
+  const double power = std::pow(10.0, std::floor(std::log10(at_most)));
+  return at_most >= 5.0 * power ? 5.0 * power : at_most >= 2.0 * power ? 2.0 * power : power;
+}
 
 // Rounded to 1 / parts: "12.3", "12".
 void append(std::string& out, double value, double parts = 10.0) {
@@ -256,14 +288,106 @@ void SvgPicture::add_gap(const Vec2& a, const Vec2& b, std::string_view text) {
 }
 
 void SvgPicture::add_label(const Vec2& beside, std::string_view color, std::string_view text) {
-  const bool right = beside.x() + 60.0 < width_;
+  // On the side that has the room, and as far in as it takes.
+  const double room = kLetter * static_cast<double>(text.size());
+  const bool right = beside.x() + 12.0 + room < width_ || beside.x() < 0.5 * width_;
   markers_ += "<text x=\"";
-  append(markers_, beside.x() + (right ? 12.0 : -12.0));
+  append(markers_, right ? std::max(0.0, std::min(beside.x() + 12.0, width_ - room))
+                         : std::min(width_, std::max(beside.x() - 12.0, room)));
   markers_ += "\" y=\"";
   append(markers_, std::clamp(beside.y(), 16.0, height_ - 6.0));
   markers_ += right ? "\"" : "\" text-anchor=\"end\"";
   markers_ += " fill=\"" + std::string(color) + R"(" stroke="#ffffff" stroke-width="3" paint-order="stroke">)";
   markers_ += escaped(text) + "</text>\n";
+}
+
+void SvgPicture::add_speeds(const Trajectory& trajectory) {
+  double top = 0.0;
+  const std::vector<TrajectoryState> states =
+      trajectory.sample({.max_length = std::max(1.0 / scale_, trajectory.length() / 20'000.0), .max_angle = kTwoPi});
+  for (const TrajectoryState& state : states) top = std::max(top, state.speed);
+  if (!(top > 0.0)) return;
+  path_.clear();
+  backwards_ = false;  // the legend of speeds takes the place of that of gears
+  const auto step_of = [&](std::size_t i) {
+    return std::round(0.5 * (states[i - 1].speed + states[i].speed) / top * kSpeedColors);
+  };
+  for (std::size_t i = 1; i < states.size();) {
+    const double step = step_of(i);
+    const Gear gear = states[i - 1].gear;
+    path_ += "<path d=\"M";
+    append_point(path_, states[i - 1].pose.position());
+    for (; i < states.size() && step_of(i) == step && states[i - 1].gear == gear; ++i) {
+      path_ += 'L';
+      append_point(path_, states[i].pose.position());
+    }
+    path_ += "\" " + stroke(speed_color(step / kSpeedColors), 3.0);
+    if (gear == Gear::kReverse)
+      path_ += " stroke-dasharray=\"" + shortest_text(7.0 / scale_) + ' ' + shortest_text(4.0 / scale_) + '"';
+    path_ += "/>\n";
+  }
+  legend_ = "<linearGradient id=\"speeds\">";
+  for (std::size_t i = 0; i < kViridis.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(kViridis.size() - 1);
+    legend_ += "<stop offset=\"" + shortest_text(share) + "\" stop-color=\"" + speed_color(share) + "\"/>";
+  }
+  legend_ += "</linearGradient>\n<g id=\"legend\" fill=\"#2b3340\" transform=\"translate(" + shortest_text(kBorder) +
+             " {y})\"><text y=\"12\">0</text><rect x=\"16\" width=\"160\" height=\"14\" fill=\"url(#speeds)\"/>"
+             "<text x=\"184\" y=\"12\">" +
+             rounded_text(top) + " m/s</text></g>\n";
+}
+
+void SvgPicture::add_tick(const Vec2& at, const Vec2& line, double meters) {
+  axes_ += "<path stroke=\"#2b3340\" d=\"M";
+  append(axes_, at);
+  axes_ += 'L';
+  append(axes_, at + line);
+  axes_ += "\"/><text" + std::string(kHalo) + " x=\"";
+  const bool is_below = line.x() == 0.0;
+  append(axes_, at.x() + (is_below ? 0.0 : line.x() + 3.0));
+  axes_ += "\" y=\"";
+  append(axes_, at.y() + (is_below ? line.y() - 3.0 : 4.0));
+  axes_ += std::string("\"") + (is_below ? " text-anchor=\"middle\"" : "") + ">" + rounded_text(meters) + "</text>\n";
+}
+
+void SvgPicture::add_axes() {
+  constexpr double kTick = 6.0, kSpace = 110.0, kLongestBar = 160.0;  // [px]
+  constexpr double kCorner = 48.0;                                    // kept free of marks [px]
+  const double step = round_step(kSpace / scale_);
+  const double left = 0.5 * kBorder, bottom = height_ - 0.5 * kBorder;
+  for (double i = std::ceil(view_.min.x() / step); i * step <= view_.max.x(); ++i) {
+    const double x = to_picture({i * step, view_.min.y()}).x();
+    if (x > left + kCorner && x < width_ - kCorner) add_tick({x, bottom}, {0.0, -kTick}, i * step);
+  }
+  for (double i = std::ceil(view_.min.y() / step); i * step <= view_.max.y(); ++i) {
+    const double y = to_picture({view_.min.x(), i * step}).y();
+    if (y > kCorner && y < bottom - kCorner) add_tick({left, y}, {kTick, 0.0}, i * step);
+  }
+  const double bar = round_step(std::min(kLongestBar, 0.4 * width_) / scale_), pixels = bar * scale_;
+  const Vec2 end(width_ - kBorder - 4.0, bottom - 30.0), begin = end - Vec2(pixels, 0.0);
+  axes_ += "<path id=\"scale\" stroke=\"#2b3340\" stroke-width=\"3\" d=\"M";
+  append(axes_, begin);
+  axes_ += 'L';
+  append(axes_, end);
+  axes_ += "\"/><text" + std::string(kHalo) + " text-anchor=\"middle\" x=\"";
+  append(axes_, 0.5 * (begin.x() + end.x()));
+  axes_ += "\" y=\"";
+  append(axes_, end.y() - 6.0);
+  axes_ += "\">" + rounded_text(bar) + " m</text>\n";
+}
+
+void SvgPicture::add_obstacle_numbers(const World& world) {
+  if (world.obstacle_count() > kMostNumbers) return;
+  for (ObstacleId o = 0; o < world.obstacle_count(); ++o) {
+    const Box& box = world.box_of(o);
+    if (!box.overlaps(view_)) continue;
+    const Vec2 middle = to_picture(view_.closest_point(0.5 * (box.min + box.max)));
+    numbers_ += "<text x=\"";
+    append(numbers_, std::clamp(middle.x(), 20.0, width_ - 20.0));
+    numbers_ += "\" y=\"";
+    append(numbers_, std::clamp(middle.y() + 4.0, 16.0, height_ - 6.0));
+    numbers_ += "\">" + std::to_string(o) + "</text>\n";
+  }
 }
 
 void SvgPicture::add_place(const Vec2& place, std::string_view text) {
@@ -299,7 +423,8 @@ void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string
 }
 
 std::span<const std::string_view> SvgPicture::layers() {
-  static constexpr std::string_view kLayers[] = {"bounds", "obstacles", "graph", "swept", "robot", "path", "markers"};
+  static constexpr std::string_view kLayers[] = {"bounds", "obstacles", "graph", "swept",  "robot",
+                                                 "path",   "numbers",   "axes",  "markers"};
   return kLayers;
 }
 
@@ -315,15 +440,52 @@ void SvgPicture::show(std::span<const std::string> layers) {
   hide("graph", graph_);
   hide("swept", swept_);
   hide("path", path_);
+  hide("path", legend_);
+  hide("numbers", numbers_);
+  hide("axes", axes_);
   hide("robot", robot_);
   hide("markers", markers_);
 }
 
-void SvgPicture::add_caption(std::string_view text) { captions_.push_back(escaped(text)); }
+std::vector<std::string> SvgPicture::wrapped(std::string_view text) const {
+  const auto most = static_cast<std::size_t>(std::max(20.0, (width_ - 2.0 * kBorder) / kLetter));
+  std::vector<std::string> lines;
+  while (text.size() > most) {
+    const std::size_t blank = text.rfind(' ', most);
+    const std::size_t end = blank == std::string_view::npos || blank == 0 ? most : blank;
+    lines.push_back(escaped(text.substr(0, end)));
+    text.remove_prefix(end == blank ? end + 1 : end);
+  }
+  lines.push_back(escaped(text));
+  return lines;
+}
+
+void SvgPicture::add_caption(std::string_view text) {
+  for (std::string& line : wrapped(text)) captions_.push_back(std::move(line));
+}
 
 void SvgPicture::set_title(std::string_view title, std::string_view description) {
   title_ = escaped(title);
   description_ = escaped(description);
+}
+
+void SvgPicture::append_captions(std::string& out, const std::vector<std::string>& captions) const {
+  if (!captions.empty()) {
+    out += "<g id=\"caption\" fill=\"#2b3340\">\n";
+    for (std::size_t i = 0; i < captions.size(); ++i) {
+      out += "<text x=\"";
+      append(out, kBorder);
+      out += "\" y=\"";
+      append(out, height_ + kLineHeight * static_cast<double>(i) + 8.0);
+      out += "\">" + captions[i] + "</text>\n";
+    }
+    out += "</g>\n";
+  }
+  if (!legend_.empty()) {
+    std::string legend = legend_, y;
+    append(y, height_ + kLineHeight * static_cast<double>(captions.size()) - 4.0);
+    out += legend.replace(legend.find("{y}"), 3, y);
+  }
 }
 
 std::string SvgPicture::str() const {
@@ -331,7 +493,7 @@ std::string SvgPicture::str() const {
   if (backwards_ && !path_.empty())
     captions.push_back(alternatives_ == 0 ? square(kPathColor) + "forwards, " + square(kReverseColor) + "backwards"
                                           : "dashed: backwards");
-  const double height = height_ + kLineHeight * static_cast<double>(captions.size());
+  const double height = height_ + kLineHeight * (static_cast<double>(captions.size()) + (legend_.empty() ? 0.0 : 1.0));
   std::string w, h;
   append(w, width_);
   append(h, height);
@@ -368,21 +530,39 @@ std::string SvgPicture::str() const {
   add_layer("robot", "fill=\"#f6b26b\" fill-opacity=\"0.45\" " + stroke("#a8441c", 0.8), robot_);
   add_layer("path", R"(fill="none" stroke-linejoin="round" stroke-linecap="round")", path_);
   out += "</g>\n";
+  add_layer("numbers", R"(font-size="11" text-anchor="middle" fill="#2b3340")" + std::string(kHalo), numbers_);
+  // Marks are dark, their texts have a light edge.
+  add_layer("axes", R"(font-size="11" fill="#2b3340")", axes_);
   add_layer("markers", R"(font-weight="bold")", markers_);
   out += "</g>\n";
-  if (!captions.empty()) {
-    out += "<g id=\"caption\" fill=\"#2b3340\">\n";
-    for (std::size_t i = 0; i < captions.size(); ++i) {
-      out += "<text x=\"";
-      append(out, kBorder);
-      out += "\" y=\"";
-      append(out, height_ + kLineHeight * static_cast<double>(i) + 8.0);
-      out += "\">" + captions[i] + "</text>\n";
-    }
-    out += "</g>\n";
-  }
+  append_captions(out, captions);
   out += "</svg>\n";
   return out;
+}
+
+void write_svg(const std::filesystem::path& path, const PlanResult& result) {
+  if (!result.scene)
+    throw std::invalid_argument("write_svg: no planner made this result, so that its world is not known");
+  const Footprint body = result.scene->vehicle.footprint();
+  const Path driven = result.path();
+  Box view = result.scene->world.box();
+  std::vector<Vec2> places = polyline(driven, std::max(body.front + body.rear, 1e-4 * result.length));
+  places.insert(places.end(), {result.start.position(), result.goal.position()});
+  for (const Vec2& p : places)
+    view.extend(Box{p, p}.grown(std::hypot(std::max(body.front, body.rear), body.half_width)));
+  SvgPicture picture(result.scene->world, view);
+  picture.add_axes();
+  if (result.solved()) {
+    picture.add_swept_area(driven, body);
+    picture.add_path(driven, body, to_string(result));
+    picture.add_speeds(result.trajectory());
+  } else {
+    picture.add_bodies(std::vector{result.start, result.goal}, body);
+    picture.add_poses(result.start, result.goal, body);
+    picture.add_caption(to_string(result));
+  }
+  picture.set_title(name_of(result.status));
+  write_file_atomically(path, picture.str());
 }
 
 }  // namespace arcway

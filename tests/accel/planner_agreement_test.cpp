@@ -11,7 +11,6 @@
 #include "arcway/datasets/catalog.h"
 #include "arcway/planner.h"
 #include "core/roadmap/finished_feasible_graph.h"
-#include "tests/support/thread_executor.h"
 
 namespace arcway::internal {
 namespace {
@@ -92,7 +91,7 @@ TEST(PlannerAgreement, BackendsAndThreadCountsGiveTheSameBits) {
 TEST(PlannerAgreement, BuildersShareNothingBetweenThreads) {
   const std::string name = "clutter/star/n40/m9/f30/s5";
   const World world = catalog_world(name);
-  const test::ThreadExecutor threads(3);
+  const ThreadExecutor threads(3);
   const std::string expected = digest(Planner(world, Vehicle{}), {});
   const QuerySet queries = make_embree_queries(world);
   EXPECT_TRUE(digest(Planner(world, Vehicle{}, backend_of(world, queries, threads)), {}) == expected);

@@ -17,7 +17,6 @@
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/map_file.h"
 #include "arcway/visibility_rows.h"
-#include "tests/support/thread_executor.h"
 #include "tests/support/touching_worlds.h"
 #include "tests/support/visibility_oracle.h"
 
@@ -82,7 +81,7 @@ TEST(SelfContacts, ChangedWorldsKeepTheirs) {
       for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
         if (random.integer(1, 3) == 1) removed.push_back(o);
       const World after = world.changed(removed, to_map_file(test::touching_world(random.bits(), 1)).obstacles);
-      graph = change_reduced_visibility_graph(graph, after, {world, after, removed}, test::ThreadExecutor(2));
+      graph = change_reduced_visibility_graph(graph, after, {world, after, removed}, ThreadExecutor(2));
       ASSERT_EQ(graph, build_reduced_visibility_graph_by_tangent_cones(after));
       const World anew = to_world(to_map_file(after), "anew");
       ASSERT_TRUE(std::ranges::equal(after.self_contacts(), anew.self_contacts()));

@@ -58,7 +58,7 @@ TEST_F(Tool, PlansThePaperExampleAndValidatesItsOwnPlan) {
   }
   EXPECT_NE(read("p.json").find("\"format\":\"arcway-plan\""), std::string::npos);
   EXPECT_NE(read("p.svg").find("<svg"), std::string::npos);
-  EXPECT_EQ(read("p.csv").rfind("s,x,y,yaw,curvature,direction,t,v,steer\n", 0), 0u);
+  EXPECT_EQ(read("p.csv").rfind("s_m,x_m,y_m,yaw_rad,curvature_per_m,direction,t_s,v_m_per_s,steer_rad\n", 0), 0u);
   const Run check = run("validate paper --path " + file("p.json"));
   EXPECT_EQ(check.code, 0) << check.out << check.err;
 }
@@ -776,6 +776,143 @@ TEST_F(Tool, GenerateGivesTheSameMapForTheSameSeed) {
   ASSERT_EQ(run(kind + file("b.geojson")).code, 0);
   EXPECT_EQ(read("a.geojson"), read("b.geojson"));
   EXPECT_EQ(run("graph " + file("a.geojson")).code, 0);
+}
+
+TEST_F(Tool, ExplainsACommandByHelp) {
+  for (const char* command : {"plan", "graph", "generate", "validate", "doctor", "convert", "report"}) {
+    const Run help = run(std::string("help ") + command);
+    EXPECT_EQ(help.code, 0) << help.err;
+    EXPECT_EQ(help.out, run(std::string(command) + " --help").out);
+  }
+  EXPECT_EQ(run("help").out, run("--help").out);
+  expect_bad_input("help plna", "did you mean plan?");
+}
+
+TEST_F(Tool, WritesItsManualPageAndCompletions) {
+  const Run man = run("help --man");
+  EXPECT_EQ(man.code, 0) << man.err;
+  EXPECT_EQ(man.out.rfind(".TH ARCWAY 1\n", 0), 0u);
+  const Run bash = run("help --bash"), zsh = run("help --zsh");
+  for (const char* word : {"plan", "validate", "generate"}) {
+    EXPECT_NE(man.out.find(std::string(".SH \"arcway ") + word), std::string::npos) << word;
+    EXPECT_NE(bash.out.find(std::string("    ") + word + ") options=\""), std::string::npos) << word;
+    EXPECT_NE(zsh.out.find(std::string("    ") + word + ")\n"), std::string::npos) << word;
+  }
+  // Every option that --help names.
+  const std::string help = run("plan --help").out;
+  for (const char* option : {"--waypoint", "--json", "--time-limit", "--add", "--quiet", "--lonlat"}) {
+    EXPECT_NE(help.find(option), std::string::npos) << option;
+    EXPECT_NE(bash.out.find(option), std::string::npos) << option;
+    EXPECT_NE(zsh.out.find(option), std::string::npos) << option;
+    std::string escaped;
+    for (const char c : std::string_view(option)) escaped += c == '-' ? "\\-" : std::string(1, c);
+    EXPECT_NE(man.out.find(escaped), std::string::npos) << option;
+  }
+  put("completion.bash", bash.out);
+  const Run words = run_command("bash -c 'source \"" + file("completion.bash") +
+                                "\"; COMP_WORDS=(arcway plan --way); COMP_CWORD=2; _arcway; echo \"${COMPREPLY[@]}\"'");
+  EXPECT_EQ(words.out, "--waypoint\n") << words.err;
+  const Run commands = run_command("bash -c 'source \"" + file("completion.bash") +
+                                   "\"; COMP_WORDS=(arcway va); COMP_CWORD=1; _arcway; echo \"${COMPREPLY[@]}\"'");
+  EXPECT_EQ(commands.out, "validate\n") << commands.err;
+}
+
+TEST_F(Tool, PrintsNothingIfQuiet) {
+  const Run result = run("plan " + map_ + kAround + " --quiet");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.out + result.err, "");
+  const Run none = run("plan " + map_ + " --start 30,30,0 --goal 50,50,0 -q");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_EQ(none.out + none.err, "");
+  expect_bad_input("plan nowhere.geojson --quiet", "nowhere.geojson");
+}
+
+TEST_F(Tool, ReadsStandardInputAndWritesStandardOutput) {
+  const std::string tool = "\"" ARCWAY_TOOL "\" ";
+  ASSERT_EQ(run("plan " + map_ + kAround + " --json " + file("p.json") + " --csv " + file("p.csv")).code, 0);
+  const Run piped = run_command("cat " + map_ + " | " + tool + "plan - --csv -" + kAround);
+  EXPECT_EQ(piped.code, 0) << piped.err;
+  EXPECT_EQ(piped.out, read("p.csv"));
+  EXPECT_NE(piped.err.find("travel time"), std::string::npos);
+  EXPECT_NE(piped.err.find("wrote               standard output"), std::string::npos) << piped.err;
+  const Run chain =
+      run_command(tool + "plan " + map_ + kAround + " --json - --quiet | " + tool + "validate " + map_ + " --path -");
+  EXPECT_EQ(chain.code, 0) << chain.err << chain.out;
+  EXPECT_NE(chain.out.find("-: valid\n"), std::string::npos) << chain.out;
+  const Run wrong = run_command("echo nonsense | " + tool + "plan - --start 1,1,0 --goal 2,2,0");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.err.find("standard input"), std::string::npos) << wrong.err;
+  EXPECT_EQ(wrong.err.find("/proc/"), std::string::npos) << wrong.err;
+  expect_bad_input("validate - --path -", "both are standard input");
+  // A prepared map is told by its first bytes.
+  ASSERT_EQ(run("prepare " + map_ + " --out " + file("m.arcway")).code, 0);
+  EXPECT_EQ(run_command(tool + "plan - " + kAround + " <" + file("m.arcway")).code, 0);
+}
+
+TEST_F(Tool, ValidatesWhatItWritesAsSamples) {
+  for (const std::string& how : {std::string(kAround), std::string(" --start 10,10,0 --goal 10,14,180deg --reverse")}) {
+    ASSERT_EQ(run("plan " + map_ + how + " --csv " + file("p.csv") + " --ros-path " + file("r.json")).code, 0);
+    for (const char* name : {"p.csv", "r.json"}) {
+      const Run check = run("validate " + map_ + " --path " + file(name));
+      EXPECT_EQ(check.code, 0) << name << how << "\n" << check.out << check.err;
+    }
+  }
+  // Without units in the header, and with a sample that lies beside the path.
+  std::string csv = read("p.csv");
+  const std::string rows = csv.substr(csv.find('\n'));
+  put("old.csv", "s,x,y,yaw,curvature,direction,t,v,steer" + rows);
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("old.csv")).code, 0);
+  std::vector<std::string> lines = lines_of(csv);
+  const std::size_t x = lines[4].find(',') + 1;
+  lines[4].insert(x, "1");
+  std::string moved;
+  for (const std::string& line : lines) moved += line + "\n";
+  put("moved.csv", moved);
+  const Run bad = run("validate " + map_ + " --path " + file("moved.csv"));
+  EXPECT_EQ(bad.code, 1) << bad.out;
+  EXPECT_NE(bad.out.find("position jump"), std::string::npos) << bad.out;
+  put("bad.csv", "s,x,y,yaw,curvature,direction,t,v,steer\n0,1,2,zero,0,1,0,0,0\n");
+  expect_bad_input("validate " + map_ + " --path " + file("bad.csv"), "bad.csv:2: yaw_rad: expected a number, found");
+}
+
+TEST_F(Tool, AddsObstaclesOfAnotherMap) {
+  put("wall.wkt", "POLYGON ((0 25, 20 25, 20 30, 0 30, 0 25))");
+  const std::string plan = " --start 10,10,0 --goal 10,50,90deg";
+  const auto time_of = [&](const std::string& arguments) {
+    const Run result = run("plan " + arguments);
+    EXPECT_EQ(result.code, 0) << arguments << result.out << result.err;
+    const std::size_t at = result.out.find("travel time");
+    return result.out.substr(at, result.out.find('\n', at) - at);
+  };
+  const std::string without = time_of(map_ + plan), with = time_of(map_ + plan + " --add " + file("wall.wkt"));
+  EXPECT_NE(with, without);
+  ASSERT_EQ(run("prepare " + map_ + " --out " + file("m.arcway")).code, 0);
+  EXPECT_EQ(time_of(file("m.arcway") + plan + " --add " + file("wall.wkt")), with);
+  EXPECT_EQ(run("plan " + map_ + plan + " --add " + file("wall.wkt") + " --json " + file("wall.wkt")).code, 2);
+  expect_bad_input("plan " + map_ + plan + " --lonlat --add " + file("wall.wkt"), "--lonlat projects each map");
+}
+
+TEST_F(Tool, GeneratesQueriesForAnyMap) {
+  const Run made = run("generate " + map_ + " --queries " + file("q.csv") + " --count 5");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const std::vector<std::string> lines = lines_of(read("q.csv"));
+  ASSERT_EQ(lines.size(), 7u);
+  EXPECT_EQ(lines[1], "q,sx_m,sy_m,stheta_rad,gx_m,gy_m,gtheta_rad");
+  EXPECT_EQ(run("plan " + map_ + " --queries " + file("q.csv") + " --out " + file("r.csv")).code, 0);
+  expect_bad_input("generate " + map_ + " --out " + file("w.geojson"), "is a map already");
+}
+
+TEST_F(Tool, KeepsFinishedQueriesWhenInterrupted) {
+  ASSERT_EQ(run("generate " + map_ + " --queries " + file("q.csv") + " --count 50000").code, 0);
+  const Run result = run_command("timeout --preserve-status -s INT 3 \"" ARCWAY_TOOL "\" plan " + map_ + " --queries " +
+                                 file("q.csv") + " --out " + file("r.csv"));
+  EXPECT_EQ(result.code, 130) << result.err << result.out;
+  const std::vector<std::string> lines = lines_of(read("r.csv"));
+  ASSERT_GT(lines.size(), 3u);
+  EXPECT_LT(lines.size(), 20000u);
+  EXPECT_EQ(lines[2].rfind("# interrupted: ", 0), 0u) << lines[2];
+  EXPECT_EQ(count_of(read("r.csv"), '\n') - 3, lines.size() - 3);
+  for (std::size_t i = 3; i < lines.size(); ++i) EXPECT_EQ(lines[i].find("canceled"), std::string::npos) << lines[i];
 }
 
 }  // namespace

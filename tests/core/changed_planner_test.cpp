@@ -14,7 +14,6 @@
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
 #include "tests/support/same_graphs.h"
-#include "tests/support/thread_executor.h"
 
 namespace arcway::internal {
 namespace {
@@ -33,7 +32,7 @@ std::string bits_of(const PlanResult& result) {
 
 Planner changed(const Planner& before, const World& after, std::span<const ObstacleId> removed,
                 const PlannerOptions& options) {
-  const test::ThreadExecutor threads(2);
+  const ThreadExecutor threads(2);
   return Planner::changed(before, WorldChange(before.world(), after, removed),
                           backend_of(after, make_reference_queries(after), threads), options);
 }

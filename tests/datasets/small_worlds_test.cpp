@@ -168,9 +168,9 @@ std::string written(const SmallWorld& sample) {
 std::string written_plan() {
   PlanResult plan;
   plan.status = PlanStatus::kSolved;
-  plan.segments.push_back({{{0.5, 1.25, 0.75}, 2.5, 0.125}, 0.5, 1.5, 2.5});
-  const Vehicle vehicle;
-  return plan_to_json(plan, 0) + path_to_csv(plan.segments, vehicle) + path_to_nav_msgs(plan.segments, vehicle);
+  const Trajectory trajectory(Path{{{0.5, 1.25, 0.75}, 2.5, 0.125}}, Vehicle{});
+  plan.segments.assign(trajectory.segments().begin(), trajectory.segments().end());
+  return plan_to_json(plan, 0) + path_to_csv(trajectory) + path_to_nav_msgs(trajectory);
 }
 
 TEST(SmallWorlds, ReadAndWriteTheSameInACommaLocale) {

@@ -94,7 +94,7 @@ void prepared_map(std::string_view bytes) {
   test::mend_checksums(mended);  // else no change gets past them
   use(read_prepared_map(mended, kName), mended);
 }
-void plan(std::string_view bytes) { static_cast<void>(read_plans(bytes, kName)); }
+void plan(std::string_view bytes) { static_cast<void>(parse_plans(bytes, kName)); }
 
 constexpr FuzzTarget kTargets[] = {
     {"geojson", geojson},

@@ -42,6 +42,26 @@ class ARCWAY_API SerialExecutor final : public Executor {
 /// A serial executor that lives as long as the program.
 inline const SerialExecutor kSerialExecutor;
 
+/// Runs loops on threads of the standard library. Each loop starts its threads and joins them, some 50 us: for work of
+/// milliseconds, as a batch of queries or the building of a graph. accel's TbbExecutor keeps its threads and balances
+/// nested loops; here those run on the thread that meets them. Thread-safe.
+class ARCWAY_API ThreadExecutor final : public Executor {
+ public:
+  /// As many threads as the machine runs at once.
+  ThreadExecutor();
+  /// @param threads  the caller included.
+  /// @throws std::invalid_argument unless 1 <= threads <= 1024.
+  explicit ThreadExecutor(std::size_t threads);
+  /// An exception of the body ends the loop before its next range, and the first one is thrown here.
+  void for_ranges(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& body) const override;
+  /// Number of threads of a loop, the caller included.
+  [[nodiscard]] std::size_t threads() const { return threads_; }
+
+ private:
+  std::size_t threads_;
+};
+
 /// Thrown by work that was canceled.
 class ARCWAY_API Canceled : public std::runtime_error {
  public:

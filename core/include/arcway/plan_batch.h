@@ -22,11 +22,12 @@ struct ARCWAY_API BatchOptions {
 /// The plans of many queries, in their order, on the threads of an executor. Each equals that of Planner::plan, bit for
 /// bit, with any number of threads. Only measured times, and counters of a lazy graph, depend on the threads.
 ///
-///     const std::vector<PlanResult> plans = plan_batch(planner, requests, TbbExecutor());
+///     const std::vector<PlanResult> plans = plan_batch(planner, requests);
 ///
 /// Once a stop is requested, running queries end as PlanLimits says, and the others get the status kCanceled.
 /// @throws std::invalid_argument as Planner::plan does, naming the first request at fault, after all others are done.
 ARCWAY_API std::vector<PlanResult> plan_batch(const Planner& planner, std::span<const PlanRequest> requests,
-                                              const Executor& executor, const BatchOptions& options = {});
+                                              const Executor& executor = ThreadExecutor(),
+                                              const BatchOptions& options = {});
 
 }  // namespace arcway

@@ -5,18 +5,19 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/backend.h"
-#include "arcway/bottleneck.h"
 #include "arcway/executor.h"
 #include "arcway/export.h"
 #include "arcway/graph_mode.h"
 #include "arcway/heuristic.h"
 #include "arcway/path.h"
+#include "arcway/plan_result.h"
 #include "arcway/prepared_graph.h"
 #include "arcway/process_group.h"
 #include "arcway/query_set.h"
@@ -89,6 +90,9 @@ struct PlanRequest {
   std::optional<std::uint32_t> max_gear_changes = std::nullopt;
 };
 
+/// "from (1, 2, 0) to (3, 4, 0) forwards", "... in both gears, at most 3 gear changes".
+ARCWAY_API std::string to_string(const PlanRequest& request);
+
 /// When to end a query early, and what it may spend. A query that ends early gives the best path found by then, if any.
 /// Every stage of a query checks the clock within about a millisecond. What follows the stages, the speeds and the
 /// clearance of the path, takes at most 2 ms and a twentieth of the time limit more.
@@ -103,106 +107,6 @@ struct ARCWAY_API PlanLimits {
   /// path. Up to four searches follow each other, also for slimmer bodies. 0: no trees. None grow with
   /// PlannerOptions::maneuver_poses = 0 either. A pose takes 0.05 to 0.3 ms.
   std::uint32_t tree_poses = 16'000;
-};
-
-/// How a query ended.
-enum class PlanStatus {
-  kSolved,
-  kStartInCollision,  ///< the body grown by half of the safety margin touches an obstacle at the start
-  kGoalInCollision,
-  kStartOutsideBounds,
-  kGoalOutsideBounds,
-  /// No motion that was tried leads far from the start. PlanResult::certainty says whether that is proved. If the goal
-  /// is in a dead end too, the reason says so. With `reverse`, this status is given only where it is proved.
-  kStartBlocked,
-  kGoalBlocked,            ///< no motion that was tried leads to the goal from afar; as kStartBlocked otherwise
-  kWaypointInCollision,    ///< of a tour: as kStartInCollision, at a waypoint
-  kWaypointOutsideBounds,  ///< of a tour
-  kWaypointBlocked,        ///< of a tour: no motion leads to a waypoint, or on from it
-  kNoPassage,              ///< proved: no gap is wide enough for the body, in any direction of travel
-  kNoPath,                 ///< no path was found, and none is proved not to exist
-  kTimeLimit,              ///< the time limit ended the search before it found a path
-  kCanceled                ///< a stop was requested before a path was found
-};
-/// The status in words: "solved", "start in collision", ...
-ARCWAY_API const char* name_of(PlanStatus status);
-
-/// Whether a query without a path proves that there is none.
-enum class Certainty {
-  kProved,  ///< no path exists: the body collides in a pose, no gap is wide enough, or an end is a dead end
-  kGaveUp   ///< nothing that was tried leads there, or the time was up; a path may exist
-};
-/// The certainty in words: "proved" or "gave up".
-ARCWAY_API const char* name_of(Certainty certainty);
-
-/// A segment of a plan with its speeds. Between them the speed changes as fast as the vehicle and its limits allow.
-struct TimedSegment {
-  PathSegment segment;
-  double speed_in = 0.0;   ///< [m/s]
-  double speed_out = 0.0;  ///< [m/s]
-  double duration = 0.0;   ///< [s]
-};
-
-/// Counters and stage times of one query.
-struct ARCWAY_API PlanStatistics {
-  std::uint64_t nodes_expanded = 0;       ///< arrivals taken from the open list
-  std::uint64_t nodes_pushed = 0;         ///< arrivals put on the open list
-  std::uint64_t straights_checked = 0;    ///< swept rectangles decided between start or goal and the graph
-  std::uint64_t turns_checked = 0;        ///< sets of free headings computed on circles of start and goal
-  std::uint64_t maneuver_poses = 0;       ///< poses tried by maneuvers at start and goal
-  std::uint64_t tree_poses = 0;           ///< poses grown by trees of forward motions
-  std::uint64_t refine_trials = 0;        ///< paths that refinement timed
-  std::uint64_t refine_improvements = 0;  ///< trials that refinement kept
-  double unrefined_travel_time = 0.0;     ///< of the plan's path before refinement [s]
-  double first_travel_time = 0.0;         ///< of PlanResult::first_path [s]
-  double first_path_seconds = 0.0;        ///< from the call until the first path was found [s]
-  double suboptimality = 0.0;             ///< PlannerOptions::suboptimality that the searches used
-  double search_seconds = 0.0;            ///< in graph searches, maneuvers and trees [s]
-  double refine_seconds = 0.0;            ///< [s]
-  double lower_bound_seconds = 0.0;       ///< [s]
-  double profile_seconds = 0.0;           ///< for speed profile and clearance [s]
-  double total_seconds = 0.0;             ///< from call to return [s]
-
-  /// Adds the counters and stage times of another query, and keeps the larger suboptimality. Travel times,
-  /// first_path_seconds and total_seconds stay.
-  PlanStatistics& operator+=(const PlanStatistics& other);
-};
-
-/// The answer to one query. Segments, times and lengths are empty or 0 unless it is solved.
-struct ARCWAY_API PlanResult {
-  PlanStatus status = PlanStatus::kNoPath;
-  std::string reason;                        ///< unless solved: what failed, where, by which value and limit
-  Certainty certainty = Certainty::kGaveUp;  ///< unless solved: whether that is proved
-  Pose start, goal;                          ///< as requested
-  /// Whether the time limit or the stop token ended the query. The path, if any, is the best one found by then.
-  bool interrupted = false;
-  std::vector<TimedSegment> segments;
-  double travel_time = 0.0;  ///< [s]
-  double length = 0.0;       ///< [m]
-  Path first_path;           ///< the first free path found, before refinement; empty for tours
-  /// No path can take less [s]. It is travel_time_lower_bound of the straight line from start to goal, or of the
-  /// shortest path of a point among the obstacles. The latter holds for a plan that is solved, if
-  /// `point_robot_lower_bound` is set and the body covers the reference point.
-  double lower_bound = 0.0;
-  double min_clearance = 0.0;  ///< least distance of the bare body from obstacles along the path [m]; infinity in a
-                               ///< world without obstacles
-  /// Whether the clock was over before the clearance of the whole path was measured. `min_clearance` is then a lower
-  /// bound: half of the safety margin, which the checks of the path prove, or less where less was measured. It belongs
-  /// to no segment.
-  bool clearance_is_lower_bound = false;
-  PathSegment clearance_segment;    ///< the segment where the clearance is least
-  std::size_t clearance_index = 0;  ///< its index
-  /// Unless solved: the narrowest gap of the widest route from start to goal. Nothing if that gap is wide enough for
-  /// the tightest turn, or as wide as the room around start or goal, or if the query was interrupted.
-  std::optional<Bottleneck> bottleneck;
-  PlanStatistics statistics;
-  /// By which share the plan may be slower than the best one at most: travel_time / lower_bound - 1, or 0 if the plan
-  /// takes no time.
-  [[nodiscard]] double optimality_gap() const { return travel_time > 0.0 ? travel_time / lower_bound - 1.0 : 0.0; }
-  [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
-  [[nodiscard]] Path path() const;  ///< the segments without speeds
-  /// The segments with speeds and durations, as the validator takes them.
-  [[nodiscard]] TimedPath timed_path() const;
 };
 
 /// What it took to build a planner.
@@ -274,10 +178,29 @@ class ARCWAY_API Planner {
   /// @throws std::invalid_argument if the safety margin is too small for the poses' coordinates (see the constructor),
   ///   or the cusp cost is negative or not finite.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
+  /// A plan between two poses with the defaults of PlanRequest: planner.plan({0, 0, 0}, {20, 5, 0}).
+  [[nodiscard]] PlanResult plan(const Pose& start, const Pose& goal, const PlanLimits& limits = {}) const;
   /// Overload that writes into a result whose memory is used again. With accel's queries and an eager graph, a request
   /// that was answered before allocates nothing. This holds without `reverse` and trees, if single arcs join start and
   /// goal to a path on circles of the smallest radius.
   void plan(const PlanRequest& request, const PlanLimits& limits, PlanResult& result) const;
+
+  /// Whether a plan may start or end at a pose: the body, grown by half of the safety margin, touches no obstacle there
+  /// and lies within the bounds. Exact, by one sweep query. Thread-safe.
+  /// @throws std::invalid_argument if `plan` refuses the pose's numbers.
+  [[nodiscard]] bool is_free(const Pose& pose) const;
+  /// Whether the grown body is free all along a path, in whichever gears. The swept area is decided, no samples;
+  /// speeds, curvatures and joints are not looked at: `validate` does that. One sweep query a segment. Thread-safe.
+  /// @throws std::invalid_argument naming the first segment whose length is negative or whose ends `plan` refuses.
+  [[nodiscard]] bool is_free(std::span<const PathSegment> path) const;
+  /// The pose itself if it is free, else the nearest free one of a pattern, by how far the body's points move:
+  /// - the same position, with headings turned by multiples of 15 degrees;
+  /// - the same heading, up to two diagonals of the body away, in 24 directions.
+  ///
+  /// Nothing if no pose of the pattern is free. Free poses off the pattern may be nearer. At most 768 sweep queries.
+  /// Thread-safe.
+  /// @throws std::invalid_argument as is_free does.
+  [[nodiscard]] std::optional<Pose> nearest_free(const Pose& pose) const;
 
   /// Does now what the first queries would have to do: builds the graph with added circles in narrow gaps, and takes
   /// memory for searches. It makes the slowest query faster and changes no plan. Thread-safe.
@@ -304,5 +227,23 @@ class ARCWAY_API Planner {
   explicit Planner(std::shared_ptr<const Data> data);
   std::shared_ptr<const Data> data_;
 };
+
+/// One plan, for those who need no more: Planner(world, vehicle).plan(...), with all defaults.
+///
+///     const PlanResult result = plan(world, Vehicle{}, {1, 1, 0}, {50, 40, kPi / 2});
+///
+/// The graphs are built for this plan alone, in O(n^2) pairs of vertices, each against all edges: for maps of some
+/// hundred vertices. Keep a Planner for several plans on one map, and give a backend, as accel_backend(world), for
+/// large maps. Thread-safe.
+/// @param limits  their time counts from the call of this function on, but does not end the building of the graphs.
+/// @throws std::invalid_argument as Planner's constructor and Planner::plan do.
+ARCWAY_API PlanResult plan(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
+                           const PlanLimits& limits = {});
+/// A request with more wishes than two poses.
+ARCWAY_API PlanResult plan(const World& world, const Vehicle& vehicle, const PlanRequest& request,
+                           const PlanLimits& limits = {});
+/// A plan in the backend's world.
+ARCWAY_API PlanResult plan(const Backend& backend, const Vehicle& vehicle, const PlanRequest& request,
+                           const PlanLimits& limits = {});
 
 }  // namespace arcway

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "arcway/export.h"
+#include "arcway/text.h"
 #include "arcway/vec2.h"
 
 namespace arcway {
@@ -14,10 +16,28 @@ namespace arcway {
 using Ring = std::vector<Vec2>;
 
 /// A region: the inside of an outer ring without its holes. World checks whether it is valid.
-struct Polygon {
+struct ARCWAY_API Polygon {
   Ring outer;
-  std::vector<Ring> holes;
+  std::vector<Ring> holes = {};
+
+  /// An upright rectangle by two opposite corners [m]. Counter-clockwise from the lower left one.
+  static Polygon rectangle(const Vec2& corner, const Vec2& opposite);
+  /// An upright rectangle by its sides [m].
+  static Polygon rectangle(double min_x, double min_y, double max_x, double max_y);
+  /// A rectangle about its middle [m].
+  /// @param length, width  along and across the heading [m].
+  /// @param heading  [rad], counter-clockwise from +x.
+  static Polygon rectangle(const Vec2& middle, double length, double width, double heading = 0.0);
+  /// The box as a polygon.
+  static Polygon rectangle(const Box& box);
+  /// A regular polygon, counter-clockwise, as a disc's place holder. The disc of radius `radius * cos(pi / corners)`
+  /// lies inside.
+  /// @param radius  of the corners about the middle [m].
+  /// @param heading  from the middle to the first corner [rad].
+  static Polygon regular(const Vec2& middle, double radius, std::size_t corners, double heading = 0.0);
 };
+/// "polygon of 4 vertices", "polygon of 4 vertices with 2 holes".
+ARCWAY_API std::string to_string(const Polygon& polygon);
 
 /// Where a point lies relative to a region.
 enum class PointLocation { kOutside, kBoundary, kInside };

@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "arcway/export.h"
 #include "arcway/path.h"
 #include "arcway/planner.h"
+#include "arcway/text.h"
 #include "arcway/vec2.h"
 
 namespace arcway {
@@ -37,6 +39,9 @@ struct Tour {
   std::size_t goal = 0;             ///< index of the goal reached
   std::vector<std::size_t> passed;  ///< for each waypoint, the number of segments that lead to it
 };
+
+/// The plan, and "to goal 1 over 3 waypoints" if it is solved.
+ARCWAY_API std::string to_string(const Tour& tour);
 
 /// Plans the fastest tour found from a start over waypoints to one of several goals. One goal with a heading and no
 /// waypoints give the plan of Planner::plan.

@@ -6,6 +6,7 @@
 
 #include "arcway/export.h"
 #include "arcway/path.h"
+#include "arcway/text.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 
@@ -39,6 +40,7 @@ enum class Violation {
 };
 /// The violation in words: "collision", "curvature", ...
 ARCWAY_API const char* name_of(Violation violation);
+inline std::string to_string(Violation violation) { return name_of(violation); }
 
 /// One violation and where it is.
 struct ValidationIssue {
@@ -47,6 +49,9 @@ struct ValidationIssue {
   double arc_length;    ///< from the start of that segment [m]
   std::string message;  ///< with values and limits
 };
+
+/// "collision in segment 3 after 1.2 m: ..."
+ARCWAY_API std::string to_string(const ValidationIssue& issue);
 
 /// The result of a validation.
 struct ARCWAY_API ValidationReport {
@@ -59,6 +64,9 @@ struct ARCWAY_API ValidationReport {
   double min_clearance = 0.0;
   [[nodiscard]] bool valid() const { return issues.empty(); }
 };
+
+/// "valid: 66.2 m, 5.812 s, clearance 0.001 m", or the issues, one a line.
+ARCWAY_API std::string to_string(const ValidationReport& report);
 
 /// Checks a path against world and vehicle, independently of the planner: it shares types with it, but no predicates,
 /// queries or interval arithmetic.

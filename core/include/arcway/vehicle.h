@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "arcway/export.h"
+#include "arcway/text.h"
 #include "arcway/vec2.h"
 
 namespace arcway {
@@ -14,6 +16,8 @@ namespace arcway {
 /// Which axle steers. The reference point F, whose velocity is along the body, lies on the other axle. If both steer,
 /// it lies at the center.
 enum class Steering { kFront, kRear, kSymmetric };
+/// "front", "rear" or "symmetric".
+ARCWAY_API std::string to_string(Steering steering);
 
 /// Speed on arcs: one value for all radii [m/s].
 struct ConstantTurnSpeed {
@@ -75,6 +79,9 @@ class ARCWAY_API Vehicle {
   [[nodiscard]] double reference_offset() const;
   /// rho_min [m]: l / tan(gamma), or l / (2 tan(gamma)) if symmetric.
   [[nodiscard]] double min_turning_radius() const;
+  /// The angle of the steered axle that drives this curvature [1/m], of each if both steer [rad]. Left is positive at
+  /// the front.
+  [[nodiscard]] double steering_angle(double curvature) const;
   /// The body about F, grown by `growth` [m] on every side.
   [[nodiscard]] Footprint footprint(double growth = 0.0) const;
 
@@ -105,6 +112,9 @@ class ARCWAY_API Vehicle {
  private:
   VehicleParameters parameters_;
 };
+
+/// "1.5 m x 0.8 m, front steering, turning radius 1.3 m, 12 m/s, 50 m/s^2".
+ARCWAY_API std::string to_string(const Vehicle& vehicle);
 
 /// The annulus about the rotation center that the body sweeps when it turns [m].
 struct SweptAnnulus {

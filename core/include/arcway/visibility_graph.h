@@ -1,16 +1,78 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "arcway/executor.h"
 #include "arcway/export.h"
 #include "arcway/path.h"
+#include "arcway/text.h"
 #include "arcway/visibility_query.h"
 #include "arcway/world.h"
 
 namespace arcway {
+
+/// An edge of a graph, between two vertices a < b.
+struct GraphEdge {
+  VertexId a, b;
+  friend bool operator==(const GraphEdge&, const GraphEdge&) = default;
+};
+
+/// The edges of a VisibilityGraph as a range, ascending. It must not outlive the graph. O(1) an edge.
+class GraphEdges {
+ public:
+  class Iterator {
+   public:
+    using value_type = GraphEdge;
+    using difference_type = std::ptrdiff_t;
+    using iterator_category = std::input_iterator_tag;
+    using iterator_concept = std::forward_iterator_tag;
+    using reference = GraphEdge;
+    using pointer = void;
+    Iterator() = default;
+    GraphEdge operator*() const { return {row_, targets_[edge_]}; }
+    Iterator& operator++() {
+      ++edge_;
+      find_row();
+      return *this;
+    }
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.edge_ == b.edge_; }
+
+   private:
+    friend GraphEdges;
+    Iterator(std::span<const std::uint64_t> starts, std::span<const VertexId> targets, std::size_t edge)
+        : starts_(starts), targets_(targets), edge_(edge) {
+      if (edge == 0) find_row();
+    }
+    /// The row that has the edge; rows may be empty.
+    void find_row() {
+      while (edge_ < targets_.size() && starts_[row_ + 1] <= edge_) ++row_;
+    }
+    std::span<const std::uint64_t> starts_;
+    std::span<const VertexId> targets_;
+    std::size_t edge_ = 0;
+    VertexId row_ = 0;
+  };
+  GraphEdges(std::span<const std::uint64_t> starts, std::span<const VertexId> targets)
+      : starts_(starts), targets_(targets) {}
+  [[nodiscard]] Iterator begin() const { return {starts_, targets_, 0}; }
+  [[nodiscard]] Iterator end() const { return {starts_, targets_, targets_.size()}; }
+  [[nodiscard]] std::size_t size() const { return targets_.size(); }
+  [[nodiscard]] bool empty() const { return targets_.empty(); }
+
+ private:
+  std::span<const std::uint64_t> starts_;
+  std::span<const VertexId> targets_;
+};
 
 /// An undirected graph on a world's vertices, in compressed rows: each edge is stored once, in the row of its lower
 /// vertex.
@@ -24,6 +86,8 @@ class ARCWAY_API VisibilityGraph {
 
   [[nodiscard]] std::size_t vertex_count() const { return row_starts_.empty() ? 0 : row_starts_.size() - 1; }
   [[nodiscard]] std::size_t edge_count() const { return targets_.size(); }
+  /// All edges: `for (const auto [a, b] : graph.edges())`.
+  [[nodiscard]] GraphEdges edges() const { return {row_starts_, targets_}; }
   /// The neighbors v > u of u.
   [[nodiscard]] std::span<const VertexId> row(VertexId u) const;
   [[nodiscard]] std::span<const std::uint64_t> row_starts() const { return row_starts_; }
@@ -34,6 +98,9 @@ class ARCWAY_API VisibilityGraph {
   std::vector<std::uint64_t> row_starts_;
   std::vector<VertexId> targets_;
 };
+
+/// "45 vertices, 120 edges".
+ARCWAY_API std::string to_string(const VisibilityGraph& graph);
 
 /// The full visibility graph: all pairs of vertices that see each other and are not covered, convex and reflex ones;
 /// figure 1 of the paper, all lines. Lines may pass through other vertices. Coincident vertices are not joined. O(n^2)

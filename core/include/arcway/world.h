@@ -1,16 +1,19 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arcway/export.h"
 #include "arcway/polygon.h"
 #include "arcway/snapshot.h"
+#include "arcway/text.h"
 #include "arcway/vec2.h"
 
 namespace arcway {
@@ -72,6 +75,18 @@ class ARCWAY_API World {
   /// to 250 where boxes nest or overlap all over.
   /// @throws WorldError for the first obstacle that is refused.
   explicit World(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt);
+  /// Bounds as a polygon, as Polygon::rectangle makes it.
+  /// @throws WorldError as above, or for bounds with holes.
+  template <std::same_as<Polygon> Bounds>
+  World(std::vector<Polygon> obstacles, const Bounds& bounds) : World(from_polygons(std::move(obstacles), bounds)) {}
+
+  /// The world of these obstacles, checked as the constructor does.
+  /// @param bounds  without holes.
+  /// @throws WorldError for the first obstacle that is refused, or for bounds with holes.
+  static World from_polygons(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt);
+  static World from_polygons(std::vector<Polygon> obstacles, const Polygon& bounds);
+  /// Obstacles without holes.
+  static World from_polygons(const std::vector<Ring>& obstacles, std::optional<Ring> bounds = std::nullopt);
 
   /// The world of a snapshot, in O(n). Whether rings cross and which vertices are covered, which take longest to find
   /// out, is taken from the snapshot unchecked.
@@ -141,5 +156,8 @@ class ARCWAY_API World {
   struct Data;
   std::shared_ptr<const Data> data_;
 };
+
+/// "8 obstacles of 45 vertices", "8 obstacles of 45 vertices within bounds": bounds count as vertices, too.
+ARCWAY_API std::string to_string(const World& world);
 
 }  // namespace arcway

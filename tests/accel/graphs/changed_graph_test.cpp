@@ -9,7 +9,6 @@
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/map_file.h"
 #include "tests/support/nasty_worlds.h"
-#include "tests/support/thread_executor.h"
 
 namespace arcway::internal {
 namespace {
@@ -23,7 +22,7 @@ void expect_changes(World world, test::RandomInputs& random, int steps, std::int
     for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
       if (random.integer(1, one_in) == 1) removed.push_back(o);
     const World after = world.changed(removed, draw_added());
-    graph = change_reduced_visibility_graph(graph, after, {world, after, removed}, test::ThreadExecutor(2));
+    graph = change_reduced_visibility_graph(graph, after, {world, after, removed}, ThreadExecutor(2));
     ASSERT_EQ(graph, build_reduced_visibility_graph_by_tangent_cones(after));
     world = after;
   }

@@ -5,7 +5,6 @@
 #include "accel/expansion/free_space_triangulation.h"
 #include "arcway/datasets/clutter.h"
 #include "tests/support/random_inputs.h"
-#include "tests/support/thread_executor.h"
 
 namespace arcway::internal {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 // Large enough for several blocks of triangles that are flipped at the same time.
 TEST(ShortDiagonals, AreTheSameForAnyNumberOfThreads) {
   const World world = random_world({.obstacles = 3000, .vertices = 10, .fill = 0.3, .seed = 1});
-  const test::ThreadExecutor threads(4);
+  const ThreadExecutor threads(4);
   for (const Diagonals which : {Diagonals::kLong, Diagonals::kAll}) {
     const FreeSpaceTriangulation one(world, SerialExecutor(), which), many(world, threads, which);
     ASSERT_EQ(one.half_edges().size(), many.half_edges().size());

@@ -10,7 +10,6 @@
 #include "arcway/planner.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
-#include "tests/support/thread_executor.h"
 
 // Plans through places where the circles on the bisectors of vertices collide.
 namespace arcway::internal {
@@ -159,14 +158,14 @@ TEST(NarrowPlaces, GiveTheSamePlanWhateverWasAskedBefore) {
   const World world = catalog_world(name);
   const std::vector<PlanRequest> requests = catalog_queries(name, 12, 1);
   const Planner forwards(world, Vehicle()), backwards(world, Vehicle());
-  const Planner parallel(world, Vehicle(), backend_of(world, make_reference_queries(world), test::ThreadExecutor(3)));
+  const Planner parallel(world, Vehicle(), backend_of(world, make_reference_queries(world), ThreadExecutor(3)));
   std::vector<PlanResult> results, threaded(requests.size());
   for (const PlanRequest& request : requests) {
     results.push_back(forwards.plan(request));
     if (results.back().solved()) test::expect_valid(forwards, results.back());
   }
   for (std::size_t i = requests.size(); i-- > 0;) expect_same(backwards.plan(requests[i]), results[i]);
-  test::ThreadExecutor(3).for_ranges(requests.size(), 1, [&](std::size_t begin, std::size_t end) {
+  ThreadExecutor(3).for_ranges(requests.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) threaded[i] = parallel.plan(requests[i]);
   });
   for (std::size_t i = 0; i < requests.size(); ++i) expect_same(threaded[i], results[i]);

@@ -12,13 +12,12 @@
 
 #include "arcway/datasets/clutter.h"
 #include "arcway/planner.h"
-#include "tests/support/thread_executor.h"
 
 namespace arcway::internal {
 namespace {
 
 TEST(Progress, RisesToTheTotalAndIsReportedByOneThreadAtATime) {
-  const test::ThreadExecutor threads(4);
+  const ThreadExecutor threads(4);
   for (const std::size_t count : {1u, 7u, 250u, 100000u}) {
     std::atomic<int> inside = 0;
     std::vector<std::uint64_t> reports;
@@ -44,7 +43,7 @@ TEST(Progress, RisesToTheTotalAndIsReportedByOneThreadAtATime) {
 }
 
 TEST(Progress, LoopsWithinLoopsAreReportedByOneThreadAtATime) {
-  const test::ThreadExecutor threads(4);
+  const ThreadExecutor threads(4);
   std::atomic<int> inside = 0;
   const ReportingExecutor executor(threads, [&](const Progress&) {
     EXPECT_EQ(++inside, 1);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "arcway/angle.h"
 #include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
 
@@ -110,6 +111,25 @@ TEST(FindConflict, FindsTheFirstOfAllPairsInLargeRings) {
     EXPECT_EQ(conflict->edge_a, first_a);
     EXPECT_EQ(conflict->edge_b, first_b);
   }
+}
+
+TEST(Polygon, IsMadeOfFewNumbers) {
+  const Ring ring{{1, 2}, {4, 2}, {4, 6}, {1, 6}};
+  EXPECT_EQ(Polygon::rectangle({1, 2}, {4, 6}).outer, ring);
+  EXPECT_EQ(Polygon::rectangle({4, 2}, {1, 6}).outer, ring);
+  EXPECT_EQ(Polygon::rectangle(1, 2, 4, 6).outer, ring);
+  EXPECT_EQ(Polygon::rectangle(Box{{1, 2}, {4, 6}}).outer, ring);
+  EXPECT_EQ(Polygon::rectangle({2.5, 4}, 3, 4).outer, ring);
+  const Polygon turned = Polygon::rectangle({0, 0}, 4.0, 2.0, kPi / 2);
+  EXPECT_NEAR((turned.outer[0] - Vec2(1, -2)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((turned.outer[2] - Vec2(-1, 2)).norm(), 0.0, 1e-15);
+  EXPECT_EQ(winding(turned.outer), 1);
+  const Polygon hexagon = Polygon::regular({5, 6}, 2.0, 6);
+  ASSERT_EQ(hexagon.outer.size(), 6u);
+  EXPECT_EQ(hexagon.outer[0], Vec2(7, 6));
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR((hexagon.outer[i] - hexagon.outer[(i + 1) % 6]).norm(), 2.0, 1e-14);
+  EXPECT_EQ(winding(hexagon.outer), 1);
+  EXPECT_NEAR((Polygon::regular({0, 0}, 1.0, 4, kPi / 2).outer[0] - Vec2(0, 1)).norm(), 0.0, 1e-15);
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <stdexcept>
 
 namespace arcway::internal {
 namespace {
@@ -98,6 +100,49 @@ TEST(Path, Cusps) {
   EXPECT_EQ(cusps_of({}), 0u);
   EXPECT_EQ(cusps_of(Path{back, back}), 0u);
   EXPECT_EQ(cusps_of(Path{ahead, back, back, ahead}), 2u);
+}
+
+TEST(Path, HasThePoseAtAnArcLength) {
+  const PathSegment line{{1.0, 2.0, 0.0}, 3.0, 0.0};
+  const Path path{line, {line.end(), 2.0, 0.5}, {{}, 0.0, 0.0}};
+  EXPECT_EQ(path.length(), 5.0);
+  EXPECT_EQ(path.at(0).x, 1.0);  // in meters, no index
+  EXPECT_EQ(path.at(2).x, 3.0);
+  EXPECT_EQ(path.at(2.5).x, 3.5);
+  EXPECT_EQ(path.at(4.0).heading, 0.5);
+  EXPECT_EQ(path.at(3.0).x, 4.0);
+  EXPECT_THROW(static_cast<void>(path.at(5.01)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(path.at(-1e-9)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(path.at(std::nan(""))), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(Path{}.at(0.0)), std::out_of_range);
+}
+
+// Whether path[index] compiles.
+template <class Index>
+concept IndexesPaths = requires(const Path& path, Index index) {
+  path[index];
+};
+
+TEST(Path, IsNotIndexedByArcLengths) {
+  static_assert(IndexesPaths<std::size_t> && IndexesPaths<int>);
+  static_assert(!IndexesPaths<double> && !IndexesPaths<float>);
+}
+
+TEST(Polyline, HasAllJointsAndNoLongSteps) {
+  const PathSegment line{{1.0, 2.0, 0.0}, 3.0, 0.0};
+  const Path path{line, {line.end(), 2.0, 0.5}};
+  const std::vector<Vec2> joints = polyline(path, std::numeric_limits<double>::infinity());
+  ASSERT_EQ(joints.size(), 3u);
+  EXPECT_EQ(joints[1], line.end().position());
+  EXPECT_EQ(joints[2], path.back().end().position());
+  const std::vector<Vec2> points = polyline(path, 0.8);
+  ASSERT_EQ(points.size(), 4u + 3u + 1u);
+  EXPECT_EQ(points[1].x(), 1.75);
+  for (std::size_t i = 1; i < points.size(); ++i) EXPECT_LE((points[i] - points[i - 1]).norm(), 0.8);
+  EXPECT_TRUE(polyline({}, 1.0).empty());
+  EXPECT_THROW(polyline(path, 0.0), std::invalid_argument);
+  EXPECT_THROW(polyline(path, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(polyline(path, 1e-9), std::invalid_argument);
 }
 
 }  // namespace

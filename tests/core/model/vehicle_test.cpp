@@ -297,5 +297,15 @@ TEST(Vehicle, RefusesParametersByNameValueAndLimit) {
             "vehicle: turn_speed.entries[0].speed is 0, must be from 1e-50 to 1e+50");
 }
 
+TEST(Vehicle, SteersToTheSideOfTheTurn) {
+  VehicleParameters parameters;
+  EXPECT_DOUBLE_EQ(Vehicle(parameters).steering_angle(0.5), std::atan(0.65));
+  parameters.steering = Steering::kRear;
+  EXPECT_DOUBLE_EQ(Vehicle(parameters).steering_angle(0.5), -std::atan(0.65));
+  parameters.steering = Steering::kSymmetric;
+  EXPECT_DOUBLE_EQ(Vehicle(parameters).steering_angle(-0.5), -std::atan(0.325));
+  EXPECT_EQ(Vehicle(parameters).steering_angle(0.0), 0.0);
+}
+
 }  // namespace
 }  // namespace arcway::internal

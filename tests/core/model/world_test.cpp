@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -236,6 +237,24 @@ TEST(World, TakesManyObstacles) {
   const World world(std::move(obstacles), square(0, 0, 100));
   EXPECT_EQ(world.vertices().size(), 40004u);
   EXPECT_EQ(world.convex_vertices().size(), 40000u);
+}
+
+TEST(World, IsMadeOfPolygonsOrRings) {
+  const Polygon bounds = Polygon::rectangle({0, -20}, {40, 20});
+  const World world = World::from_polygons({Polygon::rectangle({8, -4}, {12, 4})}, bounds);
+  EXPECT_EQ(world.obstacle_count(), 1u);
+  EXPECT_TRUE(world.has_bounds());
+  const World rings = World::from_polygons({{{8, -4}, {12, -4}, {12, 4}, {8, 4}}}, bounds.outer);
+  EXPECT_TRUE(std::ranges::equal(world.vertices(), rings.vertices()));
+  EXPECT_TRUE(std::ranges::equal(World({Polygon::rectangle({8, -4}, {12, 4})}, bounds).vertices(), world.vertices()));
+  EXPECT_FALSE(World::from_polygons({Polygon::regular({0, 0}, 1.0, 8)}).has_bounds());
+  try {
+    World::from_polygons({bounds}, Polygon{bounds.outer, {Polygon::rectangle(1, 1, 2, 2).outer}});
+    ADD_FAILURE() << "no error";
+  } catch (const WorldError& error) {
+    EXPECT_STREQ(error.what(), "bounds: a polygon with 1 hole, must have none; make holes obstacles");
+    EXPECT_EQ(error.obstacle(), 1u);
+  }
 }
 
 }  // namespace

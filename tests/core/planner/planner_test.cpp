@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "arcway/datasets/random_queries.h"
 #include "core/motion/dubins.h"
 #include "core/roadmap/feasible_graph.h"
+#include "tests/support/boxes.h"
 #include "tests/support/free_plans.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
@@ -532,6 +534,63 @@ TEST(Planner, SegmentTimesFindNothingFasterThanTrueTimes) {
     slower += other.travel_time > best.travel_time * (1.0 + 1e-6) ? 1 : 0;
   }
   EXPECT_GT(slower, 0);
+}
+
+TEST(Planner, TellsWhetherAPoseIsFree) {
+  const Planner planner(World({test::box(8.0, -4.0, 12.0, 4.0)}, test::box_ring(-10.0, -20.0, 40.0, 20.0)), Vehicle{});
+  EXPECT_TRUE(planner.is_free({0, 0, 0}));
+  EXPECT_FALSE(planner.is_free({10, 0, 0}));
+  EXPECT_FALSE(planner.is_free({50, 0, 0}));
+  // The body's front is 1.4 m ahead, and half of the safety margin is 0.5 mm.
+  EXPECT_FALSE(planner.is_free(Pose{6.5996, 0, 0}));
+  EXPECT_TRUE(planner.is_free(Pose{6.5994, 0, 0}));
+  EXPECT_THROW(static_cast<void>(planner.is_free(Pose{std::nan(""), 0, 0})), std::invalid_argument);
+}
+
+TEST(Planner, TellsWhetherAPathIsFree) {
+  const Planner planner(World({test::box(8.0, -4.0, 12.0, 4.0)}), Vehicle{});
+  EXPECT_TRUE(planner.is_free(planner.plan({.start = {0, 0, 0}, .goal = {20, 0, 0}}).path()));
+  EXPECT_FALSE(planner.is_free(Path{{{0, 0, 0}, 20.0, 0.0}}));
+  EXPECT_TRUE(planner.is_free(Path{{{0, 0, 0}, 6.5, 0.0}}));
+  EXPECT_TRUE(planner.is_free(Path{{{0, 0, 0}, 9.0, 0.0, Gear::kReverse}}));
+  // Around the obstacle: of the tight arc only the ends are free.
+  const PathSegment arc{{10, -8, 0}, 8.0 * kPi, 1.0 / 8.0};
+  EXPECT_TRUE(planner.is_free(arc.start) && planner.is_free(arc.end()));
+  EXPECT_TRUE(planner.is_free(Path{arc}));
+  const PathSegment tight{{10, -4.5, 0}, 4.5 * kPi, 1.0 / 4.5};
+  EXPECT_TRUE(planner.is_free(tight.start) && planner.is_free(tight.end()));
+  EXPECT_FALSE(planner.is_free(Path{tight}));
+  EXPECT_FALSE(planner.is_free(Path{tight.reversed()}));
+  EXPECT_TRUE(planner.is_free(Path{}));
+  EXPECT_THROW(static_cast<void>(planner.is_free(Path{{{0, 0, 0}, -1.0, 0.0}})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(planner.is_free(Path{{{0, 0, 0}, 1.0, std::nan("")}})), std::invalid_argument);
+}
+
+TEST(Planner, FindsTheNearestFreePose) {
+  const Planner planner(World({test::box(8.0, -4.0, 12.0, 4.0)}), Vehicle{});
+  const Pose free{0, 0, 0};
+  EXPECT_EQ(planner.nearest_free(free)->x, 0.0);
+  const std::optional<Pose> moved = planner.nearest_free({7.0, 0, 0});
+  ASSERT_TRUE(moved.has_value());
+  EXPECT_TRUE(planner.is_free(*moved));
+  EXPECT_NEAR(moved->x, 6.5995, 1e-3);
+  const Planner filled(World({test::box(-20.0, -20.0, 20.0, 20.0)}), Vehicle{});
+  EXPECT_EQ(filled.nearest_free({0, 0, 0}), std::nullopt);
+}
+
+TEST(Plan, IsThatOfAPlanner) {
+  const World world({test::box(8.0, -4.0, 12.0, 4.0)});
+  const PlanResult result = plan(world, Vehicle{}, {0, 0, 0}, {20, 0, 0});
+  const PlanResult expected = Planner(world, Vehicle{}).plan({.start = {0, 0, 0}, .goal = {20, 0, 0}});
+  EXPECT_TRUE(result.solved());
+  EXPECT_EQ(result.travel_time, expected.travel_time);
+  EXPECT_EQ(Planner(world, Vehicle{}).plan({0, 0, 0}, {20, 0, 0}).travel_time, expected.travel_time);
+  EXPECT_EQ(plan(world, Vehicle{}, {.start = {0, 0, 0}, .goal = {20, 0, 0}}).travel_time, expected.travel_time);
+  EXPECT_EQ(plan(reference_backend(world), Vehicle{}, {.start = {0, 0, 0}, .goal = {20, 0, 0}}).travel_time,
+            expected.travel_time);
+  const PlanResult late = plan(world, Vehicle{}, {0, 0, 0}, {20, 0, 0}, {.time = 0.0});
+  EXPECT_EQ(late.reason, "no path was found within the time limit of 0 s");
+  EXPECT_THROW(plan(world, Vehicle{}, {std::nan(""), 0, 0}, {20, 0, 0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include "tests/support/graph_case.h"
 #include "tests/support/same_graphs.h"
-#include "tests/support/thread_executor.h"
 
 namespace arcway::internal {
 namespace {
@@ -18,7 +17,7 @@ struct ChangeCase {
   std::vector<ObstacleId> removed{17};
   test::GraphCase after{before.world.changed(removed, {})};
   WorldChange change{before.world, after.world, removed};
-  test::ThreadExecutor threads{2};
+  ThreadExecutor threads{2};
 };
 
 TEST(ChangeFeasibleGraph, IsTheGraphBuiltAnewWhateverWasKnownBefore) {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -259,6 +261,19 @@ TEST(FullVisibilityGraph, HoldsTheReducedOneAndMore) {
   const auto reduced = edges_of(build_reduced_visibility_graph(world, *queries.visibility));
   EXPECT_TRUE(std::includes(full.begin(), full.end(), reduced.begin(), reduced.end()));
   EXPECT_GT(full.size(), reduced.size());
+}
+
+TEST(VisibilityGraph, HasItsEdgesAsARange) {
+  static_assert(std::forward_iterator<GraphEdges::Iterator>);
+  static_assert(std::ranges::forward_range<GraphEdges>);
+  const VisibilityGraph graph({0, 0, 2, 2, 3, 3, 3}, {3, 5, 4});
+  std::vector<GraphEdge> edges;
+  for (const auto [a, b] : graph.edges()) edges.push_back({a, b});
+  EXPECT_EQ(edges, (std::vector<GraphEdge>{{1, 3}, {1, 5}, {3, 4}}));
+  EXPECT_EQ(graph.edges().size(), 3u);
+  EXPECT_EQ(std::ranges::distance(graph.edges()), 3);
+  EXPECT_TRUE(VisibilityGraph().edges().empty());
+  EXPECT_TRUE(VisibilityGraph().edges().begin() == VisibilityGraph().edges().end());
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "arcway/datasets/plan_io.h"
 #include "arcway/datasets/random_queries.h"
 #include "tests/support/plans.h"
-#include "tests/support/thread_executor.h"
 
 namespace arcway::internal {
 namespace {
@@ -42,7 +41,7 @@ TEST(PlanBatch, IsThePlanOfEachQueryInOrderForAnyNumberOfThreads) {
     expected.push_back(bits_of(result));
   }
   for (const std::size_t threads : {1u, 2u, 3u, 8u}) {
-    const std::vector<PlanResult> results = plan_batch(c.planner, c.requests, test::ThreadExecutor(threads));
+    const std::vector<PlanResult> results = plan_batch(c.planner, c.requests, ThreadExecutor(threads));
     ASSERT_EQ(results.size(), expected.size());
     for (std::size_t i = 0; i < results.size(); ++i) EXPECT_EQ(bits_of(results[i]), expected[i]) << threads << " " << i;
   }
@@ -57,7 +56,7 @@ TEST(PlanBatch, TellsHowManyQueriesAreDone) {
     EXPECT_EQ(progress.total, c.requests.size());
     done.push_back(progress.done);
   };
-  static_cast<void>(plan_batch(c.planner, c.requests, test::ThreadExecutor(3), {.progress = note}));
+  static_cast<void>(plan_batch(c.planner, c.requests, ThreadExecutor(3), {.progress = note}));
   ASSERT_FALSE(done.empty());
   EXPECT_EQ(done.back(), c.requests.size());
 }
@@ -83,7 +82,7 @@ TEST(PlanBatch, ARequestThatIsNoneIsNamed) {
   c.requests[7].start.x = std::numeric_limits<double>::quiet_NaN();
   c.requests[11].goal.heading = std::numeric_limits<double>::infinity();
   try {
-    static_cast<void>(plan_batch(c.planner, c.requests, test::ThreadExecutor(2)));
+    static_cast<void>(plan_batch(c.planner, c.requests, ThreadExecutor(2)));
     ADD_FAILURE() << "no exception";
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(std::string(error.what()).rfind("request 7: start pose", 0), 0u) << error.what();

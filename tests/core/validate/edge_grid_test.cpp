@@ -60,8 +60,8 @@ TEST(EdgeGrid, VisitsEachEdgeThatMeetsABoxOnce) {
         expect_all_that_meet(grid, {corner, corner + size});
         expect_all_that_meet(grid, box_of(edges[static_cast<std::size_t>(random.bits() % count)]));
       }
-      constexpr double kInfinity = std::numeric_limits<double>::infinity();
-      expect_all_that_meet(grid, Box{edges[0].a, edges[0].a}.grown(kInfinity));
+      constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+      expect_all_that_meet(grid, Box{edges[0].a, edges[0].a}.grown(kUnbounded));
       expect_all_that_meet(grid, Box{edges[0].a, edges[0].a}.grown(1e300));
     }
 }

@@ -12,7 +12,6 @@
 #include "arcway/planner.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/prepared_bytes.h"
-#include "tests/support/thread_executor.h"
 
 namespace arcway::internal {
 namespace {
@@ -70,7 +69,7 @@ TEST(PreparedMap, HasTheSameBytesForAnyNumberOfThreadsAndEveryTime) {
       random_world({.kind = ClutterKind::kStar, .obstacles = 15, .vertices = 6, .fill = 0.2, .seed = 8});
   const std::string expected = to_bytes(prepare(world, SerialExecutor()));
   for (const std::size_t threads : {1u, 2u, 3u, 8u})
-    EXPECT_EQ(to_bytes(prepare(world, test::ThreadExecutor(threads))), expected) << threads;
+    EXPECT_EQ(to_bytes(prepare(world, ThreadExecutor(threads))), expected) << threads;
 }
 
 TEST(PreparedMap, PlansAsAMapThatIsPreparedAnew) {

@@ -17,19 +17,19 @@ double area(const Ring& ring) {
   return 0.5 * twice;
 }
 
-double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+double clutter_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
   const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
   return (a + t * (b - a) - p).norm();
 }
 
 // The distance of two outlines. None lies inside another one, or the areas would not add up.
-double distance(const Ring& r, const Ring& s) {
+double clutter_distance(const Ring& r, const Ring& s) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < r.size(); ++i)
     for (std::size_t j = 0; j < s.size(); ++j) {
       const Vec2 &a = r[i], &b = r[(i + 1) % r.size()], &c = s[j], &d = s[(j + 1) % s.size()];
       if (relate({a, b}, {c, d}) != SegmentRelation::kDisjoint) return 0.0;
-      least = std::min({least, distance(a, c, d), distance(c, a, b)});
+      least = std::min({least, clutter_distance(a, c, d), clutter_distance(c, a, b)});
     }
   return least;
 }
@@ -56,7 +56,8 @@ TEST_P(ClutterTest, MeetsItsPromises) {
       EXPECT_GT(area(ring), 0.0);
       sum += area(ring);
       for (const Vec2& p : ring) EXPECT_GE(std::min({p.x(), p.y(), side - p.x(), side - p.y()}), 0.2);
-      for (std::size_t j = 0; j < i; ++j) EXPECT_GE(distance(ring, clutter.obstacles[j].outer), 0.2) << i << ' ' << j;
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_GE(clutter_distance(ring, clutter.obstacles[j].outer), 0.2) << i << ' ' << j;
       std::size_t reflex = 0;
       for (std::size_t k = 0; k < ring.size(); ++k) {
         reflex += orientation(ring[k], ring[(k + 1) % ring.size()], ring[(k + 2) % ring.size()]) <= 0 ? 1 : 0;

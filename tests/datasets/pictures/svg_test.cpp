@@ -2,7 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "arcway/datasets/file_io.h"
 #include "arcway/datasets/paper_example.h"
+#include "arcway/planner.h"
+#include "arcway/trajectory.h"
 
 namespace arcway::internal {
 namespace {
@@ -115,6 +124,86 @@ TEST(Svg, MarksAGap) {
   EXPECT_NE(svg.str().find("<g id=\"markers\""), std::string::npos);
 }
 
+TEST(Svg, MarksMetersAndHasAScaleBar) {
+  SvgPicture picture(World({}, Ring{{-20, 100}, {80, 100}, {80, 150}, {-20, 150}}), 1000.0);
+  picture.add_axes();
+  const std::string svg = picture.str();
+  // 10 px a meter: marks each 10 m, and a bar of 10 m.
+  for (const char* label : {">0</text>", ">10</text>", ">70</text>", ">110</text>", ">140</text>", ">10 m</text>"})
+    EXPECT_EQ(count(svg, label), 1u) << label;
+  const std::size_t bar = svg.find("id=\"scale\"");
+  const std::string line = svg.substr(svg.find(" d=\"M", bar) + 5);
+  const double begin = std::stod(line), end = std::stod(line.substr(line.find('L') + 1));
+  EXPECT_NEAR(end - begin, 100.0, 0.11);
+  // The mark of x = 10 m is 30 m right of the view's edge.
+  const std::size_t ten = svg.find(">10</text>");
+  EXPECT_NEAR(std::stod(svg.substr(svg.rfind(" x=\"", ten) + 4)), 16.0 + 300.0, 0.11);
+}
+
+TEST(Svg, NumbersObstaclesAsMessagesDo) {
+  const World world({{{{0, 0}, {10, 0}, {10, 10}}, {}}, {{{20, 0}, {40, 0}, {40, 10}, {20, 10}}, {}}});
+  SvgPicture picture(world, 400.0);
+  picture.add_obstacle_numbers(world);
+  const std::string svg = picture.str();
+  const std::size_t one = svg.find(">1</text>");
+  ASSERT_NE(one, std::string::npos);
+  EXPECT_NEAR(std::stod(svg.substr(svg.rfind(" x=\"", one) + 4)), 16.0 + 300.0, 0.11);
+  EXPECT_EQ(count(svg, ">0</text>"), 1u);
+}
+
+TEST(Svg, ColorsThePathBySpeed) {
+  const Path path{{{0, 0, 0}, 30.0, 0.0}, {{30, 0, 0}, 10.0, 0.0, Gear::kReverse}};
+  SvgPicture picture(World({}, Ring{{-5, -10}, {50, -10}, {50, 10}, {-5, 10}}));
+  picture.add_path(path, Vehicle{}.footprint());
+  picture.add_speeds(Trajectory(path, Vehicle{}));
+  const std::string svg = picture.str();
+  EXPECT_NE(svg.find(">12 m/s</text>"), std::string::npos);
+  EXPECT_NE(svg.find("fill=\"url(#speeds)\""), std::string::npos);
+  EXPECT_GE(count(svg, "stroke=\"#fde725\""), 1u);  // the highest speed
+  EXPECT_GE(count(svg, "stroke-dasharray"), 1u);    // backwards
+  EXPECT_EQ(count(svg, "#e4572e"), 0u);
+  EXPECT_EQ(svg.find("{y}"), std::string::npos);
+}
+
+TEST(Svg, IsWrittenOfAPlan) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "arcway_plan.svg";
+  const Planner planner(World({Polygon::rectangle({8, -4}, {12, 4})}), Vehicle{});
+  write_svg(path, planner.plan({0, 0, 0}, {20, 0, 0}));
+  const std::string solved = read_file(path);
+  for (const char* layer : {"obstacles", "swept", "path", "axes", "legend"})
+    EXPECT_EQ(count(solved, "id=\"" + std::string(layer) + "\""), 1u) << layer;
+  write_svg(path, planner.plan({0, 0, 0}, {10, 0, 0}));
+  EXPECT_NE(read_file(path).find("goal in collision (proved)"), std::string::npos);
+  std::filesystem::remove(path);
+  EXPECT_THROW(write_svg(path, PlanResult{}), std::invalid_argument);
+}
+
+TEST(Svg, KeepsTextsOnThePage) {
+  const std::string label = "waypoint 12 of the second tour";
+  const double room = 8.0 * static_cast<double>(label.size());
+  for (const double x : {0.0, 3.0, 5.0, 9.0, 10.0}) {
+    SvgPicture picture(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 400.0);
+    picture.add_place({x, 5}, label);
+    const std::string svg = picture.str();
+    const std::size_t text = svg.rfind("<text", svg.find(label));
+    const double at = std::stod(svg.substr(svg.find(" x=\"", text) + 4));
+    const bool to_the_left = svg.find("text-anchor=\"end\"", text) < svg.find(label);
+    EXPECT_GE(to_the_left ? at - room : at, 0.0) << x;
+    EXPECT_LE(to_the_left ? at : at + room, 432.0) << x;
+  }
+  SvgPicture picture(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 400.0);
+  std::string reason;
+  for (int i = 0; i < 40; ++i) reason += "no gap & ";
+  picture.add_caption(reason);
+  const std::string svg = picture.str();
+  EXPECT_EQ(count(svg, "no gap &amp;"), 40u);
+  for (std::size_t at = svg.find("<text", svg.find("id=\"caption\"")); at != std::string::npos;
+       at = svg.find("<text", at + 1)) {
+    const std::string line = svg.substr(at, svg.find("</text>", at) - at);
+    EXPECT_LT(count(line, "no gap"), 7u) << line;
+  }
+}
+
 TEST(Svg, ShowsTheLayersAskedFor) {
   const World world({{{{0, 0}, {10, 0}, {10, 10}}, {}}}, Ring{{-10, -10}, {90, -10}, {90, 40}});
   const auto drawn = [&](const std::vector<std::string>& layers) {
@@ -123,6 +212,8 @@ TEST(Svg, ShowsTheLayersAskedFor) {
     const Path path{{{20, 20, 0}, 10, 0}};
     picture.add_path(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
     picture.add_swept_area(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+    picture.add_axes();
+    picture.add_obstacle_numbers(world);
     picture.show(layers);
     return picture.str();
   };

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,7 @@
 #include "arcway/datasets/file_io.h"
 #include "arcway/export.h"
 #include "arcway/planner.h"
-#include "arcway/validation.h"
+#include "arcway/trajectory.h"
 #include "arcway/vehicle.h"
 
 namespace arcway {
@@ -30,45 +31,20 @@ namespace arcway {
 ARCWAY_API std::string plan_to_json(const PlanResult& result, std::uint64_t q,
                                     const std::optional<VehicleParameters>& robot = {});
 
-struct PathSampling {
-  double max_length = 0.5;  ///< between two samples [m], > 0
-  double max_angle = 0.05;  ///< between two samples [rad], > 0
-};
-/// Most sampling steps of a path, so that a step that is far too small cannot use up all memory.
-inline constexpr double kMostSamplingSteps = 1e7;
-/// A moment of the motion.
-struct PathSample {
-  double s;          ///< from the start [m]
-  Pose pose;         ///< heading not wrapped
-  double curvature;  ///< [1/m], left positive
-  Gear gear;
-  double t;  ///< [s]
-  double v;  ///< [m/s]
-};
-/// Samples a path by length and by angle. The ends of all segments are kept. Where curvature or gear change, the joint
-/// comes twice, once with each value.
-///
-/// Time and speed follow the fastest motion within the segment: accelerate, hold, brake. There is a sample at each
-/// change between these phases, so the acceleration between neighbors is constant. The mean of their speeds times the
-/// time between them is their distance, up to rounding. Times never descend.
-/// @param segments  with the speeds and durations of speed_profile.
-/// @throws std::invalid_argument naming value and limit unless both steps are positive and the path has at most
-///   kMostSamplingSteps of them. Both functions below throw it too.
-ARCWAY_API std::vector<PathSample> sample_path(std::span<const TimedSegment> segments, const Vehicle& vehicle,
-                                               const PathSampling& sampling = {});
+/// The states of a trajectory as `s,x,y,yaw,curvature,direction,t,v,steer` with a header line: meters, radians,
+/// seconds. The steering angle is that of Vehicle::steering_angle. Headings are in (-pi, pi].
+/// @throws std::invalid_argument as Trajectory::sample does.
+ARCWAY_API std::string path_to_csv(const Trajectory& trajectory, const PathSampling& sampling = {});
 
-/// The samples as `s,x,y,yaw,curvature,direction,t,v,steer` with a header line: meters, radians, seconds.
-/// The steering angle is the one of the steered axle (of each, if symmetric), left positive at the front.
-ARCWAY_API std::string path_to_csv(std::span<const TimedSegment> segments, const Vehicle& vehicle,
-                                   const PathSampling& sampling = {});
-
-/// The samples as a nav_msgs/Path of ROS 2 in JSON, named as rosbridge does; stamps are times since the start. The
+/// The states as a nav_msgs/Path of ROS 2 in JSON, named as rosbridge does; stamps are times since the start. The
 /// message has no gear: orientations are those of the body, so that backwards the positions move against them.
 /// @param frame  of the coordinates, as "map".
-ARCWAY_API std::string path_to_nav_msgs(std::span<const TimedSegment> segments, const Vehicle& vehicle,
-                                        std::string_view frame = "map", const PathSampling& sampling = {});
+/// @throws std::invalid_argument as Trajectory::sample does.
+ARCWAY_API std::string path_to_nav_msgs(const Trajectory& trajectory, std::string_view frame = "map",
+                                        const PathSampling& sampling = {});
 
-struct PlanFile {
+/// A plan as plan_to_json writes it.
+struct ARCWAY_API PlanFile {
   std::optional<std::uint64_t> q;  ///< number of the query
   std::string status;
   std::optional<VehicleParameters> robot;     ///< robot that the plan names
@@ -76,19 +52,44 @@ struct PlanFile {
   std::optional<double> gear_changes;         ///< as stated by the plan
   Pose start, goal;
   TimedPath path;  ///< speeds and durations empty if the file has none
+  /// The path in time for the robot that the plan names; if it names none, for that of VehicleParameters' defaults.
+  /// @throws std::invalid_argument as Vehicle and Trajectory do, among others if the path has no segments.
+  [[nodiscard]] Trajectory trajectory() const;
 };
 /// Reads what plan_to_json writes; only "format", "version", "start", "goal" and "path" are required, and of its
 /// segments "type", "start", "length" and "curvature". Speeds and durations must be on all segments or on none.
 /// @param name  of the source, for messages.
 /// @throws FormatError, "plan.json: path[3].length: expected a number, found null".
-ARCWAY_API PlanFile read_plan(std::string_view json, std::string_view name);
+ARCWAY_API PlanFile parse_plan(std::string_view json, std::string_view name);
 
 struct PlanOnLine {
   std::size_t line;  ///< line where the plan begins, from 1
   PlanFile plan;
 };
-/// Reads one plan, or several, each beginning on a line of its own.
-/// @throws FormatError as read_plan; of several "plans.json:2: path[3].length: ...".
-ARCWAY_API std::vector<PlanOnLine> read_plans(std::string_view json, std::string_view name);
+/// Reads a path that path_to_csv wrote, with or without units in the header: a segment between two samples, with its
+/// speeds and duration. Of other writers' paths the columns up to v_m_per_s must be there, in any order.
+/// @throws FormatError, "path.csv:7: v_m_per_s: expected a number, found "x"".
+ARCWAY_API PlanFile parse_path_csv(std::string_view text, std::string_view name);
+/// Reads a path that path_to_nav_msgs wrote: a line or arc between two poses, by their headings, without speeds. It is
+/// driven backwards where the positions move against the headings.
+/// @throws FormatError, "path.json: poses[3].pose.position.x: expected a number, found null".
+ARCWAY_API PlanFile parse_nav_msgs(std::string_view text, std::string_view name);
+
+/// Reads one plan, or several, each beginning on a line of its own; or the one path of parse_path_csv or
+/// parse_nav_msgs. The content tells which it is.
+/// @throws FormatError as parse_plan; of several "plans.json:2: path[3].length: ...".
+ARCWAY_API std::vector<PlanOnLine> parse_plans(std::string_view json, std::string_view name);
+
+/// Reads the file of one plan: see parse_plan.
+///
+///     const PlanFile file = read_plan("plan.json");
+///     const Pose pose = file.trajectory().at(1.5).pose;
+///
+/// @throws FileError if the file cannot be read, FormatError as parse_plan does.
+ARCWAY_API PlanFile read_plan(const std::filesystem::path& path);
+/// Writes a plan with the robot that it is for, by plan_to_json: read_plan reads it back to the same doubles. Readers
+/// see the old file or the new one, never half of it.
+/// @throws FileError if the file cannot be written; the old one then stays.
+ARCWAY_API void write_plan(const std::filesystem::path& path, const PlanResult& result);
 
 }  // namespace arcway

@@ -10,6 +10,7 @@
 #include "arcway/datasets/occupancy_grid.h"
 #include "arcway/datasets/vector_options.h"
 #include "arcway/export.h"
+#include "arcway/world.h"
 
 namespace arcway {
 
@@ -32,5 +33,9 @@ struct MapReadOptions {
 /// YAML file is occupied where it is darker than half, its lower left corner at the origin.
 /// @throws FileError if a file cannot be read, FormatError naming file, place and value.
 ARCWAY_API MapFile read_map(const std::filesystem::path& path, const MapReadOptions& options = {});
+
+/// The world of a map file, checked: to_world(read_map(path, options)), for those who need no start, goal and warnings.
+/// @throws FileError and FormatError as both do.
+ARCWAY_API World read_world(const std::filesystem::path& path, const MapReadOptions& options = {});
 
 }  // namespace arcway

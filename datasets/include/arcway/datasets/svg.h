@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,8 @@
 
 #include "arcway/export.h"
 #include "arcway/path.h"
+#include "arcway/plan_result.h"
+#include "arcway/trajectory.h"
 #include "arcway/vec2.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
@@ -21,12 +24,12 @@ struct EdgeStyle {
   double opacity = 0.35;  ///< in [0, 1]
 };
 
-/// A picture of a world in layers. Layers are groups with the ids bounds, obstacles, graph, swept, path, robot, markers
-/// and caption, which Inkscape shows as layers.
+/// A picture of a world in layers. Layers are groups with the ids bounds, obstacles, graph, swept, path, robot,
+/// numbers, axes, markers and caption, which Inkscape shows as layers.
 ///
-/// All but the markers and the caption lie in the group "map". That has the world's meters with y up, rounded to a
-/// tenth of a pixel or finer. On maps far from the origin the meters are from the view's corner. The world need not
-/// outlive the picture.
+/// All but the numbers, axes, markers and the caption lie in the group "map". That has the world's meters with y up,
+/// rounded to a tenth of a pixel or finer. On maps far from the origin the meters are from the view's corner. The world
+/// need not outlive the picture.
 class ARCWAY_API SvgPicture {
  public:
   /// @param width  of the map in the picture [px]; the height follows.
@@ -47,6 +50,13 @@ class ARCWAY_API SvgPicture {
   void add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text);
   /// Draws the area that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
   void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
+  /// Draws the path in colors of the speed in place of add_path's line, with a legend below the map. Call it after
+  /// add_path. Steps of color are at most a fortieth of the highest speed.
+  void add_speeds(const Trajectory& trajectory);
+  /// Marks meters along the left and the lower edge, and draws a scale bar.
+  void add_axes();
+  /// Writes the number of each obstacle in its middle, counted from 0; of more than 2,000 of none.
+  void add_obstacle_numbers(const World& world);
   /// Outlines of the body.
   void add_bodies(std::span<const Pose> poses, const Footprint& body);
   /// Start and goal when there is no path.
@@ -60,7 +70,7 @@ class ARCWAY_API SvgPicture {
   /// Empties all layers but these.
   /// @throws std::invalid_argument naming one that there is not.
   void show(std::span<const std::string> layers);
-  /// A line of text below the map.
+  /// A text below the map, on as many lines as it takes.
   void add_caption(std::string_view text);
   /// Title and description for readers that do not see the picture.
   void set_title(std::string_view title, std::string_view description = {});
@@ -80,6 +90,12 @@ class ARCWAY_API SvgPicture {
   void add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const;
   void add_dot(const Vec2& at, std::string_view color, double radius);
   void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);
+  /// A mark of an axis: a short line and a text in meters.
+  void add_tick(const Vec2& at, const Vec2& line, double meters);
+  /// What lies below the map.
+  void append_captions(std::string& out, const std::vector<std::string>& captions) const;
+  /// Lines of a text that fit below the map.
+  [[nodiscard]] std::vector<std::string> wrapped(std::string_view text) const;
   /// A text beside a point of the picture, and within it.
   void add_label(const Vec2& beside, std::string_view color, std::string_view text);
   /// Attributes of a line within the group "map".
@@ -93,11 +109,17 @@ class ARCWAY_API SvgPicture {
   double width_ = 0.0, height_ = 0.0;
   Vec2 origin_{0.0, 0.0};  // origin of the picture's meters
   double parts_ = 10.0;    // parts of a meter that coordinates are rounded to
-  std::string bounds_, obstacles_, graph_, swept_, path_, robot_, markers_;
+  std::string bounds_, obstacles_, graph_, swept_, path_, robot_, numbers_, axes_, markers_;
+  std::string legend_;  // of speeds, below the captions
   std::vector<std::string> captions_;
   std::size_t alternatives_ = 0;
   bool backwards_ = false;  // some path is driven so
   std::string title_, description_;
 };
+
+/// Writes a picture of a plan in its world: the path in colors of speed, the swept area, axes. Without a path it shows
+/// start, goal and the reason. SvgPicture draws other choices.
+/// @throws FileError if the file cannot be written; std::invalid_argument if no planner made the result.
+ARCWAY_API void write_svg(const std::filesystem::path& path, const PlanResult& result);
 
 }  // namespace arcway

@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   const arcway::ValidationReport report = arcway::validate(world, vehicle, plan.start, plan.goal, plan.timed_path());
-  std::cout << arcway::path_to_csv(plan.segments, vehicle, {.max_length = 1.0});
+  std::cout << arcway::path_to_csv(plan.trajectory(), {.max_length = 1.0});
   return report.valid() ? 0 : 1;
 }
 // end
