@@ -87,10 +87,10 @@ PlannerOptions only_with(std::initializer_list<std::string_view> rows) {
   return options;
 }
 
-// The rear swings towards a wall 4 mm beside the body, the more the tighter the turn.
+// The rear swings towards a wall 6 mm beside the body, the more the tighter the turn.
 TEST(PlanSteps, JoinByWideArcsWhereTightOnesAreBlocked) {
-  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
-  const World world({test::box(-50.0, -3.0, 80.0, -0.404), test::box(20.0, 2.0, 22.0, 60.0)});
+  const Vehicle vehicle({.wheelbase = 0.8, .turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  const World world({test::box(-50.0, -3.0, 80.0, -0.406), test::box(20.0, 2.0, 22.0, 60.0)});
   const PlanRequest request{.start = {-30.0, 0.0, 0.0}, .goal = {60.0, 20.0, 0.0}};
   EXPECT_FALSE(Planner(world, vehicle, only_with({"single arcs"})).plan(request).solved());
   const PlanResult wide = Planner(world, vehicle, only_with({"single arcs", "single arcs of all radii"})).plan(request);

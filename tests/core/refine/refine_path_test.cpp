@@ -241,9 +241,8 @@ TEST(RefinePath, TurnsDrivenByATableAreOptimizedAsWell) {
     query.outlines = &outlines;
     const RefinedPath quickly = refine_path(query);
     EXPECT_LE(quickly.travel_time, speed_profile(path, vehicle).total_time);
-    const RefinedPath result =
-        refine_path({quickly.path, request.start, request.goal, vehicle, *queries.sweep, query.options, query.clock,
-                     &world, &outlines, true});
+    const RefinedPath result = refine_path({quickly.path, request.start, request.goal, vehicle, *queries.sweep,
+                                            query.options, query.clock, &world, &outlines, true});
     EXPECT_LE(result.travel_time, quickly.travel_time);
     expect_valid(world, vehicle, request, result.path);
     with += result.travel_time;
