@@ -122,6 +122,12 @@ inline constexpr StrategyRow kStrategy[] = {
 
     // Faster paths, driven forwards.
     {"lower bound around obstacles", {.known = Known::kPath}, RaiseLowerBound{}},
+    // Beside a wall, tight arcs may be blocked where wide ones lead out, and a path by tight ones may go a long way
+    // round.
+    {"single arcs of all radii",
+     {.known = Known::kPath, .radii = Radii::kSeveral, .gap = 0.1, .tight_end = kPi / 2.0},
+     JoinBySingleArcs{On::kAllRadii, kEveryRadius},
+     kUntilCompared},
     {"tightest radii alone",
      {.known = Known::kPath, .radii = Radii::kSeveral},
      JoinBySingleArcs{On::kTightest, kEndRadii}},

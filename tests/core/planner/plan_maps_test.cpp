@@ -104,7 +104,7 @@ TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
   const Roadmap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
   const OtherMaps other_maps(all, smallest, routes_of_strategy(), planner_.visibility_rows(), SerialExecutor());
   const std::vector<const Roadmap*> maps = maps_of(other_maps);
-  EXPECT_GE(maps.size(), 3u);
+  EXPECT_GE(maps.size(), 2u);
   ArrivalSearch search;
   int other = 0;
   for (const PlanRequest& request : requests_) {
