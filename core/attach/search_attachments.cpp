@@ -71,7 +71,8 @@ void SearchAttachments::begin(SearchContext& context) {
 
   const StopClock& clock = context.options.clock;
   const std::size_t radii = context.options.end_radii;
-  links_.append_circles({context.map, Direction::kFromStart, radii}, context.starts, known_starts, start_circles_, clock);
+  links_.append_circles({context.map, Direction::kFromStart, radii}, context.starts, known_starts, start_circles_,
+                        clock);
   links_.append_circles({context.map, Direction::kToGoal, radii}, context.goals, known_goals, goal_circles_, clock);
   const std::size_t new_starts = start_circles_.size() - first_start_circle;
   const std::size_t new_goals = goal_circles_.size() - first_goal_circle;

@@ -29,7 +29,7 @@ constexpr double kWrongSide = 0.04;      // overlap of a free chain beyond which
 constexpr double kWrongSideLater = 0.4;  // the same overlap, of a chain that has moved
 constexpr double kSeen = 2.0;            // distance within which a corner is seen from more parts
 constexpr double kBehindEdge = 0.3;      // distance behind an edge beyond which the body faces another edge
-constexpr double kBentTurn = 3.0;       // turn from which on its middle says little [rad]
+constexpr double kBentTurn = 3.0;        // turn from which on its middle says little [rad]
 constexpr double kPlaces[] = {0.0, 0.25, 0.5, 0.75, 1.0};  // shares of an arc, where points for its box lie
 
 // A line as a corner sees it.
