@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arcway/datasets/plan_io.h"
+#include "datasets/formats/text_scanner.h"
 #include "datasets/io/json_text.h"
 #include "datasets/io/number_text.h"
 #include "datasets/io/shortened.h"
