@@ -82,6 +82,8 @@ class PlanRun {
   [[nodiscard]] bool has_path() const { return found_ || (reversing_ && reversing_->path()); }
   [[nodiscard]] bool is_thorough() const { return refines() && !query_.maps.tightest; }
   [[nodiscard]] bool refines() const { return query_.options.refinement.max_trials > 0; }
+  // What is not refined joins by all radii: it is the fastest path of the graph.
+  [[nodiscard]] std::size_t end_radii(std::size_t refined) const { return refines() ? refined : kEveryRadius; }
   [[nodiscard]] bool is_tight(const Pose& pose, Direction direction, double angle) const;
 
   void take(const JoinBySingleArcs& step, double trials);

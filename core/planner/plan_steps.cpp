@@ -47,7 +47,8 @@ ForwardSearch& PlanRun::forward_search(On on) {
 }
 
 void PlanRun::take(const JoinBySingleArcs& step, double trials) {
-  keep_forwards(step.on, search([&] { return forward_search(step.on).join_by_single_arcs(step.end_radii); }), trials);
+  keep_forwards(step.on, search([&] { return forward_search(step.on).join_by_single_arcs(end_radii(step.end_radii)); }),
+                trials);
 }
 
 void PlanRun::take(const JoinByNarrowPlaces& step, double trials) {
@@ -154,7 +155,7 @@ void PlanRun::try_faster(const Roadmap& map, std::size_t poses, double least_gai
   faster.least_gain = least_gain * fastest_.times.unrefined;
   faster.faster_than = fastest_.times.unrefined - faster.least_gain;
   faster.warm_start = true;
-  faster.end_radii = kEndRadii;
+  faster.end_radii = end_radii(kEndRadii);
   FoundPath turning = search([&] {
     return find_path_with_maneuvers(map, {query_.request.start, query_.request.goal, poses}, faster, workspace_.find);
   });
@@ -195,7 +196,7 @@ void PlanRun::take(const TryOtherRadii& step, double trials) {
 
 void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials) {
   options.most_expanded = first_expanded_ / 4 + kMoreExpanded;
-  options.end_radii = kEndRadii;
+  options.end_radii = end_radii(kEndRadii);
   FoundPath other = search([&] {
     return find_path_with_maneuvers(map, {query_.request.start, query_.request.goal, poses}, options, workspace_.find);
   });
