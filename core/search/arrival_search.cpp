@@ -109,7 +109,8 @@ struct Question {
 
 Question question_of(const SearchContext& context) {
   const SearchOptions& o = context.options;
-  return {context.vehicle, o.heuristic, o.time_model, o.cusp_cost, o.suboptimality, o.not_first, o.not_last, o.end_radii};
+  return {context.vehicle, o.heuristic, o.time_model, o.cusp_cost,
+          o.suboptimality, o.not_first, o.not_last,   o.end_radii};
 }
 
 }  // namespace
