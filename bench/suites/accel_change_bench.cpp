@@ -123,7 +123,7 @@ void add(Study study) {
   }
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::accel_change_suite

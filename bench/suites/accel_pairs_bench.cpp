@@ -60,7 +60,7 @@ void add(Study study) {
   }
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::accel_pairs_suite

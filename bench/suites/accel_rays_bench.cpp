@@ -86,7 +86,7 @@ void add(Study study) {
                    [t](benchmark::State& state) { time_rays(state, clutter_name("convex", 1000, 10, 30), t); });
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::accel_rays_suite

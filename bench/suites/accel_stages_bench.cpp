@@ -184,7 +184,7 @@ void add(Study study) {
   add_expansion_by_vertices(study);
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::accel_stages_suite

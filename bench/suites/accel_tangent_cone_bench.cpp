@@ -59,8 +59,8 @@ void add(Study study) {
       });
   }
 
-  const std::string size = study == Study::kCheck ? "v400" : study == Study::kQuick ? "v10000" : "v100000";
-  const std::size_t cells = study == Study::kCheck ? 40 : study == Study::kQuick ? 1000 : 10000;
+  const std::string size = study == Study::kCheck ? "v400" : "v100000";
+  const std::size_t cells = study == Study::kCheck ? 40 : 10000;
   std::vector<std::string> shapes = {clutter_name("convex", cells, 10, 2), clutter_name("convex", cells, 10, 50)};
   for (const char* family : {"corridor", "city", "coastline", "islands", "maze", "rooms", "warehouse",
                              "adversarial/shared", "adversarial/contacts", "adversarial/collinear",
@@ -70,7 +70,7 @@ void add(Study study) {
     add_benchmark("TangentConeGraph/shape/" + shape, [=](benchmark::State& state) { build(state, shape, 1); });
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::accel_tangent_cone_suite

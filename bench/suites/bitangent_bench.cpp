@@ -55,7 +55,7 @@ void time_bitangents(benchmark::State& state) {
 
 void add(Study /*study*/) { add_benchmark("Bitangents/directed", time_bitangents); }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::bitangent_suite

@@ -75,7 +75,7 @@ void add(Study study) {
                [n](benchmark::State& state) { time_clearance(state, clutter_name("convex", n, 10, 30)); });
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::clearance_suite

@@ -103,7 +103,7 @@ void add(Study study) {
   }
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::driven_suite

@@ -98,10 +98,11 @@ void add(Study study) {
     const std::string stage = "FeasibleGraph/" + backend.name;
     Series by_obstacles(study, stage, "obstacles", law, exponent);
     if (!reference) by_obstacles.allow(6.0);
-    for (const std::size_t n : sizes(study, {10, 32, 100, 316, 1000, 3162, 10000}, 10, 10000))
+    for (const std::size_t n : sizes(study, {10, 32, 100, 316, 1000, 3162, 10000}, 10, 1000))
       by_obstacles.add(static_cast<double>(n), [&backend, n](benchmark::State& state) {
         build(state, backend, {clutter_name("convex", n, 10, 30)});
       });
+    if (study == Study::kQuick) continue;
     Series by_radii(study, stage + "/n:100", "radii", "O(r^2) pairs of radii an edge", 2.0);
     for (const std::size_t r : sizes(study, {1, 2, 3, 5, 8}, 1, reference ? 5 : 8))
       by_radii.add(static_cast<double>(r), [&backend, r](benchmark::State& state) {

@@ -198,7 +198,6 @@ void add_world(Study study, const std::string& world, const Robot& robot) {
     for (const auto& [made, made_name] : kMade)
       for (const int milliseconds : {10, 100, 1000}) {
         if (study == Study::kCheck && (milliseconds != 100 || made != Made::kPlanner)) continue;
-        if (study == Study::kQuick && milliseconds > 100) continue;
         add_benchmark("TimeLimit/" + label + "/" + robot.name + "/" + task_name + "/" + made_name +
                           "/limit_ms:" + std::to_string(milliseconds),
                       [world, robot, task = task, made = made, milliseconds, queries](benchmark::State& state) {
@@ -214,19 +213,16 @@ void add(Study study) {
   add_world(study, clutter, kLateral);
   if (study == Study::kCheck) return;
   add_world(study, clutter, kPaper);
-  std::vector<std::string> worlds{"maze/v1000/s1"};
-  if (study == Study::kFull) {  // takes half an hour
-    worlds.insert(worlds.end(), {"parking/v2000/s1", "corridor/v5000/s1", "adversarial/comb/v4000/s1",
-                                 "adversarial/contacts/v8000/s1",
-                                 "adversarial/touching/v20000/s1",  // cells that touch at corners
-                                 "city/v20000/s1", clutter_name("star", 10'000, 10, 30), "islands/v100000/s1"});
-    add_world(study, kCoast, kBoat);
-  }
-  for (const std::string& world : worlds)
+  add_world(study, kCoast, kBoat);
+  for (const std::string& world :
+       {std::string("maze/v1000/s1"), std::string("parking/v2000/s1"), std::string("corridor/v5000/s1"),
+        std::string("adversarial/comb/v4000/s1"), std::string("adversarial/contacts/v8000/s1"),
+        std::string("adversarial/touching/v20000/s1"),  // cells that touch at corners
+        std::string("city/v20000/s1"), clutter_name("star", 10'000, 10, 30), std::string("islands/v100000/s1")})
     for (const Robot& robot : {kPaper, kLateral}) add_world(study, world, robot);
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::limits_suite

@@ -93,7 +93,7 @@ void add(Study study) {
     tracing.add(static_cast<double>(side * side), [side](benchmark::State& state) { trace(state, side); });
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::map_suite

@@ -61,7 +61,7 @@ void add(Study /*study*/) {
   add_case("collinear", true);
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::predicates_suite

@@ -70,7 +70,6 @@ void time_radii(benchmark::State& state, const GentleRobot& robot, const std::st
 }
 
 void add(Study study) {
-  if (study == Study::kQuick) return;  // takes minutes
   const bool check = study == Study::kCheck;
   for (const GentleRobot& robot : kGentleRobots)
     for (const char* kind : {"convex", "star"})
@@ -89,7 +88,7 @@ void add(Study study) {
       }
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::radii_suite

@@ -93,7 +93,7 @@ void add(Study study) {
   }
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::reversing_suite

@@ -58,7 +58,7 @@ void add(Study study) {
     series.add(static_cast<double>(n), [n](benchmark::State& state) { time_profile(state, n); });
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::speed_profile_suite

@@ -90,7 +90,7 @@ void time_without(benchmark::State& state, const Case& c, const std::string& wor
 }
 
 void add(Study study) {
-  const std::size_t queries = study == Study::kFull ? 30 : study == Study::kQuick ? 6 : 2;
+  const std::size_t queries = study == Study::kFull ? 30 : 2;
   const std::string world = clutter_name("star", study == Study::kCheck ? 12 : 60, 10, 45);
   for (const Case& c : kCases) {
     const auto add_row = [&](const std::string& label, const std::string& name) {
@@ -106,7 +106,7 @@ void add(Study study) {
   }
 }
 
-const Suite suite(add);
+const Suite suite(add, Takes::kAllButQuick);
 
 }  // namespace
 }  // namespace arcway::internal::bench::strategy_suite

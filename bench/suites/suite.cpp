@@ -13,8 +13,13 @@
 namespace arcway::internal::bench {
 namespace {
 
-std::vector<void (*)(Study)>& registered() {
-  static std::vector<void (*)(Study)> suites;
+struct Registered {
+  void (*add)(Study);
+  Takes part;
+};
+
+std::vector<Registered>& registered() {
+  static std::vector<Registered> suites;
   return suites;
 }
 
@@ -27,10 +32,12 @@ std::string number_text(double value) {
 
 }  // namespace
 
-Suite::Suite(void (*add)(Study)) { registered().push_back(add); }
+Suite::Suite(void (*add)(Study), Takes part) { registered().push_back({add, part}); }
 
 void add_all_suites(Study study) {
-  for (void (*add)(Study) : registered()) add(study);
+  for (const Registered& suite : registered()) {
+    if (study != Study::kQuick || suite.part == Takes::kAll) suite.add(study);
+  }
 }
 
 benchmark::internal::Benchmark* add_benchmark(const std::string& name, Body body) {

@@ -13,9 +13,13 @@
 
 namespace arcway::internal::bench {
 
-/// How much is run: `check` each benchmark once, small, to see that its answers are right; `quick` some minutes; `full`
-/// up to an hour.
+/// How much is run: `check` each benchmark once, small, to see that its answers are right; `quick` what plans cost and
+/// how good they are, some two minutes; `full` everything, up to an hour.
 enum class Study { kCheck, kQuick, kFull };
+
+/// Which studies a suite takes part in: a quick one leaves out what explains the planner instead of measuring its
+/// plans.
+enum class Takes { kAll, kAllButQuick };
 
 /// A file of benchmarks. A static instance makes `add` be called once the study is known:
 ///
@@ -23,9 +27,9 @@ enum class Study { kCheck, kQuick, kFull };
 ///     const Suite suite(add);
 class Suite {
  public:
-  explicit Suite(void (*add)(Study));
+  explicit Suite(void (*add)(Study), Takes part = Takes::kAll);
 };
-/// Calls all suites, in the order of their benchmarks' names.
+/// Calls the suites that take part, in the order of their sources' names.
 void add_all_suites(Study study);
 
 using Body = std::function<void(benchmark::State&)>;
