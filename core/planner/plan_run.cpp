@@ -42,6 +42,7 @@ void PlanRun::follow(std::span<const StrategyRow> rows) {
     const double trials = query_.maps.tightest ? row.trials.several : row.trials.tightest;
     std::visit([&](const auto& step) { take(step, trials); }, row.step);
   }
+  if (soon_) keep(*std::exchange(soon_, std::nullopt), 0, 0.0, RefineMode::kForwards);
   keep_in_both_gears();
   if (!has_proof_ && forward_all_radii_) why_.obstruction = forward_all_radii_->obstruction();
 }
@@ -156,14 +157,11 @@ PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, Refi
     workspace_.find.search.reuse(std::move(path));
     return {unrefined, known->cost};
   }
-  if (!found_) {
-    first_expanded_ = s.nodes_expanded;
-    s.first_path_seconds = total_.seconds();
-    s.first_travel_time = unrefined;
-    result_.first_path = path;
-  }
+  if (!found_) first_expanded_ = s.nodes_expanded - soon_expanded_;
+  note_first(path, unrefined);
   refine(path, trials, mode);
   workspace_.find.search.reuse(std::move(path));
+  if (soon_) workspace_.find.search.reuse(*std::exchange(soon_, std::nullopt));
   const double cost = cost_of(workspace_.refined.path);
   if (way != 0 && are_turns_optimized_) workspace_.ways.push_back({way, unrefined, cost});
   if (cost < best_cost_) {
@@ -192,6 +190,13 @@ void PlanRun::keep_forwards(On on, FoundPath&& found, double trials) {
   const Times times = keep(std::move(*found.search.path), found.search.way, trials, RefineMode::kForwards);
   maps_ = &maps;
   fastest_ = {times, &map, 0, found.search.first_circle, found.search.last_circle};
+}
+
+void PlanRun::note_first(const Path& path, double unrefined) {
+  if (std::exchange(is_first_noted_, true)) return;
+  result_.statistics.first_path_seconds = total_.seconds();
+  result_.statistics.first_travel_time = unrefined;
+  result_.first_path = path;
 }
 
 // Paths of trees have many short motions.

@@ -79,7 +79,7 @@ class PlanRun {
   [[nodiscard]] bool holds(Known known) const;
   [[nodiscard]] bool holds(WhenSlim when) const;
   // Whether a path is known, refined or not.
-  [[nodiscard]] bool has_path() const { return found_ || (reversing_ && reversing_->path()); }
+  [[nodiscard]] bool has_path() const { return found_ || soon_ || (reversing_ && reversing_->path()); }
   [[nodiscard]] bool is_thorough() const { return refines() && !query_.maps.tightest; }
   [[nodiscard]] bool refines() const { return query_.options.refinement.max_trials > 0; }
   // What is not refined joins by all radii: it is the fastest path of the graph.
@@ -87,6 +87,7 @@ class PlanRun {
   [[nodiscard]] bool is_tight(const Pose& pose, Direction direction, double angle) const;
 
   void take(const JoinBySingleArcs& step, double trials);
+  void take(const FindSoon& step, double trials);
   void take(const JoinByNarrowPlaces& step, double trials);
   void take(const JoinByManeuvers& step, double trials);
   void take(const JoinByManeuversAndNarrowPlaces& step, double trials);
@@ -115,6 +116,8 @@ class PlanRun {
   template <class Find>
   FoundPath search(const Find& find);
   void keep_forwards(On on, FoundPath&& found, double trials);
+  // Notes a path as the first one, unless one is noted.
+  void note_first(const Path& path, double unrefined);
   void keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
   void keep_in_both_gears();
   // Refines a path, unless that promises nothing, and keeps it if it is one of the two cheapest.
@@ -142,11 +145,14 @@ class PlanRun {
   bool found_ = false;
   double distance_;  // lower bound of the length of all paths [m]
   bool is_bound_raised_ = false;
-  bool are_turns_optimized_;          // by refinement, where a path is driven forwards
-  double second_unrefined_ = 0.0;     // travel time of the second best path before refinement [s]
-  double best_cost_, second_cost_;    // infinite where there is none
-  std::uint64_t first_expanded_ = 0;  // number of expansions until the first path was found
+  bool are_turns_optimized_;        // by refinement, where a path is driven forwards
+  double second_unrefined_ = 0.0;   // travel time of the second best path before refinement [s]
+  double best_cost_, second_cost_;  // infinite where there is none
+  bool is_first_noted_ = false;
+  std::uint64_t first_expanded_ = 0;  // number of expansions until the first refined path was found
   std::optional<ForwardSearch> forward_all_radii_, forward_tightest_;
+  std::optional<Path> soon_;                         // of FindSoon, until another one is kept
+  std::uint64_t soon_expanded_ = 0;                  // number of expansions of FindSoon
   const PlanMaps* maps_ = nullptr;                   // roadmaps in use, see On
   Fastest fastest_{};                                // the fastest path on the roadmaps in use
   Surroundings surroundings_ = Surroundings::kOpen;  // of the ends, as trees found them

@@ -47,8 +47,19 @@ ForwardSearch& PlanRun::forward_search(On on) {
 }
 
 void PlanRun::take(const JoinBySingleArcs& step, double trials) {
-  keep_forwards(step.on, search([&] { return forward_search(step.on).join_by_single_arcs(end_radii(step.end_radii)); }),
+  const double haste = search_options_.suboptimality;
+  keep_forwards(step.on,
+                search([&] { return forward_search(step.on).join_by_single_arcs(end_radii(step.end_radii), haste); }),
                 trials);
+}
+
+void PlanRun::take(const FindSoon& step, double) {
+  FoundPath found = search(
+      [&] { return forward_search(On::kTightest).join_by_single_arcs(end_radii(step.end_radii), step.suboptimality); });
+  soon_expanded_ = found.search.counts.nodes_expanded;
+  if (!found.search.path) return;
+  soon_ = std::move(found.search.path);
+  note_first(*soon_, travel_time(*soon_));
 }
 
 void PlanRun::take(const JoinByNarrowPlaces& step, double trials) {

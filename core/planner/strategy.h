@@ -91,8 +91,12 @@ inline constexpr When kOtherRadii{
 // the paths are as fast in the mean.
 inline constexpr std::size_t kEndRadii = 2;
 
+// Suboptimality of the search for a first path.
+inline constexpr double kHaste = 1.0;
+
 inline constexpr StrategyRow kStrategy[] = {
     // A first path, driven forwards.
+    {"first path", {.radii = Radii::kSeveral}, FindSoon{kEndRadii, kHaste}},
     {"single arcs", {}, JoinBySingleArcs{On::kAllRadii, kEndRadii}, kUntilCompared},
     {"single arcs of all radii",
      {.known = Known::kNoPath, .radii = Radii::kSeveral},

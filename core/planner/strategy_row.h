@@ -59,6 +59,12 @@ struct JoinBySingleArcs {
   On on;
   std::size_t end_radii;  ///< number of radii of these circles, from the smallest on
 };
+/// Does so on the roadmap of the tightest radii, for a path that is there soon: it is the answer if the time is up
+/// before another one is found, and is not refined.
+struct FindSoon {
+  std::size_t end_radii;
+  double suboptimality;  ///< of the search, see SearchOptions
+};
 /// Joins both ends to the roadmap with circles in narrow gaps.
 struct JoinByNarrowPlaces {
   On on;
@@ -156,10 +162,10 @@ struct GrowNarrowGearTrees {
 };
 
 using Step =
-    std::variant<JoinBySingleArcs, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces, ProveBottleneck,
-                 ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound, TryManeuvers, TryNarrowPlaces,
-                 TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest, JoinBackwards,
-                 JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees>;
+    std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces,
+                 ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound, TryManeuvers,
+                 TryNarrowPlaces, TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest,
+                 JoinBackwards, JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

@@ -47,6 +47,10 @@ struct StepText {
     return std::string("join the roadmap of ") + text_of(step.on) + " by single arcs" +
            (step.end_radii == kEveryRadius ? "" : " of " + std::to_string(step.end_radii) + " radii");
   }
+  std::string operator()(const FindSoon& step) const {
+    return "join the roadmap of the tightest radii by single arcs of " + std::to_string(step.end_radii) +
+           " radii, in haste: by a path that takes at most " + percent(step.suboptimality) + " longer";
+  }
   std::string operator()(const JoinByNarrowPlaces& step) const {
     return std::string("join the roadmap of ") + text_of(step.on) + " with circles in gaps by single arcs";
   }

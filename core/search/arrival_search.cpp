@@ -41,6 +41,8 @@ constexpr double kPrefetchHaste = 0.003;
 // in clutter have fewer on nearly all circles.
 constexpr std::uint32_t kExactArrivals = 16;
 constexpr double kSameTime = 1e-4;
+// Number of paths whose memory is kept: a query holds back one while it looks for others.
+constexpr std::size_t kPaths = 2;
 // Number of entries at the top of the open list: of its first two levels, and of three.
 constexpr std::size_t kNext = 5, kSoon = 21;
 
@@ -116,6 +118,13 @@ Question question_of(const SearchContext& context) {
 }  // namespace
 
 struct ArrivalSearch::Memory {
+  Path take_path() {
+    if (paths.empty()) return {};
+    Path path = std::move(paths.back());
+    paths.pop_back();
+    return path;
+  }
+
   SearchAttachments attachments;
   SearchTimes times;
   struct Reached {
@@ -134,7 +143,7 @@ struct ArrivalSearch::Memory {
   HugeVector<Label> labels;
   PerCircle first_label;
   std::vector<std::uint32_t> chain;  // labels of the path found, last first
-  Path path;                         // memory of the path found
+  std::vector<Path> paths;           // memory of paths that were found
 };
 
 // One search.
@@ -319,7 +328,7 @@ class ArrivalSearch::Run {
   // Takes a complete path as the result if it is free.
   bool finish(const Entry& entry) {
     if (entry.kind() == Kind::kDirect) {
-      result_.path = std::move(w_.path);
+      result_.path = w_.take_path();
       attachments_.take_path(attachments_.direct_paths()[entry.index()], *result_.path);
       return true;
     }
@@ -504,7 +513,7 @@ class ArrivalSearch::Run {
     result_.way = way_of(chain);
     const AttachmentLink& start = attachments_.start_link(w_.labels[chain.back()].index);
     const AttachmentCircle& from = attachments_.start_circles()[start.attachment_circle];
-    Path path = std::move(w_.path);
+    Path path = w_.take_path();
     path = context_.starts[from.attachment].connection;
     append_arc(path, from.circle, from.heading, start.turn);
     append_line(path, start.line.start, start.line.length);
@@ -562,6 +571,8 @@ void ArrivalSearch::warm_up(std::size_t circles) {
   memory_->attachments.warm_up(circles);
 }
 
-void ArrivalSearch::reuse(Path&& path) { memory_->path = std::move(path); }
+void ArrivalSearch::reuse(Path&& path) {
+  if (memory_->paths.size() < kPaths) memory_->paths.push_back(std::move(path));
+}
 
 }  // namespace arcway::internal

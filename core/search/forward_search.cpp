@@ -66,7 +66,7 @@ const Roadmap* ForwardSearch::narrow_map() const {
   return &narrow == &map_ ? nullptr : &narrow;
 }
 
-FoundPath ForwardSearch::join_by_single_arcs(std::size_t radii) {
+FoundPath ForwardSearch::join_by_single_arcs(std::size_t radii, double suboptimality) {
   FoundPath found;
   const bool is_there = (query_.start.position() - query_.goal.position()).isZero(0.0) &&
                         wrap_signed(query_.start.heading - query_.goal.heading) == 0.0;
@@ -74,9 +74,11 @@ FoundPath ForwardSearch::join_by_single_arcs(std::size_t radii) {
     found.search.path = Path{};
   } else {
     options_.warm_start = false;  // fewer circles may have been reached before
+    const double usual = std::exchange(options_.suboptimality, suboptimality);
     options_.end_radii = radii;
     search(map_, from_, to_, found);
     options_.end_radii = kEveryRadius;
+    options_.suboptimality = usual;
   }
   return found;
 }

@@ -52,7 +52,8 @@ class ForwardSearch {
 
   /// Both ends join the roadmap by their own turn circles. Equal poses have an empty path.
   /// @param radii  number of radii of these circles, from the smallest on. All steps behind this one use all.
-  FoundPath join_by_single_arcs(std::size_t radii);
+  /// @param suboptimality  of this step, see SearchOptions.
+  FoundPath join_by_single_arcs(std::size_t radii, double suboptimality);
   /// The ends join the roadmap with circles in narrow gaps likewise.
   FoundPath join_by_narrow_places();
   /// Short maneuvers of several arcs lead from the ends to the roadmap: of few poses at the end that is in trouble,

@@ -124,5 +124,40 @@ TEST(PlanSteps, JoinByFewRadiiFirst) {
   EXPECT_GE(joined, 15);
 }
 
+// Among the tightest radii alone a path is there soon. It is the answer where nothing else is tried, and changes no
+// plan.
+TEST(PlanSteps, FindAPathSoon) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  const World world = random_world({.obstacles = 30, .vertices = 8, .fill = 0.25, .seed = 3});
+  const Planner all(world, vehicle), without(world, vehicle, {.leave_out = {"first path"}});
+  const Planner alone(world, vehicle, only_with({"first path"}));
+  ASSERT_GT(all.options().radii.size(), 1u);
+  const auto are_same = [](const Path& a, const Path& b) {
+    return std::ranges::equal(a, b, [](const PathSegment& p, const PathSegment& q) {
+      return p.start == q.start && p.length == q.length && p.curvature == q.curvature;
+    });
+  };
+  test::RandomInputs random(1);
+  int solved = 0, others = 0;
+  for (int i = 0; i < 12; ++i) {
+    const PlanRequest request{test::pose_in(world, random), test::pose_in(world, random)};
+    const PlanResult soon = alone.plan(request), plan = all.plan(request), later = without.plan(request);
+    if (!soon.solved()) continue;
+    ++solved;
+    test::expect_valid(alone, soon);
+    EXPECT_TRUE(are_same(soon.path(), plan.first_path)) << "query " << i;
+    for (const PathSegment& segment : soon.path()) {
+      EXPECT_LE(std::abs(segment.curvature), 1.001 / all.options().radii[0]);
+      if (!segment.is_line()) {
+        EXPECT_GE(std::abs(segment.curvature), 0.999 / all.options().radii[0]);
+      }
+    }
+    EXPECT_TRUE(are_same(plan.path(), later.path())) << "query " << i;
+    others += !are_same(plan.first_path, later.first_path);
+  }
+  EXPECT_GE(solved, 5);
+  EXPECT_GE(others, 3);
+}
+
 }  // namespace
 }  // namespace arcway::internal
