@@ -7,6 +7,7 @@
 #include "bench/quantiles.h"
 #include "bench/report/findings.h"
 #include "bench/report/markup.h"
+#include "bench/report/noise.h"
 #include "bench/report/peer_sections.h"
 #include "bench/report/study.h"
 #include "bench/report/vehicle_sections.h"
@@ -14,9 +15,7 @@
 namespace arcway::internal::report {
 namespace {
 
-std::string slopes_text(const Curve& curve) {
-  std::vector<SizePoint> points;
-  for (const Curve::Point& p : curve.points) points.push_back({p.x, p.y});
+std::string slopes_text(const std::vector<SizePoint>& points) {
   std::string text;
   for (const double slope : neighbor_slopes(points)) text += (text.empty() ? "" : " ") + number_text("%.2f", slope);
   return text;
@@ -43,12 +42,13 @@ std::vector<std::string> counter_names(const std::vector<const Measurement*>& me
 
 Table measurement_table(const std::vector<const Measurement*>& measurements) {
   const std::vector<std::string> counters = counter_names(measurements);
-  Table table{{"benchmark", "wall, median", "min – max", "processor", "runs"}, {}, 1};
+  Table table{{"benchmark", "time, median", "least – most", "wall clock", "runs"}, {}, 1};
   table.header.insert(table.header.end(), counters.begin(), counters.end());
   for (const Measurement* m : measurements) {
-    const auto [low, high] = std::ranges::minmax(m->wall_seconds);
-    std::vector<std::string> row{m->name, time_text(bench::median(m->wall_seconds)),
-                                 time_text(low) + " – " + time_text(high), time_text(bench::median(m->cpu_seconds)),
+    const auto [low, high] = std::ranges::minmax(times_of(*m));
+    const bool is_noisy = !noise_of(*m).empty();
+    std::vector<std::string> row{m->name, marked(time_text(bench::median(times_of(*m))), is_noisy),
+                                 time_text(low) + " – " + time_text(high), time_text(bench::median(m->wall_seconds)),
                                  std::to_string(m->wall_seconds.size())};
     for (const std::string& name : counters) {
       const auto found = m->counters.find(name);
@@ -66,16 +66,20 @@ Section growth_section(const std::vector<Study>& studies) {
                      "confidence interval; the same beside a factor log(size), near 1 for n log n; and the "
                      "slopes between neighboring sizes, which show whether there is one law at all."},
       .figures = {},
-      .table = {{"series", "over", "theory", "sizes", "slope", "slope beside log", "between neighbors"}, {}, 3},
+      .table = {{"series", "over", "theory", "sizes", "how many", "slope", "slope beside log", "between neighbors"},
+                {},
+                3},
       .folded = true};
   for (const Study& study : studies)
     for (const Study::Line& line : study.lines) {
       if (!line.curve.fit) continue;
-      const auto& points = line.curve.points;
+      const std::vector<SizePoint> points = fitted_points(line.curve);
       section.table.rows.push_back(
           {line.series, study.key, line.law,
-           number_text("%.6g", points.front().x) + " – " + number_text("%.6g", points.back().x),
-           interval_text(line.curve.fit), interval_text(line.with_log), slopes_text(line.curve)});
+           number_text("%.6g", points.front().size) + " – " + number_text("%.6g", points.back().size),
+           marked(std::to_string(points.size()) + " of " + std::to_string(line.curve.points.size()),
+                  points.size() < line.curve.points.size()),
+           interval_text(line.curve.fit), interval_text(line.with_log), slopes_text(points)});
     }
   return section;
 }
@@ -106,8 +110,9 @@ Section changes_section(const Results& before, const Results& after) {
       .figures = {},
       .table = {{"benchmark", "ratio", "before", "after", "p", "verdict"}, {}, 1}};
   for (const Change& c : changes_between(before, after))
-    section.table.rows.push_back({c.name, number_text("%.3f", c.ratio()), time_text(c.before), time_text(c.after),
-                                  number_text("%.3g", c.p),
+    section.table.rows.push_back({c.name, marked(number_text("%.3f", c.ratio()), c.noisy_before || c.noisy_after),
+                                  marked(time_text(c.before), c.noisy_before),
+                                  marked(time_text(c.after), c.noisy_after), number_text("%.3g", c.p),
                                   !c.significant()  ? "no difference shown"
                                   : c.ratio() > 1.0 ? "slower"
                                                     : "faster"});
@@ -151,6 +156,17 @@ Section context_section(const Inputs& inputs) {
   return section;
 }
 
+Section noise_section(const Results& results) {
+  Section section{.title = "Noisy benchmarks",
+                  .paragraphs = {mark_meaning()},
+                  .figures = {},
+                  .table = {{"benchmark", "why"}, {}, 2},
+                  .folded = true};
+  for (const Measurement& m : results.measurements)
+    if (const std::string noise = noise_of(m); !noise.empty()) section.table.rows.push_back({m.name, noise});
+  return section;
+}
+
 Section missing_section(const Results& results) {
   Section section{.title = "Failed or left out",
                   .paragraphs = {},
@@ -175,8 +191,7 @@ void append(std::vector<std::string>& sentences, std::vector<std::string> more) 
 
 Document make_document(const Inputs& inputs) {
   const Results& results = inputs.results;
-  const Clock clock(results);
-  const std::vector<Study> studies = studies_of(results, clock);
+  const std::vector<Study> studies = studies_of(results);
   Document document;
   document.title = "arcway on " + context_value(results, "processor") + ", commit " + context_value(results, "commit");
   const auto add = [&](Section section) {
@@ -190,7 +205,7 @@ Document make_document(const Inputs& inputs) {
   document.summary.push_back(vehicle_finding(results));
   append(document.summary, growth_findings(results, studies));
   if (inputs.peers) append(document.summary, peer_findings(*inputs.peers));
-  append(document.summary, run_findings(results, clock));
+  append(document.summary, run_findings(results));
 
   document.figures = vehicle_figures(studies);
   if (inputs.peers) append(document.figures, planner_figures(*inputs.peers));
@@ -211,23 +226,25 @@ Document make_document(const Inputs& inputs) {
   add(growth_section(studies));
   for (const Study& study : studies) add(study_section(study));
   add(single_section(results, studies));
+  add(noise_section(results));
   add(missing_section(results));
   add(context_section(inputs));
   return document;
 }
 
 std::string to_csv(const Results& results) {
-  std::string csv = "name,repetitions,wall_median_s,wall_min_s,wall_max_s,cpu_median_s,error\n";
+  std::string csv = "name,repetitions,wall_median_s,wall_min_s,wall_max_s,cpu_median_s,noise,error\n";
   for (const Measurement& m : results.measurements) {
     csv += m.name + "," + std::to_string(m.wall_seconds.size());
     if (m.wall_seconds.empty()) {
-      csv += ",,,,," + in_quotes(m.error) + "\n";
+      csv += ",,,,,," + in_quotes(m.error) + "\n";
       continue;
     }
     const auto [low, high] = std::ranges::minmax(m.wall_seconds);
     for (const double value : {bench::median(m.wall_seconds), low, high, bench::median(m.cpu_seconds)})
       csv += "," + number_text("%.9g", value);
-    csv += ",\n";
+    const std::string noise = noise_of(m);
+    csv += "," + (noise.empty() ? "" : in_quotes(noise)) + ",\n";
   }
   return csv;
 }

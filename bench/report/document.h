@@ -47,7 +47,7 @@ Document make_document(const Inputs& inputs);
 std::string to_html(const Document& document);
 std::string to_markdown(const Document& document);
 std::string to_markdown(const Table& table);
-/// `name,repetitions,wall_median_s,wall_min_s,wall_max_s,cpu_median_s,error`, a line a benchmark.
+/// `name,repetitions,wall_median_s,wall_min_s,wall_max_s,cpu_median_s,noise,error`, a line a benchmark.
 std::string to_csv(const Results& results);
 
 /// A Markdown text with its tables made anew: what stands between lines `<!-- table NAME -->` and `<!-- end of table

@@ -6,6 +6,7 @@
 
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
+#include "bench/report/noise.h"
 #include "bench/report/vehicle_sections.h"
 #include "bench/robots.h"
 
@@ -115,6 +116,25 @@ std::string seconds_text(const Measurement& m, const std::string& name) {
   return found == m.counters.end() ? "–" : time_text(found->second);
 }
 
+std::string noise_finding(const Results& results) {
+  std::size_t timed = 0, noisy = 0, waited = 0;
+  for (const Measurement& m : results.measurements) {
+    const std::string noise = noise_of(m);
+    timed += !m.wall_seconds.empty();
+    noisy += !noise.empty();
+    waited += noise.starts_with("wall");
+  }
+  const std::string limit = number_text("%g", 100.0 * kMostNoise) + " %";
+  const std::string text = "Noise: " + (noisy == 0 ? "none" : count_text(static_cast<double>(noisy))) + " of " +
+                           count_text(static_cast<double>(timed)) + " benchmarks ";
+  if (noisy == 0)
+    return text + "differ by more than " + limit + " between repetitions, or between wall and processor time.";
+  return text + "are marked † and left out of fits: of " + count_text(static_cast<double>(waited)) +
+         " the wall time exceeds the processor time by more than " + limit + ", of " +
+         count_text(static_cast<double>(noisy - waited)) +
+         " only the repetitions differ by more. \"Noisy benchmarks\" below names them.";
+}
+
 }  // namespace
 
 std::vector<std::string> growth_findings(const Results& results, const std::vector<Study>& studies) {
@@ -142,7 +162,7 @@ std::vector<std::string> growth_findings(const Results& results, const std::vect
   return sentences;
 }
 
-std::vector<std::string> run_findings(const Results& results, const Clock& clock) {
+std::vector<std::string> run_findings(const Results& results) {
   std::size_t failed = 0, left_out = 0, timed = 0;
   for (const Measurement& m : results.measurements) {
     failed += !m.error.empty() && !m.left_out();
@@ -156,11 +176,7 @@ std::vector<std::string> run_findings(const Results& results, const Clock& clock
           : "Checks: " + std::to_string(failed) + " benchmarks failed and have no times";
   if (left_out > 0)
     text += "; " + std::to_string(left_out) + " sizes were left out because they take too long, listed below";
-  std::vector<std::string> sentences{text + "."};
-  if (!clock.quiet())
-    sentences.push_back("The machine was busy: wall times were " + number_text("%.2f", clock.slowdown()) +
-                        " times the processor times. Times of one thread are processor times here.");
-  return sentences;
+  return {text + ".", noise_finding(results)};
 }
 
 Section cost_section(const std::vector<Study>& studies) {
@@ -177,8 +193,7 @@ Section cost_section(const std::vector<Study>& studies) {
     if (line == nullptr) continue;
     std::vector<std::string> row{stage.title, interval_text(line->curve.fit)};
     for (const double n : {100.0, 1000.0, 10000.0}) {
-      const std::optional<double> time = time_at(*line, n);
-      row.push_back(time ? time_text(*time) : "–");
+      row.push_back(marked_time_at(*line, n));
     }
     row.push_back(counter_of(*line, "bytes_per_vertex", "%.0f"));
     section.table.rows.push_back(std::move(row));
@@ -237,7 +252,7 @@ Section quality_section(const Results& results) {
          seconds_text(*m, "first_path_seconds_median"), counter_text(*m, "time_over_bound_median", "%.3f"),
          seconds_text(*m, "plan_seconds_median"), counter_text(*m, "time_over_best_worst", "%.3f"),
          counter_text(*m, "min_clearance_m", "%.4f") + " m", counter_text(*m, "expansions_per_query", "%.0f"),
-         time_text(bench::median(m->cpu_seconds))});
+         marked(time_text(bench::median(times_of(*m))), !noise_of(*m).empty())});
   return section;
 }
 
@@ -286,7 +301,7 @@ Section radii_section(const Results& results) {
     section.table.rows.push_back({rest_of(*m), number_text("%.0f", place_of(m->name).size),
                                   counter_text(*m, "solved", "%.0f"), ratio("first_over_one"),
                                   ratio("refined_over_one"), ratio("refined_over_tightest"),
-                                  time_text(bench::median(m->cpu_seconds))});
+                                  marked(time_text(bench::median(times_of(*m))), !noise_of(*m).empty())});
   }
   return section;
 }

@@ -11,8 +11,8 @@ namespace arcway::internal::report {
 /// What a stranger asks first, in plain sentences; one that the results cannot answer is left out.
 std::vector<std::string> growth_findings(const Results& results, const std::vector<Study>& studies);
 
-/// How many benchmarks failed and were left out, and how undisturbed the run was.
-std::vector<std::string> run_findings(const Results& results, const Clock& clock);
+/// How many benchmarks failed and were left out, and how many are noisy and why.
+std::vector<std::string> run_findings(const Results& results);
 
 /// The stages of planning: growth with the obstacles, time at 1,000, 10,000 and 100,000 vertices, memory.
 Section cost_section(const std::vector<Study>& studies);

@@ -1,5 +1,6 @@
 #include "bench/report/markup.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "bench/report/study.h"
@@ -25,6 +26,10 @@ std::string figure_html(const PlotAxes& axes, std::span<const Curve> curves, std
   for (std::size_t i = 0; i < curves.size(); ++i)
     legend += "<li>" + legend_key(i) + " " + escaped(curves[i].name) +
               (curves[i].fit ? ": slope " + escaped(interval_text(curves[i].fit)) : "") + "</li>";
+  const bool has_noise = std::ranges::any_of(curves, [](const Curve& curve) {
+    return !std::ranges::all_of(curve.points, &std::string::empty, &Curve::Point::noise);
+  });
+  if (has_noise) legend += "<li>hollow: noisy, left out of fits</li>";
   return "<figure>" + plot_svg(axes, curves) + legend + "</ul><figcaption>" + escaped(caption) +
          "</figcaption></figure>";
 }

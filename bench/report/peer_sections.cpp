@@ -8,6 +8,7 @@
 
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
+#include "bench/report/noise.h"
 #include "bench/report/vehicle_sections.h"
 #include "bench/robots.h"
 
@@ -34,10 +35,19 @@ std::vector<double> ratios_of(const Duel& d) {
   return ratios;
 }
 
-/// "70 ms", "wall 40 ms, processor 70 ms".
+/// "70 ms", "wall 40 ms, processor 70 ms", marked if it is noisy.
 std::string duel_time_text(const Duel& d, const std::vector<double>& wall, const std::vector<double>& processor) {
   const std::string time = time_text(bench::median(processor));
-  return is_by_wall(d) ? "wall " + time_text(bench::median(wall)) + ", processor " + time : time;
+  return marked(is_by_wall(d) ? "wall " + time_text(bench::median(wall)) + ", processor " + time : time,
+                !noise_of(wall, processor, is_by_wall(d)).empty());
+}
+
+/// Why a duel is noisy: by arcway's times, by the peer's, or both.
+std::string duel_noise(const Duel& d) {
+  const std::string ours = noise_of(d.our_wall_seconds, d.our_seconds, is_by_wall(d));
+  const std::string peers = noise_of(d.peer_wall_seconds, d.peer_seconds, is_by_wall(d));
+  return (ours.empty() ? "" : "arcway: " + ours) + (ours.empty() || peers.empty() ? "" : "; ") +
+         (peers.empty() ? "" : d.peer + ": " + peers);
 }
 
 std::string title_of(const Duel& d) { return d.task + ": " + d.peer; }
@@ -262,7 +272,8 @@ Section duels_section(const PeerResults& peers) {
                      "clock starts, but for the triangulation, which is only a part of the work. Ratio: the peer's "
                      "time over arcway's, run by run; below 1 the peer wins. Where arcway has two threads both go by "
                      "the wall clock; that means something only on a machine with nothing else to do, which shows in "
-                     "wall and processor time of the peer being the same."},
+                     "wall and processor time of the peer being the same. " +
+                     mark_meaning()},
       .figures = {},
       .table = {
           {"task", "peer", "vertices", "arcway", "peer's time", "ratio: median", "least – most", "faster"}, {}, 2}};
@@ -292,7 +303,7 @@ std::vector<std::string> duel_figures(const PeerResults& peers) {
     const auto [low, high] = std::ranges::minmax(ratios);
     auto curve = std::ranges::find(duels, title_of(d), &Curve::name);
     if (curve == duels.end()) curve = duels.insert(duels.end(), Curve{title_of(d), {}, {}});
-    curve->points.push_back({d.vertices, bench::median(ratios), low, high});
+    curve->points.push_back({d.vertices, bench::median(ratios), low, high, duel_noise(d)});
   }
   std::vector<std::string> figures;
   if (!duels.empty())

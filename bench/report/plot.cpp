@@ -115,17 +115,19 @@ std::string curve_svg(const PlotAxes& axes, const Curve& curve, std::size_t inde
     line += text;
     std::snprintf(text, sizeof text, "M%.1f %.1fV%.1f", x.at(p.x), y.at(p.low), y.at(p.high));
     bars += text;
-    markers +=
-        marker(index, x.at(p.x), y.at(p.y),
-               "fill=\"" + color + "\" tabindex=\"0\" data-tip=\"" + escaped(curve.name) + ": " + axes.x_text(p.x) +
-                   " → " + axes.y_text(p.y) + " (" + axes.y_text(p.low) + " to " + axes.y_text(p.high) + ")\"");
+    const std::string look =
+        p.noise.empty() ? "fill=\"" + color + "\"" : "class=\"noisy\" stroke=\"" + color + "\" stroke-width=\"2\"";
+    const std::string tip = curve.name + ": " + axes.x_text(p.x) + " → " + axes.y_text(p.y) + " (" +
+                            axes.y_text(p.low) + " to " + axes.y_text(p.high) + ")" +
+                            (p.noise.empty() ? "" : "; noisy: " + p.noise);
+    markers += marker(index, x.at(p.x), y.at(p.y), look + " tabindex=\"0\" data-tip=\"" + escaped(tip) + "\"");
   }
   const std::string stroke = "\" fill=\"none\" stroke=\"" + color + "\" ";
   std::string svg = "<g><path d=\"" + line + stroke + "stroke-width=\"2\" stroke-dasharray=\"" +
                     kDashes[index % kDashes.size()] + "\"/><path d=\"" + bars + stroke + "stroke-width=\"1.5\"/>";
-  if (curve.fit && curve.points.size() > 1) {
+  if (const std::vector<SizePoint> points = fitted_points(curve); curve.fit && points.size() > 1) {
     std::string fitted;
-    const double low = curve.points.front().x, high = curve.points.back().x;
+    const double low = points.front().size, high = points.back().size;
     for (int i = 0; i <= 24; ++i) {
       const double size = x.logarithmic ? low * std::pow(high / low, i / 24.0) : low + (high - low) * i / 24.0;
       const double seconds = curve.fit->factor * std::pow(size, curve.fit->exponent);
@@ -138,6 +140,13 @@ std::string curve_svg(const PlotAxes& axes, const Curve& curve, std::size_t inde
 }
 
 }  // namespace
+
+std::vector<SizePoint> fitted_points(const Curve& curve) {
+  std::vector<SizePoint> points;
+  for (const Curve::Point& p : curve.points)
+    if (p.noise.empty()) points.push_back({p.x, p.y});
+  return points;
+}
 
 std::string time_text(double seconds) {
   constexpr double kRoundsUp = 0.9995;  // to 1 with three digits

@@ -13,11 +13,15 @@ namespace arcway::internal::report {
 struct Curve {
   struct Point {
     double x, y, low, high;  ///< y from low to high in the repetitions
+    std::string noise = {};  ///< why it is noisy; empty if it is not
   };
   std::string name;
   std::vector<Point> points;
   std::optional<PowerFit> fit;
 };
+
+/// The points that a fit takes: those that are not noisy.
+std::vector<SizePoint> fitted_points(const Curve& curve);
 
 /// "12.3 ms"
 std::string time_text(double seconds);
@@ -36,7 +40,7 @@ struct PlotAxes {
 
 /// An SVG element with the curves twice, as groups of class `log` (both axes logarithmic) and `linear`. Told apart by
 /// color (safe for the color-blind), marker and dash. Colors of text and axes are those of the page; markers carry
-/// their values as `data-tip`.
+/// their values as `data-tip`. Those of noisy points are hollow, of class `noisy`, and their tip says why.
 std::string plot_svg(const PlotAxes& axes, std::span<const Curve> curves);
 
 /// A small SVG element that shows line and marker of a curve by its index.

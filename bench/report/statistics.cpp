@@ -46,7 +46,9 @@ PowerFit fit_logarithms(const std::vector<double>& x, const std::vector<double>&
 }
 
 void require_points(std::span<const SizePoint> points, double least_size) {
-  if (points.size() < 3) throw std::invalid_argument("fit: " + std::to_string(points.size()) + " sizes, needs three");
+  if (points.size() < kLeastFitSizes)
+    throw std::invalid_argument("fit: " + std::to_string(points.size()) + " sizes, needs " +
+                                std::to_string(kLeastFitSizes));
   for (const SizePoint& p : points)
     if (!(p.size > least_size) || !(p.seconds > 0.0))
       throw std::invalid_argument("fit: size " + std::to_string(p.size) + " with time " + std::to_string(p.seconds));

@@ -5,24 +5,23 @@
 
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
+#include "bench/report/noise.h"
 
 namespace arcway::internal::report {
 namespace {
 
-void finish(Study::Line& line, const std::string& key, const Clock& clock) {
+void finish(Study::Line& line, const std::string& key) {
   std::ranges::stable_sort(line.measurements, {}, [](const Measurement* m) { return place_of(m->name).size; });
-  std::vector<SizePoint> points;
   for (const Measurement* m : line.measurements) {
-    const std::vector<double>& times = clock.times_of(*m);
+    const std::vector<double>& times = times_of(*m);
     const auto [low, high] = std::ranges::minmax(times);
-    const double size = place_of(m->name).size;
-    line.curve.points.push_back({size, bench::median(times), low, high});
-    points.push_back({size, bench::median(times)});
+    line.curve.points.push_back({place_of(m->name).size, bench::median(times), low, high, noise_of(*m)});
     if (line.law.empty()) line.law = m->label;
   }
   line.curve.name = line.variant.empty() ? line.series : line.variant;
+  const std::vector<SizePoint> points = fitted_points(line.curve);
   const bool timed = std::ranges::all_of(points, [](const SizePoint& p) { return p.seconds > 0.0; });
-  if (points.size() < 3 || !timed || key == "threads") return;
+  if (points.size() < kLeastFitSizes || !timed || key == "threads") return;
   line.curve.fit = fit_power(points);
   if (points.front().size > 1.0) line.with_log = fit_power_log(points);
 }
@@ -57,21 +56,7 @@ void compare_variants(const Study& study, std::vector<std::string>& sentences) {
 
 }  // namespace
 
-Clock::Clock(const Results& results) {
-  std::vector<double> ratios;
-  for (const Measurement& m : results.measurements) {
-    if (m.wall_seconds.empty() || threads_of(m.name) != 1) continue;
-    if (const double cpu = bench::median(m.cpu_seconds); cpu > 0.0)
-      ratios.push_back(bench::median(m.wall_seconds) / cpu);
-  }
-  if (!ratios.empty()) slowdown_ = bench::median(ratios);
-}
-
-const std::vector<double>& Clock::times_of(const Measurement& m) const {
-  return quiet() || threads_of(m.name) > 1 || place_of(m.name).key == "threads" ? m.wall_seconds : m.cpu_seconds;
-}
-
-std::vector<Study> studies_of(const Results& results, const Clock& clock) {
+std::vector<Study> studies_of(const Results& results) {
   std::vector<Study> studies;
   for (const Measurement& m : results.measurements) {
     const SeriesPlace place = place_of(m.name);
@@ -87,7 +72,7 @@ std::vector<Study> studies_of(const Results& results, const Clock& clock) {
   }
   for (Study& study : studies) {
     std::erase_if(study.lines, [](const Study::Line& line) { return line.measurements.size() < 2; });
-    for (Study::Line& line : study.lines) finish(line, study.key, clock);
+    for (Study::Line& line : study.lines) finish(line, study.key);
   }
   std::erase_if(studies, [](const Study& study) { return study.lines.empty(); });
   return studies;
@@ -107,14 +92,20 @@ std::optional<double> time_at(const Study::Line& line, double size) {
   return point == line.curve.points.end() ? std::nullopt : std::optional(point->y);
 }
 
+std::string marked_time_at(const Study::Line& line, double size) {
+  const auto point = std::ranges::find(line.curve.points, size, &Curve::Point::x);
+  return point == line.curve.points.end() ? "–" : marked(time_text(point->y), !point->noise.empty());
+}
+
 std::vector<std::string> sentences_of(const Study& study) {
   std::vector<std::string> sentences;
   for (const Study::Line& line : study.lines) {
     if (!line.curve.fit) continue;
-    const auto& points = line.curve.points;
+    const std::vector<SizePoint> points = fitted_points(line.curve);
     sentences.push_back(line.series + ": the time grows like " + study.key + "^" + interval_text(line.curve.fit) +
-                        " from " + number_text("%.6g", points.front().x) + " to " +
-                        number_text("%.6g", points.back().x) + ", where it is " + time_text(points.back().y) + ".");
+                        " from " + number_text("%.6g", points.front().size) + " to " +
+                        number_text("%.6g", points.back().size) + ", where it is " + time_text(points.back().seconds) +
+                        ".");
   }
   compare_variants(study, sentences);
   return sentences;
@@ -131,11 +122,13 @@ std::vector<Change> changes_between(const Results& before, const Results& after)
   for (const Measurement& b : before.measurements) {
     const auto a = std::ranges::find(after.measurements, b.name, &Measurement::name);
     if (a == after.measurements.end() || b.cpu_seconds.empty() || a->cpu_seconds.empty()) continue;
-    const bool by_wall = threads_of(b.name) > 1;
-    const std::vector<double>& old_times = by_wall ? b.wall_seconds : b.cpu_seconds;
-    const std::vector<double>& new_times = by_wall ? a->wall_seconds : a->cpu_seconds;
-    const Change change{b.name, bench::median(old_times), bench::median(new_times),
-                        mann_whitney_p(old_times, new_times)};
+    const std::vector<double>&old_times = times_of(b), &new_times = times_of(*a);
+    const Change change{b.name,
+                        bench::median(old_times),
+                        bench::median(new_times),
+                        mann_whitney_p(old_times, new_times),
+                        !noise_of(b).empty(),
+                        !noise_of(*a).empty()};
     if (change.before > 0.0 && change.after > 0.0) changes.push_back(change);
   }
   const auto rank = [](const Change& c) { return !c.significant() ? 2 : c.ratio() > 1.0 ? 0 : 1; };

@@ -11,23 +11,6 @@
 
 namespace arcway::internal::report {
 
-/// The clock that a report uses.
-///
-/// On a quiet machine it is the wall clock, which hides nothing. A machine is busy if the benchmarks of one thread have
-/// a wall time more than 5 % above their processor time, in the median. Then it is the processor time of the whole
-/// process for one thread. For several threads it stays the wall clock, as processor time would hide their speedup.
-class Clock {
- public:
-  explicit Clock(const Results& results);
-  [[nodiscard]] const std::vector<double>& times_of(const Measurement& m) const;
-  [[nodiscard]] bool quiet() const { return slowdown_ <= 1.05; }
-  /// Wall over processor time, median over the benchmarks of one thread that show any.
-  [[nodiscard]] double slowdown() const { return slowdown_; }
-
- private:
-  double slowdown_ = 1.0;
-};
-
 /// The measurements of one plot: a stage over one key, a series for each variant.
 struct Study {
   struct Line {
@@ -40,15 +23,17 @@ struct Study {
   std::vector<Line> lines;
 };
 
-/// Series of at least two sizes, by stage and key. Fits need three sizes, times above 0, and another key
-/// than "threads".
+/// Series of at least two sizes, by stage and key. Fits need kLeastFitSizes sizes that are not noisy, times above 0,
+/// and another key than "threads".
 /// @param results  must outlive the studies.
-std::vector<Study> studies_of(const Results& results, const Clock& clock);
+std::vector<Study> studies_of(const Results& results);
 
 /// The line of a series over a key; null if there is none.
 const Study::Line* find_line(const std::vector<Study>& studies, std::string_view series, std::string_view key);
 /// The median time at a size [s].
 std::optional<double> time_at(const Study::Line& line, double size);
+/// The median time at a size as a text, marked if it is noisy; "–" if there is none.
+std::string marked_time_at(const Study::Line& line, double size);
 
 /// What one study shows: how each series grows, and how the others compare with the best at the largest size.
 std::vector<std::string> sentences_of(const Study& study);
@@ -61,12 +46,12 @@ struct Change {
   std::string name;
   double before = 0.0, after = 0.0;  ///< medians [s]
   double p = 1.0;                    ///< Mann-Whitney
+  bool noisy_before = false, noisy_after = false;
   [[nodiscard]] double ratio() const { return after / before; }
   [[nodiscard]] bool significant() const { return p < 0.05; }
 };
 /// Benchmarks that both runs have with times above 0: first significant regressions, then significant gains, then the
-/// rest, each by ratio. Processor times for one thread, wall times for more: the two runs need not have been equally
-/// undisturbed.
+/// rest, each by ratio.
 std::vector<Change> changes_between(const Results& before, const Results& after);
 
 }  // namespace arcway::internal::report

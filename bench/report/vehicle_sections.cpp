@@ -58,8 +58,7 @@ std::string over_text(double ratio) { return number_text("%.3f", ratio); }
 
 std::string time_in(const std::vector<Study>& studies, const std::string& series) {
   const Study::Line* line = find_line(studies, series, "obstacles");
-  const std::optional<double> time = line == nullptr ? std::nullopt : time_at(*line, kObstacles);
-  return time ? time_text(*time) : "–";
+  return line == nullptr ? "–" : marked_time_at(*line, kObstacles);
 }
 
 /// Series of the plans of a vehicle on prepared maps and on new ones.

@@ -22,6 +22,7 @@ h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.2rem; margin: 2.2
 figure { margin: 0; max-width: 46rem; } .plot { width: 100%; height: auto; display: block; }
 figcaption { color: var(--soft); font-size: .9rem; }
 .plot text { font-size: 15px; fill: var(--soft); } .grid { stroke: var(--line); }
+.noisy { fill: var(--ground); }
 .level { stroke: var(--ink); stroke-width: 1.5; }
 .linear, body.linear-axes .log { display: none; } body.linear-axes .linear { display: inline; }
 .legend { list-style: none; padding: 0; margin: .3rem 0 .4rem; display: flex; flex-wrap: wrap; gap: .1rem 1.2rem;

@@ -27,9 +27,8 @@ Table named_table(const std::string& name, const Inputs& inputs, const std::stri
     if (!inputs.peers) throw FormatError(place + ": the table \"" + name + "\" needs a file of arcway_peers");
     return *inputs.peers;
   };
-  if (name == "vehicles")
-    return vehicles_section(inputs.results, studies_of(inputs.results, Clock(inputs.results))).table;
-  if (name == "cost") return cost_section(studies_of(inputs.results, Clock(inputs.results))).table;
+  if (name == "vehicles") return vehicles_section(inputs.results, studies_of(inputs.results)).table;
+  if (name == "cost") return cost_section(studies_of(inputs.results)).table;
   if (name == "ablation") return ablation_section(inputs.results).table;
   if (name == "strategy") return strategy_section(inputs.results).table;
   if (name == "moves") return moves_section(inputs.results).table;

@@ -12,24 +12,15 @@
 #include "arcway/datasets/file_io.h"
 #include "bench/report/plot.h"
 #include "bench/report/study.h"
+#include "tests/support/benchmark_runs.h"
 
 namespace arcway::internal::report {
 namespace {
 
-std::string run(const std::string& name, double seconds, const std::string& more = {}) {
-  const std::string time = std::to_string(seconds * 1e9);
-  return R"({"name":")" + name + R"(","run_type":"iteration","iterations":1,"real_time":)" + time + R"(,"cpu_time":)" +
-         time + R"(,"time_unit":"ns")" + more + "}";
-}
-
-std::string file_of(const std::string& runs) {
-  return R"({"context":{"processor":"Some <CPU> & more","commit":"abc"},"benchmarks":[)" + runs + "]}";
-}
-
 /// Two builders over four sizes, three repetitions each, one size left out.
 std::string two_builders(double slowdown) {
   std::string runs;
-  for (const int n : {10, 100, 1000, 10000})
+  for (const int n : {10, 32, 100, 1000, 10000})
     for (int i = 0; i < 3; ++i) {
       const double noise = 1.0 + 0.01 * i;
       runs += run("Build/slow/n:" + std::to_string(n) + "/process_time/real_time", 1e-8 * n * n * noise) + ",";
@@ -43,7 +34,7 @@ std::string two_builders(double slowdown) {
 
 TEST(Results, GatherRepetitionsAndCounters) {
   const Results results = read_results(two_builders(1.0), "r.json");
-  ASSERT_EQ(results.measurements.size(), 9u);
+  ASSERT_EQ(results.measurements.size(), 11u);
   EXPECT_EQ(results.measurements[0].name, "Build/slow/n:10");
   EXPECT_EQ(results.measurements[0].wall_seconds.size(), 3u);
   EXPECT_EQ(results.measurements[1].counters.at("edges"), 7.0);
@@ -82,8 +73,8 @@ TEST(Place, SplitsNamesIntoStageVariantAndSize) {
 TEST(Results, HaveMessagesInQuotesAsCsv) {
   const std::string failed = R"({"name":"a","error_occurred":true,"error_message":"expected \"b\", got c"})";
   EXPECT_EQ(to_csv(read_results(file_of(failed), "r.json")),
-            "name,repetitions,wall_median_s,wall_min_s,wall_max_s,cpu_median_s,error\n"
-            "a,0,,,,,\"expected \"\"b\"\", got c\"\n");
+            "name,repetitions,wall_median_s,wall_min_s,wall_max_s,cpu_median_s,noise,error\n"
+            "a,0,,,,,,\"expected \"\"b\"\", got c\"\n");
 }
 
 TEST(Results, LeaveHowOftenABenchmarkRanOutOfItsName) {
@@ -132,19 +123,10 @@ TEST(UpdatedResults, AreOfOneProcessor) {
 
 TEST(Sentences, SayWhatGrowsHowAndWhatWins) {
   const Results results = read_results(two_builders(1.0), "r.json");
-  const std::vector<std::string> sentences = sentences_of(studies_of(results, Clock(results)).front());
+  const std::vector<std::string> sentences = sentences_of(studies_of(results).front());
   ASSERT_EQ(sentences.size(), 3u);
   EXPECT_EQ(sentences[0], "Build/slow: the time grows like n^2.00 (2.00 – 2.00) from 10 to 10000, where it is 1.01 s.");
   EXPECT_EQ(sentences[2], "Build at 10000 n: fast takes 10.1 ms, slow 1.01 s, 100 times as long.");
-}
-
-/// Wall and processor time of one benchmark of one thread and one of two.
-std::string two_clocks(double wall) {
-  const auto both = [](const std::string& name, double wall_ns, double cpu_ns) {
-    return R"({"name":")" + name + R"(","real_time":)" + std::to_string(wall_ns) + R"(,"cpu_time":)" +
-           std::to_string(cpu_ns) + "}";
-  };
-  return file_of(both("Build/n:10", wall, 100.0) + "," + both("Build/threads:2/n:10", wall, 190.0));
 }
 
 TEST(Sentences, MakeNoRatiosOfTimesThatAreTooShortForTheClock) {
@@ -153,9 +135,7 @@ TEST(Sentences, MakeNoRatiosOfTimesThatAreTooShortForTheClock) {
        {"Build/slow/n:10", "Build/slow/n:20", "Build/slow/n:30", "Build/fast/n:10", "Build/fast/n:30"})
     runs += (runs.empty() ? "" : ",") + run(name, 0.0);
   const Results results = read_results(file_of(runs), "r.json");
-  const Clock clock(results);
-  EXPECT_TRUE(clock.quiet());
-  const std::vector<Study> studies = studies_of(results, clock);
+  const std::vector<Study> studies = studies_of(results);
   ASSERT_EQ(studies.size(), 1u);
   EXPECT_EQ(sentences_of(studies[0]),
             std::vector<std::string>{"Build at 30 n: slow takes " + time_text(0.0) + ", fast " + time_text(0.0) + "."});
@@ -164,31 +144,12 @@ TEST(Sentences, MakeNoRatiosOfTimesThatAreTooShortForTheClock) {
   EXPECT_EQ(page.find("nan"), std::string::npos);
 }
 
-TEST(Clock, IsTheWallsOnAQuietMachine) {
-  const Results results = read_results(two_clocks(103.0), "r.json");
-  const Clock clock(results);
-  EXPECT_TRUE(clock.quiet());
-  EXPECT_NEAR(clock.times_of(results.measurements[0]).front(), 103e-9, 1e-18);
-}
-
-TEST(Clock, IsTheProcessorsOnABusyMachineButForThreads) {
-  const Results results = read_results(two_clocks(300.0), "r.json");
-  const Clock clock(results);
-  EXPECT_FALSE(clock.quiet());
-  EXPECT_NEAR(clock.slowdown(), 3.0, 1e-12);
-  EXPECT_NEAR(clock.times_of(results.measurements[0]).front(), 100e-9, 1e-18);
-  EXPECT_NEAR(clock.times_of(results.measurements[1]).front(), 300e-9, 1e-18);
-}
-
 /// What the suites call the stages of planning, with times that grow like n.
-std::string stages(bool busy) {
+std::string stages() {
   std::string runs;
   for (const char* series : {"ReducedGraph/tangent-cones", "Plan/lazy", "Plan/graph_reused", "LinesOfSight/embree"})
-    for (const int n : {10, 100, 1000, 10000}) {
-      const double seconds = 1e-6 * n;
-      runs += R"({"name":")" + std::string(series) + "/obstacles:" + std::to_string(n) + R"(","real_time":)" +
-              std::to_string(seconds * (busy ? 3e9 : 1e9)) + R"(,"cpu_time":)" + std::to_string(seconds * 1e9) + "},";
-    }
+    for (const int n : {10, 32, 100, 1000, 10000})
+      runs += run(std::string(series) + "/obstacles:" + std::to_string(n), 1e-6 * n) + ",";
   runs += run("Quality/convex_f30", 0.1, R"(,"queries":50,"solved_share":0.9,"time_over_bound_median":1.05)") + ",";
   runs += run("Ablation/convex_f30/everything", 0.1, R"(,"solved":45,"gap_percent_median":2.5)") + ",";
   runs += run("Ablation/convex_f30/one radius", 0.1, R"(,"solved":44,"gap_percent_median":4.25)");
@@ -198,8 +159,8 @@ std::string stages(bool busy) {
 Inputs inputs_of(const std::string& json) { return {read_results(json, "r.json"), std::nullopt, std::nullopt}; }
 
 TEST(Summary, TellsAStrangerWhatItCosts) {
-  const std::vector<std::string> summary = make_document(inputs_of(stages(false))).summary;
-  ASSERT_EQ(summary.size(), 5u);
+  const std::vector<std::string> summary = make_document(inputs_of(stages())).summary;
+  ASSERT_EQ(summary.size(), 6u);
   EXPECT_EQ(summary[1],
             "Obstacles: the visibility graph's time grows like n^1.00 (1.00 – 1.00) with n obstacles of 10 vertices: "
             "100 µs at 1,000 vertices, 10 ms at 100,000 vertices.");
@@ -220,11 +181,6 @@ TEST(Tables, SayWhatBecameOfTheQueriesOnARealMap) {
   const std::vector<std::vector<std::string>> expected{
       {"coast/prepared", "72,247", "12 m", "1.5 s", "100", "94", "5", "0", "1", "250 ms", "70 ms", "230 ms"}};
   EXPECT_EQ(section->table.rows, expected);
-}
-
-TEST(Summary, AdmitsThatTheMachineWasBusy) {
-  const std::vector<std::string> summary = make_document(inputs_of(stages(true))).summary;
-  EXPECT_NE(summary.back().find("The machine was busy: wall times were 3.00 times"), std::string::npos);
 }
 
 TEST(Summary, CountsFailures) {
@@ -274,7 +230,7 @@ TEST(RealVehicles, ComeFirst) {
 }
 
 TEST(RealVehicles, AreMissedWhereNothingIsMeasured) {
-  const Inputs inputs = inputs_of(stages(false));
+  const Inputs inputs = inputs_of(stages());
   EXPECT_NE(make_document(inputs).summary[0].find("not measured in these results"), std::string::npos);
   const std::string made = with_tables("<!-- table vehicles -->\n<!-- end of table -->\n", inputs, "F.md");
   EXPECT_NE(made.find("| passenger car | 4.74 × 1.76 m | 3.7 m | 13.9 m/s | 2 / 2 m/s² | 2.68 | not measured |"),
@@ -283,7 +239,7 @@ TEST(RealVehicles, AreMissedWhereNothingIsMeasured) {
 }
 
 TEST(Tables, ReplaceWhatStandsBetweenTheirMarks) {
-  const Inputs inputs = inputs_of(stages(false));
+  const Inputs inputs = inputs_of(stages());
   const std::string text = "before\n<!-- table ablation -->\nold\nrows\n<!-- end of table -->\nafter\n";
   const std::string made = with_tables(text, inputs, "F.md");
   EXPECT_EQ(made,
@@ -301,7 +257,7 @@ TEST(Tables, ReplaceWhatStandsBetweenTheirMarks) {
 TEST(Changes, PutSignificantRegressionsFirst) {
   const Results before = read_results(two_builders(1.0), "a.json"), after = read_results(two_builders(2.0), "b.json");
   const std::vector<Change> changes = changes_between(before, after);
-  ASSERT_EQ(changes.size(), 8u);
+  ASSERT_EQ(changes.size(), 10u);
   EXPECT_NEAR(changes[0].ratio(), 2.0, 1e-6);
   EXPECT_NE(changes[0].name.find("fast"), std::string::npos);
   EXPECT_NEAR(changes[0].p, 0.1, 1e-12) << "three repetitions cannot show more";
@@ -330,7 +286,7 @@ TEST(Report, OpensInABrowserWithoutErrors) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("arcway-report-" + std::to_string(std::random_device()()));
   std::filesystem::create_directories(folder);
-  std::string html = to_html(make_document(inputs_of(stages(false))));
+  std::string html = to_html(make_document(inputs_of(stages())));
   // Presses the button, points at a marker, and says what came of it.
   html += R"(<script>
     document.getElementById('axes').click();

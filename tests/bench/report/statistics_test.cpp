@@ -58,21 +58,23 @@ TEST(PowerFit, TellsNLogNFromItsPower) {
 }
 
 TEST(PowerFit, IsExactWithoutNoise) {
-  const std::vector<SizePoint> points{{1, 5}, {10, 500}, {100, 50000}};
+  const std::vector<SizePoint> points{{1, 5}, {10, 500}, {100, 5e4}, {1e3, 5e6}, {1e4, 5e8}};
   const PowerFit fit = fit_power(points);
   EXPECT_NEAR(fit.exponent, 2.0, 1e-12);
   EXPECT_NEAR(fit.factor, 5.0, 1e-9);
   EXPECT_NEAR(fit.high - fit.low, 0.0, 1e-6);
   const std::vector<double> slopes = neighbor_slopes(points);
-  ASSERT_EQ(slopes.size(), 2u);
+  ASSERT_EQ(slopes.size(), 4u);
   EXPECT_NEAR(slopes[0], 2.0, 1e-12);
 }
 
 TEST(PowerFit, RefusesWhatHasNoSlope) {
-  EXPECT_THROW((void)fit_power(std::vector<SizePoint>{{1, 1}, {2, 2}}), std::invalid_argument);
-  EXPECT_THROW((void)fit_power(std::vector<SizePoint>{{1, 1}, {2, 0}, {3, 1}}), std::invalid_argument);
-  EXPECT_THROW((void)fit_power(std::vector<SizePoint>{{2, 1}, {2, 1}, {2, 1}}), std::invalid_argument);
-  EXPECT_THROW((void)fit_power_log(std::vector<SizePoint>{{1, 1}, {2, 1}, {3, 1}}), std::invalid_argument);
+  EXPECT_THROW((void)fit_power(std::vector<SizePoint>{{1, 1}, {2, 2}, {3, 3}, {4, 4}}), std::invalid_argument)
+      << "four sizes";
+  EXPECT_THROW((void)fit_power(std::vector<SizePoint>{{1, 1}, {2, 0}, {3, 1}, {4, 1}, {5, 1}}), std::invalid_argument);
+  EXPECT_THROW((void)fit_power(std::vector<SizePoint>{{2, 1}, {2, 1}, {2, 1}, {2, 1}, {2, 1}}), std::invalid_argument);
+  EXPECT_THROW((void)fit_power_log(std::vector<SizePoint>{{1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}}),
+               std::invalid_argument);
 }
 
 TEST(MannWhitney, CountsTheOrdersOfSmallSamples) {
