@@ -6,6 +6,7 @@
 #include "arcway/datasets/file_io.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
+#include "bench/cli/report_pictures.h"
 #include "bench/report/document.h"
 
 namespace arcway::internal::cli {
@@ -41,7 +42,7 @@ report::Inputs read_inputs(const std::vector<std::string>& files) {
 int report(const ReportArguments& arguments, std::string& out) {
   if (arguments.out.empty() && arguments.tables.empty())
     throw UsageError("report: nothing to write; use --out DIR or --tables F.md");
-  const report::Inputs inputs = read_inputs(arguments.files);
+  report::Inputs inputs = read_inputs(arguments.files);
   std::vector<std::string> targets = arguments.tables;
   const auto in_folder = [&](const char* name) { return (std::filesystem::path(arguments.out) / name).string(); };
   if (!arguments.out.empty()) {
@@ -50,10 +51,12 @@ int report(const ReportArguments& arguments, std::string& out) {
   }
   OutputFiles files(targets, arguments.files);
   if (!arguments.out.empty()) {
+    inputs.pictures = report_pictures(inputs);
     const report::Document document = report::make_document(inputs);
     files.add(in_folder(kHtml), to_html(document));
     files.add(in_folder(kMarkdown), to_markdown(document));
     files.add(in_folder(kCsv), to_csv(inputs.results));
+    out += document.lead + "\n";
     for (const std::string& sentence : document.summary) out += "- " + sentence + "\n";
   }
   for (const std::string& file : arguments.tables) files.add(file, with_tables(read_file(file), inputs, file));

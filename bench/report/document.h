@@ -22,24 +22,33 @@ struct Section {
   std::vector<std::string> paragraphs;
   std::vector<std::string> figures;  ///< HTML
   Table table;
-  bool folded = false;  ///< the page shows its title alone until asked for more
+  std::string code = {};  ///< shown as it is
+  bool folded = false;    ///< the page shows its title alone until asked for more; not printed
 };
 
 /// What a report is made from.
 struct Inputs {
   Results results;
-  std::optional<Results> before;     ///< an earlier run, to compare with
-  std::optional<PeerResults> peers;  ///< what arcway_peers found
+  std::optional<Results> before;           ///< an earlier run, to compare with
+  std::optional<PeerResults> peers;        ///< what arcway_peers found
+  std::vector<std::string> pictures = {};  ///< of plans, HTML; the results have no paths
 };
 
 struct Document {
   std::string title;
-  std::vector<std::string> summary;  ///< sentences that start with what they are about and a colon
-  std::vector<std::string> figures;  ///< the plots to look at first, HTML
+  std::string subtitle;               ///< what was measured where: files, commits, machines
+  std::string lead;                   ///< for a stranger
+  std::vector<std::string> pictures;  ///< of plans, HTML
+  std::vector<std::string> plots;     ///< at most two to look at first, HTML
+  std::vector<std::string> summary;   ///< sentences that start with what they are about and a colon
+  std::vector<std::string> figures;   ///< further plots, HTML
   std::vector<Section> sections;
 };
 
-/// The report: first in a few sentences what a stranger asks, then pictures and tables of that, then everything.
+/// The table without the columns that have nothing but dashes. The first column stays.
+Table without_fillers(Table table);
+
+/// The report: a first page for a stranger, then findings and tables, then everything.
 /// @param inputs  at least one measurement in `results`.
 Document make_document(const Inputs& inputs);
 

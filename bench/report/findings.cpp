@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bench/quantiles.h"
+#include "bench/report/least_queries.h"
 #include "bench/report/markup.h"
 #include "bench/report/noise.h"
 #include "bench/report/vehicle_sections.h"
@@ -52,14 +53,14 @@ std::string ends_text(const Study::Line& line) {
 
 void add_growth_with_obstacles(const std::vector<Study>& studies, std::vector<std::string>& sentences) {
   if (const auto* graph = find_line(studies, "ReducedGraph/tangent-cones", "obstacles"); graph && graph->curve.fit)
-    sentences.push_back("Obstacles: the visibility graph's time grows like n^" + interval_text(graph->curve.fit) +
+    sentences.push_back("Obstacles: the visibility graph's time grows like " + power_text("n", graph->curve.fit) +
                         " with n obstacles of 10 vertices: " + times_text(*graph) + ".");
   const auto* first = find_line(studies, "Plan/lazy", "obstacles");
   const auto* more = find_line(studies, "Plan/graph_reused", "obstacles");
   if (first && first->curve.fit && more && more->curve.fit)
     sentences.push_back("A plan of the paper's robot: the first on a new map, nothing prepared, takes " +
-                        times_text(*first) + ", n^" + interval_text(first->curve.fit) + "; each on a prepared map " +
-                        times_text(*more) + ", n^" + interval_text(more->curve.fit) + ".");
+                        times_text(*first) + ", " + power_text("n", first->curve.fit) + "; each on a prepared map " +
+                        times_text(*more) + ", " + power_text("n", more->curve.fit) + ".");
 }
 
 void add_growth_with_shape(const std::vector<Study>& studies, std::vector<std::string>& sentences) {
@@ -68,10 +69,10 @@ void add_growth_with_shape(const std::vector<Study>& studies, std::vector<std::s
   if (cones && cones->curve.fit) {
     std::string text = "Vertices: with " + number_text("%.0f", cones->curve.points.front().x) + " to " +
                        number_text("%.0f", cones->curve.points.back().x) +
-                       " vertices m on each of 100 obstacles the graph's time grows like m^" +
-                       interval_text(cones->curve.fit) + ", " + ends_text(*cones);
+                       " vertices m on each of 100 obstacles the graph's time grows like " +
+                       power_text("m", cones->curve.fit) + ", " + ends_text(*cones);
     if (pairs && pairs->curve.fit)
-      text += "; by pairs of obstacles, for few of very many vertices, like m^" + interval_text(pairs->curve.fit) +
+      text += "; by pairs of obstacles, for few of very many vertices, like " + power_text("m", pairs->curve.fit) +
               ", " + ends_text(*pairs);
     sentences.push_back(text + ".");
   }
@@ -109,6 +110,10 @@ std::vector<const Measurement*> quality_of(const Results& results) {
 std::string counter_text(const Measurement& m, const std::string& name, const char* format) {
   const auto found = m.counters.find(name);
   return found == m.counters.end() ? "–" : number_text(format, found->second);
+}
+
+void add_note(Section& section, const std::string& note) {
+  if (!note.empty()) section.paragraphs.push_back(note);
 }
 
 std::string seconds_text(const Measurement& m, const std::string& name) {
@@ -183,15 +188,15 @@ Section cost_section(const std::vector<Study>& studies) {
   Section section{
       .title = "What it costs",
       .paragraphs =
-          {"Clutters of n convex obstacles, 10 vertices each, fill 0.3; one thread, medians. Growth: "
-           "exponent of n, fitted to the medians of all sizes, with its 95 % confidence interval. Graphs and plans "
+          {"Maps of n convex obstacles of 10 vertices, which cover 30 % of the map; one thread, medians. Growth: "
+           "a power of n, fitted to the medians of all sizes, with its 95 % confidence interval. Graphs and plans "
            "are those of the paper's robot."},
       .figures = {},
-      .table = {{"stage", "grows like n^", "1,000 vertices", "10,000", "100,000", "bytes a vertex"}, {}, 1}};
+      .table = {{"stage", "grows like", "1,000 vertices", "10,000", "100,000", "bytes a vertex"}, {}, 1}};
   for (const PlanningStage& stage : kPlanningStages) {
     const Study::Line* line = find_line(studies, stage.series, "obstacles");
     if (line == nullptr) continue;
-    std::vector<std::string> row{stage.title, interval_text(line->curve.fit)};
+    std::vector<std::string> row{stage.title, power_text("n", line->curve.fit)};
     for (const double n : {100.0, 1000.0, 10000.0}) {
       row.push_back(marked_time_at(*line, n));
     }
@@ -218,14 +223,17 @@ std::vector<std::string> growth_figures(const std::vector<Study>& studies) {
   }
   std::vector<std::string> figures;
   if (!stages.empty())
-    figures.push_back(figure_html({.title = "Time of the stages over the number of obstacles",
-                                   .x_label = "obstacles of 10 vertices",
-                                   .y_label = ""},
-                                  stages, "How the stages grow with the map. Pale bands: fitted powers."));
+    figures.push_back(
+        figure_html({.title = "Time of the stages over the number of obstacles",
+                     .x_label = "number of obstacles, of 10 vertices each",
+                     .y_label = kTimeLabel},
+                    stages,
+                    "How the time of each stage grows with the map. Pale bands: fitted powers of n obstacles, with the "
+                    "95 % interval of the exponent. Bars: the least and the most of the repetitions."));
   if (!builders.empty())
     figures.push_back(figure_html({.title = "Time of the visibility graph over the vertices of each obstacle",
                                    .x_label = "vertices of each of 100 obstacles",
-                                   .y_label = ""},
+                                   .y_label = kTimeLabel},
                                   builders, "How the three builders of the visibility graph grow with the vertices."));
   return figures;
 }
@@ -244,7 +252,12 @@ Section quality_section(const Results& results) {
                  "expansions a query", "time a query, mean"},
                 {},
                 1}};
-  for (const Measurement* m : quality_of(results))
+  std::size_t hidden = 0;
+  for (const Measurement* m : quality_of(results)) {
+    if (solved_queries(*m) < kLeastQueries) {
+      ++hidden;
+      continue;
+    }
     section.table.rows.push_back(
         {rest_of(*m), counter_text(*m, "queries", "%.0f"), counter_text(*m, "solved_share", "%.2f"),
          counter_text(*m, "start_blocked", "%.0f"), counter_text(*m, "goal_blocked", "%.0f"),
@@ -253,6 +266,8 @@ Section quality_section(const Results& results) {
          seconds_text(*m, "plan_seconds_median"), counter_text(*m, "time_over_best_worst", "%.3f"),
          counter_text(*m, "min_clearance_m", "%.4f") + " m", counter_text(*m, "expansions_per_query", "%.0f"),
          marked(time_text(bench::median(times_of(*m))), !noise_of(*m).empty())});
+  }
+  add_note(section, hidden_rows_text(hidden));
   return section;
 }
 
@@ -265,7 +280,14 @@ Section ablation_section(const Results& results) {
       .figures = {},
       .table = {{"variant"}, {}, 1}};
   std::vector<std::string>& header = section.table.header;
+  std::size_t hidden = 0;
   for (const Measurement* m : of_stage(results, "Ablation")) {
+    // All variants of a world are compared over the same queries: its column is shown or not.
+    if (const auto compared = m->counters.find("compared");
+        compared == m->counters.end() || compared->second < kLeastQueries) {
+      ++hidden;
+      continue;
+    }
     const std::string name = rest_of(*m);
     const std::string world = name.substr(0, name.find('/'));
     const std::string variant = name.substr(std::min(name.size(), name.find('/') + 1));
@@ -278,6 +300,10 @@ Section ablation_section(const Results& results) {
     (*row)[at] = counter_text(*m, "gap_percent_median", "%.2f") + " (" + counter_text(*m, "solved", "%.0f") + ")";
   }
   for (auto& row : section.table.rows) row.resize(header.size());
+  if (hidden > 0)
+    section.paragraphs.push_back(count_text(static_cast<double>(hidden)) + (hidden == 1 ? " value is" : " values are") +
+                                 " not shown: fewer than " + number_text("%.0f", kLeastQueries) +
+                                 " queries are solved by all variants there, too few for a median.");
   return section;
 }
 
@@ -294,7 +320,12 @@ Section radii_section(const Results& results) {
                  "refined / tightest turns only", "time a query, mean"},
                 {},
                 1}};
+  std::size_t hidden = 0;
   for (const Measurement* m : of_stage(results, "Radii")) {
+    if (solved_queries(*m) < kLeastQueries) {
+      ++hidden;
+      continue;
+    }
     const auto ratio = [&](const std::string& name) {
       return counter_text(*m, name + "_median", "%.3f") + " (" + counter_text(*m, name + "_worst", "%.3f") + ")";
     };
@@ -303,6 +334,7 @@ Section radii_section(const Results& results) {
                                   ratio("refined_over_one"), ratio("refined_over_tightest"),
                                   marked(time_text(bench::median(times_of(*m))), !noise_of(*m).empty())});
   }
+  add_note(section, hidden_rows_text(hidden));
   return section;
 }
 
@@ -319,7 +351,12 @@ Section real_maps_section(const Results& results) {
                  "time limit", "first query", "median", "99 %"},
                 {},
                 1}};
+  std::size_t hidden = 0;
   for (const Measurement* m : of_stage(results, "RealMap")) {
+    if (solved_queries(*m) < kLeastQueries) {
+      ++hidden;
+      continue;
+    }
     const auto count = [&](const std::string& name) {
       const auto found = m->counters.find(name);
       return found == m->counters.end() ? 0.0 : found->second;
@@ -331,6 +368,7 @@ Section real_maps_section(const Results& results) {
          counter_text(*m, "time_limit", "%.0f"), seconds_text(*m, "first_seconds"),
          seconds_text(*m, "plan_seconds_median"), seconds_text(*m, "plan_seconds_p99")});
   }
+  add_note(section, hidden_rows_text(hidden));
   return section;
 }
 

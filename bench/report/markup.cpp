@@ -13,6 +13,18 @@ std::string number_text(const char* format, double value) {
   return text;
 }
 
+std::string with_superscripts(std::string_view escaped) {
+  std::string text;
+  for (std::size_t i = 0; i < escaped.size();) {
+    const std::size_t end = escaped[i] == '^' ? escaped.find_first_not_of("-.0123456789", i + 1) : i + 1;
+    const std::size_t length = std::min(end, escaped.size()) - i;
+    text +=
+        length == 1 ? std::string(1, escaped[i]) : "<sup>" + std::string(escaped.substr(i + 1, length - 1)) + "</sup>";
+    i += length;
+  }
+  return text;
+}
+
 std::string count_text(double value) {
   std::string digits = number_text("%.0f", value);
   for (std::size_t end = digits.size(); end > 3; end -= 3) {
@@ -25,7 +37,7 @@ std::string figure_html(const PlotAxes& axes, std::span<const Curve> curves, std
   std::string legend = "<ul class=\"legend\">";
   for (std::size_t i = 0; i < curves.size(); ++i)
     legend += "<li>" + legend_key(i) + " " + escaped(curves[i].name) +
-              (curves[i].fit ? ": slope " + escaped(interval_text(curves[i].fit)) : "") + "</li>";
+              (curves[i].fit ? ": " + with_superscripts(power_text("n", curves[i].fit)) : "") + "</li>";
   const bool has_noise = std::ranges::any_of(curves, [](const Curve& curve) {
     return !std::ranges::all_of(curve.points, &std::string::empty, &Curve::Point::noise);
   });

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/report/results.h"
+
 namespace arcway::internal::report {
 
 /// A duel: one task solved by arcway and by a peer in turn. Both answers were equal before the clock started.
@@ -43,7 +45,7 @@ struct PlannerQuery {
 /// A file of comparisons with peers.
 struct PeerResults {
   std::string name;  ///< name of the file
-  std::vector<std::pair<std::string, std::string>> context;
+  Context context;
   std::vector<Duel> duels;
   std::vector<PlannerQuery> queries;
 };

@@ -1,15 +1,18 @@
 #include "bench/report/peer_sections.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "bench/quantiles.h"
+#include "bench/report/least_queries.h"
 #include "bench/report/markup.h"
 #include "bench/report/noise.h"
 #include "bench/report/vehicle_sections.h"
+#include "bench/report/words.h"
 #include "bench/robots.h"
 
 namespace arcway::internal::report {
@@ -67,9 +70,25 @@ bool is_slower(double time, double other) { return time > (1.0 + kTravelTimeTole
 /// "0.1 %"
 std::string tolerance_text() { return number_text("%g", 100.0 * kTravelTimeTolerance) + " %"; }
 
+/// The duel that a stranger hears of.
+constexpr const char* kGraphTask = "reduced graph";
+
 bool is_peer(const std::string& planner) { return !planner.starts_with("arcway"); }
 /// Planners that went on after their first path.
 bool goes_on(const std::string& planner) { return !planner.ends_with(" first"); }
+
+/// Seconds in "ompl_rrtconnect 10 s"; 0 without any.
+double limit_of(const std::string& planner) {
+  const std::size_t space = planner.rfind(' ', planner.size() - 3);
+  return planner.ends_with(" s") && space != std::string::npos ? std::strtod(planner.c_str() + space, nullptr) : 0.0;
+}
+
+/// A planner without when its answer was taken: "ompl_rrtconnect" of "ompl_rrtconnect first" and "ompl_rrtconnect 10
+/// s".
+std::string base_name(const std::string& planner) {
+  if (!goes_on(planner)) return planner.substr(0, planner.rfind(' '));
+  return limit_of(planner) > 0.0 ? planner.substr(0, planner.rfind(' ', planner.size() - 3)) : planner;
+}
 
 void count(Record& record, const PlannerQuery& query, const PlannerAnswer& answer, const PlannerAnswer& ours,
            double best) {
@@ -142,6 +161,9 @@ const std::vector<std::string> kRecordHeader = {"planner",
                                                 "faster / slower than arcway's by more than " + tolerance_text(),
                                                 "solves alone / arcway alone"};
 
+/// Whether medians over the solved queries say anything.
+bool has_enough(const Record& r) { return static_cast<double>(r.solved) >= kLeastQueries; }
+
 /// "99.6 %"; never rounded up to all.
 std::string share_text(std::size_t part, std::size_t all) {
   const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(all);
@@ -152,8 +174,8 @@ std::string share_text(std::size_t part, std::size_t all) {
 std::vector<Curve> trade_off(const std::vector<Record>& records) {
   std::vector<Curve> curves;
   for (const Record& r : records) {
-    if (r.over_bound.empty()) continue;
-    const std::string name = r.planner.substr(0, r.planner.find(' '));
+    if (!has_enough(r)) continue;
+    const std::string name = planner_words(base_name(r.planner));
     auto curve = std::ranges::find(curves, name, &Curve::name);
     if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{name, {}, {}});
     curve->points.push_back({bench::median(r.seconds), bench::quantile(r.over_bound, 0.5),
@@ -194,18 +216,29 @@ std::vector<std::string> worlds_of(const PeerResults& peers, const std::string& 
   return worlds;
 }
 
+/// The duels of each task and peer on the largest map that both did.
+std::vector<const Duel*> largest_duels(const PeerResults& peers) {
+  std::vector<const Duel*> largest;
+  for (const Duel& d : peers.duels) {
+    if (!d.error.empty()) continue;
+    const auto known = std::ranges::find(largest, title_of(d), [](const Duel* other) { return title_of(*other); });
+    if (known == largest.end()) {
+      largest.push_back(&d);
+    } else if (d.vertices >= (*known)->vertices) {
+      *known = &d;
+    }
+  }
+  return largest;
+}
+
 void add_duel_findings(const PeerResults& peers, std::vector<std::string>& sentences) {
   std::map<std::string, std::string> by_peer;
   std::string losses;
-  for (std::size_t i = 0; i < peers.duels.size(); ++i) {
-    const Duel& d = peers.duels[i];
-    const bool goes_on =
-        i + 1 < peers.duels.size() && title_of(peers.duels[i + 1]) == title_of(d) && peers.duels[i + 1].error.empty();
-    if (!d.error.empty() || goes_on) continue;
-    const double ratio = bench::median(ratios_of(d));
-    std::string& list = by_peer[d.peer];
-    list += (list.empty() ? " " : ", ") + ratio_text(ratio) + " (" + d.task + ")";
-    if (ratio < 1.0) losses += (losses.empty() ? "" : ", ") + d.task + " (" + d.peer + ")";
+  for (const Duel* d : largest_duels(peers)) {
+    const double ratio = bench::median(ratios_of(*d));
+    std::string& list = by_peer[d->peer];
+    list += (list.empty() ? " " : ", ") + ratio_text(ratio) + " (" + d->task + ")";
+    if (ratio < 1.0) losses += (losses.empty() ? "" : ", ") + d->task + " (" + d->peer + ")";
   }
   std::string text = "Visibility: a peer's time over arcway's, for equal answers on the largest map that both did:";
   for (const auto& [peer, list] : by_peer) text += " " + peer + list + ";";
@@ -216,11 +249,11 @@ void add_planner_findings(const PeerResults& peers, const std::string& setting, 
   const std::vector<Record> records = records_of(peers, setting);
   if (records.empty() || records.front().solved == 0) return;
   const Record& ours = records.front();
-  std::string text = "Planners, " + setting + ": arcway solves " + std::to_string(ours.solved) + " of " +
+  std::string text = setting_words(setting) + ": arcway solves " + std::to_string(ours.solved) + " of " +
                      std::to_string(ours.queries) + " queries in " + time_text(bench::median(ours.seconds)) + " each";
   for (const Record& r : records) {
     if (!is_peer(r.planner) || !goes_on(r.planner) || r.queries < ours.queries) continue;
-    text += "; " + r.planner + " solves " + std::to_string(r.solved) + ", with faster paths on " +
+    text += "; " + planner_words(r.planner) + " solves " + std::to_string(r.solved) + ", with faster paths on " +
             std::to_string(r.faster_path) + " and slower ones on " + std::to_string(r.slower_path) +
             (r.theirs_alone > 0 ? ", " + std::to_string(r.theirs_alone) + " of them alone" : "");
   }
@@ -255,13 +288,54 @@ std::string claims_finding(const PeerResults& peers) {
   return text + ".";
 }
 
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
+
 }  // namespace
+
+std::string planner_comparison(const PeerResults& peers) {
+  std::vector<std::string> names;
+  std::size_t both = 0, slower = 0, ours_alone = 0, theirs_alone = 0;
+  double worst = 1.0, limit = 0.0;
+  for (const std::string& setting : settings_of(peers))
+    for (const Record& r : records_of(peers, setting)) {
+      if (!is_peer(r.planner) || !goes_on(r.planner)) continue;
+      const std::string name = planner_words(base_name(r.planner));
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+      both += r.over_ours.size();
+      slower += r.faster_path;
+      ours_alone += r.ours_alone;
+      theirs_alone += r.theirs_alone;
+      limit = std::max(limit, limit_of(r.planner));
+      for (const double ratio : r.over_ours) worst = std::max(worst, 1.0 / ratio);
+    }
+  if (both == 0) return {};
+  const auto count = [](std::size_t n) { return count_text(static_cast<double>(n)); };
+  return listed(names) + ", which had up to " + number_text("%g", limit) +
+         " s for each task, found a faster drive in " + count(slower) + " of " + count(both) + " comparisons" +
+         (slower == 0 ? "" : ", by at most " + number_text("%.1f", 100.0 * (worst - 1.0)) + " %") + "; " +
+         count(ours_alone) + " times arcway alone found one, " + count(theirs_alone) + " times another alone.";
+}
+
+std::string duel_comparison(const PeerResults& peers) {
+  std::vector<std::string> parts;
+  for (const Duel* d : largest_duels(peers))
+    if (d->task == kGraphTask)
+      parts.push_back("with " + d->peer + " " + ratio_text(bench::median(ratios_of(*d))) + " times");
+  if (parts.empty()) return {};
+  return "Finding which corners of the obstacles see each other takes " + listed(parts) +
+         " as long as with arcway, on the largest map that both did.";
+}
 
 std::vector<std::string> peer_findings(const PeerResults& peers) {
   std::vector<std::string> sentences;
   if (!peers.duels.empty()) add_duel_findings(peers, sentences);
   if (!peers.queries.empty()) sentences.push_back(claims_finding(peers));
-  for (const std::string& setting : settings_of(peers)) add_planner_findings(peers, setting, sentences);
   return sentences;
 }
 
@@ -317,19 +391,23 @@ std::vector<std::string> duel_figures(const PeerResults& peers) {
 }
 
 std::vector<std::string> planner_figures(const PeerResults& peers) {
-  std::vector<std::string> figures;
-  for (const std::string& setting : settings_of(peers)) {
+  std::vector<std::string> figures, settings = settings_of(peers);
+  std::ranges::stable_sort(settings, {}, [&](const std::string& setting) {
+    return std::pair(!is_of_real_vehicle(setting), -std::ranges::count(peers.queries, setting, &PlannerQuery::setting));
+  });
+  for (const std::string& setting : settings) {
     const std::vector<Curve> planners = trade_off(records_of(peers, setting));
     if (planners.empty()) continue;
-    figures.push_back(figure_html({.title = "Travel time over the lower bound, over the time to the answer: " + setting,
-                                   .x_label = "time to the answer, median",
-                                   .y_label = "travel time / lower bound",
-                                   .x_text = time_text,
-                                   .y_text = ratio_text},
-                                  planners,
-                                  "Planners, " + setting +
-                                      ": left is sooner, down is a faster path. Bars: the middle half of the queries. "
-                                      "The bound is that of a point, so that a car cannot reach 1."));
+    figures.push_back(figure_html(
+        {.title = "Travel time over the lower bound, over the time to the answer: " + setting_words(setting),
+         .x_label = "time to the answer, processor time, median",
+         .y_label = "travel time / lower bound",
+         .x_text = time_text,
+         .y_text = ratio_text},
+        planners,
+        "Planners, " + setting_words(setting) +
+            ": left is sooner, down is a faster path. Bars: the middle half of the queries. "
+            "The bound is that of a point, so that a car cannot reach 1."));
   }
   return figures;
 }
@@ -347,20 +425,25 @@ Section claims_section(const PeerResults& peers) {
                  "arcway slower by, most", "peer slower by: median, most", "peer alone solves", "arcway alone solves"},
                 {},
                 2}};
+  std::size_t hidden = 0;
   const auto more_text = [](double ratio) { return number_text("%.2f", 100.0 * std::max(0.0, ratio - 1.0)) + " %"; };
   for (const std::string& setting : settings_of(peers))
     for (const Record& r : records_of(peers, setting)) {
       if (!is_peer(r.planner) || !goes_on(r.planner) || r.over_ours.empty()) continue;
       const std::size_t both = r.over_ours.size();
+      if (static_cast<double>(both) < kLeastQueries) {
+        ++hidden;
+        continue;
+      }
       const auto [low, high] = std::ranges::minmax(r.over_ours);
       section.table.rows.push_back({setting, r.planner, std::to_string(both), share_text(both - r.faster_path, both),
                                     share_text(both - r.faster_at_all, both), more_text(1.0 / low),
                                     more_text(bench::median(r.over_ours)) + ", " + more_text(high),
                                     std::to_string(r.theirs_alone), std::to_string(r.ours_alone)});
     }
-  auto& rows = section.table.rows;
-  if (std::ranges::none_of(rows, [](const auto& row) { return is_of_real_vehicle(row.front()); }))
-    rows.insert(rows.begin(), {"real vehicles", "not compared in these results", "", "", "", "", "", "", ""});
+  if (hidden > 0) section.paragraphs.push_back(hidden_rows_text(hidden));
+  if (std::ranges::none_of(section.table.rows, [](const auto& row) { return is_of_real_vehicle(row.front()); }))
+    section.paragraphs.emplace_back("Real vehicles were not compared in these results.");
   return section;
 }
 
@@ -400,11 +483,18 @@ Section planners_section(const PeerResults& peers) {
       .figures = {},
       .table = {kRecordHeader, {}, 2}};
   section.table.header.insert(section.table.header.begin(), "setting");
+  std::size_t hidden = 0;
+  for (const std::string& setting : settings_of(peers)) add_planner_findings(peers, setting, section.paragraphs);
   for (const std::string& setting : settings_of(peers))
     for (const Record& r : records_of(peers, setting)) {
+      if (!has_enough(r)) {
+        ++hidden;
+        continue;
+      }
       section.table.rows.push_back(record_row(r));
       section.table.rows.back().insert(section.table.rows.back().begin(), setting);
     }
+  if (hidden > 0) section.paragraphs.push_back(hidden_rows_text(hidden));
   return section;
 }
 
@@ -414,14 +504,20 @@ Section planners_by_world_section(const PeerResults& peers) {
   std::vector<std::string>& header = section.table.header;
   header.insert(header.begin(), {"setting", "world"});
   header.emplace_back("why not solved");
+  std::size_t hidden = 0;
   for (const std::string& setting : settings_of(peers))
     for (const std::string& world : worlds_of(peers, setting))
       for (const Record& r : records_of(peers, setting, world)) {
+        if (!has_enough(r)) {
+          ++hidden;
+          continue;
+        }
         std::vector<std::string> row = record_row(r);
         row.insert(row.begin(), {setting, world});
         row.push_back(reasons_text(r));
         section.table.rows.push_back(std::move(row));
       }
+  if (hidden > 0) section.paragraphs.push_back(hidden_rows_text(hidden));
   return section;
 }
 

@@ -11,13 +11,19 @@ namespace arcway::internal::report {
 /// Sentences that say in which tasks arcway or a peer is faster, and by how much.
 std::vector<std::string> peer_findings(const PeerResults& peers);
 
+/// How arcway's paths compare with those of peers that improve theirs until their time is over, in a sentence for a
+/// stranger; empty without any.
+std::string planner_comparison(const PeerResults& peers);
+/// How long peers take for the visibility graph, in such a sentence.
+std::string duel_comparison(const PeerResults& peers);
+
 /// A path counts as slower than another one if its travel time is longer by more than this share. Less is no difference
 /// to a vehicle.
 inline constexpr double kTravelTimeTolerance = 1e-3;
 
 /// Plots of the ratios over the map's size, as HTML.
 std::vector<std::string> duel_figures(const PeerResults& peers);
-/// Plots of quality over time, one a setting, as HTML.
+/// Plots of quality over time, one a setting, as HTML: real vehicles first, then by the number of queries.
 std::vector<std::string> planner_figures(const PeerResults& peers);
 
 /// Ratios of the alternating runs, over the size of the map.

@@ -145,6 +145,11 @@ Results read_results(std::string_view text, std::string_view name) {
   return results;
 }
 
+std::string context_value(const Context& context, std::string_view key) {
+  const auto found = std::ranges::find(context, key, &Context::value_type::first);
+  return found == context.end() ? std::string() : found->second;
+}
+
 SeriesPlace place_of(std::string_view name) {
   SeriesPlace place;
   place.series = name;

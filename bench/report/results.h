@@ -14,16 +14,22 @@ struct Measurement {
   std::vector<double> wall_seconds;        ///< one answer, one value a repetition
   std::vector<double> cpu_seconds;         ///< processor time of all threads
   std::map<std::string, double> counters;  ///< medians over the repetitions
-  std::string label;                       ///< the law that theory gives, for series
+  std::string label;                       ///< the law that theory gives for a series; the slowest query
   std::string error;                       ///< why there are no times; empty if there are
   [[nodiscard]] bool left_out() const { return error.starts_with("left out: "); }
 };
 
+/// Machine and build, in the order of a file.
+using Context = std::vector<std::pair<std::string, std::string>>;
+
+/// The value of a key; empty if there is none.
+std::string context_value(const Context& context, std::string_view key);
+
 /// A file of results.
 struct Results {
-  std::string name;                                          ///< name of the file
-  std::vector<std::pair<std::string, std::string>> context;  ///< machine and build, in the order of the file
-  std::vector<Measurement> measurements;                     ///< in the order of the file
+  std::string name;  ///< name of the file
+  Context context;
+  std::vector<Measurement> measurements;  ///< in the order of the file
 };
 
 /// Reads Google Benchmark's JSON; repetitions are gathered, its own aggregates passed over. Where a counter `batch`

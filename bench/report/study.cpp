@@ -6,6 +6,7 @@
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
 #include "bench/report/noise.h"
+#include "bench/report/words.h"
 
 namespace arcway::internal::report {
 namespace {
@@ -40,9 +41,9 @@ void compare_variants(const Study& study, std::vector<std::string>& sentences) {
     const Curve::Point& mine = line.curve.points.back();
     const auto same = std::ranges::find(best->curve.points, mine.x, &Curve::Point::x);
     if (same == best->curve.points.end()) continue;
-    const std::string at = " at " + number_text("%.6g", mine.x) + " " + study.key;
-    std::string sentence = study.stage + at + ": " + best->curve.name + " takes " + time_text(same->y) + ", " +
-                           line.curve.name + " " + time_text(mine.y);
+    const std::string at = " at " + number_text("%.6g", mine.x) + " (" + key_words(study.key) + ")";
+    std::string sentence = stage_words(study.stage) + at + ": " + best->curve.name + " takes " + time_text(same->y) +
+                           ", " + line.curve.name + " " + time_text(mine.y);
     if (const double ratio = mine.y / same->y; !(mine.y > 0.0 && same->y > 0.0)) {
       sentence += ".";  // too short for the clock
     } else if (ratio >= 1.0) {
@@ -102,10 +103,9 @@ std::vector<std::string> sentences_of(const Study& study) {
   for (const Study::Line& line : study.lines) {
     if (!line.curve.fit) continue;
     const std::vector<SizePoint> points = fitted_points(line.curve);
-    sentences.push_back(line.series + ": the time grows like " + study.key + "^" + interval_text(line.curve.fit) +
-                        " from " + number_text("%.6g", points.front().size) + " to " +
-                        number_text("%.6g", points.back().size) + ", where it is " + time_text(points.back().seconds) +
-                        ".");
+    sentences.push_back(line.series + ": the time grows like " + power_text("n", line.curve.fit) + " from " +
+                        number_text("%.6g", points.front().size) + " to " + number_text("%.6g", points.back().size) +
+                        " (" + key_words(study.key) + "), where it is " + time_text(points.back().seconds) + ".");
   }
   compare_variants(study, sentences);
   return sentences;
@@ -115,6 +115,10 @@ std::string interval_text(const std::optional<PowerFit>& fit) {
   if (!fit) return "–";
   return number_text("%.2f", fit->exponent) + " (" + number_text("%.2f", fit->low) + " – " +
          number_text("%.2f", fit->high) + ")";
+}
+
+std::string power_text(const std::string& base, const std::optional<PowerFit>& fit) {
+  return fit ? base + "^" + interval_text(fit) : interval_text(fit);
 }
 
 std::vector<Change> changes_between(const Results& before, const Results& after) {

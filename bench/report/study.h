@@ -40,6 +40,8 @@ std::vector<std::string> sentences_of(const Study& study);
 
 /// "1.07 (1.05 – 1.09)"; "–" without a fit.
 std::string interval_text(const std::optional<PowerFit>& fit);
+/// "n^1.07 (1.05 – 1.09)"; "–" without a fit. Pages raise what follows the caret.
+std::string power_text(const std::string& base, const std::optional<PowerFit>& fit);
 
 /// Two runs of one benchmark.
 struct Change {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "bench/report/least_queries.h"
 #include "bench/report/markup.h"
+#include "bench/report/noise.h"
 #include "bench/robots.h"
 #include "bench/vehicle_worlds.h"
 
@@ -17,6 +19,7 @@ constexpr double kObstacles = 1000.0;  // of 10 vertices each, in the columns of
 /// What one vehicle's benchmarks found, over all of its worlds.
 struct VehicleRecord {
   double queries = 0.0, solved = 0.0;
+  std::size_t hidden = 0;  // worlds of too few solved queries for medians
   std::vector<double> first_seconds, seconds, late_seconds, first_over_bound, over_bound;
 };
 
@@ -36,6 +39,10 @@ VehicleRecord record_of(const Results& results, std::size_t rank) {
     if (queries.empty() || share.empty()) continue;
     record.queries += queries.front();
     record.solved += queries.front() * share.front();
+    if (solved_queries(*m) < kLeastQueries) {
+      ++record.hidden;
+      continue;
+    }
     add_counter(*m, "first_path_seconds_median", record.first_seconds);
     add_counter(*m, "plan_seconds_median", record.seconds);
     add_counter(*m, "plan_seconds_p95", record.late_seconds);
@@ -45,13 +52,12 @@ VehicleRecord record_of(const Results& results, std::size_t rank) {
   return record;
 }
 
-/// "3 ms – 8 ms": the least and the most.
+/// The least and the most of some values.
 template <class Text>
-std::string range_text(const std::vector<double>& values, const Text& text) {
+std::string range_of(const std::vector<double>& values, const Text& text) {
   if (values.empty()) return "–";
   const auto [low, high] = std::ranges::minmax(values);
-  const std::string from = text(low), to = text(high);
-  return from == to ? from : from + " – " + to;
+  return range_text(low, high, text);
 }
 
 std::string over_text(double ratio) { return number_text("%.3f", ratio); }
@@ -79,11 +85,11 @@ std::vector<std::string> row_of(const std::string& title, const Vehicle& vehicle
           number_text("%.3g", bench::world_scale(vehicle)),
           record.queries > 0.0 ? number_text("%.0f", record.solved) + " of " + number_text("%.0f", record.queries)
                                : kNothing,
-          range_text(record.first_seconds, time_text),
-          range_text(record.first_over_bound, over_text),
-          range_text(record.seconds, time_text),
-          range_text(record.late_seconds, time_text),
-          range_text(record.over_bound, over_text),
+          range_of(record.first_seconds, time_text),
+          range_of(record.first_over_bound, over_text),
+          range_of(record.seconds, time_text),
+          range_of(record.late_seconds, time_text),
+          range_of(record.over_bound, over_text),
           time_in(studies, series.prepared),
           time_in(studies, series.first)};
 }
@@ -120,8 +126,8 @@ std::string vehicle_finding(const Results& results) {
   const auto percent = [](double ratio) { return number_text("%.1f", 100.0 * (ratio - 1.0)); };
   return "Real vehicles (" + names + "): " + count_text(total.solved) + " of " + count_text(total.queries) +
          " random queries are solved among 100 obstacles. By vehicle and world, a first path takes " +
-         range_text(total.first_seconds, time_text) + " in the median, the plan " +
-         range_text(total.seconds, time_text) + "; its travel time is " + range_text(total.over_bound, percent) +
+         range_of(total.first_seconds, time_text) + " in the median, the plan " + range_of(total.seconds, time_text) +
+         "; its travel time is " + range_of(total.over_bound, percent) +
          " % above a lower bound that no path can beat.";
 }
 
@@ -147,9 +153,9 @@ std::vector<std::string> vehicle_figures(const std::vector<Study>& studies) {
       add(std::string(figure.stage) + "/" + std::string(kept.name), kept.what);
     if (curves.empty()) continue;
     add(figure.papers, "the paper's robot");
-    figures.push_back(
-        figure_html({.title = figure.title, .x_label = "obstacles of 10 vertices", .y_label = ""}, curves,
-                    "Real vehicles in worlds of their size, the paper's robot last. Pale bands: fitted powers."));
+    figures.push_back(figure_html(
+        {.title = figure.title, .x_label = "number of obstacles, of 10 vertices each", .y_label = kTimeLabel}, curves,
+        "Real vehicles in worlds of their size, the paper's robot last. Pale bands: fitted powers."));
   }
   return figures;
 }
@@ -170,13 +176,24 @@ Section vehicles_section(const Results& results, const std::vector<Study>& studi
                 {},
                 1}};
   const std::vector<bench::KeptVehicle>& kept = bench::real_vehicles();
-  for (std::size_t rank = 0; rank < kept.size(); ++rank) {
+  std::size_t hidden = 0;
+  for (std::size_t rank = 0; rank <= kept.size(); ++rank) {
+    const VehicleRecord record = record_of(results, rank);
+    hidden += record.hidden;
+    if (rank == kept.size()) {
+      section.table.rows.push_back(
+          row_of("the paper's robot", Vehicle(), record, {"Plan/graph_reused", "Plan/lazy"}, studies));
+      continue;
+    }
     const std::string name(kept[rank].name);
-    section.table.rows.push_back(row_of(std::string(kept[rank].what), kept[rank].vehicle(), record_of(results, rank),
+    section.table.rows.push_back(row_of(std::string(kept[rank].what), kept[rank].vehicle(), record,
                                         {"PlanPrepared/" + name, "PlanFirst/" + name}, studies));
   }
-  section.table.rows.push_back(row_of("the paper's robot", Vehicle(), record_of(results, kept.size()),
-                                      {"Plan/graph_reused", "Plan/lazy"}, studies));
+  if (hidden > 0)
+    section.paragraphs.push_back(count_text(static_cast<double>(hidden)) + (hidden == 1 ? " world is" : " worlds are") +
+                                 " left out of the medians: fewer than " + number_text("%.0f", kLeastQueries) +
+                                 " queries are solved there.");
+  section.paragraphs.push_back(mark_meaning());
   return section;
 }
 

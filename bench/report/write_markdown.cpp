@@ -5,6 +5,7 @@
 #include "arcway/datasets/file_io.h"
 #include "bench/report/document.h"
 #include "bench/report/findings.h"
+#include "bench/report/markup.h"
 #include "bench/report/peer_sections.h"
 #include "bench/report/strategy_sections.h"
 #include "bench/report/vehicle_sections.h"
@@ -16,7 +17,7 @@ std::string row_text(const std::vector<std::string>& row) {
   std::string text = "|";
   for (const std::string& cell : row) {
     text += " ";
-    for (const char c : cell) text += c == '|' ? std::string("\\|") : std::string(1, c);
+    for (const char c : with_superscripts(cell)) text += c == '|' ? std::string("\\|") : std::string(1, c);
     text += " |";
   }
   return text + "\n";
@@ -51,12 +52,14 @@ std::string to_markdown(const Table& table) {
 }
 
 std::string to_markdown(const Document& document) {
-  std::string text = "# " + document.title + "\n\n";
-  for (const std::string& sentence : document.summary) text += "- " + sentence + "\n";
+  std::string text = "# " + document.title + "\n\n" + document.subtitle + "\n\n" + with_superscripts(document.lead) +
+                     "\n\n## Findings\n\n";
+  for (const std::string& sentence : document.summary) text += "- " + with_superscripts(sentence) + "\n";
   for (const Section& section : document.sections) {
     text += "\n## " + section.title + "\n";
-    for (const std::string& paragraph : section.paragraphs) text += "\n" + paragraph + "\n";
+    for (const std::string& paragraph : section.paragraphs) text += "\n" + with_superscripts(paragraph) + "\n";
     if (!section.table.rows.empty()) text += "\n" + to_markdown(section.table);
+    if (!section.code.empty()) text += "\n```\n" + section.code + "```\n";
   }
   return text;
 }
@@ -70,7 +73,7 @@ std::string with_tables(const std::string& markdown, const Inputs& inputs, const
     if (!line.starts_with(kBegin) || !line.ends_with(kClose)) continue;
     const std::string place = name + ":" + std::to_string(number);
     const std::string table = line.substr(kBegin.size(), line.size() - kBegin.size() - kClose.size());
-    result += to_markdown(named_table(table, inputs, place));
+    result += to_markdown(without_fillers(named_table(table, inputs, place)));
     while (line != kEnd) {
       if (!std::getline(lines, line))
         throw FormatError(place + ": the table has no line \"" + std::string(kEnd) + "\"");

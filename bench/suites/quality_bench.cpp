@@ -11,6 +11,7 @@
 #include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
 #include "bench/robots.h"
+#include "bench/slowest_query.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
 #include "bench/vehicle_worlds.h"
@@ -36,6 +37,15 @@ std::vector<PlanResult> plan_by_processor_time(const Planner& planner, const std
     results.push_back(std::move(result));
   }
   return results;
+}
+
+/// Keeps the slowest query in the label, which the report draws.
+void label_slowest(benchmark::State& state, const std::vector<PlanResult>& results, const std::string& world_name) {
+  const auto slowest =
+      std::ranges::max_element(results, {}, [](const PlanResult& result) { return result.statistics.total_seconds; });
+  state.SetLabel(label_of({.world = world_name,
+                           .query = static_cast<std::size_t>(slowest - results.begin()),
+                           .seconds = slowest->statistics.total_seconds}));
 }
 
 /// Share solved and why not, travel time over the lower bound, times of planning, smallest clearance, expansions.
@@ -88,6 +98,7 @@ void time_quality(benchmark::State& state, const std::string& world_name, std::s
   for (auto _ : state)
     for (const PlanRequest& request : requests) benchmark::DoNotOptimize(planner.plan(request));
   set_batch(state, queries);
+  label_slowest(state, results, world_name);
   count_quality(state, results);
   // Dijkstra's search finds the graph's best path whatever the heuristic.
   count_worst(state, results, plan_all(shared_planner(world_name, Heuristic::kDijkstra), requests));
@@ -104,6 +115,7 @@ void time_vehicle(benchmark::State& state, const KeptVehicle& kept, const std::s
   for (auto _ : state) results = plan_by_processor_time(planner, requests);
   if (!require(state, are_right(planner, results), kWrong)) return;
   set_batch(state, queries);
+  label_slowest(state, results, world_name);
   count_quality(state, results);
 }
 

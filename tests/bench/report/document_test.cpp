@@ -125,8 +125,9 @@ TEST(Sentences, SayWhatGrowsHowAndWhatWins) {
   const Results results = read_results(two_builders(1.0), "r.json");
   const std::vector<std::string> sentences = sentences_of(studies_of(results).front());
   ASSERT_EQ(sentences.size(), 3u);
-  EXPECT_EQ(sentences[0], "Build/slow: the time grows like n^2.00 (2.00 – 2.00) from 10 to 10000, where it is 1.01 s.");
-  EXPECT_EQ(sentences[2], "Build at 10000 n: fast takes 10.1 ms, slow 1.01 s, 100 times as long.");
+  EXPECT_EQ(sentences[0],
+            "Build/slow: the time grows like n^2.00 (2.00 – 2.00) from 10 to 10000 (n), where it is 1.01 s.");
+  EXPECT_EQ(sentences[2], "Build at 10000 (n): fast takes 10.1 ms, slow 1.01 s, 100 times as long.");
 }
 
 TEST(Sentences, MakeNoRatiosOfTimesThatAreTooShortForTheClock) {
@@ -137,8 +138,8 @@ TEST(Sentences, MakeNoRatiosOfTimesThatAreTooShortForTheClock) {
   const Results results = read_results(file_of(runs), "r.json");
   const std::vector<Study> studies = studies_of(results);
   ASSERT_EQ(studies.size(), 1u);
-  EXPECT_EQ(sentences_of(studies[0]),
-            std::vector<std::string>{"Build at 30 n: slow takes " + time_text(0.0) + ", fast " + time_text(0.0) + "."});
+  EXPECT_EQ(sentences_of(studies[0]), std::vector<std::string>{"Build at 30 (n): slow takes " + time_text(0.0) +
+                                                               ", fast " + time_text(0.0) + "."});
   EXPECT_TRUE(changes_between(results, results).empty());
   const std::string page = to_html(make_document({.results = results, .before = results, .peers = {}}));
   EXPECT_EQ(page.find("nan"), std::string::npos);
@@ -151,8 +152,8 @@ std::string stages() {
     for (const int n : {10, 32, 100, 1000, 10000})
       runs += run(std::string(series) + "/obstacles:" + std::to_string(n), 1e-6 * n) + ",";
   runs += run("Quality/convex_f30", 0.1, R"(,"queries":50,"solved_share":0.9,"time_over_bound_median":1.05)") + ",";
-  runs += run("Ablation/convex_f30/everything", 0.1, R"(,"solved":45,"gap_percent_median":2.5)") + ",";
-  runs += run("Ablation/convex_f30/one radius", 0.1, R"(,"solved":44,"gap_percent_median":4.25)");
+  runs += run("Ablation/convex_f30/everything", 0.1, R"(,"solved":45,"compared":44,"gap_percent_median":2.5)") + ",";
+  runs += run("Ablation/convex_f30/one radius", 0.1, R"(,"solved":44,"compared":44,"gap_percent_median":4.25)");
   return file_of(runs);
 }
 
@@ -183,6 +184,45 @@ TEST(Tables, SayWhatBecameOfTheQueriesOnARealMap) {
   EXPECT_EQ(section->table.rows, expected);
 }
 
+/// The section of a title; an empty one if the document has none.
+Section section_of(const Document& document, const std::string& title) {
+  const auto found = std::ranges::find(document.sections, title, &Section::title);
+  return found == document.sections.end() ? Section() : *found;
+}
+
+TEST(Tables, HaveNoMediansOfFewQueries) {
+  const auto quality = [](const std::string& world, int solved) {
+    return run("Quality/" + world, 0.1,
+               R"(,"queries":20,"solved_share":)" + std::to_string(solved / 20.0) + R"(,"time_over_bound_median":1.5)");
+  };
+  std::string runs = quality("convex_f15", 10) + "," + quality("convex_f30", 9) + "," + quality("car/convex_f15", 2);
+  runs += "," + run("Ablation/convex_f15/everything", 0.1, R"(,"solved":20,"compared":9,"gap_percent_median":2.5)");
+  runs += "," + run("Radii/gentle/radii:1", 0.1, R"(,"solved":9,"refined_over_one_median":0.5)");
+  runs += "," + run("Search/dijkstra/n32", 0.1, R"(,"queries":9,"solved_share":1,"plan_seconds_median":0.125)");
+  const Document document = make_document(inputs_of(file_of(runs)));
+  const Section section = section_of(document, "Quality of the plans");
+  ASSERT_EQ(section.table.rows.size(), 1u);
+  EXPECT_EQ(section.table.rows[0][0], "convex_f15");
+  EXPECT_EQ(section.paragraphs.back(),
+            "2 rows are not shown: fewer than 10 queries are solved in each, too few for a median.");
+  EXPECT_TRUE(section_of(document, "What each part of the planner brings").title.empty());
+  EXPECT_TRUE(section_of(document, "Travel time over the number of radii").title.empty());
+  const std::vector<std::string> search =
+      section_of(document, "Search with each heuristic: single measurements").table.header;
+  EXPECT_EQ(std::ranges::find(search, "plan_seconds_median"), search.end());
+  const Section vehicles = section_of(document, "Real vehicles");
+  EXPECT_EQ(vehicles.table.rows[2][6], "2 of 20");
+  EXPECT_EQ(vehicles.paragraphs[1], "2 worlds are left out of the medians: fewer than 10 queries are solved there.");
+}
+
+TEST(Tables, HaveNoColumnsOfDashesAlone) {
+  const Table table = without_fillers(
+      {{"name", "text", "empty", "number", "dash"}, {{"a", "–", "", "1", "–"}, {"b", "x", "", "–", "–"}}, 3});
+  EXPECT_EQ(table.header, (std::vector<std::string>{"name", "text", "number"}));
+  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"b", "x", "–"}));
+  EXPECT_EQ(table.numbers_from, 2u);
+}
+
 TEST(Summary, CountsFailures) {
   const std::string failed = R"({"name":"Build/n:7","error_occurred":true,"error_message":"edges differ"})";
   const Document document = make_document(inputs_of(file_of(run("Build/n:10", 1.0) + "," + failed)));
@@ -197,7 +237,7 @@ std::string of_the_car() {
     for (const int n : {10, 100, 1000}) runs += run(series + ("/obstacles:" + std::to_string(n)), 1e-5 * n) + ",";
   const auto quality = [](const std::string& world, double seconds, double over_bound) {
     return run("Quality/" + world, seconds,
-               R"(,"queries":10,"solved_share":0.9,"plan_seconds_median":)" + std::to_string(seconds) +
+               R"(,"queries":20,"solved_share":0.9,"plan_seconds_median":)" + std::to_string(seconds) +
                    R"(,"first_path_seconds_median":0.001,"time_over_bound_median":)" + std::to_string(over_bound));
   };
   return file_of(runs + quality("convex_f15", 0.004, 1.02) + "," + quality("car/convex_f15", 0.003, 1.05) + "," +
@@ -208,11 +248,13 @@ TEST(RealVehicles, ComeFirst) {
   const Document document = make_document(inputs_of(of_the_car()));
   EXPECT_EQ(
       document.summary[0].substr(document.summary[0].find("): ")),
-      "): 18 of 20 random queries are solved among 100 obstacles. By vehicle and world, a first path takes 1 ms in "
+      "): 36 of 40 random queries are solved among 100 obstacles. By vehicle and world, a first path takes 1 ms in "
       "the median, the plan 3 ms – 7 ms; its travel time is 5.0 – 25.0 % above a lower bound that no path can beat.");
-  ASSERT_GE(document.figures.size(), 2u);
-  EXPECT_NE(document.figures[0].find("passenger car"), std::string::npos);
-  EXPECT_NE(document.figures[1].find("The first plan on a new map"), std::string::npos);
+  ASSERT_EQ(document.plots.size(), 2u);
+  ASSERT_EQ(document.figures.size(), 1u);
+  EXPECT_NE(document.plots[0].find("Time of the stages"), std::string::npos);
+  EXPECT_NE(document.plots[1].find("passenger car"), std::string::npos);
+  EXPECT_NE(document.figures[0].find("The first plan on a new map"), std::string::npos);
   const Section& section = document.sections.front();
   EXPECT_EQ(section.title, "Real vehicles");
   ASSERT_EQ(section.table.rows.size(), 6u);
@@ -220,9 +262,10 @@ TEST(RealVehicles, ComeFirst) {
   EXPECT_EQ(section.table.rows[0][6], "not measured");
   EXPECT_EQ(section.table.rows[2],
             (std::vector<std::string>{"passenger car", "4.74 × 1.76 m", "3.7 m", "13.9 m/s", "2 / 2 m/s²", "2.68",
-                                      "18 of 20", "1 ms", "–", "3 ms – 7 ms", "–", "1.050 – 1.250", "10 ms", "10 ms"}));
+                                      "36 of 40", "1 ms", "3 ms – 7 ms", "1.050 – 1.250", "10 ms", "10 ms"}))
+      << "columns of dashes alone are left out";
   EXPECT_EQ(section.table.rows.back()[0], "the paper's robot");
-  EXPECT_EQ(section.table.rows.back()[9], "4 ms");
+  EXPECT_EQ(section.table.rows.back()[8], "4 ms");
   const auto quality = std::ranges::find(document.sections, "Quality of the plans", &Section::title);
   ASSERT_NE(quality, document.sections.end());
   EXPECT_EQ(quality->table.rows[0][0], "car/convex_f15");
@@ -262,6 +305,46 @@ TEST(Changes, PutSignificantRegressionsFirst) {
   EXPECT_NE(changes[0].name.find("fast"), std::string::npos);
   EXPECT_NEAR(changes[0].p, 0.1, 1e-12) << "three repetitions cannot show more";
   EXPECT_FALSE(changes[0].significant());
+}
+
+TEST(Changes, NameFilesCommitsAndMachines) {
+  const std::string processor =
+      R"({"context":{"processor":"P","cores":"2","commit":"old","date":"2026-11-24T09:45:46"},"benchmarks":[)";
+  const Results before = read_results(processor + run("Build/slow/n:10", 1.0) + "]}", "a.json");
+  const Document document =
+      make_document({.results = read_results(two_builders(1.0), "b.json"), .before = before, .peers = {}});
+  const std::string old_run = "a.json, commit old, on P with 2 cores, 2026-11-24";
+  const std::string new_run = "b.json, commit abc, on Some <CPU> & more";
+  EXPECT_EQ(document.subtitle, "Before: " + old_run + ". After: " + new_run + ".");
+  const Section& changes = document.sections.front();
+  EXPECT_EQ(changes.title, "Changes");
+  EXPECT_EQ(changes.paragraphs[0], "Before: " + old_run + ".");
+  EXPECT_EQ(changes.paragraphs[1], "After: " + new_run + ".");
+}
+
+TEST(Report, RaisesExponents) {
+  const Document document = make_document(inputs_of(stages()));
+  const std::string html = to_html(document), markdown = to_markdown(document);
+  EXPECT_NE(html.find("n<sup>1.00</sup> (1.00 – 1.00)"), std::string::npos);
+  EXPECT_NE(markdown.find("| Reduced visibility graph | n<sup>1.00</sup> (1.00 – 1.00) |"), std::string::npos)
+      << markdown;
+  EXPECT_EQ(html.find("n^"), std::string::npos);
+  EXPECT_EQ(markdown.find("n^"), std::string::npos);
+}
+
+TEST(Report, NamesSectionsInWords) {
+  const Document document = make_document(inputs_of(stages()));
+  EXPECT_EQ(section_of(document, "Reduced visibility graph, by number of obstacles").table.rows.size(), 5u);
+  const std::string html = to_html(document);
+  EXPECT_NE(html.find("<h2 id=\"reduced-visibility-graph-by-number-of-obstacles\">"), std::string::npos);
+  EXPECT_NE(html.find("<a href=\"#what-it-costs\">What it costs</a>"), std::string::npos);
+  EXPECT_NE(html.find("<h2 id=\"what-it-costs\">"), std::string::npos);
+}
+
+TEST(Report, KeepsTheLinesOfACitation) {
+  const std::string html = to_html(make_document(inputs_of(stages())));
+  EXPECT_NE(html.find("<pre>@software{arcway,\n  title   = {arcway},\n"), std::string::npos);
+  EXPECT_NE(html.find("commit abc}"), std::string::npos);
 }
 
 TEST(Report, NeedsNothingFromOutside) {
