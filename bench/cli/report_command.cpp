@@ -57,7 +57,6 @@ int report(const ReportArguments& arguments, std::string& out) {
     files.add(in_folder(kMarkdown), to_markdown(document));
     files.add(in_folder(kCsv), to_csv(inputs.results));
     out += document.lead + "\n";
-    for (const std::string& sentence : document.summary) out += "- " + sentence + "\n";
   }
   for (const std::string& file : arguments.tables) files.add(file, with_tables(read_file(file), inputs, file));
   files.write();

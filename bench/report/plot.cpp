@@ -14,7 +14,8 @@ namespace {
 // Okabe and Ito's colors, told apart with any color vision and on light and dark ground.
 constexpr std::array<const char*, 6> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 constexpr std::array<const char*, 4> kDashes = {"", "7 3", "2 3", "9 3 2 3"};
-constexpr double kWidth = 600.0, kHeight = 400.0, kLeft = 86.0, kRight = 16.0, kTop = 14.0, kBottom = 56.0;
+constexpr double kWidth = 600.0, kHeight = 400.0, kLeft = 86.0, kRight = 16.0, kTop = 14.0, kBottom = 56.0,
+                 kLabelWidth = 24.0;
 
 struct Axis {
   double low = 0.0, high = 1.0;
@@ -80,7 +81,7 @@ std::string axes_svg(const PlotAxes& axes, const Axis& x, const Axis& y) {
                   x.at(t), y.start, y.end);
     svg += text;
     std::snprintf(text, sizeof text, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">", x.at(t), y.start + 20.0);
-    svg += text + axes.x_text(t) + "</text>";
+    svg += text + (t == 0.0 ? std::string("0") : axes.x_text(t)) + "</text>";
   }
   for (const double t : y.ticks()) {
     std::snprintf(text, sizeof text, "<line class=\"grid\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>", x.start,
@@ -93,7 +94,7 @@ std::string axes_svg(const PlotAxes& axes, const Axis& x, const Axis& y) {
                 kHeight - 8.0);
   svg += text + escaped(axes.x_label) + "</text>";
   if (!axes.y_label.empty()) {
-    std::snprintf(text, sizeof text, "<text transform=\"translate(16 %.1f) rotate(-90)\" text-anchor=\"middle\">",
+    std::snprintf(text, sizeof text, "<text transform=\"translate(21 %.1f) rotate(-90)\" text-anchor=\"middle\">",
                   0.5 * (y.start + y.end));
     svg += text + escaped(axes.y_label) + "</text>";
   }
@@ -186,7 +187,7 @@ std::string plot_svg(const PlotAxes& axes, std::span<const Curve> all_curves) {
   for (const bool logarithmic : {true, false}) {
     Axis x = xs, y = ys;
     x.logarithmic = y.logarithmic = logarithmic;
-    x.start = kLeft + (axes.y_label.empty() ? 0.0 : 12.0), x.end = kWidth - kRight;
+    x.start = kLeft + (axes.y_label.empty() ? 0.0 : kLabelWidth), x.end = kWidth - kRight;
     y.start = kHeight - kBottom, y.end = kTop;
     if (logarithmic) {
       const double x_room = std::pow(x.high / x.low, 0.04), y_room = std::pow(y.high / y.low, 0.05) * 1.02;

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <random>
 #include <string>
 
 #include "arcway/datasets/file_io.h"
@@ -359,38 +356,6 @@ TEST(Report, ShowsCodeAsCode) {
   Document document;
   document.sections.emplace_back().paragraphs = {"`a<b` is so; `c` is not."};
   EXPECT_NE(to_html(document).find("<p><code>a&lt;b</code> is so; <code>c</code> is not.</p>"), std::string::npos);
-}
-
-TEST(Report, OpensInABrowserWithoutErrors) {
-  const char* configured = std::getenv("ARCWAY_BROWSER");
-  const std::string browser = configured != nullptr ? configured : "chromium";
-  if (std::system((browser + " --version > /dev/null 2>&1").c_str()) != 0)
-    GTEST_SKIP() << "no browser \"" << browser << "\"; ARCWAY_BROWSER may name one";
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("arcway-report-" + std::to_string(std::random_device()()));
-  std::filesystem::create_directories(folder);
-  std::string html = to_html(make_document(inputs_of(stages())));
-  // Presses the button, points at a marker, and says what came of it.
-  html += R"(<script>
-    document.getElementById('axes').click();
-    const mark = document.querySelector('.linear [data-tip]');
-    mark.dispatchEvent(new PointerEvent('pointerover', {bubbles: true, clientX: 10, clientY: 10}));
-    document.title = [document.body.className, getComputedStyle(document.querySelector('.log')).display,
-      document.getElementById('tip').textContent.length > 0,
-      document.documentElement.scrollWidth <= innerWidth].join(' ');
-  </script>)";
-  write_file_atomically(folder / "report.html", html);
-  const std::string command =
-      browser +
-      " --headless --no-sandbox --disable-gpu --window-size=400,900 --user-data-dir=" + (folder / "profile").string() +
-      " --enable-logging=stderr --dump-dom file://" + (folder / "report.html").string() + " > " +
-      (folder / "dom").string() + " 2> " + (folder / "log").string();
-  ASSERT_EQ(std::system(command.c_str()), 0) << command;
-  const std::string dom = read_file(folder / "dom"), log = read_file(folder / "log");
-  EXPECT_EQ(log.find("CONSOLE"), std::string::npos) << log;
-  EXPECT_NE(dom.find("<title>linear-axes none true true</title>"), std::string::npos)
-      << dom.substr(dom.find("<title>"), 100);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace
