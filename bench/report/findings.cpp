@@ -129,15 +129,16 @@ std::string noise_finding(const Results& results) {
     noisy += !noise.empty();
     waited += noise.starts_with("wall");
   }
+  const auto count = [](std::size_t n) { return count_text(static_cast<double>(n)); };
   const std::string limit = number_text("%g", 100.0 * kMostNoise) + " %";
-  const std::string text = "Noise: " + (noisy == 0 ? "none" : count_text(static_cast<double>(noisy))) + " of " +
-                           count_text(static_cast<double>(timed)) + " benchmarks ";
+  const std::string text = "Noise: " + (noisy == 0 ? "none" : count(noisy)) + " of " + count(timed) + " benchmarks ";
   if (noisy == 0)
     return text + "differ by more than " + limit + " between repetitions, or between wall and processor time.";
-  return text + "are marked † and left out of fits: of " + count_text(static_cast<double>(waited)) +
-         " the wall time exceeds the processor time by more than " + limit + ", of " +
-         count_text(static_cast<double>(noisy - waited)) +
-         " only the repetitions differ by more. \"Noisy benchmarks\" below names them.";
+  std::string why;
+  if (waited > 0) why = "of " + count(waited) + " the wall time exceeds the processor time by more than " + limit;
+  if (noisy > waited)
+    why += (why.empty() ? "of " : ", of ") + count(noisy - waited) + " the repetitions differ by more than " + limit;
+  return text + "are marked † and left out of fits: " + why + ". \"Noisy benchmarks\" below names them.";
 }
 
 }  // namespace
@@ -162,7 +163,7 @@ std::vector<std::string> growth_findings(const Results& results, const std::vect
   if (queries > 0.0)
     sentences.push_back("Quality, the paper's robot: " + count_text(solved) + " of " + count_text(queries) +
                         " random queries are solved, every path valid; by the world, the median travel time is " +
-                        number_text("%.1f", 100.0 * low) + " to " + number_text("%.1f", 100.0 * high) +
+                        range_text(low, high, [](double gap) { return number_text("%.1f", 100.0 * gap); }) +
                         " % above a lower bound that no path can beat.");
   return sentences;
 }
@@ -223,13 +224,11 @@ std::vector<std::string> growth_figures(const std::vector<Study>& studies) {
   }
   std::vector<std::string> figures;
   if (!stages.empty())
-    figures.push_back(
-        figure_html({.title = "Time of the stages over the number of obstacles",
-                     .x_label = "number of obstacles, of 10 vertices each",
-                     .y_label = kTimeLabel},
-                    stages,
-                    "How the time of each stage grows with the map. Pale bands: fitted powers of n obstacles, with the "
-                    "95 % interval of the exponent. Bars: the least and the most of the repetitions."));
+    figures.push_back(figure_html(
+        {.title = "Time of the stages over the number of obstacles",
+         .x_label = "number of obstacles, of 10 vertices each",
+         .y_label = kTimeLabel},
+        stages, "How the time of each stage grows with the map. Bars: the least and the most of the repetitions."));
   if (!builders.empty())
     figures.push_back(figure_html({.title = "Time of the visibility graph over the vertices of each obstacle",
                                    .x_label = "vertices of each of 100 obstacles",

@@ -38,11 +38,14 @@ std::string figure_html(const PlotAxes& axes, std::span<const Curve> curves, std
   for (std::size_t i = 0; i < curves.size(); ++i)
     legend += "<li>" + legend_key(i) + " " + escaped(curves[i].name) +
               (curves[i].fit ? ": " + with_superscripts(power_text("n", curves[i].fit)) : "") + "</li>";
+  const bool has_fit = std::ranges::any_of(curves, [](const Curve& curve) { return curve.fit.has_value(); });
   const bool has_noise = std::ranges::any_of(curves, [](const Curve& curve) {
     return !std::ranges::all_of(curve.points, &std::string::empty, &Curve::Point::noise);
   });
   if (has_noise) legend += "<li>hollow: noisy, left out of fits</li>";
   return "<figure>" + plot_svg(axes, curves) + legend + "</ul><figcaption>" + escaped(caption) +
+         (has_fit ? " Pale bands: fitted powers of n, what is along the axis, with the exponents' 95 % intervals."
+                  : "") +
          "</figcaption></figure>";
 }
 

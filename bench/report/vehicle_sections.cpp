@@ -13,7 +13,6 @@
 namespace arcway::internal::report {
 namespace {
 
-constexpr const char* kNothing = "not measured";
 constexpr double kObstacles = 1000.0;  // of 10 vertices each, in the columns of larger maps
 
 /// What one vehicle's benchmarks found, over all of its worlds.
@@ -77,27 +76,29 @@ std::vector<std::string> row_of(const std::string& title, const Vehicle& vehicle
   const VehicleParameters& p = vehicle.parameters();
   const double radius = vehicle.min_turning_radius();
   const double sideways = std::pow(vehicle.turn_speed(radius), 2) / radius;
-  return {title,
-          number_text("%.3g", p.length) + " × " + number_text("%.3g", p.width) + " m",
-          number_text("%.3g", radius) + " m",
-          number_text("%.3g", p.max_speed) + " m/s",
-          number_text("%.2g", p.max_acceleration) + " / " + number_text("%.2g", sideways) + " m/s²",
-          number_text("%.3g", bench::world_scale(vehicle)),
-          record.queries > 0.0 ? number_text("%.0f", record.solved) + " of " + number_text("%.0f", record.queries)
-                               : kNothing,
-          range_of(record.first_seconds, time_text),
-          range_of(record.first_over_bound, over_text),
-          range_of(record.seconds, time_text),
-          range_of(record.late_seconds, time_text),
-          range_of(record.over_bound, over_text),
-          time_in(studies, series.prepared),
-          time_in(studies, series.first)};
+  return {
+      title,
+      number_text("%.3g", p.length) + " × " + number_text("%.3g", p.width) + " m",
+      number_text("%.3g", radius) + " m",
+      number_text("%.3g", p.max_speed) + " m/s",
+      number_text("%.2g", p.max_acceleration) + " / " + number_text("%.2g", sideways) + " m/s²",
+      number_text("%.3g", bench::world_scale(vehicle)),
+      record.queries > 0.0 ? number_text("%.0f", record.solved) + " of " + number_text("%.0f", record.queries) : "–",
+      range_of(record.first_seconds, time_text),
+      range_of(record.first_over_bound, over_text),
+      range_of(record.seconds, time_text),
+      range_of(record.late_seconds, time_text),
+      range_of(record.over_bound, over_text),
+      time_in(studies, series.prepared),
+      time_in(studies, series.first)};
 }
 
-VehicleRecord total_of(const Results& results) {
+/// Of all real vehicles; `names` lists those that were measured.
+VehicleRecord total_of(const Results& results, std::string& names) {
   VehicleRecord total;
   for (std::size_t rank = 0; rank < bench::real_vehicles().size(); ++rank) {
     const VehicleRecord one = record_of(results, rank);
+    if (one.queries > 0.0) names += (names.empty() ? "" : ", ") + std::string(bench::real_vehicles()[rank].what);
     total.queries += one.queries;
     total.solved += one.solved;
     total.first_seconds.insert(total.first_seconds.end(), one.first_seconds.begin(), one.first_seconds.end());
@@ -116,13 +117,10 @@ std::size_t vehicle_rank(std::string_view name) {
 }
 
 std::string vehicle_finding(const Results& results) {
-  const VehicleRecord total = total_of(results);
   std::string names;
-  for (const bench::KeptVehicle& kept : bench::real_vehicles())
-    names += (names.empty() ? "" : ", ") + std::string(kept.what);
+  const VehicleRecord total = total_of(results, names);
   if (!(total.solved > 0.0))
-    return "Real vehicles (" + names +
-           "): not measured in these results. What follows is of the paper's robot, which turns with 5 g.";
+    return "Real vehicles: not measured in these results. What follows is of the paper's robot, which turns with 5 g.";
   const auto percent = [](double ratio) { return number_text("%.1f", 100.0 * (ratio - 1.0)); };
   return "Real vehicles (" + names + "): " + count_text(total.solved) + " of " + count_text(total.queries) +
          " random queries are solved among 100 obstacles. By vehicle and world, a first path takes " +
@@ -155,7 +153,8 @@ std::vector<std::string> vehicle_figures(const std::vector<Study>& studies) {
     add(figure.papers, "the paper's robot");
     figures.push_back(figure_html(
         {.title = figure.title, .x_label = "number of obstacles, of 10 vertices each", .y_label = kTimeLabel}, curves,
-        "Real vehicles in worlds of their size, the paper's robot last. Pale bands: fitted powers."));
+        "Real vehicles in worlds of their size, and the paper's robot where it was measured. Bars: the least and the "
+        "most of the repetitions."));
   }
   return figures;
 }
@@ -177,18 +176,24 @@ Section vehicles_section(const Results& results, const std::vector<Study>& studi
                 1}};
   const std::vector<bench::KeptVehicle>& kept = bench::real_vehicles();
   std::size_t hidden = 0;
+  std::string missing;
   for (std::size_t rank = 0; rank <= kept.size(); ++rank) {
+    const bool is_real = rank < kept.size();
+    const std::string name = is_real ? std::string(kept[rank].name) : "",
+                      what = is_real ? std::string(kept[rank].what) : "the paper's robot";
     const VehicleRecord record = record_of(results, rank);
+    const PlanSeries series = is_real ? PlanSeries{"PlanPrepared/" + name, "PlanFirst/" + name}
+                                      : PlanSeries{"Plan/graph_reused", "Plan/lazy"};
     hidden += record.hidden;
-    if (rank == kept.size()) {
-      section.table.rows.push_back(
-          row_of("the paper's robot", Vehicle(), record, {"Plan/graph_reused", "Plan/lazy"}, studies));
-      continue;
+    std::vector<std::string> row = row_of(what, is_real ? kept[rank].vehicle() : Vehicle(), record, series, studies);
+    const bool is_measured = record.queries > 0.0 || row.back() != "–" || row[row.size() - 2] != "–";
+    if (is_measured) {
+      section.table.rows.push_back(std::move(row));
+    } else {
+      missing += (missing.empty() ? "" : ", ") + what;
     }
-    const std::string name(kept[rank].name);
-    section.table.rows.push_back(row_of(std::string(kept[rank].what), kept[rank].vehicle(), record,
-                                        {"PlanPrepared/" + name, "PlanFirst/" + name}, studies));
   }
+  if (!missing.empty()) section.paragraphs.push_back("Not measured in these results: " + missing + ".");
   if (hidden > 0)
     section.paragraphs.push_back(count_text(static_cast<double>(hidden)) + (hidden == 1 ? " world is" : " worlds are") +
                                  " left out of the medians: fewer than " + number_text("%.0f", kLeastQueries) +

@@ -59,7 +59,7 @@ button { font: inherit; padding: .3rem .8rem; color: var(--ink); background: var
   button, nav, details:not([open]), #tip { display: none; } .print-only { display: block; }
   figure, .summary li, tr, pre { break-inside: avoid; } h1, h2, thead, p { break-after: avoid; } p, li { orphans: 3; widows: 3; }
   .scroll { overflow: visible; } pre { white-space: pre-wrap; } body { max-width: none; padding: 0; font-size: 9.5pt; } h2 { margin: 1.2rem 0 .3rem; }
-  .picture svg { max-height: 70mm; } .gallery { grid-template-columns: 1fr 1fr; gap: .8rem; } .legend, figcaption { font-size: 7.5pt; }
+  .picture svg { max-height: 56mm; } .gallery { grid-template-columns: 1fr 1fr; gap: .8rem; } .legend, figcaption { font-size: 7.5pt; }
   table { font-size: 6.5pt; width: 100%; } th, td { padding: .1rem .2rem; min-width: 0; } td.n { white-space: normal; } }
 )";
 
