@@ -118,6 +118,7 @@ std::string picture_caption(const report::PicturedQuery& query, const ReportedSc
 std::vector<std::string> report_pictures(const report::Inputs& inputs) {
   std::vector<std::string> pictures;
   for (const report::PicturedQuery& query : report::pictured_queries(inputs)) {
+    if (!is_catalog_name(query.world)) continue;  // a map that only who measured has
     const ReportedScene scene = reported_scene(query, query.query + (query.any ? kQueriesTried : 1));
     const PlanResult result = plan_again(query, scene);
     const std::string svg = inlined(draw_again(result, scene), "picture" + std::to_string(pictures.size()) + "-");

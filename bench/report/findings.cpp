@@ -240,7 +240,7 @@ std::vector<std::string> growth_figures(const std::vector<Study>& studies) {
 Section quality_section(const Results& results) {
   Section section{
       .title = "Quality of the plans",
-      .paragraphs = {"Random queries in clutters of 100 obstacles, for the paper's robot unless a vehicle is named. "
+      .paragraphs = {"Random queries on maps of 100 obstacles, for the paper's robot unless a vehicle is named. "
                      "Bound: no path takes less. Best known: the graph's best "
                      "path by Dijkstra's search, refined the same way; not searched for real vehicles. First path: "
                      "before refinement. Processor times, median "
@@ -309,11 +309,10 @@ Section ablation_section(const Results& results) {
 Section radii_section(const Results& results) {
   Section section{
       .title = "Travel time over the number of radii",
-      .paragraphs =
-          {"Robots with limits on their acceleration, sideways and along [m/s²], random queries in clutters of "
-           "100 obstacles: travel time over that with circles of the smallest radius only, median and worst. "
-           "Refinement widens turns as well; the last ratio is to a robot that has no use for wide turns, "
-           "graph and refinement both, driven as fast as the first one can."},
+      .paragraphs = {"Robots with limits on their acceleration, sideways and along [m/s²], random queries on maps of "
+                     "100 obstacles: travel time over that with circles of the smallest radius only, median and worst. "
+                     "Refinement widens turns as well; the last ratio is to a robot that has no use for wide turns, "
+                     "graph and refinement both, driven as fast as the first one can."},
       .figures = {},
       .table = {{"robot and world", "radii", "solved", "first path / with one radius", "refined / with one radius",
                  "refined / tightest turns only", "time a query, mean"},

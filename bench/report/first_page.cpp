@@ -20,10 +20,18 @@ constexpr const char* kWhat =
     "arcway plans how a car-like vehicle gets from one position and heading to another in the shortest time without "
     "touching an obstacle.";
 
+/// The vehicle that a benchmark of quality names, "car" of "car/convex_f30"; empty for the paper's robot.
+std::string vehicle_of(const std::string& name) {
+  const std::size_t slash = name.find('/');
+  return slash == std::string::npos ? std::string() : name.substr(0, slash);
+}
+
+bool is_kept(const std::string& vehicle) { return vehicle_rank(vehicle) < bench::real_vehicles().size(); }
+
 /// What all benchmarks of quality found together.
 struct QualityTotal {
   double queries = 0.0, solved = 0.0;
-  std::set<std::size_t> ranks;  // of the vehicles
+  std::set<std::string> vehicles;
   std::vector<double> seconds, over_bound;
 };
 
@@ -34,7 +42,7 @@ QualityTotal total_quality(const Results& results) {
     if (!(solved > 0.0)) continue;
     total.queries += m->counters.at("queries");
     total.solved += solved;
-    total.ranks.insert(vehicle_rank(place_of(m->name).variant));
+    total.vehicles.insert(vehicle_of(place_of(m->name).variant));
     if (solved < kLeastQueries) continue;
     for (const auto& [name, values] :
          {std::pair("plan_seconds_median", &total.seconds), std::pair("time_over_bound_median", &total.over_bound)})
@@ -44,18 +52,20 @@ QualityTotal total_quality(const Results& results) {
 }
 
 /// "5 real vehicles and the robot of the paper behind the method"
-std::string vehicles_text(const std::set<std::size_t>& ranks) {
-  const std::size_t paper = bench::real_vehicles().size(), real = ranks.size() - ranks.count(paper);
-  const std::string vehicles = real == 0 ? "" : real == 1 ? "a real vehicle" : std::to_string(real) + " real vehicles";
-  if (!ranks.contains(paper)) return vehicles;
-  return (vehicles.empty() ? "" : vehicles + " and ") + "the robot of the paper behind the method";
+std::string vehicles_text(const std::set<std::string>& vehicles) {
+  const auto real = static_cast<std::size_t>(std::ranges::count_if(vehicles, is_kept));
+  std::vector<std::string> names;
+  if (real > 0) names.push_back(real == 1 ? "a real vehicle" : std::to_string(real) + " real vehicles");
+  for (const std::string& vehicle : vehicles)
+    if (!is_kept(vehicle)) names.push_back(vehicle.empty() ? "the robot of the paper behind the method" : vehicle);
+  return listed(names);
 }
 
 std::string planned_text(const QualityTotal& total) {
   if (!(total.queries > 0.0)) return {};
   std::string text = " Here it solved " + count_text(total.solved) + " of " + count_text(total.queries) +
                      " random tasks (" + number_text("%.0f", 100.0 * total.solved / total.queries) + " %) for " +
-                     vehicles_text(total.ranks) + "; an independent check accepted every path.";
+                     vehicles_text(total.vehicles) + "; an independent check accepted every path.";
   if (total.seconds.empty() || total.over_bound.empty()) return text;
   const auto [low, high] = std::ranges::minmax(total.seconds);
   const auto [best, worst] = std::ranges::minmax(total.over_bound);
@@ -91,9 +101,8 @@ std::optional<PicturedQuery> slowest_of(const Results& results) {
   for (const Measurement* m : of_stage(results, "Quality")) {
     const std::optional<bench::SlowestQuery> found = bench::slowest_query_of(m->label);
     if (!found || (slowest && slowest->seconds >= found->seconds)) continue;
-    const std::string name = place_of(m->name).variant;
     slowest = PicturedQuery{.title = {},
-                            .vehicle = name.substr(0, name.find('/')),
+                            .vehicle = vehicle_of(place_of(m->name).variant),
                             .world = found->world,
                             .query = found->query,
                             .seconds = found->seconds};
@@ -111,21 +120,15 @@ std::optional<PicturedQuery> slowest_of(const PeerResults& peers) {
   return slowest;
 }
 
-/// The vehicle and world of a benchmark of quality: "car/convex_f30" is a car among 100 convex obstacles that cover 0.3
-/// of the map.
-std::optional<PicturedQuery> plan_of(const Measurement& m) {
-  const std::string name = place_of(m.name).variant;
-  const std::size_t slash = name.find('/');
-  const std::string world = slash == std::string::npos ? name : name.substr(slash + 1);
-  const std::size_t fill = world.find("_f");
-  if (fill == std::string::npos) return std::nullopt;
-  const std::optional<bench::SlowestQuery> labeled = bench::slowest_query_of(m.label);
-  return PicturedQuery{
-      .title = "A plan",
-      .vehicle = slash == std::string::npos ? "" : name.substr(0, slash),
-      .world = labeled ? labeled->world
-                       : "clutter/" + world.substr(0, fill) + "/n100/m10/f" + world.substr(fill + 2) + "/s1",
-      .any = true};
+/// The catalog's world that a benchmark of quality names: "car/convex_f30" is among 100 convex obstacles that cover 0.3
+/// of the map. Empty for other names.
+std::string world_of(const Measurement& m) {
+  if (const auto labeled = bench::slowest_query_of(m.label)) return labeled->world;
+  const std::string name = place_of(m.name).variant, world = name.substr(name.find('/') + 1);
+  for (const std::string kind : {"convex", "star"})
+    if (world.starts_with(kind + "_f"))
+      return "clutter/" + kind + "/n100/m10/f" + world.substr(kind.size() + 2) + "/s1";
+  return {};
 }
 
 }  // namespace
@@ -148,7 +151,11 @@ std::vector<PicturedQuery> pictured_queries(const Inputs& inputs) {
   };
   std::ranges::stable_sort(quality, {}, rank);
   if (!quality.empty())
-    if (const auto plan = plan_of(*quality.front())) pictured.push_back(*plan);
+    if (const std::string world = world_of(*quality.front()); !world.empty())
+      pictured.push_back({.title = "A plan",
+                          .vehicle = vehicle_of(place_of(quality.front()->name).variant),
+                          .world = world,
+                          .any = true});
   std::optional<PicturedQuery> slowest = slowest_of(inputs.results);
   if (inputs.peers)
     if (const auto other = slowest_of(*inputs.peers); other && (!slowest || other->seconds > slowest->seconds))

@@ -25,6 +25,13 @@ std::string with_superscripts(std::string_view escaped) {
   return text;
 }
 
+std::string listed(std::span<const std::string> names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
+
 std::string count_text(double value) {
   std::string digits = number_text("%.0f", value);
   for (std::size_t end = digits.size(); end > 3; end -= 3) {

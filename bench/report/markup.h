@@ -21,6 +21,9 @@ std::string number_text(const char* format, double value);
 /// A whole number with separators: "100,000".
 std::string count_text(double value);
 
+/// "a, b and c"
+std::string listed(std::span<const std::string> names);
+
 /// "3 ms – 8 ms"; one text where both are the same.
 template <class Text>
 std::string range_text(double low, double high, const Text& text) {

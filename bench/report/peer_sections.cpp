@@ -288,14 +288,6 @@ std::string claims_finding(const PeerResults& peers) {
   return text + ".";
 }
 
-/// "a, b and c"
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-  return text;
-}
-
 }  // namespace
 
 std::string planner_comparison(const PeerResults& peers) {
@@ -476,7 +468,7 @@ Section planners_section(const PeerResults& peers) {
            "processor time. `arcway` answers on a map that was prepared before; `arcway, map and all`, where the "
            "study has it, begins with the bare map, as the peers do, for one query. What is only "
            "in the peers' favor: after the first path they go on to improve it until the time is up. Settings: "
-           "real vehicles in clutters of 100 obstacles of their size, fill 0.15 and 0.3, as far as they were compared; "
+           "real vehicles on maps of their size with 100 obstacles, as far as they were compared; "
            "the paper's robot with limits on its acceleration in clutters of 100, fill 0.15 and 0.3; the paper's "
            "robot in clutters of 100 and of 1,000 obstacles. `arcway first` is "
            "the first path, before refinement; `arcway_tightest` turns as tightly as it can only."},

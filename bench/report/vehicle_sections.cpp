@@ -163,11 +163,13 @@ Section vehicles_section(const Results& results, const std::vector<Study>& studi
   Section section{
       .title = "Real vehicles",
       .paragraphs =
-          {"Vehicles by their data sheets and by standards; `bench/robots.h` names the source of every number. Each "
-           "drives in clutters of its own size: those of the paper's robot, scaled by the ratio of the wall-to-wall "
-           "turning radii. Random queries among 100 obstacles on a prepared map; medians by the world, the least and "
-           "the most. Bound: no path takes less. First path: before refinement. The last two columns are for 1,000 "
-           "obstacles of 10 vertices at fill 0.3."},
+          {"Vehicles of data sheets and standards; `bench/robots.h` names the source of every number. Each drives on "
+           "random maps of its own size: those of the paper's robot, scaled by the ratio of the turning circles. "
+           "Random "
+           "queries among 100 obstacles on a prepared map; of the medians of all maps the least and the most. Bound: "
+           "no "
+           "path takes less. First path: before it is refined. The last two columns: among 1,000 obstacles of 10 "
+           "vertices, which cover 30 % of the map."},
       .figures = {},
       .table = {{"vehicle", "body", "turning radius", "top speed", "acceleration along / sideways", "world ×", "solved",
                  "first path after", "first path / bound", "plan after", "95 % of plans after", "plan / bound",

@@ -42,10 +42,10 @@ nav ul { list-style: none; padding: 0; margin: 0; display: grid; gap: .15rem 2re
 .scroll { overflow-x: auto; margin: .6rem 0; } details > summary { cursor: pointer; }
 details.section { border-top: 1px solid var(--line); padding: .35rem 0; } details.section[open] { padding-bottom: 1.2rem; }
 details.section h2 { display: inline; font-size: 1rem; font-weight: 600; }
-table { border-collapse: collapse; font-size: .85rem; } th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--line);
-  text-align: left; vertical-align: top; min-width: 4rem; }
-td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; } td.n { white-space: nowrap; }
-th { vertical-align: bottom; } td.note { white-space: normal; }
+table { border-collapse: collapse; font-size: .85rem; } th, td { padding: .2rem .5rem; border-bottom: 1px solid var(--line);
+  text-align: left; vertical-align: top; min-width: 3rem; }
+td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
+td:first-child { min-width: 7rem; } th { vertical-align: bottom; }
 pre { background: var(--panel); padding: .6rem 1rem; overflow-x: auto; font-size: .85rem; }
 button { font: inherit; padding: .3rem .8rem; color: var(--ink); background: var(--panel); border: 1px solid var(--line);
   border-radius: 4px; cursor: pointer; }
@@ -60,7 +60,7 @@ button { font: inherit; padding: .3rem .8rem; color: var(--ink); background: var
   figure, .summary li, tr, pre { break-inside: avoid; } h1, h2, thead, p { break-after: avoid; } p, li { orphans: 3; widows: 3; }
   .scroll { overflow: visible; } pre { white-space: pre-wrap; } body { max-width: none; padding: 0; font-size: 9.5pt; } h2 { margin: 1.2rem 0 .3rem; }
   .picture svg { max-height: 56mm; } .gallery { grid-template-columns: 1fr 1fr; gap: .8rem; } .legend, figcaption { font-size: 7.5pt; }
-  table { font-size: 6.5pt; width: 100%; } th, td { padding: .1rem .2rem; min-width: 0; } td.n { white-space: normal; } }
+  table { font-size: 6.5pt; width: 100%; } th, td { padding: .1rem .2rem; min-width: 0; } td:first-child { min-width: 0; } }
 )";
 
 constexpr const char* kScript = R"(
@@ -89,20 +89,29 @@ document.addEventListener('focusout', () => tip.style.display = 'none');
 
 constexpr const char *kFindings = "Findings in short", *kFigures = "Further plots", *kFolded = "Every measurement";
 
+/// A cell of numbers breaks behind dashes, crosses, slashes and commas alone, not between a number and its unit.
+std::string unbroken(const std::string& cell) {
+  std::string text;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    const bool breaks = text.ends_with("–") || text.ends_with("×") || text.ends_with('/') || text.ends_with(',');
+    text += cell[i] == ' ' && !breaks ? std::string("\u00a0") : std::string(1, cell[i]);
+  }
+  return text;
+}
+
 /// A note in a column of numbers would make the column as wide as itself.
 bool is_note(const std::string& text) {
-  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 && text.find('^') == std::string::npos;
 }
 
 std::string table_html(const Table& table) {
   const auto row_html = [&](const std::vector<std::string>& row, const std::string& cell) {
     std::string html = "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      html += "<" + cell +
-              (i < table.numbers_from ? ">"
-               : is_note(row[i])      ? " class=\"n note\">"
-                                      : " class=\"n\">") +
-              with_superscripts(escaped(row[i])) + "</" + cell + ">";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const bool is_number = i >= table.numbers_from && cell == "td" && !is_note(row[i]);
+      html += "<" + cell + (i >= table.numbers_from ? " class=\"n\">" : ">") +
+              with_superscripts(escaped(is_number ? unbroken(row[i]) : row[i])) + "</" + cell + ">";
+    }
     return html + "</tr>\n";
   };
   std::string html = "<div class=\"scroll\"><table><thead>" + row_html(table.header, "th") + "</thead><tbody>\n";

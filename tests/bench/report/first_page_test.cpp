@@ -51,6 +51,11 @@ TEST(Lead, SaysWhatWasPlannedAndHowTheCostGrows) {
       << lead;
 }
 
+TEST(Lead, NamesOtherVehicles) {
+  const std::string lead = lead_of(inputs_of(quality("shuttle/campus", 0.004, 1.05)));
+  EXPECT_NE(lead.find("45 of 50 random tasks (90 %) for shuttle;"), std::string::npos) << lead;
+}
+
 TEST(Lead, SaysHowOthersCompare) {
   Inputs inputs = inputs_of(run("Build/n:10", 1.0));
   inputs.peers.emplace();
@@ -104,6 +109,7 @@ TEST(PicturedQueries, AreAPlanAndTheSlowestOne) {
   EXPECT_EQ(pictured[1].world, "clutter/star/n1000/m10/f45");
   EXPECT_EQ(pictured[1].query, 7u);
   EXPECT_TRUE(pictured_queries(inputs_of(run("Build/n:10", 1.0))).empty());
+  EXPECT_TRUE(pictured_queries(inputs_of(quality("shuttle/campus_front", 0.004, 1.05))).empty());
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST(Noise, IsMarkedInEveryFormatAndExplained) {
   const std::string why = "wall time 200 % above processor time";
   EXPECT_NE(markdown.find("| ReducedGraph/tangent-cones/obstacles:20 | " + why + " |"), std::string::npos);
   EXPECT_NE(markdown.find("| ReducedGraph/tangent-cones/obstacles:20 | 40 µs † |"), std::string::npos) << markdown;
-  EXPECT_NE(html.find("40 µs †"), std::string::npos);
+  EXPECT_NE(html.find("40\u00a0µs\u00a0†"), std::string::npos);
   EXPECT_NE(html.find("class=\"noisy\" stroke=\"#0072b2\""), std::string::npos);
   EXPECT_NE(html.find("; noisy: " + why + "\""), std::string::npos);
   EXPECT_NE(html.find("hollow: noisy"), std::string::npos);
