@@ -55,6 +55,12 @@ const fits_plots = () => {
       if (shown(part) && beyond(part.getBoundingClientRect(), outer)) fault('cut by its figure', part);
   }
 };
+const links_hold = () => {
+  const ids = [...document.querySelectorAll('[id]')].map(e => e.id);
+  ids.forEach((id, i) => { if (ids.indexOf(id) !== i) faults.push('two of the id ' + id); });
+  for (const link of document.querySelectorAll('nav a'))
+    if (!document.getElementById(link.hash.slice(1))) fault('leads nowhere', link);
+};
 const luminance = color => color.match(/[\d.]+/g).slice(0, 3).map(v => v / 255)
   .map(v => v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
   .reduce((sum, v, i) => sum + [0.2126, 0.7152, 0.0722][i] * v, 0);
@@ -67,6 +73,7 @@ const legible = () => {
   }
 };
 document.querySelectorAll('details').forEach(d => d.open = true);
+links_hold();
 fits_page();
 fits_plots();
 legible();
