@@ -109,7 +109,9 @@ std::string picture_caption(const report::PicturedQuery& query, const ReportedSc
                         report::count_text(static_cast<double>(scene.world.obstacle_count())) + " obstacles";
   caption += result.solved() ? ", " + text("%.1f", result.length) + " m in " + text("%.1f", result.travel_time) + " s"
                              : ", no path: " + result.reason;
-  if (query.seconds > 0.0) caption += ". Planning took " + report::time_text(query.seconds);
+  if (query.seconds > 0.0)
+    caption += ". Planned anew for this picture; in the results it took " + report::time_text(query.seconds) +
+               " of processor time";
   return caption + (result.solved() ? ". Shaded: what the body sweeps; colors: speed." : ".");
 }
 

@@ -53,8 +53,9 @@ std::string ends_text(const Study::Line& line) {
 
 void add_growth_with_obstacles(const std::vector<Study>& studies, std::vector<std::string>& sentences) {
   if (const auto* graph = find_line(studies, "ReducedGraph/tangent-cones", "obstacles"); graph && graph->curve.fit)
-    sentences.push_back("Obstacles: the visibility graph's time grows like " + power_text("n", graph->curve.fit) +
-                        " with n obstacles of 10 vertices: " + times_text(*graph) + ".");
+    sentences.push_back("Obstacles: to find which corners see each other, the visibility graph, takes a time like " +
+                        power_text("n", graph->curve.fit) + " with n obstacles of 10 vertices: " + times_text(*graph) +
+                        ".");
   const auto* first = find_line(studies, "Plan/lazy", "obstacles");
   const auto* more = find_line(studies, "Plan/graph_reused", "obstacles");
   if (first && first->curve.fit && more && more->curve.fit)

@@ -159,9 +159,11 @@ Inputs inputs_of(const std::string& json) { return {read_results(json, "r.json")
 TEST(Summary, TellsAStrangerWhatItCosts) {
   const std::vector<std::string> summary = make_document(inputs_of(stages())).summary;
   ASSERT_EQ(summary.size(), 6u);
-  EXPECT_EQ(summary[1],
-            "Obstacles: the visibility graph's time grows like n^1.00 (1.00 – 1.00) with n obstacles of 10 vertices: "
-            "100 µs at 1,000 vertices, 10 ms at 100,000 vertices.");
+  EXPECT_EQ(
+      summary[1],
+      "Obstacles: to find which corners see each other, the visibility graph, takes a time like n^1.00 (1.00 – 1.00) "
+      "with n obstacles of 10 vertices: "
+      "100 µs at 1,000 vertices, 10 ms at 100,000 vertices.");
   EXPECT_TRUE(summary[3].starts_with("Quality, the paper's robot: 45 of 50 random queries are solved")) << summary[3];
   EXPECT_NE(summary[4].find("none failed"), std::string::npos);
 }
