@@ -36,8 +36,14 @@ std::string in_quotes(const std::string& text) {
   return field + "\"";
 }
 
-std::string counter_text(double value) {
-  return value >= 1e5 || (value != 0.0 && value < 1e-3) ? number_text("%.3g", value) : number_text("%.5g", value);
+/// "12,345,678", "0.25", "2.3·10^-5"; times with their unit.
+std::string counter_text(const std::string& name, double value) {
+  if (name.find("_seconds") != std::string::npos) return time_text(value);
+  if (value >= 1e5) return count_text(value);
+  std::string text = number_text(value != 0.0 && value < 1e-3 ? "%.3g" : "%.5g", value);
+  if (const std::size_t e = text.find('e'); e != std::string::npos)
+    text = text.substr(0, e) + "·10^" + std::to_string(std::stoi(text.substr(e + 1)));
+  return text;
 }
 
 /// Counters that at least one of the measurements has.
@@ -57,7 +63,7 @@ bool is_of_few(const Measurement& m, const std::string& counter) {
 Table measurement_table(const std::vector<const Measurement*>& measurements) {
   const std::vector<std::string> counters = counter_names(measurements);
   Table table{{"benchmark", "time, median", "least – most", "wall clock", "runs"}, {}, 1};
-  table.header.insert(table.header.end(), counters.begin(), counters.end());
+  for (const std::string& name : counters) table.header.push_back(counter_words(name));
   for (const Measurement* m : measurements) {
     const auto [low, high] = std::ranges::minmax(times_of(*m));
     const bool is_noisy = !noise_of(*m).empty();
@@ -66,7 +72,7 @@ Table measurement_table(const std::vector<const Measurement*>& measurements) {
                                  std::to_string(m->wall_seconds.size())};
     for (const std::string& name : counters) {
       const auto found = m->counters.find(name);
-      row.push_back(found == m->counters.end() || is_of_few(*m, name) ? "" : counter_text(found->second));
+      row.push_back(found == m->counters.end() || is_of_few(*m, name) ? "" : counter_text(name, found->second));
     }
     table.rows.push_back(std::move(row));
   }
@@ -90,7 +96,7 @@ Section growth_section(const std::vector<Study>& studies) {
       const std::vector<SizePoint> points = fitted_points(line.curve);
       section.table.rows.push_back(
           {line.series, key_words(study.key), line.law,
-           number_text("%.6g", points.front().size) + " – " + number_text("%.6g", points.back().size),
+           count_text(points.front().size) + " – " + count_text(points.back().size),
            marked(std::to_string(points.size()) + " of " + std::to_string(line.curve.points.size()),
                   points.size() < line.curve.points.size()),
            interval_text(line.curve.fit), interval_text(line.with_log), slopes_text(points)});

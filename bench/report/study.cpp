@@ -41,15 +41,15 @@ void compare_variants(const Study& study, std::vector<std::string>& sentences) {
     const Curve::Point& mine = line.curve.points.back();
     const auto same = std::ranges::find(best->curve.points, mine.x, &Curve::Point::x);
     if (same == best->curve.points.end()) continue;
-    const std::string at = " at " + number_text("%.6g", mine.x) + " (" + key_words(study.key) + ")";
+    const std::string at = " at " + count_text(mine.x) + " (" + key_words(study.key) + ")";
     std::string sentence = stage_words(study.stage) + at + ": " + best->curve.name + " takes " + time_text(same->y) +
                            ", " + line.curve.name + " " + time_text(mine.y);
     if (const double ratio = mine.y / same->y; !(mine.y > 0.0 && same->y > 0.0)) {
       sentence += ".";  // too short for the clock
     } else if (ratio >= 1.0) {
-      sentence += ", " + number_text("%.3g times as long.", ratio);
+      sentence += ", " + ratio_text(ratio) + " times as long.";
     } else {
-      sentence += ", which wins by " + number_text("%.3g times.", 1.0 / ratio);
+      sentence += ", which wins by " + ratio_text(1.0 / ratio) + " times.";
     }
     sentences.push_back(std::move(sentence));
   }
@@ -104,8 +104,8 @@ std::vector<std::string> sentences_of(const Study& study) {
     if (!line.curve.fit) continue;
     const std::vector<SizePoint> points = fitted_points(line.curve);
     sentences.push_back(line.series + ": the time grows like " + power_text("n", line.curve.fit) + " from " +
-                        number_text("%.6g", points.front().size) + " to " + number_text("%.6g", points.back().size) +
-                        " (" + key_words(study.key) + "), where it is " + time_text(points.back().seconds) + ".");
+                        count_text(points.front().size) + " to " + count_text(points.back().size) + " (" +
+                        key_words(study.key) + "), where it is " + time_text(points.back().seconds) + ".");
   }
   compare_variants(study, sentences);
   return sentences;

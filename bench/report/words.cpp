@@ -106,7 +106,11 @@ std::string stage_words(std::string_view stage) {
 
 std::string key_words(std::string_view key) {
   if (const char* words = find(kKeys, key)) return words;
-  std::string text(key);
+  return counter_words(key);
+}
+
+std::string counter_words(std::string_view counter) {
+  std::string text(counter);
   std::ranges::replace(text, '_', ' ');
   return text;
 }

@@ -13,6 +13,9 @@ std::string stage_words(std::string_view stage);
 /// that is not known has spaces for underscores.
 std::string key_words(std::string_view key);
 
+/// A counter in words: spaces for underscores.
+std::string counter_words(std::string_view counter);
+
 /// What planners were compared on, in words: "the paper's robot, 100 obstacles" for "n100". A name that is not known
 /// stays as it is.
 std::string setting_words(std::string_view setting);

@@ -123,8 +123,8 @@ TEST(Sentences, SayWhatGrowsHowAndWhatWins) {
   const std::vector<std::string> sentences = sentences_of(studies_of(results).front());
   ASSERT_EQ(sentences.size(), 3u);
   EXPECT_EQ(sentences[0],
-            "Build/slow: the time grows like n^2.00 (2.00 – 2.00) from 10 to 10000 (n), where it is 1.01 s.");
-  EXPECT_EQ(sentences[2], "Build at 10000 (n): fast takes 10.1 ms, slow 1.01 s, 100 times as long.");
+            "Build/slow: the time grows like n^2.00 (2.00 – 2.00) from 10 to 10,000 (n), where it is 1.01 s.");
+  EXPECT_EQ(sentences[2], "Build at 10,000 (n): fast takes 10.1 ms, slow 1.01 s, 100 times as long.");
 }
 
 TEST(Sentences, MakeNoRatiosOfTimesThatAreTooShortForTheClock) {
@@ -208,10 +208,21 @@ TEST(Tables, HaveNoMediansOfFewQueries) {
   EXPECT_TRUE(section_of(document, "Travel time over the number of radii").title.empty());
   const std::vector<std::string> search =
       section_of(document, "Search with each heuristic: single measurements").table.header;
-  EXPECT_EQ(std::ranges::find(search, "plan_seconds_median"), search.end());
+  EXPECT_EQ(std::ranges::find(search, "plan seconds median"), search.end());
   const Section vehicles = section_of(document, "Real vehicles");
   EXPECT_EQ(vehicles.table.rows[0][6], "2 of 20");
   EXPECT_EQ(vehicles.paragraphs[2], "2 worlds are left out of the medians: fewer than 10 queries are solved there.");
+}
+
+TEST(Tables, WriteCountersForPeople) {
+  const Document document = make_document(inputs_of(file_of(
+      run("Other/one", 1.0, R"(,"vertices":1234567,"share":0.25,"tiny":0.000023,"plan_seconds_median":0.00023)"))));
+  const Table table = section_of(document, "Other: single measurements").table;
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(std::vector(table.header.begin() + 5, table.header.end()),
+            (std::vector<std::string>{"plan seconds median", "share", "tiny", "vertices"}));
+  EXPECT_EQ(std::vector(table.rows[0].begin() + 5, table.rows[0].end()),
+            (std::vector<std::string>{"230 µs", "0.25", "2.3·10^-5", "1,234,567"}));
 }
 
 TEST(Tables, HaveNoColumnsOfDashesAlone) {
