@@ -15,6 +15,7 @@ namespace arcway::internal::report {
 namespace {
 
 using nlohmann::json;
+using JsonFile = nlohmann::ordered_json;  ///< keeps the order of keys
 
 constexpr std::string_view kSuffixes[] = {"/real_time", "/process_time", "/manual_time"};
 const std::set<std::string> kOwnFields = {
@@ -64,10 +65,10 @@ void read_run(const json& run, const std::string& place, Results& results, std::
     if (value.is_number() && !kOwnFields.contains(key)) counters[name][key].push_back(value.get<double>());
 }
 
-nlohmann::ordered_json parsed(std::string_view text, std::string_view name) {
-  nlohmann::ordered_json document;
+JsonFile parsed(std::string_view text, std::string_view name) {
+  JsonFile document;
   try {
-    document = nlohmann::ordered_json::parse(text);
+    document = JsonFile::parse(text);
   } catch (const json::parse_error& error) {
     throw FormatError(std::string(name) + ": " + message_of(error));
   }
@@ -77,8 +78,23 @@ nlohmann::ordered_json parsed(std::string_view text, std::string_view name) {
   return document;
 }
 
-std::string name_of(const nlohmann::ordered_json& run) {
-  return run.is_object() ? plain_name(run.value("name", "")) : std::string();
+std::string name_of(const JsonFile& run) { return run.is_object() ? plain_name(run.value("name", "")) : std::string(); }
+
+std::string context_value(const JsonFile& file, const char* key) { return file["context"].value(key, ""); }
+
+void require_same(const JsonFile& before, const JsonFile& after, const char* key, std::string_view name) {
+  const std::string ours = context_value(before, key), theirs = context_value(after, key);
+  if (ours != theirs)
+    throw FormatError(std::string(name) + ": its " + key + " is \"" + ours + "\", that of the run \"" + theirs +
+                      "\": results of two are not mixed");
+}
+
+/// One benchmark a line.
+std::string file_of(const JsonFile& context, const JsonFile& first, const JsonFile& more) {
+  std::string lines;
+  for (const JsonFile* benchmarks : {&first, &more})
+    for (const auto& benchmark : *benchmarks) lines += (lines.empty() ? "\n" : ",\n") + benchmark.dump();
+  return "{\n\"context\": " + context.dump(1) + ",\n\"benchmarks\": [" + lines + "\n]\n}\n";
 }
 
 }  // namespace
@@ -95,26 +111,24 @@ std::string plain_name(std::string name) {
 }
 
 std::string updated_results(std::string_view earlier, std::string_view run, std::string_view name) {
-  const nlohmann::ordered_json before = parsed(earlier, name), after = parsed(run, "the run");
-  nlohmann::ordered_json context = before["context"];
-  const auto value = [](const nlohmann::ordered_json& from, const char* key) { return from.value(key, ""); };
-  if (const std::string ours = value(context, "processor"), theirs = value(after["context"], "processor");
-      ours != theirs)
-    throw FormatError(std::string(name) + ": measured on \"" + ours + "\", the run on \"" + theirs +
-                      "\": results of two processors are not mixed");
+  const JsonFile before = parsed(earlier, name), after = parsed(run, "the run");
+  JsonFile context = before["context"];
+  require_same(before, after, "processor", name);
   std::set<std::string> anew;
   for (const auto& benchmark : after["benchmarks"]) anew.insert(name_of(benchmark));
-  std::string lines;
-  const auto add = [&lines](const nlohmann::ordered_json& benchmark) {
-    lines += (lines.empty() ? "\n" : ",\n") + benchmark.dump();
-  };
+  JsonFile kept = JsonFile::array();
   for (const auto& benchmark : before["benchmarks"])
-    if (!anew.contains(name_of(benchmark))) add(benchmark);
-  for (const auto& benchmark : after["benchmarks"]) add(benchmark);
-  const std::string commit = value(after["context"], "commit"), updates = value(context, "updated_at");
+    if (!anew.contains(name_of(benchmark))) kept.push_back(benchmark);
+  const std::string commit = context_value(after, "commit"), updates = context.value("updated_at", "");
   if (updates.find(commit) == std::string::npos)
     context["updated_at"] = updates.empty() ? commit : updates + ", " + commit;
-  return "{\n\"context\": " + context.dump(1) + ",\n\"benchmarks\": [" + lines + "\n]\n}\n";
+  return file_of(context, kept, after["benchmarks"]);
+}
+
+std::string repeated_results(std::string_view earlier, std::string_view run, std::string_view name) {
+  const JsonFile before = parsed(earlier, name), after = parsed(run, "the run");
+  for (const char* key : {"processor", "commit"}) require_same(before, after, key, name);
+  return file_of(before["context"], before["benchmarks"], after["benchmarks"]);
 }
 
 Results read_results(std::string_view text, std::string_view name) {

@@ -44,6 +44,10 @@ std::string plain_name(std::string name);
 /// added. The context stays the earlier one's; its key `updated_at` lists the commits of newer runs.
 /// @throws FormatError naming file and place; also for files of two processors.
 std::string updated_results(std::string_view earlier, std::string_view run, std::string_view name);
+/// An earlier file of Google Benchmark with the runs of a newer one as further repetitions. Runs of two programs that
+/// take turns can be compared on a machine that is faster at one time than at another.
+/// @throws FormatError naming file and place; also for files of two processors or two commits.
+std::string repeated_results(std::string_view earlier, std::string_view run, std::string_view name);
 
 /// A measurement's place in its series: "ReducedGraph/embree/obstacles:100" is size 100 of the key "obstacles" in the
 /// series "ReducedGraph/embree", of the stage "ReducedGraph" and the variant "embree".

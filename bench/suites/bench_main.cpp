@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -19,9 +20,11 @@ namespace arcway::internal::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "arcway_bench [--study=check|quick|full] [--out=F.json [--update]] [--corrupt] [Google Benchmark's own "
+    "arcway_bench [--study=check|quick|full] [--out=F.json [--update|--repeat]] [--corrupt] [Google Benchmark's own "
     "arguments]\n"
-    "--update keeps what the file has of other benchmarks.\n"
+    "--update keeps what the file has of other benchmarks. --repeat keeps all that it has, if it is there: the runs "
+    "are\n"
+    "further repetitions.\n"
     "--corrupt makes every implementation get one answer wrong, and is done if all benchmarks notice; with\n"
     "--study=check, as larger sizes check some answers only.\n"
     "Exit codes: 0 all answers right (--corrupt: all noticed to be wrong), 1 not so, 2 bad usage.\n";
@@ -30,6 +33,7 @@ struct Options {
   Study study = Study::kQuick;
   std::string out;
   bool update = false;
+  bool repeat = false;
   bool corrupt = false;
 };
 
@@ -88,17 +92,16 @@ class Reporter final : public benchmark::BenchmarkReporter {
 
   [[nodiscard]] int failures() const { return failures_; }
   [[nodiscard]] int successes() const { return successes_; }
-  /// Google Benchmark's file, one line a run, without what names this machine's user (host, path of the program) and
-  /// what nobody reads.
+  /// Google Benchmark's file, one line a run, without what names this machine's user (host, path of the program), and
+  /// without places in this run, which no longer hold once --update has mixed two. Google's compare.py and Bencher read
+  /// it.
   [[nodiscard]] std::string json() const {
     auto document = nlohmann::ordered_json::parse(text_.str());
     for (const char* key : {"host_name", "executable"}) document["context"].erase(key);
     std::string text = "{\n\"context\": " + document["context"].dump(1) + ",\n\"benchmarks\": [";
     const char* separator = "\n";
     for (auto& run : document["benchmarks"]) {
-      for (const char* key :
-           {"family_index", "per_family_instance_index", "run_name", "repetitions", "repetition_index", "threads"})
-        run.erase(key);
+      for (const char* key : {"family_index", "per_family_instance_index"}) run.erase(key);
       text += separator + run.dump();
       separator = ",\n";
     }
@@ -127,6 +130,8 @@ bool take_options(int argc, char** argv, Options& options, std::vector<std::stri
       options.corrupt = true;
     } else if (argument == "--update") {
       options.update = true;
+    } else if (argument == "--repeat") {
+      options.repeat = true;
     } else if (argument.rfind("--out=", 0) == 0) {
       options.out = argument.substr(6);
     } else if (argument.rfind("--benchmark_", 0) == 0) {
@@ -138,15 +143,22 @@ bool take_options(int argc, char** argv, Options& options, std::vector<std::stri
   return true;
 }
 
+std::string with_earlier(const Options& options, const std::string& earlier, const std::string& run) {
+  if (options.update) return report::updated_results(earlier, run, options.out);
+  return options.repeat ? report::repeated_results(earlier, run, options.out) : run;
+}
+
 int run(int argc, char** argv) {
   Options options;
   std::vector<std::string> others;
   const bool known = take_options(argc, argv, options, others);
-  if (!known || (options.corrupt && options.study != Study::kCheck) || (options.update && options.out.empty())) {
+  if (!known || (options.corrupt && options.study != Study::kCheck) ||
+      ((options.update || options.repeat) && options.out.empty()) || (options.update && options.repeat)) {
     std::fputs(kUsage, stderr);
     return 2;
   }
-  const std::string earlier = options.update ? read_file(options.out) : std::string();
+  if (options.repeat) options.repeat = std::filesystem::exists(options.out);
+  const std::string earlier = options.update || options.repeat ? read_file(options.out) : std::string();
   std::vector<std::string> arguments = benchmark_arguments(options.study);
   arguments.insert(arguments.begin(), argv[0]);
   arguments.insert(arguments.end(), others.begin(), others.end());
@@ -164,11 +176,7 @@ int run(int argc, char** argv) {
     std::fputs("arcway_bench: no benchmark of that name\n", stderr);
     return 2;
   }
-  if (!options.out.empty()) {
-    const std::string results = reporter.json();
-    write_file_atomically(options.out,
-                          options.update ? report::updated_results(earlier, results, options.out) : results);
-  }
+  if (!options.out.empty()) write_file_atomically(options.out, with_earlier(options, earlier, reporter.json()));
   if (options.corrupt) {
     std::fprintf(stderr, "arcway_bench: %d noticed the wrong answer, %d did not\n", reporter.failures(),
                  reporter.successes());

@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "bench/suites/plans.h"
+#include "bench/suites/quality.h"
 #include "bench/suites/suite.h"
+#include "bench/suites/work.h"
 
 // Problems of dynobench (github.com/quimortiz/dynobench, MIT license, commit 4ddf752), with the best costs stored
 // there.
@@ -55,7 +57,10 @@ void time_plan(benchmark::State& state, const Problem& problem) {
   if (!require(state, plan.solved(), "no path found")) return;
   if (!require(state, is_valid(Validator(problem.world), problem.vehicle, plan), "the validator refuses the path"))
     return;
+  const LoopWork work;
   for (auto _ : state) benchmark::DoNotOptimize(planner.plan(problem.request));
+  work.count(state, "query");
+  count_search(state, {plan});
   state.counters["travel_time_s"] = plan.travel_time;
   state.counters["first_s"] = plan.statistics.first_travel_time;
   state.counters["lower_bound_s"] = plan.lower_bound;

@@ -16,7 +16,9 @@
 #include "bench/suites/allocations.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/plans.h"
+#include "bench/suites/quality.h"
 #include "bench/suites/suite.h"
+#include "bench/suites/work.h"
 #include "bench/vehicle_worlds.h"
 #include "core/roadmap/feasible_graph.h"
 
@@ -41,19 +43,14 @@ void time_queries(benchmark::State& state, const Planner& planner, const std::ve
     }
   };
   repeat();
-  const std::uint64_t before = heap_use().allocations;
-  repeat();
-  const auto allocated = static_cast<double>(heap_use().allocations - before);
+  const LoopWork work;
   for (auto _ : state) repeat();
-  const auto queries = static_cast<double>(requests.size());
-  double expanded = 0.0;
-  for (const PlanResult& r : results) expanded += static_cast<double>(r.statistics.nodes_expanded);
+  work.count(state, "query", requests.size());
+  count_search(state, results);
   set_batch(state, requests.size());
   state.counters["vertices"] = static_cast<double>(planner.world().vertices().size());
-  state.counters["queries"] = queries;
+  state.counters["queries"] = static_cast<double>(requests.size());
   state.counters["solved"] = static_cast<double>(std::ranges::count_if(results, &PlanResult::solved));
-  state.counters["allocations_per_query"] = allocated / queries;
-  state.counters["expansions_per_query"] = expanded / queries;
 }
 
 /// Pairs whose distance is a share of the map's side, from `low` to `low` + 0.1.
@@ -92,7 +89,10 @@ void time_from_nothing(benchmark::State& state, const World& world, const Vehicl
   const auto [planner, results] = solve();
   const HeapUse after = heap_use();
   if (!require(state, are_right(planner, results), kWrong)) return;
+  const LoopWork work;
   for (auto _ : state) benchmark::DoNotOptimize(solve());
+  work.count(state, "query");
+  count_search(state, results);
   const auto vertices = static_cast<double>(world.vertices().size());
   state.counters["vertices"] = vertices;
   state.counters["peak_bytes_per_vertex"] = static_cast<double>(after.peak_bytes - before.live_bytes) / vertices;
@@ -110,8 +110,11 @@ void time_prepared(benchmark::State& state, const KeptVehicle& kept, const std::
   planner.warm_up();
   const std::vector<PlanRequest> requests = queries_for(kept.vehicle(), world, kVehicleQueries, 1);
   std::vector<PlanResult> results;
+  const LoopWork work;
   for (auto _ : state) results = plan_all(planner, requests);
+  work.count(state, "query", requests.size());
   if (!require(state, are_right(planner, results), kWrong)) return;
+  count_search(state, results);
   set_batch(state, requests.size());
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
   state.counters["queries"] = static_cast<double>(requests.size());

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -8,11 +7,11 @@
 
 #include "arcway/datasets/catalog.h"
 #include "arcway/turning_radii.h"
-#include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/slowest_query.h"
 #include "bench/suites/plans.h"
+#include "bench/suites/quality.h"
 #include "bench/suites/suite.h"
 #include "bench/vehicle_worlds.h"
 
@@ -23,22 +22,6 @@ namespace {
 
 constexpr const char* kWrong = "the validator refuses a path, or there is none";
 
-/// Plans with their times in processor time: a busy machine makes no plan look slow. The planner's own clock is the
-/// wall's; its share of the first path is taken.
-std::vector<PlanResult> plan_by_processor_time(const Planner& planner, const std::vector<PlanRequest>& requests) {
-  std::vector<PlanResult> results;
-  for (const PlanRequest& request : requests) {
-    const CpuClock clock(CpuClock::Of::kProcess);
-    PlanResult result = planner.plan(request);
-    const double seconds = clock.seconds();
-    PlanStatistics& s = result.statistics;
-    s.first_path_seconds *= s.total_seconds > 0.0 ? seconds / s.total_seconds : 1.0;
-    s.total_seconds = seconds;
-    results.push_back(std::move(result));
-  }
-  return results;
-}
-
 /// Keeps the slowest query in the label, which the report draws.
 void label_slowest(benchmark::State& state, const std::vector<PlanResult>& results, const std::string& world_name) {
   const auto slowest =
@@ -46,39 +29,6 @@ void label_slowest(benchmark::State& state, const std::vector<PlanResult>& resul
   state.SetLabel(label_of({.world = world_name,
                            .query = static_cast<std::size_t>(slowest - results.begin()),
                            .seconds = slowest->statistics.total_seconds}));
-}
-
-/// Share solved and why not, travel time over the lower bound, times of planning, smallest clearance, expansions.
-void count_quality(benchmark::State& state, const std::vector<PlanResult>& results) {
-  double solved = 0.0, expanded = 0.0, clearance = std::numeric_limits<double>::infinity();
-  double start_blocked = 0.0, goal_blocked = 0.0, no_path = 0.0;
-  std::vector<double> over_bound, first_over_bound, first_seconds, seconds;
-  for (const PlanResult& r : results) {
-    expanded += static_cast<double>(r.statistics.nodes_expanded);
-    start_blocked += r.status == PlanStatus::kStartBlocked;
-    goal_blocked += r.status == PlanStatus::kGoalBlocked;
-    no_path += r.status == PlanStatus::kNoPath || r.status == PlanStatus::kNoPassage;
-    if (!r.solved()) continue;
-    solved += 1.0;
-    clearance = std::min(clearance, r.min_clearance);
-    over_bound.push_back(r.travel_time / r.lower_bound);
-    first_over_bound.push_back(r.statistics.first_travel_time / r.lower_bound);
-    first_seconds.push_back(r.statistics.first_path_seconds);
-    seconds.push_back(r.statistics.total_seconds);
-  }
-  const auto count = static_cast<double>(results.size());
-  state.counters["solved_share"] = solved / count;
-  state.counters["start_blocked"] = start_blocked;
-  state.counters["goal_blocked"] = goal_blocked;
-  state.counters["no_path"] = no_path;
-  state.counters["expansions_per_query"] = expanded / count;
-  state.counters["queries"] = count;
-  state.counters["time_over_bound_median"] = median(over_bound);
-  state.counters["first_over_bound_median"] = median(first_over_bound);
-  state.counters["first_path_seconds_median"] = median(first_seconds);
-  state.counters["plan_seconds_median"] = median(seconds);
-  state.counters["plan_seconds_p95"] = quantile(seconds, 0.95);
-  state.counters["min_clearance_m"] = clearance;
 }
 
 /// The largest travel time over the best known one.
@@ -163,6 +113,7 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
   for (auto _ : state)
     for (const PlanRequest& request : requests) benchmark::DoNotOptimize(planner.plan(request));
   set_batch(state, queries);
+  count_search(state, results[chosen]);
   std::vector<double> gaps;
   for (std::size_t q = 0; q < queries; ++q) {
     if (std::ranges::all_of(results, [q](const auto& r) { return r[q].solved(); }))

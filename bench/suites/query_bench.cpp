@@ -5,9 +5,9 @@
 
 #include "arcway/angle.h"
 #include "arcway/vehicle.h"
-#include "bench/suites/allocations.h"
 #include "bench/suites/backends.h"
 #include "bench/suites/suite.h"
+#include "bench/suites/work.h"
 #include "datasets/io/random.h"
 
 // What the graphs ask of a map, by every backend, over growing maps of constant density.
@@ -51,12 +51,10 @@ void time_questions(benchmark::State& state, const QueryBackend& backend, const 
   if (!require(state, same(queries, make_reference_queries(world), questions), "answers differ from the reference"))
     return;
   ask(queries, questions, kQuestions);
-  const std::uint64_t before = heap_use().allocations;
-  ask(queries, questions, kQuestions);
-  const auto allocated = static_cast<double>(heap_use().allocations - before);
+  const LoopWork work;
   for (auto _ : state) ask(queries, questions, kQuestions);
+  work.count(state, "question", kQuestions);
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
-  state.counters["allocations_per_question"] = allocated / static_cast<double>(kQuestions);
   set_batch(state, kQuestions);
 }
 

@@ -9,6 +9,7 @@
 #include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
+#include "bench/suites/quality.h"
 #include "bench/suites/suite.h"
 #include "core/motion/speed_profile.h"
 
@@ -61,6 +62,7 @@ void time_radii(benchmark::State& state, const GentleRobot& robot, const std::st
   for (auto _ : state) results = plan_all(planner, requests);
   if (!require(state, are_right(planner, results), kWrong)) return;
   set_batch(state, queries);
+  count_search(state, results);
   const Times times = times_of(results, vehicle);
   const auto& [one, tightest] = references[key];
   count_ratios(state, "first_over_one", times.first, one.first);

@@ -7,6 +7,7 @@
 #include "bench/suites/backends.h"
 #include "bench/suites/graph_check.h"
 #include "bench/suites/suite.h"
+#include "bench/suites/work.h"
 
 namespace arcway::internal::bench::reduced_graph_suite {
 namespace {
@@ -29,7 +30,9 @@ void build(benchmark::State& state, const MeasuredBuilder& builder, const std::s
   const auto right = [&] { return is_reduced_graph(world, graph); };
   const std::string key = "ReducedGraph/" + builder.name + "/" + world_name + "/" + std::to_string(threads);
   if (!require_once(state, key, right, "edges differ from the reference")) return;
+  const LoopWork work;
   for (auto _ : state) graph = builder.graph(world, *executor);
+  if (threads == 1) work.count(state, "graph");  // several threads share the work out as they come
   count_graph(state, world, graph);
   const auto vertices = static_cast<double>(world.vertices().size());
   state.counters["bytes_per_vertex"] = static_cast<double>(after.live_bytes - before.live_bytes) / vertices;

@@ -6,7 +6,9 @@
 #include "arcway/angle.h"
 #include "arcway/datasets/read_map.h"
 #include "bench/suites/plans.h"
+#include "bench/suites/quality.h"
 #include "bench/suites/suite.h"
+#include "bench/suites/work.h"
 
 // Parking, with both gears: bays of one length and less and less room, and the TPCAP cases where the folder that
 // ARCWAY_SHARED_DATA names has them.
@@ -60,11 +62,13 @@ void time_parking(benchmark::State& state, const Parking& parking) {
   const Planner planner = make_planner(parking.world, car(), {});
   const PlanResult result = planner.plan(parking.request);
   if (!require(state, are_right(planner, {result}), kWrong)) return;
+  const LoopWork work;
   for (auto _ : state) benchmark::DoNotOptimize(planner.plan(parking.request));
+  work.count(state, "query");
+  count_search(state, {result});
   state.counters["travel_time_s"] = result.travel_time;
   state.counters["time_over_bound"] = result.travel_time / result.lower_bound;
   state.counters["cusps"] = static_cast<double>(cusps_of(result.path()));
-  state.counters["poses"] = static_cast<double>(result.statistics.maneuver_poses);
 }
 
 void add(Study study) {

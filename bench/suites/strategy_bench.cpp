@@ -9,6 +9,7 @@
 #include "arcway/datasets/catalog.h"
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
+#include "bench/suites/quality.h"
 #include "bench/suites/suite.h"
 #include "core/planner/strategy.h"
 #include "core/refine/moves.h"
@@ -84,6 +85,7 @@ void time_without(benchmark::State& state, const Case& c, const std::string& wor
     time += results[q].travel_time;
     whole_time += whole[q].travel_time;
   }
+  count_search(state, results);
   state.counters["queries"] = static_cast<double>(queries);
   state.counters["solved"] = solved;
   state.counters["slower_percent"] = whole_time > 0.0 ? 100.0 * (time / whole_time - 1.0) : 0.0;

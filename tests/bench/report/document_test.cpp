@@ -118,6 +118,16 @@ TEST(UpdatedResults, AreOfOneProcessor) {
   EXPECT_THROW((void)updated_results("{}", file_on("Q", "a", ""), "r.json"), FormatError);
 }
 
+TEST(RepeatedResults, HaveTheRunsOfBoth) {
+  const std::string earlier = file_on("P", "a", run("Build/n:10", 1.0));
+  const std::string repeated = repeated_results(earlier, file_on("P", "a", run("Build/n:10", 2.0)), "r.json");
+  const Results results = read_results(repeated, "r.json");
+  ASSERT_EQ(results.measurements.size(), 1u);
+  EXPECT_EQ(results.measurements[0].wall_seconds, (std::vector<double>{1.0, 2.0}));
+  EXPECT_THROW((void)repeated_results(earlier, file_on("Q", "a", ""), "r.json"), FormatError);
+  EXPECT_THROW((void)repeated_results(earlier, file_on("P", "b", ""), "r.json"), FormatError);
+}
+
 TEST(Sentences, SayWhatGrowsHowAndWhatWins) {
   const Results results = read_results(two_builders(1.0), "r.json");
   const std::vector<std::string> sentences = sentences_of(studies_of(results).front());
