@@ -32,8 +32,8 @@ constexpr std::size_t kMostOfMessage = 10'000;  ///< bytes printed of an error: 
 constexpr const char* kDescription = "Time-optimal smooth paths for car-like robots on polygon maps.";
 constexpr const char* kFooter =
     "Units: meters, seconds, radians counter-clockwise from +x (or degrees: 90deg).\n"
-    "Exit codes: 0 solved, valid or done; 1 no path, not valid or refused; 2 bad input or usage;\n"
-    "130 a batch that a signal ended, whose finished queries are kept.";
+    "Exit codes: 0 solved, valid or done; 1 no path, not valid, refused, or above a limit of report --gate;\n"
+    "2 bad input or usage; 130 a batch that a signal ended, whose finished queries are kept.";
 
 /// @throws std::system_error if that fails, as on a disk that is full.
 void print(const std::string& text) {
