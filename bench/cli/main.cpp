@@ -33,7 +33,7 @@ constexpr const char* kDescription = "Time-optimal smooth paths for car-like rob
 constexpr const char* kFooter =
     "Units: meters, seconds, radians counter-clockwise from +x (or degrees: 90deg).\n"
     "Exit codes: 0 solved, valid or done; 1 no path, not valid, refused, or above a limit of report --gate;\n"
-    "2 bad input or usage; 130 a batch that a signal ended, whose finished queries are kept.";
+    "2 bad input or usage; 130 a batch or bench that a signal ended, whose finished part is kept.";
 
 /// @throws std::system_error if that fails, as on a disk that is full.
 void print(const std::string& text) {
@@ -58,7 +58,7 @@ void refuse_repeated_input(const CLI::App& app) {
     for (const CLI::Option* option : command->get_options()) {
       const std::string name = option->get_name();
       const bool is_input = option->get_positional() || name == "--path" || name == "--robot" || name == "--add" ||
-                            (name == "--queries" && command->get_name() == "plan");
+                            (name == "--queries" && command->get_name() != "generate");
       for (const std::string& value : option->results()) {
         if (!is_input || value != "-" || name == "OUT") continue;
         if (first != nullptr)
@@ -123,6 +123,7 @@ int run(int argc, char** argv, const arcway::ProcessGroup& process_group) {
   add_validate_command(app, action);
   add_convert_command(app, action);
   add_doctor_command(app, action);
+  add_bench_command(app, action);
   add_report_command(app, action);
   add_figures_command(app, action);
 #endif

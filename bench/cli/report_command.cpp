@@ -8,6 +8,7 @@
 #include "arcway/datasets/file_io.h"
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
+#include "bench/cli/report_files.h"
 #include "bench/cli/report_pictures.h"
 #include "bench/report/document.h"
 #include "bench/report/gate.h"
@@ -15,8 +16,6 @@
 
 namespace arcway::internal::cli {
 namespace {
-
-constexpr const char *kHtml = "report.html", *kMarkdown = "report.md", *kCsv = "report.csv";
 
 struct ReportArguments {
   std::vector<std::string> files, tables;
@@ -73,19 +72,15 @@ int report(const ReportArguments& arguments, std::string& out) {
   report::Inputs inputs = read_inputs(arguments.files);
   if (arguments.gate && !inputs.before) throw UsageError("--gate: needs two files of arcway_bench, OLD and NEW");
   std::vector<std::string> targets = arguments.tables;
-  const auto in_folder = [&](const char* name) { return (std::filesystem::path(arguments.out) / name).string(); };
+  const ReportFiles names(arguments.out);
   if (!arguments.out.empty()) {
     make_folders(arguments.out);
-    for (const char* name : {kHtml, kMarkdown, kCsv}) targets.push_back(in_folder(name));
+    for (const std::string& name : names.all()) targets.push_back(name);
   }
   OutputFiles files(targets, arguments.files);
   if (!arguments.out.empty()) {
     inputs.pictures = report_pictures(inputs);
-    const report::Document document = report::make_document(inputs);
-    files.add(in_folder(kHtml), to_html(document));
-    files.add(in_folder(kMarkdown), to_markdown(document));
-    files.add(in_folder(kCsv), to_csv(inputs.results));
-    out += document.lead + "\n";
+    out += add_report(files, names, inputs);
   }
   for (const std::string& file : arguments.tables) files.add(file, with_tables(read_file(file), inputs, file));
   files.write();

@@ -73,21 +73,18 @@ class Study {
     for (const std::string& world : setting_.worlds) progress_.world_done(run_world(world));
   }
 
- private:
-  std::vector<PlannerQuery> run_world(const std::string& name) {
+  // The queries that were finished before a stop.
+  std::vector<PlannerQuery> run_map(const PlannerMap& map) {
+    const auto& [name, world, requests] = map;
     const Vehicle& vehicle = setting_.vehicle;
-    const World world = setting_.scaled ? bench::world_for(vehicle, name) : catalog_world(name);
     const bench::CpuClock preparing(bench::CpuClock::Of::kProcess);
     const Planner planner = make_planner(world, vehicle, GraphMode::kEager);
     progress_.line(setting_.name + ", " + name + ": arcway prepared in " + text_of("%.3g s", preparing.seconds()));
     std::optional<Planner> tightest;
     if (has_faster_turns(vehicle, world))
       tightest = make_planner(world, bench::without_faster_turns(vehicle), GraphMode::kEager);
-    const std::vector<PlanRequest> requests = setting_.scaled
-                                                  ? bench::queries_for(vehicle, world, setting_.queries, setting_.seed)
-                                                  : catalog_queries(name, setting_.queries, setting_.seed);
     std::vector<PlannerQuery> results;
-    for (std::size_t q = 0; q < requests.size(); ++q) {
+    for (std::size_t q = 0; q < requests.size() && !progress_.stop.stop_requested(); ++q) {
       const Problem problem{world, vehicle, *planner.queries().sweep, requests[q]};
       PlannerQuery result{setting_.name, name, q, 0.0, {}};
       const double time = plan_ours(planner, problem, result);
@@ -98,6 +95,15 @@ class Study {
       results.push_back(std::move(result));
     }
     return results;
+  }
+
+ private:
+  std::vector<PlannerQuery> run_world(const std::string& name) {
+    const Vehicle& vehicle = setting_.vehicle;
+    if (!setting_.scaled)
+      return run_map({name, catalog_world(name), catalog_queries(name, setting_.queries, setting_.seed)});
+    const World world = bench::world_for(vehicle, name);
+    return run_map({name, world, bench::queries_for(vehicle, world, setting_.queries, setting_.seed)});
   }
 
   // The travel time; infinity without a path.
@@ -201,6 +207,11 @@ std::vector<PlannerSetting> standard_settings() {
 
 void planner_study(const PlannerSetting& setting, const PlannerStudyProgress& progress) {
   Study(setting, progress).run();
+}
+
+std::vector<PlannerQuery> compare_planners(const PlannerSetting& setting, const PlannerMap& map,
+                                           const PlannerStudyProgress& progress) {
+  return Study(setting, progress).run_map(map);
 }
 
 }  // namespace arcway::internal::peers

@@ -3,10 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "arcway/planner.h"
 #include "arcway/vehicle.h"
+#include "arcway/world.h"
 #include "bench/report/peer_results.h"
 
 namespace arcway::internal::peers {
@@ -37,12 +40,20 @@ struct PlannerSetting {
 /// - n100, n1000: the paper's robot in six clutters of 100 and of 1,000 obstacles.
 std::vector<PlannerSetting> standard_settings();
 
+/// A map and queries of anyone's.
+struct PlannerMap {
+  std::string name;
+  World world;
+  std::vector<PlanRequest> requests;
+};
+
 struct PlannerStudyProgress {
-  std::function<void(const std::string&)> line;
+  std::function<void(const std::string&)> line;  ///< called when a map is prepared, and after each query
   /// The plan of a peer, as a file of plans has it, for a query that arcway did not solve or with a slower path.
   std::function<void(const std::string&)> lost;
   /// The queries of a world.
   std::function<void(const std::vector<report::PlannerQuery>&)> world_done;
+  std::stop_token stop = {};  ///< ends compare_planners before its next query
 };
 
 /// arcway and OMPL's planners on the same queries with the same exact checks by the same queries of the map, planner
@@ -50,5 +61,9 @@ struct PlannerStudyProgress {
 /// path, before refinement; `arcway_tightest`, where wider turns are faster, what it finds if it may only turn as
 /// tightly as it can.
 void planner_study(const PlannerSetting& setting, const PlannerStudyProgress& progress);
+
+/// The comparison of planner_study on one map. The worlds of the setting are not used, nor its number of queries.
+std::vector<report::PlannerQuery> compare_planners(const PlannerSetting& setting, const PlannerMap& map,
+                                                   const PlannerStudyProgress& progress);
 
 }  // namespace arcway::internal::peers

@@ -13,6 +13,7 @@
 #include "bench/report/findings.h"
 #include "bench/report/first_page.h"
 #include "bench/report/least_queries.h"
+#include "bench/report/map_sections.h"
 #include "bench/report/markup.h"
 #include "bench/report/noise.h"
 #include "bench/report/peer_sections.h"
@@ -240,7 +241,11 @@ std::vector<std::string> summary_of(const Inputs& inputs, const std::vector<Stud
   std::vector<std::string> summary;
   if (inputs.before)
     summary.push_back(changes_sentence(changes_section(*inputs.before, inputs.results), inputs.before->name));
-  summary.push_back(vehicle_finding(inputs.results));
+  if (is_of_own_maps(inputs.results)) {
+    append(summary, own_map_findings(inputs.results));
+  } else {
+    summary.push_back(vehicle_finding(inputs.results));
+  }
   append(summary, growth_findings(inputs.results, studies));
   if (inputs.peers) append(summary, peer_findings(*inputs.peers));
   append(summary, run_findings(inputs.results));
@@ -252,12 +257,14 @@ constexpr std::size_t kPlots = 2;  // on the first page
 /// How the stages grow and how planners compare come first.
 std::vector<std::string> figures_of(const Inputs& inputs, const std::vector<Study>& studies) {
   std::vector<std::string> growth = growth_figures(studies), figures;
+  const bool has_own_maps = is_of_own_maps(inputs.results);
+  if (has_own_maps) append(figures, own_map_figures(inputs.results));
   if (!growth.empty()) {
     figures.push_back(std::move(growth.front()));
     growth.erase(growth.begin());
   }
   if (inputs.peers) append(figures, planner_figures(*inputs.peers));
-  append(figures, vehicle_figures(studies));
+  if (!has_own_maps) append(figures, vehicle_figures(studies));
   append(figures, std::move(growth));
   if (inputs.peers) append(figures, duel_figures(*inputs.peers));
   return figures;
@@ -292,7 +299,13 @@ std::vector<Section> sections_of(const Inputs& inputs, const std::vector<Study>&
     if (!section.table.rows.empty() || !section.code.empty()) sections.push_back(std::move(section));
   };
   if (inputs.before) add(changes_section(*inputs.before, results), false);
-  add(vehicles_section(results, studies), false);
+  const bool has_own_maps = is_of_own_maps(results);
+  if (has_own_maps) {
+    add(own_cost_section(results), false);
+    add(own_quality_section(results), false);
+  } else {
+    add(vehicles_section(results, studies), false);
+  }
   add(cost_section(studies), false);
   if (inputs.peers) add(claims_section(*inputs.peers), false);
   add(citation_section(results), false);
@@ -305,7 +318,7 @@ std::vector<Section> sections_of(const Inputs& inputs, const std::vector<Study>&
   }
   add(ablation_section(results), true);
   add(radii_section(results), true);
-  add(real_maps_section(results), true);
+  if (!has_own_maps) add(real_maps_section(results), true);
   add(growth_section(studies), true);
   for (const Study& study : studies) add(study_section(study), true);
   for (Section& section : single_sections(results, studies)) add(std::move(section), true);

@@ -9,6 +9,7 @@
 
 #include "bench/quantiles.h"
 #include "bench/report/least_queries.h"
+#include "bench/report/map_sections.h"
 #include "bench/report/markup.h"
 #include "bench/report/noise.h"
 #include "bench/report/vehicle_sections.h"
@@ -195,7 +196,13 @@ bool is_of_limited_robot(const std::string& setting) { return setting.starts_wit
 constexpr Group kGroups[] = {
     {"real vehicles", is_of_real_vehicle},
     {"the paper's robot with limits on its acceleration", is_of_limited_robot},
-    {"the paper's robot", [](const std::string& s) { return !is_of_real_vehicle(s) && !is_of_limited_robot(s); }}};
+    {"the paper's robot",
+     [](const std::string& s) { return !is_of_real_vehicle(s) && !is_of_limited_robot(s) && !is_own_setting(s); }},
+    {"these maps", is_own_setting}};
+
+bool has_own_maps(const PeerResults& peers) {
+  return std::ranges::any_of(peers.queries, is_own_setting, &PlannerQuery::setting);
+}
 
 /// By group and vehicle, each in the order of the file.
 std::vector<std::string> settings_of(const PeerResults& peers) {
@@ -284,8 +291,11 @@ std::string claim_text(const PeerResults& peers, const Group& group) {
 std::string claims_finding(const PeerResults& peers) {
   std::string text = "Not slower than a peer's improved path, where a travel time at most " + tolerance_text() +
                      " longer counts as not slower:";
-  for (const Group& group : kGroups) text += (&group == kGroups ? " " : "; ") + claim_text(peers, group);
-  return text + ".";
+  const bool is_own = has_own_maps(peers);
+  std::string claims;
+  for (const Group& group : kGroups)
+    if ((group.has == is_own_setting) == is_own) claims += (claims.empty() ? " " : "; ") + claim_text(peers, group);
+  return text + claims + ".";
 }
 
 }  // namespace
@@ -434,7 +444,8 @@ Section claims_section(const PeerResults& peers) {
                                     std::to_string(r.theirs_alone), std::to_string(r.ours_alone)});
     }
   if (hidden > 0) section.paragraphs.push_back(hidden_rows_text(hidden));
-  if (std::ranges::none_of(section.table.rows, [](const auto& row) { return is_of_real_vehicle(row.front()); }))
+  if (!has_own_maps(peers) &&
+      std::ranges::none_of(section.table.rows, [](const auto& row) { return is_of_real_vehicle(row.front()); }))
     section.paragraphs.emplace_back("Real vehicles were not compared in these results.");
   return section;
 }
@@ -467,13 +478,15 @@ Section planners_section(const PeerResults& peers) {
           {"Forward-only car, the same queries, maps and exact collision checks for all, one thread, "
            "processor time. `arcway` answers on a map that was prepared before; `arcway, map and all`, where the "
            "study has it, begins with the bare map, as the peers do, for one query. What is only "
-           "in the peers' favor: after the first path they go on to improve it until the time is up. Settings: "
-           "real vehicles on maps of their size with 100 obstacles, as far as they were compared; "
-           "the paper's robot with limits on its acceleration in clutters of 100, fill 0.15 and 0.3; the paper's "
-           "robot in clutters of 100 and of 1,000 obstacles. `arcway first` is "
-           "the first path, before refinement; `arcway_tightest` turns as tightly as it can only."},
+           "in the peers' favor: after the first path they go on to improve it until the time is up. `arcway first` "
+           "is the first path, before refinement; `arcway_tightest` turns as tightly as it can only."},
       .figures = {},
       .table = {kRecordHeader, {}, 2}};
+  if (!has_own_maps(peers))
+    section.paragraphs.emplace_back(
+        "Settings: real vehicles on maps of their size with 100 obstacles, as far as they were compared; the paper's "
+        "robot with limits on its acceleration in clutters of 100, fill 0.15 and 0.3; the paper's robot in clutters of "
+        "100 and of 1,000 obstacles.");
   section.table.header.insert(section.table.header.begin(), "setting");
   std::size_t hidden = 0;
   for (const std::string& setting : settings_of(peers)) add_planner_findings(peers, setting, section.paragraphs);

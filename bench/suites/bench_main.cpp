@@ -1,18 +1,15 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "arcway/datasets/file_io.h"
-#include "bench/context/context.h"
 #include "bench/report/results.h"
 #include "bench/suites/corruption.h"
+#include "bench/suites/reporter.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
 
@@ -37,84 +34,7 @@ struct Options {
   bool corrupt = false;
 };
 
-void add_context(const Options& options) {
-  static const char* const names[] = {"check", "quick", "full"};
-  const auto add = [](const char* key, const std::string& value) { benchmark::AddCustomContext(key, value); };
-  for (const auto& [key, value] : machine_and_build()) add(key.c_str(), value);
-  add("study", names[static_cast<int>(options.study)]);
-  add("google_benchmark", ARCWAY_BENCH_GOOGLE);
-}
-
-// Whether and why a benchmark ended itself: Google Benchmark 1.8 renamed both members.
-template <class Run>
-bool was_skipped(const Run& run) {
-  if constexpr (requires { run.error_occurred; }) {
-    return run.error_occurred;
-  } else {
-    return run.skipped != decltype(run.skipped){};
-  }
-}
-
-template <class Run>
-const std::string& skip_message(const Run& run) {
-  if constexpr (requires { run.error_message; }) {
-    return run.error_message;
-  } else {
-    return run.skip_message;
-  }
-}
-
-/// Shows the runs, keeps them as JSON, and counts the failures.
-class Reporter final : public benchmark::BenchmarkReporter {
- public:
-  Reporter() : console_(benchmark::ConsoleReporter::OO_None) { json_.SetOutputStream(&text_); }
-
-  bool ReportContext(const Context& context) override {
-    console_.ReportContext(context);
-    return json_.ReportContext(context);
-  }
-  void ReportRuns(const std::vector<Run>& all) override {
-    // No aggregates: the report makes its own, and those of a counter that is zero are not numbers.
-    if (all.front().run_type == Run::RT_Aggregate) return;
-    std::vector<Run> runs = all;
-    // What is left out, or failed in any repetition, says so once and has no times.
-    const auto skipped = std::ranges::find_if(runs, was_skipped<Run>);
-    const bool ended_early = skipped != runs.end();
-    if (ended_early) runs = {*skipped};
-    if (!is_left_out(skip_message(runs.front()))) ++(ended_early ? failures_ : successes_);
-    console_.ReportRuns(runs);
-    json_.ReportRuns(runs);
-  }
-  void Finalize() override {
-    console_.Finalize();
-    json_.Finalize();
-  }
-
-  [[nodiscard]] int failures() const { return failures_; }
-  [[nodiscard]] int successes() const { return successes_; }
-  /// Google Benchmark's file, one line a run, without what names this machine's user (host, path of the program), and
-  /// without places in this run, which no longer hold once --update has mixed two. Google's compare.py and Bencher read
-  /// it.
-  [[nodiscard]] std::string json() const {
-    auto document = nlohmann::ordered_json::parse(text_.str());
-    for (const char* key : {"host_name", "executable"}) document["context"].erase(key);
-    std::string text = "{\n\"context\": " + document["context"].dump(1) + ",\n\"benchmarks\": [";
-    const char* separator = "\n";
-    for (auto& run : document["benchmarks"]) {
-      for (const char* key : {"family_index", "per_family_instance_index"}) run.erase(key);
-      text += separator + run.dump();
-      separator = ",\n";
-    }
-    return text + "\n]\n}\n";
-  }
-
- private:
-  benchmark::ConsoleReporter console_;
-  benchmark::JSONReporter json_;
-  std::ostringstream text_;
-  int failures_ = 0;
-  int successes_ = 0;
-};
+constexpr const char* kStudyNames[] = {"check", "quick", "full"};
 
 /// Takes the tool's own arguments; false if one is wrong. The others go on to Google Benchmark.
 bool take_options(int argc, char** argv, Options& options, std::vector<std::string>& others) {
@@ -166,12 +86,12 @@ int run(int argc, char** argv) {
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   auto count = static_cast<int>(pointers.size());
 
-  add_context(options);
+  add_context(kStudyNames[static_cast<int>(options.study)]);
   benchmark::Initialize(&count, pointers.data());
   set_corrupting(options.corrupt);
   if (options.corrupt) benchmark::ClearRegisteredBenchmarks();  // those that know nothing of it
   add_all_suites(options.study);
-  Reporter reporter;
+  Reporter reporter(true);
   if (benchmark::RunSpecifiedBenchmarks(&reporter) == 0) {
     std::fputs("arcway_bench: no benchmark of that name\n", stderr);
     return 2;

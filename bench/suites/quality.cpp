@@ -75,4 +75,25 @@ void count_quality(benchmark::State& state, const std::vector<PlanResult>& resul
   if (std::isfinite(clearance)) state.counters["min_clearance_m"] = clearance;  // not in a world without obstacles
 }
 
+void count_map(benchmark::State& state, const Planner& planner, double prepare_seconds,
+               const std::vector<PlanResult>& results) {
+  const auto having = [&](PlanStatus status) {
+    return static_cast<double>(std::ranges::count(results, status, &PlanResult::status));
+  };
+  std::vector<double> seconds;
+  for (const PlanResult& r : results) seconds.push_back(r.statistics.total_seconds);
+  state.counters["vertices"] = static_cast<double>(planner.world().vertices().size());
+  state.counters["body_length_m"] = planner.vehicle().parameters().length;
+  state.counters["prepare_seconds"] = prepare_seconds;
+  state.counters["queries"] = static_cast<double>(results.size());
+  state.counters["solved"] = having(PlanStatus::kSolved);
+  state.counters["start_blocked"] = having(PlanStatus::kStartBlocked);
+  state.counters["goal_blocked"] = having(PlanStatus::kGoalBlocked);
+  state.counters["no_path"] = having(PlanStatus::kNoPath) + having(PlanStatus::kNoPassage);
+  state.counters["time_limit"] = having(PlanStatus::kTimeLimit);
+  state.counters["first_seconds"] = seconds.front();
+  state.counters["plan_seconds_median"] = median(seconds);
+  state.counters["plan_seconds_p99"] = quantile(seconds, 0.99);
+}
+
 }  // namespace arcway::internal::bench

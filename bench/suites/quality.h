@@ -21,4 +21,8 @@ void count_search(benchmark::State& state, const std::vector<PlanResult>& result
 /// over the lower bound, the times of planning and the smallest clearance.
 void count_quality(benchmark::State& state, const std::vector<PlanResult>& results);
 
+/// Adds counters of a map, of what it took to prepare it, and of all queries there, also those that are not solved.
+void count_map(benchmark::State& state, const Planner& planner, double prepare_seconds,
+               const std::vector<PlanResult>& results);
+
 }  // namespace arcway::internal::bench

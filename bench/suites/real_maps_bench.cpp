@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -7,9 +6,9 @@
 #include "arcway/datasets/random_queries.h"
 #include "arcway/datasets/read_map.h"
 #include "bench/cpu_clock.h"
-#include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
+#include "bench/suites/quality.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
 
@@ -46,31 +45,12 @@ void plan_on(benchmark::State& state, const RealMap& map, GraphMode mode, std::s
   const std::vector<PlanRequest> requests =
       random_queries(world, planner.queries(), vehicle, {.count = count, .seed = 1, .passable = true});
   std::vector<PlanResult> results;
-  std::vector<double> seconds;
-  for (auto _ : state) {
-    for (const PlanRequest& request : requests) {
-      const CpuClock planning(CpuClock::Of::kProcess);
-      results.push_back(planner.plan(request, {.time = kTimeLimit}));
-      seconds.push_back(planning.seconds());
-    }
-  }
+  for (auto _ : state)
+    for (const PlanRequest& request : requests)
+      results.push_back(plan_by_processor_time(planner, request, {.time = kTimeLimit}));
   if (!require(state, are_right(planner, results), "the validator refuses a path, or there is none")) return;
   set_batch(state, count);
-  const auto having = [&](PlanStatus status) {
-    return static_cast<double>(std::ranges::count(results, status, &PlanResult::status));
-  };
-  state.counters["vertices"] = static_cast<double>(world.vertices().size());
-  state.counters["body_length_m"] = vehicle.parameters().length;
-  state.counters["prepare_seconds"] = prepare_seconds;
-  state.counters["queries"] = static_cast<double>(count);
-  state.counters["solved"] = having(PlanStatus::kSolved);
-  state.counters["start_blocked"] = having(PlanStatus::kStartBlocked);
-  state.counters["goal_blocked"] = having(PlanStatus::kGoalBlocked);
-  state.counters["no_path"] = having(PlanStatus::kNoPath);
-  state.counters["time_limit"] = having(PlanStatus::kTimeLimit);
-  state.counters["first_seconds"] = seconds.front();
-  state.counters["plan_seconds_median"] = quantile(seconds, 0.5);
-  state.counters["plan_seconds_p99"] = quantile(seconds, 0.99);
+  count_map(state, planner, prepare_seconds, results);
 }
 
 void add_map(const RealMap& map, GraphMode mode, std::size_t count) {

@@ -6,6 +6,7 @@ namespace arcway::internal::bench {
 namespace {
 
 constexpr std::string_view kPrefix = "left out: ";
+constexpr const char* kInterrupted = "interrupted";
 
 }  // namespace
 
@@ -42,6 +43,10 @@ void skip_for_budget(benchmark::State& state, double expected_seconds, double bu
   std::snprintf(text, sizeof text, "about %.3g s expected, the budget is %.3g s", expected_seconds, budget_seconds);
   leave_out(state, text);
 }
+
+void interrupt(benchmark::State& state) { leave_out(state, kInterrupted); }
+
+bool is_interrupted(std::string_view message) { return is_left_out(message) && message.ends_with(kInterrupted); }
 
 bool is_left_out(std::string_view message) { return message.starts_with(kPrefix); }
 

@@ -21,6 +21,11 @@ void leave_out(benchmark::State& state, std::string_view reason);
 /// Marks a benchmark as left out because it would take too long.
 void skip_for_budget(benchmark::State& state, double expected_seconds, double budget_seconds);
 
+/// Ends a repetition at a stop request: its run is in no results.
+void interrupt(benchmark::State& state);
+/// Whether an error message is that of interrupt.
+bool is_interrupted(std::string_view message);
+
 /// Whether an error message is that of leave_out.
 bool is_left_out(std::string_view message);
 

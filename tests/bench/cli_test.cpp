@@ -37,7 +37,7 @@ TEST_F(Tool, HelpGoesToStandardOutput) {
   const Run result = run("--help");
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
-  for (const char* command : {"plan", "graph", "generate", "validate", "doctor", "convert"}) {
+  for (const char* command : {"plan", "graph", "generate", "validate", "doctor", "convert", "bench"}) {
     EXPECT_NE(result.out.find(command), std::string::npos);
     EXPECT_EQ(run(std::string(command) + " --help").code, 0);
   }
@@ -779,7 +779,7 @@ TEST_F(Tool, GenerateGivesTheSameMapForTheSameSeed) {
 }
 
 TEST_F(Tool, ExplainsACommandByHelp) {
-  for (const char* command : {"plan", "graph", "generate", "validate", "doctor", "convert", "report"}) {
+  for (const char* command : {"plan", "graph", "generate", "validate", "doctor", "convert", "bench", "report"}) {
     const Run help = run(std::string("help ") + command);
     EXPECT_EQ(help.code, 0) << help.err;
     EXPECT_EQ(help.out, run(std::string(command) + " --help").out);
