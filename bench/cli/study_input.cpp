@@ -169,7 +169,7 @@ bench::MapStudy make_study(const StudyInput& input, const MapOptions& reading, s
     const bool in_catalog = !std::filesystem::exists(name) && is_catalog_name(name);
     const std::string label = name == "-" ? "standard_input" : in_catalog ? name : stem_of(name);
     study.maps.push_back({unique_name(without_signs(label, ":,\""), study.maps), std::move(map.world)});
-    notes += warning_rows(map);
+    if (const std::string rows = warning_rows(map); !rows.empty()) notes += row("map", name) + rows;
   }
   for (const StudyInput::Robot& robot : input.robots) {
     study.robots.push_back({unique_name(robot.name, study.robots), robot.vehicle});

@@ -188,7 +188,9 @@ void refuse_other_json(std::string_view content, std::string_view name) {
                                    {"\"osm3s\"", "JSON of OpenStreetMap"}})
     if (begin.find(mark) != std::string_view::npos)
       throw FormatError(std::string(name) + ": this is " + what + "; export it as GeoJSON");
-  for (const std::string_view own : {"arcway-robot", "arcway-plan", "arcway-scenario", "arcway-doctor", "arcway-graph"})
+  // Those first that may hold a robot or a plan.
+  for (const std::string_view own :
+       {"arcway-benchmark", "arcway-scenario", "arcway-plan", "arcway-robot", "arcway-doctor", "arcway-graph"})
     if (begin.find("\"" + std::string(own) + "\"") != std::string_view::npos)
       throw FormatError(std::string(name) + ": this is a file of the format " + std::string(own) + ", not a map");
 }

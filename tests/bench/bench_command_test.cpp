@@ -127,6 +127,31 @@ TEST_F(BenchCommand, TakesWhatAScenarioSays) {
   EXPECT_EQ(results_in("out").measurements.back().counters.at("queries"), 2.0);
   EXPECT_EQ(results_in("out").measurements.back().cpu_seconds.size(), 5u);
   expect_refused(path + " --queries 3", "--queries: only with maps; " + path + " says it all");
+  expect_bad_input("plan " + put("s.json", scenario.dump()) + test::kAround,
+                   "of the format arcway-benchmark, not a map");
+}
+
+TEST_F(BenchCommand, PlansAsItsOptionsSay) {
+  const auto plans = [&](const std::string& options) {
+    const Run result = run("bench " + map_ + " --repetitions 1 --out " + file("out") + " " + options);
+    EXPECT_EQ(result.code, 0) << options << result.err;
+    return results_in("out").measurements.back().counters;
+  };
+  const std::string behind = " --queries " + put("b.csv", "q,sx,sy,stheta,gx,gy,gtheta\n0,15,10,0,10,10,0\n");
+  EXPECT_GT(plans(behind)["time_over_bound_median"], 1.1);
+  EXPECT_LT(plans(behind + " --reverse")["time_over_bound_median"], 1.01);
+  const std::string sixth = put("six.csv",
+                                "q,sx,sy,stheta,gx,gy,gtheta\n0,5,5,0,50,50,0\n1,5,5,0,5,50,0\n2,5,5,0,50,5,0\n"
+                                "3,5,5,0,50,50,1\n4,5,5,0,5,50,1\n5,5,5,0,50,5,1\n");
+  EXPECT_EQ(plans("--queries " + sixth)["queries"], 6.0);
+  EXPECT_EQ(results_in("out").measurements[2].counters["queries"], 5.0);  // from the bare map the first ones
+  const auto limited = plans("--time-limit 1e-9 --queries " + sixth);
+  EXPECT_EQ(limited.at("time_limit"), 6.0);
+  EXPECT_FALSE(limited.contains("time_over_bound_median"));
+  const auto first = plans("--queries 4"), again = plans("--queries 4 --seed 1"), other = plans("--queries 4 --seed 2");
+  EXPECT_EQ(first.at("expansions_per_query"), again.at("expansions_per_query"));
+  EXPECT_EQ(first.at("trials_per_query"), again.at("trials_per_query"));
+  EXPECT_NE(first.at("time_over_bound_median"), other.at("time_over_bound_median"));
 }
 
 TEST_F(BenchCommand, RefusesWhatTheSchemaRefuses) {
@@ -169,6 +194,10 @@ TEST_F(BenchCommand, RefusesBadInputBeforeItMeasures) {
                      put("long.json", R"({"format":"arcway-robot","version":1,"length":100,)"
                                       R"("wheelbase":50})"),
                  "box for long: random queries: no free pair");
+  const Run warned =
+      run("bench " + map_ + " --queries 1 --repetitions 1 --robot " +
+          put("w.json", R"({"format":"arcway-robot","version":1,"wheelbase":9})") + " --out " + file("warned"));
+  EXPECT_NE(warned.out.find("are length and wheelbase swapped?"), std::string::npos) << warned.out << warned.err;
   expect_refused(map_ + " --repetitions 0", "--repetitions: 1 to 1000, got \"0\"");
   expect_refused(map_ + " --time-limit 0", "--time-limit: above 0 s, got \"0\"");
   expect_refused(map_ + " --seed x", "--seed: expected a whole number");
