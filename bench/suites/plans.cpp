@@ -11,10 +11,15 @@
 
 namespace arcway::internal::bench {
 
-bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResult& result) {
+ValidationReport validated(const Validator& validator, const Vehicle& vehicle, const PlanResult& result,
+                           const ValidationOptions& options) {
   TimedPath path = result.timed_path();
   if (corrupting() && !path.segments.empty()) path.segments.back().length += 0.01;
-  return validator(vehicle, result.start, result.goal, path).valid();
+  return validator(vehicle, result.start, result.goal, path, options);
+}
+
+bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResult& result) {
+  return validated(validator, vehicle, result).valid();
 }
 
 QuerySet fastest_queries(const World& world, const StopClock& clock) {

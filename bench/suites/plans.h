@@ -26,6 +26,9 @@ const World& shared_world(const KeptVehicle& kept, const std::string& world_name
 
 std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanRequest>& requests);
 
+/// What the validator says of the path of a plan, made longer by 1 cm where answers shall be wrong (`corrupting`).
+ValidationReport validated(const Validator& validator, const Vehicle& vehicle, const PlanResult& result,
+                           const ValidationOptions& options = {});
 /// Whether the validator takes the path.
 bool is_valid(const Validator& validator, const Vehicle& vehicle, const PlanResult& result);
 /// Whether at least one query is solved and the validator takes all paths.
