@@ -50,6 +50,7 @@ void plan_on(benchmark::State& state, const RealMap& map, GraphMode mode, std::s
       results.push_back(plan_by_processor_time(planner, request, {.time = kTimeLimit}));
   if (!require(state, are_right(planner, results), "the validator refuses a path, or there is none")) return;
   set_batch(state, count);
+  count_search(state, results);
   count_map(state, planner, prepare_seconds, results);
 }
 
