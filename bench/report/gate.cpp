@@ -72,7 +72,7 @@ void compare_times(const Measurement& before, const Measurement& after, const Ga
                             .is_time = true});
 }
 
-std::string percent_text(double share) { return number_text("%.3g %%", 100.0 * share); }
+std::string limit_text(double share) { return number_text("%.3g %%", 100.0 * share); }
 
 std::string factor_of(const Rise& rise) {
   return rise.before > 0.0 ? number_text("%.3f", rise.after / rise.before) : "from none";
@@ -85,7 +85,7 @@ std::string amount_text(const Rise& rise, double value) {
 }
 
 std::string rule_of(const Rise& rise, const GateLimits& limits) {
-  if (!rise.is_time) return "count, at most +" + percent_text(limits.counts);
+  if (!rise.is_time) return "count, at most +" + limit_text(limits.counts);
   return "time, at most " + number_text("%.3g", limits.times) + " times; p = " + number_text("%.2g", rise.p);
 }
 
@@ -103,7 +103,7 @@ std::string list_of(const std::string& title, const std::vector<Absence>& absenc
 /// What was compared, and what was not and why.
 std::string scope_text(const GateFindings& findings, const GateLimits& limits) {
   std::string text = "Compared: " + count_text(static_cast<double>(findings.counts)) + " counts, which may rise by " +
-                     percent_text(limits.counts) + "; ";
+                     limit_text(limits.counts) + "; ";
   if (!findings.same_processor)
     return text + "no times and no instructions, because the runs are of different processors.\n";
   text += count_text(static_cast<double>(findings.times)) + " processor times, whose fastest repetition may take " +
