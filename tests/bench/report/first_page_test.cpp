@@ -17,7 +17,7 @@ std::string quality(const std::string& name, double seconds, double over_bound, 
                  R"(,"time_over_bound_median":)" + std::to_string(over_bound) + R"(,"label":")" + label + "\"");
 }
 
-Inputs inputs_of(const std::string& runs) { return {read_results(file_of(runs), "r.json"), {}, {}}; }
+Inputs inputs_with(const std::string& runs) { return {read_results(file_of(runs), "r.json"), {}, {}}; }
 
 std::string lead_of(const Inputs& inputs) { return lead_paragraph(inputs, studies_of(inputs.results)); }
 
@@ -29,15 +29,15 @@ std::string growing_plans() {
 }
 
 TEST(Lead, LeavesOutWhatIsNotMeasured) {
-  const std::string what = lead_of(inputs_of(run("Build/n:10", 1.0)));
+  const std::string what = lead_of(inputs_with(run("Build/n:10", 1.0)));
   EXPECT_EQ(what,
             "arcway plans how a car-like vehicle gets from one position and heading to another in the shortest time "
             "without touching an obstacle.");
 }
 
 TEST(Lead, SaysWhatWasPlannedAndHowTheCostGrows) {
-  const std::string lead = lead_of(inputs_of(quality("car/convex_f30", 0.004, 1.05) + "," +
-                                             quality("convex_f30", 0.002, 1.02) + "," + growing_plans()));
+  const std::string lead = lead_of(inputs_with(quality("car/convex_f30", 0.004, 1.05) + "," +
+                                               quality("convex_f30", 0.002, 1.02) + "," + growing_plans()));
   EXPECT_NE(
       lead.find(
           " Here it solved 90 of 100 random tasks (90 %) for a real vehicle and the robot of the paper behind "
@@ -52,12 +52,12 @@ TEST(Lead, SaysWhatWasPlannedAndHowTheCostGrows) {
 }
 
 TEST(Lead, NamesOtherVehicles) {
-  const std::string lead = lead_of(inputs_of(quality("shuttle/campus", 0.004, 1.05)));
+  const std::string lead = lead_of(inputs_with(quality("shuttle/campus", 0.004, 1.05)));
   EXPECT_NE(lead.find("45 of 50 random tasks (90 %) for shuttle;"), std::string::npos) << lead;
 }
 
 TEST(Lead, SaysHowOthersCompare) {
-  Inputs inputs = inputs_of(run("Build/n:10", 1.0));
+  Inputs inputs = inputs_with(run("Build/n:10", 1.0));
   inputs.peers.emplace();
   inputs.peers->queries.push_back(
       {"n100",
@@ -89,9 +89,9 @@ TEST(PicturedQueries, AreAPlanAndTheSlowestOne) {
   const auto label = [](std::size_t query, double seconds) {
     return bench::label_of({.world = "clutter/star/n30/m10/f15/s1", .query = query, .seconds = seconds});
   };
-  Inputs inputs = inputs_of(quality("convex_f30", 0.002, 1.02, label(3, 0.5)) + "," +
-                            quality("forklift/star_f15", 0.004, 1.05, label(4, 0.75)) + "," +
-                            quality("car/convex_f30", 0.004, 1.05));
+  Inputs inputs = inputs_with(quality("convex_f30", 0.002, 1.02, label(3, 0.5)) + "," +
+                              quality("forklift/star_f15", 0.004, 1.05, label(4, 0.75)) + "," +
+                              quality("car/convex_f30", 0.004, 1.05));
   std::vector<PicturedQuery> pictured = pictured_queries(inputs);
   ASSERT_EQ(pictured.size(), 2u);
   EXPECT_EQ(pictured[0].vehicle, "car");
@@ -108,8 +108,8 @@ TEST(PicturedQueries, AreAPlanAndTheSlowestOne) {
   ASSERT_EQ(pictured.size(), 2u);
   EXPECT_EQ(pictured[1].world, "clutter/star/n1000/m10/f45");
   EXPECT_EQ(pictured[1].query, 7u);
-  EXPECT_TRUE(pictured_queries(inputs_of(run("Build/n:10", 1.0))).empty());
-  EXPECT_TRUE(pictured_queries(inputs_of(quality("shuttle/campus_front", 0.004, 1.05))).empty());
+  EXPECT_TRUE(pictured_queries(inputs_with(run("Build/n:10", 1.0))).empty());
+  EXPECT_TRUE(pictured_queries(inputs_with(quality("shuttle/campus_front", 0.004, 1.05))).empty());
 }
 
 }  // namespace
