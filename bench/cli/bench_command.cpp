@@ -11,6 +11,7 @@
 #include "bench/cli/signal_stop.h"
 #include "bench/cli/study_input.h"
 #include "bench/cli/study_peers.h"
+#include "bench/report/map_sections.h"
 #include "bench/report/results.h"
 #include "core/base/shortest_text.h"
 
@@ -122,6 +123,7 @@ int run_bench(const BenchArguments& arguments, std::string& out) {
     files.add(names.results, run.json);
     if (found.peers) files.add(names.peers, report::peer_results_json(*found.peers));
     out += add_report(files, names.report, found);
+    for (const std::string& sentence : report::own_map_findings(found.results)) out += "- " + sentence + "\n";
   }
   out += notes;
   if (is_interrupted) out += row("interrupted", "what was finished before is kept");

@@ -5,8 +5,10 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "bench/report/least_queries.h"
+#include "bench/report/map_sections.h"
 #include "bench/report/markup.h"
 #include "bench/report/peer_sections.h"
 #include "bench/report/vehicle_sections.h"
@@ -30,6 +32,7 @@ bool is_kept(const std::string& vehicle) { return vehicle_rank(vehicle) < bench:
 
 /// What all benchmarks of quality found together.
 struct QualityTotal {
+  bool is_of_own_maps = false;
   double queries = 0.0, solved = 0.0;
   std::set<std::string> vehicles;
   std::vector<double> seconds, over_bound;
@@ -37,7 +40,8 @@ struct QualityTotal {
 
 QualityTotal total_quality(const Results& results) {
   QualityTotal total;
-  for (const Measurement* m : of_stage(results, "Quality")) {
+  total.is_of_own_maps = is_of_own_maps(results);
+  for (const Measurement* m : of_stage(results, total.is_of_own_maps ? "RealMap" : "Quality")) {
     const double solved = solved_queries(*m);
     if (!(solved > 0.0)) continue;
     total.queries += m->counters.at("queries");
@@ -63,9 +67,12 @@ std::string vehicles_text(const std::set<std::string>& vehicles) {
 
 std::string planned_text(const QualityTotal& total) {
   if (!(total.queries > 0.0)) return {};
-  std::string text = " Here it solved " + count_text(total.solved) + " of " + count_text(total.queries) +
-                     " random tasks (" + number_text("%.0f", 100.0 * total.solved / total.queries) + " %) for " +
-                     vehicles_text(total.vehicles) + "; an independent check accepted every path.";
+  const bool own = total.is_of_own_maps;
+  std::string text =
+      " Here it solved " + count_text(total.solved) + " of " + count_text(total.queries) +
+      (own ? " tasks (" : " random tasks (") + number_text("%.0f", 100.0 * total.solved / total.queries) + " %) for " +
+      (own ? listed(std::vector(total.vehicles.begin(), total.vehicles.end())) : vehicles_text(total.vehicles)) +
+      "; an independent check accepted every path.";
   if (total.seconds.empty() || total.over_bound.empty()) return text;
   const auto [low, high] = std::ranges::minmax(total.seconds);
   const auto [best, worst] = std::ranges::minmax(total.over_bound);

@@ -67,7 +67,7 @@ std::vector<PlanRequest> requests_at(const std::string& world_name, double low) 
 }
 
 /// The first of a world's queries that has a plan, found once for each key.
-const PlanRequest& first_solved(const std::string& key, const World& world, const Vehicle& vehicle) {
+PlanRequest first_solved(const std::string& key, const World& world, const Vehicle& vehicle) {
   static std::map<std::string, PlanRequest> known;
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
@@ -193,7 +193,7 @@ void add_vehicles(Study study) {
           .add(size,
                [&kept, name](benchmark::State& state) {
                  const World& world = shared_world(kept, name);
-                 const PlanRequest& request =
+                 const PlanRequest request =
                      first_solved(std::string(kept.name) + " in " + name, world, kept.vehicle());
                  time_from_nothing(state, world, kept.vehicle(), request, GraphMode::kLazy);
                })

@@ -34,18 +34,18 @@ Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOp
           options};
 }
 
-const Planner& shared_planner(const std::string& world_name, Heuristic heuristic) {
+const Planner& shared_planner(std::string_view world_name, Heuristic heuristic) {
   static std::map<std::pair<std::string, Heuristic>, Planner> planners;
-  const std::pair key{world_name, heuristic};
+  const std::pair key{std::string(world_name), heuristic};
   const auto found = planners.find(key);
   if (found != planners.end()) return found->second;
   return planners.emplace(key, make_planner(shared_world(world_name), Vehicle(), {.heuristic = heuristic}))
       .first->second;
 }
 
-const World& shared_world(const KeptVehicle& kept, const std::string& world_name) {
+const World& shared_world(const KeptVehicle& kept, std::string_view world_name) {
   static std::map<std::pair<std::string_view, std::string>, World> worlds;
-  const std::pair key{kept.name, world_name};
+  const std::pair key{kept.name, std::string(world_name)};
   const auto found = worlds.find(key);
   if (found != worlds.end()) return found->second;
   return worlds.emplace(key, world_for(kept.vehicle(), world_name)).first->second;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "arcway/planner.h"
@@ -19,10 +19,10 @@ QuerySet fastest_queries(const World& world, const StopClock& clock = {});
 Planner make_planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options,
                      const Executor& executor = SerialExecutor());
 /// A planner for the paper's robot, made once for each name and heuristic and kept.
-const Planner& shared_planner(const std::string& world_name, Heuristic heuristic = Heuristic::kTravelTime);
+const Planner& shared_planner(std::string_view world_name, Heuristic heuristic = Heuristic::kTravelTime);
 
 /// world_for a kept vehicle, made once for each name and kept.
-const World& shared_world(const KeptVehicle& kept, const std::string& world_name);
+const World& shared_world(const KeptVehicle& kept, std::string_view world_name);
 
 std::vector<PlanResult> plan_all(const Planner& planner, const std::vector<PlanRequest>& requests);
 

@@ -1,6 +1,7 @@
 #include "bench/suites/suite.h"
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -99,12 +100,12 @@ benchmark::internal::Benchmark* Series::add(double size, Body body) {
   return add_benchmark(name_ + "/" + size_name_ + ":" + number_text(size), run);
 }
 
-const World& shared_world(const std::string& name) {
+const World& shared_world(std::string_view name) {
   static std::mutex mutex;
-  static std::map<std::string, World> worlds;
+  static std::map<std::string, World, std::less<>> worlds;
   const std::lock_guard lock(mutex);
   const auto found = worlds.find(name);
-  return found != worlds.end() ? found->second : worlds.emplace(name, catalog_world(name)).first->second;
+  return found != worlds.end() ? found->second : worlds.emplace(std::string(name), catalog_world(name)).first->second;
 }
 
 std::string clutter_name(std::string_view kind, std::size_t obstacles, std::size_t vertices, int fill_percent,

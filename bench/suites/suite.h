@@ -71,7 +71,7 @@ class Series {
 };
 
 /// The world of a catalog name, built once and kept.
-const World& shared_world(const std::string& name);
+const World& shared_world(std::string_view name);
 /// "clutter/convex/n1000/m10/f30/s1"
 std::string clutter_name(std::string_view kind, std::size_t obstacles, std::size_t vertices, int fill_percent,
                          std::uint64_t seed = 1);

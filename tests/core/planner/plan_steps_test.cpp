@@ -139,7 +139,7 @@ TEST(PlanSteps, FindAPathSoon) {
   };
   test::RandomInputs random(1);
   int solved = 0, others = 0;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 24; ++i) {
     const PlanRequest request{test::pose_in(world, random), test::pose_in(world, random)};
     const PlanResult soon = alone.plan(request), plan = all.plan(request), later = without.plan(request);
     if (!soon.solved()) continue;
