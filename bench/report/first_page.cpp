@@ -47,7 +47,7 @@ QualityTotal total_quality(const Results& results) {
     total.queries += m->counters.at("queries");
     total.solved += solved;
     total.vehicles.insert(vehicle_of(place_of(m->name).variant));
-    if (solved < kLeastQueries) continue;
+    if ((total.is_of_own_maps ? m->counters.at("queries") : solved) < kLeastQueries) continue;
     for (const auto& [name, values] :
          {std::pair("plan_seconds_median", &total.seconds), std::pair("time_over_bound_median", &total.over_bound)})
       if (const auto found = m->counters.find(name); found != m->counters.end()) values->push_back(found->second);

@@ -7,6 +7,7 @@
 
 #include "bench/quantiles.h"
 #include "bench/report/markup.h"
+#include "bench/report/noise.h"
 
 namespace arcway::internal::report {
 namespace {
@@ -57,11 +58,11 @@ std::string amount_of(const Measurement* m, const std::string& counter) {
 
 std::string seconds_of(const Measurement* m, const std::string& counter) {
   const std::optional<double> value = counter_of(m, counter);
-  return value ? time_text(*value) : kNoValue;
+  return value ? marked(time_text(*value), !noise_of(*m).empty()) : kNoValue;
 }
 
 std::string processor_time(const Measurement* m) {
-  return m == nullptr ? kNoValue : time_text(bench::median(m->cpu_seconds));
+  return m == nullptr ? kNoValue : marked(time_text(bench::median(m->cpu_seconds)), !noise_of(*m).empty());
 }
 
 std::string gap_text(const Measurement* m, const char* counter) {
@@ -134,7 +135,8 @@ Section own_cost_section(const Results& results) {
            "the map, the same for all robots. Feasible graph: all bitangents that the robot can drive. Prepared: "
            "both, and what the first query would wait for. First plan: from the bare map, with only what it asks "
            "for; the mean of the first queries. Plan: on the prepared map; the mean of all queries. Search and "
-           "refinement are parts of a plan, by the median over the queries that are solved."},
+           "refinement are parts of a plan, by the median over the queries that are solved.",
+           mark_meaning()},
       .figures = {},
       .table = {{"robot", "map", "vertices", "reduced graph", "edges", "feasible graph", "links", "prepared",
                  "first plan", "plan", "search", "refinement"},
@@ -159,7 +161,8 @@ Section own_quality_section(const Results& results) {
           {"The validator, which shares no decision with the planner, took every path. Blocked: no motion leads "
            "far from the start or to the goal. Gap: how much longer the travel time is than a lower bound that no "
            "path can beat, in the median over the queries that are solved; of the first path, before refinement, "
-           "and of the plan. Times are processor times; median and 99 % are of all queries."},
+           "and of the plan. Times are processor times; median and 99 % are of all queries.",
+           mark_meaning()},
       .figures = {},
       .table = {{"robot", "map", "solved", "blocked", "no path", "time limit", "first gap", "after", "gap", "after",
                  "99 %", "clearance", "expansions"},

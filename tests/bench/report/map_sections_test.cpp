@@ -65,6 +65,17 @@ TEST(OwnMaps, HaveTheCostOfEachStageAndTheQuality) {
   EXPECT_EQ(own_map_figures(results).size(), 1u);
 }
 
+TEST(OwnMaps, MarkWhatIsNoisy) {
+  Results results = own_results(1.0);
+  for (Measurement& m : results.measurements)
+    if (m.name != "ReducedGraph/a/b") m.wall_seconds.assign(2, 1.2 * m.cpu_seconds.front());
+  const std::vector<std::string> cost = own_cost_section(results).table.rows[0];
+  EXPECT_EQ(cost[3], "3 ms");
+  EXPECT_EQ(cost[5], "100 ms †");
+  EXPECT_EQ(cost[9], "50 ms †");
+  EXPECT_EQ(own_quality_section(results).table.rows[0][9], "20 ms †");
+}
+
 TEST(OwnMaps, WithoutAPlanHaveNoQuality) {
   const Results results = own_results(0.0);
   EXPECT_EQ(own_quality_section(results).table.rows[0][8], "–");
