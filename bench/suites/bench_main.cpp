@@ -55,7 +55,7 @@ bool take_options(int argc, char** argv, Options& options, std::vector<std::stri
     } else if (argument.rfind("--out=", 0) == 0) {
       options.out = argument.substr(6);
     } else if (argument.rfind("--benchmark_", 0) == 0) {
-      others.push_back(argument);
+      others.push_back(with_unit(argument));
     } else {
       return false;
     }

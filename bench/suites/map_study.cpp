@@ -183,7 +183,7 @@ class MapBenchmarks {
 }  // namespace
 
 MapStudyRun run_map_study(const MapStudy& study, const MapStudyProgress& progress) {
-  std::string program = "arcway", least = "--benchmark_min_time=" + std::to_string(kLeastSeconds);
+  std::string program = "arcway", least = with_unit("--benchmark_min_time=" + std::to_string(kLeastSeconds));
   char* arguments[] = {program.data(), least.data()};
   int count = 2;
   benchmark::Initialize(&count, arguments);

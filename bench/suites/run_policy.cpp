@@ -1,12 +1,19 @@
 #include "bench/suites/run_policy.h"
 
+#include <cctype>
 #include <cstdio>
 
 namespace arcway::internal::bench {
 namespace {
 
 constexpr std::string_view kPrefix = "left out: ";
+constexpr std::string_view kLeastTime = "--benchmark_min_time=";
 constexpr const char* kInterrupted = "interrupted";
+
+bool takes_units() {
+  int major = 0, minor = 0;
+  return std::sscanf(ARCWAY_BENCH_GOOGLE, "%d.%d", &major, &minor) == 2 && (major > 1 || minor >= 8);
+}
 
 }  // namespace
 
@@ -25,13 +32,18 @@ double size_budget(Study study) {
 std::vector<std::string> benchmark_arguments(Study study) {
   switch (study) {
     case Study::kCheck:
-      return {"--benchmark_min_time=0"};
+      return {with_unit("--benchmark_min_time=0")};
     case Study::kQuick:
-      return {"--benchmark_min_time=0.02", "--benchmark_repetitions=3"};
+      return {with_unit("--benchmark_min_time=0.02"), "--benchmark_repetitions=3"};
     case Study::kFull:
-      return {"--benchmark_min_time=0.1", "--benchmark_repetitions=5"};
+      return {with_unit("--benchmark_min_time=0.1"), "--benchmark_repetitions=5"};
   }
   return {};
+}
+
+std::string with_unit(std::string argument) {
+  const bool has_none = argument.starts_with(kLeastTime) && std::isdigit(static_cast<unsigned char>(argument.back()));
+  return has_none && takes_units() ? argument + "s" : argument;
 }
 
 void leave_out(benchmark::State& state, std::string_view reason) {

@@ -16,6 +16,10 @@ double size_budget(Study study);
 /// Google Benchmark's arguments for a study: repetitions, and how long each is to take.
 std::vector<std::string> benchmark_arguments(Study study);
 
+/// An argument of Google Benchmark as the version at hand wants it: from 1.8 on, `--benchmark_min_time=0.02` has a
+/// unit.
+std::string with_unit(std::string argument);
+
 /// Marks a benchmark as left out, which is no error.
 void leave_out(benchmark::State& state, std::string_view reason);
 /// Marks a benchmark as left out because it would take too long.
