@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/slowest_query.h"
@@ -49,6 +50,14 @@ TEST(Lead, SaysWhatWasPlannedAndHowTheCostGrows) {
       lead.ends_with("With ten times as many obstacles, the first plan on a new map takes 10 times as long (it "
                      "grows like n^1.00 with n obstacles): 1 s among 100,000."))
       << lead;
+}
+
+TEST(Lead, SaysNothingByAFitOfAWideInterval) {
+  std::string runs;
+  for (const auto& [n, seconds] : {std::pair(10, 0.03), {32, 0.01}, {100, 0.03}, {316, 0.01}, {1000, 0.1}})
+    runs += (runs.empty() ? "" : ",") + run("Plan/lazy/obstacles:" + std::to_string(n), seconds);
+  const std::string lead = lead_of(inputs_with(runs));
+  EXPECT_EQ(lead.find("With ten times"), std::string::npos) << lead;
 }
 
 TEST(Lead, NamesOtherVehicles) {
