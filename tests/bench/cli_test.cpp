@@ -904,10 +904,15 @@ TEST_F(Tool, GeneratesQueriesForAnyMap) {
 
 TEST_F(Tool, KeepsFinishedQueriesWhenInterrupted) {
   ASSERT_EQ(run("generate " + map_ + " --queries " + file("q.csv") + " --count 50000").code, 0);
-  const Run result = run_command("timeout --preserve-status -s INT 3 \"" ARCWAY_TOOL "\" plan " + map_ + " --queries " +
-                                 file("q.csv") + " --out " + file("r.csv"));
-  EXPECT_EQ(result.code, 130) << result.err << result.out;
-  const std::vector<std::string> lines = lines_of(read("r.csv"));
+  // How long the first row takes depends on the machine; 50,000 take far longer on any.
+  std::vector<std::string> lines;
+  for (const char* seconds : {"3", "12", "48"}) {
+    const Run result = run_command("timeout --preserve-status -s INT " + std::string(seconds) + " \"" ARCWAY_TOOL "\" plan " +
+                                   map_ + " --queries " + file("q.csv") + " --out " + file("r.csv"));
+    EXPECT_EQ(result.code, 130) << result.err << result.out;
+    lines = lines_of(read("r.csv"));
+    if (lines.size() > 3) break;
+  }
   ASSERT_GT(lines.size(), 3u);
   EXPECT_LT(lines.size(), 20000u);
   EXPECT_EQ(lines[2].rfind("# interrupted: ", 0), 0u) << lines[2];
