@@ -103,6 +103,8 @@ void PlanArguments::add_outputs_to(CLI::App& command) {
       ->type_name("gear|speed")
       ->capture_default_str()
       ->needs(picture);
+  command.add_flag("--svg-inset", svg_inset, "Magnify the place of the smallest clearance in a corner of the picture")
+      ->needs(picture);
   command.add_option("--json", json, "Write the exact plan; with --queries one object a line")->type_name("F.json");
   command.add_option("--csv", csv, "Write the path as samples; of --alternatives the first")->type_name("F.csv");
   command.add_option("--ros-path", ros_path, "Write the path as a nav_msgs/Path in JSON; likewise")

@@ -35,6 +35,7 @@ struct PlanArguments {
   std::string sample_step;
   std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "axes", "markers"};
   std::string svg_view = "map", svg_color = "gear";
+  bool svg_inset = false;
   BuildOptions build;
 
   void add_to(CLI::App& command);

@@ -12,6 +12,8 @@
 #include "bench/cli/counts_json.h"
 #include "core/base/shortest_text.h"
 #include "core/gaps/bottleneck_finder.h"
+#include "core/geometry/closest_pair.h"
+#include "core/motion/clearance.h"
 #include "core/roadmap/feasible_graph.h"
 
 namespace arcway::internal::cli {
@@ -41,6 +43,34 @@ std::vector<std::string> lines_of(const std::string& reason) {
     first = end + 2;
   }
   return lines;
+}
+
+// The point of an edge that is nearest to the body at a pose.
+Vec2 nearest_point(const LineSegment& edge, const Footprint& body, const Pose& pose) {
+  const SweptRectangle corners = swept_rectangle(pose, 0.0, body);
+  ClosestPair nearest;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ClosestPair pair = closest_pair({corners[i], corners[(i + 1) % corners.size()]}, edge);
+    if (pair.distance < nearest.distance) nearest = pair;
+  }
+  return nearest.b;
+}
+
+// Where the body comes nearest to an obstacle, once more and magnified.
+void add_inset(SvgPicture& svg, const Planner& planner, const PlanResult& result) {
+  const Footprint body = planner.vehicle().footprint();
+  Clearance least;
+  Pose pose = result.start;
+  for (const PathSegment& segment : result.path()) {
+    const Clearance here = clearance_along(segment, body, planner.world());
+    if (!(here.distance < least.distance)) continue;
+    least = here;
+    pose = segment.at(here.arc_length);
+  }
+  if (least.edge == kNone) return;
+  svg.add_bodies(std::vector{pose}, body);
+  svg.add_inset(nearest_point(planner.world().edges()[least.edge], body, pose), body.front + body.rear,
+                "the smallest clearance, " + rounded_text(least.distance) + " m");
 }
 
 // Picture of the first plan, with the lines of the others.
@@ -76,6 +106,7 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
                           "alternative " + std::to_string(i + 1) + ": " + caption_of(plans[i].result));
     svg.add_path(result.path(), body, caption_of(result));
     if (arguments.svg_color == "speed") svg.add_speeds(result.trajectory());
+    if (arguments.svg_inset) add_inset(svg, planner, result);
     svg.set_title("Time-optimal path",
                   "The path of a car-like robot among polygonal obstacles, with its body drawn "
                   "along the way.");

@@ -37,6 +37,9 @@ constexpr std::string_view kHalo = R"( stroke="#ffffff" stroke-width="3" paint-o
 constexpr double kLetter = 8.6;             // width of a bold letter, on the safe side [px]
 constexpr std::size_t kMostNumbers = 2000;  // obstacles that are numbered; more would hide the map
 constexpr double kSpeedColors = 40.0;       // steps of color from rest to the highest speed
+constexpr double kDriven = 10.0;            // between points of a path that are counted in corners [px]
+constexpr double kInset = 0.33;             // side of an inset by the map's shorter side
+constexpr double kInsetBorder = 44.0;       // between an inset and the map's edge, for the marks of axes [px]
 // Viridis at even steps, from slow to fast: it is told apart in gray and by color-blind people.
 constexpr std::array<std::array<double, 3>, 5> kViridis = {
     {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
@@ -206,6 +209,7 @@ void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& bo
   if (path.empty()) return;
   const bool alone = alternatives_ == 0;
   add_line(path, body, {kPathColor, alone ? kReverseColor : kPathColor});
+  for (const Vec2& p : polyline(path, kDriven / scale_)) driven_.push_back(to_picture(p));
   if (!text.empty()) captions_.insert(captions_.begin(), (alone ? "" : square(kPathColor)) + escaped(text));
   const double spacing = std::max(2.0 * (body.front + body.rear), 40.0 / scale_);
   std::vector<Pose> poses{path.front().start};
@@ -422,6 +426,54 @@ void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string
   add_label(p + Vec2(0.0, u.y() < 0.0 ? 18.0 : -10.0), color, label);
 }
 
+void SvgPicture::add_inset(const Vec2& place, double side, std::string_view text) {
+  inset_ = Inset{place, side, escaped(text)};
+}
+
+Vec2 SvgPicture::corner_for_inset(double size) const {
+  const double right = width_ - kInsetBorder - size, bottom = height_ - kInsetBorder - size;
+  Vec2 best(kInsetBorder, kInsetBorder);
+  std::size_t least = driven_.size() + 1;
+  for (const Vec2& corner :
+       {Vec2(kInsetBorder, kInsetBorder), Vec2(right, kInsetBorder), Vec2(kInsetBorder, bottom), Vec2(right, bottom)}) {
+    const Box box{corner, corner + Vec2(size, size)};
+    const auto covered =
+        static_cast<std::size_t>(std::ranges::count_if(driven_, [&](const Vec2& p) { return box.contains(p); }));
+    if (covered < least) best = corner;
+    least = std::min(least, covered);
+  }
+  return best;
+}
+
+void SvgPicture::append_inset(std::string& out) const {
+  if (!inset_) return;
+  const double size = kInset * std::min(width_, height_), shown = inset_->side * scale_;
+  const Vec2 corner = corner_for_inset(size), from = to_picture(inset_->place) - Vec2(0.5 * shown, 0.5 * shown);
+  const auto square_at = [](const Vec2& at, double side, double parts) {
+    std::string x, y, s;
+    append(x, at.x(), parts);
+    append(y, at.y(), parts);
+    append(s, side, parts);
+    return "x=\"" + x + "\" y=\"" + y + "\" width=\"" + s + "\" height=\"" + s + "\"";
+  };
+  std::string view;
+  for (const double number : {from.x(), from.y(), shown, shown}) {
+    if (!view.empty()) view += ' ';
+    append(view, number, 1000.0);
+  }
+  out += "<g id=\"inset\">\n<rect " + square_at(from, shown, 10.0) +
+         " fill=\"none\" stroke=\"#2b3340\" stroke-dasharray=\"4 3\"/>\n";
+  out += "<svg " + square_at(corner, size, 10.0) + " viewBox=\"" + view + "\">\n<rect " +
+         square_at(from, shown, 1000.0) + " fill=\"" + (bounds_.empty() ? kFreeColor : kOutsideColor) +
+         "\"/>\n<use href=\"#map\"/>\n</svg>\n";
+  out += "<rect " + square_at(corner, size, 10.0) + " fill=\"none\" stroke=\"#2b3340\" stroke-width=\"1.5\"/>\n";
+  out += "<text" + std::string(kHalo) + " font-size=\"12\" fill=\"#2b3340\" x=\"";
+  append(out, corner.x());
+  out += "\" y=\"";
+  append(out, corner.y() - 6.0);
+  out += "\">" + inset_->text + "</text>\n</g>\n";
+}
+
 std::span<const std::string_view> SvgPicture::layers() {
   static constexpr std::string_view kLayers[] = {"bounds", "obstacles", "graph", "swept",  "robot",
                                                  "path",   "numbers",   "axes",  "markers"};
@@ -534,6 +586,7 @@ std::string SvgPicture::str() const {
   // Marks are dark, their texts have a light edge.
   add_layer("axes", R"(font-size="11" fill="#2b3340")", axes_);
   add_layer("markers", R"(font-weight="bold")", markers_);
+  append_inset(out);
   out += "</g>\n";
   append_captions(out, captions);
   out += "</svg>\n";

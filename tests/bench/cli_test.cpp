@@ -662,13 +662,15 @@ TEST_F(Tool, DrawsTheLayersAskedFor) {
   const std::string all = read("p.svg");
   EXPECT_NE(all.find("id=\"swept\""), std::string::npos);
   EXPECT_EQ(all.find("id=\"graph\""), std::string::npos);
+  ASSERT_EQ(run(plan + " --svg-inset").code, 0);
+  EXPECT_NE(read("p.svg").find(">the smallest clearance, "), std::string::npos);
   ASSERT_EQ(run(plan + " --svg-layers obstacles,graph --svg-view path").code, 0);
   const std::string graph = read("p.svg");
   EXPECT_NE(graph.find("id=\"graph\""), std::string::npos);
   EXPECT_EQ(graph.find("id=\"path\""), std::string::npos);
   expect_bad_input(plan + " --svg-layers walls", "--svg-layers");
   expect_bad_input(plan + " --svg-view goal", "--svg-view");
-  for (const std::string option : {"--svg-view path", "--svg-layers path"}) {
+  for (const std::string option : {"--svg-view path", "--svg-layers path", "--svg-inset"}) {
     const std::string name = option.substr(0, option.find(' '));
     expect_bad_input("plan " + map_ + kAround + " " + option, name + " requires --svg");
   }
@@ -907,8 +909,9 @@ TEST_F(Tool, KeepsFinishedQueriesWhenInterrupted) {
   // How long the first row takes depends on the machine; 50,000 take far longer on any.
   std::vector<std::string> lines;
   for (const char* seconds : {"3", "12", "48"}) {
-    const Run result = run_command("timeout --preserve-status -s INT " + std::string(seconds) + " \"" ARCWAY_TOOL "\" plan " +
-                                   map_ + " --queries " + file("q.csv") + " --out " + file("r.csv"));
+    const Run result =
+        run_command("timeout --preserve-status -s INT " + std::string(seconds) + " \"" ARCWAY_TOOL "\" plan " + map_ +
+                    " --queries " + file("q.csv") + " --out " + file("r.csv"));
     EXPECT_EQ(result.code, 130) << result.err << result.out;
     lines = lines_of(read("r.csv"));
     if (lines.size() > 3) break;

@@ -165,6 +165,22 @@ TEST(Svg, ColorsThePathBySpeed) {
   EXPECT_EQ(svg.find("{y}"), std::string::npos);
 }
 
+TEST(Svg, MagnifiesAPlaceInTheCornerThatThePathLeavesFree) {
+  const Path path{{{5, 5, 0}, 90.0, 0.0}, {{95, 5, kPi / 2}, 90.0, 0.0}, {{95, 95, kPi}, 45.0, 0.0}};
+  SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 100}, {0, 100}}), 1000.0);
+  picture.add_path(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+  picture.add_inset({95, 5}, 4.0, "2 < 3");
+  const std::string svg = picture.str();
+  // The place: 4 m of 10 px each about (95, 5), whose pixel is 16 + 950, 16 + 950.
+  EXPECT_NE(svg.find("viewBox=\"946 946 40 40\""), std::string::npos);
+  EXPECT_NE(svg.find("<use href=\"#map\"/>"), std::string::npos);
+  // Its corner is the upper left one: the path runs through the others, or nearly to the middle of that side.
+  EXPECT_NE(svg.find("<svg x=\"44\" y=\"44\""), std::string::npos);
+  EXPECT_NE(svg.find(">2 &lt; 3</text>"), std::string::npos);
+  SvgPicture plain(World({}, Ring{{0, 0}, {100, 0}, {100, 100}, {0, 100}}), 1000.0);
+  EXPECT_EQ(plain.str().find("inset"), std::string::npos);
+}
+
 TEST(Svg, IsWrittenOfAPlan) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "arcway_plan.svg";
   const Planner planner(World({Polygon::rectangle({8, -4}, {12, 4})}), Vehicle{});

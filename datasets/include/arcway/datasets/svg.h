@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -65,6 +66,10 @@ class ARCWAY_API SvgPicture {
   void add_place(const Vec2& place, std::string_view text);
   /// Draws a gap from one point to another among the markers, with a text beside it.
   void add_gap(const Vec2& a, const Vec2& b, std::string_view text);
+  /// Draws the surroundings of a place once more, magnified, in the corner of the map that the path covers least.
+  /// @param side  of the square that is shown [m], > 0.
+  /// @param text  above the inset.
+  void add_inset(const Vec2& place, double side, std::string_view text = {});
   /// All layers but the caption.
   static std::span<const std::string_view> layers();
   /// Empties all layers but these.
@@ -94,6 +99,9 @@ class ARCWAY_API SvgPicture {
   void add_tick(const Vec2& at, const Vec2& line, double meters);
   /// What lies below the map.
   void append_captions(std::string& out, const std::vector<std::string>& captions) const;
+  void append_inset(std::string& out) const;
+  /// The left upper corner of the place for an inset of this size [px].
+  [[nodiscard]] Vec2 corner_for_inset(double size) const;
   /// Lines of a text that fit below the map.
   [[nodiscard]] std::vector<std::string> wrapped(std::string_view text) const;
   /// A text beside a point of the picture, and within it.
@@ -112,6 +120,13 @@ class ARCWAY_API SvgPicture {
   std::string bounds_, obstacles_, graph_, swept_, path_, robot_, numbers_, axes_, markers_;
   std::string legend_;  // of speeds, below the captions
   std::vector<std::string> captions_;
+  struct Inset {
+    Vec2 place;   // [m]
+    double side;  // [m]
+    std::string text;
+  };
+  std::optional<Inset> inset_;
+  std::vector<Vec2> driven_;  // points of the path [px]
   std::size_t alternatives_ = 0;
   bool backwards_ = false;  // some path is driven so
   std::string title_, description_;
