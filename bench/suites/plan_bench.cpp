@@ -99,21 +99,29 @@ void time_from_nothing(benchmark::State& state, const World& world, const Vehicl
   state.counters["bytes_per_vertex"] = static_cast<double>(after.live_bytes - before.live_bytes) / vertices;
 }
 
-/// A real vehicle's plans on a prepared map, each once.
+/// A real vehicle's plans on a prepared map that has answered these queries before.
 void time_prepared(benchmark::State& state, const KeptVehicle& kept, const std::string& world_name) {
-  static std::map<std::pair<std::string_view, std::string>, Planner> planners;
+  struct Prepared {
+    Planner planner;
+    bool is_right;
+  };
+  static std::map<std::pair<std::string_view, std::string>, Prepared> known;
   const World& world = shared_world(kept, world_name);
-  const std::pair key{kept.name, world_name};
-  auto found = planners.find(key);
-  if (found == planners.end()) found = planners.emplace(key, make_planner(world, kept.vehicle(), {})).first;
-  const Planner& planner = found->second;
-  planner.warm_up();
   const std::vector<PlanRequest> requests = queries_for(kept.vehicle(), world, kVehicleQueries, 1);
+  const std::pair key{kept.name, world_name};
+  auto found = known.find(key);
+  if (found == known.end()) {
+    Planner planner = make_planner(world, kept.vehicle(), {});
+    planner.warm_up();
+    // Asked once, so that no repetition makes the maps that only some queries need.
+    const bool is_right = are_right(planner, plan_all(planner, requests));
+    found = known.emplace(key, Prepared{std::move(planner), is_right}).first;
+  }
+  if (!require(state, found->second.is_right, kWrong)) return;
   std::vector<PlanResult> results;
   const LoopWork work;
-  for (auto _ : state) results = plan_all(planner, requests);
+  for (auto _ : state) results = plan_all(found->second.planner, requests);
   work.count(state, "query", requests.size());
-  if (!require(state, are_right(planner, results), kWrong)) return;
   count_search(state, results);
   set_batch(state, requests.size());
   state.counters["vertices"] = static_cast<double>(world.vertices().size());

@@ -52,7 +52,8 @@ void leave_out(benchmark::State& state, std::string_view reason) {
 
 void skip_for_budget(benchmark::State& state, double expected_seconds, double budget_seconds) {
   char text[128];
-  std::snprintf(text, sizeof text, "about %.3g s expected, the budget is %.3g s", expected_seconds, budget_seconds);
+  std::snprintf(text, sizeof text, "about %.*f s expected, the budget is %.3g s", expected_seconds < 10.0 ? 1 : 0,
+                expected_seconds, budget_seconds);
   leave_out(state, text);
 }
 
