@@ -15,7 +15,7 @@ namespace arcway::internal::bench {
 
 /// The wall-to-wall turning radius [m]: that of the circle that the body sweeps in its tightest turn.
 inline double outer_turning_radius(const Vehicle& vehicle) {
-  return swept_annulus(vehicle.footprint(), vehicle.min_turning_radius()).outer;
+  return swept_annulus(vehicle.footprint(), Side::kLeft, vehicle.min_turning_radius()).outer;
 }
 
 /// The factor between worlds for a vehicle and those of the catalog, which are made for the paper's robot: the ratio of

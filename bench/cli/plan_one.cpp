@@ -83,7 +83,7 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
   view.extend(result.goal.position());
   for (const Place& place : request.waypoints) view.extend(place.position);
   // All that the body covers: on arcs the path bulges beyond its joints.
-  const double length = body.front + body.rear, far = std::hypot(std::max(body.front, body.rear), body.half_width);
+  const double length = body.length(), far = body.farthest();
   for (const CheckedPlan& plan : plans)
     for (const Vec2& p : polyline(plan.result.path(), std::max(length, plan.result.length / 10'000.0)))
       view.extend(Box{p, p}.grown(far));

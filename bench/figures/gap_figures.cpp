@@ -109,7 +109,8 @@ Figure minimum_distance_pairs(const Planner& planner, const PlanResult& plan) {
       std::to_string(to_path.size()) + " from its segments to obstacles (green).\nThe narrowest gap is " +
       digits(narrowest, 1) + " m wide; driving straight needs " + digits(planner.vehicle().parameters().width, 1) +
       " m, (6), turning at the smallest radius " +
-      digits(swept_annulus(planner.vehicle().footprint(), planner.vehicle().min_turning_radius()).width(), 2) +
+      digits(swept_annulus(planner.vehicle().footprint(), Side::kLeft, planner.vehicle().min_turning_radius()).width(),
+             2) +
       " m, (7).";
   picture.set_title("Minimum distances along the path");
   add_caption(picture, caption);

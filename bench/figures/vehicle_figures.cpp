@@ -12,12 +12,16 @@ constexpr const char* kOrange = "#d55e00";
 constexpr const char* kGreen = "#009e73";
 constexpr const char* kGray = "#7a828c";
 
-/// A rectangle about a point, turned.
-std::string rectangle(const Canvas& canvas, const Pose& pose, double front, double rear, double half_width) {
+constexpr Footprint kWheel{0.14, 0.14, 0.04, 0.04};
+
+/// A body at a pose.
+std::string rectangle(const Canvas& canvas, const Pose& pose, const Footprint& body) {
   std::string points;
   const Vec2 ahead = direction_of(pose.heading);
-  for (const auto& [x, y] :
-       {std::pair{front, half_width}, {-rear, half_width}, {-rear, -half_width}, {front, -half_width}})
+  for (const auto& [x, y] : {std::pair{body.front, body.left},
+                             {-body.rear, body.left},
+                             {-body.rear, -body.right},
+                             {body.front, -body.right}})
     points += canvas.at(pose.position() + x * ahead + y * perpendicular(ahead));
   return points;
 }
@@ -30,12 +34,12 @@ Figure vehicle_model(const Vehicle& vehicle) {
   const double radius = vehicle.min_turning_radius();
   Canvas canvas({-0.6, -0.75}, {2.6, radius + 0.25}, {230.0, 230.0});
   const Vec2 center(0.0, radius);  // F at the origin, heading along +x
-  canvas.polygon(rectangle(canvas, {}, body.front, body.rear, body.half_width), "#dfe7ef", kBlue);
-  const double gauge = 0.8 * body.half_width;
+  canvas.polygon(rectangle(canvas, {}, body), "#dfe7ef", kBlue);
+  const double gauge = 0.4 * body.width();
   for (const double side : {-1.0, 1.0}) {
-    canvas.polygon(rectangle(canvas, {0.0, side * gauge, 0.0}, 0.14, 0.14, 0.04), "#1d2126", "#1d2126");
+    canvas.polygon(rectangle(canvas, {0.0, side * gauge, 0.0}, kWheel), "#1d2126", "#1d2126");
     const double angle = std::atan2(p.wheelbase, radius - side * gauge);
-    canvas.polygon(rectangle(canvas, {p.wheelbase, side * gauge, angle}, 0.14, 0.14, 0.04), "#1d2126", "#1d2126");
+    canvas.polygon(rectangle(canvas, {p.wheelbase, side * gauge, angle}, kWheel), "#1d2126", "#1d2126");
     canvas.line({p.wheelbase, side * gauge}, center, kGray, 1.0, "4 4");
   }
   canvas.line({0.0, -gauge}, center, kGray, 1.0, "4 4");
@@ -61,7 +65,7 @@ Figure vehicle_model(const Vehicle& vehicle) {
 Figure swept_turn(const Vehicle& vehicle) {
   const Footprint body = vehicle.footprint();
   const double radius = vehicle.min_turning_radius();
-  const SweptAnnulus swept = swept_annulus(body, radius);
+  const SweptAnnulus swept = swept_annulus(body, Side::kLeft, radius);
   Canvas canvas({-swept.outer - 0.1, -0.2}, {swept.outer + 0.1, swept.outer + 0.15}, {140.0, 140.0});
   std::string annulus;
   for (int i = 0; i <= 60; ++i) annulus += canvas.at(swept.outer * direction_of(kPi * i / 60.0));
@@ -72,8 +76,7 @@ Figure swept_turn(const Vehicle& vehicle) {
   for (int i = 2; i <= 6; ++i) {
     const double angle = 0.1 * kPi * i;
     const Vec2 at = radius * direction_of(angle);
-    canvas.polygon(rectangle(canvas, {at.x(), at.y(), angle + 0.5 * kPi}, body.front, body.rear, body.half_width),
-                   "#cfdde9", kBlue, 0.5);
+    canvas.polygon(rectangle(canvas, {at.x(), at.y(), angle + 0.5 * kPi}, body), "#cfdde9", kBlue, 0.5);
   }
   canvas.curve(track, "#1d2126", 2.0, "6 4");
   canvas.dot({0.0, 0.0}, kOrange);
@@ -84,7 +87,7 @@ Figure swept_turn(const Vehicle& vehicle) {
   const std::string caption =
       "A turn at ρ = " + digits(radius, 2) + " m sweeps the ring from ρ_in = " + digits(swept.inner, 2) +
       " to ρ_out = " + digits(swept.outer, 2) + " m,\nw_s = " + digits(swept.width(), 2) +
-      " m wide, where driving straight takes 2b = " + digits(2.0 * body.half_width, 2) + " m.\nDashed: the path of F.";
+      " m wide, where driving straight takes 2b = " + digits(body.width(), 2) + " m.\nDashed: the path of F.";
   return {"figure5", canvas.str("The swept area of a turn", caption), caption};
 }
 

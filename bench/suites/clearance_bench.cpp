@@ -45,7 +45,7 @@ bool is_clearance(double found, const PathSegment& segment, const Footprint& bod
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= kSteps; ++i)
     least = std::min(least, clearance_at(segment.at(segment.length * i / kSteps), body, world));
-  const double reach = std::hypot(std::max(body.front, body.rear), body.half_width);
+  const double reach = body.farthest();
   const double half_step = 0.5 * segment.length / kSteps * (1.0 + std::abs(segment.curvature) * reach);
   return found <= least + 1e-9 && found >= least - half_step;
 }

@@ -47,7 +47,7 @@ class CircleLinks {
   // Pieces of outline that no nearer one hides. If their circles are more than the limit allows, the nearest come
   // first.
   void find_pieces(std::vector<std::uint32_t>& pieces) {
-    const bool body_covers_reference = map_.body.front >= 0.0 && map_.body.rear >= 0.0;
+    const bool body_covers_reference = map_.body.covers_reference();
     std::size_t circles = 0;
     map_.places->visit_near_first(
         own_.circle.center, [&](const Box& box) { return !is_far(box) && !horizon_.hides(box); },

@@ -133,9 +133,7 @@ void add_end(const Vec2& p, const TurnedBody& b, TurnContacts& contacts) {
 }  // namespace
 
 ContactReach::ContactReach(const Outlines& outlines, const Footprint& body)
-    : outlines_(&outlines),
-      body_(body),
-      around_(std::hypot(std::max(std::abs(body.front), std::abs(body.rear)), body.half_width)) {}
+    : outlines_(&outlines), body_(body), around_(body.farthest()) {}
 
 void ContactReach::begin(const Pose& pose, double most) {
   most_ = most;
@@ -165,7 +163,7 @@ double ContactReach::distance_to_body(const LineSegment& edge) const {
   const auto [low_x, high_x] = std::minmax(edge.a.x(), edge.b.x());
   const auto [low_y, high_y] = std::minmax(edge.a.y(), edge.b.y());
   const double x = std::max({0.0, low_x - body_.front, -body_.rear - high_x});
-  const double y = std::max({0.0, low_y - body_.half_width, -body_.half_width - high_y});
+  const double y = std::max({0.0, low_y - body_.left, -body_.right - high_y});
   return (1.0 - kShorter) * std::sqrt(x * x + y * y);
 }
 
@@ -173,19 +171,22 @@ double ContactReach::operator()(double curvature, Gear gear) const {
   if (curvature == 0.0) return along_line(gear);
   const double radius = 1.0 / std::abs(curvature);
   const Vec2 center(0.0, 1.0 / curvature);
-  const TurnedBody body{-body_.rear, body_.front, -body_.half_width - center.y(), body_.half_width - center.y()};
+  const TurnedBody body{-body_.rear, body_.front, -body_.right - center.y(), body_.left - center.y()};
   const std::array<Vec2, 4> corners = body.corners();
   double outer = 0.0;  // squares of distances from the center
   for (const Vec2& corner : corners) outer = std::max(outer, corner.squaredNorm());
   const double farthest = std::sqrt(outer);
-  const double inside = std::max(0.0, radius - body_.half_width), inner = inside * inside;
+  // How far the sides lie from the center: towards it, and away from it.
+  const Side center_side = curvature > 0.0 ? Side::kLeft : Side::kRight;
+  const double towards = radius - body_.beside(center_side), away = radius + body_.beside(opposite(center_side));
+  const double inside = std::max({0.0, towards, -away}), inner = inside * inside;
   const bool to_left = (curvature > 0.0) == (gear == Gear::kForward);
   const Side side = to_left ? Side::kLeft : Side::kRight;
   TurnContacts contacts(side, std::min(kTwoPi, most_ / radius));
   SweptBox swept(corners, side);
-  // Where the center of the turn is not under the body, all of it moves ahead at first.
+  // Where the center of the turn is beside the body on its side, all of it moves ahead at first.
   const double ahead = sign_of(gear), tail = gear == Gear::kForward ? -body_.rear : -body_.front;
-  const bool moves_ahead = radius >= body_.half_width;
+  const bool moves_ahead = towards >= 0.0;
   for (const auto& [distance, edge] : edges_) {
     if (distance > contacts.least() * farthest) break;
     ++edges_compared_;
@@ -209,7 +210,6 @@ double ContactReach::operator()(double curvature, Gear gear) const {
 double ContactReach::along_line(Gear gear) const {
   double least = most_;
   const double nose = gear == Gear::kForward ? body_.front : body_.rear;
-  const double width = body_.half_width;
   for (const auto& [distance, edge] : edges_) {
     if (distance > least) break;
     ++edges_compared_;
@@ -217,10 +217,10 @@ double ContactReach::along_line(Gear gear) const {
     double low = 0.0, high = 1.0;
     const double y = edge.a.y(), rise = edge.b.y() - y;
     if (std::abs(rise) > 0.0) {
-      const double at_low = (-width - y) / rise, at_high = (width - y) / rise;
+      const double at_low = (-body_.right - y) / rise, at_high = (body_.left - y) / rise;
       low = std::max(low, std::min(at_low, at_high));
       high = std::min(high, std::max(at_low, at_high));
-    } else if (std::abs(y) > width) {
+    } else if (y > body_.left || y < -body_.right) {
       continue;
     }
     if (low > high) continue;

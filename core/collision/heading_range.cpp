@@ -25,8 +25,8 @@ double farthest(double x, double y, double r, double cosine, double sine) {
 Box swept_box(const TurningBody& t, double half) {
   const double y = -sign_of(t.side) * t.radius, cosine = std::cos(half), sine = std::sin(half);
   Box box;
-  for (const Vec2& p : {Vec2(-t.body.rear, y - t.body.half_width), Vec2(t.body.front, y - t.body.half_width),
-                        Vec2(t.body.front, y + t.body.half_width), Vec2(-t.body.rear, y + t.body.half_width)}) {
+  for (const Vec2& p : {Vec2(-t.body.rear, y - t.body.right), Vec2(t.body.front, y - t.body.right),
+                        Vec2(t.body.front, y + t.body.left), Vec2(-t.body.rear, y + t.body.left)}) {
     const double r = p.norm();
     box.extend(Vec2(farthest(p.y(), p.x(), r, cosine, sine), farthest(p.x(), p.y(), r, cosine, sine)));
     box.extend(Vec2(-farthest(p.y(), -p.x(), r, cosine, sine), -farthest(p.x(), -p.y(), r, cosine, sine)));

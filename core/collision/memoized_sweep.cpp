@@ -24,8 +24,8 @@ Question question_of(const SweptRectangle& r) {
 }
 
 Question question_of(const TurningBody& b) {
-  return {b.center.x(), b.center.y(), b.radius,          b.side == Side::kLeft ? 1.0 : -1.0,
-          b.body.front, b.body.rear,  b.body.half_width, 0.0};
+  return {b.center.x(), b.center.y(), b.radius,    b.side == Side::kLeft ? 1.0 : -1.0,
+          b.body.front, b.body.rear,  b.body.left, b.body.right};
 }
 
 using Bits = std::array<std::uint64_t, 8>;

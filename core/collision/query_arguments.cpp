@@ -40,9 +40,10 @@ void require_body(const Footprint& body, std::size_t index) {
   };
   require(std::isfinite(body.front), "front", body.front, "finite");
   require(std::isfinite(body.rear), "rear", body.rear, "finite");
-  require(body.half_width > 0.0 && std::isfinite(body.half_width), "half width", body.half_width,
-          "positive and finite");
-  require(body.front + body.rear > 0.0, "length, front + rear,", body.front + body.rear, "positive");
+  require(std::isfinite(body.left), "left", body.left, "finite");
+  require(std::isfinite(body.right), "right", body.right, "finite");
+  require(body.length() > 0.0, "length, front + rear,", body.length(), "positive");
+  require(body.width() > 0.0, "width, left + right,", body.width(), "positive");
 }
 
 void require_points(std::span<const Vec2> points) {
@@ -132,15 +133,17 @@ HeadingSet SweepQuery::free_headings(const TurningBody& body) const {
 }
 
 SweptRectangle swept_rectangle(const Pose& from, double length, const Footprint& body) {
-  const Vec2 along = direction_of(from.heading);
-  const Vec2 left = perpendicular(along) * body.half_width;
+  const Vec2 along = direction_of(from.heading), aside = perpendicular(along);
+  const Vec2 left = aside * body.left, right = aside * body.right;
   const Vec2 tail = from.position() - along * body.rear;
   const Vec2 nose = from.position() + along * (length + body.front);
-  return {Vec2(tail - left), Vec2(nose - left), Vec2(nose + left), Vec2(tail + left)};
+  return {Vec2(tail - right), Vec2(nose - right), Vec2(nose + left), Vec2(tail + left)};
 }
 
 Vec2 middle_of(const Footprint& body, const Pose& pose) {
-  return pose.position() + 0.5 * (body.front - body.rear) * direction_of(pose.heading);
+  const Vec2 ahead = direction_of(pose.heading);
+  return pose.position() + 0.5 * (body.front - body.rear) * ahead +
+         0.5 * (body.left - body.right) * perpendicular(ahead);
 }
 
 bool SweepQuery::arc_free(const TurningBody& body, double heading, double angle, HeadingSet& headings) const {

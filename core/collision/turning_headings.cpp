@@ -21,7 +21,7 @@ struct CenteredBody {
 
 CenteredBody centered(const TurningBody& t) {
   const double y = -sign_of(t.side) * t.radius;
-  return {-t.body.rear, t.body.front, y - t.body.half_width, y + t.body.half_width};
+  return {-t.body.rear, t.body.front, y - t.body.right, y + t.body.left};
 }
 
 class CriticalAngles {
@@ -93,7 +93,7 @@ bool touches(const CenteredBody& b, const Vec2& p, const Vec2& q, double heading
 }  // namespace
 
 double reach_of(const TurningBody& body) {
-  return swept_annulus(body.body, body.radius).outer * (1.0 + kCriticalSlack);
+  return swept_annulus(body.body, body.side, body.radius).outer * (1.0 + kCriticalSlack);
 }
 
 Vec2 middle_at(const TurningBody& body, double heading) {
@@ -102,7 +102,7 @@ Vec2 middle_at(const TurningBody& body, double heading) {
 }
 
 bool may_touch(const TurningBody& body, const LineSegment& edge) {
-  const SweptAnnulus annulus = swept_annulus(body.body, body.radius);
+  const SweptAnnulus annulus = swept_annulus(body.body, body.side, body.radius);
   const Vec2 p = edge.a - body.center;
   const Vec2 q = edge.b - body.center;
   const double inner = annulus.inner * (1.0 - kCriticalSlack);

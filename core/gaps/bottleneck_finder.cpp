@@ -18,8 +18,10 @@ BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle)
 BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps)
     : world_(world), body_(vehicle.footprint()), gaps_(std::move(gaps)) {
   vehicle_takes_.needed = widest_hopeless_gap(vehicle);
-  vehicle_takes_.needed_to_turn =
-      swept_annulus(vehicle.footprint(0.5 * vehicle.safety_margin()), vehicle.min_turning_radius()).width();
+  const Footprint grown = vehicle.footprint(0.5 * vehicle.safety_margin());
+  for (const Side side : {Side::kLeft, Side::kRight})
+    vehicle_takes_.needed_to_turn =
+        std::max(vehicle_takes_.needed_to_turn, swept_annulus(grown, side, vehicle.min_turning_radius()).width());
 }
 
 std::optional<Bottleneck> BottleneckFinder::operator()(const Pose& from, const Pose& to, const StopClock& clock) const {

@@ -16,7 +16,7 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kCoarsest = 0.15;      // edge of the largest boxes, in half widths of the body
+constexpr double kCoarsest = 0.075;     // edge of the largest boxes, in widths of the body
 constexpr int kFewestHeadings = 128;    // number of heading intervals of the largest boxes; a power of two
 constexpr std::int32_t kFurthest = 40;  // distance from the end that counts as left, in largest boxes
 constexpr double kStep = 0.25;          // length of a step, in smallest turning radii
@@ -104,7 +104,7 @@ class ForwardFlood {
         radius_(body.radius),
         headings_(kFewestHeadings << level),
         furthest_(kFurthest << level),
-        edge_(kCoarsest * body.footprint.half_width / (1 << level)),
+        edge_(kCoarsest * body.footprint.width() / (1 << level)),
         step_(std::max(kStep * radius_, kLeastStep * edge_)),
         bodies_(static_cast<std::size_t>(headings_)),
         moves_(static_cast<std::size_t>(headings_)) {
@@ -114,13 +114,13 @@ class ForwardFlood {
     const double turn = std::sin(kPi / headings_);
     // What the body covers wherever it is in a box.
     const double shift = edge_ * std::sqrt(0.5) + kStepRounding * (length + largest);
-    const double shorter = turn * footprint.half_width + shift;
-    core_ = {footprint.front - shorter, footprint.rear - shorter, footprint.half_width - turn * length - shift};
+    const double shorter = turn * std::max(footprint.left, footprint.right) + shift, slimmer = turn * length + shift;
+    core_ = {footprint.front - shorter, footprint.rear - shorter, footprint.left - slimmer, footprint.right - slimmer};
   }
 
   enum class End { kClosed, kOpen, kOpenAtOnce, kGivenUp };
   End run(std::size_t max_checks, std::vector<std::uint32_t>& memory, const StopClock& clock) {
-    if (core_.half_width <= 0.0 || core_.front + core_.rear <= 0.0 || step_ > kMostTurn * radius_ ||
+    if (core_.width() <= 0.0 || core_.length() <= 0.0 || step_ > kMostTurn * radius_ ||
         step_ > kLongestStep * furthest_ * edge_)
       return End::kOpen;
     turned_steps_ = turned_steps();  // their number is bounded by what was just asked
@@ -257,8 +257,8 @@ class ForwardFlood {
 
 // What the body may cover in the boxes about a position, of either size.
 Box place_around(const Vec2& position, const Footprint& footprint) {
-  const double boxes = kFurthest * kCoarsest * footprint.half_width;
-  const double reach = boxes + std::max(footprint.front, footprint.rear) + footprint.half_width;
+  const double boxes = kFurthest * kCoarsest * footprint.width();
+  const double reach = boxes + std::max(footprint.front, footprint.rear) + std::max(footprint.left, footprint.right);
   return Box{position, position}.grown(reach);
 }
 
@@ -269,7 +269,7 @@ std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const 
   // Backwards from the goal, the body is turned by pi.
   const Footprint& footprint = body.footprint;
   const Pose turned{goal.x, goal.y, goal.heading + kPi};
-  const Footprint swapped{footprint.rear, footprint.front, footprint.half_width};
+  const Footprint swapped = footprint.reversed();
   LocalSweep near_start(body.sweep, body.outlines, place_around(start.position(), footprint));
   LocalSweep near_goal(body.sweep, body.outlines, place_around(goal.position(), footprint));
   std::vector<std::uint32_t> memory;

@@ -39,20 +39,21 @@ class Flood {
         from_(middle_pose(body.footprint, from)),
         to_(middle_pose(body.footprint, to)) {
     const Footprint& footprint = body.footprint;
-    const double half_length = 0.5 * (footprint.front + footprint.rear);
-    const double half_width = footprint.half_width;
+    const double half_length = 0.5 * footprint.length();
+    const double half_width = 0.5 * footprint.width();
     edge_ = kCoarsestEdge * half_width / (1 << level);
     const double largest = std::max(from_.position().cwiseAbs().maxCoeff(), to_.position().cwiseAbs().maxCoeff());
     const double turn = std::sin(kPi / headings_);
     const double shift = edge_ * std::sqrt(0.5) + kBodyRounding * (half_length + largest);
     // What the body covers wherever it is in a box: less by what its corners turn and by what its middle shifts.
     const double length = half_length - turn * half_width - shift;
-    core_ = {length, length, half_width - turn * half_length - shift};
+    const double width = half_width - turn * half_length - shift;
+    core_ = {length, length, width, width};
   }
 
   enum class End { kClosed, kOpen, kTooMany };
   End run(std::size_t max_boxes, const StopClock& clock) {
-    if (std::min(core_.front, core_.half_width) <= 0.0) return End::kOpen;
+    if (std::min(core_.front, core_.left) <= 0.0) return End::kOpen;
     const FloodBox goal = box_of(to_);
     std::vector<FloodBox> boxes{{0, 0, 0}};
     using Waiting = std::pair<double, std::size_t>;

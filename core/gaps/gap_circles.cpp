@@ -43,13 +43,13 @@ class GapCircles {
         vehicle_(vehicle),
         radius_(radius),
         body_(vehicle.footprint(vehicle.safety_margin())),
-        swept_(swept_annulus(body_, radius)) {}
+        swept_(swept_annulus(body_, Side::kLeft, radius)) {}
 
   AddedCircles find(const GapMap& gaps, const StopClock& clock) && {
     StopTicker ticker(clock);
     for (const Gap& gap : gaps.gaps()) {
       end_if_over(ticker);
-      if (!(gap.width > 2.0 * body_.half_width && gap.width <= swept_.outer)) continue;
+      if (!(gap.width > body_.width() && gap.width <= swept_.outer)) continue;
       const Vec2 across = (gap.on_b - gap.on_a) / gap.width;
       const VertexId a = corner_at(gap.edge_a, gap.on_a);
       const VertexId b = corner_at(gap.edge_b, gap.on_b);
@@ -86,7 +86,7 @@ class GapCircles {
     if (width < swept_.width()) {
       const auto radius = vehicle_.smallest_fitting_radius(width - kMargins * vehicle_.safety_margin());
       if (!radius || *radius > kWidestRadius * radius_) return;
-      return add_around_vertex(v, -swept_annulus(body_, *radius).inner * across, *radius);
+      return add_around_vertex(v, -swept_annulus(body_, Side::kLeft, *radius).inner * across, *radius);
     }
     // The cosine of the angle at the vertex between what it faces and the center.
     const double cosine = faces_vertex ? (swept_.inner * swept_.inner + width * width - swept_.outer * swept_.outer) /
@@ -162,7 +162,7 @@ class GapCircles {
       double x;
       const Beside* contact;
     };
-    const double corner = std::hypot(forwards > 0.0 ? body_.rear : body_.front, radius_ + body_.half_width);
+    const double corner = std::hypot(forwards > 0.0 ? body_.rear : body_.front, radius_ + body_.beside(opposite(side)));
     double first = -INFINITY;
     std::vector<Place> places;
     for (const Beside& b : beside) {

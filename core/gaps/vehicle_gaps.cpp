@@ -19,9 +19,11 @@ double widest_hopeless_gap(const Vehicle& vehicle) {
 
 // A turn at a right angle to a wall takes the outer radius of the swept annulus, which is more than its width.
 VehicleGaps::VehicleGaps(const World& world, const Vehicle& vehicle, double radius)
-    : world_(world),
-      hopeless_(widest_hopeless_gap(vehicle)),
-      widest_(std::max(hopeless_, swept_annulus(vehicle.footprint(vehicle.safety_margin()), radius).outer)) {}
+    : world_(world), hopeless_(widest_hopeless_gap(vehicle)), widest_(hopeless_) {
+  const Footprint grown = vehicle.footprint(vehicle.safety_margin());
+  for (const Side side : {Side::kLeft, Side::kRight})
+    widest_ = std::max(widest_, swept_annulus(grown, side, radius).outer);
+}
 
 const GapMap* VehicleGaps::map(const StopClock& clock) const {
   return map_.get(clock, [&] { return GapMap(world_, widest_, clock); });

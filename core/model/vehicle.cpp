@@ -81,8 +81,8 @@ double widest_radius(const Reach& reach, double half_width) {
 
 /// w_s(radius) - 2b. The differences are rationalised: they cancel at large radii.
 double excess_width(const Footprint& body, double radius) {
-  const double b = body.half_width;
-  if (radius < b) return swept_annulus(body, radius).width() - 2.0 * b;
+  const double b = 0.5 * body.width();
+  if (radius < b) return swept_annulus(body, Side::kLeft, radius).width() - 2.0 * b;
   const auto [far, gap] = reach_of(body);
   const double outer = far * (far / (std::hypot(far, radius + b) + (radius + b)));
   return gap == 0.0 ? outer : outer - gap * (gap / (std::hypot(gap, radius - b) + (radius - b)));
@@ -145,7 +145,8 @@ double Vehicle::steering_angle(double curvature) const {
 Footprint Vehicle::footprint(double growth) const {
   const double a = 0.5 * parameters_.length;
   const double offset = reference_offset();
-  return {a - offset + growth, a + offset + growth, 0.5 * parameters_.width + growth};
+  const double b = 0.5 * parameters_.width;
+  return Footprint{a - offset, a + offset, b, b}.grown(growth);
 }
 
 double Vehicle::turn_speed(double radius) const {
@@ -173,7 +174,7 @@ std::optional<double> Vehicle::smallest_fitting_radius(double gap_width) const {
   if (!fits_straight(gap_width)) return std::nullopt;
   const Footprint body = footprint();
   const Reach reach = reach_of(body);
-  const double b = body.half_width;
+  const double b = 0.5 * body.width();
   const double lowest = min_turning_radius();
   const double widest = std::max(lowest, widest_radius(reach, b));
   if (fits_turn(gap_width, widest)) return lowest;
@@ -196,10 +197,12 @@ std::optional<double> Vehicle::smallest_fitting_radius(double gap_width) const {
   return std::max(radius, widest);
 }
 
-SweptAnnulus swept_annulus(const Footprint& footprint, double radius) {
+SweptAnnulus swept_annulus(const Footprint& footprint, Side side, double radius) {
   const auto [far, gap] = reach_of(footprint);
-  const double side = std::max(0.0, radius - footprint.half_width);
-  return {gap == 0.0 ? side : std::hypot(gap, side), std::hypot(far, radius + footprint.half_width)};
+  // How far the sides lie from the center: towards it, and away from it.
+  const double towards = radius - footprint.beside(side), away = radius + footprint.beside(opposite(side));
+  const double inner = std::max({0.0, towards, -away}), outer = std::max(away, -towards);
+  return {gap == 0.0 ? inner : std::hypot(gap, inner), std::hypot(far, outer)};
 }
 
 std::string to_string(Steering steering) {

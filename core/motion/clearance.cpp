@@ -97,7 +97,7 @@ class Motion {
  public:
   Motion(const PathSegment& segment, const Footprint& body)
       : segment_(segment),
-        body_{{-body.rear, -body.half_width}, {body.front, body.half_width}},
+        body_{{-body.rear, -body.right}, {body.front, body.left}},
         start_(segment.start),
         end_(segment.end()),
         swept_box_(swept_box()) {}
@@ -110,7 +110,9 @@ class Motion {
       }
       return box;
     }
-    const double reach = std::max(body_.min.norm(), body_.max.norm()) + 0.5 * segment_.length;
+    double reach = 0.0;
+    for (const Vec2& corner : body_.corners()) reach = std::max(reach, corner.norm());
+    reach += 0.5 * segment_.length;
     const Vec2 middle = segment_.at(0.5 * segment_.length).position();
     return Box{middle, middle}.grown(reach);
   }

@@ -38,7 +38,7 @@ bool is_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
 
 // The free pose at the same position with the smallest turn, to the left before the right.
 std::optional<FreePose> free_turn(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
-  const double reach = std::hypot(std::max(body.front, body.rear), body.half_width);
+  const double reach = body.farthest();
   for (int turn = 1; turn < kTurns; ++turn) {
     const int steps = (turn + 1) / 2;
     const double angle = (turn % 2 == 1 ? 1.0 : -1.0) * steps * (kTwoPi / kTurns);
@@ -76,7 +76,7 @@ std::optional<FreePose> free_move(const SweepQuery& sweep, const Footprint& body
 std::optional<Collision> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
                                     const Footprint& body, const Pose& pose) {
   const Vec2 middle = middle_of(body, pose), ahead = direction_of(pose.heading), aside = perpendicular(ahead);
-  const Vec2 half(0.5 * (body.front + body.rear), body.half_width);
+  const Vec2 half(0.5 * body.length(), 0.5 * body.width());
   const auto in_body = [&](const Vec2& p) { return Vec2((p - middle).dot(ahead), (p - middle).dot(aside)); };
   VertexId nearest = kNone;
   double least = std::numeric_limits<double>::infinity();
@@ -107,9 +107,7 @@ std::optional<Collision> contact_of(const World& world, const Outlines& outlines
   return inside == kNone ? std::nullopt : std::optional(Collision{inside, middle});
 }
 
-double free_pose_reach(const Footprint& body) {
-  return 2.0 * std::hypot(body.front + body.rear, 2.0 * body.half_width);
-}
+double free_pose_reach(const Footprint& body) { return 2.0 * std::hypot(body.length(), body.width()); }
 
 std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
   const auto turned = free_turn(sweep, body, pose), moved = free_move(sweep, body, pose);

@@ -36,8 +36,7 @@ PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::
     tightest.emplace(plain.with_graph(std::move(lazy), smallest), options.gap_circles);
     other = OtherMaps(plain, tightest->plain, routes_of_strategy(), rows, executor);
   }
-  const Footprint bare = plain.vehicle.footprint();
-  if (options.point_robot_lower_bound && std::min(bare.front, bare.rear) >= 0.0)
+  if (options.point_robot_lower_bound && plain.vehicle.footprint().covers_reference())
     point_distance.emplace(plain.world, rows, plain.outlines);
 }
 

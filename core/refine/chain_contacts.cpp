@@ -92,10 +92,11 @@ ChainContacts::Place ChainContacts::look_from_line(const ArcChain& chain, const 
   const Vec2 d = corner.place - line.center;
   const double x = line.ahead.dot(d), y = corner.sign * (line.left.dot(d) + line.sideways);
   // A corner wholly on the other side is not overlapped.
-  const double beside = std::max(y, -y > body_.half_width ? -y : y) - body_.half_width;
+  const double near = beside(corner.sign), far = beside(-corner.sign);
+  const double abeam = -y > far ? -y - far : y - near;
   const double ahead = x - line.length - body_.front, behind = -x - body_.rear;
-  const double most = std::max({beside, ahead, behind});
-  return {part, most == beside ? kBeside : most == ahead ? kAhead : kBehind, most};
+  const double most = std::max({abeam, ahead, behind});
+  return {part, most == abeam ? kBeside : most == ahead ? kAhead : kBehind, most};
 }
 
 // The distance from the ring that the body sweeps, or rather from its inner side and its outer corners.
@@ -109,12 +110,13 @@ ChainContacts::Place ChainContacts::look_from_arc(const ArcChain& chain, const C
   const auto nearer = [&place, part](double distance, Kind kind) {
     if (distance < place.distance) place = {part, kind, distance};
   };
-  const bool is_inside = std::abs(r - arc.radius) < body_.half_width ? corner.sign == arc.sign : r < arc.radius;
-  if (is_inside) {
-    if (passes(chain, i, d, 0.0, 1.0)) nearer(arc.radius - r - body_.half_width, kInside);
+  const double off = r - arc.radius, inwards = beside(arc.sign);
+  const bool is_abeam = off > -inwards && off < beside(-arc.sign);
+  if (is_abeam ? corner.sign == arc.sign : off <= -inwards) {
+    if (passes(chain, i, d, 0.0, 1.0)) nearer(arc.radius - r - inwards, kInside);
     return place;
   }
-  const double outwards = arc.radius + body_.half_width;
+  const double outwards = outwards_on(arc);
   if (passes(chain, i, d, body_.front, outwards)) nearer(r - norm_of(body_.front, outwards), kFrontCorner);
   if (passes(chain, i, d, -body_.rear, outwards)) nearer(r - norm_of(body_.rear, outwards), kRearCorner);
   return place;
@@ -145,7 +147,7 @@ ChainContacts::Place ChainContacts::look_at(const ArcChain& chain, const Edge& e
   const std::size_t i = edge.arc;
   const ArcChain::Arc& arc = chain.arcs[i];
   const std::uint32_t part = 2 * edge.arc + 1;
-  const double outwards = arc.radius + body_.half_width;
+  const double outwards = outwards_on(arc);
   Place nearest{part, kNothing, kInfinity};
   const auto look = [&](const Vec2& corner, Kind kind) {
     const double along = edge.along.dot(corner - edge.from), distance = edge.outwards.dot(corner - edge.from);
@@ -183,7 +185,7 @@ double ChainContacts::room(const ArcChain& chain, std::size_t contact, double ne
   if (contact < corners_.size()) return 0.0;
   const Edge& edge = edges_[contact - corners_.size()];
   const ArcChain::Arc& arc = chain.arcs[edge.arc];
-  const double outwards = arc.radius + body_.half_width, swing = norm_of(edge.ahead, outwards);
+  const double outwards = outwards_on(arc), swing = norm_of(edge.ahead, outwards);
   const double turn = chain.turn(edge.arc);
   const double half = turn < kBentTurn ? 0.5 * swing * turn : kInfinity;
   const Vec2 heading = (chain.lines[edge.arc].ahead + chain.lines[edge.arc + 1].ahead).normalized();
@@ -208,7 +210,7 @@ Term ChainContacts::line_term(const ArcChain& chain, const Corner& corner, const
   const double x = line.ahead.dot(d), y = line.left.dot(d);
   const bool is_beside = place.kind == kBeside;
   double sign = place.kind == kBehind ? -1.0 : 1.0;
-  if (is_beside) sign = corner.sign * (corner.sign * (y + line.sideways) < -body_.half_width ? -1.0 : 1.0);
+  if (is_beside) sign = corner.sign * (corner.sign * (y + line.sideways) < -beside(-corner.sign) ? -1.0 : 1.0);
   // The direction away from the body, and how it turns with the heading.
   const Vec2 away = sign * (is_beside ? line.left : line.ahead);
   const Vec2 turned = perpendicular(away);
@@ -249,14 +251,14 @@ Term ChainContacts::arc_term(const ArcChain& chain, const Corner& corner, const 
   if (place.kind == kInside) {
     term.gradient[kRadius] = 1.0;
   } else {
-    set_swing(place.kind == kFrontCorner ? body_.front : body_.rear, arc.radius + body_.half_width, term);
+    set_swing(place.kind == kFrontCorner ? body_.front : body_.rear, outwards_on(arc), term);
   }
   return term;
 }
 
 Term ChainContacts::edge_term(const ArcChain& chain, const Edge& edge, const Place& place) const {
   const ArcChain::Arc& arc = chain.arcs[edge.arc];
-  const double outwards = arc.radius + body_.half_width;
+  const double outwards = outwards_on(arc);
   Term term;
   term.value = place.distance;
   term.gradient.segment<2>(kCenterX) = edge.outwards;

@@ -74,7 +74,11 @@ class ChainContacts {
   [[nodiscard]] Term arc_term(const ArcChain& chain, const Corner& corner, const Place& place) const;
   [[nodiscard]] Term edge_term(const ArcChain& chain, const Edge& edge, const Place& place) const;
   [[nodiscard]] bool is_seen(const Place& place) const;
-  [[nodiscard]] double body_length() const { return body_.front + body_.rear; }
+  [[nodiscard]] double body_length() const { return body_.length(); }
+  // How far the body reaches to the left, by a sign of +1, or to the right.
+  [[nodiscard]] double beside(double sign) const { return sign > 0.0 ? body_.left : body_.right; }
+  // How far its outer side lies from the center of an arc.
+  [[nodiscard]] double outwards_on(const ArcChain::Arc& arc) const { return arc.radius + beside(-arc.sign); }
 
   Footprint body_{};
   std::vector<Corner> corners_;

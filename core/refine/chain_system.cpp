@@ -23,7 +23,7 @@ void ChainSystem::begin(const Vehicle& vehicle, const Footprint& body, const Wor
                         double reach) {
   speeds = speeds_of(vehicle);
   tightest = vehicle.min_turning_radius();
-  unit = body.front + body.rear;
+  unit = body.length();
   place_speeds();
   find_bounds(chain, speeds, bounds);
   contacts.find(chain, world, outlines, body, reach);

@@ -80,8 +80,7 @@ class InteriorPoint {
     const ChainEffort& effort = query_.effort;
     const TurnCuts cuts{effort.parts, effort.least_turn, speeds_of(vehicle).widest()};
     if (!cut_turns(query_.chain, query_.lines, cuts, system_.chain)) return {false, 0};
-    const Footprint bare = vehicle.footprint();
-    const double unit = bare.front + bare.rear;
+    const double unit = vehicle.footprint().length();
     system_.begin(vehicle, vehicle.footprint(0.5 * vehicle.safety_margin() + kGrowth * unit), query_.world,
                   query_.outlines, kReach * unit);
     begin_barrier();
@@ -381,7 +380,8 @@ bool ChainOptimizer::serves(const Vehicle& vehicle) {
   const double tightest = vehicle.min_turning_radius();
   if (!has_chain_speeds(vehicle)) return false;
   const Footprint body = vehicle.footprint();
-  return body.front > 0.0 && body.rear > 0.0 && tightest > vehicle.footprint(vehicle.safety_margin()).half_width;
+  const Footprint grown = vehicle.footprint(vehicle.safety_margin());
+  return std::min({body.front, body.rear, body.left, body.right}) > 0.0 && tightest > std::max(grown.left, grown.right);
 }
 
 ChainOptimizer::Result ChainOptimizer::optimize(const ChainQuery& query, CircleChain& optimized) {

@@ -488,12 +488,12 @@ class Refiner {
       const Vec2 inwards = sign_of(c.side) * perpendicular(ahead);
       const double length = step * smallest_;
       const double larger = std::max(smallest_, c.radius * (1.0 + step * move.grow));
-      const double inner = swept_annulus(body_, c.radius).inner;
+      const double inner = swept_annulus(body_, c.side, c.radius).inner;
       const double angle = sign_of(c.side) * move.around * length / std::max(inner, 0.5 * smallest_);
       const Vec2 pivot = c.center - inner * inwards;
       const Vec2 turned = std::cos(angle) * inwards + std::sin(angle) * perpendicular(inwards);
-      c.center =
-          pivot + (swept_annulus(body_, larger).inner + move.inwards * length) * turned + move.along * length * ahead;
+      c.center = pivot + (swept_annulus(body_, c.side, larger).inner + move.inwards * length) * turned +
+                 move.along * length * ahead;
       c.radius = larger;
       any |= accept(shifted(chain_.chain(), lines(), i, c));
     }

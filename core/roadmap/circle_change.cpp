@@ -12,7 +12,7 @@ double largest_reach(const CircleChange::Circles& of, const Footprint& grown_bod
   double largest = 0.0;
   for (const TurnCircle& circle : of.circles.all())
     largest = std::max(largest, (circle.center - of.world.vertex(circle.vertex)).norm() +
-                                    swept_annulus(grown_body, circle.radius).outer);
+                                    swept_annulus(grown_body, circle.side, circle.radius).outer);
   return largest;
 }
 

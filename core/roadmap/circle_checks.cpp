@@ -39,7 +39,7 @@ CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, double smallest_ra
     : world_(inputs.world),
       queries_(inputs.queries),
       body_(inputs.vehicle.footprint(0.5 * inputs.vehicle.safety_margin())),
-      body_covers_reference_(body_.front >= 0.0 && body_.rear >= 0.0),
+      body_covers_reference_(body_.covers_reference()),
       smallest_radius_(smallest_radius),
       rows_(inputs.rows),
       circles_(std::move(circles)),

@@ -43,21 +43,23 @@ Vec2 inwards(const World& world, VertexId vertex) {
 
 }  // namespace
 
-double inner_side_radius(const Footprint& body, double radius) { return std::max(0.0, radius - body.half_width); }
+double inner_side_radius(const Footprint& body, Side side, double radius) {
+  return std::max(0.0, radius - body.beside(side));
+}
 
 TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body) {
-  const double inner = inner_side_radius(grown_body, radius);
+  const double inner = inner_side_radius(grown_body, side, radius);
   return {world.vertex(vertex) + inner * inwards(world, vertex), radius, side, vertex};
 }
 
 std::optional<TurnCircle> turn_circle(const World& world, const VertexPair& pair, double radius, Side side,
                                       const Footprint& grown_body) {
-  const auto [u, w] = pair;
-  const double inner = inner_side_radius(grown_body, radius);
+  const auto [u, w, obstacles] = pair;
+  const double inner = inner_side_radius(grown_body, side, radius);
   const Vec2 half = 0.5 * (world.vertex(w) - world.vertex(u));
   const double square = inner * inner - half.squaredNorm();
   if (!(square > 0.0)) return std::nullopt;
-  const Vec2 inwards = sign_of(side) * perpendicular(half.normalized());
+  const Vec2 inwards = sign_of(obstacles) * perpendicular(half.normalized());
   return TurnCircle{world.vertex(u) + half + std::sqrt(square) * inwards, radius, side, u, w};
 }
 

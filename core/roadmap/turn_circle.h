@@ -39,20 +39,21 @@ struct Bitangent {
 /// @return nothing if none exists: one circle lies inside the other, or opposite circles overlap.
 std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCircle& to);
 
-/// Radius of the circle about the rotation center that the body's inner side touches [m], both in a turn and on the
-/// straights before and after it. 0 if the center lies between the sides. It equals rho_in if F lies on the body. Else
-/// the body keeps further off in the turn, but not on the straights.
-double inner_side_radius(const Footprint& body, double radius);
+/// Radius of the circle about the rotation center of a turn to a side that the body's inner side touches [m], both in
+/// the turn and on the straights before and after it. 0 if the center does not lie beyond that side. It equals rho_in
+/// if F lies on the body. Else the body keeps further off in the turn, but not on the straights.
+double inner_side_radius(const Footprint& body, Side side, double radius);
 
 /// The circle around a convex vertex. Its center lies inwards on the bisector of the vertex's edges, by
 /// inner_side_radius of the body grown by the margin. The body's side then passes by the vertex.
 TurnCircle turn_circle(const World& world, VertexId vertex, double radius, Side side, const Footprint& grown_body);
 
-/// Two convex vertices that a path passes one after the other.
+/// Two convex vertices.
 struct VertexPair {
   VertexId first, second;
+  Side obstacles;  ///< where the obstacles lie for who goes from the first to the second
 };
-/// The circle around two convex vertices, with the obstacles on the given side. Both lie on the circle of
+/// The circle around two convex vertices on which a path turns to a side. Both vertices lie on the circle of
 /// inner_side_radius. Nothing if they are further apart than its diameter.
 std::optional<TurnCircle> turn_circle(const World& world, const VertexPair& pair, double radius, Side side,
                                       const Footprint& grown_body);

@@ -1,6 +1,7 @@
 #include "core/roadmap/turn_circles.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "arcway/turning_radii.h"
@@ -30,20 +31,23 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
   const std::size_t tightest = tightest_radii(grown_body, radii) - 1;
   const double radius = radii[tightest];
   const auto leads_back = [&](VertexId u, VertexId w) {
-    const Vec2 between = circles_[first_[w] + 2 * tightest].center - circles_[first_[u] + 2 * tightest].center;
-    return between.dot(world.vertex(w) - world.vertex(u)) <= 0.0;
+    const Vec2 between = world.vertex(w) - world.vertex(u);
+    return std::ranges::any_of(std::array{Side::kLeft, Side::kRight}, [&](Side side) {
+      const std::size_t from = first_around(u, side) + 2 * tightest, to = first_around(w, side) + 2 * tightest;
+      return (circles_[to].center - circles_[from].center).dot(between) <= 0.0;
+    });
   };
   // No circle goes round two vertices that are further apart.
-  const double reach = 2.0 * inner_side_radius(grown_body, radius) * (1.0 + 1e-9);
+  const double inner =
+      std::max(inner_side_radius(grown_body, Side::kLeft, radius), inner_side_radius(grown_body, Side::kRight, radius));
+  const double reach = 2.0 * inner * (1.0 + 1e-9);
   for (const auto& [u, w] : rows.pairs_within(reach, leads_back, executor)) {
     const Side side = obstacle_side(world, w, world.vertex(u));  // traveling from u to w
     if (obstacle_side(world, u, world.vertex(w)) == side) continue;
-    const auto circle = turn_circle(world, VertexPair{u, w}, radius, side, grown_body);
-    if (!circle) continue;
-    for (const Side turn : {Side::kLeft, Side::kRight}) {
-      circles_.push_back(*circle);
-      circles_.back().side = turn;
-    }
+    const VertexPair pair{u, w, side};
+    const auto left = turn_circle(world, pair, radius, Side::kLeft, grown_body);
+    const auto right = turn_circle(world, pair, radius, Side::kRight, grown_body);
+    if (left && right) circles_.insert(circles_.end(), {*left, *right});
   }
   base_count_ = first_of_gap_straights_ = circles_.size();
   more_ = vertex_buckets(own, circles_.size(), 2);

@@ -43,7 +43,7 @@ double fastest_radius(const Vehicle& vehicle, double smallest) {
 }
 
 bool leads_round_vertices(const Footprint& grown_body, double radius) {
-  return inner_side_radius(grown_body, radius) > 0.0;
+  return radius > std::max(grown_body.left, grown_body.right);
 }
 
 }  // namespace
@@ -57,7 +57,8 @@ std::vector<double> turning_radii(const Vehicle& vehicle, const World& world) {
   while (radii.back() * factor * kLeastLastRatio < largest) radii.push_back(radii.back() * factor);
   if (radii.back() * kLeastLastRatio < largest) radii.push_back(largest);
   const Footprint grown_body = vehicle.footprint(vehicle.safety_margin());
-  if (!leads_round_vertices(grown_body, radii.back())) radii.push_back(kRoundVertex * grown_body.half_width);
+  if (!leads_round_vertices(grown_body, radii.back()))
+    radii.push_back(kRoundVertex * std::max(grown_body.left, grown_body.right));
   return radii;
 }
 

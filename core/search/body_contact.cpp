@@ -73,7 +73,7 @@ std::optional<BodyContact> body_contact(const Footprint& body, const BodyMotion&
     return Vec2(ahead.dot(d), cross(ahead, d));
   };
   const Vec2 a = in_frame(edge.a), b = in_frame(edge.b);
-  const Range x{-body.rear, body.front}, y{-body.half_width, body.half_width};
+  const Range x{-body.rear, body.front}, y{-body.right, body.left};
   const auto is_far = [&](double p, double q, const Range& range) {
     return std::max(p, q) <= range.low - near || std::min(p, q) >= range.high + near;
   };
@@ -83,8 +83,7 @@ std::optional<BodyContact> body_contact(const Footprint& body, const BodyMotion&
   const bool is_beside = beside && (!before || beside->depth <= before->depth);
   const BodyContact least = contact_of(is_beside ? *beside : *before, ahead);
   if (least.depth <= -near) return std::nullopt;
-  const bool same =
-      beside && before && std::abs(beside->depth - before->depth) <= kSameDepth * (body.front + body.rear);
+  const bool same = beside && before && std::abs(beside->depth - before->depth) <= kSameDepth * body.length();
   return same ? at_corner(least, contact_of(is_beside ? *before : *beside, ahead), ahead, curvature) : least;
 }
 

@@ -91,7 +91,7 @@ Path ForwardTree::connection(std::uint32_t node) const {
 
 // Cells are as large as the room beside the body, so that narrow places are told apart finely, and open ones coarsely.
 int ForwardTree::level_of(const Pose& pose) const {
-  const double room = map_->queries.distance->closest(middle_of(map_->body, pose)).distance - map_->body.half_width;
+  const double room = map_->queries.distance->closest(middle_of(map_->body, pose)).distance - 0.5 * map_->body.width();
   int level = 0;
   for (double size = coarsest_; level < levels_ && size > room; ++level) size *= 0.5;
   return level;

@@ -32,10 +32,7 @@ Vec2 end_by_curvature(double curvature, double length) {
 }  // namespace
 
 PathContacts::PathContacts(const Outlines& outlines, const Footprint& body)
-    : outlines_(outlines),
-      body_(body),
-      unit_(body.front + body.rear),
-      around_(std::hypot(std::max(std::abs(body.front), std::abs(body.rear)), body.half_width)) {}
+    : outlines_(outlines), body_(body), unit_(body.length()), around_(body.farthest()) {}
 
 void PathContacts::look_along(const std::vector<PathSegment>& motions, const Pose& goal) {
   motions_ = motions;

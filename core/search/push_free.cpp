@@ -34,7 +34,10 @@ constexpr double kSofter = 0.1, kHarder = 10.0;  // after a step that was better
 class Pusher {
  public:
   Pusher(const Path& path, const Pose& goal, const Outlines& outlines, Footprint body, double radius)
-      : start_(path.front().start), goal_(goal), contacts_(outlines, with_room(body)), radius_(radius) {
+      : start_(path.front().start),
+        goal_(goal),
+        contacts_(outlines, body.grown(kRoom * body.length())),
+        radius_(radius) {
     for (double longest = kLongestPart * contacts_.unit(); parts_.empty(); longest *= 2.0) {
       for (const PathSegment& s : path) {
         const int count = std::max(1, static_cast<int>(std::ceil(s.length / longest)));
@@ -81,11 +84,6 @@ class Pusher {
     double curvature, length;
     bool is_line;  // stays one
   };
-
-  static Footprint with_room(const Footprint& body) {
-    const double room = kRoom * (body.front + body.rear);
-    return {body.front + room, body.rear + room, body.half_width + room};
-  }
 
   [[nodiscard]] std::vector<PathSegment> motions_of(const std::vector<Part>& parts) const {
     std::vector<PathSegment> motions;

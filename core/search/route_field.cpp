@@ -87,11 +87,11 @@ void RouteField::lay_out(const Roadmap& map, std::size_t most_cells) {
     for (const Vec2& p : (*map.outlines)[i].points) extend(p);
   extend(frame_.position());
   extend(to_.position());
-  const double around = kAround * (map.body.front + map.body.rear + map.vehicle.min_turning_radius());
+  const double around = kAround * (map.body.length() + map.vehicle.min_turning_radius());
   box = box.grown(around);
   const Vec2 extent = box.max - box.min;
-  size_ = std::max(2.0 * map.body.half_width / kCellsAcross,
-                   std::sqrt(extent.x() * extent.y() / static_cast<double>(most_cells)));
+  size_ =
+      std::max(map.body.width() / kCellsAcross, std::sqrt(extent.x() * extent.y() / static_cast<double>(most_cells)));
   corner_ = box.min;
   width_ = static_cast<std::int64_t>(extent.x() / size_) + 2;
   height_ = static_cast<std::int64_t>(extent.y() / size_) + 2;

@@ -78,7 +78,7 @@ class CurvedPlanner {
  private:
   // The tolerances of the pieces near a plan.
   std::vector<double*> near_pieces(const PlanResult& plan, const Footprint& body) {
-    const double reach = 2.0 * (body.front + body.rear);
+    const double reach = 2.0 * body.length();
     const std::vector<Vec2> samples = samples_of(plan, 0.5 * reach);
     std::vector<double*> near;
     for (std::size_t i = 0; i < tolerances_.size(); ++i) {

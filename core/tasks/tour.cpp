@@ -315,8 +315,7 @@ class TourPlanner {
       at = place.position;
     }
     const Vehicle& vehicle = planner_.vehicle();
-    const Footprint body = vehicle.footprint();
-    const bool covers_reference = std::min(body.front, body.rear) >= 0.0;
+    const bool covers_reference = vehicle.footprint().covers_reference();
     double nearest = kInfinity;
     for (const Place& goal : request_.goals)
       if (!covers_reference || planner_.queries().distance->containing(goal.position) == kNone)

@@ -11,13 +11,12 @@ namespace {
 // Intervals of an arc shorter than this share of the body's reach are not halved again.
 constexpr double kShortestInterval = 1e-6;
 
-double reach_of(const Footprint& body) { return std::hypot(std::max(body.front, body.rear), body.half_width); }
-
 // The body at a pose, and what it sweeps until it is `ahead` further on in a straight line.
 Polygon body_at(const Pose& pose, const Footprint& body, double ahead = 0.0) {
-  const Vec2 u = direction_of(pose.heading), side = perpendicular(u) * body.half_width;
+  const Vec2 u = direction_of(pose.heading), aside = perpendicular(u);
+  const Vec2 left = aside * body.left, right = aside * body.right;
   const Vec2 front = pose.position() + u * (body.front + ahead), rear = pose.position() - u * body.rear;
-  return {{rear - side, front - side, front + side, rear + side}, {}};
+  return {{rear - right, front - right, front + left, rear + left}, {}};
 }
 
 // How far a polygon must keep from a body with this reach about F.
@@ -46,12 +45,12 @@ bool segment_keeps_away(const Wanted& wanted, const PathSegment& segment) {
 }  // namespace
 
 bool keeps_away(const Polygon& polygon, std::span<const PathSegment> drive, const Footprint& body, double distance) {
-  const Wanted wanted{polygon, body, reach_of(body), distance};
+  const Wanted wanted{polygon, body, body.farthest(), distance};
   return std::ranges::all_of(drive, [&](const PathSegment& segment) { return segment_keeps_away(wanted, segment); });
 }
 
 Box box_of(std::span<const PathSegment> drive, const Footprint& body, double growth) {
-  const double reach = reach_of(body);
+  const double reach = body.farthest();
   Box box;
   for (const PathSegment& segment : drive) {
     // Pieces as long as the body reaches: nothing is further from a piece's middle than half of that and the reach.

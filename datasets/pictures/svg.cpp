@@ -194,7 +194,7 @@ void SvgPicture::add_line(std::span<const PathSegment> path, const Footprint& bo
   for (std::size_t first = 0; first < path.size();) {
     std::size_t last = first + 1;
     while (last < path.size() && path[last].gear == path[first].gear) ++last;
-    add_run(path.subspan(first, last - first), 2.0 * body.half_width * scale_ >= 5.0, colors);
+    add_run(path.subspan(first, last - first), body.width() * scale_ >= 5.0, colors);
     first = last;
   }
 }
@@ -211,7 +211,7 @@ void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& bo
   add_line(path, body, {kPathColor, alone ? kReverseColor : kPathColor});
   for (const Vec2& p : polyline(path, kDriven / scale_)) driven_.push_back(to_picture(p));
   if (!text.empty()) captions_.insert(captions_.begin(), (alone ? "" : square(kPathColor)) + escaped(text));
-  const double spacing = std::max(2.0 * (body.front + body.rear), 40.0 / scale_);
+  const double spacing = std::max(2.0 * body.length(), 40.0 / scale_);
   std::vector<Pose> poses{path.front().start};
   double next = spacing;  // from the segment's start to the next outline
   std::size_t left = 20000;
@@ -241,13 +241,13 @@ void SvgPicture::add_outline(std::string& out, const Pose& pose, const Footprint
   const Vec2 u = direction_of(pose.heading), n = perpendicular(u);
   const Vec2 f = pose.position();
   out += 'M';
-  append_point(out, f - body.rear * u - body.half_width * n);
+  append_point(out, f - body.rear * u - body.right * n);
   out += 'L';
-  append_point(out, f + (body.front + ahead) * u - body.half_width * n);
+  append_point(out, f + (body.front + ahead) * u - body.right * n);
   out += 'L';
-  append_point(out, f + (body.front + ahead) * u + body.half_width * n);
+  append_point(out, f + (body.front + ahead) * u + body.left * n);
   out += 'L';
-  append_point(out, f - body.rear * u + body.half_width * n);
+  append_point(out, f - body.rear * u + body.left * n);
   out += 'Z';
 }
 
@@ -260,7 +260,7 @@ void SvgPicture::add_swept_area(std::span<const PathSegment> path, const Footpri
     }
     // Outlines a pixel apart at the farthest corner: the notches between them are at most half of that deep.
     const double radius = 1.0 / std::abs(segment.curvature);
-    const double reach = std::hypot(std::max(body.front, body.rear), radius + body.half_width);
+    const double reach = swept_annulus(body, segment.curvature > 0.0 ? Side::kLeft : Side::kRight, radius).outer;
     const double turn = segment.length / radius;
     const double steps = std::clamp(std::ceil(turn * reach * scale_), 1.0, 2000.0);
     for (double i = 0.0; i <= steps; ++i) add_outline(swept_, segment.at(segment.length * (i / steps)), body, 0.0);
@@ -599,10 +599,9 @@ void write_svg(const std::filesystem::path& path, const PlanResult& result) {
   const Footprint body = result.scene->vehicle.footprint();
   const Path driven = result.path();
   Box view = result.scene->world.box();
-  std::vector<Vec2> places = polyline(driven, std::max(body.front + body.rear, 1e-4 * result.length));
+  std::vector<Vec2> places = polyline(driven, std::max(body.length(), 1e-4 * result.length));
   places.insert(places.end(), {result.start.position(), result.goal.position()});
-  for (const Vec2& p : places)
-    view.extend(Box{p, p}.grown(std::hypot(std::max(body.front, body.rear), body.half_width)));
+  for (const Vec2& p : places) view.extend(Box{p, p}.grown(body.farthest()));
   SvgPicture picture(result.scene->world, view);
   picture.add_axes();
   if (result.solved()) {

@@ -81,7 +81,9 @@ class TroublesomeQueries {
   Footprint body() {
     const double length = unit_ * random_.uniform(0.1, 8.0);
     const double rear = random_.uniform(-0.2, 1.0) * length;
-    return {length - rear, rear, unit_ * std::exp(random_.uniform(-4.0, 2.0))};
+    const double width = unit_ * std::exp(random_.uniform(-4.0, 2.0));
+    const double right = random_.integer(0, 1) == 0 ? width : random_.uniform(-0.2, 2.2) * width;
+    return {length - rear, rear, 2.0 * width - right, right};
   }
 
   SweptRectangle rectangle() {

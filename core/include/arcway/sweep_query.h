@@ -48,8 +48,8 @@ class ARCWAY_API SweepQuery {
 
   /// The headings at which the body, at that point of its circle, touches no obstacle.
   /// @throws std::invalid_argument if the sizes differ or a center is not in the exact range of vec2.h, naming its
-  ///   index. Also if a radius, a half width or a length front + rear is not positive and finite. Either front or rear
-  ///   may be negative.
+  ///   index. Also if a radius, a length front + rear or a width left + right is not positive, or a number not finite.
+  ///   Single reaches may be negative.
   void free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const;
   [[nodiscard]] HeadingSet free_headings(const TurningBody& body) const;
 

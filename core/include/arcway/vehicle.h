@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "arcway/export.h"
+#include "arcway/path.h"
 #include "arcway/text.h"
 #include "arcway/vec2.h"
 
@@ -36,11 +38,27 @@ struct TurnSpeedTable {
 };
 using TurnSpeedLaw = std::variant<ConstantTurnSpeed, LateralAccelerationLimit, TurnSpeedTable>;
 
-/// The body as a rectangle around the reference point F, heading along +x [m].
+/// The body as a rectangle along the heading, by how far it reaches from the reference point F [m]. A reach is negative
+/// where F lies off the body.
 struct Footprint {
-  double front;       ///< reach ahead of F
-  double rear;        ///< reach behind F
-  double half_width;  ///< reach to either side
+  double front;  ///< reach ahead of F
+  double rear;   ///< reach behind F
+  double left;   ///< reach to the left of F
+  double right;  ///< reach to the right of F
+  [[nodiscard]] double length() const { return front + rear; }
+  [[nodiscard]] double width() const { return left + right; }
+  /// The reach to one side.
+  [[nodiscard]] double beside(Side side) const { return side == Side::kLeft ? left : right; }
+  /// Whether F lies on the body.
+  [[nodiscard]] bool covers_reference() const { return std::min(front, rear) >= 0.0 && std::min(left, right) >= 0.0; }
+  /// The distance of the farthest corner from F.
+  [[nodiscard]] double farthest() const { return std::hypot(std::max(front, rear), std::max(left, right)); }
+  /// The body grown by `growth` [m] on every side.
+  [[nodiscard]] Footprint grown(double growth) const {
+    return {front + growth, rear + growth, left + growth, right + growth};
+  }
+  /// The body as it is seen when it is turned by pi about F.
+  [[nodiscard]] Footprint reversed() const { return {rear, front, right, left}; }
 };
 
 /// The instantaneous center of rotation in the body frame, (1) [m].
@@ -122,8 +140,9 @@ struct SweptAnnulus {
   double outer;  ///< rho_out
   [[nodiscard]] double width() const { return outer - inner; }
 };
-/// The annulus of a turn with a radius > 0 [m], (5) with its slips corrected. rho_out = hypot(max(front, rear), radius
-/// + half_width). rho_in = radius - half_width if F lies on the body, else the distance of the nearer corner.
-ARCWAY_API SweptAnnulus swept_annulus(const Footprint& footprint, double radius);
+/// The annulus of a turn to a side with a radius > 0 [m], (5) with its slips corrected. With h the reach to that side
+/// and o to the other one, rho_out is hypot(max(front, rear), max(radius + o, h - radius)). rho_in is radius - h if F
+/// lies on the body and h < radius, else the distance of the nearest point of the body; 0 if the center lies in it.
+ARCWAY_API SweptAnnulus swept_annulus(const Footprint& footprint, Side side, double radius);
 
 }  // namespace arcway

@@ -211,8 +211,8 @@ TEST(EmbreeQueries, AnswerInAWorldWithoutObstacles) {
   EXPECT_TRUE(queries.visibility->visible(LineSegment{{0, 0}, {5, 1}}));
   EXPECT_EQ(queries.distance->closest({1, 1}).edge, kNone);
   EXPECT_EQ(queries.distance->containing({1, 1}), kNone);
-  EXPECT_TRUE(queries.sweep->straight_free(swept_rectangle({0, 0, 0}, 5.0, {1, 1, 1})));
-  EXPECT_TRUE(queries.sweep->free_headings({{0, 0}, 2.0, Side::kLeft, {1, 1, 1}}).is_full());
+  EXPECT_TRUE(queries.sweep->straight_free(swept_rectangle({0, 0, 0}, 5.0, {1, 1, 1, 1})));
+  EXPECT_TRUE(queries.sweep->free_headings({{0, 0}, 2.0, Side::kLeft, {1, 1, 1, 1}}).is_full());
 }
 
 TEST(EmbreeQueries, FindTheRegionAmongManyEdges) {

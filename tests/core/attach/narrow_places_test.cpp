@@ -110,7 +110,8 @@ TEST(NarrowPlaces, LeadThroughDoorsOfRotatedWalls) {
 // A corridor of one width that turns to the right into one of another.
 TEST(NarrowPlaces, LeadRoundACornerAsNarrowAsItCanBe) {
   const Vehicle vehicle;
-  const SweptAnnulus swept = swept_annulus(vehicle.footprint(vehicle.safety_margin()), vehicle.min_turning_radius());
+  const SweptAnnulus swept =
+      swept_annulus(vehicle.footprint(vehicle.safety_margin()), Side::kLeft, vehicle.min_turning_radius());
   for (const double angle : {0.25 * kPi, 0.3 * kPi, 0.4 * kPi}) {
     // Of the smallest widths for a circle whose center lies in this direction from the corner.
     const double first = swept.outer - swept.inner * std::cos(angle) + 1e-3;

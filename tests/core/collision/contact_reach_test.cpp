@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/catalog.h"
@@ -14,7 +15,7 @@
 namespace arcway::internal {
 namespace {
 
-class ContactReachOnClutter : public testing::Test {
+class ContactReachOnClutter : public testing::TestWithParam<Footprint> {
  protected:
   // Calls visit(pose) for some poses at which the body is free, most of them near obstacles.
   template <class Visit>
@@ -29,10 +30,15 @@ class ContactReachOnClutter : public testing::Test {
   const World world_ = catalog_world("clutter/star/n100/m10/f30");
   const QuerySet queries_ = make_reference_queries(world_);
   const Outlines outlines_{world_};
-  const Footprint body_{1.4, 0.1, 0.4};
+  const Footprint body_ = GetParam();
 };
 
-TEST_F(ContactReachOnClutter, IsThatOfFreeHeadingsOnArcs) {
+INSTANTIATE_TEST_SUITE_P(Bodies, ContactReachOnClutter,
+                         testing::Values(Footprint{1.4, 0.1, 0.4, 0.4}, Footprint{1.4, 0.1, 0.6, 0.1},
+                                         Footprint{1.4, 0.1, -0.1, 0.7}, Footprint{1.4, 0.1, 0.7, -0.4}),
+                         [](const auto& body) { return "Body" + std::to_string(body.index); });
+
+TEST_P(ContactReachOnClutter, IsThatOfFreeHeadingsOnArcs) {
   constexpr double kMost = 6.0;
   ContactReach contact(outlines_, body_);
   int early = 0;
@@ -52,7 +58,7 @@ TEST_F(ContactReachOnClutter, IsThatOfFreeHeadingsOnArcs) {
   EXPECT_GT(early, 1000);
 }
 
-TEST_F(ContactReachOnClutter, IsThatOfSweptRectanglesOnLines) {
+TEST_P(ContactReachOnClutter, IsThatOfSweptRectanglesOnLines) {
   constexpr double kMost = 6.0, kSlack = 1e-9;
   ContactReach contact(outlines_, body_);
   int early = 0;
@@ -75,7 +81,7 @@ TEST_F(ContactReachOnClutter, IsThatOfSweptRectanglesOnLines) {
 
 // What a motion costs: an edge in the way ends it before those further away are looked at.
 TEST(ContactReach, CountsTheEdgesThatItCompares) {
-  const Footprint body{1.4, 0.1, 0.4};
+  const Footprint body{1.4, 0.1, 0.4, 0.4};
   std::vector<Polygon> walls;
   for (const double x : {3.0, 6.0, 9.0, 12.0})
     walls.push_back({{{x, -1.0}, {x + 0.5, -1.0}, {x + 0.5, 1.0}, {x, 1.0}}, {}});
@@ -93,7 +99,7 @@ TEST(ContactReach, CountsTheEdgesThatItCompares) {
 
 // A body much longer than what it can drive: edges beside its tail are near the reference point, but not in its way.
 TEST(ContactReach, ComparesNoEdgesFurtherFromTheBodyThanItMoves) {
-  const Footprint body{10.0, 0.1, 0.4};
+  const Footprint body{10.0, 0.1, 0.4, 0.4};
   std::vector<Polygon> obstacles{{{{10.1, -1.0}, {10.2, -1.0}, {10.2, 1.0}, {10.1, 1.0}}, {}}};
   for (const double x : {1.0, 2.0, 3.0, 4.0}) obstacles.push_back({{{x, 2.0}, {x + 0.5, 2.0}, {x, 2.5}}, {}});
   const Outlines outlines{World(std::move(obstacles))};

@@ -11,7 +11,8 @@
 namespace arcway::internal {
 namespace {
 
-constexpr Footprint kBody{.front = 1.4, .rear = 0.1, .half_width = 0.4};
+constexpr Footprint kBody{.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4};
+constexpr Footprint kUnevenBody{.front = 1.4, .rear = 0.1, .left = 0.2, .right = 0.6};
 
 // The free headings of one edge, of the range alone and of the whole circle.
 TEST(HeadingRange, HasTheBitsOfTheWholeCircleWithin) {
@@ -20,7 +21,7 @@ TEST(HeadingRange, HasTheBitsOfTheWholeCircleWithin) {
   int clear = 0, touched = 0, left_out = 0;
   for (int i = 0; i < 20000; ++i) {
     const TurningBody body{random.point(-1.0, 1.0), std::exp(random.uniform(-1.0, 3.0)),
-                           i % 2 == 0 ? Side::kLeft : Side::kRight, kBody};
+                           i % 2 == 0 ? Side::kLeft : Side::kRight, i % 4 < 2 ? kBody : kUnevenBody};
     const double far = 1.2 * reach_of(body);
     const Vec2 a = random.point(-far, far), b = a + random.point(-2.0, 2.0);
     const double low = random.uniform(-7.0, 7.0), angle = random.uniform(0.0, 3.0);

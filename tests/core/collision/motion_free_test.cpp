@@ -9,7 +9,7 @@
 namespace arcway::internal {
 namespace {
 
-const Footprint kDrivenBody{1.4, 0.1, 0.4};
+const Footprint kDrivenBody{1.4, 0.1, 0.4, 0.4};
 
 Polygon square(const Vec2& low, double size) {
   return {{low, low + Vec2(size, 0.0), low + Vec2(size, size), low + Vec2(0.0, size)}, {}};

@@ -50,17 +50,22 @@ TEST_F(QueryArguments, BodiesCoverSomething) {
   const auto ask = [&](const Footprint& body) {
     return queries_.sweep->free_headings({good_, 1.0, Side::kLeft, body});
   };
-  EXPECT_NO_THROW((void)ask({2.0, -0.5, 0.4}));
-  EXPECT_NO_THROW((void)ask({-0.5, 2.0, 0.4}));
+  EXPECT_NO_THROW((void)ask({2.0, -0.5, 0.4, 0.4}));
+  EXPECT_NO_THROW((void)ask({-0.5, 2.0, 0.4, 0.4}));
+  EXPECT_NO_THROW((void)ask({1.0, 0.3, 0.8, -0.2}));
+  EXPECT_NO_THROW((void)ask({1.0, 0.3, -0.2, 0.8}));
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
   for (const Footprint& body :
-       {Footprint{nan, 1.0, 0.4}, Footprint{1.0, nan, 0.4}, Footprint{1.0, 0.3, nan}, Footprint{infinity, 0.3, 0.4},
-        Footprint{1.0, 0.3, infinity}, Footprint{1.0, 0.3, 0.0}, Footprint{1.0, 0.3, -0.4}, Footprint{1.0, -1.0, 0.4}})
-    EXPECT_THROW((void)ask(body), std::invalid_argument) << body.front << " " << body.rear << " " << body.half_width;
+       {Footprint{nan, 1.0, 0.4, 0.4}, Footprint{1.0, nan, 0.4, 0.4}, Footprint{1.0, 0.3, nan, nan},
+        Footprint{infinity, 0.3, 0.4, 0.4}, Footprint{1.0, 0.3, infinity, infinity}, Footprint{1.0, 0.3, 0.0, 0.0},
+        Footprint{1.0, 0.3, -0.4, -0.4}, Footprint{1.0, 0.3, nan, 0.4}, Footprint{1.0, 0.3, 0.4, infinity},
+        Footprint{1.0, 0.3, 0.4, -0.4}, Footprint{1.0, -1.0, 0.4, 0.4}})
+    EXPECT_THROW((void)ask(body), std::invalid_argument)
+        << body.front << " " << body.rear << " " << body.left << " " << body.right;
   try {
-    (void)ask({1.0, 0.3, -0.4});
+    (void)ask({1.0, 0.3, -0.5, 0.25});
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "query 0: the body's half width is -0.4, must be positive and finite");
+    EXPECT_STREQ(error.what(), "query 0: the body's width, left + right, is -0.25, must be positive");
   }
 }
 

@@ -42,14 +42,16 @@ void expect_agreement(const World& world, const QuerySet& queries, const Footpri
 }
 
 // A wheelbase longer than the body leaves the reference point ahead of it or behind.
-constexpr Footprint kAhead{.front = 0.9, .rear = -0.5, .half_width = 0.1};
-constexpr Footprint kBehind{.front = -0.5, .rear = 0.9, .half_width = 0.1};
+constexpr Footprint kAhead{.front = 0.9, .rear = -0.5, .left = 0.1, .right = 0.1};
+constexpr Footprint kBehind{.front = -0.5, .rear = 0.9, .left = 0.1, .right = 0.1};
+constexpr Footprint kUneven{.front = 1.4, .rear = 0.1, .left = 0.2, .right = 0.6};
+constexpr Footprint kBeside{.front = 0.9, .rear = 0.5, .left = 0.5, .right = -0.3};
 
 TEST(FreeHeadings, AgreeWithTheBodyPlacedAtEachHeading) {
   const Clutter clutter =
       generate_clutter({.kind = ClutterKind::kMixed, .obstacles = 40, .vertices = 7, .fill = 0.4, .seed = 3});
   const World world(clutter.obstacles, clutter.bounds);
-  for (const Footprint& footprint : {Vehicle{}.footprint(0.0005), kAhead, kBehind})
+  for (const Footprint& footprint : {Vehicle{}.footprint(0.0005), kAhead, kBehind, kUneven, kBeside})
     for (const QuerySet& queries : {make_reference_queries(world), make_embree_queries(world)})
       expect_agreement(world, queries, footprint);
 }
@@ -59,7 +61,7 @@ TEST(FreeHeadings, ABodyApartFromItsReferencePointIsAskedAboutItself) {
   const Ring square = test::square(-1.1, -1.1, 2.2);
   const World post({{square, {}}});
   const World hole({{test::square(-50, -50, 100), {square}}});
-  const TurningBody body{{0, 0}, 1.0, Side::kLeft, {.front = 3.0, .rear = -1.5, .half_width = 0.3}};
+  const TurningBody body{{0, 0}, 1.0, Side::kLeft, {.front = 3.0, .rear = -1.5, .left = 0.3, .right = 0.3}};
   for (const auto make : {make_reference_queries, +[](const World& world) { return make_embree_queries(world); }}) {
     EXPECT_TRUE(make(post).sweep->free_headings(body).is_full());
     EXPECT_TRUE(make(hole).sweep->free_headings(body).empty());

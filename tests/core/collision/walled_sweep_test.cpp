@@ -8,7 +8,7 @@
 namespace arcway::internal {
 namespace {
 
-const Footprint kWalledBody{1.4, 0.1, 0.4};
+const Footprint kWalledBody{1.4, 0.1, 0.4, 0.4};
 
 // A wall as an obstacle that is all but without thickness.
 Polygon sliver(const LineSegment& wall) {

@@ -19,7 +19,8 @@ std::optional<Bottleneck> bottleneck_of_door(double width) {
 
 TEST(BottleneckFinder, NamesDoorsThatNoTurnFitsInto) {
   const double to_turn =
-      swept_annulus(kVehicle.footprint(0.5 * kVehicle.safety_margin()), kVehicle.min_turning_radius()).width();
+      swept_annulus(kVehicle.footprint(0.5 * kVehicle.safety_margin()), Side::kLeft, kVehicle.min_turning_radius())
+          .width();
   for (const double width : {0.5 * widest_hopeless_gap(kVehicle), 0.99 * to_turn}) {
     const auto found = bottleneck_of_door(width);
     ASSERT_TRUE(found) << width;
@@ -32,7 +33,7 @@ TEST(BottleneckFinder, NamesDoorsThatNoTurnFitsInto) {
 // Though its gaps are known.
 TEST(BottleneckFinder, HasNothingToSayOfWiderOnes) {
   const SweptAnnulus swept =
-      swept_annulus(kVehicle.footprint(0.5 * kVehicle.safety_margin()), kVehicle.min_turning_radius());
+      swept_annulus(kVehicle.footprint(0.5 * kVehicle.safety_margin()), Side::kLeft, kVehicle.min_turning_radius());
   ASSERT_LT(1.01 * swept.width(), swept.outer);
   EXPECT_FALSE(bottleneck_of_door(1.01 * swept.width()));
 }

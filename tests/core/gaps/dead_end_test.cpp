@@ -33,7 +33,7 @@ std::optional<DeadEnd> dead_end(const World& world, const Vehicle& vehicle, cons
 // Whoever faces a wall gets away by the tightest turn if at all, in which the outer front corner gets furthest.
 TEST(DeadEnd, AWallAhead) {
   const Vehicle vehicle;
-  const double needed = swept_annulus(vehicle.footprint(), vehicle.min_turning_radius()).outer;  // 2.2 m
+  const double needed = swept_annulus(vehicle.footprint(), Side::kLeft, vehicle.min_turning_radius()).outer;  // 2.2 m
   for (const double ahead : {1.45, 1.6, 1.8, 0.9 * needed}) {
     const auto proof = dead_end(World({box(ahead, -40, ahead + 1, 40)}), vehicle, {0, 0, 0}, kFarGoal);
     ASSERT_TRUE(proof) << ahead;
@@ -47,7 +47,7 @@ TEST(DeadEnd, AWallAhead) {
 // Boxes that are halved once more prove what larger ones leave open, and a planner asks so before it grows trees.
 TEST(DeadEnd, SmallerBoxesProveMore) {
   const Vehicle vehicle;
-  const double ahead = 0.93 * swept_annulus(vehicle.footprint(), vehicle.min_turning_radius()).outer;
+  const double ahead = 0.93 * swept_annulus(vehicle.footprint(), Side::kLeft, vehicle.min_turning_radius()).outer;
   const World world({box(ahead, -40, ahead + 1, 40)});
   const auto sweep = make_reference_queries(world).sweep;
   const auto proved = [&](const DeadEndEffort& effort) {
@@ -87,7 +87,7 @@ TEST(DeadEnd, IsNotLookedForByVehiclesThatTurnOnTheSpot) {
 TEST(DeadEnd, AWallBehindTheGoal) {
   const Vehicle vehicle;
   const Footprint body = vehicle.footprint();
-  const double needed = std::hypot(body.rear, vehicle.min_turning_radius() + body.half_width);  // 1.7 m
+  const double needed = std::hypot(body.rear, vehicle.min_turning_radius() + body.right);  // 1.7 m
   for (const double behind : {0.2, 0.8, 1.2}) {
     const auto proof = dead_end(World({box(-behind - 1, -40, -behind, 40)}), vehicle, {30, 5, 0}, {0, 0, 0});
     ASSERT_TRUE(proof) << behind;
@@ -103,7 +103,7 @@ TEST(DeadEnd, IsNoneInABendAsNarrowAsTheSweptArea) {
   for (int i = 0; i < 60; ++i) {
     const Pose start{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-kPi, kPi)};
     const double radius = vehicle.min_turning_radius() * (i % 3 == 0 ? 1.0 : random.uniform(1.0, 3.0));
-    const SweptAnnulus swept = swept_annulus(vehicle.footprint(), radius);
+    const SweptAnnulus swept = swept_annulus(vehicle.footprint(), Side::kLeft, radius);
     const Vec2 center = start.position() + radius * perpendicular(direction_of(start.heading));
     const double first = start.heading - 0.5 * kPi - 0.2;  // seen from the center
     const auto at = [&](double distance, double turned) -> Vec2 {

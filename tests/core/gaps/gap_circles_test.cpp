@@ -62,13 +62,13 @@ TEST(GapCircles, LeadThroughADoorThatIsTooNarrowToTurnIn) {
 TEST(GapCircles, HaveTheRadiusThatANarrowPlaceDemands) {
   // A corner faces a long wall: too near for the tightest turn.
   const double width = 1.1;
-  ASSERT_LT(width, swept_annulus(kGrown, kRadius).width());
+  ASSERT_LT(width, swept_annulus(kGrown, Side::kLeft, kRadius).width());
   const World world({test::box(-40, -41, 40, -40), {{{0, -40 + width}, {10, -20}, {-10, -20}}, {}}});
   const AddedCircles added = circles_of(world);
   ASSERT_EQ(added.around_vertices.size(), 1u);
   const TurnCircle& circle = added.around_vertices.front();
   EXPECT_GT(circle.radius, kRadius);
-  const SweptAnnulus swept = swept_annulus(kGrown, circle.radius);
+  const SweptAnnulus swept = swept_annulus(kGrown, Side::kLeft, circle.radius);
   EXPECT_LE(swept.width(), width);
   EXPECT_GT(swept.width(), width - 0.01);
   EXPECT_NEAR((circle.center - Vec2(0, -40 + width)).norm(), swept.inner, 1e-9);
@@ -77,7 +77,7 @@ TEST(GapCircles, HaveTheRadiusThatANarrowPlaceDemands) {
 
 TEST(GapCircles, TouchWhatTheirVertexFaces) {
   // The bisector of the corner points at 45 degrees, and the circle there would collide with the wall below.
-  const SweptAnnulus swept = swept_annulus(kGrown, kRadius);
+  const SweptAnnulus swept = swept_annulus(kGrown, Side::kLeft, kRadius);
   const double width = 0.5 * (swept.width() + swept.outer - swept.inner * std::sqrt(0.5));
   const World world({test::box(-40, -41, 40, -40), test::box(0, -40 + width, 30, 0)});
   const AddedCircles added = circles_of(world);
@@ -90,12 +90,12 @@ TEST(GapCircles, TouchWhatTheirVertexFaces) {
 }
 
 TEST(GapCircles, AreNotMadeWhereTheBodyDoesNotFitOrHasRoom) {
-  for (const double width : {0.0, 0.5, 0.8, 2.0 * kGrown.half_width, 2.3}) {
+  for (const double width : {0.0, 0.5, 0.8, kGrown.width(), 2.3}) {
     const AddedCircles added = circles_of(door(width, 1.0));
     EXPECT_TRUE(added.around_vertices.empty()) << width;
     EXPECT_TRUE(added.gap_straights.empty()) << width;
   }
-  const double most = swept_annulus(kGrown, kRadius).outer;
+  const double most = swept_annulus(kGrown, Side::kLeft, kRadius).outer;
   EXPECT_FALSE(circles_of(door(0.99 * most, 1.0)).gap_straights.empty());
   EXPECT_TRUE(circles_of(door(1.01 * most, 1.0)).gap_straights.empty());
   EXPECT_TRUE(circles_of(World({})).gap_straights.empty());

@@ -34,7 +34,7 @@ TEST(LocalSweep, AnswersAsTheQueryAndSeldomAsks) {
         const Pose pose{middle.x() + random.uniform(-1.5, 1.5) * around,
                         middle.y() + random.uniform(-1.5, 1.5) * around, random.uniform(0, kTwoPi)};
         const double reach = random.uniform(0.02, 0.5) * around;
-        const SweptRectangle r = swept_rectangle(pose, 0.0, {reach, 0.5 * reach, 0.4 * reach});
+        const SweptRectangle r = swept_rectangle(pose, 0.0, {reach, 0.5 * reach, 0.6 * reach, 0.2 * reach});
         const std::size_t before = sweep.asked();
         const bool is_free = local.straight_free(r);
         asked += sweep.asked() - before;
@@ -65,7 +65,7 @@ TEST(LocalSweep, SeldomAsksAboutStepsFromWhatIsFree) {
     LocalSweep local(sweep, outlines, box_of({at, at}).grown(around));
     for (int i = 0; i < 100; ++i) {
       const Vec2 next = at + 0.1 * around * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
-      const Footprint body{0.1 * around, 0.05 * around, 0.04 * around};
+      const Footprint body{0.1 * around, 0.05 * around, 0.06 * around, 0.02 * around};
       const SweptRectangle r = swept_rectangle({next.x(), next.y(), random.uniform(0, kTwoPi)}, 0.0, body);
       const std::size_t before = sweep.asked();
       const bool is_free = local.straight_free(r);

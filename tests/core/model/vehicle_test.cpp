@@ -34,8 +34,9 @@ TEST(Vehicle, PapersRobotWithFrontSteering) {
   const Footprint body = vehicle.footprint();
   EXPECT_DOUBLE_EQ(body.front, 1.4);
   EXPECT_NEAR(body.rear, 0.1, 1e-15);
-  EXPECT_DOUBLE_EQ(body.half_width, 0.4);
-  const SweptAnnulus swept = swept_annulus(body, 1.3);
+  EXPECT_DOUBLE_EQ(body.left, 0.4);
+  EXPECT_DOUBLE_EQ(body.right, 0.4);
+  const SweptAnnulus swept = swept_annulus(body, Side::kLeft, 1.3);
   EXPECT_DOUBLE_EQ(swept.inner, 0.9);
   EXPECT_DOUBLE_EQ(swept.outer, std::sqrt(1.4 * 1.4 + 1.7 * 1.7));
 }
@@ -46,7 +47,7 @@ TEST(Vehicle, PapersRobotWithRearSteering) {
   EXPECT_DOUBLE_EQ(vehicle.min_turning_radius(), 1.3);
   EXPECT_NEAR(vehicle.footprint().front, 0.1, 1e-15);
   EXPECT_DOUBLE_EQ(vehicle.footprint().rear, 1.4);
-  EXPECT_DOUBLE_EQ(swept_annulus(vehicle.footprint(), 1.3).outer, std::sqrt(1.4 * 1.4 + 1.7 * 1.7));
+  EXPECT_DOUBLE_EQ(swept_annulus(vehicle.footprint(), Side::kLeft, 1.3).outer, std::sqrt(1.4 * 1.4 + 1.7 * 1.7));
 }
 
 TEST(Vehicle, PapersRobotWithSymmetricSteering) {
@@ -55,8 +56,8 @@ TEST(Vehicle, PapersRobotWithSymmetricSteering) {
   EXPECT_DOUBLE_EQ(vehicle.min_turning_radius(), 0.65);
   EXPECT_DOUBLE_EQ(vehicle.footprint().front, 0.75);
   EXPECT_DOUBLE_EQ(vehicle.footprint().rear, 0.75);
-  EXPECT_DOUBLE_EQ(swept_annulus(vehicle.footprint(), 0.65).inner, 0.25);
-  EXPECT_DOUBLE_EQ(swept_annulus(vehicle.footprint(), 0.65).outer, std::hypot(0.75, 1.05));
+  EXPECT_DOUBLE_EQ(swept_annulus(vehicle.footprint(), Side::kLeft, 0.65).inner, 0.25);
+  EXPECT_DOUBLE_EQ(swept_annulus(vehicle.footprint(), Side::kLeft, 0.65).outer, std::hypot(0.75, 1.05));
 }
 
 TEST(Vehicle, IsTheSameIfAllParametersAre) {
@@ -78,7 +79,8 @@ TEST(Vehicle, FootprintGrowsOnEverySide) {
   const Footprint body = Vehicle().footprint(0.5);
   EXPECT_DOUBLE_EQ(body.front, 1.9);
   EXPECT_DOUBLE_EQ(body.rear, 0.6);
-  EXPECT_DOUBLE_EQ(body.half_width, 0.9);
+  EXPECT_DOUBLE_EQ(body.left, 0.9);
+  EXPECT_DOUBLE_EQ(body.right, 0.9);
 }
 
 TEST(RotationCenter, LiesOnTheAxleThatDoesNotSteer) {
@@ -115,7 +117,7 @@ TEST(PaperSlips, SweptWidthHasHalfTheWheelbase) {
   const Vec2 center = rotation_center(l, kQuarter, 0.0).value();
   const double derived = (Vec2(a, -b) - center).norm() - (center.y() - b);
   EXPECT_NEAR(derived, 1.30, 0.005);
-  EXPECT_NEAR(swept_annulus(Vehicle().footprint(), 1.3).width(), derived, 1e-15);
+  EXPECT_NEAR(swept_annulus(Vehicle().footprint(), Side::kLeft, 1.3).width(), derived, 1e-15);
 }
 
 // F is at (x_o, 0): with front steering the point of the rear axle moves along the body, not that of the front axle.
@@ -140,21 +142,29 @@ TEST(PaperSlips, TighterLockTurnsInLessRoom) {
 }
 
 TEST(SweptAnnulus, IsThatOfTheBodysOutline) {
-  for (const Footprint& body : {Footprint{1.4, 0.1, 0.4}, Footprint{2.0, -0.3, 0.4}, Footprint{-0.2, 3.0, 0.5}}) {
-    for (const double radius : {0.1, 0.45, 0.7, 3.0}) {
+  for (const Footprint& body :
+       {Footprint{1.4, 0.1, 0.4, 0.4}, Footprint{2.0, -0.3, 0.4, 0.4}, Footprint{-0.2, 3.0, 0.5, 0.5},
+        Footprint{1.4, 0.1, 0.9, 0.2}, Footprint{-0.2, 3.0, 0.1, 0.6}, Footprint{1.0, 0.4, -0.5, 1.2},
+        Footprint{1.0, -0.4, 1.2, -0.5}}) {
+    for (const auto& [radius, side] : {std::pair(0.1, Side::kLeft),
+                                       {0.45, Side::kRight},
+                                       {0.7, Side::kLeft},
+                                       {0.7, Side::kRight},
+                                       {3.0, Side::kLeft},
+                                       {3.0, Side::kRight}}) {
       double inner = std::numeric_limits<double>::infinity();
       double outer = 0.0;
       for (int i = 0; i <= 1000; ++i) {
         for (int j = 0; j <= 200; ++j) {
-          const double x = -body.rear + (body.front + body.rear) * i / 1000.0;
-          const double y = body.half_width * (j - 100) / 100.0;
-          const double distance = std::hypot(x, y - radius);
+          const double x = -body.rear + body.length() * i / 1000.0;
+          const double y = -body.right + body.width() * j / 200.0;
+          const double distance = std::hypot(x, y - sign_of(side) * radius);
           inner = std::min(inner, distance);
           outer = std::max(outer, distance);
         }
       }
-      EXPECT_NEAR(swept_annulus(body, radius).inner, inner, 5e-3);
-      EXPECT_NEAR(swept_annulus(body, radius).outer, outer, 1e-12);
+      EXPECT_NEAR(swept_annulus(body, side, radius).inner, inner, 5e-3);
+      EXPECT_NEAR(swept_annulus(body, side, radius).outer, outer, 1e-12);
     }
   }
 }
@@ -165,7 +175,7 @@ TEST(Passage, OfATurnAboutAPlaceWithinTheBody) {
   parameters.wheelbase = 0.5;
   const Vehicle vehicle(parameters);
   const double radius = vehicle.min_turning_radius();
-  const double needed = swept_annulus(vehicle.footprint(), radius).width();
+  const double needed = swept_annulus(vehicle.footprint(), Side::kLeft, radius).width();
   ASSERT_LT(radius, 2.0);
   EXPECT_TRUE(vehicle.fits_turn(1.0001 * needed, radius));
   EXPECT_FALSE(vehicle.fits_turn(0.9999 * needed, radius));

@@ -8,12 +8,13 @@
 #include <random>
 
 #include "arcway/validation.h"
+#include "core/geometry/distance.h"
 #include "tests/support/boxes.h"
 
 namespace arcway::internal {
 namespace {
 
-const Footprint kBody{1.4, 0.1, 0.4};
+const Footprint kBody{1.4, 0.1, 0.4, 0.4};
 
 using test::box;
 
@@ -77,6 +78,41 @@ TEST(Clearance, BackwardsIsThatOfTheSameMotionForwards) {
     EXPECT_NEAR(back.arc_length, 3.0 - ahead.arc_length, 1e-9);
     EXPECT_EQ(back.edge, ahead.edge);
   }
+}
+
+// The body as a polygon, at many poses of the motion.
+TEST(Clearance, OfAnUnevenBodyIsThatOfItsOutline) {
+  const Footprint body{1.4, 0.1, 0.7, 0.2};
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-5.0, 5.0), unit(0.0, 1.0);
+  int free = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Polygon> obstacles;
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 p(place(random), place(random));
+      obstacles.push_back({{p, p + Vec2(0.8, 0.1), p + Vec2(0.1, 0.9)}, {}});
+    }
+    const World world(obstacles);
+    const double curvature = round % 3 == 0 ? 0.0 : 1.6 * unit(random) - 0.8;
+    const PathSegment segment{{0.0, 0.0, 6.0 * unit(random)}, 3.0 * unit(random), curvature};
+    constexpr int kPlaces = 2000;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= kPlaces; ++i) {
+      const Pose at = segment.at(segment.length * i / kPlaces);
+      const Vec2 ahead = direction_of(at.heading), left = perpendicular(ahead);
+      const auto corner = [&](double x, double y) -> Vec2 { return at.position() + x * ahead + y * left; };
+      const Polygon outline{{corner(-0.1, -0.2), corner(1.4, -0.2), corner(1.4, 0.7), corner(-0.1, 0.7)}, {}};
+      for (const Polygon& obstacle : obstacles) least = std::min(least, distance(outline, obstacle));
+    }
+    const double step = segment.length / kPlaces * (1.0 + 1.6 * std::abs(curvature));
+    const double clearance = clearance_along(segment, body, world).distance;
+    EXPECT_LE(clearance, least + 1e-12);
+    EXPECT_GE(clearance, least - step);
+    EXPECT_NEAR(clearance_below(1e3, segment, body, Outlines(world)), clearance, 1e-14);
+    free += clearance > 0.0;
+  }
+  EXPECT_GT(free, 20);
+  EXPECT_LT(free, 60);
 }
 
 TEST(Clearance, AgreesWithTheValidatorInRandomWorlds) {

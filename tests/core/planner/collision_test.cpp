@@ -31,7 +31,7 @@ struct Motion {
 };
 
 TEST(Collision, NamesTheObstacleThatTheBodyMeetsNotTheNearestToItsReference) {
-  const Footprint body{.front = 10, .rear = 1, .half_width = 1};
+  const Footprint body{.front = 10, .rear = 1, .left = 1, .right = 1};
   for (const Motion& motion : {Motion{0, {0, 0}}, Motion{0.7, {1e6, -1e6}}, Motion{-2.1, {3, 4}}}) {
     // Obstacle 0 is beside the reference point, obstacle 1 is before the nose, and is met by it.
     const World world({motion(box(-1, 1.5, 0, 3)), motion(box(9, -3, 20, 3))});
@@ -46,14 +46,14 @@ TEST(Collision, NamesTheObstacleThatTheBodyMeetsNotTheNearestToItsReference) {
 TEST(Collision, ASwallowedBodyMeetsWhatSwallowsIt) {
   const World world({box(0, 0, 100, 100)}, box(-50, -50, 200, 200).outer);
   const QuerySet queries = make_reference_queries(world);
-  const Footprint body{.front = 2, .rear = 1, .half_width = 1};
+  const Footprint body{.front = 2, .rear = 1, .left = 1, .right = 1};
   EXPECT_EQ(contact_of(world, Outlines(world), *queries.distance, body, {50, 50, 1})->region, 0u);
   EXPECT_EQ(contact_of(world, Outlines(world), *queries.distance, body, {-60, 0, 1})->region, 1u);
   EXPECT_FALSE(contact_of(world, Outlines(world), *queries.distance, body, {-20, 0, 1}));
 }
 
 TEST(Collision, TheFreePoseIsFreeAndNear) {
-  const Footprint body{.front = 3, .rear = 1, .half_width = 1};
+  const Footprint body{.front = 3, .rear = 1, .left = 1, .right = 1};
   test::RandomInputs random(3);
   for (int round = 0; round < 50; ++round) {
     const Motion motion{random.uniform(-3, 3), {random.uniform(-1e6, 1e6), random.uniform(-1e6, 1e6)}};
@@ -72,7 +72,7 @@ TEST(Collision, TurnsWhereThatIsLessThanToMove) {
   // Between walls beside it, a tail that is turned by 15 degrees: turned back it fits.
   const World world({box(-50, 1.5, 50, 9), box(-50, -9, 50, -1.5)});
   const QuerySet queries = make_reference_queries(world);
-  const Footprint body{.front = 3, .rear = 3, .half_width = 1};
+  const Footprint body{.front = 3, .rear = 3, .left = 1, .right = 1};
   const auto free = nearest_free_pose(*queries.sweep, body, {0, 0, kPi / 12});
   ASSERT_TRUE(free);
   EXPECT_EQ(free->distance, 0.0);
@@ -83,7 +83,7 @@ TEST(Collision, TurnsWhereThatIsLessThanToMove) {
 TEST(Collision, SaysWhereNothingIsFreeNearBy) {
   const World world({box(0, 0, 100, 100)});
   const QuerySet queries = make_reference_queries(world);
-  const Footprint body{.front = 2, .rear = 1, .half_width = 2};  // of diagonal 5
+  const Footprint body{.front = 2, .rear = 1, .left = 2, .right = 2};  // of diagonal 5
   EXPECT_EQ(collision_text(world, Outlines(world), queries, body, {50, 50, 1}),
             "collides with obstacle 0 at (50.27, 50.421); no free pose was found within 10 m");
 }

@@ -66,10 +66,8 @@ TEST(GearTree, CountsTheCostOfCusps) {
 TEST(GearTree, HasNoMotionWhereThereIsNoRoom) {
   const Vehicle vehicle;
   const Footprint body = vehicle.footprint(vehicle.safety_margin());
-  const World cell({}, Ring{{-body.rear, -body.half_width},
-                            {body.front, -body.half_width},
-                            {body.front, body.half_width},
-                            {-body.rear, body.half_width}});
+  const World cell(
+      {}, Ring{{-body.rear, -body.right}, {body.front, -body.right}, {body.front, body.left}, {-body.rear, body.left}});
   const Outlines outlines(cell);
   GearTree tree({0.0, 0.0, 0.0}, vehicle, outlines, {64.0, true, 0.0}, nothing_ahead);
   EXPECT_EQ(tree.expand(), GearTree::kRoot);

@@ -75,7 +75,7 @@ TEST(RefineReversing, BendsAsALaneDoes) {
   const Vehicle vehicle;
   const double radius = 3.0 * vehicle.min_turning_radius();
   const Footprint body = vehicle.footprint(vehicle.safety_margin());
-  const SweptAnnulus swept = swept_annulus(body, radius);
+  const SweptAnnulus swept = swept_annulus(body, Side::kLeft, radius);
   constexpr int kCorners = 256;
   const auto circle = [&](double r) {
     Ring ring;

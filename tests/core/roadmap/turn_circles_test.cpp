@@ -25,7 +25,7 @@ TEST(TurnCircles, GoRoundBothCornersAtTheEndOfAThinWall) {
   const World world = wall(0.5);
   const TurnCircles circles = circles_of(world, {1.3, 2.6});
   ASSERT_EQ(circles.all().size(), 4u * 4u + 2u * 2u);  // both ends of the wall
-  const double inner = swept_annulus(Vehicle().footprint(1e-3), 1.3).inner;
+  const double inner = swept_annulus(Vehicle().footprint(1e-3), Side::kLeft, 1.3).inner;
   std::size_t at_top = 0;
   for (const TurnCircle& circle : circles.all().subspan(16)) {
     EXPECT_EQ(circle.radius, 1.3);

@@ -11,11 +11,11 @@
 namespace arcway::internal {
 namespace {
 
-constexpr Footprint kTouchingBody{1.5, 0.5, 0.5};
+constexpr Footprint kTouchingBody{1.5, 0.5, 0.5, 0.5};
 constexpr double kNear = 0.1;
 
-std::optional<BodyContact> contact(const Pose& pose, const LineSegment& edge) {
-  return body_contact(kTouchingBody, {pose.position(), direction_of(pose.heading), 0.0}, edge, kNear);
+std::optional<BodyContact> contact(const Pose& pose, const LineSegment& edge, const Footprint& body = kTouchingBody) {
+  return body_contact(body, {pose.position(), direction_of(pose.heading), 0.0}, edge, kNear);
 }
 
 TEST(BodyContact, IsTheLeastWayOut) {
@@ -46,6 +46,17 @@ TEST(BodyContact, KnowsEdgesNearBy) {
   EXPECT_NEAR(near->depth, -0.05, 1e-15);
   EXPECT_FALSE(contact({0.0, 0.0, 0.0}, {{1.0, 0.65}, {1.0, 5.0}}));
   EXPECT_FALSE(contact({0.0, 0.0, 0.0}, {{1.65, -1.0}, {1.65, 5.0}}));
+}
+
+TEST(BodyContact, KnowsTheSidesApart) {
+  const Footprint body{1.5, 0.5, 0.5, 0.2};
+  const auto left = contact({0.0, 0.0, 0.0}, {{1.0, 0.4}, {1.0, 5.0}}, body);
+  ASSERT_TRUE(left);
+  EXPECT_DOUBLE_EQ(left->depth, 0.1);
+  const auto right = contact({0.0, 0.0, 0.0}, {{1.0, -0.15}, {1.0, -5.0}}, body);
+  ASSERT_TRUE(right);
+  EXPECT_NEAR(right->depth, 0.05, 1e-15);
+  EXPECT_FALSE(contact({0.0, 0.0, 0.0}, {{1.0, -0.35}, {1.0, -5.0}}, body));
 }
 
 // Where depths of two sides are equal the gradient is another one.

@@ -13,7 +13,7 @@ namespace {
 
 using test::box;
 
-constexpr Footprint kPathBody{1.5, 0.5, 0.5};
+constexpr Footprint kPathBody{1.5, 0.5, 0.5, 0.5};
 
 std::vector<PathSegment> chain(const Pose& start, const std::vector<PathSegment>& motions) {
   std::vector<PathSegment> path;

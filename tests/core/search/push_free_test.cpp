@@ -29,7 +29,7 @@ Pose turned(const Pose& pose, double by, const Vec2& moved) {
 // Two posts, a little to the left of a straight line, with 2 mm beside the body and its margin on either side.
 World two_posts(double aside, double by, const Vec2& moved) {
   const Vehicle vehicle;
-  const double half = vehicle.footprint(0.5 * vehicle.safety_margin()).half_width + 0.002;
+  const double half = vehicle.footprint(0.5 * vehicle.safety_margin()).left + 0.002;
   return World({{turned(test::box(6.0, aside + half, 6.4, aside + half + 2.0).outer, by, moved), {}},
                 {turned(test::box(6.1, aside - half - 2.0, 6.5, aside - half).outer, by, moved), {}}});
 }
@@ -56,7 +56,7 @@ TEST(PushFree, LeadsThroughAGapBesideThePath) {
 
 TEST(PushFree, GivesUpWhereTheBodyDoesNotFit) {
   const Vehicle vehicle;
-  const double half = vehicle.footprint().half_width - 0.02;
+  const double half = vehicle.footprint().left - 0.02;
   const Roadmap map =
       test::lazy_map(World({test::box(6.0, half, 6.4, 3.0), test::box(6.0, -3.0, 6.4, -half)}), vehicle);
   EXPECT_FALSE(push_free({{{0.0, 0.0, 0.0}, 12.0, 0.0}}, {12.0, 0.0, 0.0}, map.body, map, {}));

@@ -26,7 +26,7 @@ ExploredSurroundings explored(const World& world, const Pose& root, Direction di
 // What the tightest turn takes ahead of the reference point, with the safety margin.
 double needed() {
   const Vehicle vehicle;
-  return swept_annulus(vehicle.footprint(vehicle.safety_margin()), vehicle.min_turning_radius()).outer;
+  return swept_annulus(vehicle.footprint(vehicle.safety_margin()), Side::kLeft, vehicle.min_turning_radius()).outer;
 }
 
 World wall_ahead(double ahead) { return World({box(ahead, -40, ahead + 1, 40)}); }

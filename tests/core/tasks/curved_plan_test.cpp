@@ -91,7 +91,7 @@ TEST(CurvedPlan, KeepsTheBodyOffTheCurves) {
           for (int k = 0; k < 20; ++k) {
             const Vec2 p = piece.at(k / 20.0) - pose.position();
             const double along = p.dot(u), aside = std::abs(cross(u, p));
-            EXPECT_FALSE(along < body.front && along > -body.rear && aside < body.half_width);
+            EXPECT_FALSE(along < body.front && along > -body.rear && aside < body.left);
           }
     }
   }

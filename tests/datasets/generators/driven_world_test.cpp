@@ -115,7 +115,7 @@ TEST(DrivenWorld, RefusesWhatIsOutOfRange) {
 
 // A square that a turning body passes: only the nearest moment decides.
 TEST(DriveClearance, DecidesByTheNearestMomentOfTheMotion) {
-  const Footprint body{2.0, 1.0, 0.5};
+  const Footprint body{2.0, 1.0, 0.5, 0.5};
   const Path drive{{{0.0, 0.0, 0.0}, 6.0, 0.25, Gear::kForward}};
   const auto square_at = [](double x) { return Polygon{{{x, -0.1}, {x + 0.2, -0.1}, {x + 0.2, 0.1}, {x, 0.1}}, {}}; };
   // The front right corner is hypot(2, 4.5) from the center (0, 4), where it is nearest to the square's upper left

@@ -29,7 +29,7 @@ TEST(Svg, DrawsLayersWithYUp) {
   const std::vector<LineSegment> edges{{{0, 0}, {10, 10}}, {{0, 10}, {20, 20}}};
   picture.add_edges(edges);
   const Path path{{{20, 20, 0}, 10, 0}, {{30, 20, 0}, 3, 0.5}};
-  picture.add_path(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+  picture.add_path(path, {.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
   picture.add_caption("a < b & \"c\"");
   picture.set_title("T<1>", "D");
   const std::string svg = picture.str();
@@ -48,10 +48,12 @@ TEST(Svg, DrawsLayersWithYUp) {
 TEST(Svg, DrawsTheSweptArea) {
   SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}}), 1000.0);
   EXPECT_EQ(count(picture.str(), "id=\"swept\""), 0u);
-  const Footprint body{.front = 2, .rear = 1, .half_width = 1};
+  const Footprint body{.front = 2, .rear = 1, .left = 1, .right = 1};
   picture.add_swept_area(Path{{{20, 20, 0}, 10, 0}}, body);
   // One rectangle for a line.
   EXPECT_NE(picture.str().find("M19 19L32 19L32 21L19 21Z"), std::string::npos) << picture.str();
+  picture.add_swept_area(Path{{{20, 20, 0}, 10, 0}}, {.front = 2, .rear = 1, .left = 3, .right = 0.5});
+  EXPECT_NE(picture.str().find("M19 19.5L32 19.5L32 23L19 23Z"), std::string::npos) << picture.str();
   picture.add_swept_area(Path{{{20, 20, 0}, 5, 0.2}}, body);
   // The farthest corner is hypot(2, 6) from the turning center: outlines a pixel apart over one radian.
   EXPECT_GE(count(picture.str(), "Z"), 63u);
@@ -59,7 +61,7 @@ TEST(Svg, DrawsTheSweptArea) {
 
 TEST(Svg, DrawsReverseDashed) {
   SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}}), 1000.0);
-  const Footprint body{.front = 2, .rear = 1, .half_width = 1};
+  const Footprint body{.front = 2, .rear = 1, .left = 1, .right = 1};
   const PathSegment ahead{{20, 20, 0}, 10, 0};
   const Path path{ahead, {ahead.end(), 5, 0, Gear::kReverse}, {ahead.at(5), 5, 0}};
   picture.add_path(path, body, "a text");
@@ -74,9 +76,9 @@ TEST(Svg, DrawsReverseDashed) {
 TEST(Svg, AlternativesDifferInColorAndHaveALegend) {
   const Path path{{{1, 1, 0}, 4.0, 0.0}}, back{{{1, 2, 0}, 4.0, 0.0, Gear::kReverse}};
   SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
-  svg.add_alternative(path, {1.0, 0.5, 0.4}, "second & so on");
-  svg.add_alternative(back, {1.0, 0.5, 0.4}, "third");
-  svg.add_path(path, {1.0, 0.5, 0.4}, "first");
+  svg.add_alternative(path, {1.0, 0.5, 0.4, 0.4}, "second & so on");
+  svg.add_alternative(back, {1.0, 0.5, 0.4, 0.4}, "third");
+  svg.add_path(path, {1.0, 0.5, 0.4, 0.4}, "first");
   const std::string text = svg.str();
   EXPECT_LT(text.find("first</text>"), text.find("second &amp;"));
   EXPECT_NE(text.find(">dashed: backwards</text>"), std::string::npos);
@@ -90,7 +92,7 @@ TEST(Svg, AlternativesDifferInColorAndHaveALegend) {
 
 TEST(Svg, ExplainsGearsOnlyWhereBothAreDriven) {
   SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
-  svg.add_path(Path{{{1, 1, 0}, 4.0, 0.0}}, {1.0, 0.5, 0.4}, "text");
+  svg.add_path(Path{{{1, 1, 0}, 4.0, 0.0}}, {1.0, 0.5, 0.4, 0.4}, "text");
   EXPECT_EQ(svg.str().find("backwards"), std::string::npos);
   EXPECT_EQ(svg.str().find("tspan"), std::string::npos);
 }
@@ -105,7 +107,7 @@ TEST(Svg, MarksPlacesOnTheWay) {
 TEST(Svg, LabelsLieBesideTheArrows) {
   const auto label_of = [](double heading) {
     SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
-    svg.add_poses({5, 5, heading}, {1, 1, 0}, {.front = 1.0, .rear = 0.5, .half_width = 0.4});
+    svg.add_poses({5, 5, heading}, {1, 1, 0}, {.front = 1.0, .rear = 0.5, .left = 0.4, .right = 0.4});
     const std::string text = svg.str();
     const std::size_t at = text.find(" y=\"", text.find("<text x="));
     return std::stod(text.substr(at + 4));
@@ -168,7 +170,7 @@ TEST(Svg, ColorsThePathBySpeed) {
 TEST(Svg, MagnifiesAPlaceInTheCornerThatThePathLeavesFree) {
   const Path path{{{5, 5, 0}, 90.0, 0.0}, {{95, 5, kPi / 2}, 90.0, 0.0}, {{95, 95, kPi}, 45.0, 0.0}};
   SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 100}, {0, 100}}), 1000.0);
-  picture.add_path(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+  picture.add_path(path, {.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
   picture.add_inset({95, 5}, 4.0, "2 < 3");
   const std::string svg = picture.str();
   // The place: 4 m of 10 px each about (95, 5), whose pixel is 16 + 950, 16 + 950.
@@ -226,8 +228,8 @@ TEST(Svg, ShowsTheLayersAskedFor) {
     SvgPicture picture(world);
     picture.add_edges(std::vector<LineSegment>{{{0, 0}, {10, 10}}});
     const Path path{{{20, 20, 0}, 10, 0}};
-    picture.add_path(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
-    picture.add_swept_area(path, {.front = 1.4, .rear = 0.1, .half_width = 0.4});
+    picture.add_path(path, {.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
+    picture.add_swept_area(path, {.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
     picture.add_axes();
     picture.add_obstacle_numbers(world);
     picture.show(layers);
