@@ -11,6 +11,7 @@
 #include "arcway/alternatives.h"
 #include "arcway/angle.h"
 #include "arcway/backend.h"
+#include "arcway/body_shape.h"
 #include "arcway/bottleneck.h"
 #include "arcway/closed_spline.h"
 #include "arcway/curved_plan.h"
