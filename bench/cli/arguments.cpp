@@ -271,6 +271,7 @@ std::string heading_warning(std::string_view what, double heading) {
 std::vector<std::string> vehicle_warnings(const Vehicle& vehicle) {
   constexpr double kLongest = 3.0;  // bodies by their wheelbase: that of a long bus is 2.1
   const VehicleParameters& p = vehicle.parameters();
+  if (p.front_overhang || !p.footprint.empty()) return {};
   const std::string measures = "the robot's wheelbase of " + shortest_text(p.wheelbase) + " m ";
   std::vector<std::string> warnings;
   if (p.wheelbase > p.length)

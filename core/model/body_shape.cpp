@@ -128,7 +128,8 @@ BodyShape::BodyShape(std::vector<Ring> parts) : parts_(std::move(parts)) {
 }
 
 GrownBody::GrownBody(const BodyShape& shape, double margin)
-    : inner_points(shape.inner_points().begin(), shape.inner_points().end()) {
+    : outline(shape.parts().begin(), shape.parts().end()),
+      inner_points(shape.inner_points().begin(), shape.inner_points().end()) {
   for (const Ring& piece : shape.pieces()) {
     pieces.push_back(grow_convex(piece, margin));
     for (const Vec2& corner : pieces.back()) bounds.extend(corner);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -42,6 +45,46 @@ void check(const TurnSpeedTable& law) {
     require_positive(speed, entry + ".speed");
     previous = radius;
   }
+}
+
+// The rectangle by its axles, about F at `offset` from the middle between them.
+Footprint rectangle_of(const VehicleParameters& p, double offset) {
+  const double half_width = 0.5 * p.width;
+  if (!p.front_overhang) {
+    const double a = 0.5 * p.length;
+    return {a - offset, a + offset, half_width, half_width};
+  }
+  const double half = 0.5 * p.wheelbase;
+  return {half - offset + *p.front_overhang, half + offset + *p.rear_overhang, half_width, half_width};
+}
+
+Footprint footprint_of(const Box& box) { return {box.max.x(), -box.min.x(), box.max.y(), -box.min.y()}; }
+
+void check_overhangs(const VehicleParameters& p) {
+  if (p.front_overhang.has_value() != p.rear_overhang.has_value())
+    throw std::invalid_argument(std::string("vehicle: ") + (p.front_overhang ? "rear" : "front") +
+                                "_overhang is missing, give both overhangs or neither");
+  if (!p.front_overhang) return;
+  const auto require_finite = [](double value, std::string_view name) {
+    require(std::abs(value) <= kLargestVehicleNumber, name, value,
+            "of a magnitude up to " + shortest_text(kLargestVehicleNumber));
+  };
+  require_finite(*p.front_overhang, "front_overhang");
+  require_finite(*p.rear_overhang, "rear_overhang");
+  require_positive(p.wheelbase + *p.front_overhang + *p.rear_overhang, "front_overhang + wheelbase + rear_overhang");
+}
+
+void check_footprint(const VehicleParameters& p) {
+  if (p.front_overhang) throw std::invalid_argument("vehicle: both footprint and overhangs are given, leave one out");
+  for (const double value : {p.footprint_origin.x(), p.footprint_origin.y()})
+    require(std::abs(value) <= kLargestVehicleNumber, "footprint_origin", value,
+            "of a magnitude up to " + shortest_text(kLargestVehicleNumber));
+}
+
+std::vector<Ring> about_reference(std::vector<Ring> rings, const Vec2& origin) {
+  for (Ring& ring : rings)
+    for (Vec2& p : ring) p += origin;
+  return rings;
 }
 
 double speed_by(const ConstantTurnSpeed& law, double /*radius*/) { return law.speed; }
@@ -90,6 +133,15 @@ double excess_width(const Footprint& body, double radius) {
 
 }  // namespace
 
+bool Body::covers(const Vec2& point) const {
+  if (shape == nullptr) return Box{{-rear, -right}, {front, left}}.contains(point);
+  return std::ranges::any_of(shape->pieces, [&](const Ring& piece) {
+    for (std::size_t i = 0; i < piece.size(); ++i)
+      if (cross(piece[(i + 1) % piece.size()] - piece[i], point - piece[i]) < 0.0) return false;
+    return true;
+  });
+}
+
 std::optional<Vec2> rotation_center(double wheelbase, double front_angle, double rear_angle) {
   const double front = std::tan(front_angle);
   const double rear = std::tan(rear_angle);
@@ -97,6 +149,20 @@ std::optional<Vec2> rotation_center(double wheelbase, double front_angle, double
   if (t == 0.0) return std::nullopt;
   return Vec2{-0.5 * wheelbase * ((front + rear) / t), wheelbase / t};
 }
+
+// A shape and what was grown of it. Pointers to these stay valid.
+struct Vehicle::Shapes {
+  explicit Shapes(BodyShape s) : shape(std::move(s)) {}
+
+  const GrownBody* grown(double margin) const {
+    const std::lock_guard lock(mutex);
+    return &by_margin.try_emplace(margin, shape, margin).first->second;
+  }
+
+  BodyShape shape;
+  mutable std::mutex mutex;
+  mutable std::map<double, GrownBody> by_margin;
+};
 
 Vehicle::Vehicle(VehicleParameters parameters) : parameters_(std::move(parameters)) {
   const VehicleParameters& p = parameters_;
@@ -111,6 +177,16 @@ Vehicle::Vehicle(VehicleParameters parameters) : parameters_(std::move(parameter
   if (p.max_reverse_speed) require_positive(*p.max_reverse_speed, "max_reverse_speed");
   require_positive(p.max_acceleration, "max_acceleration");
   require_positive(p.safety_margin, "safety_margin");
+  check_overhangs(p);
+  // What others take the place of is the default, so that vehicles are the same if their bodies are.
+  if (p.front_overhang || !p.footprint.empty()) parameters_.length = VehicleParameters{}.length;
+  if (!p.footprint.empty()) parameters_.width = VehicleParameters{}.width;
+  box_ = rectangle_of(p, reference_offset());
+  if (p.footprint.empty()) return;
+  check_footprint(p);
+  BodyShape shape(about_reference(p.footprint, p.footprint_origin));
+  box_ = footprint_of(shape.bounds());
+  if (!shape.is_rectangle()) shapes_ = std::make_shared<const Shapes>(std::move(shape));
 }
 
 double Vehicle::reference_offset() const {
@@ -143,10 +219,20 @@ double Vehicle::steering_angle(double curvature) const {
 }
 
 Footprint Vehicle::footprint(double growth) const {
-  const double a = 0.5 * parameters_.length;
-  const double offset = reference_offset();
-  const double b = 0.5 * parameters_.width;
-  return Footprint{a - offset, a + offset, b, b}.grown(growth);
+  return shapes_ ? footprint_of(shapes_->grown(growth)->bounds) : box_.grown(growth);
+}
+
+Body Vehicle::body(double growth) const& {
+  Body body = footprint(growth);
+  if (shapes_) body.shape = shapes_->grown(growth);
+  return body;
+}
+
+const BodyShape* Vehicle::shape() const { return shapes_ ? &shapes_->shape : nullptr; }
+
+std::vector<Ring> Vehicle::outline() const {
+  if (shapes_) return {shapes_->shape.parts().begin(), shapes_->shape.parts().end()};
+  return {Polygon::rectangle(-box_.rear, -box_.right, box_.front, box_.left).outer};
 }
 
 double Vehicle::turn_speed(double radius) const {
@@ -158,16 +244,16 @@ double Vehicle::reverse_turn_speed(double radius) const {
 }
 
 Vehicle Vehicle::with_gears_swapped() const {
-  VehicleParameters swapped = parameters_;
-  swapped.max_speed = max_reverse_speed();
-  swapped.max_reverse_speed = max_speed();
-  return Vehicle(std::move(swapped));
+  Vehicle swapped = *this;
+  swapped.parameters_.max_speed = max_reverse_speed();
+  swapped.parameters_.max_reverse_speed = max_speed();
+  return swapped;
 }
 
-bool Vehicle::fits_straight(double gap_width) const { return gap_width > parameters_.width; }
+bool Vehicle::fits_straight(double gap_width) const { return gap_width > box_.width(); }
 
 bool Vehicle::fits_turn(double gap_width, double radius) const {
-  return gap_width - parameters_.width > excess_width(footprint(), radius);
+  return gap_width - box_.width() > excess_width(footprint(), radius);
 }
 
 std::optional<double> Vehicle::smallest_fitting_radius(double gap_width) const {
@@ -180,7 +266,7 @@ std::optional<double> Vehicle::smallest_fitting_radius(double gap_width) const {
   if (fits_turn(gap_width, widest)) return lowest;
   // hypot(A, r + b) - hypot(g, r - b) = D, squared twice; the larger root is the one beyond the widest radius.
   const double d = gap_width;
-  const double spare = d - parameters_.width;
+  const double spare = d - box_.width();
   double radius = 0.0;
   if (reach.gap == 0.0) {
     radius = 0.5 * (reach.far * (reach.far / spare) - d);
@@ -188,7 +274,7 @@ std::optional<double> Vehicle::smallest_fitting_radius(double gap_width) const {
     const double g = reach.gap;
     const double squares = (reach.far - g) * (reach.far + g);
     const double half_k = 0.5 * (squares - d * d);
-    const double square_coefficient = spare * (d + parameters_.width);
+    const double square_coefficient = spare * (d + box_.width());
     const double linear = b * squares;
     const double constant = (d * std::hypot(g, b) - half_k) * (d * std::hypot(g, b) + half_k);
     const double discriminant = linear * linear - square_coefficient * constant;
@@ -219,7 +305,15 @@ std::string to_string(Steering steering) {
 
 std::string to_string(const Vehicle& vehicle) {
   const VehicleParameters& p = vehicle.parameters();
-  return rounded_text(p.length) + " m x " + rounded_text(p.width) + " m, " + to_string(p.steering) +
+  const Footprint box = vehicle.footprint();
+  std::string body;
+  if (const BodyShape* shape = vehicle.shape()) {
+    std::size_t corners = 0;
+    for (const Ring& part : shape->parts()) corners += part.size();
+    const std::size_t parts = shape->parts().size();
+    body = std::to_string(corners) + " corners" + (parts > 1 ? " in " + std::to_string(parts) + " parts, " : ", ");
+  }
+  return body + rounded_text(box.length()) + " m x " + rounded_text(box.width()) + " m, " + to_string(p.steering) +
          " steering, turning radius " + rounded_text(vehicle.min_turning_radius()) + " m, " +
          rounded_text(p.max_speed) + " m/s, " + rounded_text(p.max_acceleration) + " m/s^2";
 }

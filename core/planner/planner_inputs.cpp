@@ -71,8 +71,9 @@ void leave_out(const std::string& name, PlannerOptions& options) {
 }
 
 void require_margin(const World& world, const Vehicle& vehicle) {
-  const VehicleParameters& body = vehicle.parameters();
-  require_margin(vehicle, std::max({body.length, body.width, body.wheelbase}), "a body of");
+  const Footprint body = vehicle.footprint();
+  const double largest = std::max({body.length(), body.width(), body.farthest(), vehicle.parameters().wheelbase});
+  require_margin(vehicle, largest, "a body of");
   require_margin(vehicle, vehicle.min_turning_radius(), "a smallest turning radius of");
   if (world.box().empty()) return;
   require_margin(vehicle, std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff()),

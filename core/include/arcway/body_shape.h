@@ -16,9 +16,10 @@ class ARCWAY_API BodyShape {
  public:
   /// Rings may have either orientation, and a last vertex that repeats the first one. Corners on the line through their
   /// neighbors are left out.
-  /// @throws std::invalid_argument naming ring, vertex and value. Each ring needs 3 distinct corners and an area, and may
-  ///   neither cross nor touch itself. Coordinates must be finite and in the range of a vehicle's numbers. Rings may touch
-  ///   each other, but not overlap.
+  /// @throws std::invalid_argument naming ring, vertex and value. Each ring needs 3 distinct corners and an area, and
+  /// may
+  ///   neither cross nor touch itself. Coordinates must be finite and in the range of a vehicle's numbers. Rings may
+  ///   touch each other, but not overlap.
   explicit BodyShape(std::vector<Ring> parts);
 
   /// The rings, counter-clockwise.
@@ -53,6 +54,7 @@ struct ARCWAY_API GrownBody {
   /// @param margin  [m], >= 0.
   GrownBody(const BodyShape& shape, double margin);
 
+  std::vector<Ring> outline;       ///< the parts of the shape, not grown
   std::vector<Ring> pieces;        ///< convex polygons, counter-clockwise, whose union is the grown body
   std::vector<Vec2> inner_points;  ///< of the shape: one a connected part, or more
   Box bounds;                      ///< of the pieces

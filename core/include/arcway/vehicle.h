@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "arcway/body_shape.h"
 #include "arcway/export.h"
 #include "arcway/path.h"
+#include "arcway/polygon.h"
 #include "arcway/text.h"
 #include "arcway/vec2.h"
 
@@ -38,8 +41,8 @@ struct TurnSpeedTable {
 };
 using TurnSpeedLaw = std::variant<ConstantTurnSpeed, LateralAccelerationLimit, TurnSpeedTable>;
 
-/// The body as a rectangle along the heading, by how far it reaches from the reference point F [m]. A reach is negative
-/// where F lies off the body.
+/// A rectangle along the heading, by how far it reaches from the reference point F [m]: the body, or what bounds it. A
+/// reach is negative where F lies off it.
 struct Footprint {
   double front;  ///< reach ahead of F
   double rear;   ///< reach behind F
@@ -59,6 +62,20 @@ struct Footprint {
   }
   /// The body as it is seen when it is turned by pi about F.
   [[nodiscard]] Footprint reversed() const { return {rear, front, right, left}; }
+};
+
+/// The body as queries are asked about it: a rectangle, or a shape and the rectangle that bounds it.
+struct ARCWAY_API Body : Footprint {
+  Body() = default;
+  /// A rectangle.
+  Body(const Footprint& rectangle) : Footprint(rectangle) {}
+  Body(double front_reach, double rear_reach, double left_reach, double right_reach)
+      : Footprint{front_reach, rear_reach, left_reach, right_reach} {}
+  /// Whether a point about F belongs to the body, by the signs of rounded areas.
+  [[nodiscard]] bool covers(const Vec2& point) const;
+  [[nodiscard]] bool covers_reference() const { return covers(Vec2(0.0, 0.0)); }
+  /// None: the rectangle. It belongs to the vehicle that gave the body, and lives as long as any copy of that.
+  const GrownBody* shape = nullptr;
 };
 
 /// The instantaneous center of rotation in the body frame, (1) [m].
@@ -83,10 +100,19 @@ struct VehicleParameters {
   /// Paths pass vertices at this distance from the body, and keep the body at least half of it away from every obstacle
   /// [m], > 0.
   double safety_margin = 1e-3;
+  /// Reach of the body ahead of the front axle and behind the rear axle [m], both or none; negative if an axle lies off
+  /// the body. They take the place of `length`.
+  std::optional<double> front_overhang = {}, rear_overhang = {};
+  /// The body as one or several simple polygons [m], in place of length, width and overhangs: see BodyShape. They are
+  /// about F, or about another origin.
+  std::vector<Ring> footprint = {};
+  /// The place of the origin of `footprint` about F [m]. Where the polygons are about a base link that lies 0.3 m ahead
+  /// of F, it is (0.3, 0).
+  Vec2 footprint_origin = Vec2(0.0, 0.0);
   friend bool operator==(const VehicleParameters&, const VehicleParameters&) = default;
 };
 
-/// A rectangular car-like robot, with the paper's equations (1) and (5) to (7) as functions. Immutable, thread-safe.
+/// A car-like robot, with the paper's equations (1) and (5) to (7) as functions. Immutable, thread-safe.
 class ARCWAY_API Vehicle {
  public:
   /// @throws std::invalid_argument naming the parameter, its value and its limit.
@@ -100,8 +126,15 @@ class ARCWAY_API Vehicle {
   /// The angle of the steered axle that drives this curvature [1/m], of each if both steer [rad]. Left is positive at
   /// the front.
   [[nodiscard]] double steering_angle(double curvature) const;
-  /// The body about F, grown by `growth` [m] on every side.
+  /// The rectangle that bounds the body about F, grown by `growth` [m] on every side.
   [[nodiscard]] Footprint footprint(double growth = 0.0) const;
+  /// The body about F, grown by `growth` [m]. Its shape belongs to this vehicle and its copies.
+  [[nodiscard]] Body body(double growth = 0.0) const&;
+  Body body(double growth = 0.0) const&& = delete;
+  /// The shape of a body that is no rectangle, else null.
+  [[nodiscard]] const BodyShape* shape() const;
+  /// The outline of the body about F: its parts, counter-clockwise [m].
+  [[nodiscard]] std::vector<Ring> outline() const;
 
   [[nodiscard]] double max_speed() const { return parameters_.max_speed; }
   [[nodiscard]] double max_acceleration() const { return parameters_.max_acceleration; }
@@ -125,10 +158,14 @@ class ARCWAY_API Vehicle {
   [[nodiscard]] std::optional<double> smallest_fitting_radius(double gap_width) const;
 
   /// Whether all parameters are the same.
-  friend bool operator==(const Vehicle&, const Vehicle&) = default;
+  friend bool operator==(const Vehicle& a, const Vehicle& b) { return a.parameters_ == b.parameters_; }
 
  private:
+  struct Shapes;
+
   VehicleParameters parameters_;
+  Footprint box_{};                       // around the body
+  std::shared_ptr<const Shapes> shapes_;  // none: the body is the box
 };
 
 /// "1.5 m x 0.8 m, front steering, turning radius 1.3 m, 12 m/s, 50 m/s^2".

@@ -83,6 +83,77 @@ TEST(Vehicle, FootprintGrowsOnEverySide) {
   EXPECT_DOUBLE_EQ(body.right, 0.9);
 }
 
+TEST(Vehicle, OverhangsAreMeasuredFromTheAxles) {
+  VehicleParameters parameters{.wheelbase = 2.5, .front_overhang = 0.75, .rear_overhang = 0.5};
+  EXPECT_EQ(Vehicle(parameters).footprint().front, 3.25);  // F lies on the rear axle
+  EXPECT_EQ(Vehicle(parameters).footprint().rear, 0.5);
+  EXPECT_EQ(Vehicle(parameters).footprint(0.25).rear, 0.75);
+  EXPECT_EQ(Vehicle(parameters).footprint().left, 0.4);
+  parameters.steering = Steering::kRear;
+  EXPECT_EQ(Vehicle(parameters).footprint().front, 0.75);
+  EXPECT_EQ(Vehicle(parameters).footprint().rear, 3.0);
+  parameters.steering = Steering::kSymmetric;
+  EXPECT_EQ(Vehicle(parameters).footprint().front, 2.0);
+  EXPECT_EQ(Vehicle(parameters).footprint().rear, 1.75);
+}
+
+TEST(Vehicle, FootprintIsAboutItsOrigin) {
+  VehicleParameters parameters;
+  parameters.footprint = {{{0.5, 0.0}, {0.0, 0.25}, {-0.5, 0.0}, {0.0, -0.25}}};
+  parameters.footprint_origin = {0.25, 0.125};
+  const Vehicle vehicle(parameters);
+  ASSERT_NE(vehicle.shape(), nullptr);
+  EXPECT_EQ(vehicle.footprint().front, 0.75);
+  EXPECT_EQ(vehicle.footprint().rear, 0.25);
+  EXPECT_EQ(vehicle.footprint().left, 0.375);
+  EXPECT_EQ(vehicle.footprint().right, 0.125);
+  EXPECT_EQ(vehicle.outline().front().front(), Vec2(0.75, 0.125));
+  EXPECT_EQ(vehicle.body(0.1).shape, vehicle.body(0.1).shape);
+  EXPECT_NE(vehicle.body(0.1).shape, vehicle.body(0.2).shape);
+  EXPECT_GT(vehicle.footprint(0.1).front, 0.85);  // the miter of an acute corner
+  EXPECT_TRUE(vehicle.body().covers_reference());
+  EXPECT_TRUE(vehicle.body().covers({0.7, 0.125}));
+  EXPECT_FALSE(vehicle.body().covers({0.7, 0.2}));
+  const Vehicle swapped = vehicle.with_gears_swapped();
+  EXPECT_EQ(swapped.body(0.1).shape, vehicle.body(0.1).shape);
+  parameters.footprint_origin = {0.5, 0.125};
+  EXPECT_NE(Vehicle(parameters), vehicle);
+}
+
+TEST(Vehicle, IsTheSameWhateverTheBodyTakesThePlaceOf) {
+  VehicleParameters parameters;
+  parameters.footprint = {{{0, 0}, {1, 0}, {0, 1}}};
+  VehicleParameters other = parameters;
+  other.length = 3.0, other.width = 2.0;
+  EXPECT_EQ(Vehicle(other), Vehicle(parameters));
+}
+
+TEST(Vehicle, RefusalsOfBodiesNameTheParameter) {
+  EXPECT_EQ(refusal_of([](VehicleParameters& p) { p.front_overhang = 0.5; }),
+            "vehicle: rear_overhang is missing, give both overhangs or neither");
+  EXPECT_EQ(refusal_of([](VehicleParameters& p) { p.rear_overhang = 0.5; }),
+            "vehicle: front_overhang is missing, give both overhangs or neither");
+  EXPECT_EQ(refusal_of([](VehicleParameters& p) { p.front_overhang = 0.5, p.rear_overhang = 1e51; }),
+            "vehicle: rear_overhang is 1e+51, must be of a magnitude up to 1e+50");
+  EXPECT_EQ(
+      refusal_of([](VehicleParameters& p) { p.wheelbase = 1.0, p.front_overhang = -1.0, p.rear_overhang = -0.5; }),
+      "vehicle: front_overhang + wheelbase + rear_overhang is -0.5, must be from 1e-50 to 1e+50");
+  EXPECT_EQ(refusal_of([](VehicleParameters& p) {
+              p.footprint = {{{0, 0}, {1, 0}, {0, 1}}};
+              p.footprint_origin.x() = std::numeric_limits<double>::quiet_NaN();
+            }),
+            "vehicle: footprint_origin is nan, must be of a magnitude up to 1e+50");
+  EXPECT_EQ(refusal_of([](VehicleParameters& p) {
+              p.footprint = {{{0, 0}, {1, 0}, {0, 1}}};
+              p.front_overhang = p.rear_overhang = 0.5;
+            }),
+            "vehicle: both footprint and overhangs are given, leave one out");
+  EXPECT_EQ(refusal_of([](VehicleParameters& p) {
+              p.footprint = {{{0, 0}, {1, 0}}};
+            }),
+            "vehicle: footprint[0] has 2 corners, must have >= 3");
+}
+
 TEST(RotationCenter, LiesOnTheAxleThatDoesNotSteer) {
   const Vec2 front = rotation_center(1.3, kQuarter, 0.0).value();
   EXPECT_NEAR(front.x(), -0.65, 1e-15);
