@@ -17,6 +17,7 @@ namespace {
 constexpr double kShortestTravel = 1e-9;
 /// Share of an arc's length: shorter intervals cannot be halved reliably.
 constexpr double kShortestInterval = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr int kHalvings = 50;  ///< number of bisections for the place of a contact on a line
 constexpr double kClearanceTolerance = 1e-6,
                  kClearanceShare = 1e-7;  ///< error of the clearance: [m], or as a share of the body's reach
 
@@ -67,18 +68,64 @@ bool in_triangle(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
   return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
 }
 
+bool in_hull(const Vec2& p, const std::array<Vec2, 4>& q) {
+  return in_triangle(p, q[0], q[1], q[2]) || in_triangle(p, q[0], q[1], q[3]) || in_triangle(p, q[0], q[2], q[3]) ||
+         in_triangle(p, q[1], q[2], q[3]);
+}
+
 /// Distance of a rectangle to the convex hull of four points.
 double hull_to_rectangle(const Rectangle& r, const std::array<Vec2, 4>& q) {
-  const Vec2 corner(r.x0, r.y0);
-  if (in_triangle(corner, q[0], q[1], q[2]) || in_triangle(corner, q[0], q[1], q[3]) ||
-      in_triangle(corner, q[0], q[2], q[3]) || in_triangle(corner, q[1], q[2], q[3])) {
-    return 0.0;
-  }
+  if (in_hull(Vec2(r.x0, r.y0), q)) return 0.0;
   double distance = kInfinity;  // the six joins contain the hull's sides
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) distance = std::min(distance, segment_to_rectangle(r, q[i], q[j]));
   }
   return distance;
+}
+
+/// Calls visit(from, to) for each side of a ring.
+template <typename Visit>
+void for_sides(const std::vector<Vec2>& ring, const Visit& visit) {
+  for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) visit(ring[last], ring[i]);
+}
+
+bool in_ring(const Vec2& p, const std::vector<Vec2>& ring) {
+  bool inside = false;
+  for_sides(ring, [&](const Vec2& a, const Vec2& b) {
+    if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      inside = !inside;
+  });
+  return inside;
+}
+
+double segment_to_segment(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const double from_a = cross(d - c, a - c), from_b = cross(d - c, b - c);
+  const double from_c = cross(b - a, c - a), from_d = cross(b - a, d - a);
+  if (from_a * from_b < 0.0 && from_c * from_d < 0.0) return 0.0;
+  return std::min(
+      {point_to_segment(a, c, d), point_to_segment(b, c, d), point_to_segment(c, a, b), point_to_segment(d, a, b)});
+}
+
+double segment_to_ring(const std::vector<Vec2>& ring, const Vec2& a, const Vec2& b) {
+  if (in_ring(a, ring)) return 0.0;
+  double distance = kInfinity;
+  for_sides(ring, [&](const Vec2& c, const Vec2& d) { distance = std::min(distance, segment_to_segment(a, b, c, d)); });
+  return distance;
+}
+
+/// A point in a ring: the middle of the first chord at a height between its lowest two.
+Vec2 point_in(const std::vector<Vec2>& ring) {
+  double low = kInfinity, next = kInfinity;
+  for (const Vec2& p : ring) low = std::min(low, p.y());
+  for (const Vec2& p : ring)
+    if (p.y() > low) next = std::min(next, p.y());
+  const double y = 0.5 * (low + next);
+  std::vector<double> crossings;
+  for_sides(ring, [&](const Vec2& a, const Vec2& b) {
+    if ((a.y() > y) != (b.y() > y)) crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+  });
+  std::sort(crossings.begin(), crossings.end());
+  return {0.5 * (crossings[0] + crossings[1]), y};
 }
 
 /// World coordinates seen from a pose.
@@ -116,11 +163,50 @@ MotionCheck::MotionCheck(const World& world, const EdgeGrid& grid, const Vehicle
   const VehicleParameters& p = vehicle.parameters();
   const double shift = p.steering == Steering::kSymmetric ? 0.0 : 0.5 * p.wheelbase;
   const double ahead = p.steering == Steering::kRear ? -shift : shift;  // from F to the body's center
-  body_ = {ahead - 0.5 * p.length, ahead + 0.5 * p.length, -0.5 * p.width, 0.5 * p.width};
-  reach_ = std::hypot(std::max(std::abs(body_.x0), std::abs(body_.x1)), body_.y1);
+  const double axle = 0.5 * p.wheelbase;
+  const double x0 = p.rear_overhang ? -axle - *p.rear_overhang : -0.5 * p.length;
+  const double x1 = p.front_overhang ? axle + *p.front_overhang : 0.5 * p.length;
+  body_ = {ahead + x0, ahead + x1, -0.5 * p.width, 0.5 * p.width};
+  inner_points_ = {Vec2(0.5 * (body_.x0 + body_.x1), 0.0)};
+  if (!p.footprint.empty()) read_footprint(p);
+  reach_ =
+      std::hypot(std::max(std::abs(body_.x0), std::abs(body_.x1)), std::max(std::abs(body_.y0), std::abs(body_.y1)));
   if (!world.box().empty())
     largest_ = std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff());
   set_precision();
+}
+
+void MotionCheck::read_footprint(const VehicleParameters& p) {
+  Box box;
+  inner_points_.clear();
+  for (const Ring& ring : p.footprint) {
+    std::vector<Vec2> part;
+    for (const Vec2& corner : ring) part.push_back(corner + p.footprint_origin);
+    for (const Vec2& corner : part) box.extend(corner);
+    inner_points_.push_back(point_in(part));
+    parts_.push_back(std::move(part));
+  }
+  body_ = {box.min.x(), box.max.x(), box.min.y(), box.max.y()};
+}
+
+/// Distance of an edge, seen from the body.
+double MotionCheck::distance_to_body(const Vec2& a, const Vec2& b) const {
+  if (parts_.empty()) return segment_to_rectangle(body_, a, b);
+  double distance = kInfinity;
+  for (const auto& ring : parts_) distance = std::min(distance, segment_to_ring(ring, a, b));
+  return distance;
+}
+
+/// Distance of the convex hull of four points, seen from the body.
+double MotionCheck::hull_to_body(const std::array<Vec2, 4>& hull) const {
+  if (parts_.empty()) return hull_to_rectangle(body_, hull);
+  double distance = kInfinity;
+  for (const auto& ring : parts_) {
+    if (in_hull(ring.front(), hull)) return 0.0;
+    for (std::size_t i = 0; i < 4; ++i)  // the six joins contain the hull's sides
+      for (std::size_t j = i + 1; j < 4; ++j) distance = std::min(distance, segment_to_ring(ring, hull[i], hull[j]));
+  }
+  return distance;
 }
 
 void MotionCheck::set_precision() {
@@ -162,7 +248,7 @@ double MotionCheck::body_distance(const Pose& pose) const {
     const Box looked_at = around.grown(wide);
     grid_.visit_near(looked_at, [&](VertexId e) {
       const LineSegment& edge = world_.edges()[e];
-      distance = std::min(distance, segment_to_rectangle(body_, frame(edge.a), frame(edge.b)));
+      distance = std::min(distance, distance_to_body(frame(edge.a), frame(edge.b)));
     });
     if (distance <= wide || (looked_at.contains(grid_.box().min) && looked_at.contains(grid_.box().max))) break;
   }
@@ -177,9 +263,17 @@ bool MotionCheck::is_near_last_end(const Pose& pose) const {
   return (pose.position() - last_end_->position()).norm() + turn * reach_ + rounding_ < lower_;
 }
 
-/// The obstacle around a body point by ray crossings of all its rings, or the bounds if it is not in them.
+/// The obstacle around a point of any part of the body, or the bounds if it is not in them.
 std::optional<ObstacleId> MotionCheck::swallowing(const Pose& pose) const {
-  const Vec2 p = pose.position() + 0.5 * (body_.x0 + body_.x1) * direction_of(pose.heading);
+  const Vec2 ahead = direction_of(pose.heading);
+  for (const Vec2& p : inner_points_)
+    if (const auto region = region_around(pose.position() + p.x() * ahead + p.y() * perpendicular(ahead)))
+      return region;
+  return std::nullopt;
+}
+
+/// The obstacle around a point by ray crossings of all its rings, or the bounds if it is not in them.
+std::optional<ObstacleId> MotionCheck::region_around(const Vec2& p) const {
   for (ObstacleId o = 0; o < world_.region_count(); ++o) {
     const bool is_bounds = o == world_.obstacle_count();
     if (!world_.box_of(o).contains(p)) {
@@ -234,16 +328,34 @@ void MotionCheck::check_line(const PathSegment& line, std::vector<Hit>& hits) {
     const Ends ends = frame(world_.edges()[e]);
     if (swept.gap_to(box_of(ends)) > upper_ + rounding_) return;  // as those that are not visited
     const auto& [a, b] = ends;
-    const double distance = segment_to_rectangle(swept, a, b);
+    const Vec2 way((backwards ? 1.0 : -1.0) * line.length, 0.0);
+    const double distance = parts_.empty() ? segment_to_rectangle(swept, a, b) : hull_to_body({a, b, a + way, b + way});
     lower_ = std::min(lower_, distance - rounding_);
     upper_ = std::min(upper_, distance);
     if (distance > rounding_) return;
+    add_hit(hits, {world_.obstacle_of(e), driven_to(ends, line), e});
+  });
+}
+
+/// How far a line is driven until the body touches an edge that it touches on the line.
+double MotionCheck::driven_to(const Ends& ends, const PathSegment& line) const {
+  const auto& [a, b] = ends;
+  const bool backwards = line.gear == Gear::kReverse;
+  if (parts_.empty()) {
+    const Rectangle swept{body_.x0 - (backwards ? line.length : 0.0), body_.x1 + (backwards ? 0.0 : line.length),
+                          body_.y0, body_.y1};
     const auto [t0, t1] = clip(swept, a, b);
     const double x0 = t0 <= t1 ? a.x() + t0 * (b.x() - a.x()) : a.x();
     const double x1 = t0 <= t1 ? a.x() + t1 * (b.x() - a.x()) : a.x();
-    const double driven = backwards ? body_.x0 - std::max(x0, x1) : std::min(x0, x1) - body_.x1;
-    add_hit(hits, {world_.obstacle_of(e), std::clamp(driven, 0.0, line.length), e});
-  });
+    return std::clamp(backwards ? body_.x0 - std::max(x0, x1) : std::min(x0, x1) - body_.x1, 0.0, line.length);
+  }
+  double free = 0.0, touching = line.length;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (free + touching);
+    const Vec2 way((backwards ? 1.0 : -1.0) * middle, 0.0);
+    (hull_to_body({a, b, a + way, b + way}) <= rounding_ ? touching : free) = middle;
+  }
+  return touching;
 }
 
 /// The travel of the fastest body point along the arc, for each meter of F. It is the corner furthest from the rotation
@@ -265,7 +377,7 @@ double MotionCheck::lower_bound_of(double curvature, const Interval& interval, d
   contact = false;
   const double beside = body_.gap_to(box_of(middle)) - travel - rounding_;
   if (proved(beside)) return beside;
-  const double distance = segment_to_rectangle(body_, middle.a, middle.b);
+  const double distance = distance_to_body(middle.a, middle.b);
   upper_ = std::min(upper_, distance);
   contact = distance <= rounding_;
   const double first_order = distance - travel - rounding_;
@@ -275,7 +387,7 @@ double MotionCheck::lower_bound_of(double curvature, const Interval& interval, d
   const double height = (1.0 / curvature + std::max(middle.a.norm(), middle.b.norm())) * 2.0 * sine * sine;
   const double box = body_.gap_to(box_of(before, after)) - height - rounding_;
   if (proved(box)) return box;
-  const double hull = hull_to_rectangle(body_, {before.a, before.b, after.a, after.b});
+  const double hull = hull_to_body({before.a, before.b, after.a, after.b});
   return std::max(first_order, hull - height - rounding_);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -11,8 +12,9 @@
 namespace arcway::internal {
 
 /// Collision and clearance of a motion for the validator, segment by segment. A line is decided by the rectangle that
-/// the body sweeps. An arc is bisected until bounds on the distance between body and edges prove it free. No decision
-/// is shared with the planner. O(edges near by) a segment, more near contact. World and grid must outlive the use.
+/// the body sweeps. Where the body is no rectangle, it is decided by the parallelogram that an edge sweeps, seen from
+/// the body. An arc is bisected until bounds on the distance between body and edges prove it free. No decision is
+/// shared with the planner. O(edges near by) a segment, more near contact. World and grid must outlive the use.
 class MotionCheck {
  public:
   /// @param grid  of the world's edges.
@@ -55,6 +57,11 @@ class MotionCheck {
   void set_precision();
   [[nodiscard]] double body_distance(const Pose& pose) const;
   [[nodiscard]] std::optional<ObstacleId> swallowing(const Pose& pose) const;
+  [[nodiscard]] std::optional<ObstacleId> region_around(const Vec2& p) const;
+  [[nodiscard]] double distance_to_body(const Vec2& a, const Vec2& b) const;
+  [[nodiscard]] double hull_to_body(const std::array<Vec2, 4>& hull) const;
+  [[nodiscard]] double driven_to(const Ends& ends, const PathSegment& line) const;
+  void read_footprint(const VehicleParameters& parameters);
   [[nodiscard]] bool is_near_last_end(const Pose& pose) const;
   template <typename Visit>
   void for_near(const Box& swept, const Visit& visit) const;
@@ -67,12 +74,15 @@ class MotionCheck {
 
   const World& world_;
   const EdgeGrid& grid_;
-  Rectangle body_{};
-  double reach_ = 0.0;            ///< of the body from F
-  std::optional<Pose> last_end_;  ///< of the segment before
-  double largest_ = 0.0;          ///< coordinate of the map, and of the path so far
-  double largest_heading_ = 0.0;  ///< of the path so far
-  double rounding_ = 0.0;         ///< of a distance
+  Rectangle body_{};  ///< the body, or around it
+  std::vector<std::vector<Vec2>>
+      parts_;                       ///< the rings of the body in its frame, either way around; none: the rectangle
+  std::vector<Vec2> inner_points_;  ///< one in each ring, or the middle of the rectangle
+  double reach_ = 0.0;              ///< of the body from F
+  std::optional<Pose> last_end_;    ///< of the segment before
+  double largest_ = 0.0;            ///< coordinate of the map, and of the path so far
+  double largest_heading_ = 0.0;    ///< of the path so far
+  double rounding_ = 0.0;           ///< of a distance
   double shortest_travel_ = 0.0, tolerance_ = 0.0;
   double upper_;  ///< clearance that occurs on the path [m]
   double lower_;  ///< proved lower bound so far [m]
