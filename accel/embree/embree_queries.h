@@ -8,6 +8,7 @@
 #include "arcway/distance_query.h"
 #include "arcway/sweep_query.h"
 #include "arcway/visibility_query.h"
+#include "core/collision/swept_shape.h"
 
 namespace arcway::internal::embree {
 
@@ -18,11 +19,12 @@ struct BlocksLineOfSight {
   const LineSegment& segment;
 };
 
-/// Test of a ray along a swept rectangle.
+/// Test of a ray along a swept rectangle, or along that which bounds a swept shape.
 struct MeetsRectangle {
   bool operator()(VertexId edge) const;
   const World& world;
   const SweptRectangle& rectangle;
+  const SweptShape* shape = nullptr;
 };
 
 /// Data shared by the queries of one world. Immutable once built.
@@ -73,12 +75,13 @@ class EmbreeSweep final : public SweepQuery {
 
  private:
   void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override;
+  void do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const override;
   void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override;
   [[nodiscard]] bool do_arc_free(const TurningBody& body, double heading, double angle,
                                  HeadingSet& memory) const override;
   [[nodiscard]] double do_reach(const TurningBody& body, double heading, Side towards, HeadingSet& all) const override;
 
-  [[nodiscard]] bool is_met(const SweptRectangle& rectangle) const;
+  [[nodiscard]] bool is_met(const SweptRectangle& rectangle, const SweptShape* shape = nullptr) const;
   // Finds the free headings. Returns false, with `free` unspecified, if more than `most_edges` edges lie near the
   // circle.
   bool find_headings(const TurningBody& body, std::size_t most_edges, HeadingSet& free) const;

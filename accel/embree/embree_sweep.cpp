@@ -24,13 +24,16 @@ constexpr double kSureOfEnd = 1e-6;
 
 }  // namespace
 
-bool MeetsRectangle::operator()(VertexId edge) const { return intersects(world.edges()[edge], rectangle); }
+bool MeetsRectangle::operator()(VertexId edge) const {
+  const LineSegment& e = world.edges()[edge];
+  return shape == nullptr ? intersects(e, rectangle) : shape->meets(e);
+}
 
 // Covers the rectangle by bands along its longer sides, none wider than twice the scene's inflation. Every point of a
 // band lies within half the band's width of its middle line, and so does the box of an edge through that point. This
 // holds for any convex quadrilateral, so rounded corners are no problem.
-bool EmbreeSweep::is_met(const SweptRectangle& r) const {
-  const MeetsRectangle test{scenes_->world(), r};
+bool EmbreeSweep::is_met(const SweptRectangle& r, const SweptShape* shape) const {
+  const MeetsRectangle test{scenes_->world(), r, shape};
   const double ends = std::max((r[3] - r[0]).norm(), (r[2] - r[1]).norm());
   const double sides = std::max((r[1] - r[0]).norm(), (r[2] - r[3]).norm());
   const bool lengthwise = sides >= ends;
@@ -67,6 +70,20 @@ void EmbreeSweep::do_straight_free(std::span<const SweptRectangle> rectangles, s
   });
 }
 
+void EmbreeSweep::do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const {
+  scenes_->for_batch(bodies.size(), [&](std::size_t begin, std::size_t end) {
+    static thread_local SweptShape::Memory memory;
+    for (std::size_t i = begin; i < end; ++i) {
+      const SweptShape shape(bodies[i], memory);
+      // Where no edge meets it, each connected part lies on one side of every boundary.
+      const bool blocked = is_met(shape.bounds(), &shape) || shape.has_inner_point([&](const Vec2& p) {
+        return scenes_->locator.containing(p) != kNone;
+      });
+      free[i] = blocked ? 0 : 1;
+    }
+  });
+}
+
 void EmbreeSweep::do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const {
   scenes_->for_batch(bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -87,11 +104,9 @@ bool EmbreeSweep::find_headings(const TurningBody& body, std::size_t most_edges,
   });
   if (count > most_edges) return false;
   HeadingSet::complement(blocked, free);
-  // Where no edge is touched, the body lies wholly inside or wholly outside each region.
   for (int k = static_cast<int>(free.intervals().size()) - 1; k >= 0; --k) {
     const HeadingInterval& interval = free.intervals()[static_cast<std::size_t>(k)];
-    const Vec2 middle = middle_at(body, 0.5 * (interval.low + interval.high));
-    if (scenes_->locator.containing(middle) != kNone) free.erase(k);
+    if (!is_outside(body, 0.5 * (interval.low + interval.high))) free.erase(k);
   }
   return true;
 }
@@ -123,9 +138,9 @@ double EmbreeSweep::do_reach(const TurningBody& body, double heading, Side towar
   return is_outside(body, heading) ? free.reach(heading, towards) : -1.0;
 }
 
-// Where the body touches no edge it is wholly inside or wholly outside each region.
+// Where the body touches no edge, each of its connected parts is wholly inside or wholly outside each region.
 bool EmbreeSweep::is_outside(const TurningBody& body, double heading) const {
-  return scenes_->locator.containing(middle_at(body, heading)) == kNone;
+  return !has_inner_point(body, heading, [&](const Vec2& p) { return scenes_->locator.containing(p) != kNone; });
 }
 
 }  // namespace arcway::internal::embree

@@ -40,6 +40,10 @@ class CorruptQuery final : public VisibilityQuery, public DistanceQuery, public 
     right_.sweep->straight_free(rectangles, free);
     flip(free);
   }
+  void do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const override {
+    right_.sweep->straight_free(bodies, free);
+    flip(free);
+  }
   void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override {
     right_.sweep->free_headings(bodies, result);
     if (!result.empty()) result.front() = result.front().empty() ? HeadingSet::full() : HeadingSet();

@@ -130,7 +130,7 @@ class ManeuverSearch::Run {
       const Vec2 other = here.position() + (forwards_ ? length : -length) * ahead;
       const Pose reached{other.x(), other.y(), here.heading};
       const PathSegment line{forwards_ ? here : reached, length, 0.0};
-      if (!body_.sweep.straight_free(swept_rectangle(line.start, length, body_.footprint))) break;
+      if (!body_.sweep.straight_free({line.start, length, body_.body})) break;
       reach(at, line, reached);
     }
   }
@@ -139,7 +139,7 @@ class ManeuverSearch::Run {
     const double radius = body_.radius;
     const Pose here = m_.attachments[at].pose;
     const Vec2 center = here.position() + sign_of(side) * radius * perpendicular(direction_of(here.heading));
-    const TurningBody turning{center, radius, side, body_.footprint};
+    const TurningBody turning{center, radius, side, body_.body};
     const Side towards = forwards_ ? side : opposite(side);
     const double room = body_.sweep.reach(turning, here.heading, towards, m_.headings);
     // If an obstacle ends the turn early, free motions may leave from a narrow range of headings before its end.

@@ -18,9 +18,9 @@ enum class Spread { kDense, kSparse };
 /// A body that turns with one radius, and the obstacles around it.
 struct ManeuveringBody {
   ManeuveringBody(const Vehicle& vehicle, double r, const SweepQuery& s)
-      : footprint(vehicle.footprint(0.5 * vehicle.safety_margin())), radius(r), sweep(s) {}
-  Footprint footprint;  ///< with half of the safety margin: what is checked
-  double radius;        ///< of the reference point's arcs [m]
+      : body(vehicle.body(0.5 * vehicle.safety_margin())), radius(r), sweep(s) {}
+  Body body;      ///< with half of the safety margin: what is checked
+  double radius;  ///< of the reference point's arcs [m]
   const SweepQuery& sweep;
 };
 

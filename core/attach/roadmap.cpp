@@ -16,7 +16,7 @@ Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, std::vector<doubl
       radii(std::move(r)),
       graph(std::move(g)),
       circles(std::make_shared<const CircleTable>(*graph)),
-      body(v.footprint(0.5 * v.safety_margin())),
+      body(vehicle.body(0.5 * v.safety_margin())),
       outlines(std::move(o)),
       places(std::make_shared<const CirclePlaces>(graph->turn_circles(), outlines)),
       gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())) {}

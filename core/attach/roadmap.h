@@ -32,7 +32,7 @@ struct Roadmap {
   std::vector<double> radii;
   std::shared_ptr<const FeasibleGraph> graph;
   std::shared_ptr<const CircleTable> circles;  ///< of the graph
-  Footprint body;                              ///< with half of the safety margin: what is checked
+  Body body;                                   ///< with half of the safety margin: what is checked
   std::shared_ptr<const Outlines> outlines;
   std::shared_ptr<const CirclePlaces> places;  ///< of the graph
   std::shared_ptr<const VehicleGaps> gaps;

@@ -43,7 +43,7 @@ class SearchContext {
 
   bool is_free(const Bitangent& line) {
     ++result.counts.straights_checked;
-    return map.queries.sweep->straight_free(swept_rectangle(line.start, line.length, map.body));
+    return map.queries.sweep->straight_free({line.start, line.length, map.body});
   }
 
   const Roadmap& map;

@@ -5,6 +5,7 @@
 
 #include "arcway/query_set.h"
 #include "core/collision/blocking.h"
+#include "core/collision/swept_shape.h"
 #include "core/collision/turning_headings.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
@@ -20,6 +21,20 @@ ObstacleId find_containing(const World& world, const Vec2& p) {
     if (world.locate(p, o) == PointLocation::kInside) return o;
   }
   return kNone;
+}
+
+// Whether a test holds for an edge near a swept rectangle.
+template <class Test>
+bool is_met(const World& world, const SweptRectangle& rectangle, const Test& test) {
+  Box box;
+  for (const Vec2& corner : rectangle) box.extend(corner);
+  for (ObstacleId o = 0; o < world.region_count(); ++o) {
+    if (!world.box_of(o).overlaps(box)) continue;
+    const auto [first, last] = world.vertices_of(o);
+    for (VertexId e = first; e < last; ++e)
+      if (box_of(world.edges()[e]).overlaps(box) && test(world.edges()[e])) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -70,20 +85,21 @@ void BruteForceQuery::do_containing(std::span<const Vec2> points, std::span<Obst
 void BruteForceQuery::do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const {
   for (std::size_t i = 0; i < rectangles.size(); ++i) {
     const SweptRectangle& r = rectangles[i];
-    Box box;
-    for (const Vec2& corner : r) box.extend(corner);
-    const auto blocked = [&] {
-      for (ObstacleId o = 0; o < world_.region_count(); ++o) {
-        if (!world_.box_of(o).overlaps(box)) continue;
-        const auto [first, last] = world_.vertices_of(o);
-        for (VertexId e = first; e < last; ++e) {
-          const LineSegment& edge = world_.edges()[e];
-          if (box_of(edge).overlaps(box) && intersects(edge, r)) return true;
-        }
-      }
-      return find_containing(world_, r[0]) != kNone;  // no edge meets it: it lies on one side of every boundary
-    };
-    free[i] = blocked() ? 0 : 1;
+    // Where no edge meets it, it lies on one side of every boundary.
+    const bool blocked = is_met(world_, r, [&](const LineSegment& edge) { return intersects(edge, r); }) ||
+                         find_containing(world_, r[0]) != kNone;
+    free[i] = blocked ? 0 : 1;
+  }
+}
+
+void BruteForceQuery::do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const {
+  SweptShape::Memory memory;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const SweptShape shape(bodies[i], memory);
+    // Where no edge meets it, each connected part lies on one side of every boundary.
+    const bool blocked = is_met(world_, shape.bounds(), [&](const LineSegment& edge) { return shape.meets(edge); }) ||
+                         shape.has_inner_point([&](const Vec2& p) { return find_containing(world_, p) != kNone; });
+    free[i] = blocked ? 0 : 1;
   }
 }
 
@@ -101,10 +117,12 @@ void BruteForceQuery::do_free_headings(std::span<const TurningBody> bodies, std:
         if (may_touch(body, world_.edges()[e])) append_blocked_headings(body, world_.edges()[e], blocked);
     }
     HeadingSet::complement(blocked, result[i]);
-    // Where no edge is touched the body is wholly inside or wholly outside each region.
+    // Where no edge is touched, each connected part of the body is wholly inside or wholly outside each region.
     for (int k = static_cast<int>(result[i].intervals().size()) - 1; k >= 0; --k) {
       const HeadingInterval& interval = result[i].intervals()[static_cast<std::size_t>(k)];
-      if (find_containing(world_, middle_at(body, 0.5 * (interval.low + interval.high))) != kNone) result[i].erase(k);
+      const bool is_inside = has_inner_point(body, 0.5 * (interval.low + interval.high),
+                                             [&](const Vec2& p) { return find_containing(world_, p) != kNone; });
+      if (is_inside) result[i].erase(k);
     }
   }
 }

@@ -20,6 +20,7 @@ class BruteForceQuery final : public VisibilityQuery, public DistanceQuery, publ
                       std::span<std::uint8_t> closer) const override;
   void do_containing(std::span<const Vec2> points, std::span<ObstacleId> result) const override;
   void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override;
+  void do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const override;
   void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override;
 
   World world_;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "arcway/angle.h"
+#include "core/base/infinity.h"
 
 namespace arcway::internal {
 
@@ -130,9 +131,36 @@ void add_end(const Vec2& p, const TurnedBody& b, TurnContacts& contacts) {
   }
 }
 
+// A convex piece of the body meets the edge from p to q.
+// @param center  of the turn, in the frame of the body.
+void add_piece(const Ring& piece, const Vec2& center, const LineSegment& edge, TurnContacts& contacts) {
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const Vec2 corner = piece[i] - center, way = piece[i + 1 < piece.size() ? i + 1 : 0] - piece[i];
+    add_corner(corner, edge.a, edge.b, contacts);
+    const double length2 = way.squaredNorm(), foot = -corner.dot(way) / length2;
+    const double least2 = (corner + foot * way).squaredNorm();
+    for (const Vec2& p : {edge.a, edge.b}) {
+      const double rest = p.squaredNorm() - least2;
+      if (rest < 0.0) continue;
+      const double half = std::sqrt(rest / length2);
+      for (const double t : {foot - half, foot + half})
+        if (t >= -kReachRounding && t <= 1.0 + kReachRounding) contacts.add(corner + t * way, p);
+    }
+  }
+}
+
+// How far ahead of a segment a point of the same height as it lies along +x. Infinite where it has none at that height.
+double distance_ahead(const Vec2& p, const Vec2& a, const Vec2& b) {
+  if ((a.y() > p.y() && b.y() > p.y()) || (a.y() < p.y() && b.y() < p.y())) return kInfinity;
+  const double rise = b.y() - a.y();
+  const double x = rise == 0.0 ? std::max(std::min(a.x(), b.x()), std::min(std::max(a.x(), b.x()), p.x()))
+                               : std::lerp(a.x(), b.x(), std::clamp((p.y() - a.y()) / rise, 0.0, 1.0));
+  return p.x() - x;
+}
+
 }  // namespace
 
-ContactReach::ContactReach(const Outlines& outlines, const Footprint& body)
+ContactReach::ContactReach(const Outlines& outlines, const Body& body)
     : outlines_(&outlines), body_(body), around_(body.farthest()) {}
 
 void ContactReach::begin(const Pose& pose, double most) {
@@ -200,6 +228,10 @@ double ContactReach::operator()(double curvature, Gear gear) const {
     const double from_p = p.squaredNorm(), from_q = q.squaredNorm();
     if (std::max(from_p, from_q) < inner) continue;
     if ((p + std::clamp(-p.dot(d) / dd, 0.0, 1.0) * d).squaredNorm() > outer) continue;
+    if (body_.shape != nullptr) {
+      for (const Ring& piece : body_.shape->pieces) add_piece(piece, center, {p, q}, contacts);
+      continue;
+    }
     for (const Vec2& corner : corners) add_corner(corner, p, q, contacts);
     if (from_p <= outer) add_end(p, body, contacts);
     if (from_q <= outer) add_end(q, body, contacts);
@@ -208,6 +240,7 @@ double ContactReach::operator()(double curvature, Gear gear) const {
 }
 
 double ContactReach::along_line(Gear gear) const {
+  if (body_.shape != nullptr) return of_shape_along_line(gear);
   double least = most_;
   const double nose = gear == Gear::kForward ? body_.front : body_.rear;
   for (const auto& [distance, edge] : edges_) {
@@ -227,6 +260,29 @@ double ContactReach::along_line(Gear gear) const {
     for (const double t : {low, high}) {
       const double x = sign_of(gear) * (edge.a.x() + t * (edge.b.x() - edge.a.x()));
       if (x >= nose) least = std::min(least, x - nose);
+    }
+  }
+  return least;
+}
+
+// By the corners of each piece on their way to the edge, and by the ends of the edge on theirs to the sides.
+double ContactReach::of_shape_along_line(Gear gear) const {
+  double least = most_;
+  const double sign = sign_of(gear);
+  const auto ahead = [&](const Vec2& p) { return Vec2(sign * p.x(), p.y()); };
+  const auto take = [&](double distance) {
+    if (distance >= 0.0) least = std::min(least, distance);
+  };
+  for (const auto& [distance, edge] : edges_) {
+    if (distance > least) break;
+    ++edges_compared_;
+    const Vec2 p = ahead(edge.a), q = ahead(edge.b);
+    for (const Ring& piece : body_.shape->pieces) {
+      for (std::size_t i = 0; i < piece.size(); ++i) {
+        const Vec2 corner = ahead(piece[i]), next = ahead(piece[i + 1 < piece.size() ? i + 1 : 0]);
+        take(-distance_ahead(corner, p, q));
+        for (const Vec2& end : {p, q}) take(distance_ahead(end, corner, next));
+      }
     }
   }
   return least;

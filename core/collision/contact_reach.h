@@ -15,8 +15,8 @@ namespace arcway::internal {
 /// query. Not thread-safe: it keeps the edges near one pose.
 class ContactReach {
  public:
-  /// @param outlines  must outlive this.
-  ContactReach(const Outlines& outlines, const Footprint& body);
+  /// @param outlines  must outlive this, as must the shape of the body.
+  ContactReach(const Outlines& outlines, const Body& body);
 
   /// Collects the edges that motions of length `most` [m] from a pose may touch. O(log n + edges near by).
   void begin(const Pose& pose, double most);
@@ -31,6 +31,7 @@ class ContactReach {
 
  private:
   [[nodiscard]] double along_line(Gear gear) const;
+  [[nodiscard]] double of_shape_along_line(Gear gear) const;
   [[nodiscard]] double distance_to_body(const LineSegment& edge) const;
 
   struct Edge {
@@ -39,7 +40,7 @@ class ContactReach {
   };
 
   const Outlines* outlines_;
-  Footprint body_;
+  Body body_;
   double around_;  // radius about the reference point that holds the body [m]
   double most_ = 0.0;
   mutable std::uint64_t edges_compared_ = 0;

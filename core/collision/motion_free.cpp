@@ -5,16 +5,16 @@
 
 namespace arcway::internal {
 
-bool turn_free(const SweepQuery& sweep, const Footprint& body, const PathSegment& arc, HeadingSet& headings) {
+bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& arc, HeadingSet& headings) {
   const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
   const double radius = 1.0 / std::abs(arc.curvature);
   const Vec2 center = arc.start.position() + sign_of(side) * radius * perpendicular(direction_of(arc.start.heading));
   return sweep.arc_free({center, radius, side, body}, arc.start.heading, arc.length / radius, headings);
 }
 
-bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion) {
+bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion) {
   for (const PathSegment& s : motion)
-    if (s.is_line() && !sweep.straight_free(swept_rectangle(s.forwards().start, s.length, body))) return false;
+    if (s.is_line() && !sweep.straight_free({s.forwards().start, s.length, body})) return false;
   HeadingSet headings;
   return std::ranges::all_of(motion, [&](const PathSegment& segment) {
     return segment.is_line() || turn_free(sweep, body, segment.forwards(), headings);

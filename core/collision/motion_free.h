@@ -12,10 +12,10 @@ namespace arcway::internal {
 /// Whether the body touches nothing along all segments, in whichever gear: the swept rectangle of each line and an
 /// interval of free headings on each arc. As exact as the sweep query, without steps. Lines are asked first, as they
 /// cost less.
-bool motion_free(const SweepQuery& sweep, const Footprint& body, std::span<const PathSegment> motion);
+bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion);
 
 /// Whether the body touches nothing along one arc driven forwards.
 /// @param headings  memory that is used again.
-bool turn_free(const SweepQuery& sweep, const Footprint& body, const PathSegment& arc, HeadingSet& headings);
+bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& arc, HeadingSet& headings);
 
 }  // namespace arcway::internal

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "arcway/distance_query.h"
 #include "arcway/sweep_query.h"
@@ -114,6 +116,31 @@ bool SweepQuery::straight_free(const SweptRectangle& rectangle) const {
   return answer != 0;
 }
 
+void SweepQuery::straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const {
+  require_equal_sizes(bodies.size(), free.size());
+  const auto has_shape = [](const StraightBody& b) { return b.body.shape != nullptr; };
+  if (std::ranges::none_of(bodies, has_shape)) {
+    std::vector<SweptRectangle> rectangles;
+    rectangles.reserve(bodies.size());
+    for (const StraightBody& b : bodies) rectangles.push_back(swept_rectangle(b.from, b.length, b.body));
+    straight_free(rectangles, free);
+  } else if (std::ranges::all_of(bodies, has_shape)) {
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (const Vec2& corner : swept_rectangle(bodies[i].from, bodies[i].length, bodies[i].body))
+        require_point(corner, i);
+    do_straight_free(bodies, free);
+  } else {
+    for (std::size_t i = 0; i < bodies.size(); ++i) free[i] = straight_free(bodies[i]) ? 1 : 0;
+  }
+}
+
+bool SweepQuery::straight_free(const StraightBody& body) const {
+  if (body.body.shape == nullptr) return straight_free(swept_rectangle(body.from, body.length, body.body));
+  std::uint8_t answer = 0;
+  straight_free({&body, 1}, {&answer, 1});
+  return answer != 0;
+}
+
 void SweepQuery::free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const {
   require_equal_sizes(bodies.size(), result.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -144,6 +171,13 @@ Vec2 middle_of(const Footprint& body, const Pose& pose) {
   const Vec2 ahead = direction_of(pose.heading);
   return pose.position() + 0.5 * (body.front - body.rear) * ahead +
          0.5 * (body.left - body.right) * perpendicular(ahead);
+}
+
+Vec2 inner_point_of(const Body& body, const Pose& pose) {
+  if (body.shape == nullptr) return middle_of(body, pose);
+  const Vec2 ahead = direction_of(pose.heading);
+  const Vec2& p = body.shape->inner_points.front();
+  return pose.position() + p.x() * ahead + p.y() * perpendicular(ahead);
 }
 
 bool SweepQuery::arc_free(const TurningBody& body, double heading, double angle, HeadingSet& headings) const {

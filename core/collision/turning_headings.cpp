@@ -5,14 +5,11 @@
 #include <cmath>
 
 #include "arcway/angle.h"
+#include "core/collision/turning_piece.h"
 
 namespace arcway::internal {
 
 namespace {
-
-// Relative distance within which a critical angle counts as existing. One that does not exist only splits an interval
-// in vain; one that is lost by rounding could hide a contact.
-constexpr double kCriticalSlack = 1e-9;
 
 // The body about the rotation center, at heading 0.
 struct CenteredBody {
@@ -90,15 +87,16 @@ bool touches(const CenteredBody& b, const Vec2& p, const Vec2& q, double heading
   return !all_left && !all_right;
 }
 
+// By the pieces of its shape.
+void append_blocked_by_shape(const TurningBody& body, const LineSegment& about, std::vector<HeadingInterval>& blocked) {
+  const Vec2 center(0.0, sign_of(body.side) * body.radius);
+  for (const Ring& piece : body.body.shape->pieces) append_blocked_by_piece(piece, center, about, blocked);
+}
+
 }  // namespace
 
 double reach_of(const TurningBody& body) {
   return swept_annulus(body.body, body.side, body.radius).outer * (1.0 + kCriticalSlack);
-}
-
-Vec2 middle_at(const TurningBody& body, double heading) {
-  const Vec2 position = body.center - sign_of(body.side) * body.radius * perpendicular(direction_of(heading));
-  return middle_of(body.body, {position.x(), position.y(), heading});
 }
 
 bool may_touch(const TurningBody& body, const LineSegment& edge) {
@@ -114,9 +112,10 @@ bool may_touch(const TurningBody& body, const LineSegment& edge) {
 }
 
 void append_blocked_headings(const TurningBody& body, const LineSegment& edge, std::vector<HeadingInterval>& blocked) {
-  const CenteredBody b = centered(body);
   const Vec2 p = edge.a - body.center;
   const Vec2 q = edge.b - body.center;
+  if (body.body.shape != nullptr) return append_blocked_by_shape(body, {p, q}, blocked);
+  const CenteredBody b = centered(body);
   CriticalAngles critical;
   for (const Vec2& corner :
        {Vec2(b.x_low, b.y_low), Vec2(b.x_high, b.y_low), Vec2(b.x_high, b.y_high), Vec2(b.x_low, b.y_high)})

@@ -21,7 +21,16 @@ bool may_touch(const TurningBody& body, const LineSegment& edge);
 /// The distance from a turning body's center within which all edges lie that it can touch [m].
 double reach_of(const TurningBody& body);
 
-/// The middle of a turning body at a heading [m]. It is a point of the body, which the reference point need not be.
-Vec2 middle_at(const TurningBody& body, double heading);
+/// Whether a test holds for a point of any connected part of a turning body at a heading. The point is one of the part,
+/// which the reference point need not be.
+template <class Test>
+bool has_inner_point(const TurningBody& body, double heading, const Test& test) {
+  const Vec2 ahead = direction_of(heading), aside = perpendicular(ahead);
+  const Vec2 place = body.center - sign_of(body.side) * body.radius * aside;
+  if (body.body.shape == nullptr) return test(middle_of(body.body, {place.x(), place.y(), heading}));
+  for (const Vec2& p : body.body.shape->inner_points)
+    if (test(Vec2(place + p.x() * ahead + p.y() * aside))) return true;
+  return false;
+}
 
 }  // namespace arcway::internal

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "arcway/angle.h"
+#include "core/collision/swept_shape.h"
 #include "core/collision/turning_headings.h"
 #include "core/geometry/predicates.h"
 
@@ -13,6 +14,16 @@ void WalledSweep::do_straight_free(std::span<const SweptRectangle> rectangles, s
   for (std::size_t i = 0; i < rectangles.size(); ++i)
     for (const LineSegment& wall : walls_)
       if (free[i] != 0 && intersects(wall, rectangles[i])) free[i] = 0;
+}
+
+void WalledSweep::do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const {
+  base_->straight_free(bodies, free);
+  SweptShape::Memory memory;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const SweptShape shape(bodies[i], memory);
+    for (const LineSegment& wall : walls_)
+      if (free[i] != 0 && shape.meets(wall)) free[i] = 0;
+  }
 }
 
 void WalledSweep::do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const {

@@ -17,6 +17,7 @@ class WalledSweep final : public SweepQuery {
 
  private:
   void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const override;
+  void do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const override;
   void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override;
 
   std::shared_ptr<const SweepQuery> base_;

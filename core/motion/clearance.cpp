@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "arcway/angle.h"
+#include "core/geometry/closest_pair.h"
+#include "core/geometry/distance.h"
 
 namespace arcway::internal {
 namespace {
@@ -58,6 +61,18 @@ Near to_rectangle(const Box& r, const LineSegment& e) {
   return near;
 }
 
+/// Distance of an edge to a convex polygon.
+double distance_to(std::span<const Vec2> polygon, const LineSegment& e) {
+  double least = std::numeric_limits<double>::infinity();
+  bool is_inside = true;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const LineSegment side{polygon[i], polygon[(i + 1) % polygon.size()]};
+    least = std::min(least, distance(side, e));
+    is_inside = is_inside && cross(side.b - side.a, e.a - side.a) >= 0.0;
+  }
+  return is_inside ? 0.0 : least;
+}
+
 /// The least distance of a point that turns about a center from a segment, without the ends of its arc. It occurs at
 /// the foot of the perpendicular from the center, at a crossing, or radially at an end of the segment.
 /// @param spin  +1 counter-clockwise, -1 clockwise.
@@ -95,8 +110,9 @@ Near turning_point(const Vec2& center, const Vec2& point, double spin, double tu
 /// The motion of the body, seen from its start pose.
 class Motion {
  public:
-  Motion(const PathSegment& segment, const Footprint& body)
+  Motion(const PathSegment& segment, const Body& body)
       : segment_(segment),
+        shape_(body.shape),
         body_{{-body.rear, -body.right}, {body.front, body.left}},
         start_(segment.start),
         end_(segment.end()),
@@ -131,28 +147,60 @@ class Motion {
   /// Distance to an edge, and the arc length.
   [[nodiscard]] Near nearest(const LineSegment& edge) const {
     const LineSegment e = start_(edge);
+    if (shape_ != nullptr) {
+      Near near;
+      for (const Ring& piece : shape_->pieces) lower_by_piece(piece, e, end_(edge), near);
+      return near;
+    }
     if (segment_.is_line()) {
       const Near near = to_rectangle({body_.min, {body_.max.x() + segment_.length, body_.max.y()}}, e);
       return {near.distance, std::clamp(near.at - body_.max.x(), 0.0, segment_.length)};
     }
     Near near{to_rectangle(body_, e).distance, 0.0};
     near.lower(to_rectangle(body_, end_(edge)).distance, segment_.length);
-    const double spin = segment_.curvature > 0.0 ? 1.0 : -1.0;
-    const double turn = std::min(kTwoPi, std::abs(segment_.curvature) * segment_.length);
-    const Vec2 center(0.0, 1.0 / segment_.curvature);
-    const auto take = [&](const Near& other) { near.lower(other.distance, other.at / std::abs(segment_.curvature)); };
-    const std::array<Vec2, 4> corners = body_.corners();
-    for (std::size_t k = 0; k < 4; ++k) {
-      take(turning_point(center, corners[k], spin, turn, e));
-      const LineSegment side{corners[k], corners[(k + 1) % 4]};
-      take(turning_point(center, e.a, -spin, turn, side));  // seen from the body, the world turns the other way
-      take(turning_point(center, e.b, -spin, turn, side));
-    }
+    lower_on_arc(body_.corners(), e, near);
     return near;
   }
 
  private:
+  // By the corners of the body on their circles, and by the ends of the edge on theirs.
+  void lower_on_arc(std::span<const Vec2> corners, const LineSegment& e, Near& near) const {
+    const double spin = segment_.curvature > 0.0 ? 1.0 : -1.0;
+    const double turn = std::min(kTwoPi, std::abs(segment_.curvature) * segment_.length);
+    const Vec2 center(0.0, 1.0 / segment_.curvature);
+    const auto take = [&](const Near& other) { near.lower(other.distance, other.at / std::abs(segment_.curvature)); };
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      take(turning_point(center, corners[k], spin, turn, e));
+      const LineSegment side{corners[k], corners[(k + 1) % corners.size()]};
+      take(turning_point(center, e.a, -spin, turn, side));  // seen from the body, the world turns the other way
+      take(turning_point(center, e.b, -spin, turn, side));
+    }
+  }
+
+  // By the corners of the body on their ways, and by the ends of the edge on theirs, which lead backwards.
+  void lower_on_line(std::span<const Vec2> corners, const LineSegment& e, Near& near) const {
+    const Vec2 way(segment_.length, 0.0);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Vec2 &corner = corners[k], &next = corners[(k + 1) % corners.size()];
+      const ClosestPair ahead = closest_pair({corner, corner + way}, e);
+      near.lower(ahead.distance, ahead.a.x() - corner.x());
+      for (const Vec2& p : {e.a, e.b}) {
+        const ClosestPair back = closest_pair({p, p - way}, {corner, next});
+        near.lower(back.distance, p.x() - back.a.x());
+      }
+    }
+  }
+
+  // By a convex piece of the shape.
+  // @param at_end  the edge, seen from the end of the motion.
+  void lower_by_piece(std::span<const Vec2> piece, const LineSegment& e, const LineSegment& at_end, Near& near) const {
+    near.lower(distance_to(piece, e), 0.0);
+    near.lower(distance_to(piece, at_end), segment_.length);
+    segment_.is_line() ? lower_on_line(piece, e, near) : lower_on_arc(piece, e, near);
+  }
+
   PathSegment segment_;
+  const GrownBody* shape_;
   Box body_;
   Frame start_;
   Frame end_;
@@ -161,7 +209,7 @@ class Motion {
 
 }  // namespace
 
-Clearance clearance_along(const PathSegment& segment, const Footprint& body, const World& world) {
+Clearance clearance_along(const PathSegment& segment, const Body& body, const World& world) {
   if (segment.gear == Gear::kReverse) {
     Clearance clearance = clearance_along(segment.reversed(), body, world);
     clearance.arc_length = segment.length - clearance.arc_length;
@@ -197,7 +245,7 @@ Clearance clearance_along(const PathSegment& segment, const Footprint& body, con
   return best;
 }
 
-double clearance_below(double limit, const PathSegment& segment, const Footprint& body, const Outlines& outlines) {
+double clearance_below(double limit, const PathSegment& segment, const Body& body, const Outlines& outlines) {
   const Motion motion(segment.gear == Gear::kReverse ? segment.reversed() : segment, body);
   const auto is_near = [&](const Box& box) { return motion.distance_at_least(box) < limit; };
   outlines.visit_if(is_near, [&](const Outlines::Piece& piece) {

@@ -267,7 +267,7 @@ TrajectoryState Trajectory::at_distance(double distance) const {
 }
 
 double Trajectory::clearance_at(double time, const World& world) const {
-  return clearance_along({at(time).pose, 0.0, 0.0}, vehicle().footprint(), world).distance;
+  return clearance_along({at(time).pose, 0.0, 0.0}, vehicle().body(), world).distance;
 }
 
 double Trajectory::clearance_at(double time) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "arcway/angle.h"
@@ -32,12 +33,26 @@ std::optional<std::pair<double, double>> clip(const Vec2& a, const Vec2& b, cons
   return std::pair(first, last);
 }
 
-bool is_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
-  return sweep.straight_free(swept_rectangle(pose, 0.0, body));
+// The part of a segment inside a convex polygon, counter-clockwise.
+std::optional<std::pair<double, double>> clip(const LineSegment& s, std::span<const Vec2> polygon) {
+  double first = 0.0, last = 1.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &corner = polygon[i], along = polygon[(i + 1) % polygon.size()] - corner;
+    const double from = cross(along, s.a - corner), to = cross(along, s.b - corner);
+    if (from < 0.0 && to < 0.0) return std::nullopt;
+    if (from < 0.0) first = std::max(first, from / (from - to));
+    if (to < 0.0) last = std::min(last, from / (from - to));
+  }
+  if (first > last) return std::nullopt;
+  return std::pair(first, last);
+}
+
+bool is_free(const SweepQuery& sweep, const Body& body, const Pose& pose) {
+  return sweep.straight_free({pose, 0.0, body});
 }
 
 // The free pose at the same position with the smallest turn, to the left before the right.
-std::optional<FreePose> free_turn(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+std::optional<FreePose> free_turn(const SweepQuery& sweep, const Body& body, const Pose& pose) {
   const double reach = body.farthest();
   for (int turn = 1; turn < kTurns; ++turn) {
     const int steps = (turn + 1) / 2;
@@ -49,7 +64,7 @@ std::optional<FreePose> free_turn(const SweepQuery& sweep, const Footprint& body
 }
 
 // The nearest free pose of the same heading on the smallest circle with free poses, each moved inwards by bisection.
-std::optional<FreePose> free_move(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+std::optional<FreePose> free_move(const SweepQuery& sweep, const Body& body, const Pose& pose) {
   const double step = free_pose_reach(body) / kCircles;
   std::optional<FreePose> nearest;
   for (int circle = 1; circle <= kCircles && !nearest; ++circle) {
@@ -74,17 +89,18 @@ std::optional<FreePose> free_move(const SweepQuery& sweep, const Footprint& body
 }  // namespace
 
 std::optional<Collision> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
-                                    const Footprint& body, const Pose& pose) {
+                                    const Body& body, const Pose& pose) {
   const Vec2 middle = middle_of(body, pose), ahead = direction_of(pose.heading), aside = perpendicular(ahead);
   const Vec2 half(0.5 * body.length(), 0.5 * body.width());
   const auto in_body = [&](const Vec2& p) { return Vec2((p - middle).dot(ahead), (p - middle).dot(aside)); };
   VertexId nearest = kNone;
   double least = std::numeric_limits<double>::infinity();
   Vec2 point = middle;
-  const auto look_at = [&](VertexId v, const Vec2& from, const Vec2& to) {
-    const Vec2 a = in_body(from), b = in_body(to), along = b - a;
-    const auto part = clip(a, b, half);
+  const auto look_at_part = [&](VertexId v, const LineSegment& edge,
+                                const std::optional<std::pair<double, double>>& part) {
     if (!part) return;
+    const auto& [from, to] = edge;
+    const Vec2 a = in_body(from), b = in_body(to), along = b - a;
     const double length2 = along.squaredNorm();
     const double t = length2 > 0.0 ? std::clamp(-a.dot(along) / length2, part->first, part->second) : part->first;
     const double away = (a + t * along).norm();
@@ -92,6 +108,12 @@ std::optional<Collision> contact_of(const World& world, const Outlines& outlines
     least = away;
     nearest = v;
     point = from + t * (to - from);
+  };
+  const Vec2 offset(0.5 * (body.front - body.rear), 0.5 * (body.left - body.right));
+  const auto look_at = [&](VertexId v, const Vec2& from, const Vec2& to) {
+    const Vec2 a = in_body(from), b = in_body(to);
+    if (body.shape == nullptr) return look_at_part(v, {from, to}, clip(a, b, half));
+    for (const Ring& piece : body.shape->pieces) look_at_part(v, {from, to}, clip({a + offset, b + offset}, piece));
   };
   // Twice as far as the body reaches, so that rounding leaves no edge out.
   const Vec2 far = Vec2::Constant(2.0 * half.norm());
@@ -103,18 +125,24 @@ std::optional<Collision> contact_of(const World& world, const Outlines& outlines
                       return true;
                     });
   if (nearest != kNone) return Collision{world.obstacle_of(nearest), point};
-  const ObstacleId inside = distance.containing(middle);
-  return inside == kNone ? std::nullopt : std::optional(Collision{inside, middle});
+  const auto inside_of = [&](const Vec2& p) {
+    const ObstacleId inside = distance.containing(p);
+    return inside == kNone ? std::nullopt : std::optional(Collision{inside, p});
+  };
+  if (body.shape == nullptr) return inside_of(middle);
+  for (const Vec2& p : body.shape->inner_points)
+    if (auto inside = inside_of(pose.position() + p.x() * ahead + p.y() * aside)) return inside;
+  return std::nullopt;
 }
 
 double free_pose_reach(const Footprint& body) { return 2.0 * std::hypot(body.length(), body.width()); }
 
-std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
+std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Body& body, const Pose& pose) {
   const auto turned = free_turn(sweep, body, pose), moved = free_move(sweep, body, pose);
   return !turned || (moved && moved->travel < turned->travel) ? moved : turned;
 }
 
-std::string collision_text(const World& world, const Outlines& outlines, const QuerySet& queries, const Footprint& body,
+std::string collision_text(const World& world, const Outlines& outlines, const QuerySet& queries, const Body& body,
                            const Pose& pose) {
   std::string text = "collides";
   if (const auto contact = contact_of(world, outlines, *queries.distance, body, pose))

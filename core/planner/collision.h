@@ -23,7 +23,7 @@ struct Collision {
 /// body), plus one `containing` query where there are none.
 /// @param outlines  of the world.
 std::optional<Collision> contact_of(const World& world, const Outlines& outlines, const DistanceQuery& distance,
-                                    const Footprint& body, const Pose& pose);
+                                    const Body& body, const Pose& pose);
 
 /// A free pose near a pose in collision.
 struct FreePose {
@@ -39,12 +39,12 @@ double free_pose_reach(const Footprint& body);
 ///   one is taken, and moved towards the pose by bisection.
 ///
 /// Each pose is decided exactly by the sweep query. Free poses off the pattern may be nearer. At most 767 checks.
-std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Footprint& body, const Pose& pose);
+std::optional<FreePose> nearest_free_pose(const SweepQuery& sweep, const Body& body, const Pose& pose);
 
 /// The collision in words: "collides with obstacle 3 at (4, 1.5); the nearest free pose found is (4, 0.3, 0), 1.2 m
 /// away". Precondition: the body is not free at the pose.
 /// @param outlines  of the world.
-std::string collision_text(const World& world, const Outlines& outlines, const QuerySet& queries, const Footprint& body,
+std::string collision_text(const World& world, const Outlines& outlines, const QuerySet& queries, const Body& body,
                            const Pose& pose);
 
 }  // namespace arcway::internal

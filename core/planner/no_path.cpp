@@ -82,7 +82,7 @@ std::string tried_text(const NoPath& why, const PlanResult& result) {
 }  // namespace
 
 bool pose_is_free(const Roadmap& map, const Pose& pose, bool start, PlanResult& result) {
-  if (map.queries.sweep->straight_free(swept_rectangle(pose, 0.0, map.body))) return true;
+  if (map.queries.sweep->straight_free({pose, 0.0, map.body})) return true;
   const auto outside = static_cast<ObstacleId>(map.world.obstacle_count());
   const bool out = map.world.has_bounds() && map.world.locate(pose.position(), outside) == PointLocation::kInside;
   if (out) {

@@ -160,9 +160,9 @@ void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profil
   result.status = PlanStatus::kSolved;
   result.bottleneck.reset();
   speed_profile(path, vehicle, profile);
-  const Footprint bare = vehicle.footprint();
-  // The middle of the body is further from the obstacles than the body.
-  result.min_clearance = map().queries.distance->closest(middle_of(bare, result.start)).distance;
+  const Body bare = vehicle.body();
+  // A point of the body is further from the obstacles than the body.
+  result.min_clearance = map().queries.distance->closest(inner_point_of(bare, result.start)).distance;
   const auto look_along = [&](const PathSegment& segment) {
     return clearance_below(result.min_clearance, segment, bare, *map().outlines);
   };
@@ -308,7 +308,7 @@ void Planner::warm_up(std::size_t queries_at_once) const {
 
 bool Planner::is_free(const Pose& pose) const {
   require_pose("pose", pose, vehicle());
-  return data_->map().queries.sweep->straight_free(swept_rectangle(pose, 0.0, data_->map().body));
+  return data_->map().queries.sweep->straight_free({pose, 0.0, data_->map().body});
 }
 
 bool Planner::is_free(std::span<const PathSegment> path) const {

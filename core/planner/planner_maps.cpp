@@ -36,7 +36,7 @@ PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::
     tightest.emplace(plain.with_graph(std::move(lazy), smallest), options.gap_circles);
     other = OtherMaps(plain, tightest->plain, routes_of_strategy(), rows, executor);
   }
-  if (options.point_robot_lower_bound && plain.vehicle.footprint().covers_reference())
+  if (options.point_robot_lower_bound && plain.vehicle.body().covers_reference())
     point_distance.emplace(plain.world, rows, plain.outlines);
 }
 

@@ -69,7 +69,7 @@ class Refiner {
         options_(query.options),
         clock_(query.clock),
         result_(result),
-        body_(query.vehicle.footprint(0.5 * query.vehicle.safety_margin())),
+        body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
         smallest_(query.vehicle.min_turning_radius()),
         chain_(memory.chain),
         radii_(memory.radii),
@@ -228,7 +228,7 @@ class Refiner {
 
   bool straight_free(const Pose& from, double length) {
     ++result_.straights_checked;
-    return sweep_.straight_free(swept_rectangle(from, length, body_));
+    return sweep_.straight_free({from, length, body_});
   }
 
   bool is_free(const PathSegment& arc) {
@@ -506,7 +506,7 @@ class Refiner {
   const RefineOptions& options_;
   const StopClock& clock_;
   RefinedPath& result_;
-  Footprint body_;
+  Body body_;
   double smallest_;
   double least_time_ = 0.0;  // lower bound of the time of all paths [s]
   std::uint32_t iterations_ = 0;

@@ -24,7 +24,7 @@ class Shortener {
       : path_(std::move(path)),
         vehicle_(vehicle),
         sweep_(sweep),
-        body_(vehicle.footprint(0.5 * vehicle.safety_margin())),
+        body_(vehicle.body(0.5 * vehicle.safety_margin())),
         trials_left_(max_trials),
         clock_(clock) {
     time_ = time_of(path_);
@@ -105,7 +105,7 @@ class Shortener {
   Path path_, shorter_;
   const Vehicle& vehicle_;
   const SweepQuery& sweep_;
-  Footprint body_;
+  Body body_;
   std::size_t trials_left_;
   const StopClock& clock_;
   double time_ = 0.0;

@@ -30,7 +30,7 @@ class GearSearch {
         outlines_(query.outlines),
         options_(options),
         result_(result),
-        body_(query.vehicle.footprint(0.5 * query.vehicle.safety_margin())),
+        body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
         radius_(query.vehicle.min_turning_radius()),
         roots_{query.start, query.goal},
         trees_{tree(kStartEnd), tree(kGoalEnd)} {
@@ -127,7 +127,7 @@ class GearSearch {
   const Outlines& outlines_;
   const GearSearchOptions& options_;
   GearSearchResult& result_;
-  Footprint body_;
+  Body body_;
   double radius_;
   std::array<Pose, 2> roots_;
   std::array<double, 2> cells_{kCells, kCells};

@@ -30,7 +30,7 @@ GearTree::GearTree(const Pose& root, const Vehicle& vehicle, const Outlines& out
       options_(options),
       remaining_(std::move(remaining)),
       radius_(vehicle.min_turning_radius()),
-      contact_(outlines, vehicle.footprint(0.5 * vehicle.safety_margin())) {
+      contact_(outlines, vehicle.body(0.5 * vehicle.safety_margin())) {
   speeds_.reset(vehicle.max_acceleration());
   nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0, 0, 0.0});
   open_.push({remaining_(root), kRoot});

@@ -39,7 +39,7 @@ class ReversingRefiner {
         world_(query.world),
         outlines_(query.outlines),
         result_(result),
-        body_(query.vehicle.footprint(0.5 * query.vehicle.safety_margin())),
+        body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
         most_cusps_(std::max(changes.most, cusps_of(result.path))),
         most_trials_(query.options.max_trials),
         cost_(cost_of(result.path)) {}
@@ -337,7 +337,7 @@ class ReversingRefiner {
   const World* world_;
   const Outlines* outlines_;
   RefinedPath& result_;
-  Footprint body_;
+  Body body_;
   std::size_t most_cusps_;
   std::uint64_t most_trials_;  // until the next stage
   double cost_;

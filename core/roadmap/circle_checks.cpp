@@ -24,6 +24,11 @@ std::span<const double> checked_radii(std::span<const double> radii) {
   return radii;
 }
 
+// Whether the body has its reach to a side right beside the reference point, which lies on it.
+bool is_round(const Body& body, Side side) {
+  return body.covers({0.0, 0.0}) && body.covers({0.0, sign_of(side) * body.beside(side)});
+}
+
 }  // namespace
 
 CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, const Executor& executor)
@@ -38,8 +43,9 @@ CircleChecks::CircleChecks(const CircleChecks& base, const Vehicle& vehicle, con
 CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, double smallest_radius, TurnCircles circles)
     : world_(inputs.world),
       queries_(inputs.queries),
-      body_(inputs.vehicle.footprint(0.5 * inputs.vehicle.safety_margin())),
-      body_covers_reference_(body_.covers_reference()),
+      vehicle_(inputs.vehicle),
+      body_(vehicle_.body(0.5 * vehicle_.safety_margin())),
+      is_round_{is_round(body_, Side::kLeft), is_round(body_, Side::kRight)},
       smallest_radius_(smallest_radius),
       rows_(inputs.rows),
       circles_(std::move(circles)),
@@ -90,10 +96,10 @@ LinkRow CircleChecks::departures(std::uint32_t circle, const HeadingSet& free, c
 bool CircleChecks::is_free(const FeasibleLink& link) const { return queries_.sweep->straight_free(swept_by(link)); }
 
 void CircleChecks::are_free(std::span<const FeasibleLink> links, std::span<std::uint8_t> free) const {
-  std::vector<SweptRectangle> rectangles;
-  rectangles.reserve(links.size());
-  for (const FeasibleLink& link : links) rectangles.push_back(swept_by(link));
-  queries_.sweep->straight_free(rectangles, free);
+  std::vector<StraightBody> bodies;
+  bodies.reserve(links.size());
+  for (const FeasibleLink& link : links) bodies.push_back(swept_by(link));
+  queries_.sweep->straight_free(bodies, free);
 }
 
 TurningBody CircleChecks::body_on(std::uint32_t circle) const {
@@ -101,14 +107,14 @@ TurningBody CircleChecks::body_on(std::uint32_t circle) const {
   return {c.center, c.radius, c.side, body_};
 }
 
-SweptRectangle CircleChecks::swept_by(const FeasibleLink& link) const {
-  return swept_rectangle(pose_on(circles_.all()[link.from], link.heading), link.length, body_);
+StraightBody CircleChecks::swept_by(const FeasibleLink& link) const {
+  return {pose_on(circles_.all()[link.from], link.heading), link.length, body_};
 }
 
 // Keeps the headings of a wide circle near its vertex. Away from the vertex, smaller circles serve the same turns.
 void CircleChecks::keep_at_vertex(std::uint32_t circle, HeadingSet& found) const {
   const TurnCircle& c = circles_.all()[circle];
-  if (c.radius == smallest_radius_ || !body_covers_reference_) return;
+  if (c.radius == smallest_radius_ || !is_round_[c.side == Side::kLeft ? 0 : 1]) return;
   found = found.around(heading_at_vertex(world_, c), kTurnAtVertex);
 }
 

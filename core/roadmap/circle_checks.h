@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -58,15 +59,17 @@ class CircleChecks {
  private:
   CircleChecks(const FeasibleGraphInputs& inputs, double smallest_radius, TurnCircles circles);
   [[nodiscard]] TurningBody body_on(std::uint32_t circle) const;
-  [[nodiscard]] SweptRectangle swept_by(const FeasibleLink& link) const;
+  [[nodiscard]] StraightBody swept_by(const FeasibleLink& link) const;
   void keep_at_vertex(std::uint32_t circle, HeadingSet& found) const;
   template <class Visitor>
   void visit_destinations(std::uint32_t circle, const StopClock& clock, Visitor&& visit) const;
 
   World world_;
   QuerySet queries_;
-  Footprint body_;              // with half of the safety margin: what is checked
-  bool body_covers_reference_;  // else other points of it touch the vertex first
+  Vehicle vehicle_;               // has the shape of the body
+  Body body_;                     // with half of the safety margin: what is checked
+  std::array<bool, 2> is_round_;  // by side: whether F and the body's reach beside it lie on the body; else other
+                                  // points of it touch the vertex first
   double smallest_radius_;
   std::shared_ptr<const VisibilityRows> rows_;
   TurnCircles circles_;

@@ -169,7 +169,7 @@ class Pusher {
 
 }  // namespace
 
-std::optional<Path> push_free(const Path& path, const Pose& goal, const Footprint& body, const Roadmap& map,
+std::optional<Path> push_free(const Path& path, const Pose& goal, const Body& body, const Roadmap& map,
                               const StopClock& clock) {
   std::optional<Path> free = Pusher(path, goal, *map.outlines, body, map.vehicle.min_turning_radius()).run(clock);
   if (free && !motion_free(*map.queries.sweep, body, *free)) free.reset();

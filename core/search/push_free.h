@@ -16,7 +16,7 @@ namespace arcway::internal {
 /// @param body  for which the path is to be free.
 /// @param clock  may end it, without a path.
 /// @return nothing if contacts remain. Some tens of iterations, each O(steps x edges near by + contacts x parts^2).
-std::optional<Path> push_free(const Path& path, const Pose& goal, const Footprint& body, const Roadmap& map,
+std::optional<Path> push_free(const Path& path, const Pose& goal, const Body& body, const Roadmap& map,
                               const StopClock& clock);
 
 }  // namespace arcway::internal

@@ -107,12 +107,12 @@ double cost_of(const PlanResult& plan, const Vehicle& vehicle, double cusp_cost)
 // moved by (see circumscribed_ring). A plan stays free unless it was free by less than that.
 bool is_free(const Planner& planner, const PlanResult& plan) {
   const Vehicle& vehicle = planner.vehicle();
-  return motion_free(*planner.queries().sweep, vehicle.footprint(0.5 * vehicle.safety_margin()), plan.path());
+  return motion_free(*planner.queries().sweep, vehicle.body(0.5 * vehicle.safety_margin()), plan.path());
 }
 
 // Measures the clearance of a plan made on other rings among those of this planner.
 void measure_clearance(const Planner& planner, PlanResult& plan) {
-  const Footprint bare = planner.vehicle().footprint();
+  const Body bare = planner.vehicle().body();
   for (std::size_t i = 0; i < plan.segments.size(); ++i) {
     const PathSegment& segment = plan.segments[i].segment;
     const double clearance = clearance_along(segment, bare, planner.world()).distance;

@@ -315,7 +315,7 @@ class TourPlanner {
       at = place.position;
     }
     const Vehicle& vehicle = planner_.vehicle();
-    const bool covers_reference = vehicle.footprint().covers_reference();
+    const bool covers_reference = vehicle.body().covers_reference();
     double nearest = kInfinity;
     for (const Place& goal : request_.goals)
       if (!covers_reference || planner_.queries().distance->containing(goal.position) == kNone)

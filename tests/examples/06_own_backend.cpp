@@ -15,12 +15,14 @@ class OneWayLane final : public arcway::SweepQuery {
   void do_straight_free(std::span<const arcway::SweptRectangle> rectangles,
                         std::span<std::uint8_t> free) const override {
     obstacles_->straight_free(rectangles, free);
-    for (std::size_t i = 0; i < rectangles.size(); ++i) {
-      arcway::Box swept;
-      for (const arcway::Vec2& corner : rectangles[i]) swept.extend(corner);
-      const bool against = rectangles[i][1].x() < rectangles[i][0].x();
-      if (against && swept.overlaps(lane_)) free[i] = 0;
-    }
+    for (std::size_t i = 0; i < rectangles.size(); ++i)
+      if (is_against(rectangles[i])) free[i] = 0;
+  }
+  // Bodies that are no rectangles.
+  void do_straight_free(std::span<const arcway::StraightBody> bodies, std::span<std::uint8_t> free) const override {
+    obstacles_->straight_free(bodies, free);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      if (is_against(arcway::swept_rectangle(bodies[i].from, bodies[i].length, bodies[i].body))) free[i] = 0;
   }
   // No turns within the lane.
   void do_free_headings(std::span<const arcway::TurningBody> bodies,
@@ -28,6 +30,11 @@ class OneWayLane final : public arcway::SweepQuery {
     obstacles_->free_headings(bodies, result);
     for (std::size_t i = 0; i < bodies.size(); ++i)
       if (lane_.distance_to(bodies[i].center) < bodies[i].radius + bodies[i].body.front) result[i] = {};
+  }
+  [[nodiscard]] bool is_against(const arcway::SweptRectangle& rectangle) const {
+    arcway::Box swept;
+    for (const arcway::Vec2& corner : rectangle) swept.extend(corner);
+    return rectangle[1].x() < rectangle[0].x() && swept.overlaps(lane_);
   }
   std::shared_ptr<const arcway::SweepQuery> obstacles_;
   arcway::Box lane_;

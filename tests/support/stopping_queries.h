@@ -71,6 +71,10 @@ class StoppingQueries {
       count_->add(rectangles.size());
       exact_->straight_free(rectangles, free);
     }
+    void do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const override {
+      count_->add(bodies.size());
+      exact_->straight_free(bodies, free);
+    }
     void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override {
       count_->add(bodies.size());
       exact_->free_headings(bodies, result);

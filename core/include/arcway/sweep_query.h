@@ -20,22 +20,32 @@ using SweptRectangle = std::array<Vec2, 4>;
 /// here and nowhere else: all implementations decide on these corners.
 ARCWAY_API SweptRectangle swept_rectangle(const Pose& from, double length, const Footprint& body);
 
-/// The center of the body at a pose [m].
+/// The center of a rectangle at a pose [m].
 ARCWAY_API Vec2 middle_of(const Footprint& body, const Pose& pose);
+
+/// A point inside of the body at a pose [m]: the center of a rectangle.
+ARCWAY_API Vec2 inner_point_of(const Body& body, const Pose& pose);
+
+/// A body that drives forwards on a line.
+struct StraightBody {
+  Pose from;      ///< of the reference point
+  double length;  ///< [m], >= 0; 0: the body stands
+  Body body;
+};
 
 /// A body that drives forwards on a circle.
 struct TurningBody {
-  Vec2 center;     ///< of the circle [m]
-  double radius;   ///< of the reference point's circle [m], > 0
-  Side side;       ///< kLeft: counter-clockwise
-  Footprint body;  ///< [m]
+  Vec2 center;    ///< of the circle [m]
+  double radius;  ///< of the reference point's circle [m], > 0
+  Side side;      ///< kLeft: counter-clockwise
+  Body body;
 };
 
 /// Whether swept regions are free of obstacles. Obstacles are closed sets here: contact is a collision. A region that
-/// lies wholly inside an obstacle, or outside the bounds, is not free. Rectangles are decided exactly, on their rounded
-/// corners. The ends of heading sets are rounded to a few units in the last place of the angle, or of its square root
-/// at grazing contact. They have the same bits in every implementation. A planner's safety margin covers this rounding
-/// many times over, see vehicle.h. Thread-safe.
+/// lies wholly inside an obstacle, or outside the bounds, is not free. Straight motions are decided exactly, on
+/// rounded corners. The ends of heading sets are rounded to a few units in the last place of the angle, or of its
+/// square root at grazing contact. They have the same bits in every implementation. A planner's safety margin covers
+/// this rounding many times over, see vehicle.h. Thread-safe.
 class ARCWAY_API SweepQuery {
  public:
   virtual ~SweepQuery() = default;
@@ -45,6 +55,11 @@ class ARCWAY_API SweepQuery {
   ///   index.
   void straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const;
   [[nodiscard]] bool straight_free(const SweptRectangle& rectangle) const;
+  /// free[i] = 1 if bodies[i] touches no obstacle on its way, else 0. A rectangle has the answer of its swept
+  /// rectangle.
+  /// @throws std::invalid_argument as above, for the corners of what bounds the swept region.
+  void straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const;
+  [[nodiscard]] bool straight_free(const StraightBody& body) const;
 
   /// The headings at which the body, at that point of its circle, touches no obstacle.
   /// @throws std::invalid_argument if the sizes differ or a center is not in the exact range of vec2.h, naming its
@@ -65,6 +80,8 @@ class ARCWAY_API SweepQuery {
 
  private:
   virtual void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const = 0;
+  // Bodies that have a shape.
+  virtual void do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const = 0;
   virtual void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const = 0;
   // Unless an implementation knows better: by all free headings.
   [[nodiscard]] virtual bool do_arc_free(const TurningBody& body, double heading, double angle,

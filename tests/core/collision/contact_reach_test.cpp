@@ -10,6 +10,7 @@
 #include "arcway/datasets/catalog.h"
 #include "arcway/query_set.h"
 #include "core/roadmap/turn_circle.h"
+#include "tests/support/random_bodies.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -77,6 +78,47 @@ TEST_P(ContactReachOnClutter, IsThatOfSweptRectanglesOnLines) {
     }
   });
   EXPECT_GT(early, 100);
+}
+
+class ContactReachOfShapes : public ::testing::Test {
+ protected:
+  const World world_ = catalog_world("clutter/star/n100/m10/f30");
+  const QuerySet queries_ = make_reference_queries(world_);
+  const Outlines outlines_{world_};
+  test::RandomInputs random_{8};
+};
+
+TEST_F(ContactReachOfShapes, IsThatOfTheSweepQuery) {
+  constexpr double kMost = 6.0, kSlack = 1e-6;
+  int arcs = 0, lines = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vehicle vehicle = test::random_body_vehicle(random_);
+    const Body body = vehicle.body(0.0005);
+    const Pose pose{random_.uniform(0.0, 120.0), random_.uniform(0.0, 120.0), random_.uniform(0.0, kTwoPi)};
+    if (!queries_.sweep->straight_free({pose, 0.0, body})) continue;
+    ContactReach contact(outlines_, body);
+    contact.begin(pose, kMost);
+    for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+      const double radius = random_.uniform(0.3, 10.0);
+      const Side side = i % 2 == 0 ? Side::kLeft : Side::kRight;
+      const TurnCircle circle = turn_circle(pose, radius, side);
+      const double reach = queries_.sweep->free_headings(TurningBody{circle.center, radius, side, body})
+                               .reach(pose.heading, gear == Gear::kForward ? side : opposite(side));
+      const double expected = std::min(radius * reach, kMost);
+      EXPECT_NEAR(contact(sign_of(side) / radius, gear), expected, 1e-6) << i;
+      arcs += expected < kMost;
+      const double driven = contact(0.0, gear);
+      const auto is_free = [&](double length) {
+        return queries_.sweep->straight_free({PathSegment{pose, length, 0.0, gear}.forwards().start, length, body});
+      };
+      EXPECT_TRUE(is_free(std::max(0.0, driven - kSlack))) << i;
+      if (driven >= kMost) continue;
+      EXPECT_FALSE(is_free(driven + kSlack)) << i;
+      ++lines;
+    }
+  }
+  EXPECT_GT(arcs, 300);
+  EXPECT_GT(lines, 300);
 }
 
 // What a motion costs: an edge in the way ends it before those further away are looked at.

@@ -61,7 +61,7 @@ TEST(FreeHeadings, ABodyApartFromItsReferencePointIsAskedAboutItself) {
   const Ring square = test::square(-1.1, -1.1, 2.2);
   const World post({{square, {}}});
   const World hole({{test::square(-50, -50, 100), {square}}});
-  const TurningBody body{{0, 0}, 1.0, Side::kLeft, {.front = 3.0, .rear = -1.5, .left = 0.3, .right = 0.3}};
+  const TurningBody body{{0, 0}, 1.0, Side::kLeft, Footprint{.front = 3.0, .rear = -1.5, .left = 0.3, .right = 0.3}};
   for (const auto make : {make_reference_queries, +[](const World& world) { return make_embree_queries(world); }}) {
     EXPECT_TRUE(make(post).sweep->free_headings(body).is_full());
     EXPECT_TRUE(make(hole).sweep->free_headings(body).empty());

@@ -300,6 +300,11 @@ class StoppingSweep final : public SweepQuery {
     if (asked_ >= last_) stop_.request_stop();
     exact_->straight_free(rectangles, free);
   }
+  void do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const override {
+    asked_ += bodies.size();
+    if (asked_ >= last_) stop_.request_stop();
+    exact_->straight_free(bodies, free);
+  }
   void do_free_headings(std::span<const TurningBody> bodies, std::span<HeadingSet> result) const override {
     exact_->free_headings(bodies, result);
   }
