@@ -1,7 +1,9 @@
 #include "arcway/datasets/robot.h"
 
+#include <cmath>
 #include <set>
 
+#include "datasets/formats/robot_yaml.h"
 #include "datasets/io/json_text.h"
 
 namespace arcway {
@@ -14,10 +16,12 @@ using detail::JsonPlace;
 constexpr std::pair<std::string_view, Steering> kSteerings[] = {
     {"front", Steering::kFront}, {"rear", Steering::kRear}, {"symmetric", Steering::kSymmetric}};
 
-// What others call the keys of a robot. A turning radius is set by the steering angle, a lateral acceleration is one
-// way to give the speed in turns.
+// What others call the keys of a robot. A lateral acceleration is one way to give the speed in turns.
 constexpr Synonym kSynonyms[] = {
     {"breadth", "width"},
+    {"polygon", "footprint"},
+    {"outline", "footprint"},
+    {"baselink", "footprint_origin"},
     {"axledistance", "wheelbase"},
     {"axlespacing", "wheelbase"},
     {"steeringangle", "max_steering_angle"},
@@ -25,9 +29,9 @@ constexpr Synonym kSynonyms[] = {
     {"maxsteer", "max_steering_angle"},
     {"maxsteerangle", "max_steering_angle"},
     {"steeringlimit", "max_steering_angle"},
-    {"turningradius", "max_steering_angle"},
-    {"minturningradius", "max_steering_angle"},
-    {"turnradius", "max_steering_angle"},
+    {"turningradius", "min_turning_radius"},
+    {"turnradius", "min_turning_radius"},
+    {"mincurveradius", "min_turning_radius"},
     {"velocity", "max_speed"},
     {"maxvelocity", "max_speed"},
     {"maxlinearvelocity", "max_speed"},
@@ -78,17 +82,80 @@ TurnSpeedLaw turn_speed_of(const JsonPlace& place) {
   return result;
 }
 
+Vec2 point_of(const JsonPlace& place) {
+  if (!place.value.is_array() || place.value.size() != 2) place.expected("a point [x, y]");
+  return {place.at(0).number(), place.at(1).number()};
+}
+
+Ring ring_of(const JsonPlace& place) {
+  place.require_array();
+  Ring ring;
+  for (std::size_t i = 0; i < place.value.size(); ++i) ring.push_back(point_of(place.at(i)));
+  return ring;
+}
+
+// One polygon [[x, y], ...], or several, or a text of one of these as in the parameters of nav2.
+std::vector<Ring> footprint_of(const JsonPlace& place) {
+  if (place.value.is_string()) {
+    const nlohmann::json value = parse(place.string(), place.path);
+    return footprint_of({value, place.path});
+  }
+  place.require_array();
+  const auto is_point = [](const nlohmann::json& v) { return v.is_array() && !v.empty() && !v[0].is_array(); };
+  if (place.value.empty() || is_point(place.value[0])) return {ring_of(place)};
+  std::vector<Ring> parts;
+  for (std::size_t i = 0; i < place.value.size(); ++i) parts.push_back(ring_of(place.at(i)));
+  return parts;
+}
+
+// The keys of the body. What another one takes the place of is refused beside it.
+void read_body(const JsonPlace& place, VehicleParameters& robot) {
+  const auto refuse = [&](std::string_view key, std::initializer_list<std::string_view> others) {
+    for (const std::string_view other : others)
+      if (place.has(key) && place.has(other))
+        place.fail("\"" + std::string(key) + "\" takes the place of \"" + std::string(other) + "\", leave one out");
+  };
+  refuse("front_overhang", {"length"});
+  refuse("rear_overhang", {"length"});
+  refuse("footprint", {"length", "width", "front_overhang", "rear_overhang"});
+  if (place.has("length")) robot.length = place.at("length").number();
+  if (place.has("width")) robot.width = place.at("width").number();
+  if (place.has("front_overhang")) robot.front_overhang = place.at("front_overhang").number();
+  if (place.has("rear_overhang")) robot.rear_overhang = place.at("rear_overhang").number();
+  if (place.has("footprint")) robot.footprint = footprint_of(place.at("footprint"));
+  if (!place.has("footprint_origin")) return;
+  if (!place.has("footprint")) place.fail("\"footprint_origin\" needs a \"footprint\" beside it");
+  robot.footprint_origin = point_of(place.at("footprint_origin"));
+}
+
+// The steering angle that leads to a turning radius, by the name of arcway or of nav2.
+void read_turning_radius(const JsonPlace& place, VehicleParameters& robot) {
+  const std::string_view keys[] = {"min_turning_radius", "minimum_turning_radius"};
+  if (place.has(keys[0]) && place.has(keys[1]))
+    place.fail("\"min_turning_radius\" and \"minimum_turning_radius\" are the same, leave one out");
+  for (const std::string_view key : keys) {
+    if (!place.has(key)) continue;
+    if (place.has("max_steering_angle"))
+      place.fail("\"" + std::string(key) + "\" takes the place of \"max_steering_angle\", leave one out");
+    const JsonPlace radius = place.at(key);
+    if (!(radius.number() > 0.0)) radius.expected("a radius > 0");
+    const double lever = robot.steering == Steering::kSymmetric ? 0.5 * robot.wheelbase : robot.wheelbase;
+    robot.max_steering_angle = std::atan(lever / radius.number());
+  }
+}
+
 VehicleParameters robot_of(const JsonPlace& place) {
-  place.allow_keys({"format", "version", "length", "width", "wheelbase", "steering", "max_steering_angle", "max_speed",
-                    "turn_speed", "max_reverse_speed", "max_acceleration", "safety_margin"},
-                   kSynonyms);
-  place.require_format("arcway-robot", 1);
+  place.allow_keys(
+      {"format", "version", "length", "width", "front_overhang", "rear_overhang", "footprint", "footprint_origin",
+       "wheelbase", "steering", "max_steering_angle", "min_turning_radius", "minimum_turning_radius", "max_speed",
+       "turn_speed", "max_reverse_speed", "max_acceleration", "safety_margin"},
+      kSynonyms);
+  place.allow_format("arcway-robot", 1);
   VehicleParameters robot;
+  read_body(place, robot);
   const auto number = [&](std::string_view key, double& value) {
     if (place.has(key)) value = place.at(key).number();
   };
-  number("length", robot.length);
-  number("width", robot.width);
   number("wheelbase", robot.wheelbase);
   number("max_steering_angle", robot.max_steering_angle);
   number("max_speed", robot.max_speed);
@@ -104,9 +171,29 @@ VehicleParameters robot_of(const JsonPlace& place) {
     }
     if (!known) steering.expected("\"front\", \"rear\" or \"symmetric\"");
   }
+  read_turning_radius(place, robot);
   if (place.has("turn_speed")) robot.turn_speed = turn_speed_of(place.at("turn_speed"));
   if (place.has("max_reverse_speed")) robot.max_reverse_speed = place.at("max_reverse_speed").number();
   return robot;
+}
+
+std::string point_text(const Vec2& p) {
+  std::string out = "[";
+  detail::append_number(out, p.x());
+  out += ',';
+  detail::append_number(out, p.y());
+  return out + ']';
+}
+
+// One polygon as it is, several as an array.
+std::string footprint_text(const std::vector<Ring>& parts) {
+  std::string out;
+  for (const Ring& ring : parts) {
+    out += out.empty() ? "[" : ",[";
+    for (std::size_t i = 0; i < ring.size(); ++i) out += (i > 0 ? "," : "") + point_text(ring[i]);
+    out += ']';
+  }
+  return parts.size() == 1 ? out : "[" + out + "]";
 }
 
 std::string turn_speed_text(const TurnSpeedLaw& law) {
@@ -134,7 +221,8 @@ std::string turn_speed_text(const TurnSpeedLaw& law) {
 }  // namespace
 
 VehicleParameters read_robot(std::string_view text, std::string_view name) {
-  const nlohmann::json value = parse(text, name);
+  const bool is_yaml = name.ends_with(".yaml") || name.ends_with(".yml");
+  const nlohmann::json value = is_yaml ? robot_of_yaml(text, name) : parse(text, name);
   return robot_of({value, std::string(name)});
 }
 
@@ -150,8 +238,17 @@ std::string to_json(const VehicleParameters& robot) {
     out += "\":";
     detail::append_number(out, value);
   };
-  number("length", robot.length);
-  number("width", robot.width);
+  if (!robot.footprint.empty()) {
+    out += ",\"footprint\":" + footprint_text(robot.footprint);
+    if (robot.footprint_origin != Vec2(0.0, 0.0)) out += ",\"footprint_origin\":" + point_text(robot.footprint_origin);
+  } else if (robot.front_overhang && robot.rear_overhang) {
+    number("front_overhang", *robot.front_overhang);
+    number("rear_overhang", *robot.rear_overhang);
+    number("width", robot.width);
+  } else {
+    number("length", robot.length);
+    number("width", robot.width);
+  }
   number("wheelbase", robot.wheelbase);
   for (const auto& [word, value] : kSteerings)
     if (value == robot.steering) out += ",\"steering\":\"" + std::string(word) + '"';

@@ -231,9 +231,13 @@ void JsonPlace::allow_keys(std::initializer_list<std::string_view> keys, std::sp
 }
 
 void JsonPlace::require_format(std::string_view format, int version) const {
-  if (const JsonPlace place = at("format"); place.value != format)
-    place.expected(("\"" + std::string(format) + "\"").c_str());
-  if (const JsonPlace place = at("version"); place.value != version) place.expected(std::to_string(version).c_str());
+  static_cast<void>(at("format")), static_cast<void>(at("version"));
+  allow_format(format, version);
+}
+
+void JsonPlace::allow_format(std::string_view format, int version) const {
+  if (has("format") && at("format").value != format) at("format").expected(("\"" + std::string(format) + "\"").c_str());
+  if (has("version") && at("version").value != version) at("version").expected(std::to_string(version).c_str());
 }
 
 }  // namespace arcway::internal::detail

@@ -59,6 +59,8 @@ struct JsonPlace {
   void allow_keys(std::initializer_list<std::string_view> keys, std::span<const Synonym> synonyms = {}) const;
   /// Refuses any other "format" and "version".
   void require_format(std::string_view format, int version) const;
+  /// Refuses any other "format" and "version", where they are given.
+  void allow_format(std::string_view format, int version) const;
 };
 
 /// The value as text, cut if long.

@@ -58,7 +58,7 @@ TEST(RobotJson, RoundTripIsExact) {
 TEST(RobotJson, KeysOfOthersAreUnderstood) {
   for (const auto& [key, meant] : {std::pair{"max_velocity", "max_speed"},
                                    {"steeringAngle", "max_steering_angle"},
-                                   {"min_turning_radius", "max_steering_angle"},
+                                   {"turning_radius", "min_turning_radius"},
                                    {"lateral_acceleration", "turn_speed"},
                                    {"max_deceleration", "max_acceleration"},
                                    {"inflation_radius", "safety_margin"}})
@@ -71,8 +71,9 @@ TEST(RobotJson, KeysOfOthersAreUnderstood) {
 TEST(RobotJson, ErrorsNameKeyAndValue) {
   EXPECT_EQ(robot_error(robot(R"(,"lenght":2)")),
             "robot.json: unknown key \"lenght\", did you mean \"length\"? There are format, version, length, width, "
-            "wheelbase, "
-            "steering, max_steering_angle, max_speed, turn_speed, max_reverse_speed, max_acceleration, safety_margin");
+            "front_overhang, rear_overhang, footprint, footprint_origin, wheelbase, "
+            "steering, max_steering_angle, min_turning_radius, minimum_turning_radius, max_speed, turn_speed, "
+            "max_reverse_speed, max_acceleration, safety_margin");
   EXPECT_EQ(robot_error(robot(R"(,"length":"2")")), "robot.json: length: expected a number, found \"2\"");
   EXPECT_EQ(robot_error(robot(R"(,"steering":"back")")),
             "robot.json: steering: expected \"front\", \"rear\" or \"symmetric\", found \"back\"");
@@ -83,8 +84,125 @@ TEST(RobotJson, ErrorsNameKeyAndValue) {
   EXPECT_EQ(robot_error(R"({"format":"arcway-robot","version":2})"), "robot.json: version: expected 1, found 2");
   EXPECT_EQ(robot_error("{\"length\":1,\n\"width\":2,\n\"length\":3}"),
             "robot.json: line 3: the key \"length\" comes twice");
-  EXPECT_EQ(robot_error("{}"), "robot.json: missing key \"format\"");
   EXPECT_EQ(robot_error("7"), "robot.json: expected an object, found 7");
+}
+
+TEST(RobotJson, FormatAndVersionMayBeLeftOut) {
+  EXPECT_EQ(read_robot("{}", "r"), VehicleParameters{});
+  EXPECT_EQ(read_robot(R"({"width":0.5})", "r").width, 0.5);
+  EXPECT_EQ(robot_error(R"({"version":2})"), "robot.json: version: expected 1, found 2");
+}
+
+TEST(RobotJson, BodiesRoundTrip) {
+  VehicleParameters robot;
+  robot.front_overhang = 1.0 / 3.0, robot.rear_overhang = -0.25;
+  EXPECT_EQ(read_robot(to_json(robot), "r"), robot);
+  robot = {};
+  robot.footprint = {{{-0.5, -1.0 / 3.0}, {1, 0}, {-0.5, 0.25}}};
+  EXPECT_NE(to_json(robot).find("\"footprint\":[[-0.5,-0.3333333333333333],[1,0],[-0.5,0.25]]"), std::string::npos);
+  EXPECT_EQ(read_robot(to_json(robot), "r"), robot);
+  robot.footprint.push_back({{2, 0}, {3, 0}, {3, 1}});
+  robot.footprint_origin = {0.125, -0.5};
+  EXPECT_EQ(read_robot(to_json(robot), "r"), robot);
+}
+
+TEST(RobotJson, FootprintsMayBeTexts) {
+  const std::vector<Ring> one = {{{-0.5, -0.25}, {1, 0}, {-0.5, 0.25}}};
+  EXPECT_EQ(read_robot(R"({"footprint":"[[-0.5, -0.25], [1, 0], [-0.5, 0.25]]"})", "r").footprint, one);
+  EXPECT_EQ(read_robot(R"({"footprint":[[[-0.5, -0.25], [1, 0], [-0.5, 0.25]]]})", "r").footprint, one);
+}
+
+TEST(RobotJson, ATurningRadiusTakesThePlaceOfTheAngle) {
+  for (const char* steering : {"front", "rear", "symmetric"}) {
+    const std::string text = R"({"steering":")" + std::string(steering) + R"(","wheelbase":2,"min_turning_radius":3})";
+    EXPECT_NEAR(Vehicle(read_robot(text, "r")).min_turning_radius(), 3.0, 1e-15) << steering;
+  }
+  EXPECT_EQ(read_robot(R"({"minimum_turning_radius":3})", "r"), read_robot(R"({"min_turning_radius":3})", "r"));
+  EXPECT_EQ(robot_error(R"({"min_turning_radius":3,"max_steering_angle":0.5})"),
+            "robot.json: \"min_turning_radius\" takes the place of \"max_steering_angle\", leave one out");
+  EXPECT_EQ(robot_error(R"({"min_turning_radius":3,"minimum_turning_radius":3})"),
+            "robot.json: \"min_turning_radius\" and \"minimum_turning_radius\" are the same, leave one out");
+  EXPECT_EQ(robot_error(R"({"min_turning_radius":0})"),
+            "robot.json: min_turning_radius: expected a radius > 0, found 0");
+}
+
+TEST(RobotYaml, HasTheSameKeys) {
+  const VehicleParameters robot = read_robot(
+      "# a robot\nwidth: 0.5\nsteering: rear\nfront_overhang: .25\nrear_overhang: 1e-1\nturn_speed:\n  table: [[1, 2], "
+      "[3, 4]]\n",
+      "r.yaml");
+  EXPECT_EQ(robot, read_robot(R"({"width":0.5,"steering":"rear","front_overhang":0.25,"rear_overhang":0.1,
+                                  "turn_speed":{"table":[[1,2],[3,4]]}})",
+                              "r"));
+  EXPECT_EQ(test::format_error_of([] { read_robot("width: 0.5\nwidht: 1\n", "r.yml"); }).substr(0, 55),
+            "r.yml: unknown key \"widht\", did you mean \"width\"? There");
+  EXPECT_EQ(test::format_error_of([] { read_robot("width: 0.5\nlength: 1\nwidth: 1\n", "r.yml"); }),
+            "r.yml: line 3: the key \"width\" comes twice");
+  EXPECT_EQ(test::format_error_of([] { read_robot("width: \"0.5\"\n", "r.yml"); }),
+            "r.yml: width: expected a number, found \"0.5\"");
+  EXPECT_EQ(test::format_error_of([] { read_robot("width: [1\n", "r.yml"); }).substr(0, 13), "r.yml: line 2");
+}
+
+// As nav2's own parameters: costmaps and the planner among others.
+TEST(RobotYaml, MayBeParametersOfNav2) {
+  const std::string costmaps = R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      width: 3
+      resolution: 0.05
+      footprint: "[ [0.3, 0.2], [0.3, -0.2], [-0.25, -0.2], [-0.25, 0.2] ]"
+global_costmap:
+  global_costmap:
+    ros__parameters:
+      footprint: "[ [0.3, 0.2], [0.3, -0.2], [-0.25, -0.2], [-0.25, 0.2] ]"
+)";
+  const std::string planner = R"(planner_server:
+  ros__parameters:
+    expected_planner_frequency: 20.0
+    GridBased:
+      plugin: "nav2_smac_planner/SmacPlannerHybrid"
+      minimum_turning_radius: 0.40
+)";
+  const Vehicle robot(read_robot(costmaps + planner, "nav2.yaml"));
+  EXPECT_EQ(robot.footprint().front, 0.3);
+  EXPECT_EQ(robot.footprint().rear, 0.25);
+  EXPECT_EQ(robot.footprint().left, 0.2);
+  EXPECT_EQ(robot.shape(), nullptr);
+  EXPECT_NEAR(robot.min_turning_radius(), 0.4, 1e-15);
+  const std::string other = costmaps + R"(behavior_server:
+  ros__parameters:
+    footprint: "[[1, 0], [0, 1], [0, 0]]"
+)";
+  EXPECT_EQ(test::format_error_of([&] { read_robot(other, "n.yaml"); }).substr(0, 32),
+            "n.yaml: line 13: footprint is \"[");
+  EXPECT_EQ(test::format_error_of([] { read_robot("a:\n  ros__parameters:\n    b: 1\n", "n.yaml"); }),
+            "n.yaml: no \"footprint\" or \"minimum_turning_radius\" below \"ros__parameters\"");
+}
+
+TEST(RobotYaml, OfManyAliasesEnds) {
+  std::string text = "a: &a0 [1, 1]\n";
+  for (int i = 0; i < 25; ++i)
+    text += "b" + std::to_string(i) + ": &a" + std::to_string(i + 1) + " [*a" + std::to_string(i) + ", *a" +
+            std::to_string(i) + "]\n";
+  EXPECT_NE(test::format_error_of([&] { read_robot(text, "r.yaml"); }).find("more than 100000 values"),
+            std::string::npos);
+}
+
+TEST(RobotJson, ErrorsOfBodiesNameTheVertex) {
+  EXPECT_EQ(robot_error(R"({"footprint":[[0,0],[1,null],[1,1]]})"),
+            "robot.json: footprint[1][1]: expected a number, found null");
+  EXPECT_EQ(robot_error(R"({"footprint":[[0,0],[1,0,2],[1,1]]})"),
+            "robot.json: footprint[1]: expected a point [x, y], found [1,0,2]");
+  EXPECT_EQ(robot_error(R"({"footprint":[[[0,0],[1,0],[0,1]],[[0,0],[1,"a"]]]})"),
+            "robot.json: footprint[1][1][1]: expected a number, found \"a\"");
+  EXPECT_EQ(robot_error(R"({"footprint":7})"), "robot.json: footprint: expected an array, found 7");
+  EXPECT_NE(robot_error(R"({"footprint":"[[0, 0], [1"})").find("robot.json: footprint: line 1: "), std::string::npos);
+  EXPECT_EQ(robot_error(R"({"footprint":[[0,0],[1,0],[0,1]],"width":1})"),
+            "robot.json: \"footprint\" takes the place of \"width\", leave one out");
+  EXPECT_EQ(robot_error(R"({"front_overhang":1,"rear_overhang":1,"length":1})"),
+            "robot.json: \"front_overhang\" takes the place of \"length\", leave one out");
+  EXPECT_EQ(robot_error(R"({"footprint_origin":[0,0]})"),
+            "robot.json: \"footprint_origin\" needs a \"footprint\" beside it");
 }
 
 TEST(ScenarioJson, RoundTrip) {

@@ -14,18 +14,30 @@
 
 namespace arcway {
 
-/// Robot as JSON; all keys but "format" and "version" may be missing and take the defaults of
-/// VehicleParameters, unknown and repeated ones are errors.
+/// Robot as JSON; all keys may be missing and take the defaults of VehicleParameters, unknown and
+/// repeated ones are errors.
 ///
 ///     {"format": "arcway-robot", "version": 1, "length": 1.5, "width": 0.8, "wheelbase": 1.3,
 ///      "steering": "front" | "rear" | "symmetric", "max_steering_angle": 0.785, "max_speed": 12,
 ///      "turn_speed": 8 | {"lateral_acceleration": 2} | {"table": [[radius, speed], ...]},
 ///      "max_reverse_speed": 3, "max_acceleration": 50, "safety_margin": 0.001}
 ///
+/// The body may be given in three ways:
+/// - "length" and "width";
+/// - "front_overhang" and "rear_overhang" from the axles, and "width";
+/// - "footprint": [[x, y], ...] about the reference point, or several of these, or a text of either
+///   as in nav2's parameters. "footprint_origin": [x, y] is the place of the polygons' origin about
+///   the reference point, such as that of a base link.
+///
+/// "min_turning_radius" [m] takes the place of "max_steering_angle".
+///
+/// A robot whose name ends in .yaml or .yml has the same keys in YAML, or is a file of parameters of
+/// nav2: of these "footprint" and "minimum_turning_radius" are read.
+///
 /// Without "max_reverse_speed" the vehicle drives backwards as fast as forwards.
 /// Values are not judged: Vehicle does that.
 /// @throws FormatError naming key and value.
-ARCWAY_API VehicleParameters read_robot(std::string_view json, std::string_view name);
+ARCWAY_API VehicleParameters read_robot(std::string_view text, std::string_view name);
 /// @throws FormatError, FileError
 ARCWAY_API VehicleParameters read_robot_file(const std::filesystem::path& path);
 /// All keys that have a value, numbers that read back to the same doubles.
