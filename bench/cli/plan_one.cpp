@@ -77,7 +77,7 @@ void add_inset(SvgPicture& svg, const Planner& planner, const PlanResult& result
 std::string picture(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
                     const std::vector<CheckedPlan>& plans) {
   const PlanResult& result = plans.front().result;
-  const Footprint body = planner.vehicle().footprint();
+  const Body body = planner.vehicle().body();
   Box view;
   view.extend(result.start.position());
   view.extend(result.goal.position());

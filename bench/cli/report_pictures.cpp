@@ -67,7 +67,7 @@ PlanResult plan_again(const report::PicturedQuery& query, const ReportedScene& s
 
 /// A square around a path; without one around start and goal.
 Box view_of(const PlanResult& result, const ReportedScene& scene) {
-  const Footprint body = scene.vehicle.footprint();
+  const Body body = scene.vehicle.body();
   Box view;
   for (const Vec2& p : {result.start.position(), result.goal.position()}) view.extend(p);
   if (result.solved())
@@ -79,7 +79,7 @@ Box view_of(const PlanResult& result, const ReportedScene& scene) {
 }
 
 std::string draw_again(const PlanResult& result, const ReportedScene& scene) {
-  const Footprint body = scene.vehicle.footprint();
+  const Body body = scene.vehicle.body();
   SvgPicture svg(scene.world, view_of(result, scene), kPictureWidth);
   svg.add_axes();
   if (result.solved()) {

@@ -43,7 +43,7 @@ Figure feasible_graph_and_motion(const Planner& planner, const PlanResult& plan)
   }
   SvgPicture picture(planner.world());
   picture.add_edges(lines, {.color = "#0072b2", .width = 0.8, .opacity = 0.45}, "feasible");
-  picture.add_path(plan.path(), planner.vehicle().footprint());
+  picture.add_path(plan.path(), planner.vehicle().body());
   const std::string caption = "Feasible visibility graph, " + std::to_string(graph.links().size()) +
                               " directed bitangents, and the fastest motion: " + digits(plan.travel_time, 2) +
                               " s over " + digits(plan.length, 1) + " m, no path takes less than " +

@@ -4,10 +4,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/file_io.h"
+#include "core/geometry/convex_prism.h"
 #include "core/model/pose_text.h"
 #include "datasets/io/markup_text.h"
 
@@ -94,6 +97,19 @@ Box region_of(const World& world) {
   box.extend(Vec2(0.0, 0.0));
   box.extend(Vec2(1.0, 1.0));
   return box;
+}
+
+// What a convex polygon sweeps on its way along +x.
+std::vector<Vec2> driven_ahead(const Ring& piece, double length) {
+  std::vector<Vec2> to, prism;
+  std::vector<signed char> ahead;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const double rise = piece[(i + 1) % piece.size()].y() - piece[i].y();
+    ahead.push_back(static_cast<signed char>((rise > 0.0) - (rise < 0.0)));
+    to.push_back(piece[i] + Vec2(length, 0.0));
+  }
+  convex_prism(piece, to, ahead, prism);
+  return prism;
 }
 
 }  // namespace
@@ -190,7 +206,7 @@ void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies, const Co
   path_ += "/>\n";
 }
 
-void SvgPicture::add_line(std::span<const PathSegment> path, const Footprint& body, const Colors& colors) {
+void SvgPicture::add_line(std::span<const PathSegment> path, const Body& body, const Colors& colors) {
   for (std::size_t first = 0; first < path.size();) {
     std::size_t last = first + 1;
     while (last < path.size() && path[last].gear == path[first].gear) ++last;
@@ -199,13 +215,13 @@ void SvgPicture::add_line(std::span<const PathSegment> path, const Footprint& bo
   }
 }
 
-void SvgPicture::add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text) {
+void SvgPicture::add_alternative(std::span<const PathSegment> path, const Body& body, std::string_view text) {
   const std::string_view color = kAlternativeColors[alternatives_++ % std::size(kAlternativeColors)];
   add_line(path, body, {color, color});
   captions_.push_back(square(color) + escaped(text));
 }
 
-void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& body, std::string_view text) {
+void SvgPicture::add_path(std::span<const PathSegment> path, const Body& body, std::string_view text) {
   if (path.empty()) return;
   const bool alone = alternatives_ == 0;
   add_line(path, body, {kPathColor, alone ? kReverseColor : kPathColor});
@@ -231,27 +247,31 @@ void SvgPicture::add_path(std::span<const PathSegment> path, const Footprint& bo
   add_poses(path.front().start, path.back().end(), body);
 }
 
-void SvgPicture::add_bodies(std::span<const Pose> poses, const Footprint& body) {
+void SvgPicture::add_bodies(std::span<const Pose> poses, const Body& body) {
   robot_ += "<path d=\"";
   for (const Pose& pose : poses) add_outline(robot_, pose, body, 0.0);
   robot_ += "\"/>\n";
 }
 
-void SvgPicture::add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const {
+void SvgPicture::add_outline(std::string& out, const Pose& pose, const Body& body, double ahead) const {
   const Vec2 u = direction_of(pose.heading), n = perpendicular(u);
-  const Vec2 f = pose.position();
-  out += 'M';
-  append_point(out, f - body.rear * u - body.right * n);
-  out += 'L';
-  append_point(out, f + (body.front + ahead) * u - body.right * n);
-  out += 'L';
-  append_point(out, f + (body.front + ahead) * u + body.left * n);
-  out += 'L';
-  append_point(out, f - body.rear * u + body.left * n);
-  out += 'Z';
+  const auto append_ring = [&](std::span<const Vec2> ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      out += i == 0 ? 'M' : 'L';
+      append_point(out, pose.position() + ring[i].x() * u + ring[i].y() * n);
+    }
+    out += 'Z';
+  };
+  if (body.shape == nullptr) {
+    append_ring(Box{{-body.rear, -body.right}, {body.front + ahead, body.left}}.corners());
+  } else if (ahead == 0.0) {
+    for (const Ring& ring : body.shape->outline) append_ring(ring);
+  } else {
+    for (const Ring& piece : body.shape->pieces) append_ring(driven_ahead(piece, ahead));
+  }
 }
 
-void SvgPicture::add_swept_area(std::span<const PathSegment> path, const Footprint& body) {
+void SvgPicture::add_swept_area(std::span<const PathSegment> path, const Body& body) {
   swept_ += "<path d=\"";
   for (const PathSegment& segment : path) {
     if (segment.is_line()) {
@@ -268,7 +288,7 @@ void SvgPicture::add_swept_area(std::span<const PathSegment> path, const Footpri
   swept_ += "\"/>\n";
 }
 
-void SvgPicture::add_poses(const Pose& start, const Pose& goal, const Footprint& body) {
+void SvgPicture::add_poses(const Pose& start, const Pose& goal, const Body& body) {
   add_marker(start, body, kStartColor, "start");
   add_marker(goal, body, kGoalColor, "goal");
 }
@@ -409,7 +429,7 @@ void SvgPicture::add_dot(const Vec2& at, std::string_view color, double radius) 
               R"(" stroke="#ffffff" stroke-width="1.5"/>)" + "\n";
 }
 
-void SvgPicture::add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label) {
+void SvgPicture::add_marker(const Pose& pose, const Body& body, std::string_view color, std::string_view label) {
   const Vec2 p = to_picture(pose.position());
   // Picture coordinates: y down.
   const Vec2 u(std::cos(pose.heading), -std::sin(pose.heading)), n(-u.y(), u.x());
@@ -596,7 +616,7 @@ std::string SvgPicture::str() const {
 void write_svg(const std::filesystem::path& path, const PlanResult& result) {
   if (!result.scene)
     throw std::invalid_argument("write_svg: no planner made this result, so that its world is not known");
-  const Footprint body = result.scene->vehicle.footprint();
+  const Body body = result.scene->vehicle.body();
   const Path driven = result.path();
   Box view = result.scene->world.box();
   std::vector<Vec2> places = polyline(driven, std::max(body.length(), 1e-4 * result.length));

@@ -29,7 +29,7 @@ TEST(Svg, DrawsLayersWithYUp) {
   const std::vector<LineSegment> edges{{{0, 0}, {10, 10}}, {{0, 10}, {20, 20}}};
   picture.add_edges(edges);
   const Path path{{{20, 20, 0}, 10, 0}, {{30, 20, 0}, 3, 0.5}};
-  picture.add_path(path, {.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
+  picture.add_path(path, Footprint{.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
   picture.add_caption("a < b & \"c\"");
   picture.set_title("T<1>", "D");
   const std::string svg = picture.str();
@@ -52,11 +52,26 @@ TEST(Svg, DrawsTheSweptArea) {
   picture.add_swept_area(Path{{{20, 20, 0}, 10, 0}}, body);
   // One rectangle for a line.
   EXPECT_NE(picture.str().find("M19 19L32 19L32 21L19 21Z"), std::string::npos) << picture.str();
-  picture.add_swept_area(Path{{{20, 20, 0}, 10, 0}}, {.front = 2, .rear = 1, .left = 3, .right = 0.5});
+  picture.add_swept_area(Path{{{20, 20, 0}, 10, 0}}, Footprint{.front = 2, .rear = 1, .left = 3, .right = 0.5});
   EXPECT_NE(picture.str().find("M19 19.5L32 19.5L32 23L19 23Z"), std::string::npos) << picture.str();
   picture.add_swept_area(Path{{{20, 20, 0}, 5, 0.2}}, body);
   // The farthest corner is hypot(2, 6) from the turning center: outlines a pixel apart over one radian.
   EXPECT_GE(count(picture.str(), "Z"), 63u);
+}
+
+// A body of two parts, one of them with a notch: its outline has no lines between convex pieces.
+TEST(Svg, DrawsBodiesOfAnyOutline) {
+  VehicleParameters parameters;
+  parameters.footprint = {{{-1, -1}, {2, -1}, {1, 0}, {2, 1}, {-1, 1}}, {{3, 0}, {4, 0}, {4, 1}}};
+  const Vehicle vehicle(parameters);
+  SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}}), 1000.0);
+  const PathSegment line{{20, 20, 0}, 10, 0};
+  picture.add_bodies(std::vector{line.start}, vehicle.body());
+  EXPECT_NE(picture.str().find("M19 19L22 19L21 20L22 21L19 21ZM23 20L24 20L24 21Z"), std::string::npos)
+      << picture.str();
+  picture.add_swept_area(Path{line}, vehicle.body());
+  EXPECT_EQ(count(picture.str(), "Z"), 6u);  // bounds, two parts, and the way of three pieces
+  EXPECT_NE(picture.str().find("M23 20L34 20L34 21L24 21Z"), std::string::npos) << picture.str();
 }
 
 TEST(Svg, DrawsReverseDashed) {
@@ -107,7 +122,7 @@ TEST(Svg, MarksPlacesOnTheWay) {
 TEST(Svg, LabelsLieBesideTheArrows) {
   const auto label_of = [](double heading) {
     SvgPicture svg(World({}, Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
-    svg.add_poses({5, 5, heading}, {1, 1, 0}, {.front = 1.0, .rear = 0.5, .left = 0.4, .right = 0.4});
+    svg.add_poses({5, 5, heading}, {1, 1, 0}, Footprint{.front = 1.0, .rear = 0.5, .left = 0.4, .right = 0.4});
     const std::string text = svg.str();
     const std::size_t at = text.find(" y=\"", text.find("<text x="));
     return std::stod(text.substr(at + 4));
@@ -170,7 +185,7 @@ TEST(Svg, ColorsThePathBySpeed) {
 TEST(Svg, MagnifiesAPlaceInTheCornerThatThePathLeavesFree) {
   const Path path{{{5, 5, 0}, 90.0, 0.0}, {{95, 5, kPi / 2}, 90.0, 0.0}, {{95, 95, kPi}, 45.0, 0.0}};
   SvgPicture picture(World({}, Ring{{0, 0}, {100, 0}, {100, 100}, {0, 100}}), 1000.0);
-  picture.add_path(path, {.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
+  picture.add_path(path, {1.4, 0.1, 0.4, 0.4});
   picture.add_inset({95, 5}, 4.0, "2 < 3");
   const std::string svg = picture.str();
   // The place: 4 m of 10 px each about (95, 5), whose pixel is 16 + 950, 16 + 950.
@@ -228,8 +243,8 @@ TEST(Svg, ShowsTheLayersAskedFor) {
     SvgPicture picture(world);
     picture.add_edges(std::vector<LineSegment>{{{0, 0}, {10, 10}}});
     const Path path{{{20, 20, 0}, 10, 0}};
-    picture.add_path(path, {.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
-    picture.add_swept_area(path, {.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
+    picture.add_path(path, Footprint{.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
+    picture.add_swept_area(path, Footprint{.front = 1.4, .rear = 0.1, .left = 0.4, .right = 0.4});
     picture.add_axes();
     picture.add_obstacle_numbers(world);
     picture.show(layers);

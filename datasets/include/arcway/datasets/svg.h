@@ -45,12 +45,12 @@ class ARCWAY_API SvgPicture {
   /// driven backwards are blue and dashed, as a line below the map then says. After alternatives the path has one
   /// color, and dashes alone tell the gears apart.
   /// @param text  below the map, before those of alternatives.
-  void add_path(std::span<const PathSegment> path, const Footprint& body, std::string_view text = {});
+  void add_path(std::span<const PathSegment> path, const Body& body, std::string_view text = {});
   /// Draws an alternative path in the next color of a palette that color-blind people can tell apart. Segments driven
   /// backwards are dashed. Its color and a text appear below the map. Call it before adding the path.
-  void add_alternative(std::span<const PathSegment> path, const Footprint& body, std::string_view text);
+  void add_alternative(std::span<const PathSegment> path, const Body& body, std::string_view text);
   /// Draws the area that the body sweeps along the path, below the path: exact on lines, within half a pixel on arcs.
-  void add_swept_area(std::span<const PathSegment> path, const Footprint& body);
+  void add_swept_area(std::span<const PathSegment> path, const Body& body);
   /// Draws the path in colors of the speed in place of add_path's line, with a legend below the map. Call it after
   /// add_path. Steps of color are at most a fortieth of the highest speed.
   void add_speeds(const Trajectory& trajectory);
@@ -59,9 +59,9 @@ class ARCWAY_API SvgPicture {
   /// Writes the number of each obstacle in its middle, counted from 0; of more than 2,000 of none.
   void add_obstacle_numbers(const World& world);
   /// Outlines of the body.
-  void add_bodies(std::span<const Pose> poses, const Footprint& body);
+  void add_bodies(std::span<const Pose> poses, const Body& body);
   /// Start and goal when there is no path.
-  void add_poses(const Pose& start, const Pose& goal, const Footprint& body);
+  void add_poses(const Pose& start, const Pose& goal, const Body& body);
   /// Draws a waypoint among the markers, with a text beside it.
   void add_place(const Vec2& place, std::string_view text);
   /// Draws a gap from one point to another among the markers, with a text beside it.
@@ -88,13 +88,13 @@ class ARCWAY_API SvgPicture {
   struct Colors {
     std::string_view forward, reverse;
   };
-  void add_line(std::span<const PathSegment> path, const Footprint& body, const Colors& colors);
+  void add_line(std::span<const PathSegment> path, const Body& body, const Colors& colors);
   /// Segments of one gear as one line.
   void add_run(std::span<const PathSegment> run, bool bodies, const Colors& colors);
   /// The body at a pose, lengthened to the front.
-  void add_outline(std::string& out, const Pose& pose, const Footprint& body, double ahead) const;
+  void add_outline(std::string& out, const Pose& pose, const Body& body, double ahead) const;
   void add_dot(const Vec2& at, std::string_view color, double radius);
-  void add_marker(const Pose& pose, const Footprint& body, std::string_view color, std::string_view label);
+  void add_marker(const Pose& pose, const Body& body, std::string_view color, std::string_view label);
   /// A mark of an axis: a short line and a text in meters.
   void add_tick(const Vec2& at, const Vec2& line, double meters);
   /// What lies below the map.
