@@ -8,10 +8,10 @@
 
 namespace arcway::internal::peers {
 
-Footprint checked_body(const Vehicle& vehicle) { return vehicle.footprint(0.5 * vehicle.safety_margin()); }
+Body checked_body(const Vehicle& vehicle) { return vehicle.body(0.5 * vehicle.safety_margin()); }
 
-bool pose_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose) {
-  return sweep.straight_free(swept_rectangle(pose, 0.0, body));
+bool pose_free(const SweepQuery& sweep, const Body& body, const Pose& pose) {
+  return sweep.straight_free({pose, 0.0, body});
 }
 
 bool is_valid(const Problem& problem, const Path& path) {

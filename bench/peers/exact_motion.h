@@ -19,9 +19,9 @@ struct Problem {
 };
 
 /// The body that planner and peers check: grown by half of the safety margin.
-Footprint checked_body(const Vehicle& vehicle);
+Body checked_body(const Vehicle& vehicle);
 
-bool pose_free(const SweepQuery& sweep, const Footprint& body, const Pose& pose);
+bool pose_free(const SweepQuery& sweep, const Body& body, const Pose& pose);
 
 /// Whether the validator takes a path, driven by the fastest speed profile, as an answer to the request.
 bool is_valid(const Problem& problem, const Path& path);

@@ -101,7 +101,7 @@ class ExactMotionValidator final : public ob::MotionValidator {
 
  private:
   const SweepQuery& sweep_;
-  Footprint body_;
+  Body body_;
   double radius_;
 };
 

@@ -26,7 +26,7 @@ std::pair<Path, Path> ends_of(const Path& path, double from, double to) {
 }  // namespace
 
 Path shortcut(Path path, const Problem& problem, const ShortcutOptions& options, Random& random) {
-  const Footprint body = checked_body(problem.vehicle);
+  const Body body = checked_body(problem.vehicle);
   double time = travel_time(path, problem.vehicle);
   for (int failures = 0; failures < options.patience && !options.stop(); ++failures) {
     const double length = length_of(path);

@@ -275,7 +275,7 @@ PlanResult plan_of_drive(const DrivenWorld& world) {
   result.min_clearance = std::numeric_limits<double>::infinity();
   const World obstacles = to_world(world.map, "driven world");
   for (std::size_t i = 0; i < world.drive.size(); ++i) {
-    const double clearance = clearance_along(world.drive[i], vehicle.footprint(), obstacles).distance;
+    const double clearance = clearance_along(world.drive[i], vehicle.body(), obstacles).distance;
     if (clearance >= result.min_clearance) continue;
     result.min_clearance = clearance;
     result.clearance_segment = world.drive[i];

@@ -28,7 +28,7 @@ std::vector<PlanRequest> random_queries(const World& world, const QuerySet& quer
                                 ", must be in [0, 1]");
   }
   const double apart = parameters.min_distance * extent.maxCoeff();
-  const Footprint body = vehicle.footprint(vehicle.safety_margin());
+  const Body body = vehicle.body(vehicle.safety_margin());
 
   Random random(parameters.seed);
   const auto draw = [&] {
@@ -36,7 +36,7 @@ std::vector<PlanRequest> random_queries(const World& world, const QuerySet& quer
     const double y = random.uniform(box.min.y(), box.max.y());
     return Pose{x, y, random.uniform(-kPi, kPi)};
   };
-  const auto is_free = [&](const Pose& pose) { return queries.sweep->straight_free(swept_rectangle(pose, 0.0, body)); };
+  const auto is_free = [&](const Pose& pose) { return queries.sweep->straight_free({pose, 0.0, body}); };
   std::optional<BottleneckFinder> find_bottleneck;
   if (parameters.passable) find_bottleneck.emplace(world, vehicle);
   const auto is_parted = [&](const Pose& start, const Pose& goal) {
