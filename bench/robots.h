@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "arcway/vehicle.h"
@@ -111,6 +112,77 @@ inline KeptVehicle tractor() {
 /// The vehicles that studies show first.
 inline const std::vector<KeptVehicle>& real_vehicles() {
   static const std::vector<KeptVehicle> vehicles{amr(), forklift(), car(), truck(), tractor()};
+  return vehicles;
+}
+
+/// A city bus with long overhangs. All numbers are our assumptions.
+inline KeptVehicle bus() {
+  return {.name = "bus",
+          .what = "city bus",
+          .parameters = {.width = 2.55,
+                         .wheelbase = 5.9,
+                         .max_steering_angle = 0.72,
+                         .max_speed = 13.9,  // StVO
+                         .turn_speed = LateralAccelerationLimit{1.0},
+                         .max_acceleration = 1.0,
+                         .front_overhang = 2.7,
+                         .rear_overhang = 3.4}};
+}
+
+/// A vehicle with polygons in place of its length and width, and another name.
+inline KeptVehicle with_footprint(KeptVehicle kept, std::string_view name, std::string_view what,
+                                  std::vector<Ring> footprint) {
+  kept.name = name, kept.what = what;
+  kept.parameters.length = VehicleParameters{}.length, kept.parameters.width = VehicleParameters{}.width;
+  kept.parameters.footprint = std::move(footprint);
+  return kept;
+}
+
+/// The forklift with a pallet of 1.2 m x 0.8 m on its forks, about its front axle. The forks begin 0.34 m ahead of that
+/// and end at 1.49 m, JH. The pallet's place is our assumption.
+inline KeptVehicle loaded_forklift() {
+  return with_footprint(forklift(), "loaded_forklift", "forklift with a pallet",
+                        {{{-1.65, -0.53},
+                          {0.34, -0.53},
+                          {0.34, -0.6},
+                          {1.14, -0.6},
+                          {1.14, -0.35},
+                          {1.49, -0.35},
+                          {1.49, -0.25},
+                          {1.14, -0.25},
+                          {1.14, 0.25},
+                          {1.49, 0.25},
+                          {1.49, 0.35},
+                          {1.14, 0.35},
+                          {1.14, 0.6},
+                          {0.34, 0.6},
+                          {0.34, 0.53},
+                          {-1.65, 0.53}}});
+}
+
+/// The tractor with a mower to the right behind it, about its rear axle. The mower is our assumption.
+inline KeptVehicle mowing_tractor() {
+  return with_footprint(
+      tractor(), "mowing_tractor", "tractor with a mower",
+      {{{-0.9, -1.2}, {4.0, -1.2}, {4.0, 1.2}, {-0.9, 1.2}}, {{-1.9, -3.6}, {-0.9, -3.6}, {-0.9, 0.4}, {-1.9, 0.4}}});
+}
+
+/// The AMR with its corners cut by 0.15 m, which is our assumption.
+inline KeptVehicle cut_amr() {
+  return with_footprint(amr(), "cut_amr", "AMR with cut corners",
+                        {{{-0.2615, -0.296},
+                          {0.2615, -0.296},
+                          {0.4115, -0.146},
+                          {0.4115, 0.146},
+                          {0.2615, 0.296},
+                          {-0.2615, 0.296},
+                          {-0.4115, 0.146},
+                          {-0.4115, -0.146}}});
+}
+
+/// Vehicles whose bodies are not centered rectangles.
+inline const std::vector<KeptVehicle>& vehicles_of_other_outlines() {
+  static const std::vector<KeptVehicle> vehicles{bus(), loaded_forklift(), mowing_tractor(), cut_amr()};
   return vehicles;
 }
 

@@ -16,14 +16,16 @@ namespace {
 const std::filesystem::path kRobots = std::filesystem::path(ARCWAY_SOURCE_DIR) / "bench/robots";
 
 TEST(KeptVehicles, AreTheRobotsOfTheTool) {
-  for (const KeptVehicle& kept : real_vehicles()) {
-    const std::string file = std::string(kept.name) + ".json";
-    EXPECT_EQ(read_robot_file(kRobots / file), kept.parameters) << file << " should be " << to_json(kept.parameters);
+  for (const auto& vehicles : {real_vehicles(), vehicles_of_other_outlines()}) {
+    for (const KeptVehicle& kept : vehicles) {
+      const std::string file = std::string(kept.name) + ".json";
+      EXPECT_EQ(read_robot_file(kRobots / file), kept.parameters) << file << " should be " << to_json(kept.parameters);
+    }
   }
   EXPECT_EQ(read_robot_file(kRobots / "paper.json"), VehicleParameters());
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kRobots)) files += entry.is_regular_file();
-  EXPECT_EQ(files, real_vehicles().size() + 1);
+  EXPECT_EQ(files, real_vehicles().size() + vehicles_of_other_outlines().size() + 1);
 }
 
 /// Radius of the circle of the front axle's middle [m].
@@ -38,6 +40,15 @@ TEST(KeptVehicles, TurnAsTheirSourcesSay) {
   EXPECT_NEAR(std::hypot(front, car().vehicle().min_turning_radius() + half_width), 5.85, 0.01);
   EXPECT_NEAR(front_axle_radius(truck()), 11.6, 0.01);
   EXPECT_NEAR(front_axle_radius(tractor()), 4.3, 0.01);
+}
+
+TEST(KeptVehicles, OfOtherOutlinesReachAsTheirSourcesSay) {
+  EXPECT_NEAR(bus().vehicle().footprint().front, 8.6, 1e-12);
+  EXPECT_NEAR(bus().vehicle().footprint().rear, 3.4, 1e-12);
+  EXPECT_NEAR(loaded_forklift().vehicle().footprint().length(), forklift().parameters.length, 1e-12);
+  EXPECT_EQ(mowing_tractor().vehicle().footprint().right, 3.6);
+  EXPECT_EQ(mowing_tractor().vehicle().footprint().front, tractor().vehicle().footprint().front);
+  EXPECT_NEAR(cut_amr().vehicle().footprint().width(), amr().parameters.width, 1e-12);
 }
 
 TEST(KeptVehicles, AreTheFasterTheWiderTheyTurn) {
