@@ -23,14 +23,15 @@ struct KeptVehicle {
 /// - NEO: Neobotix, MP-500, Mechanical Properties (neobotix-docs.de).
 /// - JH: Jungheinrich, EFG 316k, technical data in line with VDI 2198, 07/2010.
 /// - FGSV: FGSV 287, Bemessungsfahrzeuge und Schleppkurven, 2001: the passenger car.
-/// - AASHTO: A Policy on Geometric Design of Highways and Streets, 2004, exhibits 2-1 and 2-2: the single-unit truck SU
-///   and the farm tractor TR.
+/// - AASHTO: A Policy on Geometric Design of Highways and Streets, 2004, exhibits 2-1 and 2-2: the single-unit truck
+///   SU, the city transit bus CITY-BUS and the farm tractor TR.
 /// - StVO: German road traffic regulations, section 3 (3): 50 km/h in towns.
 /// - EU: Regulation (EU) 167/2013, article 4: 40 km/h for tractors of the index a.
 /// - ISO: ISO 15622, adaptive cruise control: accelerates by at most 2 m/s^2.
 ///
-/// **Bodies.** A body is a rectangle of the true length and width, with its center midway between the axles. Real
-/// bodies reach further ahead of one axle than behind the other; the difference is stated.
+/// **Bodies.** The body of a real vehicle of the studies is a rectangle of the true length and width, with its center
+/// midway between the axles. Real bodies reach further ahead of one axle than behind the other; the difference is
+/// stated. The vehicles of other outlines have their true ones.
 ///
 /// **Turns.** The speed in turns follows from the lateral acceleration. That of road vehicles is 2 m/s^2, between
 /// AASHTO's side friction factors of 0.23 for 40 km/h and 0.17 for 60 km/h. That of the AMR and the forklift is 1
@@ -115,18 +116,28 @@ inline const std::vector<KeptVehicle>& real_vehicles() {
   return vehicles;
 }
 
-/// A city bus with long overhangs. All numbers are our assumptions.
+/// The passenger car with its true overhangs.
+inline KeptVehicle overhang_car() {
+  KeptVehicle kept = car();
+  kept.name = "overhang_car", kept.what = "car with its overhangs";
+  kept.parameters.length = VehicleParameters{}.length;
+  kept.parameters.front_overhang = 0.94;  // FGSV
+  kept.parameters.rear_overhang = 1.10;   // FGSV
+  return kept;
+}
+
+/// A city bus.
 inline KeptVehicle bus() {
   return {.name = "bus",
           .what = "city bus",
-          .parameters = {.width = 2.55,
-                         .wheelbase = 5.9,
-                         .max_steering_angle = 0.72,
-                         .max_speed = 13.9,  // StVO
-                         .turn_speed = LateralAccelerationLimit{1.0},
-                         .max_acceleration = 1.0,
-                         .front_overhang = 2.7,
-                         .rear_overhang = 3.4}};
+          .parameters = {.width = 2.6,                  // AASHTO: CITY-BUS
+                         .wheelbase = 7.6,              // AASHTO
+                         .max_steering_angle = 0.7221,  // AASHTO: the front axle's middle turns by 11.5 m
+                         .max_speed = 13.9,             // StVO
+                         .turn_speed = LateralAccelerationLimit{1.0},  // our assumption, for people who stand
+                         .max_acceleration = 1.0,                      // our assumption, for the same
+                         .front_overhang = 2.1,                        // AASHTO
+                         .rear_overhang = 2.4}};                       // AASHTO
 }
 
 /// A vehicle with polygons in place of its length and width, and another name.
@@ -182,7 +193,7 @@ inline KeptVehicle cut_amr() {
 
 /// Vehicles whose bodies are not centered rectangles.
 inline const std::vector<KeptVehicle>& vehicles_of_other_outlines() {
-  static const std::vector<KeptVehicle> vehicles{bus(), loaded_forklift(), mowing_tractor(), cut_amr()};
+  static const std::vector<KeptVehicle> vehicles{overhang_car(), bus(), loaded_forklift(), mowing_tractor(), cut_amr()};
   return vehicles;
 }
 

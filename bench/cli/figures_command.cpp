@@ -27,7 +27,8 @@ int draw_figures(const std::string& folder, std::string& out) {
                                                 figures::minimum_distance_pairs(planner, plan),
                                                 figures::swept_turn(planner.vehicle()),
                                                 figures::speed_profiles(planner.vehicle()),
-                                                figures::feasible_graph_and_motion(planner, plan)};
+                                                figures::feasible_graph_and_motion(planner, plan),
+                                                figures::vehicle_gallery()};
   const auto target = [&](const figures::Figure& figure) {
     return (std::filesystem::path(folder) / (figure.name + ".svg")).string();
   };
@@ -48,9 +49,9 @@ int draw_figures(const std::string& folder, std::string& out) {
 }  // namespace
 
 void add_figures_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("figures", "Draw the paper's figures 1 to 7 from live computations");
+  CLI::App* command = app.add_subcommand("figures", "Draw the paper's figures 1 to 7 and a gallery of bodies");
   const auto folder = std::make_shared<std::string>();
-  command->add_option("--out", *folder, "Folder for figure1.svg to figure7.svg")->required();
+  command->add_option("--out", *folder, "Folder for figure1.svg to figure7.svg and bodies.svg")->required();
   command->callback([&action, folder] { action = [folder](std::string& out) { return draw_figures(*folder, out); }; });
 }
 

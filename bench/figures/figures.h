@@ -23,6 +23,9 @@ Figure swept_turn(const Vehicle& vehicle);                                      
 Figure speed_profiles(const Vehicle& vehicle);                                     ///< figure 6
 Figure feasible_graph_and_motion(const Planner& planner, const PlanResult& plan);  ///< figure 7
 
+/// The vehicles of bench::vehicles_of_other_outlines() side by side, with what they sweep in their tightest turns.
+Figure vehicle_gallery();
+
 /// A number with a fixed count of digits after the point.
 std::string digits(double value, int count);
 

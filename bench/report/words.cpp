@@ -29,6 +29,7 @@ constexpr Words kStages[] = {
     {"PathClearance", "Clearance along a path"},
     {"Plan", "Plans of the paper's robot"},
     {"PlanBatch", "Batches of plans, on threads"},
+    {"PlanBody", "Plans of bodies that are no rectangles"},
     {"PlanEach", "Plans one by one, the slow ones above all"},
     {"PlanFirst", "First plans of real vehicles, on a new map"},
     {"PlanPrepared", "Plans of real vehicles, on a prepared map"},

@@ -40,11 +40,13 @@ TEST(KeptVehicles, TurnAsTheirSourcesSay) {
   EXPECT_NEAR(std::hypot(front, car().vehicle().min_turning_radius() + half_width), 5.85, 0.01);
   EXPECT_NEAR(front_axle_radius(truck()), 11.6, 0.01);
   EXPECT_NEAR(front_axle_radius(tractor()), 4.3, 0.01);
+  EXPECT_NEAR(front_axle_radius(bus()), 11.5, 0.01);
 }
 
 TEST(KeptVehicles, OfOtherOutlinesReachAsTheirSourcesSay) {
-  EXPECT_NEAR(bus().vehicle().footprint().front, 8.6, 1e-12);
-  EXPECT_NEAR(bus().vehicle().footprint().rear, 3.4, 1e-12);
+  EXPECT_NEAR(bus().vehicle().footprint().front, 9.7, 1e-12);
+  EXPECT_NEAR(bus().vehicle().footprint().rear, 2.4, 1e-12);
+  EXPECT_NEAR(overhang_car().vehicle().footprint().length(), car().parameters.length, 1e-12);
   EXPECT_NEAR(loaded_forklift().vehicle().footprint().length(), forklift().parameters.length, 1e-12);
   EXPECT_EQ(mowing_tractor().vehicle().footprint().right, 3.6);
   EXPECT_EQ(mowing_tractor().vehicle().footprint().front, tractor().vehicle().footprint().front);
