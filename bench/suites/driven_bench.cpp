@@ -41,12 +41,16 @@ Answer answer_for(const DrivenWorld& driven, bool reverse) {
   return answer;
 }
 
-// Worlds of the first `robots` robots.
-std::vector<std::string> names(DrivenKind kind, bool both_gears, int millimeters, std::size_t robots,
+// Numbers of robots, both ends included.
+struct Robots {
+  std::size_t first, last;
+};
+
+std::vector<std::string> names(DrivenKind kind, bool both_gears, int millimeters, const Robots& robots,
                                std::size_t seeds) {
   std::vector<std::string> all;
   for (std::size_t seed = 1; seed <= seeds; ++seed)
-    for (std::size_t robot = 1; robot <= robots; ++robot)
+    for (std::size_t robot = robots.first; robot <= robots.last; ++robot)
       all.push_back("driven/" + std::string(name_of(kind)) + "/r" + std::to_string(robot) + "/g" +
                     std::to_string(both_gears ? 2 : 1) + "/c" + std::to_string(millimeters) + "/s" +
                     std::to_string(100 * seed + robot));
@@ -86,18 +90,22 @@ void time_driven(benchmark::State& state, const std::vector<std::string>& worlds
 }
 
 void add(Study study) {
-  const std::size_t robots = study == Study::kCheck ? 2 : driven_robots().size();
+  const Robots rectangles{1, study == Study::kCheck ? 2 : kDrivenRectangles};
+  const Robots others{kDrivenRectangles + 1, study == Study::kCheck ? kDrivenRectangles + 2 : driven_robots().size()};
   const std::size_t seeds = study == Study::kFull ? 12 : 1;
   for (const bool reverse : {false, true}) {
     for (const int millimeters : {50, 2}) {
       for (const DrivenKind kind : kDrivenKinds) {
         if (study == Study::kCheck && (millimeters == 2 || kind != DrivenKind::kScattered)) continue;
-        const std::vector<std::string> worlds = names(kind, reverse, millimeters, robots, seeds);
-        add_benchmark("Driven/" + std::string(reverse ? "both_gears/" : "forwards/") + name_of(kind) +
-                          "/clearance_mm_" + std::to_string(millimeters),
-                      [worlds, reverse](benchmark::State& state) { time_driven(state, worlds, reverse); })
-            ->Iterations(1)
-            ->Repetitions(1);
+        for (const bool is_rectangle : {true, false}) {
+          const std::vector<std::string> worlds =
+              names(kind, reverse, millimeters, is_rectangle ? rectangles : others, seeds);
+          add_benchmark("Driven/" + std::string(reverse ? "both_gears/" : "forwards/") + name_of(kind) +
+                            (is_rectangle ? "" : "/other_bodies") + "/clearance_mm_" + std::to_string(millimeters),
+                        [worlds, reverse](benchmark::State& state) { time_driven(state, worlds, reverse); })
+              ->Iterations(1)
+              ->Repetitions(1);
+        }
       }
     }
   }

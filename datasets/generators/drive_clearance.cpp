@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/geometry/distance.h"
 
@@ -19,33 +22,50 @@ Polygon body_at(const Pose& pose, const Footprint& body, double ahead = 0.0) {
   return {{rear - right, front - right, front + left, rear + left}, {}};
 }
 
+Polygon placed(const Ring& part, const Pose& pose) {
+  const Vec2 u = direction_of(pose.heading), aside = perpendicular(u);
+  Ring ring;
+  for (const Vec2& p : part) ring.emplace_back(pose.position() + u * p.x() + aside * p.y());
+  return {std::move(ring), {}};
+}
+
 // How far a polygon must keep from a body with this reach about F.
 struct Wanted {
   const Polygon& polygon;
-  const Footprint& body;
+  const Footprint& box;
+  const std::vector<Ring>& parts;  // of a body that is no rectangle
   double reach, distance;
+
+  [[nodiscard]] double gap_at(const Pose& pose) const {
+    if (parts.empty()) return internal::distance(body_at(pose, box), polygon);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Ring& part : parts) least = std::min(least, internal::distance(placed(part, pose), polygon));
+    return least;
+  }
 };
 
-bool arc_keeps_away(const Wanted& wanted, const PathSegment& segment, double from, double to) {
+bool interval_keeps_away(const Wanted& wanted, const PathSegment& segment, double from, double to) {
   const double half = 0.5 * (to - from);
-  const double gap = distance(body_at(segment.at(0.5 * (from + to)), wanted.body), wanted.polygon);
+  const double gap = wanted.gap_at(segment.at(0.5 * (from + to)));
   const double travel = half * (1.0 + std::abs(segment.curvature) * wanted.reach);
   if (gap >= wanted.distance + travel) return true;
   if (gap < wanted.distance || travel < kShortestInterval * wanted.reach) return false;
   const double middle = from + half;
-  return arc_keeps_away(wanted, segment, from, middle) && arc_keeps_away(wanted, segment, middle, to);
+  return interval_keeps_away(wanted, segment, from, middle) && interval_keeps_away(wanted, segment, middle, to);
 }
 
 bool segment_keeps_away(const Wanted& wanted, const PathSegment& segment) {
-  if (!segment.is_line()) return arc_keeps_away(wanted, segment, 0.0, segment.length);
-  const Polygon swept = body_at(segment.forwards().start, wanted.body, segment.length);
+  if (!segment.is_line() || !wanted.parts.empty()) return interval_keeps_away(wanted, segment, 0.0, segment.length);
+  const Polygon swept = body_at(segment.forwards().start, wanted.box, segment.length);
   return distance(swept, wanted.polygon) >= wanted.distance;
 }
 
 }  // namespace
 
-bool keeps_away(const Polygon& polygon, std::span<const PathSegment> drive, const Footprint& body, double distance) {
-  const Wanted wanted{polygon, body, body.farthest(), distance};
+bool keeps_away(const Polygon& polygon, std::span<const PathSegment> drive, const Vehicle& vehicle, double distance) {
+  const Footprint box = vehicle.footprint();
+  const std::vector<Ring> parts = vehicle.shape() == nullptr ? std::vector<Ring>() : vehicle.outline();
+  const Wanted wanted{polygon, box, parts, box.farthest(), distance};
   return std::ranges::all_of(drive, [&](const PathSegment& segment) { return segment_keeps_away(wanted, segment); });
 }
 

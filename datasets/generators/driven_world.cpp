@@ -43,17 +43,30 @@ constexpr double kWall = 0.1, kWallPiece = 0.125;  // thickness, piece that is t
   throw std::invalid_argument("driven world: " + parameter + " is " + value + ", must be " + limit);
 }
 
+// What obstacles and lengths are sized by [m].
+struct BodySize {
+  double length, width;
+};
+
+BodySize size_of(const Vehicle& vehicle) {
+  const VehicleParameters& p = vehicle.parameters();
+  if (p.footprint.empty() && !p.front_overhang) return {p.length, p.width};
+  return {vehicle.footprint().length(), vehicle.footprint().width()};
+}
+
 // A vehicle, its drive, and the map that grows beside it.
 struct Scene {
   Random random;
-  VehicleParameters robot;
+  Vehicle vehicle;
+  BodySize body;
   double clearance;
-  Footprint body;
   Path drive;
   Box box;  // box of the map
   std::vector<Polygon> obstacles;
 
-  [[nodiscard]] bool is_clear(const Ring& ring) const { return detail::keeps_away({ring, {}}, drive, body, clearance); }
+  [[nodiscard]] bool is_clear(const Ring& ring) const {
+    return detail::keeps_away({ring, {}}, drive, vehicle, clearance);
+  }
   void add(Ring ring) { obstacles.push_back({std::move(ring), {}}); }
 };
 
@@ -79,7 +92,7 @@ Path random_drive(Random& random, const Vehicle& vehicle, bool both_gears) {
     const bool changes = both_gears && i > 0 && (i == segments / 2 || random.uniform() < kGearChangeShare);
     if (changes) gear = gear == Gear::kForward ? Gear::kReverse : Gear::kForward;
     const double curvature = random_curvature(random, 1.0 / vehicle.min_turning_radius());
-    const double length = random_length(random, curvature, vehicle.parameters().length);
+    const double length = random_length(random, curvature, size_of(vehicle).length);
     drive.push_back({pose, length, curvature, gear});
     pose = drive.back().end();
   }
@@ -98,7 +111,7 @@ Ring random_polygon(Random& random, const Vec2& center, double radius) {
 }
 
 double random_radius(Scene& scene) {
-  return scene.random.uniform(kSmallestObstacle, kLargestObstacle) * scene.robot.length;
+  return scene.random.uniform(kSmallestObstacle, kLargestObstacle) * scene.body.length;
 }
 
 void scatter(Scene& scene) {
@@ -123,7 +136,7 @@ void hug(Scene& scene) {
       for (Vec2& vertex : ring) vertex += place + ray * distance;
       return ring;
     };
-    double near = 0.0, far = scene.robot.length + scene.robot.wheelbase + radius + 2.0 * scene.clearance;
+    double near = 0.0, far = scene.body.length + scene.vehicle.parameters().wheelbase + radius + 2.0 * scene.clearance;
     if (!scene.is_clear(moved(far))) continue;
     for (int halving = 0; halving < kSlideHalvings; ++halving) {
       const double middle = 0.5 * (near + far);
@@ -147,7 +160,7 @@ void add_clear_runs(Scene& scene, std::size_t pieces, const RingOf& ring_of) {
 void carve(Scene& scene) {
   const Vec2 size = scene.box.max - scene.box.min;
   const double cell =
-      std::max(scene.random.uniform(kSmallestCell, kLargestCell) * scene.robot.width, size.maxCoeff() / kMostCells);
+      std::max(scene.random.uniform(kSmallestCell, kLargestCell) * scene.body.width, size.maxCoeff() / kMostCells);
   const auto count = [cell](double side) { return static_cast<std::size_t>(std::ceil(side / cell)); };
   const auto at = [cell](double origin, std::size_t i) { return origin + cell * static_cast<double>(i); };
   const Vec2 origin = scene.box.min;
@@ -161,11 +174,11 @@ void carve(Scene& scene) {
 // Walls across one axis (0: they stand at values of x), over the whole map.
 void add_walls(Scene& scene, Eigen::Index axis) {
   const Eigen::Index along = 1 - axis;
-  const double thickness = kWall * scene.robot.width, piece = kWallPiece * scene.robot.width;
+  const double thickness = kWall * scene.body.width, piece = kWallPiece * scene.body.width;
   const double begin = scene.box.min[along], side = scene.box.max[along] - begin;
   const double across = scene.box.max[axis] - scene.box.min[axis];
   const auto room = [&] {  // never so large that no wall is left
-    return std::min(scene.random.uniform(kSmallestRoom, kLargestRoom) * scene.robot.length, 0.5 * across);
+    return std::min(scene.random.uniform(kSmallestRoom, kLargestRoom) * scene.body.length, 0.5 * across);
   };
   for (double at = scene.box.min[axis] + room(); at < scene.box.max[axis]; at += room()) {
     add_clear_runs(scene, static_cast<std::size_t>(std::ceil(side / piece)), [&](std::size_t from, std::size_t to) {
@@ -208,6 +221,29 @@ const char* name_of(DrivenKind kind) {
   return "unknown";
 }
 
+namespace {
+
+// The forklift, the AMR, the car and the bus with other bodies, about F.
+void add_other_bodies(std::vector<DrivenRobot>& robots) {
+  const auto with = [&robots](std::size_t number, const char* name, std::vector<Ring> footprint) {
+    VehicleParameters parameters = robots[number - 1].parameters;
+    parameters.footprint = std::move(footprint);
+    robots.push_back({name, std::move(parameters)});
+  };
+  with(3, "pallet",
+       {{{-1.8, -0.55}, {0.2, -0.55}, {0.2, -0.4}, {1.4, -0.4}, {1.4, 0.4}, {0.2, 0.4}, {0.2, 0.55}, {-1.8, 0.55}}});
+  with(
+      4, "octagon",
+      {{{0.8, -0.35}, {1.0, -0.15}, {1.0, 0.15}, {0.8, 0.35}, {0.0, 0.35}, {-0.2, 0.15}, {-0.2, -0.15}, {0.0, -0.35}}});
+  with(6, "beside", {{{-0.95, -0.6}, {3.75, -0.6}, {3.75, 1.3}, {-0.95, 1.3}}});
+  with(8, "coach", {{{-3.4, -1.275}, {8.4, -1.275}, {8.9, -0.9}, {8.9, 0.9}, {8.4, 1.275}, {-3.4, 1.275}}});
+  with(4, "mower",
+       {{{-0.2, -0.35}, {1.0, -0.35}, {1.0, 0.35}, {-0.2, 0.35}},
+        {{-0.6, -0.9}, {-0.3, -0.9}, {-0.3, -0.1}, {-0.6, -0.1}}});
+}
+
+}  // namespace
+
 std::span<const DrivenRobot> driven_robots() {
   static const std::vector<DrivenRobot> robots = [] {
     const VehicleParameters paper;
@@ -222,9 +258,11 @@ std::span<const DrivenRobot> driven_robots() {
     touring.turn_speed = LateralAccelerationLimit{2.0}, touring.max_acceleration = 2.0;
     bus = {12.0, 2.55, 6.0, Steering::kFront, 0.75, 20.0, LateralAccelerationLimit{1.5}, 3.0, 1.2, 1e-3};
     tractor = {3.6, 1.6, 3.0, Steering::kFront, 0.1, 12.0, ConstantTurnSpeed{8.0}, {}, 50.0, 1e-3};
-    return std::vector<DrivenRobot>{{"pivot", pivot},     {"rover", rover}, {"forklift", forklift},
-                                    {"amr", amr},         {"paper", table}, {"car", car},
-                                    {"touring", touring}, {"bus", bus},     {"tractor", tractor}};
+    std::vector<DrivenRobot> all{{"pivot", pivot},     {"rover", rover}, {"forklift", forklift},
+                                 {"amr", amr},         {"paper", table}, {"car", car},
+                                 {"touring", touring}, {"bus", bus},     {"tractor", tractor}};
+    add_other_bodies(all);
+    return all;
   }();
   return robots;
 }
@@ -233,9 +271,9 @@ DrivenWorld generate_driven_world(const DrivenParameters& parameters) {
   check(parameters);
   const VehicleParameters& robot = driven_robots()[parameters.robot - 1].parameters;
   const Vehicle vehicle(robot);
-  Scene scene{Random(parameters.seed), robot, parameters.clearance, vehicle.footprint(), {}, {}, {}};
+  Scene scene{Random(parameters.seed), vehicle, size_of(vehicle), parameters.clearance, {}, {}, {}};
   scene.drive = random_drive(scene.random, vehicle, parameters.both_gears);
-  scene.box = detail::box_of(scene.drive, scene.body, parameters.clearance);
+  scene.box = detail::box_of(scene.drive, vehicle.footprint(), parameters.clearance);
   switch (parameters.kind) {
     case DrivenKind::kScattered:
       scatter(scene);

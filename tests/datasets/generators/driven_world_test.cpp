@@ -107,15 +107,15 @@ TEST(DrivenWorld, RefusesWhatIsOutOfRange) {
     }
     return std::string("no error");
   };
-  EXPECT_EQ(message_of("driven/rooms/r10"), "driven world: robot is 10, must be from 1 to 9");
-  EXPECT_EQ(message_of("driven/rooms/r0"), "driven world: robot is 0, must be from 1 to 9");
+  EXPECT_EQ(message_of("driven/rooms/r15"), "driven world: robot is 15, must be from 1 to 14");
+  EXPECT_EQ(message_of("driven/rooms/r0"), "driven world: robot is 0, must be from 1 to 14");
   EXPECT_EQ(message_of("driven/rooms/c0"), "driven world: clearance is 0 m, must be from 1e-04 m to 10 m");
   EXPECT_EQ(message_of("driven/rooms/g3"), "catalog world \"driven/rooms/g3\": 3 gears, must be 1 or 2");
 }
 
 // A square that a turning body passes: only the nearest moment decides.
 TEST(DriveClearance, DecidesByTheNearestMomentOfTheMotion) {
-  const Footprint body{2.0, 1.0, 0.5, 0.5};
+  const Vehicle body({.length = 3.0, .width = 1.0, .wheelbase = 1.0});  // 2 m ahead of F, 1 m behind
   const Path drive{{{0.0, 0.0, 0.0}, 6.0, 0.25, Gear::kForward}};
   const auto square_at = [](double x) { return Polygon{{{x, -0.1}, {x + 0.2, -0.1}, {x + 0.2, 0.1}, {x, 0.1}}, {}}; };
   // The front right corner is hypot(2, 4.5) from the center (0, 4), where it is nearest to the square's upper left
@@ -131,6 +131,20 @@ TEST(DriveClearance, DecidesByTheNearestMomentOfTheMotion) {
   EXPECT_FALSE(detail::keeps_away({{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, {}}, drive, body, 1e-3));
 }
 
+// A pole between the tines of a fork, and one that the bounding rectangle alone would meet.
+TEST(DriveClearance, DecidesByTheOutline) {
+  VehicleParameters parameters;
+  parameters.footprint = {
+      {{0.0, -0.5}, {1.0, -0.5}, {1.0, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {1.0, 0.3}, {1.0, 0.5}, {0.0, 0.5}}};
+  const Vehicle fork(parameters);
+  const Path drive{{{0.0, 0.0, 0.0}, 0.2, 0.0, Gear::kForward}};
+  const Polygon pole{{{0.8, -0.05}, {0.9, -0.05}, {0.9, 0.05}, {0.8, 0.05}}, {}};
+  EXPECT_TRUE(detail::keeps_away(pole, drive, fork, 0.2));  // the tines are 0.25 m beside it
+  EXPECT_FALSE(detail::keeps_away(pole, drive, fork, 0.26));
+  const Path further{{{0.0, 0.0, 0.0}, 0.55, 0.0, Gear::kForward}};
+  EXPECT_FALSE(detail::keeps_away(pole, further, fork, 0.01));  // the fork's back has come to it
+}
+
 TEST(DriveClearance, TheBoxContainsTheBodyAllAlongTheDrive) {
   for_all_worlds(0.05, [](const DrivenParameters&, const DrivenWorld& made) {
     const Footprint body = Vehicle(made.robot).footprint();
@@ -139,8 +153,8 @@ TEST(DriveClearance, TheBoxContainsTheBodyAllAlongTheDrive) {
         {{box.min.x() - 1, box.min.y()}, box.min, {box.min.x(), box.max.y()}, {box.min.x() - 1, box.max.y()}}, {}};
     const Polygon above{
         {{box.min.x(), box.max.y()}, box.max, {box.max.x(), box.max.y() + 1}, {box.min.x(), box.max.y() + 1}}, {}};
-    EXPECT_TRUE(detail::keeps_away(left, made.drive, body, 0.25));
-    EXPECT_TRUE(detail::keeps_away(above, made.drive, body, 0.25));
+    EXPECT_TRUE(detail::keeps_away(left, made.drive, Vehicle(made.robot), 0.25));
+    EXPECT_TRUE(detail::keeps_away(above, made.drive, Vehicle(made.robot), 0.25));
   });
 }
 

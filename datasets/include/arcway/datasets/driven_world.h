@@ -29,8 +29,11 @@ struct DrivenRobot {
   std::string_view name;  ///< "car", ...
   VehicleParameters parameters;
 };
-/// Nine vehicles with turning radii from 9 cm to 30 m: front, rear and symmetric steering, one or several radii.
+/// Nine vehicles with turning radii from 9 cm to 30 m: front, rear and symmetric steering, one or several radii. Behind
+/// them some of the same with bodies that are no rectangles centered between the axles.
 ARCWAY_API std::span<const DrivenRobot> driven_robots();
+/// How many of them are such rectangles: the first ones.
+inline constexpr std::size_t kDrivenRectangles = 9;
 
 struct DrivenParameters {
   DrivenKind kind = DrivenKind::kScattered;
