@@ -1,9 +1,12 @@
 #include "core/gaps/bottleneck_finder.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "arcway/sweep_query.h"
+#include "core/geometry/distance.h"
 
 namespace arcway::internal {
 
@@ -11,12 +14,35 @@ std::string region_text(const World& world, ObstacleId region) {
   return region == world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region);
 }
 
+namespace {
+
+// A rectangle whose middle is that of the largest disc in the body.
+Footprint around_largest_disc(const Vehicle& vehicle) {
+  const BodyShape* shape = vehicle.shape();
+  if (shape == nullptr) return vehicle.footprint();
+  Footprint best{};
+  double most = -1.0;
+  for (std::size_t part = 0; part < shape->parts().size(); ++part) {
+    const Ring& ring = shape->parts()[part];
+    const Vec2& center = shape->inner_points()[part];
+    double radius = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      radius = std::min(radius, distance(center, LineSegment{ring[i], ring[(i + 1) % ring.size()]}));
+    if (radius <= most) continue;
+    most = radius;
+    best = {radius + center.x(), radius - center.x(), radius + center.y(), radius - center.y()};
+  }
+  return best;
+}
+
+}  // namespace
+
 BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle)
     : BottleneckFinder(world, vehicle,
                        std::make_shared<const VehicleGaps>(world, vehicle, vehicle.min_turning_radius())) {}
 
 BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps)
-    : world_(world), body_(vehicle.footprint()), gaps_(std::move(gaps)) {
+    : world_(world), body_(around_largest_disc(vehicle)), gaps_(std::move(gaps)) {
   vehicle_takes_.needed = widest_hopeless_gap(vehicle);
   const Footprint grown = vehicle.footprint(0.5 * vehicle.safety_margin());
   for (const Side side : {Side::kLeft, Side::kRight})

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "arcway/sweep_query.h"
+#include "core/model/body_size.h"
 
 namespace arcway::internal {
 
@@ -13,8 +14,9 @@ constexpr double kProved = 1.0 - 0x1p-10;  // share of the safety margin that pr
 }  // namespace
 
 double widest_hopeless_gap(const Vehicle& vehicle) {
-  const VehicleParameters& p = vehicle.parameters();
-  return std::min(p.length, p.width) + kProved * p.safety_margin;
+  const double disc =
+      vehicle.shape() != nullptr ? vehicle.shape()->disc() : std::min(body_length(vehicle), body_width(vehicle));
+  return disc + kProved * vehicle.safety_margin();
 }
 
 // A turn at a right angle to a wall takes the outer radius of the swept annulus, which is more than its width.

@@ -13,6 +13,19 @@
 
 namespace arcway::internal {
 
+namespace {
+
+// A rectangle in the checked body: it can drive wherever the body can. Nothing if none is known.
+std::optional<Footprint> rectangle_in_body(const Roadmap& map) {
+  const BodyShape* shape = map.vehicle.shape();
+  if (shape == nullptr) return map.body;
+  const Box& core = shape->core();
+  if (core.empty()) return std::nullopt;
+  return Footprint{core.max.x(), -core.min.x(), core.max.y(), -core.min.y()};
+}
+
+}  // namespace
+
 template <class Find>
 FoundPath PlanRun::search(const Find& find) {
   const Stopwatch searching;
@@ -82,13 +95,17 @@ void PlanRun::take(const ProveBottleneck&, double) {
 }
 
 void PlanRun::take(const ProveDeadEnd& step, double) {
-  const ForwardBody body{map_.body, map_.vehicle.min_turning_radius(), *map_.queries.sweep, *map_.outlines};
+  const std::optional<Footprint> inscribed = rectangle_in_body(map_);
+  if (!inscribed) return;
+  const ForwardBody body{*inscribed, map_.vehicle.min_turning_radius(), *map_.queries.sweep, *map_.outlines};
   why_.dead_end = find_dead_end(query_.request.start, query_.request.goal, body, step.effort, query_.clock);
   has_proof_ = why_.dead_end.has_value();
 }
 
 void PlanRun::take(const ProveEnclosure& step, double) {
-  why_.enclosure = find_enclosure(query_.request.start, query_.request.goal, {map_.body, *map_.queries.sweep},
+  const std::optional<Footprint> inscribed = rectangle_in_body(map_);
+  if (!inscribed) return;
+  why_.enclosure = find_enclosure(query_.request.start, query_.request.goal, {*inscribed, *map_.queries.sweep},
                                   step.boxes, query_.clock);
   has_proof_ = why_.enclosure.has_value();
 }

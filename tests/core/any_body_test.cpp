@@ -7,7 +7,9 @@
 
 #include "accel/backend/make_queries.h"
 #include "arcway/angle.h"
+#include "arcway/backend.h"
 #include "arcway/datasets/clutter.h"
+#include "arcway/planner.h"
 #include "arcway/query_set.h"
 #include "arcway/validation.h"
 #include "core/collision/memoized_sweep.h"
@@ -237,6 +239,97 @@ TEST_F(AnyBody, DoesNotPassWalls) {
   EXPECT_FALSE(sweep.straight_free({{0, 0, 0}, 5.0, vehicle.body(0.15)}));
   EXPECT_FALSE(sweep.straight_free({{0, 0.5, 0}, 5.0, vehicle.body()}));
   EXPECT_TRUE(sweep.straight_free({{0, 0.5, 0}, 1.5, vehicle.body()}));
+}
+
+// Cut corners, tines and two parts, all within the body of the paper's robot.
+std::vector<Vehicle> slimmer_bodies() {
+  const std::vector<std::vector<Ring>> footprints = {
+      {{{-0.1, 0}, {0.2, -0.4}, {1.1, -0.4}, {1.4, 0}, {1.1, 0.4}, {0.2, 0.4}}},
+      {{{-0.1, -0.4},
+        {0.8, -0.4},
+        {0.8, -0.3},
+        {1.4, -0.3},
+        {1.4, -0.15},
+        {0.8, -0.15},
+        {0.8, 0.15},
+        {1.4, 0.15},
+        {1.4, 0.3},
+        {0.8, 0.3},
+        {0.8, 0.4},
+        {-0.1, 0.4}}},
+      {test::box_ring(-0.1, -0.4, 0.4, 0.4), test::box_ring(0.9, -0.3, 1.4, 0.4)}};
+  std::vector<Vehicle> vehicles;
+  for (const std::vector<Ring>& footprint : footprints) {
+    VehicleParameters parameters;
+    parameters.footprint = footprint;
+    vehicles.emplace_back(parameters);
+  }
+  return vehicles;
+}
+
+TEST_F(AnyBody, IsPlannedForAsOftenAsWhatBoundsIt) {
+  const Validator validate(world_);
+  const Backend backend = reference_backend(world_);
+  const Planner rectangle(world_, Vehicle{}, backend);
+  std::vector<PlanRequest> requests;
+  std::size_t bounded = 0;
+  for (int i = 0; i < 25; ++i) {
+    requests.push_back({pose(), pose()});
+    bounded += rectangle.plan(requests.back()).solved();
+  }
+  EXPECT_GT(bounded, 4u);
+  for (const Vehicle& vehicle : slimmer_bodies()) {
+    const Planner planner(world_, vehicle, backend);
+    std::size_t solved = 0;
+    for (const PlanRequest& request : requests) {
+      const PlanResult plan = planner.plan(request);
+      if (!plan.solved()) continue;
+      ++solved;
+      const ValidationReport report = validate(vehicle, request.start, request.goal, plan.timed_path());
+      EXPECT_TRUE(report.valid()) << to_string(report);
+      EXPECT_NEAR(report.min_clearance, plan.min_clearance, 1e-5);
+    }
+    EXPECT_GE(solved, bounded);
+  }
+}
+
+TEST_F(AnyBody, ARectangleGivenAsAPolygonHasTheSamePlans) {
+  VehicleParameters parameters;
+  const Footprint box = Vehicle{}.footprint();
+  parameters.footprint = {test::box_ring(-box.rear, -box.right, box.front, box.left)};
+  const Backend backend = reference_backend(world_);
+  const Planner plain(world_, Vehicle{}, backend), polygon(world_, Vehicle(parameters), backend);
+  int solved = 0;
+  for (int i = 0; i < 15; ++i) {
+    const PlanRequest request{pose(), pose()};
+    const PlanResult one = plain.plan(request), two = polygon.plan(request);
+    EXPECT_EQ(one.status, two.status);
+    EXPECT_EQ(one.travel_time, two.travel_time);
+    EXPECT_EQ(one.length, two.length);
+    solved += one.solved();
+  }
+  EXPECT_GT(solved, 2);
+}
+
+// The body straddles a wall between two lanes that are narrower than what bounds it: no proof may say otherwise.
+TEST(AnyBodyBetweenWalls, IsNotProvedToBeTooWide) {
+  VehicleParameters parameters;
+  parameters.footprint = {test::box_ring(-0.7, -1.0, 0.8, -0.5), test::box_ring(-0.7, 0.5, 0.8, 1.0)};
+  const Vehicle vehicle(parameters);
+  const World world({test::box(5, -0.4, 15, 0.4), test::box(5, 1.1, 15, 4), test::box(5, -4, 15, -1.1)},
+                    test::box_ring(0, -4, 20, 4));
+  const PlanRequest request{{2, 0, 0}, {18, 0, 0}};
+  const Planner planner(world, vehicle, reference_backend(world));
+  const PlanResult plan = planner.plan(request);
+  ASSERT_TRUE(plan.solved()) << to_string(plan);
+  EXPECT_TRUE(validate(world, vehicle, request.start, request.goal, plan.timed_path(), {}).valid());
+  const PlanResult beside = planner.plan({{2, 0, 0}, {10, 0, 0}});  // the goal is between the walls
+  EXPECT_TRUE(beside.solved()) << to_string(beside);
+  // Lanes that no disc in the body passes.
+  const World narrow({test::box(5, -0.6, 15, 0.6), test::box(5, 1.0, 15, 4), test::box(5, -4, 15, -1.0)},
+                     test::box_ring(0, -4, 20, 4));
+  const PlanResult none = Planner(narrow, vehicle, reference_backend(narrow)).plan(request);
+  EXPECT_EQ(none.status, PlanStatus::kNoPassage) << to_string(none);
 }
 
 // An obstacle in a notch, or between parts, is free; a part wholly inside of one is not, wherever F is.
