@@ -13,8 +13,19 @@ namespace {
 
 Vehicle slimmer(const Vehicle& vehicle, double share) {
   VehicleParameters parameters = vehicle.parameters();
-  parameters.width *= 1.0 - share;
-  parameters.length *= 1.0 - 0.5 * share;
+  const Vec2 scale(1.0 - 0.5 * share, 1.0 - share);
+  parameters.width *= scale.y();
+  parameters.length *= scale.x();
+  if (parameters.front_overhang) {
+    const double shorter = 0.5 * (1.0 - scale.x()) * vehicle.footprint().length();
+    *parameters.front_overhang -= shorter;
+    *parameters.rear_overhang -= shorter;
+  }
+  Box box;
+  for (const Ring& ring : parameters.footprint)
+    for (const Vec2& p : ring) box.extend(p);
+  for (Ring& ring : parameters.footprint)
+    for (Vec2& p : ring) p += (scale - Vec2::Ones()).cwiseProduct(p - 0.5 * (box.min + box.max));
   return Vehicle(std::move(parameters));
 }
 

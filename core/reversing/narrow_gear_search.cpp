@@ -8,6 +8,7 @@
 
 #include "arcway/angle.h"
 #include "core/collision/motion_free.h"
+#include "core/model/body_size.h"
 #include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
 #include "core/reversing/narrow_gear_tree.h"
@@ -77,7 +78,7 @@ class NarrowGearSearch {
              roots_[at],
              {options_.cusp_cost + stopping, options_.max_cusps, fineness},
              remaining},
-            NearPoses(kJoinDistance * vehicle.parameters().length)};
+            NearPoses(kJoinDistance * body_length(vehicle))};
   }
 
   bool interrupted() {

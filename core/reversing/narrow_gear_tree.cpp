@@ -7,6 +7,7 @@
 
 #include "arcway/angle.h"
 #include "core/base/hash_of.h"
+#include "core/model/body_size.h"
 #include "core/motion/speed_profile.h"
 #include "core/reversing/gear_index.h"
 
@@ -47,7 +48,7 @@ NarrowGearTree::NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const
       options_(options),
       remaining_(std::move(remaining)),
       radius_(vehicle.min_turning_radius()),
-      size_(std::max(radius_, vehicle.parameters().length)),
+      size_(std::max(radius_, body_length(vehicle))),
       far_line_(kFarLine * size_),
       largest_{kLargestCell * size_, kLargestCell * size_, kLargestTurn},
       contact_(*map.outlines, map.body),
@@ -62,7 +63,7 @@ std::optional<std::uint32_t> NarrowGearTree::expand() {
   if (!next) return std::nullopt;
   const Pose pose = nodes_[*next].pose;
   contact_.begin(pose, kFarWide * size_);
-  const double slack = kSlack * vehicle_.parameters().length;
+  const double slack = kSlack * body_length(vehicle_);
   std::array<std::array<double, 2>, kBends.size()> reach{};
   double way = 0.0, turn = 0.0;
   for (std::size_t i = 0; i < kBends.size(); ++i) {
@@ -85,7 +86,7 @@ std::optional<std::uint32_t> NarrowGearTree::expand() {
       const double room = reach[i][gear_index(gear)];
       const double first = room > step ? step : kHalf * room;
       for (const double length : {first, room})
-        if (length >= kLeast * vehicle_.parameters().length) add(*next, cell, {pose, length, curvature, gear});
+        if (length >= kLeast * body_length(vehicle_)) add(*next, cell, {pose, length, curvature, gear});
     }
   }
   return next;
@@ -117,7 +118,7 @@ void NarrowGearTree::add(std::uint32_t from, const Cell& cell, const PathSegment
 // The size of cells by the longest motion and the largest turn to and fro.
 NarrowGearTree::Cell NarrowGearTree::cell_where(double way, double turn) const {
   const double share = kShare * options_.fineness;
-  const double q = std::max(way, kLeast * vehicle_.parameters().length), t = std::clamp(turn, kLeast, 1.0);
+  const double q = std::max(way, kLeast * body_length(vehicle_)), t = std::clamp(turn, kLeast, 1.0);
   return {quantized(largest_.along, share * q), quantized(largest_.aside, share * q * t),
           quantized(largest_.turn, share * t)};
 }
