@@ -121,8 +121,10 @@ void AttachmentLinks::append_circles(const PathEnd& end, std::span<const Attachm
   for (auto t = static_cast<std::uint32_t>(first); t < attachments.size() && !clock.is_over(); ++t) {
     // Maneuvers join by the smallest radius only: they serve narrow places, and their poses are many.
     const bool plain = attachments[t].connection.empty();
-    for (const double radius : std::span(map.radii).first(plain ? std::min(end.radii, map.radii.size()) : 1))
+    const std::size_t radii = plain ? std::min(end.radii, map.radii.size()) : 1;
+    for (std::size_t k = 0; k < radii; ++k)
       for (const Side side : {Side::kLeft, Side::kRight}) {
+        const double radius = map.radii.of(side)[k];
         if (attachments[t].shared == side) continue;
         const Pose& pose = attachments[t].pose;
         const TurnCircle circle = turn_circle(pose, radius, side);

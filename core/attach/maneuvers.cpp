@@ -80,8 +80,8 @@ class ManeuverSearch::Run {
   Run(Direction direction, const ManeuveringBody& body, Spread spread, Memory& memory)
       : forwards_(direction == Direction::kFromStart),
         body_(body),
-        step_(body.radius * kStepTurn),
-        grid_(spread == Spread::kDense ? Grid{0.5 * step_, 128} : Grid{0.5 * body.radius, 32}),
+        step_(body.radii.smaller() * kStepTurn),
+        grid_(spread == Spread::kDense ? Grid{0.5 * step_, 128} : Grid{0.5 * body.radii.smaller(), 32}),
         m_(memory) {}
 
   std::span<const Attachment> find(const Pose& pose, std::size_t most, const StopClock& clock) {
@@ -136,7 +136,7 @@ class ManeuverSearch::Run {
   }
 
   void turn(std::size_t at, Side side) {
-    const double radius = body_.radius;
+    const double radius = body_.radii.of(side);
     const Pose here = m_.attachments[at].pose;
     const Vec2 center = here.position() + sign_of(side) * radius * perpendicular(direction_of(here.heading));
     const TurningBody turning{center, radius, side, body_.body};

@@ -9,18 +9,19 @@
 #include "arcway/sweep_query.h"
 #include "arcway/vehicle.h"
 #include "core/attach/attachment_links.h"
+#include "core/model/side_radii.h"
 
 namespace arcway::internal {
 
 /// How far apart poses are: dense ones find the way out of a narrow place, sparse ones find room to turn around.
 enum class Spread { kDense, kSparse };
 
-/// A body that turns with one radius, and the obstacles around it.
+/// A body that turns with one radius to each side, and the obstacles around it.
 struct ManeuveringBody {
-  ManeuveringBody(const Vehicle& vehicle, double r, const SweepQuery& s)
-      : body(vehicle.body(0.5 * vehicle.safety_margin())), radius(r), sweep(s) {}
-  Body body;      ///< with half of the safety margin: what is checked
-  double radius;  ///< of the reference point's arcs [m]
+  ManeuveringBody(const Vehicle& vehicle, const SideRadii& r, const SweepQuery& s)
+      : body(vehicle.body(0.5 * vehicle.safety_margin())), radii(r), sweep(s) {}
+  Body body;        ///< with half of the safety margin: what is checked
+  SideRadii radii;  ///< of the reference point's arcs
   const SweepQuery& sweep;
 };
 

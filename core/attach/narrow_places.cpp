@@ -13,11 +13,13 @@ constexpr double kWideTurn =
 // Adds wide turns, which sweep less and so fit into more places, (7). A map of several radii has wider turns already.
 // Where a wider turn is a faster one, a single radius means that no wider ones are wanted.
 void add_wide_turns(const Roadmap& map, AddedCircles& added) {
-  const double radius = kWideTurn * map.radii.front();
-  if (map.radii.size() > 1 || map.vehicle.turn_speed(radius) > map.vehicle.turn_speed(map.radii.front())) return;
+  const SideRadii smallest = map.radii.front(), radii = smallest.times(kWideTurn);
+  if (map.radii.size() > 1 || map.vehicle.turn_speed(radii.smaller()) > map.vehicle.turn_speed(smallest.smaller()))
+    return;
   const Footprint grown_body = map.vehicle.footprint(map.vehicle.safety_margin());
   for (const VertexId v : map.world.convex_vertices())
-    added.around_vertices.push_back(turn_circle(map.world, v, radius, Side::kLeft, grown_body));
+    for (const Side side : {Side::kLeft, Side::kRight})
+      added.around_vertices.push_back(turn_circle(map.world, v, radii.of(side), side, grown_body));
 }
 
 }  // namespace

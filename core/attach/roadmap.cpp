@@ -8,8 +8,8 @@
 namespace arcway::internal {
 
 // Many parameters because a roadmap is made of these parts, and of no more.
-Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, std::vector<double> r,
-                 std::shared_ptr<const FeasibleGraph> g, std::shared_ptr<const Outlines> o)
+Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, CircleRadii r, std::shared_ptr<const FeasibleGraph> g,
+                 std::shared_ptr<const Outlines> o)
     : world(w),
       vehicle(v),
       queries(std::move(q)),
@@ -21,7 +21,7 @@ Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, std::vector<doubl
       places(std::make_shared<const CirclePlaces>(graph->turn_circles(), outlines)),
       gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())) {}
 
-Roadmap Roadmap::with_graph(std::shared_ptr<const FeasibleGraph> other, std::vector<double> other_radii) const {
+Roadmap Roadmap::with_graph(std::shared_ptr<const FeasibleGraph> other, CircleRadii other_radii) const {
   Roadmap map = *this;
   map.radii = std::move(other_radii);
   map.graph = std::move(other);

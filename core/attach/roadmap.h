@@ -1,13 +1,13 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "arcway/query_set.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 #include "core/gaps/vehicle_gaps.h"
 #include "core/model/outlines.h"
+#include "core/roadmap/circle_radii.h"
 #include "core/roadmap/feasible_graph.h"
 
 namespace arcway::internal {
@@ -18,18 +18,18 @@ class CirclePlaces;
 /// The roadmap: the world, the vehicle, their queries and the feasible graph. All searches on one map share it.
 /// Immutable.
 struct Roadmap {
-  /// @param radii  of the graph [m], ascending.
+  /// @param radii  of the graph.
   /// @param outlines  of the world.
-  Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, std::vector<double> radii,
+  Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, CircleRadii radii,
           std::shared_ptr<const FeasibleGraph> graph, std::shared_ptr<const Outlines> outlines);
   /// A roadmap of the same world and vehicle with another graph.
-  /// @param other_radii  of that graph [m], ascending; the smallest is that of this roadmap.
-  [[nodiscard]] Roadmap with_graph(std::shared_ptr<const FeasibleGraph> other, std::vector<double> other_radii) const;
+  /// @param other_radii  of that graph; the smallest are those of this roadmap.
+  [[nodiscard]] Roadmap with_graph(std::shared_ptr<const FeasibleGraph> other, CircleRadii other_radii) const;
 
   World world;
   Vehicle vehicle;
   QuerySet queries;
-  std::vector<double> radii;
+  CircleRadii radii;
   std::shared_ptr<const FeasibleGraph> graph;
   std::shared_ptr<const CircleTable> circles;  ///< of the graph
   Body body;                                   ///< with half of the safety margin: what is checked

@@ -97,16 +97,16 @@ void SearchAttachments::find_direct_paths(std::size_t known_starts, std::size_t 
       // A path around nothing needs a maneuver at one end only; with many, pairs of maneuvers are skipped.
       if (are_many && !plain_start && !plain_goal) continue;
       const bool few_radii = are_many && !(plain_start && plain_goal);
-      const std::span<const double> radii = context_->map.radii;
-      for (const double radius : radii.first(few_radii ? 1 : radii.size()))
-        for (const DubinsWord word : kDubinsWords) try_direct(s, g, radius, word);
+      const CircleRadii& radii = context_->map.radii;
+      for (std::size_t k = 0; k < (few_radii ? 1 : radii.size()); ++k)
+        for (const DubinsWord word : kDubinsWords) try_direct(s, g, radii[k], word);
     }
 }
 
-void SearchAttachments::try_direct(std::uint32_t start, std::uint32_t goal, double radius, DubinsWord word) {
+void SearchAttachments::try_direct(std::uint32_t start, std::uint32_t goal, const SideRadii& radii, DubinsWord word) {
   const Attachment& from = context_->starts[start];
   const Attachment& to = context_->goals[goal];
-  const auto between = dubins_word(word, from.pose, to.pose, radius);
+  const auto between = dubins_word(word, from.pose, to.pose, radii);
   if (!between) return;
   double length = length_of(from.connection) + length_of(to.connection);
   for (const PathSegment& segment : between->segments()) length += segment.length;

@@ -8,6 +8,7 @@
 #include "core/attach/per_circle.h"
 #include "core/attach/search_context.h"
 #include "core/base/huge_pages.h"
+#include "core/model/side_radii.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
 
@@ -65,7 +66,7 @@ class SearchAttachments {
 
  private:
   void find_direct_paths(std::size_t known_starts, std::size_t known_goals);
-  void try_direct(std::uint32_t start, std::uint32_t goal, double radius, DubinsWord word);
+  void try_direct(std::uint32_t start, std::uint32_t goal, const SideRadii& radii, DubinsWord word);
   bool is_free(const PathSegment& segment);
   void add_goal_links(std::uint32_t goal_circle);
 

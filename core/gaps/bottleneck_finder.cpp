@@ -7,6 +7,7 @@
 
 #include "arcway/sweep_query.h"
 #include "core/geometry/distance.h"
+#include "core/model/side_radii.h"
 
 namespace arcway::internal {
 
@@ -38,8 +39,7 @@ Footprint around_largest_disc(const Vehicle& vehicle) {
 }  // namespace
 
 BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle)
-    : BottleneckFinder(world, vehicle,
-                       std::make_shared<const VehicleGaps>(world, vehicle, vehicle.min_turning_radius())) {}
+    : BottleneckFinder(world, vehicle, std::make_shared<const VehicleGaps>(world, vehicle, SideRadii(vehicle))) {}
 
 BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps)
     : world_(world), body_(around_largest_disc(vehicle)), gaps_(std::move(gaps)) {
@@ -47,7 +47,7 @@ BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle, s
   const Footprint grown = vehicle.footprint(0.5 * vehicle.safety_margin());
   for (const Side side : {Side::kLeft, Side::kRight})
     vehicle_takes_.needed_to_turn =
-        std::max(vehicle_takes_.needed_to_turn, swept_annulus(grown, side, vehicle.min_turning_radius()).width());
+        std::max(vehicle_takes_.needed_to_turn, swept_annulus(grown, side, vehicle.min_turning_radius(side)).width());
 }
 
 std::optional<Bottleneck> BottleneckFinder::operator()(const Pose& from, const Pose& to, const StopClock& clock) const {

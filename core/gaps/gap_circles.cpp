@@ -38,18 +38,20 @@ class KnownGaps {
 
 class GapCircles {
  public:
-  GapCircles(const World& world, const Vehicle& vehicle, double radius)
+  GapCircles(const World& world, const Vehicle& vehicle, const SideRadii& radii)
       : world_(world),
         vehicle_(vehicle),
-        radius_(radius),
+        radii_(radii),
         body_(vehicle.footprint(vehicle.safety_margin())),
-        swept_(swept_annulus(body_, Side::kLeft, radius)) {}
+        swept_left_(swept_annulus(body_, Side::kLeft, radii.left)),
+        swept_right_(swept_annulus(body_, Side::kRight, radii.right)) {}
 
   AddedCircles find(const GapMap& gaps, const StopClock& clock) && {
     StopTicker ticker(clock);
+    const double widest = std::max(swept_left_.outer, swept_right_.outer);
     for (const Gap& gap : gaps.gaps()) {
       end_if_over(ticker);
-      if (!(gap.width > body_.width() && gap.width <= swept_.outer)) continue;
+      if (!(gap.width > body_.width() && gap.width <= widest)) continue;
       const Vec2 across = (gap.on_b - gap.on_a) / gap.width;
       const VertexId a = corner_at(gap.edge_a, gap.on_a);
       const VertexId b = corner_at(gap.edge_b, gap.on_b);
@@ -83,30 +85,51 @@ class GapCircles {
   // @param across  from the vertex to what it faces, a vertex or an edge at a right angle to that.
   void add_around_vertex(VertexId v, double width, const Vec2& across, bool faces_vertex) {
     if (v == kNone || !world_.is_graph_vertex(v)) return;
-    if (width < swept_.width()) {
-      const auto radius = vehicle_.smallest_fitting_radius(width - kMargins * vehicle_.safety_margin());
-      if (!radius || *radius > kWidestRadius * radius_) return;
-      return add_around_vertex(v, -swept_annulus(body_, Side::kLeft, *radius).inner * across, *radius);
-    }
-    // The cosine of the angle at the vertex between what it faces and the center.
-    const double cosine = faces_vertex ? (swept_.inner * swept_.inner + width * width - swept_.outer * swept_.outer) /
-                                             (2.0 * swept_.inner * width)
-                                       : (width - swept_.outer) / swept_.inner;
-    if (!(std::abs(cosine) < 1.0)) return;
-    const double sine = std::sqrt(1.0 - cosine * cosine);
     for (const double sign : {1.0, -1.0})
-      add_around_vertex(v, swept_.inner * (cosine * across + sign * sine * perpendicular(across)), radius_);
+      for (const Side side : {Side::kLeft, Side::kRight}) {
+        if (width >= swept(side).width()) {
+          add_in_wide_gap(v, {width, across, faces_vertex}, side, sign);
+        } else if (sign > 0.0) {
+          add_in_narrow_gap(v, {width, across, faces_vertex}, side);
+        }
+      }
   }
 
-  void add_around_vertex(VertexId v, const Vec2& to_center, double radius) {
+  // A gap as seen from a vertex beside it.
+  struct SeenGap {
+    double width;
+    Vec2 across;
+    bool faces_vertex;
+  };
+
+  void add_in_narrow_gap(VertexId v, const SeenGap& gap, Side side) {
+    const auto radius = vehicle_.smallest_fitting_radius(gap.width - kMargins * vehicle_.safety_margin(), side);
+    if (!radius || *radius > kWidestRadius * radii_.of(side)) return;
+    add_around_vertex(v, -swept_annulus(body_, side, *radius).inner * gap.across, *radius, side);
+  }
+
+  // @param sign  to which side of the line across the gap the center lies.
+  void add_in_wide_gap(VertexId v, const SeenGap& gap, Side side, double sign) {
+    const auto [inner, outer] = swept(side);
+    // The cosine of the angle at the vertex between what it faces and the center.
+    const double cosine = gap.faces_vertex
+                              ? (inner * inner + gap.width * gap.width - outer * outer) / (2.0 * inner * gap.width)
+                              : (gap.width - outer) / inner;
+    if (!(std::abs(cosine) < 1.0)) return;
+    const double sine = std::sqrt(1.0 - cosine * cosine);
+    add_around_vertex(v, inner * (cosine * gap.across + sign * sine * perpendicular(gap.across)), radii_.of(side),
+                      side);
+  }
+
+  void add_around_vertex(VertexId v, const Vec2& to_center, double radius, Side side) {
     const Vec2& corner = world_.vertex(v);
     const Vec2 back = (world_.vertex(world_.previous(v)) - corner).normalized();
     const Vec2 ahead = (world_.vertex(world_.next(v)) - corner).normalized();
     const double exterior = kPi - std::abs(std::atan2(cross(ahead, back), ahead.dot(back)));
-    const Vec2 bisector = turn_circle(world_, v, radius, Side::kLeft, body_).center - corner;
+    const Vec2 bisector = turn_circle(world_, v, radius, side, body_).center - corner;
     const double shift = std::atan2(std::abs(cross(bisector, to_center)), bisector.dot(to_center));
     if (shift > 0.5 * exterior + kBeyond) return;
-    const TurnCircle circle{corner + to_center, radius, Side::kLeft, v};
+    const TurnCircle circle{corner + to_center, radius, side, v};
     if (!known_.add({circle})) return;
     found_.around_vertices.push_back(circle);
   }
@@ -118,13 +141,15 @@ class GapCircles {
     bool at_gap;  // one end of the gap, or of the edge that this lies on
   };
 
-  // The line along which a gap straight is passed.
+  [[nodiscard]] const SweptAnnulus& swept(Side side) const { return side == Side::kLeft ? swept_left_ : swept_right_; }
+
+  // The line along which F passes a gap straight.
   struct GateLine {
     Vec2 middle, along;
   };
 
   void add_gap_straight(const Gap& gap, const Vec2& along) {
-    const Vec2 middle = 0.5 * (gap.on_a + gap.on_b);
+    const Vec2 middle = 0.5 * (gap.on_a + gap.on_b) - 0.5 * (body_.left - body_.right) * perpendicular(along);
     std::vector<Beside> beside;
     const auto add = [&](VertexId v, bool at_gap) {
       const Vec2 d = world_.vertex(v) - middle;
@@ -162,13 +187,15 @@ class GapCircles {
       double x;
       const Beside* contact;
     };
-    const double corner = std::hypot(forwards > 0.0 ? body_.rear : body_.front, radius_ + body_.beside(opposite(side)));
+    const double radius = radii_.of(side);
+    const auto [inner, outer] = swept(side);
+    const double corner = std::hypot(forwards > 0.0 ? body_.rear : body_.front, radius + body_.beside(opposite(side)));
     double first = -INFINITY;
     std::vector<Place> places;
     for (const Beside& b : beside) {
       const double x = forwards * b.x, y = sign_of(side) * b.y;
-      const double lag = y > 0.0 ? swept_.inner * swept_.inner - (radius_ - y) * (radius_ - y)
-                                 : corner * corner - (radius_ - y) * (radius_ - y);
+      const double lag =
+          y > 0.0 ? inner * inner - (radius - y) * (radius - y) : corner * corner - (radius - y) * (radius - y);
       if (lag <= 0.0) continue;
       places.push_back({x - std::copysign(std::sqrt(lag), y), &b});
       if (b.at_gap && y > 0.0) first = std::max(first, places.back().x);
@@ -179,18 +206,17 @@ class GapCircles {
     for (const Place& place : places) {
       if (place.x < first || place.x <= last + kSame || count == kMostPlaces) continue;
       const Vec2 center =
-          line.middle + forwards * place.x * line.along + sign_of(side) * radius_ * perpendicular(line.along);
+          line.middle + forwards * place.x * line.along + sign_of(side) * radius * perpendicular(line.along);
+      const double far = kNearGap * outer;
       const auto near = [&](VertexId v) {
-        return v != kNone && world_.is_graph_vertex(v) && (world_.vertex(v) - center).norm() < kNearGap * swept_.outer
-                   ? v
-                   : kNone;
+        return v != kNone && world_.is_graph_vertex(v) && (world_.vertex(v) - center).norm() < far ? v : kNone;
       };
       const VertexId own = near(place.contact->vertex);
       const VertexId other = near(vertex_across(beside, *place.contact));
       if (own == kNone && other == kNone) continue;
       last = place.x;
       ++count;
-      circles.push_back({center, radius_, side, own != kNone ? own : other, own != kNone ? other : kNone});
+      circles.push_back({center, radius, side, own != kNone ? own : other, own != kNone ? other : kNone});
     }
   }
 
@@ -206,18 +232,18 @@ class GapCircles {
 
   const World& world_;
   const Vehicle& vehicle_;
-  double radius_;
+  SideRadii radii_;
   Footprint body_;
-  SweptAnnulus swept_;
+  SweptAnnulus swept_left_, swept_right_;
   KnownGaps known_;
   AddedCircles found_;
 };
 
 }  // namespace
 
-AddedCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
+AddedCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, const SideRadii& radii,
                               const StopClock& clock) {
-  return GapCircles(world, vehicle, radius).find(gaps, clock);
+  return GapCircles(world, vehicle, radii).find(gaps, clock);
 }
 
 }  // namespace arcway::internal

@@ -4,6 +4,7 @@
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 #include "core/gaps/gap_map.h"
+#include "core/model/side_radii.h"
 #include "core/roadmap/added_circles.h"
 
 namespace arcway::internal {
@@ -18,16 +19,16 @@ namespace arcway::internal {
 ///
 /// If a gap is too narrow for the tightest turn, the circle around its vertex has the smallest radius that (7) allows,
 /// and lies on the line across the gap. In a wider gap two circles of the given radius lie to both sides of that line.
-/// A gap straight is a straight through the middle of a gap. A turn at its limit has a vertex on the inner swept
+/// On a gap straight the body is in the middle of a gap. A turn at its limit has a vertex on the inner swept
 /// circle, or on the circle of a corner of the body.
 ///
 /// Contacts are those of the body grown by the safety margin. Whether circles are free is not checked. Gaps are
 /// examined up to the width of a turn at a right angle to a wall: the outer radius of the swept annulus. O(gaps log
 /// gaps), O(gaps) circles.
 /// @param gaps  of VehicleGaps.
-/// @param radius  the smallest turning radius [m].
+/// @param radii  the smallest turning radii.
 /// @throws Canceled if the clock is over before all are found.
-AddedCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, double radius,
+AddedCircles find_gap_circles(const World& world, const GapMap& gaps, const Vehicle& vehicle, const SideRadii& radii,
                               const StopClock& clock = {});
 
 }  // namespace arcway::internal

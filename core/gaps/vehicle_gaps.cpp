@@ -20,11 +20,11 @@ double widest_hopeless_gap(const Vehicle& vehicle) {
 }
 
 // A turn at a right angle to a wall takes the outer radius of the swept annulus, which is more than its width.
-VehicleGaps::VehicleGaps(const World& world, const Vehicle& vehicle, double radius)
+VehicleGaps::VehicleGaps(const World& world, const Vehicle& vehicle, const SideRadii& radii)
     : world_(world), hopeless_(widest_hopeless_gap(vehicle)), widest_(hopeless_) {
   const Footprint grown = vehicle.footprint(vehicle.safety_margin());
   for (const Side side : {Side::kLeft, Side::kRight})
-    widest_ = std::max(widest_, swept_annulus(grown, side, radius).outer);
+    widest_ = std::max(widest_, swept_annulus(grown, side, radii.of(side)).outer);
 }
 
 const GapMap* VehicleGaps::map(const StopClock& clock) const {

@@ -5,6 +5,7 @@
 #include "arcway/world.h"
 #include "core/base/late_value.h"
 #include "core/gaps/gap_map.h"
+#include "core/model/side_radii.h"
 
 namespace arcway::internal {
 
@@ -12,8 +13,8 @@ namespace arcway::internal {
 /// Found when first asked for. Thread-safe.
 class VehicleGaps {
  public:
-  /// @param radius  the smallest turning radius of the paths [m].
-  VehicleGaps(const World& world, const Vehicle& vehicle, double radius);
+  /// @param radii  the smallest turning radii of the paths.
+  VehicleGaps(const World& world, const Vehicle& vehicle, const SideRadii& radii);
 
   /// The gaps. The first call takes as long as GapMap.
   [[nodiscard]] const GapMap& map() const { return *map(StopClock()); }

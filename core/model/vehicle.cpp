@@ -28,6 +28,44 @@ void require_positive(double value, std::string_view name) {
           "from " + shortest_text(kSmallestVehicleNumber) + " to " + shortest_text(kLargestVehicleNumber));
 }
 
+void require_steering_angle(double value, std::string_view name) {
+  require(value >= kSmallestVehicleNumber && value < 0.5 * std::numbers::pi, name, value,
+          ">= " + shortest_text(kSmallestVehicleNumber) + " and < pi/2 rad");
+}
+
+double radius_by_angle(const VehicleParameters& p, double angle) {
+  const double radius = p.wheelbase / std::tan(angle);
+  return p.steering == Steering::kSymmetric ? 0.5 * radius : radius;
+}
+
+// Share by which a turning radius and a steering angle may differ that are given both.
+constexpr double kSameRadius = 1e-6;
+
+void require_same(double angle, std::string_view angle_name, double radius, std::string_view radius_name,
+                  const VehicleParameters& p) {
+  const double by_angle = radius_by_angle(p, angle);
+  if (std::abs(radius - by_angle) <= kSameRadius * radius) return;
+  throw std::invalid_argument("vehicle: " + std::string(radius_name) + " is " + shortest_text(radius) + ", but " +
+                              std::string(angle_name) + " of " + shortest_text(angle) + " leads to " +
+                              shortest_text(by_angle) + " m; give one of the two");
+}
+
+// The limits of steering by side: as angles or as radii.
+void check_sides(const VehicleParameters& p) {
+  if (p.max_steering_angle_right) require_steering_angle(*p.max_steering_angle_right, "max_steering_angle_right");
+  if (!p.min_turning_radius && p.min_turning_radius_right)
+    throw std::invalid_argument("vehicle: min_turning_radius_right is " + shortest_text(*p.min_turning_radius_right) +
+                                " without min_turning_radius; give both, or max_steering_angle_right instead");
+  if (!p.min_turning_radius) return;
+  require_positive(*p.min_turning_radius, "min_turning_radius");
+  if (p.min_turning_radius_right) require_positive(*p.min_turning_radius_right, "min_turning_radius_right");
+  if (p.max_steering_angle != VehicleParameters{}.max_steering_angle)
+    require_same(p.max_steering_angle, "max_steering_angle", *p.min_turning_radius, "min_turning_radius", p);
+  if (p.max_steering_angle_right)
+    require_same(*p.max_steering_angle_right, "max_steering_angle_right",
+                 p.min_turning_radius_right.value_or(*p.min_turning_radius), "min_turning_radius_right", p);
+}
+
 void check(const ConstantTurnSpeed& law) { require_positive(law.speed, "turn_speed.speed"); }
 
 void check(const LateralAccelerationLimit& law) {
@@ -122,10 +160,14 @@ double widest_radius(const Reach& reach, double half_width) {
   return half_width * ((reach.far + reach.gap) / (reach.far - reach.gap));
 }
 
-/// w_s(radius) - 2b. The differences are rationalised: they cancel at large radii.
+/// How much further a body reaches to a side than to both sides from its middle. Turned to that side by a radius, it
+/// sweeps what it sweeps from a point in its middle by a radius that is smaller by so much.
+double off_middle(const Footprint& body, Side side) { return 0.5 * (body.beside(side) - body.beside(opposite(side))); }
+
+/// w_s - 2b by the radius of the body's middle. The differences are rationalised: they cancel at large radii.
 double excess_width(const Footprint& body, double radius) {
   const double b = 0.5 * body.width();
-  if (radius < b) return swept_annulus(body, Side::kLeft, radius).width() - 2.0 * b;
+  if (radius < b) return swept_annulus({body.front, body.rear, b, b}, Side::kLeft, std::abs(radius)).width() - 2.0 * b;
   const auto [far, gap] = reach_of(body);
   const double outer = far * (far / (std::hypot(far, radius + b) + (radius + b)));
   return gap == 0.0 ? outer : outer - gap * (gap / (std::hypot(gap, radius - b) + (radius - b)));
@@ -169,9 +211,8 @@ Vehicle::Vehicle(VehicleParameters parameters) : parameters_(std::move(parameter
   require_positive(p.length, "length");
   require_positive(p.width, "width");
   require_positive(p.wheelbase, "wheelbase");
-  require(p.max_steering_angle >= kSmallestVehicleNumber && p.max_steering_angle < 0.5 * std::numbers::pi,
-          "max_steering_angle", p.max_steering_angle,
-          ">= " + shortest_text(kSmallestVehicleNumber) + " and < pi/2 rad");
+  require_steering_angle(p.max_steering_angle, "max_steering_angle");
+  check_sides(p);
   require_positive(p.max_speed, "max_speed");
   std::visit([](const auto& law) { check(law); }, p.turn_speed);
   if (p.max_reverse_speed) require_positive(*p.max_reverse_speed, "max_reverse_speed");
@@ -201,9 +242,12 @@ double Vehicle::reference_offset() const {
   return 0.0;
 }
 
-double Vehicle::min_turning_radius() const {
-  const double radius = parameters_.wheelbase / std::tan(parameters_.max_steering_angle);
-  return parameters_.steering == Steering::kSymmetric ? 0.5 * radius : radius;
+double Vehicle::min_turning_radius(Side side) const {
+  const VehicleParameters& p = parameters_;
+  const bool is_left = side == Side::kLeft;
+  if (p.min_turning_radius)
+    return is_left ? *p.min_turning_radius : p.min_turning_radius_right.value_or(*p.min_turning_radius);
+  return radius_by_angle(p, is_left ? p.max_steering_angle : p.max_steering_angle_right.value_or(p.max_steering_angle));
 }
 
 double Vehicle::steering_angle(double curvature) const {
@@ -252,18 +296,20 @@ Vehicle Vehicle::with_gears_swapped() const {
 
 bool Vehicle::fits_straight(double gap_width) const { return gap_width > box_.width(); }
 
-bool Vehicle::fits_turn(double gap_width, double radius) const {
-  return gap_width - box_.width() > excess_width(footprint(), radius);
+bool Vehicle::fits_turn(double gap_width, double radius, Side side) const {
+  const Footprint body = footprint();
+  return gap_width - box_.width() > excess_width(body, radius - off_middle(body, side));
 }
 
-std::optional<double> Vehicle::smallest_fitting_radius(double gap_width) const {
+std::optional<double> Vehicle::smallest_fitting_radius(double gap_width, Side side) const {
   if (!fits_straight(gap_width)) return std::nullopt;
   const Footprint body = footprint();
+  const double off = off_middle(body, side);  // radii below are those of the body's middle
   const Reach reach = reach_of(body);
   const double b = 0.5 * body.width();
-  const double lowest = min_turning_radius();
+  const double lowest = min_turning_radius(side) - off;
   const double widest = std::max(lowest, widest_radius(reach, b));
-  if (fits_turn(gap_width, widest)) return lowest;
+  if (gap_width - box_.width() > excess_width(body, widest)) return min_turning_radius(side);
   // hypot(A, r + b) - hypot(g, r - b) = D, squared twice; the larger root is the one beyond the widest radius.
   const double d = gap_width;
   const double spare = d - box_.width();
@@ -280,7 +326,7 @@ std::optional<double> Vehicle::smallest_fitting_radius(double gap_width) const {
     const double discriminant = linear * linear - square_coefficient * constant;
     radius = (linear + std::sqrt(std::max(0.0, discriminant))) / square_coefficient;
   }
-  return std::max(radius, widest);
+  return std::max(radius, widest) + off;
 }
 
 SweptAnnulus swept_annulus(const Footprint& footprint, Side side, double radius) {
@@ -303,6 +349,16 @@ std::string to_string(Steering steering) {
   return "unknown";
 }
 
+namespace {
+
+std::string turns_text(const Vehicle& vehicle) {
+  const double left = vehicle.min_turning_radius(Side::kLeft), right = vehicle.min_turning_radius(Side::kRight);
+  if (left == right) return rounded_text(left) + " m";
+  return rounded_text(left) + " m to the left and " + rounded_text(right) + " m to the right";
+}
+
+}  // namespace
+
 std::string to_string(const Vehicle& vehicle) {
   const VehicleParameters& p = vehicle.parameters();
   const Footprint box = vehicle.footprint();
@@ -314,8 +370,8 @@ std::string to_string(const Vehicle& vehicle) {
     body = std::to_string(corners) + " corners" + (parts > 1 ? " in " + std::to_string(parts) + " parts, " : ", ");
   }
   return body + rounded_text(box.length()) + " m x " + rounded_text(box.width()) + " m, " + to_string(p.steering) +
-         " steering, turning radius " + rounded_text(vehicle.min_turning_radius()) + " m, " +
-         rounded_text(p.max_speed) + " m/s, " + rounded_text(p.max_acceleration) + " m/s^2";
+         " steering, turning radius " + turns_text(vehicle) + ", " + rounded_text(p.max_speed) + " m/s, " +
+         rounded_text(p.max_acceleration) + " m/s^2";
 }
 
 }  // namespace arcway

@@ -27,6 +27,7 @@ struct WordParts {
 /// Start and last circles of a word, relative to the start.
 struct Circles {
   double s0, s1;  ///< their sides
+  double r0, r1;  ///< their radii [m]
   Vec2 between;   ///< from the first center to the last
   double distance;
   double direction;
@@ -35,16 +36,19 @@ struct Circles {
   double h0, h1;
 };
 
-Circles circles_of(const Pose& start, const Pose& goal, double radius, double s0, double s1) {
-  const Vec2 between =
-      goal.position() - start.position() +
-      radius * (s1 * perpendicular(direction_of(goal.heading)) - s0 * perpendicular(direction_of(start.heading)));
+Circles circles_of(const Pose& start, const Pose& goal, const SideRadii& radii, double s0, double s1) {
+  const double r0 = radii.on(s0), r1 = radii.on(s1), radius = std::max(r0, r1);
+  const Vec2 left0 = perpendicular(direction_of(start.heading)), left1 = perpendicular(direction_of(goal.heading));
+  const Vec2 of_centers = r0 == r1 ? Vec2(r0 * (s1 * left1 - s0 * left0)) : Vec2(s1 * r1 * left1 - s0 * r0 * left0);
+  const Vec2 between = goal.position() - start.position() + of_centers;
   // A heading of many turns is rounded coarsely: its direction and the center of its circle are uncertain.
   const double turned = std::abs(start.heading) + std::abs(goal.heading);
   const double scale = std::max({start.position().cwiseAbs().maxCoeff(), goal.position().cwiseAbs().maxCoeff(), radius,
                                  radius * turned / kTwoPi});
   return {.s0 = s0,
           .s1 = s1,
+          .r0 = r0,
+          .r1 = r1,
           .between = between,
           .distance = between.norm(),
           .direction = std::atan2(between.y(), between.x()),
@@ -68,22 +72,24 @@ WordParts same_side(const Circles& c) {
 }
 
 /// LSR, RSL: the line crosses the centers' one.
-std::optional<WordParts> opposite_sides(const Circles& c, double radius) {
-  const double excess = c.distance - 2.0 * radius;
+std::optional<WordParts> opposite_sides(const Circles& c) {
+  const double radii = c.r0 + c.r1, excess = c.distance - radii;
   if (excess < -c.place_error) return std::nullopt;
-  const double line = excess <= c.place_error ? 0.0 : std::sqrt(excess) * std::sqrt(c.distance + 2.0 * radius);
-  const double heading = c.direction + c.s0 * std::atan2(2.0 * radius, line);
+  const double line = excess <= c.place_error ? 0.0 : std::sqrt(excess) * std::sqrt(c.distance + radii);
+  const double heading = c.direction + c.s0 * std::atan2(radii, line);
   const double noise = c.heading_error + c.place_error / c.distance;
   return WordParts{turn_of(c.s0 * (heading - c.h0), noise), line, turn_of(c.s1 * (c.h1 - heading), noise)};
 }
 
 /// LRL, RLR: the middle circle on the side that gives its arc at least half a turn (the other is never shortest).
-std::optional<WordParts> three_arcs(const Circles& c, double radius) {
-  if (c.distance > 4.0 * radius + c.place_error) return std::nullopt;
-  const double half_angle = std::asin(std::min(1.0, c.distance / (4.0 * radius)));
+/// Its center and those of the others are the corners of an isosceles triangle.
+std::optional<WordParts> three_arcs(const Circles& c, double middle_radius) {
+  const double legs = 2.0 * (c.r0 + middle_radius);
+  if (c.distance > legs + c.place_error) return std::nullopt;
+  const double half_angle = std::asin(std::min(1.0, c.distance / legs));
   const bool one_circle = c.distance <= c.place_error;  // any middle circle will do: the one without a first arc
   const double heading = one_circle ? c.h0 : c.direction + c.s0 * (kPi - half_angle);
-  const double noise = c.heading_error + c.place_error / std::max(c.distance, radius);
+  const double noise = c.heading_error + c.place_error / std::max(c.distance, c.r0);
   const double middle = kTwoPi - 2.0 * half_angle;
   return WordParts{turn_of(c.s0 * (heading - c.h0), noise), middle,
                    turn_of(c.s0 * (c.h1 - heading) - 2.0 * half_angle, noise)};
@@ -91,22 +97,23 @@ std::optional<WordParts> three_arcs(const Circles& c, double radius) {
 
 }  // namespace
 
-std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const Pose& goal, double radius) {
-  if (!(radius > 0.0) || !std::isfinite(radius)) {
-    throw std::invalid_argument("dubins_path: radius must be finite and > 0");
-  }
+std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii) {
+  for (const double radius : {radii.left, radii.right})
+    if (!(radius > 0.0) || !std::isfinite(radius))
+      throw std::invalid_argument("dubins_path: radius must be finite and > 0");
   const bool starts_left = word == DubinsWord::kLSL || word == DubinsWord::kLSR || word == DubinsWord::kLRL;
   const bool ends_left = word == DubinsWord::kLSL || word == DubinsWord::kRSL || word == DubinsWord::kLRL;
   const bool turns_thrice = word == DubinsWord::kLRL || word == DubinsWord::kRLR;
-  const Circles circles = circles_of(start, goal, radius, starts_left ? 1.0 : -1.0, ends_left ? 1.0 : -1.0);
+  const Circles circles = circles_of(start, goal, radii, starts_left ? 1.0 : -1.0, ends_left ? 1.0 : -1.0);
 
+  const double middle_radius = radii.on(-circles.s0);
   std::optional<WordParts> parts;
   if (turns_thrice) {
-    parts = three_arcs(circles, radius);
+    parts = three_arcs(circles, middle_radius);
   } else if (starts_left == ends_left) {
     parts = same_side(circles);
   } else {
-    parts = opposite_sides(circles, radius);
+    parts = opposite_sides(circles);
   }
   if (!parts) return std::nullopt;
 
@@ -116,18 +123,18 @@ std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const 
     path.parts[path.count] = {path.count == 0 ? start : path.parts[path.count - 1].end(), length, curvature};
     ++path.count;
   };
-  append(parts->first * radius, circles.s0 / radius);
+  append(parts->first * circles.r0, circles.s0 / circles.r0);
   if (turns_thrice) {
-    append(parts->middle * radius, -circles.s0 / radius);
+    append(parts->middle * middle_radius, -circles.s0 / middle_radius);
   } else {
     append(parts->middle, 0.0);
   }
-  append(parts->last * radius, circles.s1 / radius);
+  append(parts->last * circles.r1, circles.s1 / circles.r1);
   return path;
 }
 
-std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, double radius) {
-  const auto path = dubins_word(word, start, goal, radius);
+std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii) {
+  const auto path = dubins_word(word, start, goal, radii);
   if (!path) return std::nullopt;
   return Path(path->segments().begin(), path->segments().end());
 }

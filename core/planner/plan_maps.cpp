@@ -58,7 +58,7 @@ OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<cons
     const auto same =
         std::ranges::find(entries_, route.radii, [](const Entry& entry) { return entry.map.radii.size(); });
     if (same != entries_.end()) return with_other_turns(same->map, all.vehicle, route.factor);
-    const std::vector<double> radii(all.radii.begin(), all.radii.begin() + static_cast<std::ptrdiff_t>(route.radii));
+    const CircleRadii radii = all.radii.first(route.radii);
     auto lazy = std::make_shared<const LazyFeasibleGraph>(
         FeasibleGraphInputs{all.world, all.vehicle, rows, all.queries, radii}, executor);
     return with_other_turns(all.with_graph(std::move(lazy), radii), all.vehicle, route.factor);

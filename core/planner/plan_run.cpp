@@ -81,8 +81,8 @@ bool PlanRun::holds(const When& when) {
 }
 
 bool PlanRun::is_tight(const Pose& pose, Direction direction, double angle) const {
-  const double radius = map_.radii[0];
   return std::ranges::all_of(std::array{Side::kLeft, Side::kRight}, [&](Side side) {
+    const double radius = map_.radii.front().of(side);
     const TurningBody body{turn_circle(pose, radius, side).center, radius, side, map_.body};
     const Side towards = direction == Direction::kFromStart ? side : opposite(side);
     return map_.queries.sweep->reach(body, pose.heading, towards, workspace_.headings) < angle;

@@ -51,7 +51,7 @@ std::shared_ptr<const FeasibleGraph> make_feasible_graph(const FeasibleGraphInpu
 auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& queries, const Executor& executor) {
   return [&](const std::shared_ptr<const VisibilityRows>& rows, const PlannerOptions& options) {
     const SingleProcess alone;
-    return make_feasible_graph({world, vehicle, rows, queries, options.radii}, *options.graph_mode, executor,
+    return make_feasible_graph({world, vehicle, rows, queries, {vehicle, options.radii}}, *options.graph_mode, executor,
                                options.process_group ? *options.process_group : alone);
   };
 }
@@ -69,7 +69,7 @@ Roadmap make_map(const World& world, const Vehicle& vehicle, const QuerySet& que
   executor.begin_stage("feasible graph");
   run_both(
       executor, [&] { graph = make_graph(); }, [&] { outlines = std::make_shared<const Outlines>(world); });
-  return {world, vehicle, queries, options.radii, std::move(graph), std::move(outlines)};
+  return {world, vehicle, queries, {vehicle, options.radii}, std::move(graph), std::move(outlines)};
 }
 
 // The mode that suits the backend, unless the options name one.
@@ -220,7 +220,8 @@ Planner Planner::restored(const World& world, const Vehicle& vehicle, const Back
       world, vehicle, queries, std::move(taken),
       std::make_shared<const VisibilityGraph>(std::move(graphs.reduced_graph)), std::move(rows),
       [&](const auto& all_rows, const PlannerOptions& o) {
-        return restore_feasible_graph({world, vehicle, all_rows, queries, o.radii}, std::move(graphs.feasible));
+        return restore_feasible_graph({world, vehicle, all_rows, queries, {vehicle, o.radii}},
+                                      std::move(graphs.feasible));
       },
       SerialExecutor()));
 }
@@ -243,7 +244,7 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
   }
   const QuerySet& queries = backend.queries();
   const auto make_feasible = [&](const auto& rows, const PlannerOptions& o) -> std::shared_ptr<const FeasibleGraph> {
-    const FeasibleGraphInputs inputs{world, vehicle, rows, queries, o.radii};
+    const FeasibleGraphInputs inputs{world, vehicle, rows, queries, {vehicle, o.radii}};
     if (o.radii != before.options().radii) return make_feasible_graph(inputs, *o.graph_mode, executor, kSingleProcess);
     if (*o.graph_mode == GraphMode::kLazy)
       return change_lazy_feasible_graph(before.feasible_graph(), inputs, change, executor);

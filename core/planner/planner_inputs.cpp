@@ -74,7 +74,8 @@ void require_margin(const World& world, const Vehicle& vehicle) {
   const Footprint body = vehicle.footprint();
   const double largest = std::max({body.length(), body.width(), body.farthest(), vehicle.parameters().wheelbase});
   require_margin(vehicle, largest, "a body of");
-  require_margin(vehicle, vehicle.min_turning_radius(), "a smallest turning radius of");
+  for (const Side side : {Side::kLeft, Side::kRight})
+    require_margin(vehicle, vehicle.min_turning_radius(side), "a smallest turning radius of");
   if (world.box().empty()) return;
   require_margin(vehicle, std::max(world.box().min.cwiseAbs().maxCoeff(), world.box().max.cwiseAbs().maxCoeff()),
                  "coordinates up to", "", "; move the map to the origin");

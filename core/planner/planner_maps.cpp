@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "arcway/turning_radii.h"
 #include "core/planner/strategy.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 
@@ -26,11 +25,9 @@ PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::
       bottleneck(all.plain.world, all.plain.vehicle, all.plain.gaps) {
   end_if_over(executor);
   const Roadmap& plain = all.plain;
-  const std::size_t tightest_count =
-      tightest_radii(plain.vehicle.footprint(plain.vehicle.safety_margin()), options.radii);
-  if (tightest_count < options.radii.size()) {
-    const std::vector<double> smallest(options.radii.begin(),
-                                       options.radii.begin() + static_cast<std::ptrdiff_t>(tightest_count));
+  const std::size_t tightest_count = plain.radii.tightest(plain.vehicle.footprint(plain.vehicle.safety_margin()));
+  if (tightest_count < plain.radii.size()) {
+    const CircleRadii smallest = plain.radii.first(tightest_count);
     auto lazy = std::make_shared<const LazyFeasibleGraph>(
         FeasibleGraphInputs{plain.world, plain.vehicle, rows, plain.queries, smallest}, executor);
     tightest.emplace(plain.with_graph(std::move(lazy), smallest), options.gap_circles);

@@ -34,7 +34,7 @@ Vehicle slimmer(const Vehicle& vehicle, double share) {
 const Roadmap* SlimMaps::operator()(std::size_t i, const StopClock& clock) const {
   return maps_[i].get(clock, [&] {
     const Vehicle vehicle = slimmer(map_.vehicle, kSlimBodies[i]);
-    const std::vector<double> radii{map_.radii.front()};
+    const CircleRadii radii = map_.radii.first(1);
     auto lazy = std::make_shared<const LazyFeasibleGraph>(
         FeasibleGraphInputs{map_.world, vehicle, rows_, map_.queries, radii}, SerialExecutor());
     Roadmap slim(map_.world, vehicle, map_.queries, radii, std::move(lazy), map_.outlines);

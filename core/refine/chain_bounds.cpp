@@ -49,7 +49,7 @@ void find_bounds(const ArcChain& chain, const ChainSpeeds& speeds, std::vector<B
   }
 }
 
-BoundValue value_of(const Bound& bound, const ArcChain& chain, const ChainSpeeds& speeds, double tightest) {
+BoundValue value_of(const Bound& bound, const ArcChain& chain, const ChainSpeeds& speeds, const SideRadii& tightest) {
   if (bound.is_of_line()) return line_bound(bound, chain, speeds);
   const ArcChain::Arc& arc = chain.arcs[bound.index];
   const double turn = chain.turn(bound.index);
@@ -62,7 +62,7 @@ BoundValue value_of(const Bound& bound, const ArcChain& chain, const ChainSpeeds
       g[kNextHeading] = arc.sign;
       return result;
     case Limit::kTightest:
-      value = arc.radius - tightest;
+      value = arc.radius - tightest.on(arc.sign);
       g[kRadius] = 1.0;
       return result;
     case Limit::kWidest:

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/model/side_radii.h"
 #include "core/refine/chain_terms.h"
 
 namespace arcway::internal {
@@ -37,7 +38,7 @@ struct BoundValue {
   double value;
   Term::Gradient gradient;
 };
-BoundValue value_of(const Bound& bound, const ArcChain& chain, const ChainSpeeds& speeds, double tightest);
+BoundValue value_of(const Bound& bound, const ArcChain& chain, const ChainSpeeds& speeds, const SideRadii& tightest);
 
 /// The second derivatives of the length of an arc.
 Term::Hessian length_curvature(const ArcChain& chain, std::size_t arc);

@@ -22,12 +22,12 @@ constexpr double kPush = 1e4, kFree = 2e-4, kLeastShare = 1e-3;
 void ChainSystem::begin(const Vehicle& vehicle, const Footprint& body, const World& world, const Outlines& outlines,
                         double reach) {
   speeds = speeds_of(vehicle);
-  tightest = vehicle.min_turning_radius();
+  tightest = SideRadii(vehicle);
   unit = body.length();
   place_speeds();
   find_bounds(chain, speeds, bounds);
   contacts.find(chain, world, outlines, body, reach);
-  unknowns.number(chain, tightest);
+  unknowns.number(chain, tightest.smaller());
   tensions.assign(chain.lines.size(), Vec2::Zero());
 }
 

@@ -7,6 +7,7 @@
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 #include "core/model/outlines.h"
+#include "core/model/side_radii.h"
 #include "core/refine/arc_chain.h"
 #include "core/refine/banded_ldlt.h"
 #include "core/refine/chain_bounds.h"
@@ -23,8 +24,8 @@ struct ChainSystem {
 
   ArcChain chain, trial;  ///< now, and after a step that is tried
   ChainSpeeds speeds{};
-  double tightest = 0.0;  ///< radius of turns [m]
-  double unit = 0.0;      ///< length of the body [m]
+  SideRadii tightest{0.0};  ///< radii of turns
+  double unit = 0.0;        ///< length of the body [m]
   std::vector<Bound> bounds;
   ChainContacts contacts;
   ChainUnknowns unknowns;

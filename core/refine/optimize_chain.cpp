@@ -7,6 +7,7 @@
 
 #include "core/base/infinity.h"
 #include "core/refine/chain_system.h"
+#include "core/roadmap/circle_radii.h"
 
 namespace arcway::internal {
 
@@ -94,7 +95,7 @@ class InteriorPoint {
     }
     resolve_overlaps(system_);
     // What is left to the smallest radius is next to nothing; circles that touch are placed behind it.
-    for (ArcChain::Arc& arc : chain().arcs) arc.radius = std::max(arc.radius, system_.tightest);
+    for (ArcChain::Arc& arc : chain().arcs) arc.radius = std::max(arc.radius, system_.tightest.on(arc.sign));
     circles_of(chain(), optimized);
     return {true, iterations};
   }
@@ -377,11 +378,11 @@ ChainOptimizer::ChainOptimizer(ChainOptimizer&&) noexcept = default;
 ChainOptimizer& ChainOptimizer::operator=(ChainOptimizer&&) noexcept = default;
 
 bool ChainOptimizer::serves(const Vehicle& vehicle) {
-  const double tightest = vehicle.min_turning_radius();
   if (!has_chain_speeds(vehicle)) return false;
   const Footprint body = vehicle.footprint();
   const Footprint grown = vehicle.footprint(vehicle.safety_margin());
-  return std::min({body.front, body.rear, body.left, body.right}) > 0.0 && tightest > std::max(grown.left, grown.right);
+  return std::min({body.front, body.rear, body.left, body.right}) > 0.0 &&
+         lead_round_vertices(grown, SideRadii(vehicle));
 }
 
 ChainOptimizer::Result ChainOptimizer::optimize(const ChainQuery& query, CircleChain& optimized) {

@@ -6,12 +6,14 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "core/base/shortest_text.h"
 #include "core/collision/motion_free.h"
+#include "core/model/side_radii.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/refine/circle_chain.h"
@@ -70,7 +72,8 @@ class Refiner {
         clock_(query.clock),
         result_(result),
         body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
-        smallest_(query.vehicle.min_turning_radius()),
+        smallest_radii_(query.vehicle),
+        smallest_(smallest_radii_.smaller()),
         chain_(memory.chain),
         radii_(memory.radii),
         stations_(memory.stations),
@@ -81,7 +84,7 @@ class Refiner {
 
   void run(CircleChain& chain) {
     // A radius is known by its curvature alone, and may come out too small by rounding.
-    for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_);
+    for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_on(circle.side));
     chain.place_ends();
     if (!chain_.begin(chain, vehicle_)) return;
     const double straight = (chain.goal.position() - chain.start.position()).norm();
@@ -178,7 +181,7 @@ class Refiner {
     if (done() || change.size_after(circles().size()) < 2 || change.lead_in < 0.0 || change.lead_out < 0.0)
       return false;
     for (std::size_t i = 0; i < change.count; ++i)
-      if (change.circles[i].radius < smallest_) return false;
+      if (change.circles[i].radius < smallest_on(change.circles[i].side)) return false;
     ++result_.trials;
     if (!chain_.lay_out(change)) return false;
     const double wanted = result_.travel_time * (1.0 - kSmallestGain);
@@ -264,9 +267,10 @@ class Refiner {
         for (const Side side : {Side::kLeft, Side::kRight}) {
           const std::size_t size = circles().size();
           if (keep >= size) break;
-          ChainChange change =
-              at_start ? replaced(chain_.chain(), 0, size - keep, {chain_.chain().first_circle(0.0, smallest_, side)})
-                       : replaced(chain_.chain(), keep, size, {chain_.chain().last_circle(0.0, smallest_, side)});
+          ChainChange change = at_start ? replaced(chain_.chain(), 0, size - keep,
+                                                   {chain_.chain().first_circle(0.0, smallest_on(side), side)})
+                                        : replaced(chain_.chain(), keep, size,
+                                                   {chain_.chain().last_circle(0.0, smallest_on(side), side)});
           (at_start ? change.lead_in : change.lead_out) = 0.0;
           any |= accept(change);
         }
@@ -295,7 +299,7 @@ class Refiner {
     const double slope = std::tan(0.5 * std::abs(turn));
     const Side side = turn > 0.0 ? Side::kLeft : Side::kRight;
     for (const double factor : move.radii) {
-      const double radius = factor * smallest_;
+      const double radius = factor * smallest_on(side);
       if (radius * slope > room) break;
       const Vec2 touch = before.start.position() + (ahead - radius * slope) * d;
       ChainChange change = replaced(chain_.chain(), first, last,
@@ -356,6 +360,17 @@ class Refiner {
     return segment_time(length, v1, vehicle_.max_speed(), v3, a);
   }
 
+  [[nodiscard]] double smallest_on(Side side) const { return smallest_radii_.of(side); }
+
+  // Length and time of two turns.
+  [[nodiscard]] std::pair<double, double> turns_of(double r0, double turn0, double r1, double turn1) const {
+    if (r0 == r1) {
+      const double length = (turn0 + turn1) * r0;
+      return {length, length / vehicle_.turn_speed(r0)};
+    }
+    return {turn0 * r0 + turn1 * r1, turn0 * r0 / vehicle_.turn_speed(r0) + turn1 * r1 / vehicle_.turn_speed(r1)};
+  }
+
   bool insert_word(const Station& from, const Station& to) {
     // Most pairs are told from the distance alone.
     const double distance = (to.pose.position() - from.pose.position()).norm();
@@ -365,18 +380,19 @@ class Refiner {
     for (const double radius : radii_)
       for (const Side departure : {Side::kLeft, Side::kRight})
         for (const Side arrival : {Side::kLeft, Side::kRight}) {
-          const TurnCircle first{from.pose.position() + sign_of(departure) * radius * from.left, radius, departure,
-                                 kNone};
-          const TurnCircle second{to.pose.position() + sign_of(arrival) * radius * to.left, radius, arrival, kNone};
-          const double offset = departure == arrival ? 0.0 : 2.0 * radius;
+          const double r0 = std::max(radius, smallest_on(departure)), r1 = std::max(radius, smallest_on(arrival));
+          const TurnCircle first{from.pose.position() + sign_of(departure) * r0 * from.left, r0, departure, kNone};
+          const TurnCircle second{to.pose.position() + sign_of(arrival) * r1 * to.left, r1, arrival, kNone};
+          const double offset = departure == arrival ? 0.0 : r0 + r1;
           const double square = (second.center - first.center).squaredNorm() - offset * offset;
           if (square > longest * longest) continue;
           const auto line = directed_bitangent(first, second);
           if (!line) continue;
-          const double turn = turn_between(from.pose.heading, line->start.heading, departure) +
-                              turn_between(line->start.heading, to.pose.heading, arrival);
-          const double fastest = line->length / vehicle_.max_speed() + turn * radius / vehicle_.turn_speed(radius);
-          const double straight = time_between(line->length + turn * radius, from.speed, to.speed);
+          const double turn0 = turn_between(from.pose.heading, line->start.heading, departure);
+          const double turn1 = turn_between(line->start.heading, to.pose.heading, arrival);
+          const auto [turns, time] = turns_of(r0, turn0, r1, turn1);
+          const double fastest = line->length / vehicle_.max_speed() + time;
+          const double straight = time_between(line->length + turns, from.speed, to.speed);
           if (std::max(fastest, straight) >= to.time - from.time) continue;
           ChainChange change = replaced(chain_.chain(), from.line, to.line, {first, second});
           if (from.line == 0) change.lead_in *= from.part;
@@ -421,12 +437,11 @@ class Refiner {
 
   // Makes the turn at an end of the path tight: the vehicle is slow there, so that this costs little.
   bool pinch(std::size_t i, const WidenTurns& move) {
-    const double radius = circles()[i].radius;
-    if (radius <= smallest_) return false;
+    const double radius = circles()[i].radius, smallest = smallest_on(circles()[i].side);
+    if (radius <= smallest) return false;
     for (const double turn : move.end_turns)
       for (const double factor : move.end_factors)
-        if (accept(
-                pinched(chain_.chain(), i, smallest_, turn, std::max(factor * radius, move.least_beside * smallest_))))
+        if (accept(pinched(chain_.chain(), i, smallest, turn, std::max(factor * radius, move.least_beside * smallest))))
           return true;
     return false;
   }
@@ -469,7 +484,7 @@ class Refiner {
         const TurnCircle& old = circles()[i];
         const double length = i == 0 ? chain.lead_in : chain.lead_out;
         const double longer = std::max(0.0, length + lead);
-        const double larger = std::max(smallest_, old.radius * (1.0 + growth * step));
+        const double larger = std::max(smallest_on(old.side), old.radius * (1.0 + growth * step));
         if (longer == length && larger == old.radius) continue;
         ChainChange change = shifted(
             chain, lines(), i,
@@ -487,7 +502,7 @@ class Refiner {
       const Vec2 ahead = direction_of(lines()[i].start.heading + sign_of(c.side) * move.at * chain_.turn_on(i));
       const Vec2 inwards = sign_of(c.side) * perpendicular(ahead);
       const double length = step * smallest_;
-      const double larger = std::max(smallest_, c.radius * (1.0 + step * move.grow));
+      const double larger = std::max(smallest_on(c.side), c.radius * (1.0 + step * move.grow));
       const double inner = swept_annulus(body_, c.side, c.radius).inner;
       const double angle = sign_of(c.side) * move.around * length / std::max(inner, 0.5 * smallest_);
       const Vec2 pivot = c.center - inner * inwards;
@@ -507,7 +522,8 @@ class Refiner {
   const StopClock& clock_;
   RefinedPath& result_;
   Body body_;
-  double smallest_;
+  SideRadii smallest_radii_;
+  double smallest_;          // the smaller one of these [m]
   double least_time_ = 0.0;  // lower bound of the time of all paths [s]
   std::uint32_t iterations_ = 0;
   TimedChain& chain_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/collision/motion_free.h"
+#include "core/model/side_radii.h"
 #include "core/motion/biarc.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
@@ -71,14 +72,14 @@ class Shortener {
   bool shorten_from(std::size_t i) {
     for (std::size_t j = places_.size() - 1; i < places_.size() && j > i + 1 && !done(); --j) {
       const Place &from = places_[i], &to = places_[j];
-      const double radius = vehicle_.min_turning_radius();
+      const SideRadii radii(vehicle_);
       for (const double ratio : kTangentRatios) {
-        const auto arcs = biarc(from.pose, to.pose, ratio, radius);
+        const auto arcs = biarc(from.pose, to.pose, ratio, radii);
         if (arcs && take(from, to, *arcs)) return true;
       }
       for (const double wider : kRadii)
         for (const DubinsWord word : kDubinsWords) {
-          const auto between = dubins_word(word, from.pose, to.pose, wider * radius);
+          const auto between = dubins_word(word, from.pose, to.pose, radii.times(wider));
           if (between && take(from, to, between->segments())) return true;
         }
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/collision/motion_free.h"
+#include "core/model/side_radii.h"
 #include "core/motion/reeds_shepp.h"
 #include "core/motion/speed_profile.h"
 #include "core/reversing/gear_tree.h"
@@ -31,7 +32,7 @@ class GearSearch {
         options_(options),
         result_(result),
         body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
-        radius_(query.vehicle.min_turning_radius()),
+        radii_(query.vehicle),
         roots_{query.start, query.goal},
         trees_{tree(kStartEnd), tree(kGoalEnd)} {
     result_.cost = options.cutoff;
@@ -73,7 +74,7 @@ class GearSearch {
 
   // Estimate of the cost between two poses [s].
   [[nodiscard]] double far(const Pose& from, const Pose& to) const {
-    return kGreed * reeds_shepp_distance(from, to, radius_) / vehicle_.top_speed();
+    return kGreed * reeds_shepp_distance(from, to, radii_.smaller()) / vehicle_.top_speed();
   }
 
   // A word from a pose to the other root, with the cost of the path by way of it [s].
@@ -90,14 +91,15 @@ class GearSearch {
     const Pose& to = at == kStartEnd ? root : pose;
     std::array<Shot, kReedsSheppWords> shots{};
     for (std::size_t word = 0; word < kReedsSheppWords; ++word)
-      shots[word] = {trees_[at][node].cost + reeds_shepp_length(word, from, to, radius_) / vehicle_.top_speed(), word};
+      shots[word] = {trees_[at][node].cost + reeds_shepp_length(word, from, to, radii_.larger()) / vehicle_.top_speed(),
+                     word};
     std::sort(shots.begin(), shots.end(), [](const Shot& a, const Shot& b) {
       return a.estimate != b.estimate ? a.estimate < b.estimate : a.word < b.word;
     });
     std::size_t tried = 0;
     for (const auto& [estimate, word] : shots) {
       if (estimate >= result_.cost) return;
-      const auto middle = reeds_shepp_path(word, from, to, radius_);
+      const auto middle = reeds_shepp_path(word, from, to, radii_.larger());
       if (!middle->empty() && !trees_[at].has_room(at == kStartEnd ? middle->front() : middle->back().reversed()))
         continue;
       if (++tried > kWordsTried) return;
@@ -128,7 +130,7 @@ class GearSearch {
   const GearSearchOptions& options_;
   GearSearchResult& result_;
   Body body_;
-  double radius_;
+  SideRadii radii_;
   std::array<Pose, 2> roots_;
   std::array<double, 2> cells_{kCells, kCells};
   std::array<GearTree, 2> trees_;

@@ -29,7 +29,8 @@ GearTree::GearTree(const Pose& root, const Vehicle& vehicle, const Outlines& out
     : vehicle_(vehicle),
       options_(options),
       remaining_(std::move(remaining)),
-      radius_(vehicle.min_turning_radius()),
+      radii_(vehicle),
+      radius_(radii_.smaller()),
       contact_(outlines, vehicle.body(0.5 * vehicle.safety_margin())) {
   speeds_.reset(vehicle.max_acceleration());
   nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0, 0, 0.0});
@@ -47,8 +48,8 @@ std::optional<std::uint32_t> GearTree::expand() {
     const Node& node = nodes_[at];
     if (at != kRoot && cells_.at(cell_of(node.pose, node.motion.gear, node.cusps)) != at)
       continue;  // its cell has a cheaper pose by now
-    contact_.begin(node.pose, radius_ * kFarContactTurn);
-    for (const double curvature : {0.0, 1.0 / radius_, -1.0 / radius_})
+    contact_.begin(node.pose, radii_.larger() * kFarContactTurn);
+    for (const double curvature : {0.0, 1.0 / radii_.left, -1.0 / radii_.right})
       for (const Gear gear : {Gear::kForward, Gear::kReverse})
         rooms_[index_of(curvature)][gear_index(gear)] = contact_(curvature, gear);
     for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
@@ -60,10 +61,13 @@ std::optional<std::uint32_t> GearTree::expand() {
   return std::nullopt;
 }
 
-double GearTree::room(double curvature, Gear gear) const { return rooms_[index_of(curvature)][gear_index(gear)]; }
+double GearTree::room(double curvature, Gear gear) const {
+  const bool is_known = curvature == 0.0 || std::abs(curvature) == 1.0 / radii_.on(curvature);
+  return is_known ? rooms_[index_of(curvature)][gear_index(gear)] : contact_(curvature, gear);
+}
 
 bool GearTree::has_room(const PathSegment& motion) const {
-  return room(motion.curvature, motion.gear) >= std::min(motion.length, radius_ * kFarContactTurn);
+  return room(motion.curvature, motion.gear) >= std::min(motion.length, radii_.larger() * kFarContactTurn);
 }
 
 void GearTree::add_line(std::uint32_t from, Gear gear) {
@@ -78,11 +82,11 @@ void GearTree::add_line(std::uint32_t from, Gear gear) {
 
 void GearTree::add_arcs(std::uint32_t from, Side side, Gear gear) {
   const Pose pose = nodes_[from].pose;
-  const double curvature = sign_of(side) / radius_;
-  const double far = room(curvature, gear) / radius_;
+  const double radius = radii_.of(side), curvature = sign_of(side) / radius;
+  const double far = room(curvature, gear) / radius;
   const double turn = far - kContactSlack;
   const auto add_arc = [&](double by) {
-    if (by >= kSmallestTurn) add(from, {pose, radius_ * by, curvature, gear});
+    if (by >= kSmallestTurn) add(from, {pose, radius * by, curvature, gear});
   };
   add_arc(std::min(turn, kStepTurn));
   if (turn < kStepTurn) {

@@ -14,6 +14,7 @@
 #include "arcway/vehicle.h"
 #include "core/collision/contact_reach.h"
 #include "core/model/outlines.h"
+#include "core/model/side_radii.h"
 #include "core/motion/speed_tree.h"
 #include "core/search/tree_path.h"
 
@@ -28,7 +29,7 @@ struct GearTreeOptions {
       std::numeric_limits<std::size_t>::max();  ///< largest number of gear changes from the root to a pose
 };
 
-/// A tree of poses that free motions in both gears reach from a pose: lines, and arcs of the smallest radius to either
+/// A tree of poses that free motions in both gears reach from a pose: lines, and arcs of the smallest radius of either
 /// side. Some motions have a fixed length; others go as far as they are free. Lengths come from the edges near by, and
 /// the sweep query remains to be asked. A grid over position, heading and gear keeps the cheapest pose of each cell; if
 /// gear changes are limited, one for each number of them. As the number of motions is limited, a missing pose proves
@@ -55,8 +56,9 @@ class GearTree {
   /// O(edges near by).
   std::optional<std::uint32_t> expand();
 
-  /// Whether the pose expanded last has room for a motion that starts there: a line, or an arc of the smallest radius.
-  /// For motions longer than any of the tree, whether it has room for the tree's longest.
+  /// Whether the pose expanded last has room for a motion that starts there. Constant time for a line or an arc of the
+  /// smallest radius, else O(edges near by). For motions longer than any of the tree, whether it has room for the
+  /// tree's longest.
   [[nodiscard]] bool has_room(const PathSegment& motion) const;
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
@@ -78,7 +80,8 @@ class GearTree {
   Vehicle vehicle_;
   GearTreeOptions options_;
   std::function<double(const Pose&)> remaining_;
-  double radius_;
+  SideRadii radii_;
+  double radius_;  // the smaller one [m]
   ContactReach contact_;
   std::array<std::array<double, 2>, 3> rooms_{};  // lengths of motions from the last pose: by curvature, by gear [m]
   SpeedTree speeds_;

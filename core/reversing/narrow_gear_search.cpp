@@ -9,6 +9,7 @@
 #include "arcway/angle.h"
 #include "core/collision/motion_free.h"
 #include "core/model/body_size.h"
+#include "core/model/side_radii.h"
 #include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
 #include "core/reversing/narrow_gear_tree.h"
@@ -44,7 +45,7 @@ class NarrowGearSearch {
         roots_{start, goal},
         options_(options),
         result_(result),
-        radius_(map.vehicle.min_turning_radius()),
+        radii_(map.vehicle),
         fields_{field(kGoalEnd), field(kStartEnd)} {
     result_.cost = options.cutoff;
   }
@@ -70,7 +71,8 @@ class NarrowGearSearch {
     const Vehicle& vehicle = map_.vehicle;
     const double stopping = vehicle.top_speed() / vehicle.max_acceleration();
     const auto remaining = [this, at](const Pose& from) {
-      const double way = std::max(fields_[at](from), reeds_shepp_distance(from, roots_[other_end(at)], radius_));
+      const double way =
+          std::max(fields_[at](from), reeds_shepp_distance(from, roots_[other_end(at)], radii_.smaller()));
       return kRestWeight * way / map_.vehicle.top_speed();
     };
     return {{map_,
@@ -106,7 +108,7 @@ class NarrowGearSearch {
     near_.clear();
     sides[other_end(at)].near.visit(pose, [&](const NearPoses::Entry& entry) {
       near_.push_back({(entry.pose.position() - pose.position()).norm() +
-                           radius_ * std::abs(wrap_signed(entry.pose.heading - pose.heading)),
+                           radii_.smaller() * std::abs(wrap_signed(entry.pose.heading - pose.heading)),
                        entry.node});
     });
     const std::size_t few = std::min(near_.size(), kNearest);
@@ -126,14 +128,14 @@ class NarrowGearSearch {
     const double ends = sides[at].tree[node].cost + sides[other_end(at)].tree[other].cost;
     words_.clear();
     for (std::size_t word = 0; word < kGearWords; ++word) {
-      const double length = gear_word_length(word, from, to, radius_);
+      const double length = gear_word_length(word, from, to, radii_);
       if (std::isfinite(length) && ends + length / map_.vehicle.top_speed() < result_.cost)
         words_.emplace_back(length, word);
     }
     std::sort(words_.begin(), words_.end());
     std::size_t tried = 0;
     for (const auto& [length, word] : words_) {
-      const Path between = *gear_word_path(word, from, to, radius_);
+      const Path between = *gear_word_path(word, from, to, radii_);
       if (between.empty()) continue;
       if (!sides[at].tree.has_room(at == kStartEnd ? between.front() : between.back().reversed())) continue;
       if (++tried > kJoiningWords) return;
@@ -160,7 +162,7 @@ class NarrowGearSearch {
   std::array<Pose, 2> roots_;
   const GearSearchOptions& options_;
   GearSearchResult& result_;
-  double radius_;
+  SideRadii radii_;
   std::array<RouteField, 2> fields_;                   // by end: routes to the other one
   std::vector<NearPose> near_;                         // memory of join
   std::vector<std::pair<double, std::size_t>> words_;  // memory of connect

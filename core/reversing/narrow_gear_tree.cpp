@@ -47,8 +47,8 @@ NarrowGearTree::NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const
     : vehicle_(vehicle),
       options_(options),
       remaining_(std::move(remaining)),
-      radius_(vehicle.min_turning_radius()),
-      size_(std::max(radius_, body_length(vehicle))),
+      radii_(vehicle),
+      size_(std::max(radii_.smaller(), body_length(vehicle))),
       far_line_(kFarLine * size_),
       largest_{kLargestCell * size_, kLargestCell * size_, kLargestTurn},
       contact_(*map.outlines, map.body),
@@ -67,7 +67,7 @@ std::optional<std::uint32_t> NarrowGearTree::expand() {
   std::array<std::array<double, 2>, kBends.size()> reach{};
   double way = 0.0, turn = 0.0;
   for (std::size_t i = 0; i < kBends.size(); ++i) {
-    const double curvature = kBends[i] / radius_;
+    const double curvature = kBends[i] / radii_.on(kBends[i]);
     const double most = longest(curvature);
     for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
       const double room = contact_(curvature, gear);
@@ -80,7 +80,7 @@ std::optional<std::uint32_t> NarrowGearTree::expand() {
   }
   const Cell cell = cell_where(way, turn);
   for (std::size_t i = 0; i < kBends.size(); ++i) {
-    const double curvature = kBends[i] / radius_;
+    const double curvature = kBends[i] / radii_.on(kBends[i]);
     const double step = kStep * longest(curvature);
     for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
       const double room = reach[i][gear_index(gear)];
@@ -97,8 +97,11 @@ double NarrowGearTree::longest(double curvature) const {
 }
 
 bool NarrowGearTree::has_room(const PathSegment& motion) const {
+  const double needed = std::min(motion.length, far_line_);
+  const bool is_known = motion.curvature == 0.0 || std::abs(motion.curvature) == 1.0 / radii_.on(motion.curvature);
+  if (!is_known) return contact_(motion.curvature, motion.gear) >= needed;
   const std::size_t bend = motion.curvature == 0.0 ? 1 : motion.curvature < 0.0 ? 0 : 2;
-  return rooms_[bend][gear_index(motion.gear)] >= std::min(motion.length, far_line_);
+  return rooms_[bend][gear_index(motion.gear)] >= needed;
 }
 
 void NarrowGearTree::add(std::uint32_t from, const Cell& cell, const PathSegment& motion) {

@@ -12,6 +12,7 @@
 #include "arcway/vehicle.h"
 #include "core/attach/roadmap.h"
 #include "core/collision/contact_reach.h"
+#include "core/model/side_radii.h"
 #include "core/search/tree_open_list.h"
 #include "core/search/tree_path.h"
 
@@ -55,8 +56,8 @@ class NarrowGearTree {
   /// O(edges near by).
   std::optional<std::uint32_t> expand();
 
-  /// Whether the pose expanded last has room for a motion that starts there: a line, or an arc of the smallest radius.
-  /// Constant time.
+  /// Whether the pose expanded last has room for a motion that starts there. Constant time for a line or an arc of the
+  /// smallest radius, else O(edges near by).
   [[nodiscard]] bool has_room(const PathSegment& motion) const;
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
@@ -79,8 +80,8 @@ class NarrowGearTree {
   Vehicle vehicle_;
   NarrowGearTreeOptions options_;
   std::function<double(const Pose&)> remaining_;
-  double radius_;    // smallest turning radius [m]
-  double size_;      // the larger one of that radius and the length of the body [m]
+  SideRadii radii_;  // the smallest ones
+  double size_;      // the larger one of the smaller radius and the length of the body [m]
   double far_line_;  // the longest line [m]
   Cell largest_;
   ContactReach contact_;

@@ -10,6 +10,7 @@
 
 #include "arcway/angle.h"
 #include "core/collision/motion_free.h"
+#include "core/model/side_radii.h"
 #include "core/motion/biarc.h"
 #include "core/motion/dubins.h"
 #include "core/motion/gear_words.h"
@@ -156,10 +157,10 @@ class ReversingRefiner {
     const double budget = to.time - from.time + changes_.cost * static_cast<double>(to.cusps - from.cusps);
     std::vector<Word> words;
     for (const double turn : move.radii) {
-      const double radius = turn * vehicle_.min_turning_radius();
+      const SideRadii radii = SideRadii(vehicle_).times(turn);
       for (std::size_t word = 0; word < kGearWords; ++word) {
-        const double fastest = gear_word_length(word, from.pose, to.pose, radius) / vehicle_.top_speed();
-        if (fastest < budget) words.push_back({fastest, *gear_word_path(word, from.pose, to.pose, radius)});
+        const double fastest = gear_word_length(word, from.pose, to.pose, radii) / vehicle_.top_speed();
+        if (fastest < budget) words.push_back({fastest, *gear_word_path(word, from.pose, to.pose, radii)});
       }
       if (from.cusps == to.cusps) break;
     }
@@ -170,8 +171,8 @@ class ReversingRefiner {
         if (fastest < budget)
           words.push_back({fastest, gear == Gear::kForward ? Path(arcs->begin(), arcs->end()) : reversed(*arcs)});
       };
-      add(biarc(from.pose, to.pose, ratio, vehicle_.min_turning_radius()), Gear::kForward);
-      add(biarc(to.pose, from.pose, ratio, vehicle_.min_turning_radius()), Gear::kReverse);
+      add(biarc(from.pose, to.pose, ratio, SideRadii(vehicle_)), Gear::kForward);
+      add(biarc(to.pose, from.pose, ratio, SideRadii(vehicle_)), Gear::kReverse);
     }
     std::ranges::sort(words, {}, &Word::fastest);
     return words;
@@ -241,7 +242,7 @@ class ReversingRefiner {
       length += s.length;
       for (const DubinsWord word : kDubinsWords) {
         const auto forwards =
-            dubins_path(word, towards_cusp ? place : cusp, towards_cusp ? cusp : place, vehicle_.min_turning_radius());
+            dubins_path(word, towards_cusp ? place : cusp, towards_cusp ? cusp : place, SideRadii(vehicle_));
         if (!forwards) continue;
         found.push_back({{segment, after ? 1.0 : 0.0, place, 0.0, 0},
                          s.gear == Gear::kForward ? *forwards : reversed(*forwards),

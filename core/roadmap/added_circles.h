@@ -16,7 +16,7 @@ struct GapStraight {
 
 /// Circles beside the base circles, for narrow gaps.
 struct AddedCircles {
-  std::vector<TurnCircle> around_vertices;  ///< each around one vertex, off its bisector or wider; directed to the left
+  std::vector<TurnCircle> around_vertices;  ///< each around one vertex, off its bisector or wider
   std::vector<GapStraight> gap_straights;
 };
 

@@ -17,9 +17,14 @@ namespace {
 // A turn round the thinnest vertex begins and ends at a right angle to the heading at the vertex; and a little more.
 constexpr double kTurnAtVertex = 0.55 * kPi;
 
-std::span<const double> checked_radii(std::span<const double> radii) {
+const CircleRadii& checked_radii(const CircleRadii& radii) {
   const auto is_radius = [](double radius) { return radius > 0.0 && std::isfinite(radius); };
-  if (radii.empty() || !std::ranges::all_of(radii, is_radius) || !std::ranges::is_sorted(radii, std::less_equal<>()))
+  const auto ascend = [&](Side side, auto&& in_order) { return std::ranges::is_sorted(radii.of(side), in_order); };
+  bool are_right =
+      radii.size() > 0 && (ascend(Side::kLeft, std::less_equal<>()) || ascend(Side::kRight, std::less_equal<>()));
+  for (const Side side : {Side::kLeft, Side::kRight})
+    are_right = are_right && std::ranges::all_of(radii.of(side), is_radius) && ascend(side, std::less<>());
+  if (!are_right)
     throw std::invalid_argument("feasible graph: radii must be positive, finite and ascending, at least one");
   return radii;
 }
@@ -37,16 +42,16 @@ CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, const Executor& ex
                                inputs.vehicle.footprint(inputs.vehicle.safety_margin()), executor)) {}
 
 CircleChecks::CircleChecks(const CircleChecks& base, const Vehicle& vehicle, const AddedCircles& added)
-    : CircleChecks({base.world_, vehicle, base.rows_, base.queries_, {}}, base.smallest_radius_,
+    : CircleChecks({base.world_, vehicle, base.rows_, base.queries_, {}}, base.smallest_radii_,
                    TurnCircles(base.circles_, added)) {}
 
-CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, double smallest_radius, TurnCircles circles)
+CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, const SideRadii& smallest_radii, TurnCircles circles)
     : world_(inputs.world),
       queries_(inputs.queries),
       vehicle_(inputs.vehicle),
       body_(vehicle_.body(0.5 * vehicle_.safety_margin())),
       is_round_{is_round(body_, Side::kLeft), is_round(body_, Side::kRight)},
-      smallest_radius_(smallest_radius),
+      smallest_radii_(smallest_radii),
       rows_(inputs.rows),
       circles_(std::move(circles)),
       destinations_(world_, *rows_, circles_) {}
@@ -114,7 +119,7 @@ StraightBody CircleChecks::swept_by(const FeasibleLink& link) const {
 // Keeps the headings of a wide circle near its vertex. Away from the vertex, smaller circles serve the same turns.
 void CircleChecks::keep_at_vertex(std::uint32_t circle, HeadingSet& found) const {
   const TurnCircle& c = circles_.all()[circle];
-  if (c.radius == smallest_radius_ || !is_round_[c.side == Side::kLeft ? 0 : 1]) return;
+  if (c.radius == smallest_radii_.of(c.side) || !is_round_[c.side == Side::kLeft ? 0 : 1]) return;
   found = found.around(heading_at_vertex(world_, c), kTurnAtVertex);
 }
 

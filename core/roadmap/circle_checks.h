@@ -14,6 +14,7 @@
 #include "arcway/vehicle.h"
 #include "arcway/visibility_rows.h"
 #include "arcway/world.h"
+#include "core/model/side_radii.h"
 #include "core/roadmap/added_circles.h"
 #include "core/roadmap/destinations.h"
 #include "core/roadmap/feasible_graph_inputs.h"
@@ -57,7 +58,7 @@ class CircleChecks {
   void are_free(std::span<const FeasibleLink> links, std::span<std::uint8_t> free) const;
 
  private:
-  CircleChecks(const FeasibleGraphInputs& inputs, double smallest_radius, TurnCircles circles);
+  CircleChecks(const FeasibleGraphInputs& inputs, const SideRadii& smallest_radii, TurnCircles circles);
   [[nodiscard]] TurningBody body_on(std::uint32_t circle) const;
   [[nodiscard]] StraightBody swept_by(const FeasibleLink& link) const;
   void keep_at_vertex(std::uint32_t circle, HeadingSet& found) const;
@@ -70,7 +71,7 @@ class CircleChecks {
   Body body_;                     // with half of the safety margin: what is checked
   std::array<bool, 2> is_round_;  // by side: whether F and the body's reach beside it lie on the body; else other
                                   // points of it touch the vertex first
-  double smallest_radius_;
+  SideRadii smallest_radii_;
   std::shared_ptr<const VisibilityRows> rows_;
   TurnCircles circles_;
   Destinations destinations_;

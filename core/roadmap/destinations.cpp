@@ -58,7 +58,8 @@ std::vector<Destinations::Arrival> Destinations::from(const TurnCircle& circle, 
     const Vec2 here = vertices[at.vertex], across = sign_of(at.side) * perpendicular(*line);
     // A bitangent begins and ends within two radii of its vertices. A path to a vertex farther to this side than that
     // turns to this side, not away. Among sparse obstacles that is nearly every vertex.
-    const double far = 4.0 * middle.radius * across.norm();
+    const double other = own_circle(at.vertex, opposite(at.side)).radius;
+    const double far = 2.0 * (middle.radius + std::max(middle.radius, other)) * across.norm();
     for (const VertexId next : rows_.of(at.vertex)) {
       end_if_over(ticker);
       if (across.dot(vertices[next] - here) > far) continue;

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "arcway/query_set.h"
 #include "arcway/vehicle.h"
 #include "arcway/visibility_rows.h"
 #include "arcway/world.h"
+#include "core/roadmap/circle_radii.h"
 
 namespace arcway::internal {
 
@@ -16,7 +16,7 @@ struct FeasibleGraphInputs {
   Vehicle vehicle;
   std::shared_ptr<const VisibilityRows> rows;  ///< of the reduced visibility graph of the world
   QuerySet queries;                            ///< about the world
-  std::vector<double> radii;                   ///< of the turn circles [m]: positive, ascending, at least one
+  CircleRadii radii;                           ///< of the turn circles [m]: positive, ascending, at least one
 };
 
 }  // namespace arcway::internal

@@ -4,12 +4,11 @@
 #include <array>
 #include <numeric>
 
-#include "arcway/turning_radii.h"
 #include "core/roadmap/tangent_edges.h"
 
 namespace arcway::internal {
 
-TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
+TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const CircleRadii& radii,
                          const Footprint& grown_body, const Executor& executor)
     : radius_count_(radii.size()), first_(world.vertices().size(), kNone) {
   constexpr std::size_t kGrain = 256;
@@ -22,14 +21,14 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
     for (std::size_t i = begin; i < end; ++i) {
       auto c = static_cast<std::uint32_t>(2 * radius_count_ * i);
       first_[convex[i]] = c;
-      for (const double radius : radii)
+      for (std::size_t k = 0; k < radius_count_; ++k)
         for (const Side side : {Side::kLeft, Side::kRight})
-          circles_[c++] = turn_circle(world, convex[i], radius, side, grown_body);
+          circles_[c++] = turn_circle(world, convex[i], radii.of(side)[k], side, grown_body);
     }
   });
 
-  const std::size_t tightest = tightest_radii(grown_body, radii) - 1;
-  const double radius = radii[tightest];
+  const std::size_t tightest = radii.tightest(grown_body) - 1;
+  const SideRadii radius = radii[tightest];
   const auto leads_back = [&](VertexId u, VertexId w) {
     const Vec2 between = world.vertex(w) - world.vertex(u);
     return std::ranges::any_of(std::array{Side::kLeft, Side::kRight}, [&](Side side) {
@@ -38,33 +37,28 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, std::sp
     });
   };
   // No circle goes round two vertices that are further apart.
-  const double inner =
-      std::max(inner_side_radius(grown_body, Side::kLeft, radius), inner_side_radius(grown_body, Side::kRight, radius));
+  const double inner = std::max(inner_side_radius(grown_body, Side::kLeft, radius.left),
+                                inner_side_radius(grown_body, Side::kRight, radius.right));
   const double reach = 2.0 * inner * (1.0 + 1e-9);
   for (const auto& [u, w] : rows.pairs_within(reach, leads_back, executor)) {
     const Side side = obstacle_side(world, w, world.vertex(u));  // traveling from u to w
     if (obstacle_side(world, u, world.vertex(w)) == side) continue;
     const VertexPair pair{u, w, side};
-    const auto left = turn_circle(world, pair, radius, Side::kLeft, grown_body);
-    const auto right = turn_circle(world, pair, radius, Side::kRight, grown_body);
-    if (left && right) circles_.insert(circles_.end(), {*left, *right});
+    for (const Side turn : {Side::kLeft, Side::kRight})
+      if (const auto circle = turn_circle(world, pair, radius.of(turn), turn, grown_body)) circles_.push_back(*circle);
   }
   base_count_ = first_of_gap_straights_ = circles_.size();
-  more_ = vertex_buckets(own, circles_.size(), 2);
+  group_more(own);
 }
 
 TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
     : radius_count_(base.radius_count_), first_(base.first_), base_count_(base.base_count_) {
   const auto own = static_cast<std::size_t>(std::ranges::count_if(first_, [](auto f) { return f != kNone; }));
-  std::size_t count = base_count_ + 2 * added.around_vertices.size();
+  std::size_t count = base_count_ + added.around_vertices.size();
   for (const GapStraight& straight : added.gap_straights) count += straight.entries.size() + straight.exits.size();
   circles_.reserve(count);
   circles_ = base.circles_;
-  for (TurnCircle circle : added.around_vertices)
-    for (const Side side : {Side::kLeft, Side::kRight}) {
-      circle.side = side;
-      circles_.push_back(circle);
-    }
+  circles_.insert(circles_.end(), added.around_vertices.begin(), added.around_vertices.end());
   first_of_gap_straights_ = circles_.size();
   for (const GapStraight& straight : added.gap_straights) {
     circles_.insert(circles_.end(), straight.entries.begin(), straight.entries.end());
@@ -73,17 +67,26 @@ TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
     gap_straight_.resize(circles_.size() - first_of_gap_straights_, static_cast<std::uint32_t>(gap_straights_.size()));
     gap_straights_.push_back({exits, static_cast<std::uint32_t>(circles_.size())});
   }
-  more_ = vertex_buckets(2 * radius_count_ * own, first_of_gap_straights_, 2);
-  beside_ = vertex_buckets(first_of_gap_straights_, circles_.size(), 1);
+  group_more(2 * radius_count_ * own);
+  beside_ = vertex_buckets(first_of_gap_straights_, circles_.size(), std::array{Side::kLeft, Side::kRight});
 }
 
-TurnCircles::VertexBuckets TurnCircles::vertex_buckets(std::size_t first, std::size_t last, std::uint32_t step) const {
+// @param own  number of circles that are a vertex's own.
+void TurnCircles::group_more(std::size_t own) {
+  more_ = {vertex_buckets(own, first_of_gap_straights_, std::array{Side::kLeft}),
+           vertex_buckets(own, first_of_gap_straights_, std::array{Side::kRight})};
+}
+
+TurnCircles::VertexBuckets TurnCircles::vertex_buckets(std::size_t first, std::size_t last,
+                                                       std::span<const Side> sides) const {
   VertexBuckets result;
   result.starts.assign(first_.size() + 1, 0);
   const auto visit = [&](auto&& see) {
-    for (auto c = static_cast<std::uint32_t>(first); c < last; c += step)
+    for (auto c = static_cast<std::uint32_t>(first); c < last; ++c) {
+      if (std::ranges::find(sides, circles_[c].side) == sides.end()) continue;
       for (const VertexId v : {circles_[c].vertex, circles_[c].second})
         if (v != kNone) see(v, c);
+    }
   };
   visit([&](VertexId v, std::uint32_t) { ++result.starts[v + 1]; });
   std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());

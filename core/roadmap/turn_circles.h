@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,27 +11,29 @@
 #include "arcway/world.h"
 #include "core/base/huge_pages.h"
 #include "core/roadmap/added_circles.h"
+#include "core/roadmap/circle_radii.h"
 #include "core/roadmap/turn_circle.h"
 
 namespace arcway::internal {
 
 /// The turn circles of a world. Each convex vertex has a left and a right circle of each radius. Two vertices at the
 /// end of a thin wall may be so close that the bitangent of their circles would lead backwards. Such neighbors in the
-/// reduced graph, passed on one side, share a left and a right circle around both. These have the smallest radius that
-/// leads around vertices. Immutable.
+/// reduced graph, passed on one side, share a left and a right circle around both. These have the smallest radii that
+/// lead around vertices. Left and right circles of a vertex have the same center only if the body reaches as far and
+/// turns as tightly to both sides. Immutable.
 class TurnCircles {
  public:
-  /// @param radii  ascending, not empty [m].
+  /// @param radii  not empty.
   /// @param grown_body  the body grown by the safety margin [m].
-  TurnCircles(const World& world, const VisibilityRows& rows, std::span<const double> radii,
-              const Footprint& grown_body, const Executor& executor);
+  TurnCircles(const World& world, const VisibilityRows& rows, const CircleRadii& radii, const Footprint& grown_body,
+              const Executor& executor);
 
-  /// The base circles, followed by added ones: those around a vertex, left before right, then those of the gap
-  /// straights, entries before exits.
+  /// The base circles, followed by added ones: those around a vertex, then those of the gap straights, entries before
+  /// exits.
   TurnCircles(const TurnCircles& base, const AddedCircles& added);
 
   /// All circles. Those of single vertices come first, all of one vertex together: index = first + 2 * radius index +
-  /// (right ? 1 : 0). Circles of two vertices follow, left before right.
+  /// (right ? 1 : 0). Circles of two vertices follow.
   [[nodiscard]] std::span<const TurnCircle> all() const { return circles_; }
   /// Whether a vertex is convex and has circles.
   [[nodiscard]] bool has(VertexId v) const { return first_[v] != kNone; }
@@ -43,7 +46,7 @@ class TurnCircles {
   void visit_around(VertexId v, Side side, Visitor&& visit) const {
     const std::uint32_t right = side == Side::kLeft ? 0 : 1;
     for (std::uint32_t k = 0; k < radius_count_; ++k) visit(first_[v] + 2 * k + right);
-    for (const std::uint32_t left : more_.of(v)) visit(left + right);
+    for (const std::uint32_t c : more_[right].of(v)) visit(c);
   }
 
   /// The number of base circles. The added ones follow them.
@@ -53,9 +56,9 @@ class TurnCircles {
   void visit_by_first(VertexId v, Visitor&& visit) const {
     if (!has(v)) return;
     for (std::uint32_t c = first_[v]; c < first_[v] + 2 * radius_count_; ++c) visit(c);
-    for (const std::uint32_t left : more_.of(v))
-      if (circles_[left].vertex == v)
-        for (const std::uint32_t c : {left, left + 1}) visit(c);
+    for (const VertexBuckets& of_side : more_)
+      for (const std::uint32_t c : of_side.of(v))
+        if (circles_[c].vertex == v) visit(c);
     for (const std::uint32_t c : beside_.of(v))
       if (circles_[c].vertex == v) visit(c);
   }
@@ -84,8 +87,9 @@ class TurnCircles {
     HugeVector<std::uint64_t> starts;
     std::vector<std::uint32_t> circles;
   };
-  // Groups every `step`-th circle of [first, last) by the vertices that it refers to.
-  [[nodiscard]] VertexBuckets vertex_buckets(std::size_t first, std::size_t last, std::uint32_t step) const;
+  // Groups circles of [first, last) by the vertices that they refer to: those of some sides.
+  [[nodiscard]] VertexBuckets vertex_buckets(std::size_t first, std::size_t last, std::span<const Side> sides) const;
+  void group_more(std::size_t own);
 
   struct GapStraightRange {
     std::uint32_t exits, end;  // circles
@@ -96,9 +100,9 @@ class TurnCircles {
 
   std::size_t radius_count_;
   HugeVector<TurnCircle> circles_;
-  HugeVector<std::uint32_t> first_;  // of each vertex's own circles, or kNone
-  VertexBuckets more_;               // left circles around vertices that are not a vertex's own
-  VertexBuckets beside_;             // circles of gap straights
+  HugeVector<std::uint32_t> first_;    // of each vertex's own circles, or kNone
+  std::array<VertexBuckets, 2> more_;  // left and right circles around vertices that are not a vertex's own
+  VertexBuckets beside_;               // circles of gap straights
   std::size_t base_count_ = 0, first_of_gap_straights_ = 0;
   std::vector<std::uint32_t> gap_straight_;  // by circle from first_of_gap_straights_ on
   std::vector<GapStraightRange> gap_straights_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <variant>
 
-#include "core/roadmap/turn_circle.h"
+#include "core/roadmap/circle_radii.h"
 
 namespace arcway {
 
@@ -42,10 +42,6 @@ double fastest_radius(const Vehicle& vehicle, double smallest) {
   return radius;
 }
 
-bool leads_round_vertices(const Footprint& grown_body, double radius) {
-  return radius > std::max(grown_body.left, grown_body.right);
-}
-
 }  // namespace
 
 std::vector<double> turning_radii(const Vehicle& vehicle, const World& world) {
@@ -57,15 +53,13 @@ std::vector<double> turning_radii(const Vehicle& vehicle, const World& world) {
   while (radii.back() * factor * kLeastLastRatio < largest) radii.push_back(radii.back() * factor);
   if (radii.back() * kLeastLastRatio < largest) radii.push_back(largest);
   const Footprint grown_body = vehicle.footprint(vehicle.safety_margin());
-  if (!leads_round_vertices(grown_body, radii.back()))
+  if (const CircleRadii all(vehicle, radii); !lead_round_vertices(grown_body, all[all.size() - 1]))
     radii.push_back(kRoundVertex * std::max(grown_body.left, grown_body.right));
   return radii;
 }
 
 std::size_t tightest_radii(const Footprint& grown_body, std::span<const double> radii) {
-  std::size_t count = 1;
-  while (count < radii.size() && !leads_round_vertices(grown_body, radii[count - 1])) ++count;
-  return count;
+  return CircleRadii(std::vector<double>(radii.begin(), radii.end())).tightest(grown_body);
 }
 
 }  // namespace arcway

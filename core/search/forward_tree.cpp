@@ -17,10 +17,10 @@ ForwardTree::ForwardTree(const Roadmap& map, const Pose& root, Direction directi
       direction_(direction),
       gear_(direction == Direction::kFromStart ? Gear::kForward : Gear::kReverse),
       remaining_(std::move(remaining)),
-      radius_(map.vehicle.min_turning_radius()),
+      radii_(map.vehicle),
       body_length_(map.body.front + map.body.rear),
-      far_(kTree.longest * std::max(radius_, body_length_)),
-      coarsest_(kTree.coarsest * std::max(radius_, body_length_)),
+      far_(kTree.longest * std::max(radii_.smaller(), body_length_)),
+      coarsest_(kTree.coarsest * std::max(radii_.smaller(), body_length_)),
       halvings_(pass.halvings),
       levels_(std::max(0, static_cast<int>(std::ceil(std::log2(coarsest_ / (pass.finest * body_length_)))))),
       contact_(*map.outlines, map.body),
@@ -49,7 +49,7 @@ std::optional<std::uint32_t> ForwardTree::expand() {
 void ForwardTree::look_around(const Pose& pose) {
   contact_.begin(pose, far_);
   rays_.clear();
-  for (const double bend : kTree.bends) rays_.push_back(ray(bend / radius_, true));
+  for (const double bend : kTree.bends) rays_.push_back(ray(bend / radii_.on(bend), true));
   for (int i = 0; i < halvings_; ++i) halve_steps();
 }
 

@@ -11,6 +11,7 @@
 #include "core/attach/attachment_links.h"
 #include "core/attach/roadmap.h"
 #include "core/collision/contact_reach.h"
+#include "core/model/side_radii.h"
 #include "core/search/effort.h"
 #include "core/search/tree_open_list.h"
 
@@ -77,7 +78,8 @@ class ForwardTree {
   Direction direction_;
   Gear gear_;  // in which the tree grows away from its root
   std::function<double(const Pose&)> remaining_;
-  double radius_, body_length_;
+  SideRadii radii_;
+  double body_length_;
   double far_;  // the longest motion [m]
   double extent_ = 0.0;
   double coarsest_;  // size of the largest cells [m]

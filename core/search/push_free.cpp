@@ -9,6 +9,7 @@
 
 #include "arcway/angle.h"
 #include "core/collision/motion_free.h"
+#include "core/model/side_radii.h"
 #include "core/motion/biarc.h"
 #include "core/search/hinge_step.h"
 #include "core/search/path_contacts.h"
@@ -33,11 +34,8 @@ constexpr double kSofter = 0.1, kHarder = 10.0;  // after a step that was better
 
 class Pusher {
  public:
-  Pusher(const Path& path, const Pose& goal, const Outlines& outlines, Footprint body, double radius)
-      : start_(path.front().start),
-        goal_(goal),
-        contacts_(outlines, body.grown(kRoom * body.length())),
-        radius_(radius) {
+  Pusher(const Path& path, const Pose& goal, const Outlines& outlines, Footprint body, const SideRadii& radii)
+      : start_(path.front().start), goal_(goal), contacts_(outlines, body.grown(kRoom * body.length())), radii_(radii) {
     for (double longest = kLongestPart * contacts_.unit(); parts_.empty(); longest *= 2.0) {
       for (const PathSegment& s : path) {
         const int count = std::max(1, static_cast<int>(std::ceil(s.length / longest)));
@@ -104,12 +102,12 @@ class Pusher {
   [[nodiscard]] StepLimits limits() const {
     const auto n = static_cast<Eigen::Index>(2 * parts_.size());
     StepLimits limits{Eigen::VectorXd(n), Eigen::VectorXd(n)};
-    const double tightest = contacts_.unit() / radius_;
+    const double to_left = contacts_.unit() / radii_.left, to_right = contacts_.unit() / radii_.right;
     for (Eigen::Index k = 0; k < n; k += 2) {
       const Part& part = parts_[static_cast<std::size_t>(k / 2)];
       const double bend = part.curvature * contacts_.unit();
-      limits.low(k) = part.is_line ? 0.0 : std::min(0.0, -tightest - bend);
-      limits.high(k) = part.is_line ? 0.0 : std::max(0.0, tightest - bend);
+      limits.low(k) = part.is_line ? 0.0 : std::min(0.0, -to_right - bend);
+      limits.high(k) = part.is_line ? 0.0 : std::max(0.0, to_left - bend);
       limits.low(k + 1) = -part.length / contacts_.unit();
       limits.high(k + 1) = std::numeric_limits<double>::infinity();
     }
@@ -117,11 +115,11 @@ class Pusher {
   }
 
   void change(std::vector<Part>& parts, const Eigen::VectorXd& step) const {
-    const double tightest = 1.0 / radius_;
+    const double to_left = 1.0 / radii_.left, to_right = 1.0 / radii_.right;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(2 * i);
       Part& part = parts[i];
-      if (!part.is_line) part.curvature = std::clamp(part.curvature + step(k) / contacts_.unit(), -tightest, tightest);
+      if (!part.is_line) part.curvature = std::clamp(part.curvature + step(k) / contacts_.unit(), -to_right, to_left);
       part.length = std::max(0.0, part.length + step(k + 1) * contacts_.unit());
     }
   }
@@ -136,7 +134,8 @@ class Pusher {
       auto by = contacts_.end_gradients(motions);
       for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(2 * i);
-        if (parts[i].is_line || std::abs(parts[i].curvature) * radius_ >= 1.0) by.col(k).setZero();
+        if (parts[i].is_line || std::abs(parts[i].curvature) * radii_.on(parts[i].curvature) >= 1.0)
+          by.col(k).setZero();
         if (parts[i].length <= 0.0) by.col(k + 1).setZero();
       }
       const Eigen::Matrix3d square = by * by.transpose();
@@ -148,7 +147,7 @@ class Pusher {
   bool straighten() {
     bool any = false;
     for (Part& part : parts_) {
-      if (part.is_line || std::abs(part.curvature) * radius_ * kWidestTurn >= 1.0) continue;
+      if (part.is_line || std::abs(part.curvature) * radii_.on(part.curvature) * kWidestTurn >= 1.0) continue;
       any = any || part.curvature != 0.0;
       part = {0.0, part.length, true};
     }
@@ -163,7 +162,7 @@ class Pusher {
 
   Pose start_, goal_;
   PathContacts contacts_;
-  double radius_;  // smallest turning radius [m]
+  SideRadii radii_;  // the smallest ones
   std::vector<Part> parts_;
 };
 
@@ -171,7 +170,7 @@ class Pusher {
 
 std::optional<Path> push_free(const Path& path, const Pose& goal, const Body& body, const Roadmap& map,
                               const StopClock& clock) {
-  std::optional<Path> free = Pusher(path, goal, *map.outlines, body, map.vehicle.min_turning_radius()).run(clock);
+  std::optional<Path> free = Pusher(path, goal, *map.outlines, body, SideRadii(map.vehicle)).run(clock);
   if (free && !motion_free(*map.queries.sweep, body, *free)) free.reset();
   return free;
 }

@@ -10,6 +10,7 @@
 
 #include "arcway/angle.h"
 #include "core/collision/motion_free.h"
+#include "core/model/side_radii.h"
 #include "core/motion/biarc.h"
 #include "core/motion/dubins.h"
 #include "core/search/effort.h"
@@ -38,7 +39,7 @@ class TreeSearch {
         arrivals_(arrivals),
         end_(end),
         result_(found.search),
-        radius_(map_.vehicle.min_turning_radius()),
+        radii_(map_.vehicle),
         body_length_(map_.body.front + map_.body.rear),
         contact_(*map_.outlines, map_.body) {}
 
@@ -52,7 +53,7 @@ class TreeSearch {
     fields_ = {field(kGoalEnd), field(kStartEnd)};
     for (const TreePass& pass : passes) {
       if (pass.heeds_turns && !std::exchange(heed_turns_, true))
-        for (RouteField& field : fields_) field.heed_turns(radius_, options_.clock);
+        for (RouteField& field : fields_) field.heed_turns(radii_.smaller(), options_.clock);
       grow(pass);
       if (result_.path || result_.interrupted) return;
     }
@@ -185,11 +186,11 @@ class TreeSearch {
       return take_path(merged(path));
     };
     for (const double ratio : limits_.effort.ratios) {
-      const auto arcs = biarc(start, goal, ratio, radius_);
+      const auto arcs = biarc(start, goal, ratio, radii_);
       if (arcs && take(*arcs)) return true;
     }
     for (const DubinsWord word : kDubinsWords) {
-      const auto path = dubins_word(word, start, goal, radius_);
+      const auto path = dubins_word(word, start, goal, radii_);
       if (path && take(path->segments())) return true;
     }
     return false;
@@ -265,7 +266,8 @@ class TreeSearch {
   ArrivalSearch& arrivals_;
   TreesEnd& end_;
   SearchResult& result_;
-  double radius_, body_length_;
+  SideRadii radii_;
+  double body_length_;
   std::size_t next_asked_ = 0;   // number of poses before which no path is offered to `accept`
   std::vector<double> refused_;  // lengths of the paths that were refused [m]
   ContactReach contact_;

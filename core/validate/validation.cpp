@@ -92,7 +92,7 @@ class Validation {
       check_pose(s.start, path_.segments[i - 1].end(), Violation::kPositionJump, Violation::kHeadingJump, i, 0.0,
                  "the start of the segment");
     }
-    const double limit = 1.0 / vehicle_.min_turning_radius();
+    const double limit = 1.0 / vehicle_.min_turning_radius(s.curvature > 0.0 ? Side::kLeft : Side::kRight);
     if (std::abs(s.curvature) > limit * (1.0 + options_.relative_tolerance)) {
       add(Violation::kCurvature, i, 0.0,
           "the curvature is " + shortest_text(s.curvature) + " 1/m, the limit " + shortest_text(limit));

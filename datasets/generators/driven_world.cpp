@@ -70,11 +70,12 @@ struct Scene {
   void add(Ring ring) { obstacles.push_back({std::move(ring), {}}); }
 };
 
-double random_curvature(Random& random, double tightest) {
+double random_curvature(Random& random, const Vehicle& vehicle) {
   const std::uint64_t choice = random.below(3);
   if (choice == 0) return 0.0;
-  const double size = choice == 1 ? tightest : random.uniform(0.05, 1.0) * tightest;
-  return random.below(2) == 0 ? size : -size;
+  const double share = choice == 1 ? 1.0 : random.uniform(0.05, 1.0);
+  const Side side = random.below(2) == 0 ? Side::kLeft : Side::kRight;
+  return sign_of(side) * share * (1.0 / vehicle.min_turning_radius(side));
 }
 
 double random_length(Random& random, double curvature, double body_length) {
@@ -91,7 +92,7 @@ Path random_drive(Random& random, const Vehicle& vehicle, bool both_gears) {
   for (std::size_t i = 0; i < segments; ++i) {
     const bool changes = both_gears && i > 0 && (i == segments / 2 || random.uniform() < kGearChangeShare);
     if (changes) gear = gear == Gear::kForward ? Gear::kReverse : Gear::kForward;
-    const double curvature = random_curvature(random, 1.0 / vehicle.min_turning_radius());
+    const double curvature = random_curvature(random, vehicle);
     const double length = random_length(random, curvature, size_of(vehicle).length);
     drive.push_back({pose, length, curvature, gear});
     pose = drive.back().end();

@@ -50,7 +50,8 @@ struct PlannerOptions {
   /// lazy rows, else eager. A lazy planner answers its first query sooner. For many queries on one map, kEager costs
   /// less in all.
   std::optional<GraphMode> graph_mode = std::nullopt;
-  /// Turning radii of the turn circles [m], each from the vehicle's smallest one to kLargestVehicleNumber. Empty:
+  /// Turning radii of the turn circles [m], each from the vehicle's smallest one to kLargestVehicleNumber. They are
+  /// those to its tighter side; those to the other one reach from its smallest radius to the largest of these. Empty:
   /// turning_radii(vehicle, world). If some are wider than those of tightest_radii, every query also plans with the
   /// tightest ones alone and takes the faster plan. Wider turns then hardly ever make a plan slower.
   std::vector<double> radii = {};

@@ -92,7 +92,7 @@ struct VehicleParameters {
   double width = 0.8;      ///< 2b [m]
   double wheelbase = 1.3;  ///< l [m]; each axle is l/2 from the body's center
   Steering steering = Steering::kFront;
-  double max_steering_angle = 0.78539816339744831;   ///< gamma [rad], in (0, pi/2)
+  double max_steering_angle = 0.78539816339744831;   ///< gamma [rad], in (0, pi/2); to the left, if the sides differ
   double max_speed = 12.0;                           ///< v_ms [m/s]
   TurnSpeedLaw turn_speed = ConstantTurnSpeed{8.0};  ///< v_mc(rho), at most v_ms
   std::optional<double> max_reverse_speed = {};      ///< in place of v_ms when driving backwards [m/s]; none: v_ms
@@ -109,10 +109,18 @@ struct VehicleParameters {
   /// The place of the origin of `footprint` about F [m]. Where the polygons are about a base link that lies 0.3 m ahead
   /// of F, it is (0.3, 0).
   Vec2 footprint_origin = Vec2(0.0, 0.0);
+  /// gamma to the right [rad], in (0, pi/2); none: as to the left.
+  std::optional<double> max_steering_angle_right = {};
+  /// rho_min [m], in place of what wheelbase and steering angles lead to; to the left, if the sides differ. The
+  /// wheelbase still says where F lies. A steering angle given as well must lead to the same radius.
+  std::optional<double> min_turning_radius = {};
+  /// rho_min to the right [m]; none: as to the left.
+  std::optional<double> min_turning_radius_right = {};
   friend bool operator==(const VehicleParameters&, const VehicleParameters&) = default;
 };
 
-/// A car-like robot, with the paper's equations (1) and (5) to (7) as functions. Immutable, thread-safe.
+/// A car-like robot, which may turn more tightly to one side than to the other, with the paper's equations (1) and (5)
+/// to (7) as functions. Immutable, thread-safe.
 class ARCWAY_API Vehicle {
  public:
   /// @throws std::invalid_argument naming the parameter, its value and its limit.
@@ -121,8 +129,12 @@ class ARCWAY_API Vehicle {
   [[nodiscard]] const VehicleParameters& parameters() const { return parameters_; }
   /// The x of F, and of the rotation center, in the body frame [m]: -l/2, +l/2 or 0 by steering.
   [[nodiscard]] double reference_offset() const;
-  /// rho_min [m]: l / tan(gamma), or l / (2 tan(gamma)) if symmetric.
-  [[nodiscard]] double min_turning_radius() const;
+  /// rho_min of turns to a side [m]: as given, else l / tan(gamma), or l / (2 tan(gamma)) if symmetric.
+  [[nodiscard]] double min_turning_radius(Side side) const;
+  /// rho_min [m], the smaller one of both sides.
+  [[nodiscard]] double min_turning_radius() const {
+    return std::min(min_turning_radius(Side::kLeft), min_turning_radius(Side::kRight));
+  }
   /// The angle of the steered axle that drives this curvature [1/m], of each if both steer [rad]. Left is positive at
   /// the front.
   [[nodiscard]] double steering_angle(double curvature) const;
@@ -151,11 +163,11 @@ class ARCWAY_API Vehicle {
 
   /// (6): whether the vehicle can drive straight through a gap of this width [m], D_min > 2b.
   [[nodiscard]] bool fits_straight(double gap_width) const;
-  /// (7): whether the vehicle can turn with this radius in a gap of this width [m], D_min > w_s(radius).
-  [[nodiscard]] bool fits_turn(double gap_width, double radius) const;
-  /// (7) solved: the smallest radius >= min_turning_radius() beyond which every radius fits a gap of this width [m].
-  /// Nothing if none does, see (6). Closed form, correct to a few units in the last place.
-  [[nodiscard]] std::optional<double> smallest_fitting_radius(double gap_width) const;
+  /// (7): whether the vehicle can turn with this radius to a side in a gap of this width [m], D_min > w_s(radius).
+  [[nodiscard]] bool fits_turn(double gap_width, double radius, Side side) const;
+  /// (7) solved: the smallest radius >= min_turning_radius(side) beyond which every radius fits a gap of this width
+  /// [m]. Nothing if none does, see (6). Closed form, correct to a few units in the last place.
+  [[nodiscard]] std::optional<double> smallest_fitting_radius(double gap_width, Side side) const;
 
   /// Whether all parameters are the same.
   friend bool operator==(const Vehicle& a, const Vehicle& b) { return a.parameters_ == b.parameters_; }

@@ -65,7 +65,7 @@ TEST(GapCircles, HaveTheRadiusThatANarrowPlaceDemands) {
   ASSERT_LT(width, swept_annulus(kGrown, Side::kLeft, kRadius).width());
   const World world({test::box(-40, -41, 40, -40), {{{0, -40 + width}, {10, -20}, {-10, -20}}, {}}});
   const AddedCircles added = circles_of(world);
-  ASSERT_EQ(added.around_vertices.size(), 1u);
+  ASSERT_EQ(added.around_vertices.size(), 2u);  // to the left and to the right
   const TurnCircle& circle = added.around_vertices.front();
   EXPECT_GT(circle.radius, kRadius);
   const SweptAnnulus swept = swept_annulus(kGrown, Side::kLeft, circle.radius);

@@ -240,6 +240,60 @@ TEST(SweptAnnulus, IsThatOfTheBodysOutline) {
   }
 }
 
+// Values of the definition, by trial.
+TEST(Passage, BySideIsThatOfTheSweptAnnulus) {
+  const Vehicle vehicle({.max_steering_angle = 0.6, .max_steering_angle_right = 0.4});
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const double smallest = vehicle.min_turning_radius(side);
+    for (const double radius : {smallest, 2.0 * smallest, 9.0}) {
+      const double needed = swept_annulus(vehicle.footprint(), side, radius).width();
+      EXPECT_TRUE(vehicle.fits_turn(1.0001 * needed, radius, side));
+      EXPECT_FALSE(vehicle.fits_turn(0.9999 * needed, radius, side));
+    }
+    EXPECT_EQ(vehicle.smallest_fitting_radius(3.0, side), smallest);
+  }
+  EXPECT_LT(vehicle.min_turning_radius(Side::kLeft), vehicle.min_turning_radius(Side::kRight));
+  EXPECT_EQ(vehicle.min_turning_radius(), vehicle.min_turning_radius(Side::kLeft));
+}
+
+TEST(Vehicle, TurnsByRadiiInPlaceOfAngles) {
+  const Vehicle both({.min_turning_radius = 2.5});
+  EXPECT_EQ(both.min_turning_radius(Side::kLeft), 2.5);
+  EXPECT_EQ(both.min_turning_radius(Side::kRight), 2.5);
+  EXPECT_EQ(both.footprint().front, Vehicle().footprint().front);
+  const Vehicle uneven({.min_turning_radius = 2.5, .min_turning_radius_right = 1.5});
+  EXPECT_EQ(uneven.min_turning_radius(Side::kLeft), 2.5);
+  EXPECT_EQ(uneven.min_turning_radius(Side::kRight), 1.5);
+  EXPECT_EQ(uneven.min_turning_radius(), 1.5);
+  EXPECT_EQ(uneven.with_gears_swapped().min_turning_radius(Side::kRight), 1.5);
+  EXPECT_NE(to_string(uneven).find("turning radius 2.5 m to the left and 1.5 m to the right, "), std::string::npos);
+  EXPECT_NE(uneven, both);
+  EXPECT_NO_THROW(Vehicle({.wheelbase = 1.0, .max_steering_angle = std::atan(0.5), .min_turning_radius = 2.0}));
+}
+
+TEST(Vehicle, RefusesLimitsOfSteeringThatContradictEachOther) {
+  const auto message = [](const VehicleParameters& parameters) -> std::string {
+    try {
+      Vehicle{parameters};
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(message({.max_steering_angle_right = 1.6}),
+            "vehicle: max_steering_angle_right is 1.6, must be >= 1e-50 and < pi/2 rad");
+  EXPECT_EQ(message({.min_turning_radius = -2.0}), "vehicle: min_turning_radius is -2, must be from 1e-50 to 1e+50");
+  EXPECT_EQ(message({.min_turning_radius = 2.0, .min_turning_radius_right = 0.0}),
+            "vehicle: min_turning_radius_right is 0, must be from 1e-50 to 1e+50");
+  EXPECT_EQ(message({.min_turning_radius_right = 3.0}),
+            "vehicle: min_turning_radius_right is 3 without min_turning_radius; give both, or max_steering_angle_right "
+            "instead");
+  EXPECT_EQ(message({.wheelbase = 1.0, .max_steering_angle = 0.5, .min_turning_radius = 3.0}).substr(0, 78),
+            "vehicle: min_turning_radius is 3, but max_steering_angle of 0.5 leads to 1.830");
+  EXPECT_EQ(message({.wheelbase = 1.0, .max_steering_angle_right = 0.5, .min_turning_radius = 3.0}).substr(0, 66),
+            "vehicle: min_turning_radius_right is 3, but max_steering_angle_rig");
+}
+
 TEST(Passage, OfATurnAboutAPlaceWithinTheBody) {
   VehicleParameters parameters;
   parameters.width = 4.0;
@@ -248,8 +302,8 @@ TEST(Passage, OfATurnAboutAPlaceWithinTheBody) {
   const double radius = vehicle.min_turning_radius();
   const double needed = swept_annulus(vehicle.footprint(), Side::kLeft, radius).width();
   ASSERT_LT(radius, 2.0);
-  EXPECT_TRUE(vehicle.fits_turn(1.0001 * needed, radius));
-  EXPECT_FALSE(vehicle.fits_turn(0.9999 * needed, radius));
+  EXPECT_TRUE(vehicle.fits_turn(1.0001 * needed, radius, Side::kLeft));
+  EXPECT_FALSE(vehicle.fits_turn(0.9999 * needed, radius, Side::kLeft));
 }
 
 TEST(Passage, StraightNeedsMoreThanTheWidth) {
@@ -259,25 +313,25 @@ TEST(Passage, StraightNeedsMoreThanTheWidth) {
 }
 
 TEST(Passage, TurnNeedsMoreThanTheSweptWidth) {
-  EXPECT_FALSE(Vehicle().fits_turn(1.302, 1.3));
-  EXPECT_TRUE(Vehicle().fits_turn(1.303, 1.3));
-  EXPECT_FALSE(Vehicle().fits_turn(0.8, 1e9));
-  EXPECT_TRUE(Vehicle().fits_turn(0.8 + 1e-9, 1.0e9));  // w_s - 2b = 9.8e-10 there
-  EXPECT_FALSE(Vehicle().fits_turn(0.8 + 9e-10, 1.0e9));
+  EXPECT_FALSE(Vehicle().fits_turn(1.302, 1.3, Side::kLeft));
+  EXPECT_TRUE(Vehicle().fits_turn(1.303, 1.3, Side::kLeft));
+  EXPECT_FALSE(Vehicle().fits_turn(0.8, 1e9, Side::kLeft));
+  EXPECT_TRUE(Vehicle().fits_turn(0.8 + 1e-9, 1.0e9, Side::kLeft));  // w_s - 2b = 9.8e-10 there
+  EXPECT_FALSE(Vehicle().fits_turn(0.8 + 9e-10, 1.0e9, Side::kLeft));
 }
 
 TEST(Passage, NarrowerOnesNeedLargerRadii) {
   const Vehicle vehicle;
-  EXPECT_FALSE(vehicle.smallest_fitting_radius(0.8));
-  EXPECT_DOUBLE_EQ(vehicle.smallest_fitting_radius(2.0).value(), 1.3);
+  EXPECT_FALSE(vehicle.smallest_fitting_radius(0.8, Side::kLeft));
+  EXPECT_DOUBLE_EQ(vehicle.smallest_fitting_radius(2.0, Side::kLeft).value(), 1.3);
   // hypot(1.4, r + 0.4) = 1 + r - 0.4  =>  1.96 = (1 - 0.8) (2 r + 1)
-  EXPECT_NEAR(vehicle.smallest_fitting_radius(1.0).value(), 4.4, 1e-14);
+  EXPECT_NEAR(vehicle.smallest_fitting_radius(1.0, Side::kLeft).value(), 4.4, 1e-14);
   double last = 1.3;
   for (const double width : {1.2, 1.1, 1.0, 0.9, 0.81, 0.8001, 0.8 + 1e-9}) {
-    const double radius = vehicle.smallest_fitting_radius(width).value();
+    const double radius = vehicle.smallest_fitting_radius(width, Side::kLeft).value();
     EXPECT_GT(radius, last);
-    EXPECT_TRUE(vehicle.fits_turn(width, radius * (1.0 + 1e-14)));
-    EXPECT_FALSE(vehicle.fits_turn(width, radius * (1.0 - 1e-14)));
+    EXPECT_TRUE(vehicle.fits_turn(width, radius * (1.0 + 1e-14), Side::kLeft));
+    EXPECT_FALSE(vehicle.fits_turn(width, radius * (1.0 - 1e-14), Side::kLeft));
     last = radius;
   }
 }
@@ -286,12 +340,13 @@ TEST(Passage, ReferencePointOffTheBody) {
   const Vehicle vehicle = with([](VehicleParameters& p) { p.wheelbase = 2.5, p.max_steering_angle = 1.2; });
   EXPECT_LT(vehicle.footprint().rear, 0.0);
   for (const double width : {1.5, 1.2, 1.0, 0.9, 0.81, 0.8001}) {
-    const double radius = vehicle.smallest_fitting_radius(width).value();
-    EXPECT_TRUE(vehicle.fits_turn(width, radius * (1.0 + 1e-11)));
+    const double radius = vehicle.smallest_fitting_radius(width, Side::kLeft).value();
+    EXPECT_TRUE(vehicle.fits_turn(width, radius * (1.0 + 1e-11), Side::kLeft));
     if (radius > vehicle.min_turning_radius()) {
-      EXPECT_FALSE(vehicle.fits_turn(width, radius * (1.0 - 1e-11)));
+      EXPECT_FALSE(vehicle.fits_turn(width, radius * (1.0 - 1e-11), Side::kLeft));
     }
-    for (double larger = radius * 1.01; larger < 1e4; larger *= 1.3) EXPECT_TRUE(vehicle.fits_turn(width, larger));
+    for (double larger = radius * 1.01; larger < 1e4; larger *= 1.3)
+      EXPECT_TRUE(vehicle.fits_turn(width, larger, Side::kLeft));
   }
 }
 
@@ -299,8 +354,9 @@ TEST(Passage, EveryLargerRadiusFitsWhereTheCenterLiesInTheBody) {
   const Vehicle vehicle = with([](VehicleParameters& p) { p.max_steering_angle = 1.4; });
   ASSERT_LT(vehicle.min_turning_radius(), 0.4);
   for (const double width : {1.8, 1.6, 1.55, 1.2}) {
-    const double radius = vehicle.smallest_fitting_radius(width).value();
-    for (double larger = radius * 1.0001; larger < 1e4; larger *= 1.1) EXPECT_TRUE(vehicle.fits_turn(width, larger));
+    const double radius = vehicle.smallest_fitting_radius(width, Side::kLeft).value();
+    for (double larger = radius * 1.0001; larger < 1e4; larger *= 1.1)
+      EXPECT_TRUE(vehicle.fits_turn(width, larger, Side::kLeft));
   }
 }
 

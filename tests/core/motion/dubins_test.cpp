@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -101,6 +104,113 @@ TEST(Dubins, RandomWordsHaveThePrintedLengthsAndEndAtTheGoal) {
     }
   }
   for (const int count : found) EXPECT_GT(count, 300);
+}
+
+// The turn from a pose's heading by which a path gets to a place, found by trial: `miss(turn)` is 0 there.
+template <class Miss, class Found>
+void for_roots(Miss&& miss, Found&& found) {
+  constexpr int kSteps = 720;
+  double low = 0.0, at_low = miss(low);
+  for (int i = 1; i <= kSteps; ++i) {
+    double high = kTwoPi * i / kSteps;
+    const double at_high = miss(high);
+    if (at_low == 0.0) found(low);
+    if (at_low * at_high < 0.0) {
+      double a = low, b = high;
+      while (b - a > 1e-14) (miss(0.5 * (a + b)) * at_low > 0.0 ? a : b) = 0.5 * (a + b);
+      found(a);
+    }
+    low = high;
+    at_low = at_high;
+  }
+}
+
+Vec2 center_of(const Pose& pose, double side, double radius) {
+  return pose.position() + side * radius * perpendicular(direction_of(pose.heading));
+}
+
+// The shortest path of two arcs and a line or of three arcs, by trial of the first arc. The middle arc of three may be
+// as short as it likes.
+double shortest_by_trial(const Pose& start, const Pose& goal, const SideRadii& radii) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const double s0 : {1.0, -1.0})
+    for (const double s1 : {1.0, -1.0}) {
+      const double r0 = radii.on(s0), r1 = radii.on(s1), middle = radii.on(-s0);
+      const Vec2 last = center_of(goal, s1, r1);
+      const auto behind_first = [&](double turn) { return PathSegment{start, turn * r0, s0 / r0}.end(); };
+      for_roots(
+          [&](double turn) {
+            const Pose at = behind_first(turn);
+            return cross(direction_of(at.heading), Vec2(last - at.position())) - s1 * r1;
+          },
+          [&](double turn) {
+            const Pose at = behind_first(turn);
+            const double line = direction_of(at.heading).dot(last - at.position());
+            const double rest = wrap_positive(s1 * (goal.heading - at.heading));
+            if (line >= 0.0) shortest = std::min(shortest, turn * r0 + line + rest * r1);
+          });
+      if (s0 != s1) continue;
+      for_roots([&](double turn) { return (center_of(behind_first(turn), -s0, middle) - last).norm() - r1 - middle; },
+                [&](double turn) {
+                  const Pose at = behind_first(turn);
+                  const Vec2 away = (last - center_of(at, -s0, middle)).normalized();
+                  const double joint = std::atan2(away.y(), away.x()) - s0 * 0.5 * kPi;  // the heading there
+                  const double second = wrap_positive(-s0 * (joint - at.heading));
+                  const double third = wrap_positive(s1 * (goal.heading - at.heading + s0 * second));
+                  const PathSegment arc{at, second * middle, -s0 / middle};
+                  const Pose end = PathSegment{arc.end(), third * r1, s1 / r1}.end();
+                  if ((end.position() - goal.position()).norm() < 1e-6)
+                    shortest = std::min(shortest, turn * r0 + arc.length + third * r1);
+                });
+    }
+  return shortest;
+}
+
+TEST(Dubins, WordsOfTwoRadiiHoldTheShortestPathByTrial) {
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> place(-4.0, 4.0), angle(-7.0, 7.0), radius(0.3, 3.0);
+  std::array<int, 6> fastest{};
+  for (int round = 0; round < 1500; ++round) {
+    const Pose start{place(random), place(random), angle(random)};
+    const Pose goal{place(random), place(random), angle(random)};
+    const SideRadii radii(radius(random), radius(random));
+    double shortest = std::numeric_limits<double>::infinity();
+    std::size_t word = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto path = dubins_path(kDubinsWords[i], start, goal, radii);
+      if (!path) continue;
+      expect_reaches(*path, start, goal, 1e-11);
+      for (const PathSegment& s : *path)
+        if (!s.is_line()) {
+          EXPECT_DOUBLE_EQ(std::abs(s.curvature), 1.0 / radii.on(s.curvature));
+        }
+      if (length_of(*path) < shortest) shortest = length_of(*path), word = i;
+    }
+    ++fastest[word];
+    EXPECT_NEAR(shortest, shortest_by_trial(start, goal, radii), 1e-6) << "round " << round;
+  }
+  for (const int count : fastest) EXPECT_GT(count, 15);
+}
+
+TEST(Dubins, WordsInAMirrorHaveTheirRadiiSwapped) {
+  std::mt19937 random(14);
+  std::uniform_real_distribution<double> place(-4.0, 4.0), angle(-7.0, 7.0), radius(0.3, 3.0);
+  constexpr std::array kMirrored{DubinsWord::kRSR, DubinsWord::kLSL, DubinsWord::kRSL,
+                                 DubinsWord::kLSR, DubinsWord::kLRL, DubinsWord::kRLR};
+  for (int round = 0; round < 500; ++round) {
+    const Pose start{place(random), place(random), angle(random)};
+    const Pose goal{place(random), place(random), angle(random)};
+    const SideRadii radii(radius(random), radius(random)), swapped(radii.right, radii.left);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto path = dubins_path(kDubinsWords[i], start, goal, radii);
+      const auto other =
+          dubins_path(kMirrored[i], {start.x, -start.y, -start.heading}, {goal.x, -goal.y, -goal.heading}, swapped);
+      ASSERT_EQ(path.has_value(), other.has_value());
+      if (path) {
+        EXPECT_NEAR(length_of(*path), length_of(*other), 1e-12);
+      }
+    }
+  }
 }
 
 TEST(Dubins, FarFromTheOrigin) {

@@ -114,7 +114,7 @@ TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
     const auto usual = search.find(all, starts, goals, {}).path;
     for (const Roadmap* other_map : maps) {
       const Roadmap& map = *other_map;
-      EXPECT_TRUE(std::ranges::includes(radii, map.radii));
+      EXPECT_TRUE(std::ranges::includes(radii, map.radii.of(Side::kLeft)));
       EXPECT_GE(map.vehicle.turn_speed(radii.front()), vehicle_.turn_speed(radii.front()));
       const auto path = search.find(map, starts, goals, {}).path;
       if (!path || !usual) continue;
@@ -138,7 +138,7 @@ TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
     std::vector<std::pair<std::vector<double>, double>> ways;
     const auto add = [&](const Roadmap& map) {
       const double limit = std::get<LateralAccelerationLimit>(map.vehicle.parameters().turn_speed).lateral_acceleration;
-      ways.emplace_back(map.radii, limit);
+      ways.emplace_back(std::vector(map.radii.of(Side::kLeft).begin(), map.radii.of(Side::kLeft).end()), limit);
     };
     // The first of the other routes is that of all radii with faster turns.
     for (const Roadmap* map :

@@ -110,7 +110,7 @@ TEST(ChainSystem, BeginsALittleBelowTheFastestSpeeds) {
       EXPECT_NEAR(chain.arcs[k].exit, 0.9 * profile.speeds[joint] * profile.speeds[joint], 1e-9);
     }
     EXPECT_EQ(cases.system.unit, 1.5 + cases.vehicle().safety_margin());
-    EXPECT_EQ(cases.system.tightest, cases.vehicle().min_turning_radius());
+    EXPECT_EQ(cases.system.tightest, SideRadii(cases.vehicle()));
     EXPECT_EQ(cases.system.tensions.size(), chain.lines.size());
     for (const Vec2& tension : cases.system.tensions) EXPECT_EQ(tension, Vec2::Zero());
   }
@@ -244,7 +244,7 @@ TEST(ResolveOverlaps, FreesMostChainsThatOverlapByLittle) {
       expect_ends_kept(system.chain, free);
       EXPECT_TRUE(system.chain.is_forwards());
       const double tightest = std::ranges::min(system.chain.arcs, {}, &ArcChain::Arc::radius).radius;
-      freed += tightest >= system.tightest && cases.least_contact() >= 0.0;
+      freed += tightest >= system.tightest.left && cases.least_contact() >= 0.0;
     }
   }
   EXPECT_GT(overlapping, 50);
@@ -274,15 +274,15 @@ TEST(ResolveOverlaps, WidensArcsThatAreTooTight) {
   ASSERT_TRUE(cut_turns(circles, lines_of(circles).value(), {3, 0.05, 72.0}, system.chain));
   system.begin(vehicle, vehicle.footprint(), world, outlines, 1.0);
   const ArcChain before = system.chain;
-  for (const std::size_t arc : {1u, 4u}) system.chain.arcs[arc].radius = system.tightest - 0.01;
+  for (const std::size_t arc : {1u, 4u}) system.chain.arcs[arc].radius = system.tightest.left - 0.01;
   ASSERT_TRUE(system.chain.join());
   resolve_overlaps(system);
   expect_ends_kept(system.chain, before);
   for (std::size_t arc = 0; arc < before.arcs.size(); ++arc) {
-    EXPECT_GE(system.chain.arcs[arc].radius, system.tightest);
+    EXPECT_GE(system.chain.arcs[arc].radius, system.tightest.left);
     // By little more than needed.
     if (arc == 1 || arc == 4) {
-      EXPECT_NEAR(system.chain.arcs[arc].radius, system.tightest, 1e-3 * system.unit);
+      EXPECT_NEAR(system.chain.arcs[arc].radius, system.tightest.left, 1e-3 * system.unit);
     }
   }
 }
@@ -295,13 +295,13 @@ TEST(ResolveOverlaps, TakesShorterStepsWhereALineIsShort) {
   for (int i = 0; i < 10; ++i) {
     cases.begin_next();
     const auto tightest_radius = [&] { return std::ranges::min(system.chain.arcs, {}, &ArcChain::Arc::radius).radius; };
-    std::ranges::min_element(system.chain.arcs, {}, &ArcChain::Arc::radius)->radius = system.tightest - 0.0075;
+    std::ranges::min_element(system.chain.arcs, {}, &ArcChain::Arc::radius)->radius = system.tightest.left - 0.0075;
     if (!system.chain.join() || !system.chain.is_forwards()) continue;
     const double before = tightest_radius();
     resolve_overlaps(system);
     EXPECT_TRUE(system.chain.is_forwards());
     const double behind = tightest_radius();
-    shorter += behind > before + 1e-3 && behind < system.tightest;
+    shorter += behind > before + 1e-3 && behind < system.tightest.left;
   }
   EXPECT_GE(shorter, 4);
 }

@@ -25,7 +25,7 @@ TEST(ExtendFeasibleGraph, KeepsTheLinksOfTheBaseAmongMoreCircles) {
   std::size_t gap_straight_circles = 0;
   for (const GapStraight& straight : added.gap_straights)
     gap_straight_circles += straight.entries.size() + straight.exits.size();
-  ASSERT_EQ(more->circles().size(), count + 2 * added.around_vertices.size() + gap_straight_circles);
+  ASSERT_EQ(more->circles().size(), count + added.around_vertices.size() + gap_straight_circles);
 
   const Footprint body = c.vehicle.footprint(0.5 * c.vehicle.safety_margin());
   std::vector<FeasibleLink> among_base;

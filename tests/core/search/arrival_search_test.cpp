@@ -15,13 +15,14 @@
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
 #include "core/roadmap/build_feasible_graph.h"
+#include "core/roadmap/circle_radii.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
 namespace {
 
-Roadmap make_map(const World& world, const Vehicle& vehicle, const std::vector<double>& radii, GraphMode mode) {
+Roadmap make_map(const World& world, const Vehicle& vehicle, const CircleRadii& radii, GraphMode mode) {
   const QuerySet queries = make_reference_queries(world);
   const FeasibleGraphInputs inputs{
       world, vehicle, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)), queries, radii};
@@ -42,12 +43,12 @@ class Enumeration {
       : map_(map), start_(start), goal_(goal), best_(bound), not_first_(not_first), not_last_(not_last) {}
 
   double best() {
-    for (const double radius : map_.radii)
+    for (std::size_t k = 0; k < map_.radii.size(); ++k)
       for (const DubinsWord word : kDubinsWords)
-        if (const auto path = dubins_path(word, start_, goal_, radius))
+        if (const auto path = dubins_path(word, start_, goal_, map_.radii[k]))
           if (std::all_of(path->begin(), path->end(), [this](const PathSegment& s) { return is_free(s); })) end(*path);
-    for (const double radius : map_.radii)
-      for (const Side side : {Side::kLeft, Side::kRight}) {
+    for (const Side side : {Side::kLeft, Side::kRight})
+      for (const double radius : map_.radii.of(side)) {
         const TurnCircle circle = turn_circle(start_, radius, side);
         for (std::uint32_t c = 0; c < map_.graph->circles().size(); ++c)
           if (const auto line = directed_bitangent(circle, map_.graph->circles()[c]); line && c != not_first_)
@@ -95,8 +96,8 @@ class Enumeration {
   void visit(std::uint32_t c, double heading) {
     const TurnCircle& circle = map_.graph->circles()[c];
     if (!map_.graph->free_headings(c).contains(heading)) return;
-    for (const double radius : map_.radii)
-      for (const Side side : {Side::kLeft, Side::kRight}) {
+    for (const Side side : {Side::kLeft, Side::kRight})
+      for (const double radius : map_.radii.of(side)) {
         const TurnCircle last = turn_circle(goal_, radius, side);
         const auto line = directed_bitangent(circle, last);
         if (c == not_last_ || !line || !try_push(circle, heading, *line)) continue;
@@ -141,10 +142,11 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
     VehicleParameters parameters;
     parameters.max_acceleration = std::array{1.0, 2.0, 4.0, 50.0}[seed % 4];
     if (seed % 3 != 0) parameters.turn_speed = LateralAccelerationLimit{2.0};
+    if (seed % 4 < 2) parameters.max_steering_angle_right = 0.4;
     const Vehicle vehicle(parameters);
     std::vector<double> radii{vehicle.min_turning_radius()};
     if (seed % 2 == 0) radii.push_back(3.0 * radii[0]);
-    const Roadmap map = make_map(world, vehicle, radii, GraphMode::kEager);
+    const Roadmap map = make_map(world, vehicle, CircleRadii(vehicle, radii), GraphMode::kEager);
     const double side = world.box().max.x();
     for (int i = 0; i < 20; ++i) {
       const auto pose = [&] {
