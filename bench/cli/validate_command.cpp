@@ -11,6 +11,7 @@
 #include "arcway/validation.h"
 #include "bench/cli/arguments.h"
 #include "core/base/shortest_text.h"
+#include "core/model/body_size.h"
 #include "datasets/io/shortened.h"
 
 namespace arcway::internal::cli {
@@ -77,9 +78,8 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap&
                                              fixed(issue.arc_length, 6) + " m: " + issue.message);
   }
   for (const std::string& complaint : complaints) out += row("totals", complaint);
-  out += row("robot", origin + ": " + fixed(vehicle.parameters().length, 3) + " x " +
-                          fixed(vehicle.parameters().width, 3) + " m, turning radius from " +
-                          fixed(vehicle.min_turning_radius(), 3) + " m");
+  out += row("robot", origin + ": " + fixed(body_length(vehicle), 3) + " x " + fixed(body_width(vehicle), 3) +
+                          " m, turning radius from " + fixed(vehicle.min_turning_radius(), 3) + " m");
   out += row("start", pose_text(plan.start));
   out += row("goal", pose_text(plan.goal));
   out += row("segments", count_text(plan.path.segments.size()) +

@@ -6,6 +6,7 @@
 #include "arcway/datasets/svg.h"
 #include "bench/figures/figures.h"
 #include "core/gaps/minimum_distances.h"
+#include "core/model/body_size.h"
 #include "core/roadmap/feasible_graph.h"
 
 namespace arcway::internal::figures {
@@ -107,7 +108,7 @@ Figure minimum_distance_pairs(const Planner& planner, const PlanResult& plan) {
   const std::string caption =
       "Minimum distances: " + std::to_string(across.size()) + " between obstacles across the path (orange), " +
       std::to_string(to_path.size()) + " from its segments to obstacles (green).\nThe narrowest gap is " +
-      digits(narrowest, 1) + " m wide; driving straight needs " + digits(planner.vehicle().parameters().width, 1) +
+      digits(narrowest, 1) + " m wide; driving straight needs " + digits(body_width(planner.vehicle()), 1) +
       " m, (6), turning at the smallest radius " +
       digits(swept_annulus(planner.vehicle().footprint(), Side::kLeft, planner.vehicle().min_turning_radius()).width(),
              2) +

@@ -26,6 +26,7 @@
 #include "arcway/turning_radii.h"
 #include "bench/cpu_clock.h"
 #include "bench/peers/shortcut.h"
+#include "core/model/body_size.h"
 
 namespace arcway::internal::peers {
 namespace {
@@ -121,7 +122,7 @@ class Setup {
       return pose_free(problem.sweep, body, pose_of(state));
     });
     // EIT* and BLIT* check motions at sampled poses only, whatever the validator of motions.
-    information_->setStateValidityCheckingResolution(kSampleStep * problem.vehicle.parameters().width /
+    information_->setStateValidityCheckingResolution(kSampleStep * body_width(problem.vehicle) /
                                                      space->getMaximumExtent());
     information_->setMotionValidator(std::make_shared<ExactMotionValidator>(information_, problem));
     information_->setup();

@@ -8,6 +8,7 @@
 
 #include "bench/cpu_clock.h"
 #include "bench/quantiles.h"
+#include "core/model/body_size.h"
 
 namespace arcway::internal::bench {
 
@@ -83,7 +84,7 @@ void count_map(benchmark::State& state, const Planner& planner, double prepare_s
   std::vector<double> seconds;
   for (const PlanResult& r : results) seconds.push_back(r.statistics.total_seconds);
   state.counters["vertices"] = static_cast<double>(planner.world().vertices().size());
-  state.counters["body_length_m"] = planner.vehicle().parameters().length;
+  state.counters["body_length_m"] = body_length(planner.vehicle());
   state.counters["prepare_seconds"] = prepare_seconds;
   state.counters["queries"] = static_cast<double>(results.size());
   state.counters["solved"] = having(PlanStatus::kSolved);

@@ -10,6 +10,7 @@
 
 #include "arcway/angle.h"
 #include "core/base/shortest_text.h"
+#include "core/model/body_size.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
@@ -47,12 +48,6 @@ constexpr double kWall = 0.1, kWallPiece = 0.125;  // thickness, piece that is t
 struct BodySize {
   double length, width;
 };
-
-BodySize size_of(const Vehicle& vehicle) {
-  const VehicleParameters& p = vehicle.parameters();
-  if (p.footprint.empty() && !p.front_overhang) return {p.length, p.width};
-  return {vehicle.footprint().length(), vehicle.footprint().width()};
-}
 
 // A vehicle, its drive, and the map that grows beside it.
 struct Scene {
@@ -93,7 +88,7 @@ Path random_drive(Random& random, const Vehicle& vehicle, bool both_gears) {
     const bool changes = both_gears && i > 0 && (i == segments / 2 || random.uniform() < kGearChangeShare);
     if (changes) gear = gear == Gear::kForward ? Gear::kReverse : Gear::kForward;
     const double curvature = random_curvature(random, vehicle);
-    const double length = random_length(random, curvature, size_of(vehicle).length);
+    const double length = random_length(random, curvature, body_length(vehicle));
     drive.push_back({pose, length, curvature, gear});
     pose = drive.back().end();
   }
@@ -272,7 +267,8 @@ DrivenWorld generate_driven_world(const DrivenParameters& parameters) {
   check(parameters);
   const VehicleParameters& robot = driven_robots()[parameters.robot - 1].parameters;
   const Vehicle vehicle(robot);
-  Scene scene{Random(parameters.seed), vehicle, size_of(vehicle), parameters.clearance, {}, {}, {}};
+  Scene scene{
+      Random(parameters.seed), vehicle, {body_length(vehicle), body_width(vehicle)}, parameters.clearance, {}, {}, {}};
   scene.drive = random_drive(scene.random, vehicle, parameters.both_gears);
   scene.box = detail::box_of(scene.drive, vehicle.footprint(), parameters.clearance);
   switch (parameters.kind) {
