@@ -10,7 +10,7 @@
 namespace arcway::internal {
 namespace {
 
-constexpr double kQuarter = std::numbers::pi / 4.0;
+constexpr double kEighthTurn = std::numbers::pi / 4.0;
 
 Vehicle with(void (*change)(VehicleParameters&)) {
   VehicleParameters parameters;
@@ -155,16 +155,16 @@ TEST(Vehicle, RefusalsOfBodiesNameTheParameter) {
 }
 
 TEST(RotationCenter, LiesOnTheAxleThatDoesNotSteer) {
-  const Vec2 front = rotation_center(1.3, kQuarter, 0.0).value();
+  const Vec2 front = rotation_center(1.3, kEighthTurn, 0.0).value();
   EXPECT_NEAR(front.x(), -0.65, 1e-15);
   EXPECT_NEAR(front.y(), 1.3, 1e-15);
-  const Vec2 rear = rotation_center(1.3, 0.0, -kQuarter).value();
+  const Vec2 rear = rotation_center(1.3, 0.0, -kEighthTurn).value();
   EXPECT_NEAR(rear.x(), 0.65, 1e-15);
   EXPECT_NEAR(rear.y(), 1.3, 1e-15);
-  const Vec2 symmetric = rotation_center(1.3, kQuarter, -kQuarter).value();
+  const Vec2 symmetric = rotation_center(1.3, kEighthTurn, -kEighthTurn).value();
   EXPECT_NEAR(symmetric.x(), 0.0, 1e-15);
   EXPECT_NEAR(symmetric.y(), 0.65, 1e-15);
-  EXPECT_LT(rotation_center(1.3, -kQuarter, 0.0).value().y(), 0.0);
+  EXPECT_LT(rotation_center(1.3, -kEighthTurn, 0.0).value().y(), 0.0);
   EXPECT_FALSE(rotation_center(1.3, 0.0, 0.0));
   EXPECT_FALSE(rotation_center(1.3, 0.3, 0.3));
 }
@@ -185,7 +185,7 @@ TEST(PaperSlips, SweptWidthHasHalfTheWheelbase) {
   const double l = 1.3;
   const double printed = std::hypot(a + l, b + 2.0 * l) - (2.0 * l - b);
   EXPECT_NEAR(printed, 1.43, 0.005);
-  const Vec2 center = rotation_center(l, kQuarter, 0.0).value();
+  const Vec2 center = rotation_center(l, kEighthTurn, 0.0).value();
   const double derived = (Vec2(a, -b) - center).norm() - (center.y() - b);
   EXPECT_NEAR(derived, 1.30, 0.005);
   EXPECT_NEAR(swept_annulus(Vehicle().footprint(), Side::kLeft, 1.3).width(), derived, 1e-15);
@@ -193,7 +193,7 @@ TEST(PaperSlips, SweptWidthHasHalfTheWheelbase) {
 
 // F is at (x_o, 0): with front steering the point of the rear axle moves along the body, not that of the front axle.
 TEST(PaperSlips, ReferencePointIsBelowTheRotationCenter) {
-  const Vec2 center = rotation_center(1.3, kQuarter, 0.0).value();
+  const Vec2 center = rotation_center(1.3, kEighthTurn, 0.0).value();
   const Vec2 printed(-center.x(), 0.0);
   const Vec2 corrected(center.x(), 0.0);
   EXPECT_DOUBLE_EQ(corrected.x(), Vehicle().reference_offset());
