@@ -66,7 +66,8 @@ struct Memory {
 void append_blocked_by_piece(const Ring& piece, const Vec2& center, const LineSegment& edge,
                              std::vector<HeadingInterval>& blocked) {
   static thread_local Memory memory;  // single queries are frequent and must not allocate
-  auto& [corners, angles] = memory;
+  std::vector<Vec2>& corners = memory.corners;
+  std::vector<double>& angles = memory.angles;
   corners.clear(), angles.clear();
   double reach2 = 0.0;
   for (const Vec2& corner : piece) {

@@ -47,14 +47,14 @@ struct Cell {
 std::pair<double, double> widest_in_strip(std::span<const Vec2> ring, double low, double high) {
   std::vector<std::pair<double, double>> taken;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const auto [a, b] = side_of(ring, i);
+    const LineSegment side = side_of(ring, i);
+    const Vec2 &a = side.a, &b = side.b;
     if (std::max(a.y(), b.y()) <= low || std::min(a.y(), b.y()) >= high) continue;
-    const double rise = b.y() - a.y();
     const auto x_at = [&](double y) {
-      if (rise == 0.0) return a.x();
-      return std::lerp(a.x(), b.x(), std::clamp((y - a.y()) / rise, 0.0, 1.0));
+      return std::lerp(a.x(), b.x(), std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0));
     };
-    const double one = rise == 0.0 ? a.x() : x_at(low), two = rise == 0.0 ? b.x() : x_at(high);
+    const bool is_level = a.y() == b.y();
+    const double one = is_level ? a.x() : x_at(low), two = is_level ? b.x() : x_at(high);
     taken.emplace_back(std::min(one, two), std::max(one, two));
   }
   std::sort(taken.begin(), taken.end());
