@@ -231,7 +231,7 @@ void JsonPlace::allow_keys(std::initializer_list<std::string_view> keys, std::sp
 }
 
 void JsonPlace::require_format(std::string_view format, int version) const {
-  static_cast<void>(at("format")), static_cast<void>(at("version"));
+  if (at("format").value == format) static_cast<void>(at("version"));
   allow_format(format, version);
 }
 

@@ -46,8 +46,11 @@ TEST(JsonSchema, NamesTheRuleThatIsBroken) {
   value["steering"] = "both";
   EXPECT_EQ(broken_rule(robot, value), "$.steering: enum: \"both\"");
   value.erase("steering");
-  value.erase("version");
-  EXPECT_EQ(broken_rule(robot, value), "$: lacks \"version\"");
+  value["footprint"] = {{0, 0}, {1, 0}, {0, 1}};
+  EXPECT_EQ(broken_rule(robot, value), "");
+  value["footprint"] = {{0, 0}, {1, 0, 2}, {0, 1}};
+  EXPECT_NE(broken_rule(robot, value).find("$.footprint: oneOf"), std::string::npos);
+  EXPECT_EQ(broken_rule(schema("scenario"), {{"version", 1}}), "$: lacks \"format\"");
 }
 
 TEST_F(Tool, PlansAreAsTheirSchemaSays) {
