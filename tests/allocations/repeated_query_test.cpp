@@ -32,12 +32,10 @@ TEST_P(RepeatedQuery, AsksTheHeapForNothing) {
   if (!test::counts_memory()) GTEST_SKIP() << "a sanitizer's operator new does not count";
   const Case& c = GetParam();
   const World world = random_world({.obstacles = c.obstacles, .vertices = 10, .fill = 0.3, .seed = 2});
-  VehicleParameters parameters;
-  if (c.lateral_acceleration > 0.0) {
-    parameters.turn_speed = LateralAccelerationLimit{c.lateral_acceleration};
-    parameters.max_acceleration = 2.0;
-  }
-  const Vehicle vehicle(parameters);
+  const Vehicle vehicle =
+      c.lateral_acceleration > 0.0
+          ? Vehicle({.turn_speed = LateralAccelerationLimit{c.lateral_acceleration}, .max_acceleration = 2.0})
+          : Vehicle();
   const QuerySet queries = make_embree_queries(world);
   const Planner planner(world, vehicle, backend_of(world, queries), {.refinement = {.max_trials = c.trials}});
   ASSERT_EQ(planner.options().radii.size() > 1, c.lateral_acceleration > 0.0);
