@@ -155,6 +155,30 @@ TEST(UnevenBody, DeadEndsAreThoseOfItsMirrorImage) {
   EXPECT_GT(proofs, at_start + 3);
 }
 
+// Backwards from a goal the vehicle drives as a turned one does forwards: front and rear change places, and the sides.
+TEST(UnevenBody, DeadEndsOfGoalsAreThoseOfStartsOfTheTurnedBody) {
+  const Footprint body{1.0, 0.5, 0.9, 0.2}, turned{0.5, 1.0, 0.2, 0.9};
+  int proofs = 0;
+  for (const double left : {0.95, 1.2, 2.0, 4.0})
+    for (const double right : {0.25, 0.5, 1.5, 4.0}) {
+      const World world({test::box(-9, left, 9, left + 1), test::box(-9, -right - 1, 9, -right),
+                         test::box(-2.0, -right, -1.0, left)});
+      const QuerySet queries = make_reference_queries(world);
+      const Outlines outlines(world);
+      const Pose near{0.0, 0.0, 0.0}, far{30.0, 30.0, 1.0}, turned_near{0.0, 0.0, kPi},
+          turned_far{30.0, 30.0, 1.0 + kPi};
+      const auto goal = find_dead_end(far, near, {body, 1.3, *queries.sweep, outlines}, {1, 20000});
+      const auto start = find_dead_end(turned_near, turned_far, {turned, 1.3, *queries.sweep, outlines}, {1, 20000});
+      ASSERT_EQ(goal.has_value(), start.has_value()) << left << " " << right;
+      if (!goal) continue;
+      ++proofs;
+      EXPECT_FALSE(goal->at_start);
+      EXPECT_TRUE(start->at_start);
+      EXPECT_NEAR(goal->reach, start->reach, 1e-6);
+    }
+  EXPECT_GT(proofs, 3);
+}
+
 // Where F is on a body does not matter to what encloses it.
 TEST(UnevenBody, IsEnclosedAsTheSameBodyIsAboutItsMiddle) {
   const World cell(
