@@ -128,28 +128,46 @@ void read_body(const JsonPlace& place, VehicleParameters& robot) {
   robot.footprint_origin = point_of(place.at("footprint_origin"));
 }
 
-// The steering angle that leads to a turning radius, by the name of arcway or of nav2.
-void read_turning_radius(const JsonPlace& place, VehicleParameters& robot) {
+// Limits of turns: angles of the wheels, or radii by the name of arcway or of nav2; to the right where they differ.
+void read_turns(const JsonPlace& place, VehicleParameters& robot) {
   const std::string_view keys[] = {"min_turning_radius", "minimum_turning_radius"};
   if (place.has(keys[0]) && place.has(keys[1]))
     place.fail("\"min_turning_radius\" and \"minimum_turning_radius\" are the same, leave one out");
-  for (const std::string_view key : keys) {
-    if (!place.has(key)) continue;
-    if (place.has("max_steering_angle"))
-      place.fail("\"" + std::string(key) + "\" takes the place of \"max_steering_angle\", leave one out");
+  const auto radius_of = [&](std::string_view key) {
     const JsonPlace radius = place.at(key);
     if (!(radius.number() > 0.0)) radius.expected("a radius > 0");
-    const double lever = robot.steering == Steering::kSymmetric ? 0.5 * robot.wheelbase : robot.wheelbase;
-    robot.max_steering_angle = std::atan(lever / radius.number());
-  }
+    return radius.number();
+  };
+  for (const std::string_view key : keys)
+    if (place.has(key)) robot.min_turning_radius = radius_of(key);
+  if (place.has("max_steering_angle")) robot.max_steering_angle = place.at("max_steering_angle").number();
+  if (place.has("max_steering_angle_right"))
+    robot.max_steering_angle_right = place.at("max_steering_angle_right").number();
+  if (place.has("min_turning_radius_right")) robot.min_turning_radius_right = radius_of("min_turning_radius_right");
 }
 
 VehicleParameters robot_of(const JsonPlace& place) {
-  place.allow_keys(
-      {"format", "version", "length", "width", "front_overhang", "rear_overhang", "footprint", "footprint_origin",
-       "wheelbase", "steering", "max_steering_angle", "min_turning_radius", "minimum_turning_radius", "max_speed",
-       "turn_speed", "max_reverse_speed", "max_acceleration", "safety_margin"},
-      kSynonyms);
+  place.allow_keys({"format",
+                    "version",
+                    "length",
+                    "width",
+                    "front_overhang",
+                    "rear_overhang",
+                    "footprint",
+                    "footprint_origin",
+                    "wheelbase",
+                    "steering",
+                    "max_steering_angle",
+                    "max_steering_angle_right",
+                    "min_turning_radius",
+                    "min_turning_radius_right",
+                    "minimum_turning_radius",
+                    "max_speed",
+                    "turn_speed",
+                    "max_reverse_speed",
+                    "max_acceleration",
+                    "safety_margin"},
+                   kSynonyms);
   place.allow_format("arcway-robot", 1);
   VehicleParameters robot;
   read_body(place, robot);
@@ -157,7 +175,6 @@ VehicleParameters robot_of(const JsonPlace& place) {
     if (place.has(key)) value = place.at(key).number();
   };
   number("wheelbase", robot.wheelbase);
-  number("max_steering_angle", robot.max_steering_angle);
   number("max_speed", robot.max_speed);
   number("max_acceleration", robot.max_acceleration);
   number("safety_margin", robot.safety_margin);
@@ -171,7 +188,7 @@ VehicleParameters robot_of(const JsonPlace& place) {
     }
     if (!known) steering.expected("\"front\", \"rear\" or \"symmetric\"");
   }
-  read_turning_radius(place, robot);
+  read_turns(place, robot);
   if (place.has("turn_speed")) robot.turn_speed = turn_speed_of(place.at("turn_speed"));
   if (place.has("max_reverse_speed")) robot.max_reverse_speed = place.at("max_reverse_speed").number();
   return robot;
@@ -252,7 +269,12 @@ std::string to_json(const VehicleParameters& robot) {
   number("wheelbase", robot.wheelbase);
   for (const auto& [word, value] : kSteerings)
     if (value == robot.steering) out += ",\"steering\":\"" + std::string(word) + '"';
-  number("max_steering_angle", robot.max_steering_angle);
+  const VehicleParameters none;
+  if (!robot.min_turning_radius || robot.max_steering_angle != none.max_steering_angle)
+    number("max_steering_angle", robot.max_steering_angle);
+  if (robot.max_steering_angle_right) number("max_steering_angle_right", *robot.max_steering_angle_right);
+  if (robot.min_turning_radius) number("min_turning_radius", *robot.min_turning_radius);
+  if (robot.min_turning_radius_right) number("min_turning_radius_right", *robot.min_turning_radius_right);
   number("max_speed", robot.max_speed);
   out += ",\"turn_speed\":" + turn_speed_text(robot.turn_speed);
   if (robot.max_reverse_speed) number("max_reverse_speed", *robot.max_reverse_speed);

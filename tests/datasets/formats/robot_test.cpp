@@ -72,7 +72,8 @@ TEST(RobotJson, ErrorsNameKeyAndValue) {
   EXPECT_EQ(robot_error(robot(R"(,"lenght":2)")),
             "robot.json: unknown key \"lenght\", did you mean \"length\"? There are format, version, length, width, "
             "front_overhang, rear_overhang, footprint, footprint_origin, wheelbase, "
-            "steering, max_steering_angle, min_turning_radius, minimum_turning_radius, max_speed, turn_speed, "
+            "steering, max_steering_angle, max_steering_angle_right, min_turning_radius, min_turning_radius_right, "
+            "minimum_turning_radius, max_speed, turn_speed, "
             "max_reverse_speed, max_acceleration, safety_margin");
   EXPECT_EQ(robot_error(robot(R"(,"length":"2")")), "robot.json: length: expected a number, found \"2\"");
   EXPECT_EQ(robot_error(robot(R"(,"steering":"back")")),
@@ -118,12 +119,23 @@ TEST(RobotJson, ATurningRadiusTakesThePlaceOfTheAngle) {
     EXPECT_NEAR(Vehicle(read_robot(text, "r")).min_turning_radius(), 3.0, 1e-15) << steering;
   }
   EXPECT_EQ(read_robot(R"({"minimum_turning_radius":3})", "r"), read_robot(R"({"min_turning_radius":3})", "r"));
-  EXPECT_EQ(robot_error(R"({"min_turning_radius":3,"max_steering_angle":0.5})"),
-            "robot.json: \"min_turning_radius\" takes the place of \"max_steering_angle\", leave one out");
+  EXPECT_THROW(Vehicle(read_robot(R"({"min_turning_radius":3,"max_steering_angle":0.5})", "r")), std::invalid_argument);
   EXPECT_EQ(robot_error(R"({"min_turning_radius":3,"minimum_turning_radius":3})"),
             "robot.json: \"min_turning_radius\" and \"minimum_turning_radius\" are the same, leave one out");
   EXPECT_EQ(robot_error(R"({"min_turning_radius":0})"),
             "robot.json: min_turning_radius: expected a radius > 0, found 0");
+}
+
+TEST(RobotJson, TellsLeftTurnsFromRightOnes) {
+  const VehicleParameters angles = read_robot(R"({"max_steering_angle":0.5,"max_steering_angle_right":0.25})", "r");
+  EXPECT_LT(Vehicle(angles).min_turning_radius(Side::kLeft), Vehicle(angles).min_turning_radius(Side::kRight));
+  const VehicleParameters radii = read_robot(R"({"min_turning_radius":2,"min_turning_radius_right":5})", "r");
+  EXPECT_EQ(Vehicle(radii).min_turning_radius(Side::kLeft), 2.0);
+  EXPECT_EQ(Vehicle(radii).min_turning_radius(Side::kRight), 5.0);
+  for (const VehicleParameters& robot : {angles, radii}) EXPECT_EQ(read_robot(to_json(robot), "r"), robot);
+  EXPECT_EQ(to_json(radii).find("max_steering_angle"), std::string::npos);
+  EXPECT_EQ(robot_error(R"({"min_turning_radius":2,"min_turning_radius_right":-1})"),
+            "robot.json: min_turning_radius_right: expected a radius > 0, found -1");
 }
 
 TEST(RobotYaml, HasTheSameKeys) {
