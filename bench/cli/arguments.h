@@ -145,7 +145,7 @@ Vehicle load_vehicle(const std::string& file);
 /// Doubtful measures become warnings of the map.
 Vehicle load_vehicle(const std::string& file, LoadedMap& map);
 /// Help text of `--robot`, which describes `load_vehicle`.
-inline constexpr const char* kRobotHelp = "Robot (JSON); default: that of a prepared map, else the paper's";
+inline constexpr const char* kRobotHelp = "Robot (JSON, YAML); default: that of a prepared map, else the paper's";
 /// Text with one line a note and one line a warning.
 std::string warning_rows(const LoadedMap& map);
 /// Row of the summary: "feasible graph     23 of 96 directed bitangents on 32 turn circles".

@@ -146,7 +146,7 @@ void add_bench_command(CLI::App& app, Action& action) {
   const auto option = [&](const char* name, std::string& value, const std::string& what, const char* type) {
     return command.add_option(name, value, what)->type_name(type);
   };
-  command.add_option("--robot", arguments->robots, "Robot (JSON); repeated; default: the paper's")
+  command.add_option("--robot", arguments->robots, "Robot (JSON, YAML); repeated; default: the paper's")
       ->type_name("R.json")
       ->allow_extra_args(false);
   option("--queries", arguments->queries,

@@ -165,7 +165,7 @@ void add_generate_command(CLI::App& app, Action& action) {
       ->type_name("Q.csv");
   command.add_option("--count", arguments->count, "Pairs in --queries")->type_name("N")->capture_default_str();
   command.add_option("--query-seed", arguments->query_seed, "Seed of --queries")->type_name("N")->capture_default_str();
-  command.add_option("--robot", arguments->robot, "Robot (JSON) that --queries are for; default: the paper's")
+  command.add_option("--robot", arguments->robot, "Robot (JSON, YAML) that --queries are for; default: the paper's")
       ->type_name("R.json");
   command.add_option("--robot-out", arguments->robot_out, "Robot of a world driven/... to write")->type_name("R.json");
   command.add_option("--drive-out", arguments->drive_out, "Drive of a world driven/... to write, a plan for validate")
