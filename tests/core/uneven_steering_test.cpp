@@ -1,4 +1,4 @@
-// Vehicles that turn more tightly to one side than to the other.
+// Vehicles that turn more tightly, or reach further, to one side than to the other.
 
 #include <gtest/gtest.h>
 
@@ -24,6 +24,8 @@ Vehicle mirrored(const Vehicle& vehicle) {
   VehicleParameters parameters = vehicle.parameters();
   parameters.min_turning_radius = vehicle.min_turning_radius(Side::kRight);
   parameters.min_turning_radius_right = vehicle.min_turning_radius(Side::kLeft);
+  for (Ring& part : parameters.footprint) part = test::mirrored(std::move(part));
+  parameters.footprint_origin = test::mirrored(parameters.footprint_origin);
   return Vehicle(parameters);
 }
 
@@ -43,6 +45,19 @@ Vehicle several_radii(double left, double right) {
                   .max_acceleration = 2.0,
                   .min_turning_radius = left,
                   .min_turning_radius_right = right});
+}
+
+// The vehicle with another body, about F.
+Vehicle with_body(const Vehicle& vehicle, std::vector<Ring> parts) {
+  VehicleParameters parameters = vehicle.parameters();
+  parameters.footprint = std::move(parts);
+  return Vehicle(parameters);
+}
+
+std::vector<Ring> rectangle_beside() { return {{{-0.1, -0.2}, {1.4, -0.2}, {1.4, 0.6}, {-0.1, 0.6}}}; }
+std::vector<Ring> cut_on_one_side() { return {{{-0.1, -0.4}, {0.9, -0.4}, {1.4, 0.1}, {1.2, 0.4}, {-0.1, 0.4}}}; }
+std::vector<Ring> with_an_arm() {
+  return {{{-0.1, -0.4}, {1.4, -0.4}, {1.4, 0.4}, {-0.1, 0.4}}, {{0.2, -0.7}, {0.5, -0.7}, {0.5, -0.45}, {0.2, -0.45}}};
 }
 
 std::vector<Polygon> cluttered(ClutterKind kind) {
@@ -106,6 +121,20 @@ TEST(UnevenSteering, RefinedPlansInAMirrorAreAsFast) {
   // The optimizer's iterations and the order of trials make a difference where radii are free, or gears change.
   EXPECT_GT(expect_mirrored_plans(several_radii(1.2, 2.0), {}, false, 0.02), 4);
   EXPECT_GT(expect_mirrored_plans(one_radius(1.0, 1.8), {}, true, 0.02), 4);
+}
+
+TEST(UnevenBody, GraphsInAMirrorHavePlansAsFast) {
+  for (const std::vector<Ring>& body : {rectangle_beside(), cut_on_one_side(), with_an_arm()})
+    for (const Vehicle& vehicle : {one_radius(1.3, 1.3), one_radius(1.2, 2.0), several_radii(1.3, 1.3)})
+      EXPECT_GT(expect_mirrored_plans(with_body(vehicle, body), kGraphAlone, false, 1e-9), 2) << to_string(vehicle);
+}
+
+TEST(UnevenBody, RefinedPlansInAMirrorAreAsFast) {
+  for (const std::vector<Ring>& body : {rectangle_beside(), cut_on_one_side(), with_an_arm()}) {
+    // Refinement tries left before right, and ends in other optima.
+    EXPECT_GT(expect_mirrored_plans(with_body(one_radius(1.3, 1.3), body), {}, false, 0.02), 2);
+    EXPECT_GT(expect_mirrored_plans(with_body(one_radius(1.0, 1.3), body), {}, true, 0.02), 2);
+  }
 }
 
 // A corridor with a bend to one side, of which the body takes nearly all: only one side's radius leads through.
