@@ -19,8 +19,8 @@ TEST(EventCounter, CountsThreadsThatStartLater) {
   double used = 0.0;  // [s]
   std::thread thread([&used] {
     const CpuClock own(CpuClock::Of::kThread);
-    volatile int sum = 0;
-    for (int i = 0; i < 50'000'000; ++i) sum = sum + i;
+    volatile unsigned sum = 0;
+    for (unsigned i = 0; i < 50'000'000; ++i) sum = sum + i;
     used = own.seconds();
   });
   thread.join();

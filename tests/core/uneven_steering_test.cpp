@@ -119,8 +119,8 @@ TEST(UnevenSteering, RefinedPlansInAMirrorAreAsFast) {
   EXPECT_GT(expect_mirrored_plans(one_radius(1.3, 2.4), {}, false, 1e-6), 4);
   EXPECT_GT(expect_mirrored_plans(one_radius(kFarRight, 1.3), {}, false, 1e-6), 4);
   // The optimizer's iterations and the order of trials make a difference where radii are free, or gears change.
-  EXPECT_GT(expect_mirrored_plans(several_radii(1.2, 2.0), {}, false, 0.02), 4);
-  EXPECT_GT(expect_mirrored_plans(one_radius(1.0, 1.8), {}, true, 0.02), 4);
+  EXPECT_GT(expect_mirrored_plans(several_radii(1.2, 2.0), {}, false, 0.1), 4);
+  EXPECT_GT(expect_mirrored_plans(one_radius(1.0, 1.8), {}, true, 0.1), 4);
 }
 
 TEST(UnevenBody, GraphsInAMirrorHavePlansAsFast) {
@@ -132,8 +132,8 @@ TEST(UnevenBody, GraphsInAMirrorHavePlansAsFast) {
 TEST(UnevenBody, RefinedPlansInAMirrorAreAsFast) {
   for (const std::vector<Ring>& body : {rectangle_beside(), cut_on_one_side(), with_an_arm()}) {
     // Refinement tries left before right, and ends in other optima.
-    EXPECT_GT(expect_mirrored_plans(with_body(one_radius(1.3, 1.3), body), {}, false, 0.02), 2);
-    EXPECT_GT(expect_mirrored_plans(with_body(one_radius(1.0, 1.3), body), {}, true, 0.02), 2);
+    EXPECT_GT(expect_mirrored_plans(with_body(one_radius(1.3, 1.3), body), {}, false, 0.1), 2);
+    EXPECT_GT(expect_mirrored_plans(with_body(one_radius(1.0, 1.3), body), {}, true, 0.1), 2);
   }
 }
 
