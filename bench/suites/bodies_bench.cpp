@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/catalog.h"
 #include "bench/quantiles.h"
 #include "bench/robots.h"
 #include "bench/suites/plans.h"
