@@ -129,7 +129,8 @@ void add_validate_command(CLI::App& app, Action& action) {
       ->type_name("P")
       ->required();
   command
-      .add_option("--robot", arguments->robot, "Robot (JSON, YAML); default: the plan's, else the map's, else the paper's")
+      .add_option("--robot", arguments->robot,
+                  "Robot (JSON, YAML); default: the plan's, else the map's, else the paper's")
       ->type_name("R.json");
   command.callback(
       [arguments, &action] { action = [arguments](std::string& out) { return run_validate(*arguments, out); }; });
