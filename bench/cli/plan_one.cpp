@@ -58,7 +58,7 @@ Vec2 nearest_point(const LineSegment& edge, const Footprint& body, const Pose& p
 
 // Where the body comes nearest to an obstacle, once more and magnified.
 void add_inset(SvgPicture& svg, const Planner& planner, const PlanResult& result) {
-  const Footprint body = planner.vehicle().footprint();
+  const Body body = planner.vehicle().body();
   Clearance least;
   Pose pose = result.start;
   for (const PathSegment& segment : result.path()) {
