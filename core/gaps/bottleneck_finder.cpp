@@ -44,10 +44,11 @@ BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle)
 BottleneckFinder::BottleneckFinder(const World& world, const Vehicle& vehicle, std::shared_ptr<const VehicleGaps> gaps)
     : world_(world), body_(around_largest_disc(vehicle)), gaps_(std::move(gaps)) {
   vehicle_takes_.needed = widest_hopeless_gap(vehicle);
-  const Footprint grown = vehicle.footprint(0.5 * vehicle.safety_margin());
-  for (const Side side : {Side::kLeft, Side::kRight})
-    vehicle_takes_.needed_to_turn =
-        std::max(vehicle_takes_.needed_to_turn, swept_annulus(grown, side, vehicle.min_turning_radius(side)).width());
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const SweptAnnulus swept =
+        vehicle.swept_annulus(side, vehicle.min_turning_radius(side), 0.5 * vehicle.safety_margin());
+    vehicle_takes_.needed_to_turn = std::max(vehicle_takes_.needed_to_turn, swept.width());
+  }
 }
 
 std::optional<Bottleneck> BottleneckFinder::operator()(const Pose& from, const Pose& to, const StopClock& clock) const {

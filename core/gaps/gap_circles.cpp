@@ -43,8 +43,8 @@ class GapCircles {
         vehicle_(vehicle),
         radii_(radii),
         body_(vehicle.footprint(vehicle.safety_margin())),
-        swept_left_(swept_annulus(body_, Side::kLeft, radii.left)),
-        swept_right_(swept_annulus(body_, Side::kRight, radii.right)) {}
+        swept_left_(swept(Side::kLeft, radii.left)),
+        swept_right_(swept(Side::kRight, radii.right)) {}
 
   AddedCircles find(const GapMap& gaps, const StopClock& clock) && {
     StopTicker ticker(clock);
@@ -103,9 +103,10 @@ class GapCircles {
   };
 
   void add_in_narrow_gap(VertexId v, const SeenGap& gap, Side side) {
-    const auto radius = vehicle_.smallest_fitting_radius(gap.width - kMargins * vehicle_.safety_margin(), side);
-    if (!radius || *radius > kWidestRadius * radii_.of(side)) return;
-    add_around_vertex(v, -swept_annulus(body_, side, *radius).inner * gap.across, *radius, side);
+    for (const RadiusRange& range : vehicle_.fitting_radii(gap.width - kMargins * vehicle_.safety_margin(), side)) {
+      if (range.low > kWidestRadius * radii_.of(side)) return;
+      add_around_vertex(v, -swept(side, range.low).inner * gap.across, range.low, side);
+    }
   }
 
   // @param sign  to which side of the line across the gap the center lies.
@@ -141,6 +142,9 @@ class GapCircles {
     bool at_gap;  // one end of the gap, or of the edge that this lies on
   };
 
+  [[nodiscard]] SweptAnnulus swept(Side side, double radius) const {
+    return vehicle_.swept_annulus(side, radius, vehicle_.safety_margin());
+  }
   [[nodiscard]] const SweptAnnulus& swept(Side side) const { return side == Side::kLeft ? swept_left_ : swept_right_; }
 
   // The line along which F passes a gap straight.

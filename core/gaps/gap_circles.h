@@ -17,9 +17,9 @@ namespace arcway::internal {
 /// | around a vertex that faces an edge or another vertex | the outer swept circle touches what the vertex faces |
 /// | tangent to a gap straight | the turn onto it or off it is as late or as early as a vertex beside it allows |
 ///
-/// If a gap is too narrow for the tightest turn, the circle around its vertex has the smallest radius that (7) allows,
-/// and lies on the line across the gap. In a wider gap two circles of the given radius lie to both sides of that line.
-/// On a gap straight the body is in the middle of a gap. A turn at its limit has a vertex on the inner swept
+/// If a gap is too narrow for the tightest turn, circles around its vertex have the smallest radius of each range that
+/// (7) allows, and lie on the line across the gap. In a wider gap two circles of the given radius lie to both sides of
+/// that line. On a gap straight the body is in the middle of a gap. A turn at its limit has a vertex on the inner swept
 /// circle, or on the circle of a corner of the body.
 ///
 /// Contacts are those of the body grown by the safety margin. Whether circles are free is not checked. Gaps are

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -11,6 +12,7 @@
 #include <string_view>
 
 #include "core/base/shortest_text.h"
+#include "core/model/swept_widths.h"
 
 namespace arcway {
 
@@ -201,9 +203,17 @@ struct Vehicle::Shapes {
     return &by_margin.try_emplace(margin, shape, margin).first->second;
   }
 
+  const SweptWidths& swept_widths(Side side) const {
+    const std::lock_guard lock(mutex);
+    auto& widths = side == Side::kLeft ? swept_left : swept_right;
+    if (!widths) widths.emplace(shape.parts(), side);
+    return *widths;
+  }
+
   BodyShape shape;
   mutable std::mutex mutex;
   mutable std::map<double, GrownBody> by_margin;
+  mutable std::optional<SweptWidths> swept_left, swept_right;
 };
 
 Vehicle::Vehicle(VehicleParameters parameters) : parameters_(std::move(parameters)) {
@@ -296,12 +306,34 @@ Vehicle Vehicle::with_gears_swapped() const {
 
 bool Vehicle::fits_straight(double gap_width) const { return gap_width > box_.width(); }
 
+SweptAnnulus Vehicle::swept_annulus(Side side, double radius, double growth) const {
+  if (!shapes_) return arcway::swept_annulus(box_.grown(growth), side, radius);
+  return SweptOutline(shapes_->grown(growth)->pieces, side).annulus(radius);
+}
+
 bool Vehicle::fits_turn(double gap_width, double radius, Side side) const {
+  if (shapes_) return gap_width > shapes_->swept_widths(side).at(radius);
   const Footprint body = footprint();
   return gap_width - box_.width() > excess_width(body, radius - off_middle(body, side));
 }
 
+std::vector<RadiusRange> Vehicle::fitting_radii(double gap_width, Side side) const {
+  const double least = min_turning_radius(side);
+  if (shapes_) return shapes_->swept_widths(side).below(gap_width, least);
+  const Footprint body = footprint();
+  if (least - off_middle(body, side) < widest_radius(reach_of(body), 0.5 * body.width()))
+    return SweptWidths(outline(), side).below(gap_width, least);
+  const std::optional<double> smallest = smallest_fitting_radius(gap_width, side);
+  if (!smallest) return {};
+  return {{*smallest, std::numeric_limits<double>::infinity()}};
+}
+
 std::optional<double> Vehicle::smallest_fitting_radius(double gap_width, Side side) const {
+  if (shapes_) {
+    const std::vector<RadiusRange> ranges = fitting_radii(gap_width, side);
+    if (ranges.empty() || std::isfinite(ranges.back().high)) return std::nullopt;
+    return ranges.back().low;
+  }
   if (!fits_straight(gap_width)) return std::nullopt;
   const Footprint body = footprint();
   const double off = off_middle(body, side);  // radii below are those of the body's middle

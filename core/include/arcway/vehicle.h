@@ -64,6 +64,18 @@ struct Footprint {
   [[nodiscard]] Footprint reversed() const { return {rear, front, right, left}; }
 };
 
+/// The annulus about the rotation center that the body sweeps when it turns [m].
+struct SweptAnnulus {
+  double inner;  ///< rho_in; 0 if the center lies in the body
+  double outer;  ///< rho_out
+  [[nodiscard]] double width() const { return outer - inner; }
+};
+/// Turning radii from `low` to `high` [m]; `high` may be infinite.
+struct RadiusRange {
+  double low;
+  double high;
+};
+
 /// The body as queries are asked about it: a rectangle, or a shape and the rectangle that bounds it.
 struct ARCWAY_API Body : Footprint {
   Body() = default;
@@ -163,11 +175,19 @@ class ARCWAY_API Vehicle {
 
   /// (6): whether the vehicle can drive straight through a gap of this width [m], D_min > 2b.
   [[nodiscard]] bool fits_straight(double gap_width) const;
+  /// The annulus that the body sweeps in a turn to a side, exact for any body. O(corners). Precondition: radius >= 0.
+  /// @param growth  by which the body is grown, as in body() [m].
+  [[nodiscard]] SweptAnnulus swept_annulus(Side side, double radius, double growth = 0.0) const;
   /// (7): whether the vehicle can turn with this radius to a side in a gap of this width [m], D_min > w_s(radius).
   [[nodiscard]] bool fits_turn(double gap_width, double radius, Side side) const;
   /// (7) solved: the smallest radius >= min_turning_radius(side) beyond which every radius fits a gap of this width
-  /// [m]. Nothing if none does, see (6). Closed form, correct to a few units in the last place.
+  /// [m]. Nothing if none does, see (6). Closed form for rectangles, correct to a few units in the last place; for
+  /// other bodies the start of the last of fitting_radii().
   [[nodiscard]] std::optional<double> smallest_fitting_radius(double gap_width, Side side) const;
+  /// (7) solved in full: all radii >= min_turning_radius(side) that fit a gap of this width, ascending. The swept width
+  /// of a body may rise and fall with the radius several times; a bent body may fit a gap in turns that it does not
+  /// fit straight. The first call of a side costs O(corners^3), later ones O(corners^2).
+  [[nodiscard]] std::vector<RadiusRange> fitting_radii(double gap_width, Side side) const;
 
   /// Whether all parameters are the same.
   friend bool operator==(const Vehicle& a, const Vehicle& b) { return a.parameters_ == b.parameters_; }
@@ -183,15 +203,10 @@ class ARCWAY_API Vehicle {
 /// "1.5 m x 0.8 m, front steering, turning radius 1.3 m, 12 m/s, 50 m/s^2".
 ARCWAY_API std::string to_string(const Vehicle& vehicle);
 
-/// The annulus about the rotation center that the body sweeps when it turns [m].
-struct SweptAnnulus {
-  double inner;  ///< rho_in; 0 if the center lies in the body
-  double outer;  ///< rho_out
-  [[nodiscard]] double width() const { return outer - inner; }
-};
 /// The annulus of a turn to a side with a radius > 0 [m], (5) with its slips corrected. With h the reach to that side
 /// and o to the other one, rho_out is hypot(max(front, rear), max(radius + o, h - radius)). rho_in is radius - h if F
 /// lies on the body and h < radius, else the distance of the nearest point of the body; 0 if the center lies in it.
+/// Of a body that is no rectangle it contains the swept area: see Vehicle::swept_annulus.
 ARCWAY_API SweptAnnulus swept_annulus(const Footprint& footprint, Side side, double radius);
 
 }  // namespace arcway
