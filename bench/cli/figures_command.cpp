@@ -8,6 +8,7 @@
 #include "bench/cli/arguments.h"
 #include "bench/cli/output_files.h"
 #include "bench/figures/figures.h"
+#include "bench/robots.h"
 
 namespace arcway::internal::cli {
 namespace {
@@ -21,14 +22,16 @@ int draw_figures(const std::string& folder, std::string& out) {
     return kExitNoPath;
   }
   make_folders(folder);
-  const std::vector<figures::Figure> figures = {figures::visibility_graphs(planner),
-                                                figures::vehicle_model(planner.vehicle()),
-                                                figures::radial_sets(planner, plan),
-                                                figures::minimum_distance_pairs(planner, plan),
-                                                figures::swept_turn(planner.vehicle()),
-                                                figures::speed_profiles(planner.vehicle()),
-                                                figures::feasible_graph_and_motion(planner, plan),
-                                                figures::vehicle_gallery()};
+  const std::vector<figures::Figure> figures = {
+      figures::visibility_graphs(planner),
+      figures::vehicle_model(planner.vehicle()),
+      figures::radial_sets(planner, plan),
+      figures::minimum_distance_pairs(planner, plan),
+      figures::swept_turn(planner.vehicle(), "figure5"),
+      figures::swept_turn(bench::mowing_tractor().vehicle(), "figure5_tractor"),
+      figures::speed_profiles(planner.vehicle()),
+      figures::feasible_graph_and_motion(planner, plan),
+      figures::vehicle_gallery()};
   const auto target = [&](const figures::Figure& figure) {
     return (std::filesystem::path(folder) / (figure.name + ".svg")).string();
   };
@@ -49,9 +52,11 @@ int draw_figures(const std::string& folder, std::string& out) {
 }  // namespace
 
 void add_figures_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("figures", "Draw the paper's figures 1 to 7 and a gallery of bodies");
+  CLI::App* command = app.add_subcommand(
+      "figures", "Draw the paper's figures 1 to 7, figure 5 of a tractor with a mower, and a gallery of bodies");
   const auto folder = std::make_shared<std::string>();
-  command->add_option("--out", *folder, "Folder for figure1.svg to figure7.svg and bodies.svg")->required();
+  command->add_option("--out", *folder, "Folder for figure1.svg to figure7.svg, figure5_tractor.svg and bodies.svg")
+      ->required();
   command->callback([&action, folder] { action = [folder](std::string& out) { return draw_figures(*folder, out); }; });
 }
 

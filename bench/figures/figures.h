@@ -19,7 +19,7 @@ Figure visibility_graphs(const Planner& planner);                               
 Figure vehicle_model(const Vehicle& vehicle);                                      ///< figure 2
 Figure radial_sets(const Planner& planner, const PlanResult& plan);                ///< figure 3
 Figure minimum_distance_pairs(const Planner& planner, const PlanResult& plan);     ///< figure 4
-Figure swept_turn(const Vehicle& vehicle);                                         ///< figure 5
+Figure swept_turn(const Vehicle& vehicle, const std::string& name);                ///< figure 5, of a turn to the left
 Figure speed_profiles(const Vehicle& vehicle);                                     ///< figure 6
 Figure feasible_graph_and_motion(const Planner& planner, const PlanResult& plan);  ///< figure 7
 

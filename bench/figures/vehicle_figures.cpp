@@ -12,6 +12,8 @@ constexpr const char* kOrange = "#d55e00";
 constexpr const char* kGreen = "#009e73";
 constexpr const char* kGray = "#7a828c";
 
+constexpr double kSweptPixels = 308.0;  // outer radius of a turn in its picture
+
 constexpr Footprint kWheel{0.14, 0.14, 0.04, 0.04};
 
 /// A body at a pose.
@@ -62,11 +64,11 @@ Figure vehicle_model(const Vehicle& vehicle) {
   return {"figure2", canvas.str("The vehicle model", caption), caption};
 }
 
-Figure swept_turn(const Vehicle& vehicle) {
-  const Footprint body = vehicle.footprint();
-  const double radius = vehicle.min_turning_radius();
-  const SweptAnnulus swept = swept_annulus(body, Side::kLeft, radius);
-  Canvas canvas({-swept.outer - 0.1, -0.2}, {swept.outer + 0.1, swept.outer + 0.15}, {140.0, 140.0});
+Figure swept_turn(const Vehicle& vehicle, const std::string& name) {
+  const double radius = vehicle.min_turning_radius(Side::kLeft);
+  const SweptAnnulus swept = vehicle.swept_annulus(Side::kLeft, radius);
+  const double scale = kSweptPixels / swept.outer;
+  Canvas canvas(swept.outer * Vec2(-1.05, -0.09), swept.outer * Vec2(1.05, 1.07), {scale, scale});
   std::string annulus;
   for (int i = 0; i <= 60; ++i) annulus += canvas.at(swept.outer * direction_of(kPi * i / 60.0));
   for (int i = 60; i >= 0; --i) annulus += canvas.at(swept.inner * direction_of(kPi * i / 60.0));
@@ -76,19 +78,25 @@ Figure swept_turn(const Vehicle& vehicle) {
   for (int i = 2; i <= 6; ++i) {
     const double angle = 0.1 * kPi * i;
     const Vec2 at = radius * direction_of(angle);
-    canvas.polygon(rectangle(canvas, {at.x(), at.y(), angle + 0.5 * kPi}, body), "#cfdde9", kBlue, 0.5);
+    for (const Ring& part : vehicle.outline({at.x(), at.y(), angle + 0.5 * kPi})) {
+      std::string points;
+      for (const Vec2& p : part) points += canvas.at(p);
+      canvas.polygon(points, "#cfdde9", kBlue, 0.5);
+    }
   }
   canvas.curve(track, "#1d2126", 2.0, "6 4");
   canvas.dot({0.0, 0.0}, kOrange);
   canvas.line({0.0, 0.0}, {swept.inner, 0.0}, kGreen, 2.5);
   canvas.line({0.0, 0.0}, {-swept.outer, 0.0}, kOrange, 2.5);
-  canvas.text({0.5 * swept.inner, -0.14}, "ρ_in", "middle", kGreen);
-  canvas.text({-0.6 * swept.outer, -0.14}, "ρ_out", "middle", kOrange);
-  const std::string caption =
-      "A turn at ρ = " + digits(radius, 2) + " m sweeps the ring from ρ_in = " + digits(swept.inner, 2) +
-      " to ρ_out = " + digits(swept.outer, 2) + " m,\nw_s = " + digits(swept.width(), 2) +
-      " m wide, where driving straight takes 2b = " + digits(body.width(), 2) + " m.\nDashed: the path of F.";
-  return {"figure5", canvas.str("The swept area of a turn", caption), caption};
+  const double below = -0.065 * swept.outer;
+  canvas.text({0.5 * swept.inner, below}, "ρ_in", "middle", kGreen);
+  canvas.text({-0.6 * swept.outer, below}, "ρ_out", "middle", kOrange);
+  const std::string caption = "A turn at ρ = " + digits(radius, 2) +
+                              " m sweeps the ring from ρ_in = " + digits(swept.inner, 2) +
+                              " to ρ_out = " + digits(swept.outer, 2) + " m,\nw_s = " + digits(swept.width(), 2) +
+                              " m wide, where driving straight takes 2b = " + digits(vehicle.footprint().width(), 2) +
+                              " m.\nDashed: the path of F.";
+  return {name, canvas.str("The swept area of a turn", caption), caption};
 }
 
 }  // namespace arcway::internal::figures

@@ -25,24 +25,19 @@ Pose pose_after(Side side, double radius, double turn) {
   return {radius * std::sin(turn), s * radius * (1.0 - std::cos(turn)), s * turn};
 }
 
-Vec2 placed(const Pose& pose, const Vec2& p) {
-  const Vec2 ahead = direction_of(pose.heading);
-  return pose.position() + p.x() * ahead + p.y() * perpendicular(ahead);
-}
-
 /// A vehicle at the origin, with what it sweeps in its tightest turns to both sides.
 class Panel {
  public:
-  Panel(Canvas& canvas, const Vehicle& vehicle, const Vec2& corner) : canvas_(canvas), outline_(vehicle.outline()) {
+  Panel(Canvas& canvas, const Vehicle& vehicle, const Vec2& corner) : canvas_(canvas), vehicle_(vehicle) {
     Box box;
     for (const Side side : {Side::kLeft, Side::kRight})
       for (int i = 0; i <= kPoses; ++i)
-        for (const Ring& ring : outline_)
-          for (const Vec2& p : ring) box.extend(placed(pose_after(side, vehicle.min_turning_radius(), at(i)), p));
+        for (const Ring& ring : vehicle.outline(pose_after(side, vehicle.min_turning_radius(side), at(i))))
+          for (const Vec2& p : ring) box.extend(p);
     const Vec2 extent = box.max - box.min;
     scale_ = kPanel / extent.maxCoeff();
     origin_ = corner + 0.5 * Vec2(kPanel, kPanel) - 0.5 * scale_ * (box.min + box.max);
-    for (const Side side : {Side::kLeft, Side::kRight}) draw_turn(side, vehicle.min_turning_radius());
+    for (const Side side : {Side::kLeft, Side::kRight}) draw_turn(side, vehicle.min_turning_radius(side));
     draw_body({}, "#9ec3e0", kBodyEdge);
     canvas_.dot(origin_, kReference);
     const double meters = std::pow(10.0, std::floor(std::log10(extent.maxCoeff() / 3.0)));
@@ -64,15 +59,15 @@ class Panel {
     canvas_.curve(track, kReference, 1.5, "6 4");
   }
   void draw_body(const Pose& pose, const char* fill, const char* stroke) {
-    for (const Ring& ring : outline_) {
+    for (const Ring& ring : vehicle_.outline(pose)) {
       std::string points;
-      for (const Vec2& p : ring) points += canvas_.at(origin_ + scale_ * placed(pose, p));
+      for (const Vec2& p : ring) points += canvas_.at(origin_ + scale_ * p);
       canvas_.polygon(points, fill, stroke);
     }
   }
 
   Canvas& canvas_;
-  std::vector<Ring> outline_;
+  Vehicle vehicle_;
   double scale_ = 1.0;  // pixels a meter
   Vec2 origin_{0.0, 0.0};
 };

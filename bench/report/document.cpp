@@ -165,7 +165,7 @@ std::string changes_sentence(const Section& changes, const std::string& before) 
 }
 
 /// Stages with a section of their own, which has what their measurements count.
-constexpr std::string_view kToldStages[] = {"Ablation", "Quality", "Radii", "RealMap"};
+constexpr std::string_view kToldStages[] = {"Ablation", "Quality", "QualityBody", "Radii", "RealMap"};
 
 /// What is no part of a series: a section a stage.
 std::vector<Section> single_sections(const Results& results, const std::vector<Study>& studies) {

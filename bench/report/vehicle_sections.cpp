@@ -27,11 +27,12 @@ void add_counter(const Measurement& m, const std::string& name, std::vector<doub
   if (found != m.counters.end() && std::isfinite(found->second)) values.push_back(found->second);
 }
 
-/// @param rank  of the vehicle in the kept set.
-VehicleRecord record_of(const Results& results, std::size_t rank) {
+/// @param is_of_it  whether the name of a measurement behind its stage is of the vehicle.
+template <class IsOfIt>
+VehicleRecord record_of(const Results& results, std::string_view stage, const IsOfIt& is_of_it) {
   VehicleRecord record;
-  for (const Measurement* m : of_stage(results, "Quality")) {
-    if (vehicle_rank(place_of(m->name).variant) != rank) continue;
+  for (const Measurement* m : of_stage(results, stage)) {
+    if (!is_of_it(place_of(m->name).variant)) continue;
     std::vector<double> queries, share;
     add_counter(*m, "queries", queries);
     add_counter(*m, "solved_share", share);
@@ -49,6 +50,17 @@ VehicleRecord record_of(const Results& results, std::size_t rank) {
     add_counter(*m, "time_over_bound_median", record.over_bound);
   }
   return record;
+}
+
+/// @param rank  of the vehicle among the real ones; that of the paper's robot is behind them.
+VehicleRecord record_of(const Results& results, std::size_t rank) {
+  return record_of(results, "Quality", [rank](std::string_view name) { return vehicle_rank(name) == rank; });
+}
+
+/// Of a vehicle whose body is no centered rectangle.
+VehicleRecord record_of_body(const Results& results, const bench::KeptVehicle& kept) {
+  return record_of(results, "QualityBody",
+                   [&kept](std::string_view name) { return name.substr(0, name.find('/')) == kept.name; });
 }
 
 /// The least and the most of some values.
@@ -78,7 +90,8 @@ std::vector<std::string> row_of(const std::string& title, const Vehicle& vehicle
   const double sideways = std::pow(vehicle.turn_speed(radius), 2) / radius;
   return {
       title,
-      number_text("%.3g", p.length) + " × " + number_text("%.3g", p.width) + " m",
+      number_text("%.3g", vehicle.footprint().length()) + " × " + number_text("%.3g", vehicle.footprint().width()) +
+          " m",
       number_text("%.3g", radius) + " m",
       number_text("%.3g", p.max_speed) + " m/s",
       number_text("%.2g", p.max_acceleration) + " / " + number_text("%.2g", sideways) + " m/s²",
@@ -179,22 +192,26 @@ Section vehicles_section(const Results& results, const std::vector<Study>& studi
   const std::vector<bench::KeptVehicle>& kept = bench::real_vehicles();
   std::size_t hidden = 0;
   std::string missing;
-  for (std::size_t rank = 0; rank <= kept.size(); ++rank) {
-    const bool is_real = rank < kept.size();
-    const std::string name = is_real ? std::string(kept[rank].name) : "",
-                      what = is_real ? std::string(kept[rank].what) : "the paper's robot";
-    const VehicleRecord record = record_of(results, rank);
-    const PlanSeries series = is_real ? PlanSeries{"PlanPrepared/" + name, "PlanFirst/" + name}
-                                      : PlanSeries{"Plan/graph_reused", "Plan/lazy"};
+  const auto add_row = [&](const std::string& what, const Vehicle& vehicle, const VehicleRecord& record,
+                           const PlanSeries& series) {
     hidden += record.hidden;
-    std::vector<std::string> row = row_of(what, is_real ? kept[rank].vehicle() : Vehicle(), record, series, studies);
+    std::vector<std::string> row = row_of(what, vehicle, record, series, studies);
     const bool is_measured = record.queries > 0.0 || row.back() != "–" || row[row.size() - 2] != "–";
     if (is_measured) {
       section.table.rows.push_back(std::move(row));
     } else {
       missing += (missing.empty() ? "" : ", ") + what;
     }
+  };
+  for (std::size_t rank = 0; rank < kept.size(); ++rank) {
+    const std::string name(kept[rank].name);
+    add_row(std::string(kept[rank].what), kept[rank].vehicle(), record_of(results, rank),
+            {"PlanPrepared/" + name, "PlanFirst/" + name});
   }
+  for (const bench::KeptVehicle& other : bench::vehicles_of_other_outlines())
+    if (const VehicleRecord record = record_of_body(results, other); record.queries > 0.0)
+      add_row(std::string(other.what), other.vehicle(), record, {});
+  add_row("the paper's robot", Vehicle(), record_of(results, kept.size()), {"Plan/graph_reused", "Plan/lazy"});
   if (!missing.empty()) section.paragraphs.push_back("Not measured in these results: " + missing + ".");
   if (hidden > 0)
     section.paragraphs.push_back(count_text(static_cast<double>(hidden)) + (hidden == 1 ? " world is" : " worlds are") +

@@ -15,8 +15,8 @@
 #include "bench/suites/suite.h"
 #include "bench/vehicle_worlds.h"
 
-// How good the plans are, beside how long they take: real vehicles in worlds of their size, the catalog's query sets,
-// the heuristics, and the planner with its features switched off one by one.
+// How good the plans are, beside how long they take: real vehicles and other bodies in worlds of their size, the
+// catalog's query sets, the heuristics, and the planner with its features switched off one by one.
 namespace arcway::internal::bench::quality_suite {
 namespace {
 
@@ -124,16 +124,17 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
   state.counters["compared"] = static_cast<double>(gaps.size());
 }
 
-void add_vehicles(Study study) {
+/// @param stage  of the benchmarks' names.
+void add_vehicles(Study study, const std::string& stage, const std::vector<KeptVehicle>& vehicles) {
   const bool check = study == Study::kCheck;
   const std::size_t queries = check ? 4 : study == Study::kQuick ? 10 : 50;
-  for (const KeptVehicle& kept : real_vehicles())
+  for (const KeptVehicle& kept : vehicles)
     for (const char* kind : {"convex", "star"})
       for (const int fill : {15, 30, 45}) {
         if (check && (fill != 15 || kind != std::string_view("convex"))) continue;
         if (study == Study::kQuick && fill == 45) continue;
         const std::string world = clutter_name(kind, check ? 30 : 100, 10, fill);
-        add_benchmark("Quality/" + std::string(kept.name) + "/" + kind + "_f" + std::to_string(fill),
+        add_benchmark(stage + "/" + std::string(kept.name) + "/" + kind + "_f" + std::to_string(fill),
                       [&kept, world, queries](benchmark::State& state) { time_vehicle(state, kept, world, queries); })
             ->Iterations(1)
             ->Repetitions(1);
@@ -141,8 +142,9 @@ void add_vehicles(Study study) {
 }
 
 void add(Study study) {
-  add_vehicles(study);
+  add_vehicles(study, "Quality", real_vehicles());
   if (study == Study::kQuick) return;
+  add_vehicles(study, "QualityBody", vehicles_of_other_outlines());
   const std::size_t queries = study == Study::kFull ? 50 : 20;
   const std::size_t ablated = study == Study::kFull ? 20 : 1;  // by eight variants
   const std::size_t compared = study == Study::kCheck ? 10 : 50;

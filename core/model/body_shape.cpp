@@ -68,8 +68,10 @@ Ring normalized(Ring ring, std::size_t part) {
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   if (ring.size() < 3) fail(name_of(part) + " has " + std::to_string(ring.size()) + " corners, must have >= 3");
   std::vector<RingContact> contacts;
-  if (winding(ring) == 0) fail(name_of(part) + " has no area");
-  if (const auto conflict = find_conflict({ring, {}}, &contacts)) fail(conflict_text(ring, *conflict, part));
+  const auto conflict = find_conflict({ring, {}}, &contacts);
+  const bool is_crossed = conflict && conflict->kind == RingConflict::Kind::kCrossing;
+  if (winding(ring) == 0 && !is_crossed) fail(name_of(part) + " has no area");
+  if (conflict) fail(conflict_text(ring, *conflict, part));
   require_no_contact(ring, contacts, part);
   if (winding(ring) < 0) std::reverse(ring.begin(), ring.end());
   return without_straight_corners(ring);

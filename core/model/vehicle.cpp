@@ -289,6 +289,14 @@ std::vector<Ring> Vehicle::outline() const {
   return {Polygon::rectangle(-box_.rear, -box_.right, box_.front, box_.left).outer};
 }
 
+std::vector<Ring> Vehicle::outline(const Pose& pose) const {
+  const Vec2 ahead = direction_of(pose.heading);
+  std::vector<Ring> rings = outline();
+  for (Ring& ring : rings)
+    for (Vec2& p : ring) p = pose.position() + p.x() * ahead + p.y() * perpendicular(ahead);
+  return rings;
+}
+
 double Vehicle::turn_speed(double radius) const {
   return std::min(speed_by(parameters_.turn_speed, radius), max_speed());
 }

@@ -22,26 +22,21 @@ Polygon body_at(const Pose& pose, const Footprint& body, double ahead = 0.0) {
   return {{rear - right, front - right, front + left, rear + left}, {}};
 }
 
-Polygon placed(const Ring& part, const Pose& pose) {
-  const Vec2 u = direction_of(pose.heading), aside = perpendicular(u);
-  Ring ring;
-  for (const Vec2& p : part) ring.emplace_back(pose.position() + u * p.x() + aside * p.y());
-  return {std::move(ring), {}};
-}
-
 // How far a polygon must keep from a body with this reach about F.
 struct Wanted {
   const Polygon& polygon;
+  const Vehicle& vehicle;
   const Footprint& box;
-  const std::vector<Ring>& parts;  // of a body that is no rectangle
   double reach, distance;
 
   [[nodiscard]] double gap_at(const Pose& pose) const {
-    if (parts.empty()) return internal::distance(body_at(pose, box), polygon);
+    if (is_rectangle()) return internal::distance(body_at(pose, box), polygon);
     double least = std::numeric_limits<double>::infinity();
-    for (const Ring& part : parts) least = std::min(least, internal::distance(placed(part, pose), polygon));
+    for (Ring& part : vehicle.outline(pose))
+      least = std::min(least, internal::distance(Polygon{std::move(part), {}}, polygon));
     return least;
   }
+  [[nodiscard]] bool is_rectangle() const { return vehicle.shape() == nullptr; }
 };
 
 bool interval_keeps_away(const Wanted& wanted, const PathSegment& segment, double from, double to) {
@@ -55,7 +50,7 @@ bool interval_keeps_away(const Wanted& wanted, const PathSegment& segment, doubl
 }
 
 bool segment_keeps_away(const Wanted& wanted, const PathSegment& segment) {
-  if (!segment.is_line() || !wanted.parts.empty()) return interval_keeps_away(wanted, segment, 0.0, segment.length);
+  if (!segment.is_line() || !wanted.is_rectangle()) return interval_keeps_away(wanted, segment, 0.0, segment.length);
   const Polygon swept = body_at(segment.forwards().start, wanted.box, segment.length);
   return distance(swept, wanted.polygon) >= wanted.distance;
 }
@@ -64,8 +59,7 @@ bool segment_keeps_away(const Wanted& wanted, const PathSegment& segment) {
 
 bool keeps_away(const Polygon& polygon, std::span<const PathSegment> drive, const Vehicle& vehicle, double distance) {
   const Footprint box = vehicle.footprint();
-  const std::vector<Ring> parts = vehicle.shape() == nullptr ? std::vector<Ring>() : vehicle.outline();
-  const Wanted wanted{polygon, box, parts, box.farthest(), distance};
+  const Wanted wanted{polygon, vehicle, box, box.farthest(), distance};
   return std::ranges::all_of(drive, [&](const PathSegment& segment) { return segment_keeps_away(wanted, segment); });
 }
 

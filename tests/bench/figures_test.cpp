@@ -5,6 +5,7 @@
 #include <set>
 
 #include "arcway/datasets/paper_example.h"
+#include "bench/robots.h"
 
 namespace arcway::internal::figures {
 namespace {
@@ -18,7 +19,7 @@ TEST(Figures, AreSevenDocumentsWithTheirNumbersInTheCaption) {
                             vehicle_model(planner.vehicle()),
                             radial_sets(planner, plan),
                             minimum_distance_pairs(planner, plan),
-                            swept_turn(planner.vehicle()),
+                            swept_turn(planner.vehicle(), "figure5"),
                             speed_profiles(planner.vehicle()),
                             feasible_graph_and_motion(planner, plan)};
   std::set<std::string> names;
@@ -33,6 +34,16 @@ TEST(Figures, AreSevenDocumentsWithTheirNumbersInTheCaption) {
   EXPECT_NE(sets.find(", ", sets.find("left + right: ")), std::string::npos) << sets;
   EXPECT_NE(figures[4].caption.find("w_s = 1.30"), std::string::npos) << figures[4].caption;
   EXPECT_NE(figures[6].caption.find(digits(plan.travel_time, 2) + " s"), std::string::npos) << figures[6].caption;
+}
+
+TEST(Figures, DrawTheSweptAreaOfPolygons) {
+  const Vehicle tractor = bench::mowing_tractor().vehicle();
+  const Figure figure = swept_turn(tractor, "figure5_tractor");
+  EXPECT_EQ(figure.name, "figure5_tractor");
+  const double radius = tractor.min_turning_radius(Side::kLeft);
+  const double exact = tractor.swept_annulus(Side::kLeft, radius).width();
+  EXPECT_NE(figure.caption.find("w_s = " + digits(exact, 2)), std::string::npos) << figure.caption;
+  EXPECT_NE(digits(exact, 2), digits(swept_annulus(tractor.footprint(), Side::kLeft, radius).width(), 2));
 }
 
 }  // namespace

@@ -137,6 +137,35 @@ TEST(UnevenBody, RefinedPlansInAMirrorAreAsFast) {
   }
 }
 
+// Tours over a waypoint with a heading to the nearer of two goals.
+TEST(UnevenBody, ToursInAMirrorAreAsFast) {
+  const Vehicle vehicle = with_body(one_radius(1.2, 2.0), with_an_arm());
+  const World world(cluttered(ClutterKind::kConvex)), other_world(test::mirrored(cluttered(ClutterKind::kConvex)));
+  const Planner planner(world, vehicle, kGraphAlone), other(other_world, mirrored(vehicle), kGraphAlone);
+  const auto place_of = [](const Pose& pose) { return Place{pose.position(), pose.heading}; };
+  Queries queries(world);
+  int solved = 0;
+  for (int i = 0; i < 40; ++i) {
+    SCOPED_TRACE("tour " + std::to_string(i));
+    const Pose poses[] = {queries.pose(), queries.pose(), queries.pose(), queries.pose()};
+    TourRequest request{.start = poses[0]}, image{.start = test::mirrored(poses[0])};
+    request.waypoints = {place_of(poses[1])};
+    image.waypoints = {place_of(test::mirrored(poses[1]))};
+    for (const Pose& goal : {poses[2], poses[3]}) {
+      request.goals.push_back(place_of(goal));
+      image.goals.push_back(place_of(test::mirrored(goal)));
+    }
+    const Tour tour = plan_tour(planner, request), mirrored_tour = plan_tour(other, image);
+    EXPECT_EQ(tour.plan.status, mirrored_tour.plan.status);
+    if (!tour.plan.solved() || !mirrored_tour.plan.solved()) continue;
+    ++solved;
+    EXPECT_EQ(tour.goal, mirrored_tour.goal);
+    EXPECT_EQ(tour.passed, mirrored_tour.passed);
+    EXPECT_NEAR(tour.plan.travel_time, mirrored_tour.plan.travel_time, 1e-9 * tour.plan.travel_time);
+  }
+  EXPECT_GT(solved, 4);
+}
+
 // A corridor with a bend to one side, of which the body takes nearly all: only one side's radius leads through.
 TEST(UnevenSteering, GoesWhereTheTighterSideLeads) {
   const double width = 2.5, far = 12.0;

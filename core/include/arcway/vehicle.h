@@ -159,6 +159,8 @@ class ARCWAY_API Vehicle {
   [[nodiscard]] const BodyShape* shape() const;
   /// The outline of the body about F: its parts, counter-clockwise [m].
   [[nodiscard]] std::vector<Ring> outline() const;
+  /// The outline where F stands at a pose, rounded, as for pictures [m].
+  [[nodiscard]] std::vector<Ring> outline(const Pose& pose) const;
 
   [[nodiscard]] double max_speed() const { return parameters_.max_speed; }
   [[nodiscard]] double max_acceleration() const { return parameters_.max_acceleration; }

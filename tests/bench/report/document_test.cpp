@@ -293,6 +293,18 @@ TEST(RealVehicles, ComeFirst) {
   EXPECT_EQ(quality->table.rows[2][0], "convex_f15");
 }
 
+TEST(RealVehicles, AreFollowedByOtherBodies) {
+  const std::string bus =
+      run("QualityBody/bus/convex_f15", 0.005, R"(,"queries":20,"solved_share":0.8,"plan_seconds_median":0.005)");
+  const Section section = section_of(
+      make_document(inputs_of(file_of(run("PlanPrepared/car/obstacles:1000", 1e-2) + "," + bus))), "Real vehicles");
+  ASSERT_EQ(section.table.rows.size(), 2u);
+  EXPECT_EQ(section.table.rows[0][0], "passenger car");
+  EXPECT_EQ(section.table.rows[1][0], "city bus");
+  EXPECT_EQ(std::ranges::count(section.table.rows[1], "16 of 20"), 1);
+  EXPECT_EQ(std::ranges::count(section.table.rows[1], "12.2 × 2.6 m"), 1);
+}
+
 TEST(RealVehicles, AreMissedWhereNothingIsMeasured) {
   const Inputs inputs = inputs_of(stages());
   EXPECT_NE(make_document(inputs).summary[0].find("not measured in these results"), std::string::npos);
