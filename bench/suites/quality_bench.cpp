@@ -15,8 +15,8 @@
 #include "bench/suites/suite.h"
 #include "bench/vehicle_worlds.h"
 
-// How good the plans are, beside how long they take: real vehicles and other bodies in worlds of their size, the
-// catalog's query sets, the heuristics, and the planner with its features switched off one by one.
+// How good the plans are, beside how long they take: real vehicles and other bodies in worlds of their size, and the
+// catalog's query sets. Also the heuristics, and the planner with its features switched off one by one.
 namespace arcway::internal::bench::quality_suite {
 namespace {
 

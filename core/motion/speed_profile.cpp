@@ -12,6 +12,8 @@ namespace {
 
 /// Share by which an end speed may exceed the reachable one by rounding; it is then taken for the reachable one.
 constexpr double kSpeedRounding = 1e-12;
+/// Share by which a duration may exceed that of the fastest motion by rounding, as in files.
+constexpr double kSameTime = 1e-6;
 
 double reachable(double speed, double acceleration, double length) {
   return std::sqrt(speed * speed + 2.0 * acceleration * length);
@@ -73,6 +75,16 @@ double speed_limit(const PathSegment& segment, const Vehicle& vehicle) {
   if (segment.is_line()) return forward ? vehicle.max_speed() : vehicle.max_reverse_speed();
   const double radius = 1.0 / std::abs(segment.curvature);
   return forward ? vehicle.turn_speed(radius) : vehicle.reverse_turn_speed(radius);
+}
+
+double top_speed(const TimedSegment& timed, const Vehicle& vehicle) {
+  const double limit = speed_limit(timed.segment, vehicle), a = vehicle.max_acceleration();
+  const double v1 = timed.speed_in, v3 = timed.speed_out, length = timed.segment.length;
+  const double fastest = relaxed_segment_time(length, v1, limit, v3, a);
+  if (!(length > 0.0) || timed.duration <= fastest * (1.0 + kSameTime)) return limit;
+  // (9) for the top speed p: p^2 - (v1 + v3 + a t) p + a L + (v1^2 + v3^2) / 2 = 0, of which the smaller root.
+  const double b = v1 + v3 + a * timed.duration, c = a * length + 0.5 * (v1 * v1 + v3 * v3);
+  return std::max({v1, v3, 2.0 * c / (b + std::sqrt(std::max(0.0, b * b - 4.0 * c)))});
 }
 
 namespace {

@@ -39,6 +39,10 @@ struct SpeedProfile {
 /// The highest speed on a segment [m/s]: that of lines, or that of arcs of its radius, in its gear.
 double speed_limit(const PathSegment& segment, const Vehicle& vehicle);
 
+/// The top speed of the motion along a segment that takes its duration [m/s]: speed_limit, or less if it takes longer
+/// than the fastest motion.
+double top_speed(const TimedSegment& timed, const Vehicle& vehicle);
+
 /// The fastest speed profile along a path. Speeds are at most speed_limit, |dv/dt| <= max_acceleration, 0 where the
 /// gear changes, and given at both ends [m/s]. One backward and one forward pass over the joints find the speeds; (9)
 /// or (10) then gives the times. O(n). An empty path has no durations and total time 0.

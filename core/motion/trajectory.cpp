@@ -41,12 +41,10 @@ struct Phase {
 // The phases of a segment; none of a segment without length.
 class Phases {
  public:
-  Phases(const TimedSegment& timed, const Vehicle& vehicle) {
+  Phases(const TimedSegment& timed, double top_speed, double a) {
     const double length = timed.segment.length, v1 = timed.speed_in, v3 = timed.speed_out;
     if (!(length > 0.0)) return;
-    const double a = vehicle.max_acceleration();
-    const auto [peak, accelerating, holding, braking] =
-        segment_phases(length, v1, speed_limit(timed.segment, vehicle), v3, a);
+    const auto [peak, accelerating, holding, braking] = segment_phases(length, v1, top_speed, v3, a);
     const double rounding = kRoundingShare * peak * peak / a;
     for (const Phase& phase : {Phase{accelerating, v1, peak}, Phase{holding, peak, peak}, Phase{braking, peak, v3}})
       if (phase.length > rounding) phases_[count_++] = phase;
@@ -100,7 +98,7 @@ void check_geometry(const PathSegment& s, std::size_t index) {
   if (s.length < 0.0) refuse(index, "length is " + shortest_text(s.length) + " m, must be >= 0");
 }
 
-// Whether the vehicle can drive a segment with these speeds, in no less and no more than this time.
+// Whether the vehicle can drive a segment with these speeds in this time, without braking below both.
 void check_claim(const TimedSegment& timed, const Vehicle& vehicle, std::size_t index) {
   const double limit = speed_limit(timed.segment, vehicle), a = vehicle.max_acceleration();
   const double v1 = timed.speed_in, v3 = timed.speed_out, length = timed.segment.length;
@@ -113,10 +111,16 @@ void check_claim(const TimedSegment& timed, const Vehicle& vehicle, std::size_t 
     refuse(index, "its speeds are " + shortest_text(v1) + " and " + shortest_text(v3) + " m/s, but " +
                       shortest_text(length) + " m are long enough for " + shortest_text(reachable) + " m/s only");
   }
-  const double fastest = relaxed_segment_time(length, v1, limit, v3, a);
-  if (!(std::abs(timed.duration - fastest) <= kClaimTolerance * fastest)) {
+  const double fastest = relaxed_segment_time(length, v1, limit, v3, a), top = std::max(v1, v3);
+  const double slowest = top > 0.0 ? relaxed_segment_time(length, v1, top, v3, a) : INFINITY;
+  if (!(timed.duration >= fastest * (1.0 - kClaimTolerance))) {
     refuse(index, "duration is " + shortest_text(timed.duration) + " s, but the fastest motion takes " +
                       shortest_text(fastest) + " s");
+  }
+  if (!(timed.duration <= slowest * (1.0 + kClaimTolerance)) || timed.duration == INFINITY) {
+    refuse(index, "duration is " + shortest_text(timed.duration) + " s, but without braking below " +
+                      shortest_text(top) + " m/s it takes at most " + shortest_text(slowest) +
+                      " s; give segments with lower speeds");
   }
 }
 
@@ -133,10 +137,13 @@ struct Trajectory::Data {
     for (std::size_t i = 0; i < segments.size(); ++i) {
       check_geometry(segments[i].segment, i);
       check_claim(segments[i], vehicle, i);
+      top_speeds.push_back(top_speed(segments[i], vehicle));
       times.push_back(times.back() + segments[i].duration);
       distances.push_back(distances.back() + segments[i].segment.length);
     }
   }
+
+  [[nodiscard]] Phases phases(std::size_t k) const { return {segments[k], top_speeds[k], vehicle.max_acceleration()}; }
 
   /// Where in a segment the vehicle is, and how it moves.
   struct Moment {
@@ -167,8 +174,8 @@ struct Trajectory::Data {
   /// The end of a segment. The acceleration is that of its last phase.
   [[nodiscard]] TrajectoryState end_of(std::size_t k) const {
     const TimedSegment& timed = segments[k];
-    const Phases phases(timed, vehicle);
-    const double acceleration = phases.begin() == phases.end() ? 0.0 : (phases.end() - 1)->acceleration();
+    const Phases driven = phases(k);
+    const double acceleration = driven.begin() == driven.end() ? 0.0 : (driven.end() - 1)->acceleration();
     return state(k, {timed.segment.length, timed.duration, timed.speed_out, acceleration});
   }
 
@@ -179,7 +186,7 @@ struct Trajectory::Data {
     if (t >= timed.duration) return end_of(k);
     double from = 0.0, begun = 0.0;
     Moment moment{0.0, t, timed.speed_in, 0.0};
-    for (const Phase& phase : Phases(timed, vehicle)) {
+    for (const Phase& phase : phases(k)) {
       const double duration = phase.time(phase.length), in_phase = std::min(t - begun, duration);
       const double a = phase.acceleration();
       moment.s = std::min(from + std::min(in_phase * (phase.speed_in + 0.5 * a * in_phase), phase.length),
@@ -200,7 +207,7 @@ struct Trajectory::Data {
     if (s >= timed.segment.length) return end_of(k);
     double from = 0.0, begun = 0.0;
     Moment moment{s, 0.0, timed.speed_in, 0.0};
-    for (const Phase& phase : Phases(timed, vehicle)) {
+    for (const Phase& phase : phases(k)) {
       const double in_phase = std::min(s - from, phase.length);
       moment.t = std::min(begun + phase.time(in_phase), timed.duration);
       moment.speed = phase.speed(in_phase);
@@ -216,6 +223,7 @@ struct Trajectory::Data {
   Vehicle vehicle;
   std::optional<World> world;
   std::vector<double> times, distances;  // at the joints, ends included
+  std::vector<double> top_speeds;        // by segment
 };
 
 Trajectory::Trajectory(std::span<const TimedSegment> segments, const Vehicle& vehicle,
@@ -298,8 +306,8 @@ std::vector<TrajectoryState> Trajectory::sample(const PathSampling& sampling) co
   require_positive(sampling.max_angle, "max_angle");
   const Data& d = *data_;
   double all_steps = 0.0;
-  for (const TimedSegment& timed : d.segments)
-    for (const Phase& phase : Phases(timed, d.vehicle)) all_steps += steps_of(phase, timed.segment.curvature, sampling);
+  for (std::size_t k = 0; k < d.segments.size(); ++k)
+    for (const Phase& phase : d.phases(k)) all_steps += steps_of(phase, d.segments[k].segment.curvature, sampling);
   require_few_steps(all_steps,
                     shortest_text(sampling.max_length) + " m and " + shortest_text(sampling.max_angle) + " rad");
   std::vector<TrajectoryState> states;
@@ -309,7 +317,7 @@ std::vector<TrajectoryState> Trajectory::sample(const PathSampling& sampling) co
     double from = 0.0, begun = 0.0;  // start of the phase within the segment [m], [s]
     const bool joined = k > 0 && d.segments[k - 1].segment.curvature == timed.segment.curvature &&
                         d.segments[k - 1].segment.gear == timed.segment.gear;
-    const Phases phases(timed, d.vehicle);
+    const Phases phases = d.phases(k);
     if (!joined)
       states.push_back(d.state(
           k, {0.0, 0.0, timed.speed_in, phases.begin() == phases.end() ? 0.0 : phases.begin()->acceleration()}));
@@ -326,7 +334,7 @@ std::vector<TrajectoryState> Trajectory::sample(const PathSampling& sampling) co
       begun = std::min(begun + phase.time(phase.length), timed.duration);
     }
     // The segment's end; its duration is the plan's, not ours, so that errors do not add up.
-    if (length > 0.0) states.push_back(d.end_of(k));
+    if (length > 0.0 || timed.duration > 0.0) states.push_back(d.end_of(k));
   }
   return states;
 }

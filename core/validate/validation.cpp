@@ -37,6 +37,7 @@ class Validation {
       check_motion(start);
       for (std::size_t i = 0; has_times() && i < n; ++i) check_time(i);
     }
+    if (report_.valid() && n > 0 && !options_.moving.empty()) find_conflicts();
     return std::move(report_);
   }
 
@@ -183,6 +184,14 @@ class Validation {
     }
   }
 
+  void find_conflicts() {
+    try {
+      report_.conflicts = conflicts(Trajectory(path_, vehicle_), options_.moving);
+    } catch (const std::invalid_argument& error) {
+      add(Violation::kDuration, 0, 0.0, std::string("moving obstacles cannot be looked at: ") + error.what());
+    }
+  }
+
   void check_speed_jump(std::size_t i, double at, double before, double after) {
     if (std::abs(before - after) <= options_.relative_tolerance * std::max(1.0, std::abs(before))) return;
     add(Violation::kSpeedJump, i, at,
@@ -270,6 +279,7 @@ std::string to_string(const ValidationReport& report) {
            rounded_text(report.min_clearance) + " m";
   std::string text = std::to_string(report.issues.size()) + (report.issues.size() == 1 ? " issue" : " issues");
   for (const ValidationIssue& issue : report.issues) text += "\n" + to_string(issue);
+  for (const Conflict& conflict : report.conflicts) text += "\nconflict: " + to_string(conflict);
   return text;
 }
 

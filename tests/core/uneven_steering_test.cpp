@@ -148,7 +148,7 @@ TEST(UnevenBody, ToursInAMirrorAreAsFast) {
   for (int i = 0; i < 40; ++i) {
     SCOPED_TRACE("tour " + std::to_string(i));
     const Pose poses[] = {queries.pose(), queries.pose(), queries.pose(), queries.pose()};
-    TourRequest request{.start = poses[0]}, image{.start = test::mirrored(poses[0])};
+    TourRequest request{.start = poses[0], .goals = {}}, image{.start = test::mirrored(poses[0]), .goals = {}};
     request.waypoints = {place_of(poses[1])};
     image.waypoints = {place_of(test::mirrored(poses[1]))};
     for (const Pose& goal : {poses[2], poses[3]}) {

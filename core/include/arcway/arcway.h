@@ -22,6 +22,7 @@
 #include "arcway/graph_mode.h"
 #include "arcway/heading_set.h"
 #include "arcway/heuristic.h"
+#include "arcway/moving_obstacle.h"
 #include "arcway/path.h"
 #include "arcway/plan_batch.h"
 #include "arcway/plan_result.h"

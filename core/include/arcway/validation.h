@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "arcway/export.h"
+#include "arcway/moving_obstacle.h"
 #include "arcway/path.h"
 #include "arcway/text.h"
 #include "arcway/vehicle.h"
@@ -14,10 +15,11 @@ namespace arcway {
 
 /// What the validator tolerates.
 struct ValidationOptions {
-  double position_tolerance = 1e-6;  ///< at joints and end poses [m]
-  double heading_tolerance = 1e-6;   ///< at joints and end poses [rad]
-  double relative_tolerance = 1e-6;  ///< of curvature, speeds, accelerations and durations
-  bool reverse = true;               ///< whether segments may be driven backwards
+  double position_tolerance = 1e-6;         ///< at joints and end poses [m]
+  double heading_tolerance = 1e-6;          ///< at joints and end poses [rad]
+  double relative_tolerance = 1e-6;         ///< of curvature, speeds, accelerations and durations
+  bool reverse = true;                      ///< whether segments may be driven backwards
+  std::vector<MovingObstacle> moving = {};  ///< that the motion must not meet, see conflicts()
 };
 
 /// What may be wrong with a path.
@@ -62,7 +64,10 @@ struct ARCWAY_API ValidationReport {
   /// within 1e-6 m of the true distance, or within 1e-7 of the body's reach if that is more. 0 in collision, infinity
   /// without obstacles.
   double min_clearance = 0.0;
-  [[nodiscard]] bool valid() const { return issues.empty(); }
+  /// When and where the motion meets ValidationOptions::moving. Of a path without times, the fastest motion from rest
+  /// to rest counts. Not looked for where there are issues, and of an empty path.
+  std::vector<Conflict> conflicts;
+  [[nodiscard]] bool valid() const { return issues.empty() && conflicts.empty(); }
 };
 
 /// "valid: 66.2 m, 5.812 s, clearance 0.001 m", or the issues, one a line.

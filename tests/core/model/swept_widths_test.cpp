@@ -36,7 +36,9 @@ bool is_in(const std::vector<RadiusRange>& ranges, double radius) {
 void expect_ordered(const std::vector<RadiusRange>& ranges) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     EXPECT_LE(ranges[i].low, ranges[i].high);
-    if (i > 0) EXPECT_LT(ranges[i - 1].high, ranges[i].low);
+    if (i > 0) {
+      EXPECT_LT(ranges[i - 1].high, ranges[i].low);
+    }
   }
 }
 
@@ -77,7 +79,9 @@ TEST(SweptWidths, AreBelowALimitWhereAScanSaysSo) {
     }
     for (const auto& [low, high] : ranges) {
       EXPECT_LT(widths.at(low), limit);
-      if (low > least) EXPECT_GE(widths.at(std::nextafter(low, 0.0)), limit);
+      if (low > least) {
+        EXPECT_GE(widths.at(std::nextafter(low, 0.0)), limit);
+      }
       if (high == kInfinity) continue;
       ++bounded;
       EXPECT_LT(widths.at(high), limit);
