@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arcway/datasets/file_io.h"
+#include "arcway/datasets/moving_io.h"
 #include "arcway/datasets/plan_io.h"
 #include "arcway/validation.h"
 #include "bench/cli/arguments.h"
@@ -22,6 +23,8 @@ struct ValidateArguments {
   MapOptions reading;
   std::string path;
   std::string robot;
+  std::string moving;                     // file, or none
+  std::vector<MovingObstacle> obstacles;  // of that file
 };
 
 /// Where a plan's robot is from, in words, and the robot.
@@ -63,7 +66,7 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap&
   const auto [origin, vehicle] = robot_of(arguments, map, name, plan);
   warn_of(vehicle, map);
   const Stopwatch watch;
-  const ValidationReport report = validator(vehicle, plan.start, plan.goal, plan.path);
+  const ValidationReport report = validator(vehicle, plan.start, plan.goal, plan.path, {.moving = arguments.obstacles});
   const double seconds = watch.seconds();
 
   std::vector<std::string> complaints;
@@ -77,6 +80,7 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap&
     out += row(name_of(issue.violation), "segment " + std::to_string(issue.segment) + " at " +
                                              fixed(issue.arc_length, 6) + " m: " + issue.message);
   }
+  for (const Conflict& conflict : report.conflicts) out += row("conflict", to_string(conflict));
   for (const std::string& complaint : complaints) out += row("totals", complaint);
   out += row("robot", origin + ": " + fixed(body_length(vehicle), 3) + " x " + fixed(body_width(vehicle), 3) +
                           " m, turning radius from " + fixed(vehicle.min_turning_radius(), 3) + " m");
@@ -91,7 +95,8 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap&
   return valid;
 }
 
-int run_validate(const ValidateArguments& arguments, std::string& out) {
+int run_validate(ValidateArguments arguments, std::string& out) {
+  if (!arguments.moving.empty()) arguments.obstacles = read_moving_obstacles(input_file(arguments.moving));
   LoadedMap map = load_map(arguments.map, arguments.reading);
   const std::vector<PlanOnLine> plans = parse_plans(read_file(input_file(arguments.path)), arguments.path);
   const Validator validator(map.world);
@@ -132,6 +137,8 @@ void add_validate_command(CLI::App& app, Action& action) {
       .add_option("--robot", arguments->robot,
                   "Robot (JSON, YAML); default: the plan's, else the map's, else the paper's")
       ->type_name("R.json");
+  command.add_option("--moving", arguments->moving, "Moving obstacles that the motion must not meet, as JSON")
+      ->type_name("M.json");
   command.callback(
       [arguments, &action] { action = [arguments](std::string& out) { return run_validate(*arguments, out); }; });
 }

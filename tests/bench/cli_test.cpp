@@ -63,6 +63,22 @@ TEST_F(Tool, PlansThePaperExampleAndValidatesItsOwnPlan) {
   EXPECT_EQ(check.code, 0) << check.out << check.err;
 }
 
+TEST_F(Tool, ValidatesAmongMovingObstacles) {
+  ASSERT_EQ(run("plan " + map_ + kAround + " --json " + file("p.json")).code, 0);
+  const std::string validate = "validate " + map_ + " --path " + file("p.json") + " --moving ";
+  const auto put_box = [&](const std::string& x, const std::string& velocity) {
+    put("m.json", R"({"obstacles":[{"outline":[[)" + x + ",0],[" + x + ",100],[" + x + R"(.5,0]],"velocity":[)" +
+                      velocity + "]}]}");
+  };
+  put_box("-90", "0,0");
+  EXPECT_EQ(run(validate + file("m.json")).code, 0);
+  put_box("-90", "30,0");  // over the whole map within some seconds
+  const Run conflict = run(validate + file("m.json"));
+  EXPECT_EQ(conflict.code, 1) << conflict.out;
+  EXPECT_NE(conflict.out.find("conflict            moving obstacle 0 in segment "), std::string::npos) << conflict.out;
+  expect_bad_input(validate + file("p.json"), "p.json: ");
+}
+
 TEST_F(Tool, PlansAroundABox) {
   const Run result = run("plan " + map_ + kAround);
   EXPECT_EQ(result.code, 0) << result.err << result.out;

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "arcway/datasets/moving_io.h"
 #include "arcway/datasets/robot.h"
 #include "tests/support/json_schema.h"
 #include "tests/support/tool.h"
@@ -51,6 +52,16 @@ TEST(JsonSchema, NamesTheRuleThatIsBroken) {
   value["footprint"] = {{0, 0}, {1, 0, 2}, {0, 1}};
   EXPECT_NE(broken_rule(robot, value).find("$.footprint: oneOf"), std::string::npos);
   EXPECT_EQ(broken_rule(schema("scenario"), {{"version", 1}}), "$: lacks \"format\"");
+}
+
+TEST(JsonSchema, OfMovingObstaclesTakesWhatIsRead) {
+  const std::string text =
+      R"({"format":"arcway-moving","version":1,"obstacles":[{"outline":[[0,0],[1,0],[1,1]],"velocity":[0,1],"until":3}]})";
+  EXPECT_EQ(parse_moving_obstacles(text, "text").size(), 1u);
+  nlohmann::json value = nlohmann::json::parse(text);
+  EXPECT_EQ(broken_rule(schema("moving"), value), "");
+  value["obstacles"][0]["velocity"] = {1, 2, 3};
+  EXPECT_EQ(broken_rule(schema("moving"), value), "$.obstacles[0].velocity: maxItems: [1,2,3]");
 }
 
 TEST_F(Tool, PlansAreAsTheirSchemaSays) {
