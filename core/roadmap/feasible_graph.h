@@ -11,6 +11,7 @@
 #include "arcway/feasible_graph_snapshot.h"
 #include "arcway/heading_set.h"
 #include "arcway/stop_clock.h"
+#include "arcway/vec2.h"
 #include "core/roadmap/circle_checks.h"
 #include "core/roadmap/link_rows.h"
 #include "core/roadmap/turn_circle.h"
@@ -32,6 +33,7 @@ enum class LinkVerdict : std::uint8_t {
 struct CheckedRow {
   LinkRow row;
   std::vector<LinkVerdict> verdicts;  ///< by link
+  Box around;                         ///< see CircleChecks::departures; empty: not known
 };
 
 /// The feasible visibility graph as searches ask for it: turn circles with their free headings, and the directed

@@ -18,7 +18,7 @@ LazyFeasibleGraph::LazyFeasibleGraph(std::shared_ptr<const CircleChecks> checks,
       headings_(circles().size()),
       rows_(circles().size()) {}
 
-LazyFeasibleGraph::Row::Row(CheckedRow known) : Row(std::move(known.row)) {
+LazyFeasibleGraph::Row::Row(CheckedRow known) : Row(std::move(known.row), known.around) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i].store(known.verdicts[i], std::memory_order_relaxed);
 }
 
@@ -28,8 +28,11 @@ const HeadingSet& LazyFeasibleGraph::free_headings(std::uint32_t circle) const {
 }
 
 const LazyFeasibleGraph::Row& LazyFeasibleGraph::row_of(std::uint32_t circle, const StopClock& clock) const {
-  return rows_.get(
-      circle, [&] { return std::make_unique<const Row>(checks().departures(circle, free_headings(circle), clock)); });
+  return rows_.get(circle, [&] {
+    Box around;
+    LinkRow row = checks().departures(circle, free_headings(circle), clock, &around);
+    return std::make_unique<const Row>(std::move(row), around);
+  });
 }
 
 std::span<const FeasibleGraph::Link> LazyFeasibleGraph::links_from(std::uint32_t circle, const StopClock& clock) const {
@@ -77,7 +80,7 @@ const HeadingSet* LazyFeasibleGraph::known_headings(std::uint32_t circle) const 
 std::optional<CheckedRow> LazyFeasibleGraph::known_row(std::uint32_t circle) const {
   const Row* row = rows_.find(circle);
   if (!row) return std::nullopt;
-  CheckedRow known{row->row, {}};
+  CheckedRow known{row->row, {}, row->around};
   known.verdicts.reserve(row->verdicts.size());
   for (const std::atomic<LinkVerdict>& verdict : row->verdicts)
     known.verdicts.push_back(verdict.load(std::memory_order_relaxed));

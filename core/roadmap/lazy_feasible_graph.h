@@ -37,9 +37,10 @@ class LazyFeasibleGraph final : public FeasibleGraph {
  private:
   // Each link is decided when it is first asked for.
   struct Row {
-    explicit Row(LinkRow r) : row(std::move(r)), verdicts(row.links.size()) {}
+    Row(LinkRow r, const Box& box) : row(std::move(r)), around(box), verdicts(row.links.size()) {}
     explicit Row(CheckedRow known);
     LinkRow row;
+    Box around;  // see CircleChecks::departures
     mutable std::vector<std::atomic<LinkVerdict>> verdicts;
   };
   [[nodiscard]] const Row& row_of(std::uint32_t circle, const StopClock& clock = {}) const;
