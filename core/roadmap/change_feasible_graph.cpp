@@ -3,21 +3,26 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "core/geometry/near_boxes.h"
 #include "core/model/vertex_map.h"
 #include "core/roadmap/circle_change.h"
 #include "core/roadmap/find_circle_rows.h"
+#include "core/roadmap/found_before.h"
 
 namespace arcway::internal {
 
 namespace {
 
 constexpr std::size_t kChangedAtOnce = 64;  // number of circles that a thread takes at once
+// Largest number of graphs behind a lazy one, and of circles of all of them: some 100 bytes each. After more changes
+// all that is known is copied, which takes longer than a change: 12 ms where 3 plans had asked for 80,000 links.
+constexpr std::size_t kMostGraphsBehind = 8;
+constexpr std::size_t kMostCirclesBehind = 1'000'000;
 
 // What the graph before a change knows of circles that stay, by their indices after it.
 class KeptKnowledge {
@@ -100,88 +105,10 @@ std::vector<std::uint32_t> those_without(std::span<const std::uint8_t> known) {
   return unknown;
 }
 
-// What a lazy graph before a change knows of circles that stay, and where it still holds.
-class FoundKnowledge {
- public:
-  FoundKnowledge(const FeasibleGraph& before, const FeasibleGraphInputs& inputs, const CircleChecks& after,
-                 const WorldChange& change, std::span<const VertexId> may_differ)
-      : before_(before),
-        after_(after),
-        map_(change),
-        places_(places_of(change, largest_reach(inputs))),
-        differing_(boxes_of(after.world(), may_differ)),
-        circle_after_(before.circles().size()) {
-    for (std::uint32_t was = 0; was < circle_after_.size(); ++was) circle_after_[was] = find_after(was);
-  }
-
-  // The index of a circle after the change; kNone if it is gone.
-  [[nodiscard]] std::uint32_t after(std::uint32_t was) const { return circle_after_[was]; }
-
-  // Headings that were found; null if there are none, or they may be others.
-  [[nodiscard]] const HeadingSet* headings(std::uint32_t was) const {
-    const HeadingSet* known = before_.known_headings(was);
-    if (!known) return nullptr;
-    const Vec2& vertex = before_.checks().world().vertex(before_.circles()[was].vertex);
-    return places_.may_meet(Box{vertex, vertex}) ? nullptr : known;
-  }
-
-  // A row that was found, of a circle that is `now`.
-  [[nodiscard]] std::optional<CheckedRow> row(std::uint32_t was, std::uint32_t now) const {
-    std::optional<CheckedRow> known = before_.known_row(was);
-    if (!known || known->around.empty() || places_.may_meet(known->around) || differing_.may_meet(known->around))
-      return std::nullopt;
-    for (FeasibleLink& link : known->row.links) {
-      link.from = now;
-      link.to = after(link.to);
-    }
-    return known;
-  }
-
- private:
-  [[nodiscard]] std::uint32_t find_after(std::uint32_t was) const {
-    const TurnCircle& old = before_.circles()[was];
-    const VertexId v = map_.after(old.vertex);
-    if (v == kNone || !after_.circles().has(v)) return kNone;
-    if (old.second == kNone)
-      return after_.circles().first_around(v, Side::kLeft) + was -
-             before_.turn_circles().first_around(old.vertex, Side::kLeft);
-    const VertexId second = map_.after(old.second);
-    std::uint32_t found = kNone;
-    if (second == kNone) return found;
-    after_.circles().visit_around(v, old.side, [&](std::uint32_t c) {
-      const TurnCircle& circle = after_.circles().all()[c];
-      if (circle.vertex == v && circle.second == second && circle.radius == old.radius) found = c;
-    });
-    return found;
-  }
-  // No less than how far a body reaches from a vertex of a circle on that circle.
-  static double largest_reach(const FeasibleGraphInputs& inputs) {
-    const Footprint grown_body = inputs.vehicle.footprint(inputs.vehicle.safety_margin());
-    double largest = 0.0;
-    for (const Side side : {Side::kLeft, Side::kRight})
-      for (const double radius : inputs.radii.of(side))
-        largest = std::max(largest, 2.0 * swept_annulus(grown_body, side, radius).outer);
-    return largest;
-  }
-  static NearBoxes places_of(const WorldChange& change, double reach) {
-    std::vector<Box> boxes = change.removed_boxes;
-    boxes.insert(boxes.end(), change.added_boxes.begin(), change.added_boxes.end());
-    return NearBoxes(boxes, reach);
-  }
-  static NearBoxes boxes_of(const World& world, std::span<const VertexId> vertices) {
-    std::vector<Box> boxes;
-    boxes.reserve(vertices.size());
-    for (const VertexId v : vertices) boxes.push_back({world.vertex(v), world.vertex(v)});
-    return NearBoxes(boxes);
-  }
-
-  const FeasibleGraph& before_;
-  const CircleChecks& after_;
-  VertexMap map_;
-  NearBoxes places_;     // where obstacles were added or removed
-  NearBoxes differing_;  // vertices that may have other neighbors
-  std::vector<std::uint32_t> circle_after_;
-};
+// Whether a graph may keep those alive that it knows from.
+bool may_keep(const FoundBefore& found, std::size_t circles) {
+  return found.graphs() <= kMostGraphsBehind && found.graphs() * circles <= kMostCirclesBehind;
+}
 
 }  // namespace
 
@@ -234,23 +161,22 @@ std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(const Feasib
   return lazy;
 }
 
-std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(const FeasibleGraph& before,
+// Many parameters because it joins two worlds.
+std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(std::shared_ptr<const FeasibleGraph> before,
                                                                     const FeasibleGraphInputs& after,
                                                                     const WorldChange& change,
                                                                     std::span<const VertexId> may_differ,
                                                                     const Executor& executor) {
-  const VertexMap map(change);
-  auto checks = std::make_shared<const CircleChecks>(before.checks(), map, after, may_differ);
-  const FoundKnowledge found(before, after, *checks, change, may_differ);
-  auto lazy = std::make_shared<LazyFeasibleGraph>(checks);
+  auto checks = std::make_shared<const CircleChecks>(before->checks(), VertexMap(change), after, may_differ);
+  auto found = std::make_unique<const FoundBefore>(std::move(before), after, *checks, change, may_differ);
+  const std::size_t circles = checks->circles().all().size();
+  if (may_keep(*found, circles)) return std::make_shared<const LazyFeasibleGraph>(std::move(checks), std::move(found));
+  auto lazy = std::make_shared<LazyFeasibleGraph>(std::move(checks));
   executor.begin_stage("changes");
-  executor.for_ranges(before.circles().size(), kChangedAtOnce, [&](std::size_t begin, std::size_t end) {
-    for (auto was = static_cast<std::uint32_t>(begin); was < end; ++was) {
-      const HeadingSet* free = found.headings(was);
-      const std::uint32_t now = free ? found.after(was) : kNone;
-      if (now == kNone) continue;
-      lazy->learn_headings(now, *free);
-      if (std::optional<CheckedRow> row = found.row(was, now)) lazy->learn_row(now, std::move(*row));
+  executor.for_ranges(circles, kChangedAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
+      if (const HeadingSet* free = found->headings(c)) lazy->learn_headings(c, *free);
+      if (std::optional<CheckedRow> row = found->row(c)) lazy->learn_row(c, std::move(*row));
     }
   });
   return lazy;

@@ -59,7 +59,7 @@ class FeasibleGraph {
   [[nodiscard]] virtual std::span<const Link> links_from(std::uint32_t circle, const StopClock& clock = {}) const = 0;
   /// Whether links_from(circle)[index] is kept: whether the vehicle may drive it.
   [[nodiscard]] virtual bool is_kept(std::uint32_t circle, std::size_t index) const = 0;
-  /// Counts of what has been decided so far.
+  /// Counts of what has been decided so far. What a graph before a change has decided counts once it was asked for.
   [[nodiscard]] virtual FeasibleGraphCounts counts() const = 0;
 
   /// This graph if all is known of it, else null.

@@ -13,6 +13,7 @@
 #include "arcway/datasets/map_file.h"
 #include "arcway/planner.h"
 #include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
 #include "tests/support/touching_worlds.h"
@@ -143,11 +144,28 @@ TEST(ChangedPlanners, KeepWhatIsFarFromTheChange) {
   const World world = catalog_world(name);
   const Planner planner(world, Vehicle{}, accel_backend(world));
   for (const PlanRequest& request : catalog_queries(name, 10, 1)) (void)planner.plan(request);
-  const FeasibleGraphCounts before = planner.feasible_graph().counts();
-  const Planner after = planner.with_obstacles(std::vector<ObstacleKey>{500}, {});
-  const FeasibleGraphCounts kept = after.feasible_graph().counts();
-  EXPECT_GT(kept.candidates, before.candidates - before.candidates / 3);
-  EXPECT_LE(kept.candidates, before.candidates);
+  const auto known_rows = [](const Planner& p) {
+    std::size_t known = 0;
+    for (std::uint32_t c = 0; c < p.feasible_graph().circles().size(); ++c)
+      known += p.feasible_graph().known_row(c).has_value() ? 1 : 0;
+    return known;
+  };
+  const std::size_t before = known_rows(planner);
+  Planner after = planner.with_obstacles(std::vector<ObstacleKey>{500}, {});
+  EXPECT_GT(known_rows(after), before - before / 3);
+  EXPECT_LT(known_rows(after), before);
+  // A chain of changes without a plan.
+  const auto graph = [&after]() -> const LazyFeasibleGraph& {
+    return dynamic_cast<const LazyFeasibleGraph&>(after.feasible_graph());
+  };
+  std::size_t most_behind = 0;
+  for (ObstacleKey key = 501; key < 513; ++key) {
+    after = after.with_obstacles(std::vector<ObstacleKey>{key}, {});
+    most_behind = std::max(most_behind, graph().graphs_behind());
+  }
+  EXPECT_GT(known_rows(after), before / 20);
+  EXPECT_GT(most_behind, 2u);
+  EXPECT_LE(most_behind, 8u);
 }
 
 }  // namespace
