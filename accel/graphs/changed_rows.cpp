@@ -20,6 +20,12 @@ namespace {
 // Largest number of stale vertices. A stale row tests all of them: among 1,000, some 0.1 ms.
 constexpr std::size_t kMostStale = 1024;
 
+// Ascending, each vertex once.
+void sort_once(std::vector<VertexId>& vertices) {
+  std::ranges::sort(vertices);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
 class ChangedRows final : public VisibilityRows, public std::enable_shared_from_this<ChangedRows> {
  public:
   // Many parameters because each is a part of it.
@@ -50,9 +56,7 @@ class ChangedRows final : public VisibilityRows, public std::enable_shared_from_
     for (const VertexId v : stale_)
       if (const VertexId now = next.after(v); now != kNone && after.is_graph_vertex(now))
         rows->may_differ.push_back(now);
-    std::ranges::sort(rows->may_differ);
-    const auto repeated = std::ranges::unique(rows->may_differ);
-    rows->may_differ.erase(repeated.begin(), repeated.end());
+    sort_once(rows->may_differ);
     return rows;
   }
 
@@ -122,9 +126,7 @@ std::optional<std::vector<VertexId>> find_stale(const LazyRows& base, const Worl
     for (VertexId v = first; v < last; ++v)
       if (near.may_meet(Box{after.vertex(v), after.vertex(v)})) add(v);
   }
-  std::ranges::sort(stale);
-  const auto repeated = std::ranges::unique(stale);
-  stale.erase(repeated.begin(), repeated.end());
+  sort_once(stale);
   return stale;
 }
 

@@ -16,6 +16,7 @@
 #include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
+#include "tests/support/same_graphs.h"
 #include "tests/support/touching_worlds.h"
 
 namespace arcway::internal {
@@ -108,6 +109,20 @@ TEST(ChangedPlanners, HaveTheRowsAndLinksOfNewOnesInNastyWorlds) {
       expect_same_links(planner, anew, 1);
       if (HasFatalFailure()) return;
     }
+  }
+}
+
+TEST(ChangedPlanners, ThatAreEagerHaveTheGraphsOfNewOnes) {
+  const World world = catalog_world("clutter/star/n40/m9/f30/s5");
+  const PlannerOptions options{.graph_mode = GraphMode::kEager};
+  ChangingMap map(world, 1);
+  Planner planner(world, Vehicle{}, accel_backend(world), options);
+  for (int step = 0; step < 4; ++step) {
+    planner = map.changed(planner, 10, {map.obstacles()[static_cast<std::size_t>(step)]});
+    const World after = map.anew();
+    const Planner anew(after, Vehicle{}, accel_backend(after), options);
+    EXPECT_EQ(planner.visibility_graph(), anew.visibility_graph());
+    test::expect_same(planner.feasible_graph(), anew.feasible_graph());
   }
 }
 
