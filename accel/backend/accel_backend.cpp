@@ -1,6 +1,7 @@
 #include "arcway/accel/accel_backend.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "accel/backend/make_queries.h"
@@ -32,6 +33,13 @@ QuerySet make_queries(const Backend& backend) {
 
 Backend::Parts parts_of(const World& world, const AccelOptions& options) {
   Backend::Parts parts;
+  parts.changed_parts = [builder = options.builder, reference_queries = options.reference_queries](
+                            const Backend& before, const World& after, const WorldChange& change) {
+    Backend::Parts changed = parts_of(after, {builder, reference_queries});
+    if (std::optional<QuerySet> queries = change_embree_queries(before.queries(), after, change))
+      changed.queries = [queries = *std::move(queries)](const Backend&) { return queries; };
+    return changed;
+  };
   parts.queries = make_queries;
   if (options.reference_queries) parts.queries = [](const Backend& b) { return make_reference_queries(b.world()); };
   if (options.builder.value_or(faster_graph_builder(world)) == GraphBuilder::kPairwise) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "accel/embree/embree_options.h"
 #include "arcway/query_set.h"
 #include "arcway/world.h"
+#include "arcway/world_change.h"
 
 namespace arcway::internal {
 
@@ -15,5 +18,12 @@ namespace arcway::internal {
 /// @throws std::runtime_error if Embree cannot be started; std::invalid_argument for a width that is negative or not
 ///   finite.
 QuerySet make_embree_queries(const World& world, const EmbreeOptions& options = {});
+
+/// The queries of a world after a change, in time that depends on the change only; nothing if they are to be made anew.
+/// They share the scenes of the queries before, pass over removed edges and look at added ones one by one. That is
+/// refused for queries of another kind, and once more than some hundred edges were added since the scenes were built,
+/// or one outside of the map's box.
+/// @param before  of the world before the change.
+std::optional<QuerySet> change_embree_queries(const QuerySet& before, const World& after, const WorldChange& change);
 
 }  // namespace arcway::internal

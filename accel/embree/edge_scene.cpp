@@ -9,6 +9,11 @@ namespace {
 constexpr VertexId kMostTogether = 5;
 constexpr double kLongestBox = 4.0;  // longest side of a box of several edges, in mean edge lengths of the world
 
+// Largest number of edges added, and of obstacles removed, since a scene was built. A query looks at the boxes of all
+// added obstacles, and at all edges of those near it.
+constexpr VertexId kMostAdded = 512;
+constexpr std::size_t kMostRemoved = 64;
+
 constexpr double kLimit = 1.0 + 0x1p-10;  // rays are cut to this; more than the padded boxes reach
 
 float round_down(double x) {
@@ -31,33 +36,55 @@ bool cut(double p, double d, double& t0, double& t1) {
 
 EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, RTCOccludedFunctionN on_edge,
                      const Options& options)
-    : device_(std::move(device)), world_(world), inflation_(options.inflation) {
-  if (!world_.box().empty()) {
-    center_ = world_.box().min + 0.5 * (world_.box().max - world_.box().min);
+    : world_(world) {
+  const auto built = std::make_shared<Built>(std::move(device), world, options.inflation);
+  if (!world.box().empty()) {
+    built->center = world.box().min + 0.5 * (world.box().max - world.box().min);
     // The rounded center may be off the middle by as much as a small map far from the origin is large.
-    const double reach = std::max((world_.box().max - center_).maxCoeff(), (center_ - world_.box().min).maxCoeff());
-    scale_ = std::exp2(-std::ceil(std::log2(reach + inflation_)));
+    const double reach =
+        std::max((world.box().max - built->center).maxCoeff(), (built->center - world.box().min).maxCoeff());
+    built->scale = std::exp2(-std::ceil(std::log2(reach + built->inflation)));
   }
-  margin_ = inflation_ * scale_ + kPad;
+  built->margin = built->inflation * built->scale + kPad;
 
-  if (world_.edges().size() > options.many_edges) join_edges();
-  const std::size_t boxes = chains_.empty() ? world_.edges().size() : chains_.size() - 1;
+  if (world.edges().size() > options.many_edges) built->join_edges();
+  const std::size_t boxes = built->chains.empty() ? world.edges().size() : built->chains.size() - 1;
 
-  const GeometryHandle geometry(rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_USER));
-  device_->check();
+  const RTCDevice embree = built->device->get();
+  const GeometryHandle geometry(rtcNewGeometry(embree, RTC_GEOMETRY_TYPE_USER));
+  built->device->check();
   rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(boxes));
-  rtcSetGeometryUserData(geometry.get(), this);
-  rtcSetGeometryBoundsFunction(geometry.get(), &EdgeScene::on_bounds, nullptr);
+  rtcSetGeometryUserData(geometry.get(), built.get());
+  rtcSetGeometryBoundsFunction(geometry.get(), &Built::on_bounds, nullptr);
   if (on_edge != nullptr) rtcSetGeometryOccludedFunction(geometry.get(), on_edge);
   rtcCommitGeometry(geometry.get());
-  scene_.reset(rtcNewScene(device_->get()));
-  rtcAttachGeometry(scene_.get(), geometry.get());
-  device_->check();
-  device_->commit(scene_.get(), options.clock);
+  built->scene.reset(rtcNewScene(embree));
+  rtcAttachGeometry(built->scene.get(), geometry.get());
+  built->device->check();
+  built->device->commit(built->scene.get(), options.clock);
+  built_ = built;
 }
 
-void EdgeScene::join_edges() {
-  const std::span<const LineSegment> edges = world_.edges();
+EdgeScene::EdgeScene(const EdgeScene& before, const World& after, const VertexMap& change)
+    : built_(before.built_), world_(after), map_(before.map_from_built(change)) {
+  const World::VertexRange all = map_->added();
+  for (VertexId v = all.first; v < all.last;) {
+    const ObstacleId obstacle = after.obstacle_of(v);
+    const Box& box = after.box_of(obstacle);
+    added_.push_back({after.vertices_of(obstacle), box, Box{scaled(box.min), scaled(box.max)}.grown(built_->margin)});
+    v = added_.back().edges.last;
+  }
+}
+
+bool EdgeScene::can_change(const World& after, const VertexMap& change) const {
+  const VertexMap map = map_from_built(change);
+  const Box &old = built_->world.box(), &box = after.box();
+  const bool is_within = box.empty() || (!old.empty() && old.contains(box.min) && old.contains(box.max));
+  return is_within && map.added().last - map.added().first <= kMostAdded && map.removed().size() <= kMostRemoved;
+}
+
+void EdgeScene::Built::join_edges() {
+  const std::span<const LineSegment> edges = world.edges();
   double sum = 0.0;
   for (const LineSegment& edge : edges) sum += (edge.b - edge.a).norm();
   const double longest = kLongestBox * sum / static_cast<double>(edges.size());
@@ -65,11 +92,11 @@ void EdgeScene::join_edges() {
   for (VertexId e = 0; e < edges.size(); ++e) {
     const bool follows = e > 0 && edges[e].a == edges[e - 1].b;
     box.extend(edges[e].b);
-    if (follows && e - chains_.back() < kMostTogether && (box.max - box.min).maxCoeff() <= longest) continue;
-    chains_.push_back(e);
+    if (follows && e - chains.back() < kMostTogether && (box.max - box.min).maxCoeff() <= longest) continue;
+    chains.push_back(e);
     box = box_of(edges[e]);
   }
-  chains_.push_back(static_cast<VertexId>(edges.size()));
+  chains.push_back(static_cast<VertexId>(edges.size()));
 }
 
 bool EdgeScene::aim(const Vec2& a, const Vec2& b, RTCRay& ray) {
@@ -100,20 +127,20 @@ bool EdgeScene::aim(const Vec2& a, const Vec2& b, RTCRay& ray) {
 }
 
 // Embree flushes denormals here, so no predicate may be called.
-void EdgeScene::on_bounds(const RTCBoundsFunctionArguments* arguments) {
-  const auto& self = *static_cast<const EdgeScene*>(arguments->geometryUserPtr);
+void EdgeScene::Built::on_bounds(const RTCBoundsFunctionArguments* arguments) {
+  const auto& self = *static_cast<const Built*>(arguments->geometryUserPtr);
   const World::VertexRange edges = self.edges_of(arguments->primID);
   Box box;
   for (VertexId e = edges.first; e < edges.last; ++e) {
-    box.extend(self.scaled(self.world_.edges()[e].a));
-    box.extend(self.scaled(self.world_.edges()[e].b));
+    box.extend(self.scaled(self.world.edges()[e].a));
+    box.extend(self.scaled(self.world.edges()[e].b));
   }
   RTCBounds& bounds = *arguments->bounds_o;
-  bounds.lower_x = round_down(box.min.x() - self.margin_);
-  bounds.lower_y = round_down(box.min.y() - self.margin_);
+  bounds.lower_x = round_down(box.min.x() - self.margin);
+  bounds.lower_y = round_down(box.min.y() - self.margin);
   bounds.lower_z = -1.0f;
-  bounds.upper_x = round_up(box.max.x() + self.margin_);
-  bounds.upper_y = round_up(box.max.y() + self.margin_);
+  bounds.upper_x = round_up(box.max.x() + self.margin);
+  bounds.upper_y = round_up(box.max.y() + self.margin);
   bounds.upper_z = 1.0f;
 }
 

@@ -4,10 +4,13 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "accel/embree/device.h"
 #include "arcway/world.h"
+#include "core/model/vertex_map.h"
 
 namespace arcway::internal::embree {
 
@@ -37,24 +40,40 @@ class EdgeScene {
   /// @param on_edge  callback that gets the edges near a ray; null if the scene is asked for points only.
   EdgeScene(std::shared_ptr<const Device> device, const World& world, RTCOccludedFunctionN on_edge,
             const Options& options);
+  /// The scene of a world after a change, in time that depends on the change only. Embree's boxes are those of the
+  /// scene that was built; it passes over removed edges, and looks at added ones one by one. Precondition: can_change.
+  EdgeScene(const EdgeScene& before, const World& after, const VertexMap& change);
+  /// Whether few edges would have been added since the scene was built, within the box of its world.
+  [[nodiscard]] bool can_change(const World& after, const VertexMap& change) const;
   EdgeScene(const EdgeScene&) = delete;
   EdgeScene& operator=(const EdgeScene&) = delete;
 
   [[nodiscard]] const World& world() const { return world_; }
-  [[nodiscard]] double inflation() const { return inflation_; }
-  [[nodiscard]] RTCScene get() const { return scene_.get(); }
+  [[nodiscard]] double inflation() const { return built_->inflation; }
+  [[nodiscard]] RTCScene get() const { return built_->scene.get(); }
 
   /// A position of the world in Embree's coordinates. Results computed from these are rounded relative to the size of
   /// the map, not to its distance from the origin.
-  [[nodiscard]] Vec2 scaled(const Vec2& p) const { return (p - center_) * scale_; }
+  [[nodiscard]] Vec2 scaled(const Vec2& p) const { return built_->scaled(p); }
   [[nodiscard]] static bool is_near(const Vec2& scaled) { return (scaled.array().abs() <= kFar).all(); }
 
   /// Prepares the ray between two scaled positions, both near and perhaps equal. False if it stays clear of all boxes.
   static bool aim(const Vec2& a, const Vec2& b, RTCRay& ray);
 
-  /// The edges of a box, by its number in Embree.
-  [[nodiscard]] World::VertexRange edges_of(unsigned box) const {
-    return chains_.empty() ? World::VertexRange{box, box + 1} : World::VertexRange{chains_[box], chains_[box + 1]};
+  /// Calls visit(edge) for the edges of a box, by its number in Embree, until a call returns false.
+  template <class Visit>
+  void visit_box(unsigned box, Visit&& visit) const {
+    const World::VertexRange edges = built_->edges_of(box);
+    for (VertexId e = edges.first; e < edges.last; ++e)
+      if (const VertexId now = map_ ? map_->after(e) : e; now != kNone && !visit(now)) return;
+  }
+  /// Calls visit(edge) for the added edges of each obstacle that may come within the inflation of a segment between two
+  /// scaled positions, until a call returns false.
+  template <class Visit>
+  void visit_added(const Vec2& from, const Vec2& to, Visit&& visit) const {
+    const Box box = box_of(LineSegment{from, to});
+    for (const Added& added : added_)
+      if (added.scaled.overlaps(box) && !visit_range(added.edges, visit)) return;
   }
 
   /// Proposes to `visit` every edge that comes within `radius` of p, in any order. visit(edge) returns the radius still
@@ -66,6 +85,11 @@ class EdgeScene {
       for (VertexId e = 0; e < world_.edges().size() && radius >= 0.0; ++e) radius = visit(e);
       return;
     }
+    for (const Added& added : added_) {
+      if (added.box.distance_to(p) * (1.0 - 0x1p-40) > radius) continue;
+      visit_range(added.edges, [&](VertexId e) { return (radius = visit(e)) >= 0.0; });
+      if (radius < 0.0) return;
+    }
     PointVisit<Visit> point{*this, visit, kPad + 0x1p-20 * center.cwiseAbs().maxCoeff(), radius, {}};
     RTCPointQuery query;
     query.x = static_cast<float>(center.x());
@@ -75,7 +99,7 @@ class EdgeScene {
     query.radius = point.float_radius();
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
-    rtcPointQuery(scene_.get(), &query, &context, &PointVisit<Visit>::on_box, &point);
+    rtcPointQuery(get(), &query, &context, &PointVisit<Visit>::on_box, &point);
     if (point.thrown) std::rethrow_exception(point.thrown);
   }
 
@@ -89,16 +113,15 @@ class EdgeScene {
     std::exception_ptr thrown;  // by a visit: Embree would take it for an error of its own
 
     [[nodiscard]] float float_radius() const {
-      const auto rounded = static_cast<float>(radius * scene.scale_ * (1.0 + 0x1p-19) + slack);
+      const auto rounded = static_cast<float>(radius * scene.built_->scale * (1.0 + 0x1p-19) + slack);
       return std::nextafter(rounded, std::numeric_limits<float>::infinity());
     }
     static bool on_box(RTCPointQueryFunctionArguments* a) {
       auto& self = *static_cast<PointVisit*>(a->userPtr);
       if (self.radius < 0.0) return false;
-      const World::VertexRange edges = self.scene.edges_of(a->primID);
       double radius = self.radius;
       try {
-        for (VertexId e = edges.first; e < edges.last && radius >= 0.0; ++e) radius = self.visit(e);
+        self.scene.visit_box(a->primID, [&](VertexId e) { return (radius = self.visit(e)) >= 0.0; });
       } catch (...) {
         self.thrown = std::current_exception();
         radius = -1.0;
@@ -110,18 +133,46 @@ class EdgeScene {
     }
   };
 
-  // Fills chains_, so that boxes hold several edges each.
-  void join_edges();
-  static void on_bounds(const RTCBoundsFunctionArguments* arguments);
+  // What Embree knows. Scenes of changed worlds share it.
+  struct Built {
+    Built(std::shared_ptr<const Device> the_device, const World& the_world, double the_inflation)
+        : device(std::move(the_device)), world(the_world), inflation(the_inflation) {}
+    [[nodiscard]] Vec2 scaled(const Vec2& p) const { return (p - center) * scale; }
+    [[nodiscard]] World::VertexRange edges_of(unsigned box) const {
+      return chains.empty() ? World::VertexRange{box, box + 1} : World::VertexRange{chains[box], chains[box + 1]};
+    }
+    // Fills `chains`, so that boxes hold several edges each.
+    void join_edges();
+    static void on_bounds(const RTCBoundsFunctionArguments* arguments);
 
-  std::shared_ptr<const Device> device_;
+    std::shared_ptr<const Device> device;
+    World world;
+    double inflation;
+    Vec2 center{0.0, 0.0};
+    double scale = 1.0;
+    double margin = 0.0;           // of the boxes around their edges, scaled
+    std::vector<VertexId> chains;  // first edge of each box, one more than boxes; empty: one edge each
+    SceneHandle scene;
+  };
+  // An obstacle that was added since.
+  struct Added {
+    World::VertexRange edges;
+    Box box;
+    Box scaled;  // with the margin of boxes
+  };
+  // Whether all calls returned true.
+  template <class Visit>
+  static bool visit_range(const World::VertexRange& edges, Visit&& visit) {
+    for (VertexId e = edges.first; e < edges.last; ++e)
+      if (!visit(e)) return false;
+    return true;
+  }
+  [[nodiscard]] VertexMap map_from_built(const VertexMap& change) const { return map_ ? map_->then(change) : change; }
+
+  std::shared_ptr<const Built> built_;
   World world_;
-  Vec2 center_{0.0, 0.0};
-  double scale_ = 1.0;
-  double inflation_ = 0.0;
-  double margin_ = 0.0;           // margin of the boxes around their edges, scaled
-  std::vector<VertexId> chains_;  // first edge of each box, one more than boxes; empty: one edge each
-  SceneHandle scene_;
+  std::optional<VertexMap> map_;  // from the world that was built, if it was changed since
+  std::vector<Added> added_;
 };
 
 /// An edge scene with a test that decides: `bool test(VertexId) const`.
@@ -130,6 +181,9 @@ class RayScene {
  public:
   RayScene(std::shared_ptr<const Device> device, const World& world, const EdgeScene::Options& options)
       : edges_(std::move(device), world, &on_edge, options) {}
+  /// See EdgeScene.
+  RayScene(const RayScene& before, const World& after, const VertexMap& change)
+      : edges_(before.edges_, after, change) {}
 
   [[nodiscard]] const EdgeScene& edges() const { return edges_; }
 
@@ -141,9 +195,11 @@ class RayScene {
         if (test(e)) return true;
       return false;
     }
+    bool hit = false;
+    edges_.visit_added(from, to, [&](VertexId e) { return !(hit = test(e)); });
     RTCRay ray;
-    if (!EdgeScene::aim(from, to, ray)) return false;
-    Query query{{}, test};
+    if (hit || !EdgeScene::aim(from, to, ray)) return hit;
+    Query query{{}, edges_, test};
     init(query);
     occluded(edges_.get(), query, ray);
     return ray.tfar < 0.0f;
@@ -151,14 +207,14 @@ class RayScene {
 
  private:
   struct Query : RayContext {
+    const EdgeScene& edges;
     const Test& test;
   };
   static void on_edge(const RTCOccludedFunctionNArguments* a) {
     if (!a->valid[0]) return;
-    const World::VertexRange edges = static_cast<const EdgeScene*>(a->geometryUserPtr)->edges_of(a->primID);
-    const Test& test = static_cast<const Query*>(a->context)->test;
+    const Query& query = *static_cast<const Query*>(a->context);
     bool hit = false;
-    for (VertexId e = edges.first; e < edges.last && !hit; ++e) hit = test(e);
+    query.edges.visit_box(a->primID, [&](VertexId e) { return !(hit = query.test(e)); });
     if (hit) RTCRayN_tfar(a->ray, a->N, 0) = -std::numeric_limits<float>::infinity();
     a->valid[0] = hit ? -1 : 0;  // Embree 4 reads it
   }

@@ -30,6 +30,11 @@ struct MeetsRectangle {
 /// Data shared by the queries of one world. Immutable once built.
 struct Scenes {
   Scenes(const World& world, const EmbreeOptions& options, const char* device_config, std::size_t many_edges);
+  /// The scenes of a world after a change. Precondition: can_change.
+  Scenes(const Scenes& before, const World& after, const VertexMap& change);
+  [[nodiscard]] bool can_change(const World& after, const VertexMap& change) const {
+    return visibility.edges().can_change(after, change);
+  }
 
   RegionLocator locator;
   std::shared_ptr<const Executor> batches;
@@ -49,6 +54,8 @@ struct Scenes {
 class EmbreeVisibility final : public VisibilityQuery {
  public:
   explicit EmbreeVisibility(std::shared_ptr<const Scenes> scenes) : scenes_(std::move(scenes)) {}
+
+  [[nodiscard]] const Scenes& scenes() const { return *scenes_; }
 
  private:
   void do_visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const override;

@@ -17,7 +17,43 @@ bool lies_right_of(const Vec2& a, const Vec2& b, const Box& box) {
   return true;
 }
 
+// The convex hull of points that ascend by (x, y), counter-clockwise [Andrew 1979].
+std::vector<Vec2> convex_hull_of_sorted(std::span<const Vec2> points) {
+  std::vector<Vec2> hull;
+  const auto add = [&hull](const Vec2& p, std::size_t first) {
+    while (hull.size() >= first + 2 && orientation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+    hull.push_back(p);
+  };
+  for (const Vec2& p : points) add(p, 0);
+  const std::size_t lower = hull.empty() ? 0 : hull.size() - 1;
+  for (std::size_t i = points.size(); i-- > 0;) add(points[i], lower);
+  if (hull.size() > 1) hull.pop_back();  // the first one
+  return hull;
+}
+
 }  // namespace
+
+TriangleBlocks::TriangleBlocks(const FreeSpaceTriangulation& triangulation) {
+  const std::span<const Vec2> points = triangulation.points();
+  const std::size_t half_edges = triangulation.half_edges().size();
+  triangles_.resize(half_edges / 3 / kInBlock + 1);
+  for (std::size_t i = 0; i < half_edges; ++i)
+    triangles_[i / 3 / kInBlock].extend(points[triangulation.half_edges()[i].point]);
+  points_.resize(points.size() / kInBlock + 1);
+  for (std::uint32_t point = 0; point < points.size(); ++point)
+    for (const PlanarMap::Edge& boundary : triangulation.edges_from(point)) {
+      points_[point / kInBlock].extend(points[boundary.low]);
+      points_[point / kInBlock].extend(points[boundary.high]);
+    }
+  hull_ = convex_hull_of_sorted(points);
+}
+
+bool TriangleBlocks::hull_contains(const Box& box) const {
+  for (std::size_t i = 0; i < hull_.size(); ++i)
+    for (const Vec2& corner : box.corners())
+      if (orientation(hull_[i], hull_[(i + 1) % hull_.size()], corner) < 0) return false;
+  return !hull_.empty();
+}
 
 void ChangeVisibility::mark_viewers(std::span<const Box> places) {
   const BoxTree tree(places);
@@ -26,7 +62,15 @@ void ChangeVisibility::mark_viewers(std::span<const Box> places) {
     for (const std::uint32_t point : points) box.extend(triangulation_.points()[point]);
     return box;
   };
+  const auto meets_any = [&](const Box& box) { return !tree.visit_overlaps(box, [](std::uint32_t) { return false; }); };
+  const auto passes_over = [&](std::size_t first, const Box& block) {
+    return first % TriangleBlocks::kInBlock == 0 && !meets_any(block);
+  };
   for (std::size_t triangle = 0; 3 * triangle < triangulation_.half_edges().size(); ++triangle) {
+    if (blocks_ && passes_over(triangle, blocks_->of_triangle(triangle))) {
+      triangle += TriangleBlocks::kInBlock - 1;
+      continue;
+    }
     const Corners corners = corners_of(triangle);
     tree.visit_overlaps(box_of(corners), [&](std::uint32_t i) {
       if (meets(corners, places[i])) expand_out_of(triangle, corners, places[i]);
@@ -34,10 +78,14 @@ void ChangeVisibility::mark_viewers(std::span<const Box> places) {
     });
     if (gives_up_) return;
   }
-  for (std::uint32_t point = 0; point < triangulation_.points().size(); ++point)
+  for (std::uint32_t point = 0; point < triangulation_.points().size(); ++point) {
+    if (blocks_ && passes_over(point, blocks_->of_point(point))) {
+      point += TriangleBlocks::kInBlock - 1;
+      continue;
+    }
     for (const PlanarMap::Edge& boundary : triangulation_.edges_from(point))
-      if (!tree.visit_overlaps(box_of(std::array{boundary.low, boundary.high}), [](std::uint32_t) { return false; }))
-        follow_boundary(boundary);
+      if (meets_any(box_of(std::array{boundary.low, boundary.high}))) follow_boundary(boundary);
+  }
 }
 
 ChangeVisibility::Corners ChangeVisibility::corners_of(std::size_t triangle) const {

@@ -7,8 +7,28 @@
 #include <vector>
 
 #include "accel/expansion/free_space_triangulation.h"
+#include "arcway/vec2.h"
 
 namespace arcway::internal {
+
+/// Boxes of triangles, and of boundary edges, that follow each other in memory: to find those near a place without
+/// looking at all; and the convex hull, beyond which there are no triangles. Immutable. O(n) to build, half a byte a
+/// vertex.
+class TriangleBlocks {
+ public:
+  static constexpr std::size_t kInBlock = 64;
+  explicit TriangleBlocks(const FreeSpaceTriangulation& triangulation);
+
+  [[nodiscard]] const Box& of_triangle(std::size_t triangle) const { return triangles_[triangle / kInBlock]; }
+  /// The box of all boundary edges that leave points of the same block.
+  [[nodiscard]] const Box& of_point(std::size_t point) const { return points_[point / kInBlock]; }
+  /// Whether a box lies within the convex hull of all points.
+  [[nodiscard]] bool hull_contains(const Box& box) const;
+
+ private:
+  std::vector<Box> triangles_, points_;
+  std::vector<Vec2> hull_;  // counter-clockwise
+};
 
 /// Conservative visibility of a change: marks all nodes with a line of sight to some place, and some others.
 ///
@@ -18,11 +38,12 @@ namespace arcway::internal {
 class ChangeVisibility {
  public:
   /// @param triangulation  must have listed its left edges.
-  explicit ChangeVisibility(const FreeSpaceTriangulation& triangulation)
-      : triangulation_(triangulation), seen_(triangulation.nodes().size(), 0) {}
+  /// @param blocks  of the triangulation; may be null.
+  explicit ChangeVisibility(const FreeSpaceTriangulation& triangulation, const TriangleBlocks* blocks = nullptr)
+      : triangulation_(triangulation), blocks_(blocks), seen_(triangulation.nodes().size(), 0) {}
 
-  /// Marks the nodes that may see a point of the places. O(triangles log places + triangles seen); marks all nodes once
-  /// more triangles are seen than exist.
+  /// Marks the nodes that may see a point of the places. O(triangles log places + triangles seen), with blocks a
+  /// hundredth of the first; marks all nodes once more triangles are seen than exist.
   void mark_viewers(std::span<const Box> places);
   /// By node: 1 if it may see one of the places.
   [[nodiscard]] const std::vector<std::uint8_t>& seen() const { return seen_; }
@@ -42,6 +63,7 @@ class ChangeVisibility {
   [[nodiscard]] bool all_pass(const Corners& corners, std::uint32_t through, std::uint32_t point, int side) const;
 
   const FreeSpaceTriangulation& triangulation_;
+  const TriangleBlocks* blocks_;
   std::vector<std::uint8_t> seen_;
   std::vector<Range> stack_;
   std::size_t steps_ = 0;

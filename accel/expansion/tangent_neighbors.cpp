@@ -1,8 +1,11 @@
 #include "accel/expansion/tangent_neighbors.h"
 
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "accel/expansion/change_visibility.h"
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/tangent_cone_expansion.h"
@@ -23,6 +26,8 @@ struct TangentNeighbors::Data {
   LongFans fans;
   std::vector<std::uint32_t> node_of;  // by vertex
   EdgeList through_contacts;
+  mutable std::once_flag made_blocks;
+  mutable std::optional<TriangleBlocks> blocks;  // made when viewers are first asked for
 };
 
 TangentNeighbors::TangentNeighbors(const World& world, const Executor& executor)
@@ -38,6 +43,18 @@ std::vector<VertexId> TangentNeighbors::of(VertexId vertex) const {
   std::vector<VertexId> row = tangent_neighbors(data_->triangulation, data_->node_of[vertex], &data_->fans);
   add_missing(data_->through_contacts, vertex, row);
   return row;
+}
+
+std::optional<std::vector<VertexId>> TangentNeighbors::viewers_of(std::span<const Box> places) const {
+  std::call_once(data_->made_blocks, [this] { data_->blocks.emplace(data_->triangulation); });
+  for (const Box& place : places)
+    if (!data_->blocks->hull_contains(place)) return std::nullopt;
+  ChangeVisibility visibility(data_->triangulation, &*data_->blocks);
+  visibility.mark_viewers(places);
+  std::vector<VertexId> viewers;
+  for (std::size_t n = 0; n < visibility.seen().size(); ++n)
+    if (visibility.seen()[n]) viewers.push_back(data_->triangulation.nodes()[n].vertex);
+  return viewers;
 }
 
 }  // namespace arcway::internal

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "arcway/executor.h"
@@ -27,6 +29,10 @@ class TangentNeighbors {
   /// World::convex_vertices. Exact. O(triangles seen in its tangent cones).
   /// @throws std::out_of_range if the world has no such vertex.
   [[nodiscard]] std::vector<VertexId> of(VertexId vertex) const;
+
+  /// All convex vertices with a line of sight to one of the places, and some others; in no useful order. See
+  /// ChangeVisibility. Nothing if a place reaches beyond the convex hull of the vertices, where there are no triangles.
+  [[nodiscard]] std::optional<std::vector<VertexId>> viewers_of(std::span<const Box> places) const;
 
  private:
   struct Data;

@@ -13,42 +13,60 @@ constexpr std::size_t kScanEdges = 64;
 
 }  // namespace
 
-RegionLocator::RegionLocator(const World& world) : world_(world), tree_of_(world.region_count(), kNone) {
+RegionLocator::Trees::Trees(const World& the_world) : world(the_world), tree_of(world.region_count(), kNone) {
   std::vector<Box> boxes;
-  for (ObstacleId o = 0; o < world_.obstacle_count(); ++o) boxes.push_back(world_.box_of(o));
-  obstacles_ = BoxTree(boxes);
-  for (ObstacleId o = 0; o < world_.region_count(); ++o) {
-    const auto [first, last] = world_.vertices_of(o);
+  for (ObstacleId o = 0; o < world.obstacle_count(); ++o) boxes.push_back(world.box_of(o));
+  obstacles = BoxTree(boxes);
+  for (ObstacleId o = 0; o < world.region_count(); ++o) {
+    const auto [first, last] = world.vertices_of(o);
     if (last - first <= kScanEdges) continue;
     boxes.clear();
-    for (VertexId e = first; e < last; ++e) boxes.push_back(box_of(world_.edges()[e]));
-    tree_of_[o] = static_cast<std::uint32_t>(edge_trees_.size());
-    edge_trees_.emplace_back(boxes);
+    for (VertexId e = first; e < last; ++e) boxes.push_back(box_of(world.edges()[e]));
+    tree_of[o] = static_cast<std::uint32_t>(edge_trees.size());
+    edge_trees.emplace_back(boxes);
   }
 }
 
+RegionLocator::RegionLocator(const World& world) : trees_(std::make_shared<const Trees>(world)), world_(world) {}
+
+RegionLocator::RegionLocator(const RegionLocator& before, const World& after, const VertexMap& change)
+    : trees_(before.trees_), world_(after), map_(before.map_ ? before.map_->then(change) : change) {}
+
 ObstacleId RegionLocator::containing(const Vec2& p) const {
   ObstacleId first = kNone;
-  obstacles_.visit_overlaps(Box{p, p}, [&](ObstacleId o) {
-    if (o < first && is_inside(p, o)) first = o;
+  trees_->obstacles.visit_overlaps(Box{p, p}, [&](ObstacleId o) {
+    const ObstacleId region = now(o);
+    if (region < first && trees_->is_inside(p, o)) first = region;
     return true;
   });
+  if (first == kNone && map_)
+    for (VertexId v = map_->added().first; v < map_->added().last && first == kNone;) {
+      const ObstacleId added = world_.obstacle_of(v);
+      if (world_.locate(p, added) == PointLocation::kInside) first = added;
+      v = world_.vertices_of(added).last;
+    }
   if (first != kNone || !world_.has_bounds()) return first;
-  const auto bounds = static_cast<ObstacleId>(world_.obstacle_count());
-  return is_inside(p, bounds) ? bounds : kNone;
+  const auto built_bounds = static_cast<ObstacleId>(trees_->world.obstacle_count());
+  return trees_->is_inside(p, built_bounds) ? static_cast<ObstacleId>(world_.obstacle_count()) : kNone;
 }
 
-bool RegionLocator::is_inside(const Vec2& p, ObstacleId region) const {
-  if (tree_of_[region] == kNone || !world_.box_of(region).contains(p))
-    return world_.locate(p, region) == PointLocation::kInside;
+ObstacleId RegionLocator::now(ObstacleId built) const {
+  if (!map_) return built;
+  const VertexId vertex = map_->after(trees_->world.vertices_of(built).first);
+  return vertex == kNone ? kNone : world_.obstacle_of(vertex);
+}
+
+bool RegionLocator::Trees::is_inside(const Vec2& p, ObstacleId region) const {
+  if (tree_of[region] == kNone || !world.box_of(region).contains(p))
+    return world.locate(p, region) == PointLocation::kInside;
   RayParity parity(p);
-  const VertexId first = world_.vertices_of(region).first;
-  edge_trees_[tree_of_[region]].visit_overlaps(parity.ray_box(), [&](std::uint32_t i) {
-    const LineSegment& edge = world_.edges()[first + i];
+  const VertexId first = world.vertices_of(region).first;
+  edge_trees[tree_of[region]].visit_overlaps(parity.ray_box(), [&](std::uint32_t i) {
+    const LineSegment& edge = world.edges()[first + i];
     parity.add(edge.a, edge.b);
     return true;
   });
-  const bool is_bounds = region == world_.obstacle_count();
+  const bool is_bounds = region == world.obstacle_count();
   return parity.location() == (is_bounds ? PointLocation::kOutside : PointLocation::kInside);
 }
 

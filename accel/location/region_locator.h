@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "arcway/world.h"
 #include "core/geometry/box_tree.h"
+#include "core/model/vertex_map.h"
 
 namespace arcway::internal {
 
@@ -16,18 +19,30 @@ namespace arcway::internal {
 class RegionLocator {
  public:
   explicit RegionLocator(const World& world);
+  /// The locator of a world after a change, in time that depends on the change only. It shares the trees that were
+  /// built, passes over removed regions and looks at added ones one by one.
+  RegionLocator(const RegionLocator& before, const World& after, const VertexMap& change);
 
   /// The first region, in id order, with p strictly inside, or kNone. The bounds contain what is strictly outside of
   /// them.
   [[nodiscard]] ObstacleId containing(const Vec2& p) const;
 
  private:
-  [[nodiscard]] bool is_inside(const Vec2& p, ObstacleId region) const;
+  struct Trees {
+    explicit Trees(const World& world);
+    [[nodiscard]] bool is_inside(const Vec2& p, ObstacleId region) const;
 
+    World world;
+    BoxTree obstacles;
+    std::vector<BoxTree> edge_trees;
+    std::vector<std::uint32_t> tree_of;  // region -> edge_trees, kNone for small regions
+  };
+  // The region of the world as it is now that was this one when the trees were built; kNone if it was removed.
+  [[nodiscard]] ObstacleId now(ObstacleId built) const;
+
+  std::shared_ptr<const Trees> trees_;
   World world_;
-  BoxTree obstacles_;
-  std::vector<BoxTree> edge_trees_;
-  std::vector<std::uint32_t> tree_of_;  // region -> edge_trees_, kNone for small regions
+  std::optional<VertexMap> map_;  // from the world of the trees, if it was changed since
 };
 
 }  // namespace arcway::internal

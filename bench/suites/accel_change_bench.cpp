@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -6,6 +7,7 @@
 
 #include "accel/backend/make_queries.h"
 #include "accel/graphs/changed_graph.h"
+#include "arcway/accel/accel_backend.h"
 #include "arcway/accel/tangent_cone_graph.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/map_file.h"
@@ -26,6 +28,7 @@ namespace arcway::internal::bench::accel_change_suite {
 namespace {
 
 constexpr std::size_t kPlans = 20;
+constexpr std::size_t kFewPlans = 3;  // in front of a change of one obstacle; many take minutes on the largest maps
 
 Planner build(const World& world, const PlannerOptions& options) {
   return {world, Vehicle(),
@@ -108,7 +111,36 @@ void time_change(benchmark::State& state, const std::string& name, std::size_t c
   if (mode == GraphMode::kLazy) state.counters["of_lazy_with_plans"] = median(lazy_changes) / median(lazy_rebuilds);
 }
 
+// One obstacle moves, and a lazy planner that has planned before changes with it: Planner::with_obstacles.
+void time_one_moved(benchmark::State& state, const std::string& name) {
+  const World& world = shared_world(name);
+  const std::vector<PlanRequest> requests = catalog_queries(name, kFewPlans, 1);
+  const Planner before(world, Vehicle(), accel_backend(world, kSerialExecutor));
+  static_cast<void>(plan_all(before, requests));
+  const ObstacleKey moved = world.obstacle_count() / 2;
+  MapFile after = to_map_file(world);
+  std::vector<Polygon> added{after.obstacles[moved]};
+  for (Vec2& p : added[0].outer) p += Vec2(0.25, 0.125);
+  after.obstacles.erase(after.obstacles.begin() + static_cast<std::ptrdiff_t>(moved));
+  after.obstacles.push_back(corrupting() ? Polygon{after.obstacles[0]} : added[0]);
+  const auto right = [&] {
+    const World anew(after.obstacles, after.bounds);
+    return times(plan_all(before.with_obstacles({&moved, 1}, added), requests)) ==
+           times(plan_all(Planner(anew, Vehicle(), accel_backend(anew, kSerialExecutor)), requests));
+  };
+  if (!require_once(state, "OneMoved/" + name, right, "plans differ from those of a planner built anew")) return;
+  for (auto _ : state) benchmark::DoNotOptimize(before.with_obstacles({&moved, 1}, added));
+  state.counters["vertices"] = static_cast<double>(world.vertices().size());
+}
+
 void add(Study study) {
+  Series one_moved(study, "Change/one", "obstacles", "what is near the change", 0.2);
+  one_moved.allow(600.0);
+  for (const std::size_t n : sizes(study, {30, 157, 1000, 10000, 100000}, 30, 1000)) {
+    if (study != Study::kCheck && n == 30) continue;
+    one_moved.add(static_cast<double>(n),
+                  [name = clutter_name("convex", n, 10, 30)](benchmark::State& state) { time_one_moved(state, name); });
+  }
   for (const std::size_t n : sizes(study, {30, 1000, 10000}, 30, 1000)) {
     if (study != Study::kCheck && n == 30) continue;
     const std::string name = clutter_name("convex", n, 10, 30);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -24,6 +25,15 @@ constexpr std::size_t kScanVertices = 64;
 // Edges examined region by region, per vertex, after which one sweep over all edges takes over.
 constexpr std::size_t kRegionPatience = 128;
 
+std::size_t vertex_count_of(const std::vector<Polygon>& polygons) {
+  std::size_t count = 0;
+  for (const Polygon& polygon : polygons) {
+    count += polygon.outer.size();
+    for (const Ring& hole : polygon.holes) count += hole.size();
+  }
+  return count;
+}
+
 }  // namespace
 
 struct World::Data {
@@ -43,6 +53,8 @@ struct World::Data {
   std::vector<Box> boxes;
   Box box;
   bool has_bounds = false;
+  std::optional<ObstacleKey> next_key;  // of the next obstacle that is added; none: keys are ids, nothing was removed
+  std::vector<ObstacleKey> keys;        // of the obstacles, ascending, where they are no ids
 
   // Vertices inside an edge of their own region, whichever of its sides their ring is on.
   struct Touches {
@@ -86,23 +98,46 @@ struct World::Data {
     }
   }
 
-  // A region of another world, after the last one of this one.
-  void copy_region(const Data& from, ObstacleId old) {
-    const VertexId first = from.region_starts[old], last = from.region_starts[old + 1];
+  void reserve(std::size_t vertex_count) {
+    vertices.reserve(vertex_count);
+    edges.reserve(vertex_count);
+    next.reserve(vertex_count);
+    previous.reserve(vertex_count);
+    obstacle_of.reserve(vertex_count);
+    convex_vertices.reserve(vertex_count);
+  }
+
+  // Regions [begin, end) of another world, after the last one of this one, with all that is known about them.
+  void copy_regions(const Data& from, ObstacleId begin, ObstacleId end) {
+    const VertexId first = from.region_starts[begin], last = from.region_starts[end];
     const auto to = static_cast<VertexId>(vertices.size());
+    const auto region = static_cast<ObstacleId>(boxes.size());
     const auto moved = [&](VertexId v) { return v - first + to; };
-    vertices.insert(vertices.end(), from.vertices.begin() + first, from.vertices.begin() + last);
-    covered.insert(covered.end(), from.covered.begin() + first, from.covered.begin() + last);
-    for (VertexId v = first; v < last; ++v) {
-      next.push_back(moved(from.next[v]));
-      previous.push_back(moved(from.previous[v]));
+    const auto append = [&](const auto& source, auto& target) {
+      target.insert(target.end(), source.begin() + first, source.begin() + last);
+    };
+    const auto append_moved = [&](const auto& source, auto& target, const auto& move) {
+      target.resize(vertices.size());
+      std::transform(source.begin() + first, source.begin() + last, target.begin() + to, move);
+    };
+    append(from.vertices, vertices);
+    append(from.edges, edges);
+    append(from.convex, convex);
+    append(from.covered, covered);
+    append_moved(from.next, next, moved);
+    append_moved(from.previous, previous, moved);
+    append_moved(from.obstacle_of, obstacle_of, [&](ObstacleId o) { return o - begin + region; });
+    for (ObstacleId o = begin; o < end; ++o) {
+      for (std::size_t r = from.region_rings[o]; r < from.region_rings[o + 1]; ++r)
+        ring_starts.push_back(moved(from.ring_starts[r]));
+      region_starts.push_back(moved(from.region_starts[o + 1]));
+      region_rings.push_back(ring_starts.size());
+      boxes.push_back(from.boxes[o]);
+      box.extend(from.boxes[o]);
     }
-    for (std::size_t r = from.region_rings[old]; r < from.region_rings[old + 1]; ++r)
-      ring_starts.push_back(moved(from.ring_starts[r]));
     for (auto c = std::ranges::lower_bound(from.contacts, first, {}, &SelfContact::edge);
          c != from.contacts.end() && c->edge < last; ++c)
       contacts.push_back({moved(c->edge), moved(c->vertex)});
-    close_region(from.boxes[old]);
   }
 
   // All vertices and rings since the last region are one.
@@ -114,12 +149,29 @@ struct World::Data {
     box.extend(region_box);
   }
 
-  // What follows from vertices and links at once.
+  [[nodiscard]] ObstacleId obstacle_count() const {
+    return static_cast<ObstacleId>(boxes.size() - (has_bounds ? 1 : 0));
+  }
+
+  // Takes the keys of the obstacles that are left of another world, and gives new ones to all others.
+  void take_keys(const Data& from, std::span<const ObstacleId> removed) {
+    const ObstacleId before = from.obstacle_count();
+    if (!from.next_key && removed.empty()) return;
+    keys.reserve(obstacle_count());
+    for (ObstacleId o = 0; o < before; ++o)
+      if (!std::ranges::binary_search(removed, o)) keys.push_back(from.key_of(o));
+    ObstacleKey unused = from.next_key.value_or(before);
+    while (keys.size() < obstacle_count()) keys.push_back(unused++);
+    next_key = unused;
+  }
+  [[nodiscard]] ObstacleKey key_of(ObstacleId o) const { return next_key ? keys[o] : o; }
+
+  // What follows at once from vertices and links, for all vertices that have no edges yet.
   void derive_edges() {
     const auto n = static_cast<VertexId>(vertices.size());
     edges.reserve(n);
     convex.resize(n);
-    for (VertexId v = 0; v < n; ++v) {
+    for (auto v = static_cast<VertexId>(edges.size()); v < n; ++v) {
       edges.push_back({vertices[v], vertices[next[v]]});
       convex[v] = orientation(vertices[previous[v]], vertices[v], vertices[next[v]]) > 0;
     }
@@ -302,11 +354,7 @@ struct World::Data {
 
 World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
   auto data = std::make_shared<Data>();
-  std::size_t vertex_count = bounds ? bounds->size() : 0;
-  for (const Polygon& polygon : obstacles) {
-    vertex_count += polygon.outer.size();
-    for (const Ring& hole : polygon.holes) vertex_count += hole.size();
-  }
+  const std::size_t vertex_count = vertex_count_of(obstacles) + (bounds ? bounds->size() : 0);
   const auto obstacle_count = static_cast<ObstacleId>(obstacles.size());
   require_vertex_count(vertex_count, obstacle_count);
   data->vertices.reserve(vertex_count);
@@ -391,15 +439,15 @@ World World::changed(std::span<const ObstacleId> removed, const std::vector<Poly
                                   std::to_string(removed[i - 1]) + ": they must ascend");
   }
   auto data = std::make_shared<Data>();
+  data->reserve(old.vertices.size() + vertex_count_of(added));
   std::vector<Box> places;
-  for (ObstacleId o = 0, next_removed = 0; o < obstacles; ++o) {
-    if (next_removed < removed.size() && removed[next_removed] == o) {
-      places.push_back(old.boxes[o]);
-      ++next_removed;
-    } else {
-      data->copy_region(old, o);
-    }
+  ObstacleId kept = 0;
+  for (const ObstacleId o : removed) {
+    data->copy_regions(old, kept, o);
+    places.push_back(old.boxes[o]);
+    kept = o + 1;
   }
+  data->copy_regions(old, kept, obstacles);
   const auto first_added = static_cast<VertexId>(data->vertices.size());
   Data::Touches touches;
   for (const Polygon& polygon : added) {
@@ -410,21 +458,26 @@ World World::changed(std::span<const ObstacleId> removed, const std::vector<Poly
   const auto end_added = static_cast<VertexId>(data->vertices.size());
   data->connect(first_added, std::move(touches));
   data->covered.resize(end_added);
+  data->derive_edges();
   if (old.has_bounds) {
     data->has_bounds = true;
-    data->copy_region(old, obstacles);
+    data->copy_regions(old, obstacles, obstacles + 1);
     data->sort_contacts();
   }
   require_vertex_count(data->vertices.size(), static_cast<ObstacleId>(data->boxes.size()));
-  data->derive_edges();
+  data->take_keys(old, removed);
 
   const BoxTree changed_places(places);
+  const auto has_changed = [&](const Box& box) {
+    return !changed_places.visit_overlaps(box, [](std::uint32_t) { return false; });
+  };
   std::vector<VertexId> doubtful;
-  for (VertexId v = 0; v < data->vertices.size(); ++v) {
-    Box at;
-    at.extend(data->vertices[v]);
-    const bool is_new = first_added <= v && v < end_added;
-    if (is_new || !changed_places.visit_overlaps(at, [](std::uint32_t) { return false; })) doubtful.push_back(v);
+  for (ObstacleId o = 0; o < data->boxes.size(); ++o) {
+    if (!has_changed(data->boxes[o])) continue;
+    for (VertexId v = data->region_starts[o]; v < data->region_starts[o + 1]; ++v) {
+      const bool is_new = first_added <= v && v < end_added;
+      if (is_new || has_changed(Box{data->vertices[v], data->vertices[v]})) doubtful.push_back(v);
+    }
   }
   data->mark_covered(doubtful);
   data->list_convex_vertices();
@@ -458,7 +511,16 @@ bool World::is_convex(VertexId v) const { return data_->convex[v]; }
 bool World::is_covered(VertexId v) const { return data_->covered[v]; }
 bool World::is_graph_vertex(VertexId v) const { return data_->is_graph_vertex(v); }
 std::span<const VertexId> World::convex_vertices() const { return data_->convex_vertices; }
-std::size_t World::obstacle_count() const { return data_->boxes.size() - (data_->has_bounds ? 1 : 0); }
+std::size_t World::obstacle_count() const { return data_->obstacle_count(); }
+ObstacleKey World::key_of(ObstacleId o) const { return data_->key_of(o); }
+
+ObstacleId World::obstacle_with(ObstacleKey key) const {
+  const std::vector<ObstacleKey>& keys = data_->keys;
+  if (!data_->next_key) return key < obstacle_count() ? static_cast<ObstacleId>(key) : kNone;
+  const auto at = std::ranges::lower_bound(keys, key);
+  return at != keys.end() && *at == key ? static_cast<ObstacleId>(at - keys.begin()) : kNone;
+}
+
 bool World::has_bounds() const { return data_->has_bounds; }
 
 World::VertexRange World::vertices_of(ObstacleId o) const {

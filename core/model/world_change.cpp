@@ -1,12 +1,49 @@
 #include "arcway/world_change.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "core/model/pose_text.h"
 
 namespace arcway {
 
+using namespace internal;
+
+namespace {
+
+// Whether a region of one world is a region of another one: the same rings, in the same order and turned alike.
+bool is_same_region(const World& before, ObstacleId old, const World& after, ObstacleId now) {
+  const auto [first, last] = before.vertices_of(old);
+  const auto [to, end] = after.vertices_of(now);
+  if (last - first != end - to) return false;
+  for (VertexId i = 0; i < last - first; ++i)
+    if (before.vertex(first + i) != after.vertex(to + i) || before.next(first + i) - first != after.next(to + i) - to)
+      return false;
+  return true;
+}
+
+std::string region_with_vertices(const World& world, ObstacleId region) {
+  if (region >= world.region_count()) return "missing";
+  const auto [first, last] = world.vertices_of(region);
+  return (region == world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region)) + " of " +
+         std::to_string(last - first) + " vertices from " + shortest_text(world.vertex(first));
+}
+
+constexpr const char* kNextStep = "; make the world after by World::changed, which puts added obstacles last";
+
+}  // namespace
+
 WorldChange::WorldChange(const World& before, const World& after, std::span<const ObstacleId> removed) {
+  if (before.has_bounds() != after.has_bounds())
+    throw std::invalid_argument(std::string("world change: only the world ") +
+                                (before.has_bounds() ? "before" : "after") + " has bounds" + kNextStep);
   vertex_after.assign(before.vertices().size(), kNone);
   const auto move_region = [&](ObstacleId old, ObstacleId now) {
+    if (now >= after.region_count() || !is_same_region(before, old, after, now))
+      throw std::invalid_argument("world change: before it, " + region_with_vertices(before, old) +
+                                  ", which is not removed; in its place after it, " + region_with_vertices(after, now) +
+                                  kNextStep);
     const VertexId to = after.vertices_of(now).first;
     const auto [first, last] = before.vertices_of(old);
     for (VertexId v = first; v < last; ++v) vertex_after[v] = v - first + to;
@@ -15,6 +52,7 @@ WorldChange::WorldChange(const World& before, const World& after, std::span<cons
   for (ObstacleId o = 0; o < before.obstacle_count(); ++o) {
     if (std::binary_search(removed.begin(), removed.end(), o)) {
       removed_boxes.push_back(before.box_of(o));
+      removed_vertices.push_back(before.vertices_of(o));
     } else {
       move_region(o, now++);
     }

@@ -16,6 +16,12 @@ Graph build_reference_graph(const Backend& backend) {
   return shared(build_reduced_visibility_graph(backend.world(), *backend.queries().visibility, backend.executor()));
 }
 
+Backend::Parts reference_parts() {
+  return {.queries = [](const Backend& backend) { return make_reference_queries(backend.world()); },
+          .reduced_graph = build_reference_graph,
+          .changed_parts = [](const Backend&, const World&, const WorldChange&) { return reference_parts(); }};
+}
+
 }  // namespace
 
 struct Backend::Data {
@@ -63,7 +69,14 @@ Graph Backend::changed_graph(const VisibilityGraph& before, const WorldChange& c
   return data_->parts.changed_graph ? data_->parts.changed_graph(*this, before, change) : reduced_graph();
 }
 
-Backend reference_backend(const World& world) { return backend_of(world, make_reference_queries(world)); }
+Backend Backend::changed(const World& after, const WorldChange& change) const {
+  if (!data_->parts.changed_parts)
+    throw std::invalid_argument(
+        "backend: its parts are of its own world; make a backend of the changed world for Planner::changed");
+  return {after, data_->parts.changed_parts(*this, after, change), data_->executor};
+}
+
+Backend reference_backend(const World& world) { return {world, reference_parts(), kSerialExecutor}; }
 
 Backend backend_of(const World& world, const QuerySet& queries, const Executor& executor) {
   return {world,

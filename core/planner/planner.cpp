@@ -89,6 +89,13 @@ void clear(PlanResult& result) {
   result.first_path = std::move(first_path);
 }
 
+struct AllOptions {
+  AllOptions(const World& world, const Vehicle& vehicle, PlannerOptions o)
+      : given(std::move(o)), checked(checked_options(world, vehicle, given)) {}
+  PlannerOptions given;    // with a graph mode
+  PlannerOptions checked;  // with all that was chosen for this world
+};
+
 struct ReducedGraph {
   Backend::Graph whole = std::make_shared<const VisibilityGraph>();
   std::shared_ptr<const VisibilityRows> rows;
@@ -123,19 +130,22 @@ struct Planner::Data {
   /// @param make_feasible  gives the feasible graph for the rows of the reduced graph and the radii.
   // Many parameters because planners that are new, restored or changed have no more in common than these.
   template <class MakeFeasible>
-  Data(const World& world, const Vehicle& vehicle, const QuerySet& queries, PlannerOptions o, Backend::Graph graph,
-       std::shared_ptr<const VisibilityRows> r, MakeFeasible&& make_feasible, const Executor& executor)
-      : options(std::move(o)),
+  Data(const World& world, const Vehicle& vehicle, const Backend& b, AllOptions all, ReducedGraph reduced,
+       MakeFeasible&& make_feasible, const Executor& executor)
+      : backend(b),
+        given(std::move(all.given)),
+        options(std::move(all.checked)),
         strategy(strategy_without(options.leave_out)),
-        visibility_graph(std::move(graph)),
-        rows(std::move(r)),
+        visibility_graph(std::move(reduced.whole)),
+        rows(std::move(reduced.rows)),
         maps(make_map(
-                 world, vehicle, queries, options, [&] { return make_feasible(rows, options); }, executor),
+                 world, vehicle, b.queries(), options, [&] { return make_feasible(rows, options); }, executor),
              options, rows, executor),
         scene(std::make_shared<const PlanScene>(PlanScene{world, vehicle})) {
+    prepare_statistics.visibility_seconds = reduced.seconds;
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = map().graph->counts();
-    options.process_group = nullptr;  // need not outlive the construction
+    given.process_group = options.process_group = nullptr;  // need not outlive the construction
   }
 
   [[nodiscard]] const Roadmap& map() const { return maps.all.plain; }
@@ -144,6 +154,8 @@ struct Planner::Data {
   void complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const;
 
   Stopwatch watch;
+  Backend backend;
+  PlannerOptions given;  // see AllOptions
   PlannerOptions options;
   std::vector<StrategyRow> strategy;
   Backend::Graph visibility_graph;  // without vertices if there are only rows
@@ -197,14 +209,11 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const PlannerOption
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const Backend& backend, const PlannerOptions& options) {
   require_world(world, backend);
-  const PlannerOptions checked = checked_options(world, vehicle, with_mode(options, backend));
-  ReducedGraph reduced = reduced_graph_of(backend, *checked.graph_mode);
-  const QuerySet& queries = backend.queries();
-  auto data =
-      std::make_shared<Data>(world, vehicle, queries, checked, std::move(reduced.whole), std::move(reduced.rows),
-                             feasible_maker(world, vehicle, queries, backend.executor()), backend.executor());
-  data->prepare_statistics.visibility_seconds = reduced.seconds;
-  data_ = std::move(data);
+  AllOptions checked(world, vehicle, with_mode(options, backend));
+  ReducedGraph reduced = reduced_graph_of(backend, *checked.given.graph_mode);
+  data_ = std::make_shared<const Data>(world, vehicle, backend, std::move(checked), std::move(reduced),
+                                       feasible_maker(world, vehicle, backend.queries(), backend.executor()),
+                                       backend.executor());
 }
 
 Planner Planner::restored(const World& world, const Vehicle& vehicle, const Backend& backend, PreparedGraph graphs,
@@ -213,12 +222,13 @@ Planner Planner::restored(const World& world, const Vehicle& vehicle, const Back
   PlannerOptions taken = options;
   taken.radii = graphs.radii;
   taken.graph_mode = GraphMode::kEager;
-  taken = checked_options(world, vehicle, std::move(taken));
+  AllOptions checked(world, vehicle, std::move(taken));
   const QuerySet& queries = backend.queries();
-  auto rows = rows_of(world, graphs.reduced_graph);
+  ReducedGraph reduced;
+  reduced.rows = rows_of(world, graphs.reduced_graph);
+  reduced.whole = std::make_shared<const VisibilityGraph>(std::move(graphs.reduced_graph));
   return Planner(std::make_shared<const Data>(
-      world, vehicle, queries, std::move(taken),
-      std::make_shared<const VisibilityGraph>(std::move(graphs.reduced_graph)), std::move(rows),
+      world, vehicle, backend, std::move(checked), std::move(reduced),
       [&](const auto& all_rows, const PlannerOptions& o) {
         return restore_feasible_graph({world, vehicle, all_rows, queries, {vehicle, o.radii}},
                                       std::move(graphs.feasible));
@@ -234,10 +244,18 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
   alone.process_group = nullptr;
   if (!alone.graph_mode) alone.graph_mode = before.options().graph_mode;
   const Vehicle& vehicle = before.vehicle();
+  AllOptions checked(world, vehicle, std::move(alone));
   const Executor& executor = backend.executor();
   ReducedGraph reduced;
+  std::optional<VisibilityRows::Changed> rows_after;
   if (before.visibility_graph().vertex_count() == 0) {
-    reduced = reduced_graph_of(backend, *alone.graph_mode);
+    if (*checked.given.graph_mode == GraphMode::kLazy)
+      rows_after = before.visibility_rows()->changed(world, change, backend.queries().visibility);
+    if (rows_after) {
+      reduced.rows = rows_after->rows;
+    } else {
+      reduced = reduced_graph_of(backend, *checked.given.graph_mode);
+    }
   } else {
     reduced.whole = backend.changed_graph(before.visibility_graph(), change);
     reduced.rows = rows_of(world, *reduced.whole);
@@ -246,13 +264,21 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
   const auto make_feasible = [&](const auto& rows, const PlannerOptions& o) -> std::shared_ptr<const FeasibleGraph> {
     const FeasibleGraphInputs inputs{world, vehicle, rows, queries, {vehicle, o.radii}};
     if (o.radii != before.options().radii) return make_feasible_graph(inputs, *o.graph_mode, executor, kSingleProcess);
+    if (rows_after && !before.feasible_graph().finished())
+      return change_lazy_feasible_graph(before.data_->map().graph, inputs, change, rows_after->may_differ, executor);
     if (*o.graph_mode == GraphMode::kLazy)
       return change_lazy_feasible_graph(before.feasible_graph(), inputs, change, executor);
     return change_feasible_graph(before.feasible_graph(), inputs, change, executor);
   };
-  return Planner(
-      std::make_shared<const Data>(world, vehicle, queries, checked_options(world, vehicle, std::move(alone)),
-                                   std::move(reduced.whole), std::move(reduced.rows), make_feasible, executor));
+  return Planner(std::make_shared<const Data>(world, vehicle, backend, std::move(checked), std::move(reduced),
+                                              make_feasible, executor));
+}
+
+Planner Planner::with_obstacles(std::span<const ObstacleKey> removed, const std::vector<Polygon>& added) const {
+  const std::vector<ObstacleId> ids = obstacles_with(world(), removed);
+  const World after = world().changed(ids, added);
+  const WorldChange change(world(), after, ids);
+  return changed(*this, change, data_->backend.changed(after, change), data_->given);
 }
 
 PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) const {

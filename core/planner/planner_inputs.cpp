@@ -100,6 +100,21 @@ PlannerOptions checked_options(const World& world, const Vehicle& vehicle, Plann
   return options;
 }
 
+std::vector<ObstacleId> obstacles_with(const World& world, std::span<const ObstacleKey> keys) {
+  std::vector<ObstacleId> ids;
+  for (const ObstacleKey key : keys) {
+    ids.push_back(world.obstacle_with(key));
+    if (ids.back() == kNone)
+      throw std::invalid_argument("no obstacle of the map has the key " + std::to_string(key) +
+                                  ": was it removed before? World::key_of gives the keys of those that there are");
+  }
+  std::ranges::sort(ids);
+  if (const auto twice = std::ranges::adjacent_find(ids); twice != ids.end())
+    throw std::invalid_argument("the key " + std::to_string(world.key_of(*twice)) +
+                                " is named twice; name each obstacle to be removed once");
+  return ids;
+}
+
 void require_pose(const std::string& name, const Pose& pose, const Vehicle& vehicle) {
   for (const double value : {pose.x, pose.y, pose.heading})
     if (value != 0.0 && !(std::abs(value) >= kSmallestPoseNumber && std::abs(value) <= kLargestPoseNumber))

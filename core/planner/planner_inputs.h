@@ -1,6 +1,8 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "arcway/backend.h"
 #include "arcway/path.h"
@@ -22,6 +24,10 @@ void require_world(const World& world, const Backend& backend);
 /// Checks that a change leads from one world to the other, as far as numbers of vertices tell.
 /// @throws std::invalid_argument
 void require_change(const WorldChange& change, const World& before, const World& after);
+
+/// The ids of the obstacles with some keys, ascending.
+/// @throws std::invalid_argument naming the first key that is of none, or that is there twice.
+std::vector<ObstacleId> obstacles_with(const World& world, std::span<const ObstacleKey> keys);
 
 /// Checks that this vehicle can be planned for at a pose.
 /// @param name  of the pose, for the error.

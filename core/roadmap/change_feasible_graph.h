@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "arcway/executor.h"
 #include "arcway/world_change.h"
@@ -21,10 +22,19 @@ namespace arcway::internal {
                                                                                  const WorldChange& change,
                                                                                  const Executor& executor);
 
-/// A lazy graph after a change of the world. It knows what change_feasible_graph would take from the graph before.
+/// A lazy graph after a change of the world, from one that knows all rows of the reduced graph or can find them. It
+/// knows what change_feasible_graph would take from the graph before.
 [[nodiscard]] std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(const FeasibleGraph& before,
                                                                                   const FeasibleGraphInputs& after,
                                                                                   const WorldChange& change,
                                                                                   const Executor& executor);
+
+/// A lazy graph after a change of the world, from a lazy one, without asking for rows of the reduced graph. It takes
+/// headings and rows of links from the graph before when they are first asked for: see FoundBefore. It keeps that one
+/// alive, and up to a few before it; every few changes it copies all that they know, and lets them go.
+/// @param may_differ  see VisibilityRows::Changed.
+[[nodiscard]] std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(
+    std::shared_ptr<const FeasibleGraph> before, const FeasibleGraphInputs& after, const WorldChange& change,
+    std::span<const VertexId> may_differ, const Executor& executor);
 
 }  // namespace arcway::internal

@@ -16,18 +16,18 @@ double largest_reach(const CircleChange::Circles& of, const Footprint& grown_bod
   return largest;
 }
 
-NearBoxes places_of(const WorldChange& change, double reach) {
-  std::vector<Box> boxes = change.removed_boxes;
-  boxes.insert(boxes.end(), change.added_boxes.begin(), change.added_boxes.end());
-  return NearBoxes(boxes, reach);
-}
-
 bool same_row(std::span<const VertexId> before, std::span<const VertexId> after,
               const std::vector<VertexId>& vertex_after) {
   return std::ranges::equal(before, after, [&](VertexId v, VertexId now) { return vertex_after[v] == now; });
 }
 
 }  // namespace
+
+NearBoxes places_of(const WorldChange& change, double reach) {
+  std::vector<Box> boxes = change.removed_boxes;
+  boxes.insert(boxes.end(), change.added_boxes.begin(), change.added_boxes.end());
+  return NearBoxes(boxes, reach);
+}
 
 CircleChange::CircleChange(const Circles& before, const Circles& after, const WorldChange& change,
                            const Footprint& grown_body, std::uint32_t steps)

@@ -12,6 +12,9 @@
 
 namespace arcway::internal {
 
+/// Where obstacles were added or removed, and all around by a distance [m].
+NearBoxes places_of(const WorldChange& change, double reach);
+
 /// The turn circles before and after a change of the world, and where results about them still hold. Immutable.
 class CircleChange {
  public:

@@ -41,6 +41,12 @@ CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, const Executor& ex
                    TurnCircles(inputs.world, *inputs.rows, checked_radii(inputs.radii),
                                inputs.vehicle.footprint(inputs.vehicle.safety_margin()), executor)) {}
 
+CircleChecks::CircleChecks(const CircleChecks& before, const VertexMap& change, const FeasibleGraphInputs& after,
+                           std::span<const VertexId> may_differ)
+    : CircleChecks(after, before.smallest_radii_,
+                   TurnCircles(before.circles_, change, after.world, *after.rows, may_differ, after.radii,
+                               after.vehicle.footprint(after.vehicle.safety_margin()))) {}
+
 CircleChecks::CircleChecks(const CircleChecks& base, const Vehicle& vehicle, const AddedCircles& added)
     : CircleChecks({base.world_, vehicle, base.rows_, base.queries_, {}}, base.smallest_radii_,
                    TurnCircles(base.circles_, added)) {}
@@ -70,11 +76,12 @@ void CircleChecks::free_headings(std::span<const std::uint32_t> circles, std::sp
   for (std::size_t i = 0; i < circles.size(); ++i) keep_at_vertex(circles[i], found[i]);
 }
 
-LinkRow CircleChecks::departures(std::uint32_t circle, const HeadingSet& free, const StopClock& clock) const {
+LinkRow CircleChecks::departures(std::uint32_t circle, const HeadingSet& free, const StopClock& clock,
+                                 Box* around) const {
   const TurnCircle& from = circles_.all()[circle];
   LinkRow row;
   StopTicker ticker(clock);
-  visit_destinations(circle, clock, [&](std::uint32_t to) {
+  visit_destinations(circle, clock, around, [&](std::uint32_t to) {
     end_if_over(ticker);
     ++row.counts.candidates;
     const auto line = directed_bitangent(from, circles_.all()[to]);
@@ -125,11 +132,21 @@ void CircleChecks::keep_at_vertex(std::uint32_t circle, HeadingSet& found) const
 
 // Calls visit(circle) for those that a straight from a circle may lead to, for some of them repeatedly.
 template <class Visitor>
-void CircleChecks::visit_destinations(std::uint32_t circle, const StopClock& clock, Visitor&& visit) const {
+void CircleChecks::visit_destinations(std::uint32_t circle, const StopClock& clock, Box* around,
+                                      Visitor&& visit) const {
   const TurnCircle& from = circles_.all()[circle];
+  const auto extend = [&](VertexId v) {
+    if (around && v != kNone) around->extend(world_.vertex(v));
+  };
   if (!circles_.is_of_gap_straight(circle)) {
-    for (const Destinations::Arrival& arrival : destinations_.from(from, clock))
+    for (const VertexId u : {from.vertex, from.second}) {
+      extend(u);
+      if (around && u != kNone) extend(destinations_.vertex_before(u, from.side));
+    }
+    for (const Destinations::Arrival& arrival : destinations_.from(from, clock)) {
+      extend(arrival.vertex);
       circles_.visit_around(arrival.vertex, arrival.side, visit);
+    }
   } else if (!circles_.is_exit(circle)) {
     return circles_.visit_exits_behind(circle, visit);
   }

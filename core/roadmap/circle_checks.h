@@ -31,6 +31,11 @@ class CircleChecks {
   /// @param executor  used during construction only.
   /// @throws std::invalid_argument if the radii are not as FeasibleGraphInputs says.
   CircleChecks(const FeasibleGraphInputs& inputs, const Executor& executor);
+  /// The checks of a world after a change, from those before it, of the same vehicle and radii and without added
+  /// circles.
+  /// @param may_differ  see VisibilityRows::Changed.
+  CircleChecks(const CircleChecks& before, const VertexMap& change, const FeasibleGraphInputs& after,
+               std::span<const VertexId> may_differ);
   /// The circles of `base`, which has no added ones, and behind them added ones.
   CircleChecks(const CircleChecks& base, const Vehicle& vehicle, const AddedCircles& added);
   CircleChecks(const CircleChecks&) = delete;
@@ -49,8 +54,11 @@ class CircleChecks {
 
   /// Bitangents that leave a circle at a free heading.
   /// @param free  the circle's free headings.
+  /// @param around  if given, becomes the box of all vertices whose rows and circles decide about the bitangents. Where
+  ///   none of those in the box has other neighbors, the bitangents are the same. Base circles only.
   /// @throws Canceled if the clock is over before all are found.
-  [[nodiscard]] LinkRow departures(std::uint32_t circle, const HeadingSet& free, const StopClock& clock) const;
+  [[nodiscard]] LinkRow departures(std::uint32_t circle, const HeadingSet& free, const StopClock& clock,
+                                   Box* around = nullptr) const;
 
   /// Whether the swept rectangle of a link meets no obstacle.
   [[nodiscard]] bool is_free(const FeasibleLink& link) const;
@@ -63,7 +71,7 @@ class CircleChecks {
   [[nodiscard]] StraightBody swept_by(const FeasibleLink& link) const;
   void keep_at_vertex(std::uint32_t circle, HeadingSet& found) const;
   template <class Visitor>
-  void visit_destinations(std::uint32_t circle, const StopClock& clock, Visitor&& visit) const;
+  void visit_destinations(std::uint32_t circle, const StopClock& clock, Box* around, Visitor&& visit) const;
 
   World world_;
   QuerySet queries_;

@@ -11,6 +11,7 @@
 #include "arcway/feasible_graph_snapshot.h"
 #include "arcway/heading_set.h"
 #include "arcway/stop_clock.h"
+#include "arcway/vec2.h"
 #include "core/roadmap/circle_checks.h"
 #include "core/roadmap/link_rows.h"
 #include "core/roadmap/turn_circle.h"
@@ -32,6 +33,7 @@ enum class LinkVerdict : std::uint8_t {
 struct CheckedRow {
   LinkRow row;
   std::vector<LinkVerdict> verdicts;  ///< by link
+  Box around;                         ///< see CircleChecks::departures; empty: not known
 };
 
 /// The feasible visibility graph as searches ask for it: turn circles with their free headings, and the directed
@@ -57,7 +59,7 @@ class FeasibleGraph {
   [[nodiscard]] virtual std::span<const Link> links_from(std::uint32_t circle, const StopClock& clock = {}) const = 0;
   /// Whether links_from(circle)[index] is kept: whether the vehicle may drive it.
   [[nodiscard]] virtual bool is_kept(std::uint32_t circle, std::size_t index) const = 0;
-  /// Counts of what has been decided so far.
+  /// Counts of what has been decided so far. What a graph before a change has decided counts once it was asked for.
   [[nodiscard]] virtual FeasibleGraphCounts counts() const = 0;
 
   /// This graph if all is known of it, else null.

@@ -18,7 +18,8 @@ FinishedFeasibleGraph::FinishedFeasibleGraph(std::shared_ptr<const CircleChecks>
 std::optional<CheckedRow> FinishedFeasibleGraph::known_row(std::uint32_t circle) const {
   const std::span<const Link> links = rows_.of(circle);
   return CheckedRow{{{links.begin(), links.end()}, rows_.counts[circle]},
-                    std::vector<LinkVerdict>(links.size(), LinkVerdict::kKept)};
+                    std::vector<LinkVerdict>(links.size(), LinkVerdict::kKept),
+                    {}};
 }
 
 FeasibleGraphSnapshot FinishedFeasibleGraph::snapshot() const {

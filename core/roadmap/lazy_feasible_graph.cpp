@@ -2,13 +2,23 @@
 
 #include <utility>
 
+#include "core/roadmap/found_before.h"
+
 namespace arcway::internal {
 
 LazyFeasibleGraph::LazyFeasibleGraph(const FeasibleGraphInputs& inputs, const Executor& executor)
     : LazyFeasibleGraph(std::make_shared<const CircleChecks>(inputs, executor)) {}
 
 LazyFeasibleGraph::LazyFeasibleGraph(std::shared_ptr<const CircleChecks> checks)
-    : LazyFeasibleGraph(std::move(checks), nullptr) {}
+    : LazyFeasibleGraph(std::move(checks), std::shared_ptr<const FeasibleGraph>()) {}
+
+LazyFeasibleGraph::LazyFeasibleGraph(std::shared_ptr<const CircleChecks> checks,
+                                     std::unique_ptr<const FoundBefore> found)
+    : LazyFeasibleGraph(std::move(checks)) {
+  found_ = std::move(found);
+}
+
+LazyFeasibleGraph::~LazyFeasibleGraph() = default;
 
 LazyFeasibleGraph::LazyFeasibleGraph(std::shared_ptr<const CircleChecks> checks,
                                      std::shared_ptr<const FeasibleGraph> base)
@@ -18,18 +28,26 @@ LazyFeasibleGraph::LazyFeasibleGraph(std::shared_ptr<const CircleChecks> checks,
       headings_(circles().size()),
       rows_(circles().size()) {}
 
-LazyFeasibleGraph::Row::Row(CheckedRow known) : Row(std::move(known.row)) {
+LazyFeasibleGraph::Row::Row(CheckedRow known) : Row(std::move(known.row), known.around) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i].store(known.verdicts[i], std::memory_order_relaxed);
 }
 
 const HeadingSet& LazyFeasibleGraph::free_headings(std::uint32_t circle) const {
   if (circle < base_count_) return base_->free_headings(circle);
-  return headings_.get(circle, [&] { return std::make_unique<const HeadingSet>(checks().free_headings(circle)); });
+  return headings_.get(circle, [&] {
+    const HeadingSet* known = found_ ? found_->headings(circle) : nullptr;
+    return std::make_unique<const HeadingSet>(known ? *known : checks().free_headings(circle));
+  });
 }
 
 const LazyFeasibleGraph::Row& LazyFeasibleGraph::row_of(std::uint32_t circle, const StopClock& clock) const {
-  return rows_.get(
-      circle, [&] { return std::make_unique<const Row>(checks().departures(circle, free_headings(circle), clock)); });
+  return rows_.get(circle, [&] {
+    if (std::optional<CheckedRow> known = found_ ? found_->row(circle) : std::nullopt)
+      return std::make_unique<const Row>(*std::move(known));
+    Box around;
+    LinkRow row = checks().departures(circle, free_headings(circle), clock, &around);
+    return std::make_unique<const Row>(std::move(row), around);
+  });
 }
 
 std::span<const FeasibleGraph::Link> LazyFeasibleGraph::links_from(std::uint32_t circle, const StopClock& clock) const {
@@ -71,18 +89,22 @@ FeasibleGraphCounts LazyFeasibleGraph::counts() const {
 }
 
 const HeadingSet* LazyFeasibleGraph::known_headings(std::uint32_t circle) const {
-  return circle < base_count_ ? base_->known_headings(circle) : headings_.find(circle);
+  if (circle < base_count_) return base_->known_headings(circle);
+  const HeadingSet* known = headings_.find(circle);
+  return known || !found_ ? known : found_->headings(circle);
 }
 
 std::optional<CheckedRow> LazyFeasibleGraph::known_row(std::uint32_t circle) const {
   const Row* row = rows_.find(circle);
-  if (!row) return std::nullopt;
-  CheckedRow known{row->row, {}};
+  if (!row) return found_ ? found_->row(circle) : std::nullopt;
+  CheckedRow known{row->row, {}, row->around};
   known.verdicts.reserve(row->verdicts.size());
   for (const std::atomic<LinkVerdict>& verdict : row->verdicts)
     known.verdicts.push_back(verdict.load(std::memory_order_relaxed));
   return known;
 }
+
+std::size_t LazyFeasibleGraph::graphs_behind() const { return found_ ? found_->graphs() : 0; }
 
 void LazyFeasibleGraph::learn_headings(std::uint32_t circle, HeadingSet headings) {
   (void)headings_.get(circle, [&] { return std::make_unique<const HeadingSet>(std::move(headings)); });

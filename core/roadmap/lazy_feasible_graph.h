@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,6 +11,8 @@
 #include "core/roadmap/slot_cache.h"
 
 namespace arcway::internal {
+
+class FoundBefore;
 
 /// A feasible graph that finds headings, rows and verdicts when a search first asks for them, and remembers them. It
 /// never takes more memory than one link for each candidate. links_from gives the links whose first heading is free.
@@ -22,12 +25,20 @@ class LazyFeasibleGraph final : public FeasibleGraph {
   /// @param checks  whose first circles are those of `base`.
   LazyFeasibleGraph(std::shared_ptr<const CircleChecks> checks, std::shared_ptr<const FeasibleGraph> base);
 
+  /// Takes what a graph before a change has found.
+  /// @param found  refers to `checks`.
+  LazyFeasibleGraph(std::shared_ptr<const CircleChecks> checks, std::unique_ptr<const FoundBefore> found);
+  ~LazyFeasibleGraph() override;
+
   [[nodiscard]] const HeadingSet& free_headings(std::uint32_t circle) const override;
   [[nodiscard]] std::span<const Link> links_from(std::uint32_t circle, const StopClock& clock = {}) const override;
   [[nodiscard]] bool is_kept(std::uint32_t circle, std::size_t index) const override;
   [[nodiscard]] FeasibleGraphCounts counts() const override;
   [[nodiscard]] const HeadingSet* known_headings(std::uint32_t circle) const override;
   [[nodiscard]] std::optional<CheckedRow> known_row(std::uint32_t circle) const override;
+
+  /// Number of graphs before changes that this one keeps alive.
+  [[nodiscard]] std::size_t graphs_behind() const;
 
   /// Remembers the free headings of a circle, found elsewhere. No effect if they are known.
   void learn_headings(std::uint32_t circle, HeadingSet headings);
@@ -37,15 +48,17 @@ class LazyFeasibleGraph final : public FeasibleGraph {
  private:
   // Each link is decided when it is first asked for.
   struct Row {
-    explicit Row(LinkRow r) : row(std::move(r)), verdicts(row.links.size()) {}
+    Row(LinkRow r, const Box& box) : row(std::move(r)), around(box), verdicts(row.links.size()) {}
     explicit Row(CheckedRow known);
     LinkRow row;
+    Box around;  // see CircleChecks::departures
     mutable std::vector<std::atomic<LinkVerdict>> verdicts;
   };
   [[nodiscard]] const Row& row_of(std::uint32_t circle, const StopClock& clock = {}) const;
 
   std::shared_ptr<const FeasibleGraph> base_;  // may be null
   std::size_t base_count_;                     // circles whose headings it knows
+  std::unique_ptr<const FoundBefore> found_;   // may be null
   SlotCache<HeadingSet> headings_;             // of the other circles
   SlotCache<Row> rows_;
 };

@@ -24,28 +24,34 @@ Side obstacle_side(const World& world, VertexId v, const Vec2& from) {
   return side > 0 ? Side::kLeft : Side::kRight;
 }
 
+void keep_nearest(const World& world, VertexId u, std::vector<VertexId>& around) {
+  const auto before = [&](VertexId v, VertexId w) {
+    return precedes_about(world.vertex(u), world.vertex(v), world.vertex(w));
+  };
+  std::sort(around.begin(), around.end(), before);
+  std::size_t kept = 0;
+  for (std::size_t first = 0, last = 0; first < around.size(); first = last) {
+    while (last < around.size() && !before(around[first], around[last])) ++last;
+    // The edges to all but the nearest place are carried.
+    const auto same_direction = std::span(around).subspan(first, last - first);
+    const VertexId nearest = *std::ranges::min_element(same_direction, [&](VertexId v, VertexId w) {
+      return on_open_segment(world.vertex(v), {world.vertex(u), world.vertex(w)});
+    });
+    for (const VertexId v : same_direction)
+      if (world.vertex(v) == world.vertex(nearest)) around[kept++] = v;
+  }
+  around.resize(kept);
+  std::sort(around.begin(), around.end());
+}
+
 VisibilityGraph without_carried_edges(const World& world, const VisibilityGraph& graph, const Executor& executor) {
   const auto rows = rows_of(world, graph);
   Rows kept(graph.vertex_count());
   executor.for_ranges(kept.size(), 64, [&](std::size_t begin, std::size_t end) {
-    std::vector<VertexId> around;
     for (auto u = static_cast<VertexId>(begin); u < end; ++u) {
-      const auto before = [&](VertexId v, VertexId w) {
-        return precedes_about(world.vertex(u), world.vertex(v), world.vertex(w));
-      };
-      around.assign(rows->of(u).begin(), rows->of(u).end());
-      std::sort(around.begin(), around.end(), before);
-      for (std::size_t first = 0, last = 0; first < around.size(); first = last) {
-        while (last < around.size() && !before(around[first], around[last])) ++last;
-        // The edges to all but the nearest place are carried.
-        const auto same_direction = std::span(around).subspan(first, last - first);
-        const VertexId nearest = *std::ranges::min_element(same_direction, [&](VertexId v, VertexId w) {
-          return on_open_segment(world.vertex(v), {world.vertex(u), world.vertex(w)});
-        });
-        for (const VertexId v : same_direction)
-          if (v > u && world.vertex(v) == world.vertex(nearest)) kept[u].push_back(v);
-      }
-      std::sort(kept[u].begin(), kept[u].end());
+      kept[u].assign(rows->of(u).begin(), rows->of(u).end());
+      keep_nearest(world, u, kept[u]);
+      std::erase_if(kept[u], [u](VertexId v) { return v < u; });
     }
   });
   return compress(kept);

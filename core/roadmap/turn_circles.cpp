@@ -2,11 +2,57 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "core/roadmap/tangent_edges.h"
 
 namespace arcway::internal {
+
+// Which vertices share circles, and these circles. The vertices must have their own circles.
+struct TurnCircles::PairRule {
+  PairRule(const TurnCircles& the_circles, const World& the_world, const CircleRadii& the_radii, const Footprint& body)
+      : circles(the_circles),
+        world(the_world),
+        grown_body(body),
+        tightest(the_radii.tightest(body) - 1),
+        radius(the_radii[tightest]) {}
+
+  // No circle goes round two vertices that are further apart [m].
+  [[nodiscard]] double reach() const {
+    const double inner = std::max(inner_side_radius(grown_body, Side::kLeft, radius.left),
+                                  inner_side_radius(grown_body, Side::kRight, radius.right));
+    return 2.0 * inner * (1.0 + 1e-9);
+  }
+  [[nodiscard]] bool is_within_reach(VertexId u, VertexId w) const {
+    return (world.vertex(w) - world.vertex(u)).norm() <= reach();
+  }
+  // Whether a bitangent of their own circles leads backwards.
+  [[nodiscard]] bool leads_back(VertexId u, VertexId w) const {
+    const Vec2 between = world.vertex(w) - world.vertex(u);
+    return std::ranges::any_of(std::array{Side::kLeft, Side::kRight}, [&](Side side) {
+      const std::size_t from = circles.first_around(u, side) + 2 * tightest;
+      const std::size_t to = circles.first_around(w, side) + 2 * tightest;
+      return (circles.circles_[to].center - circles.circles_[from].center).dot(between) <= 0.0;
+    });
+  }
+  // Appends the circles around both.
+  void append(VertexId u, VertexId w, std::vector<TurnCircle>& of_pairs) const {
+    const Side side = obstacle_side(world, w, world.vertex(u));  // traveling from u to w
+    if (obstacle_side(world, u, world.vertex(w)) == side) return;
+    const VertexPair pair{u, w, side};
+    for (const Side turn : {Side::kLeft, Side::kRight})
+      if (const auto circle = turn_circle(world, pair, radius.of(turn), turn, grown_body)) of_pairs.push_back(*circle);
+  }
+
+  const TurnCircles& circles;
+  const World& world;
+  const Footprint& grown_body;
+  std::size_t tightest;  // index of the smallest radius that leads around vertices
+  SideRadii radius;
+};
 
 TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const CircleRadii& radii,
                          const Footprint& grown_body, const Executor& executor)
@@ -27,33 +73,66 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const C
     }
   });
 
-  const std::size_t tightest = radii.tightest(grown_body) - 1;
-  const SideRadii radius = radii[tightest];
-  const auto leads_back = [&](VertexId u, VertexId w) {
-    const Vec2 between = world.vertex(w) - world.vertex(u);
-    return std::ranges::any_of(std::array{Side::kLeft, Side::kRight}, [&](Side side) {
-      const std::size_t from = first_around(u, side) + 2 * tightest, to = first_around(w, side) + 2 * tightest;
-      return (circles_[to].center - circles_[from].center).dot(between) <= 0.0;
-    });
-  };
-  // No circle goes round two vertices that are further apart.
-  const double inner = std::max(inner_side_radius(grown_body, Side::kLeft, radius.left),
-                                inner_side_radius(grown_body, Side::kRight, radius.right));
-  const double reach = 2.0 * inner * (1.0 + 1e-9);
-  for (const auto& [u, w] : rows.pairs_within(reach, leads_back, executor)) {
-    const Side side = obstacle_side(world, w, world.vertex(u));  // traveling from u to w
-    if (obstacle_side(world, u, world.vertex(w)) == side) continue;
-    const VertexPair pair{u, w, side};
-    for (const Side turn : {Side::kLeft, Side::kRight})
-      if (const auto circle = turn_circle(world, pair, radius.of(turn), turn, grown_body)) circles_.push_back(*circle);
-  }
+  const PairRule rule{*this, world, radii, grown_body};
+  const auto leads_back = [&](VertexId u, VertexId w) { return rule.leads_back(u, w); };
+  std::vector<TurnCircle> of_pairs;
+  for (const auto& [u, w] : rows.pairs_within(rule.reach(), leads_back, executor)) rule.append(u, w, of_pairs);
+  add_pairs(of_pairs);
+}
+
+void TurnCircles::add_pairs(std::span<const TurnCircle> of_pairs) {
+  const std::size_t own = circles_.size();
+  circles_.insert(circles_.end(), of_pairs.begin(), of_pairs.end());
   base_count_ = first_of_gap_straights_ = circles_.size();
   group_more(own);
 }
 
+// Many parameters because it is made of two worlds.
+TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, const World& after,
+                         const VisibilityRows& rows, std::span<const VertexId> may_differ, const CircleRadii& radii,
+                         const Footprint& grown_body)
+    : radius_count_(before.radius_count_), first_(after.vertices().size(), kNone) {
+  const std::span<const VertexId> convex = after.convex_vertices();
+  const std::size_t own = 2 * radius_count_ * convex.size();
+  circles_.reserve(own + own / 8);  // for those of two vertices
+  for (const VertexId v : convex) {
+    first_[v] = static_cast<std::uint32_t>(circles_.size());
+    const VertexId was = change.before(v);
+    if (was != kNone && before.has(was)) {
+      const auto first = before.circles_.begin() + before.first_[was];
+      circles_.insert(circles_.end(), first, first + static_cast<std::ptrdiff_t>(2 * radius_count_));
+      for (std::uint32_t c = first_[v]; c < circles_.size(); ++c) circles_[c].vertex = v;
+    } else {
+      for (std::size_t k = 0; k < radius_count_; ++k)
+        for (const Side side : {Side::kLeft, Side::kRight})
+          circles_.push_back(turn_circle(after, v, radii.of(side)[k], side, grown_body));
+    }
+  }
+
+  const auto may_be_other = [&](VertexId v) { return std::ranges::binary_search(may_differ, v); };
+  std::vector<TurnCircle> of_pairs;
+  for (std::size_t c = before.first_of_pairs(); c < before.base_count_; ++c) {
+    TurnCircle circle = before.circles_[c];
+    circle.vertex = change.after(circle.vertex);
+    circle.second = change.after(circle.second);
+    if (circle.vertex == kNone || circle.second == kNone || !has(circle.vertex) || !has(circle.second)) continue;
+    if (!may_be_other(circle.vertex) || !may_be_other(circle.second)) of_pairs.push_back(circle);
+  }
+  const PairRule rule{*this, after, radii, grown_body};
+  for (const VertexId u : may_differ)
+    for (const VertexId w : may_differ)
+      if (u < w && rule.is_within_reach(u, w) && rule.leads_back(u, w) && std::ranges::binary_search(rows.of(u), w))
+        rule.append(u, w, of_pairs);
+  std::ranges::stable_sort(of_pairs, {}, [](const TurnCircle& c) { return std::pair(c.vertex, c.second); });
+  add_pairs(of_pairs);
+}
+
+std::size_t TurnCircles::first_of_pairs() const {
+  return 2 * radius_count_ * static_cast<std::size_t>(std::ranges::count_if(first_, [](auto f) { return f != kNone; }));
+}
+
 TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
     : radius_count_(base.radius_count_), first_(base.first_), base_count_(base.base_count_) {
-  const auto own = static_cast<std::size_t>(std::ranges::count_if(first_, [](auto f) { return f != kNone; }));
   std::size_t count = base_count_ + added.around_vertices.size();
   for (const GapStraight& straight : added.gap_straights) count += straight.entries.size() + straight.exits.size();
   circles_.reserve(count);
@@ -67,7 +146,7 @@ TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
     gap_straight_.resize(circles_.size() - first_of_gap_straights_, static_cast<std::uint32_t>(gap_straights_.size()));
     gap_straights_.push_back({exits, static_cast<std::uint32_t>(circles_.size())});
   }
-  group_more(2 * radius_count_ * own);
+  group_more(first_of_pairs());
   beside_ = vertex_buckets(first_of_gap_straights_, circles_.size(), std::array{Side::kLeft, Side::kRight});
 }
 

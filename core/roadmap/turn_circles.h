@@ -10,6 +10,7 @@
 #include "arcway/visibility_rows.h"
 #include "arcway/world.h"
 #include "core/base/huge_pages.h"
+#include "core/model/vertex_map.h"
 #include "core/roadmap/added_circles.h"
 #include "core/roadmap/circle_radii.h"
 #include "core/roadmap/turn_circle.h"
@@ -27,6 +28,13 @@ class TurnCircles {
   /// @param grown_body  the body grown by the safety margin [m].
   TurnCircles(const World& world, const VisibilityRows& rows, const CircleRadii& radii, const Footprint& grown_body,
               const Executor& executor);
+
+  /// The base circles of a world after a change, from those before it, of the same radii and body: the same as made
+  /// anew. It asks for rows of close vertices that may have other neighbors only. O(n), mostly copies.
+  /// @param rows  of the world after the change.
+  /// @param may_differ  see VisibilityRows::Changed.
+  TurnCircles(const TurnCircles& before, const VertexMap& change, const World& after, const VisibilityRows& rows,
+              std::span<const VertexId> may_differ, const CircleRadii& radii, const Footprint& grown_body);
 
   /// The base circles, followed by added ones: those around a vertex, then those of the gap straights, entries before
   /// exits.
@@ -87,6 +95,11 @@ class TurnCircles {
     HugeVector<std::uint64_t> starts;
     std::vector<std::uint32_t> circles;
   };
+  struct PairRule;
+  // The number of circles around single vertices, where those around two begin.
+  [[nodiscard]] std::size_t first_of_pairs() const;
+  // Completes the base circles.
+  void add_pairs(std::span<const TurnCircle> of_pairs);
   // Groups circles of [first, last) by the vertices that they refer to: those of some sides.
   [[nodiscard]] VertexBuckets vertex_buckets(std::size_t first, std::size_t last, std::span<const Side> sides) const;
   void group_more(std::size_t own);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -45,22 +47,31 @@ Pose draw_pose(const World& world, test::RandomInputs& random) {
           random.uniform(0.0, 6.28)};
 }
 
-// Steps of removing some obstacles and adding others, by a chain of eager and one of lazy planners; the lazy one finds
-// something out between the steps.
+std::vector<ObstacleKey> keys_of(const World& world, std::span<const ObstacleId> obstacles) {
+  std::vector<ObstacleKey> keys;
+  for (const ObstacleId o : obstacles) keys.push_back(world.key_of(o));
+  std::ranges::reverse(keys);  // in no order
+  return keys;
+}
+
+// Steps of removing some obstacles and adding others, by a chain of eager planners and one of lazy ones; the lazy one
+// finds something out between the steps. A third chain makes its own worlds.
 // @returns how many plans there were.
 std::size_t expect_changes(World world, const Vehicle& vehicle, test::RandomInputs& random, int steps,
                            std::int64_t one_in, const std::vector<double>& radii, const auto& draw_added) {
   const RefineOptions short_refinement{.max_trials = 300};  // what changes is what comes before it
   PlannerOptions eager_options{.radii = radii, .refinement = short_refinement};
   PlannerOptions lazy_options{.graph_mode = GraphMode::kLazy, .radii = radii, .refinement = short_refinement};
-  Planner eager(world, vehicle, eager_options), lazy(world, vehicle, lazy_options);
+  Planner eager(world, vehicle, eager_options), lazy(world, vehicle, lazy_options), own = lazy;
   std::size_t solved = 0;
   for (int step = 0; step < steps; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));
     std::vector<ObstacleId> removed;
     for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
       if (random.integer(1, one_in) == 1) removed.push_back(o);
-    world = world.changed(removed, draw_added());
+    const std::vector<Polygon> added = draw_added();
+    own = own.with_obstacles(keys_of(own.world(), removed), added);
+    world = world.changed(removed, added);
     eager = changed(eager, world, removed, eager_options);
     lazy = changed(lazy, world, removed, lazy_options);
     const Planner anew(world, vehicle, eager_options);
@@ -70,6 +81,7 @@ std::size_t expect_changes(World world, const Vehicle& vehicle, test::RandomInpu
       const PlanRequest request{draw_pose(world, random), draw_pose(world, random)};
       const PlanResult expected = anew.plan(request);
       EXPECT_EQ(bits_of(lazy.plan(request)), bits_of(expected));
+      EXPECT_EQ(bits_of(own.plan(request)), bits_of(expected));
       EXPECT_EQ(bits_of(eager.plan(request)), bits_of(expected));
       if (testing::Test::HasFailure()) return solved;
       if (!expected.solved()) continue;
@@ -150,6 +162,44 @@ TEST(ChangedPlanner, RefusesAChangeOfAnotherWorld) {
   EXPECT_NO_THROW(take(world, after));
   EXPECT_THROW(take(other, after), std::invalid_argument);
   EXPECT_THROW(take(world, other), std::invalid_argument);
+}
+
+TEST(ChangedPlanner, LeavesThePlannerBeforeAsItIs) {
+  const World world = random_world({.obstacles = 8, .vertices = 5, .fill = 0.2, .seed = 3});
+  const Planner before(world, Vehicle{});
+  const std::optional<Pose> start = before.nearest_free({0, 0, 0.3}), goal = before.nearest_free({10, 9, 1});
+  ASSERT_TRUE(start && goal);
+  const PlanRequest request{*start, *goal};
+  EXPECT_TRUE(before.plan(request).solved()) << before.plan(request).reason;
+  const std::string bits = bits_of(before.plan(request));
+  const std::vector<ObstacleKey> removed{2, 5};
+  const Planner after = before.with_obstacles(removed, {});
+  EXPECT_EQ(before.world().obstacle_count(), 8u);
+  EXPECT_EQ(after.world().obstacle_count(), 6u);
+  EXPECT_EQ(bits_of(before.plan(request)), bits);
+}
+
+TEST(ChangedPlanner, RefusesKeysThatNoObstacleHas) {
+  const Planner before(random_world({.obstacles = 4, .vertices = 5, .fill = 0.2, .seed = 3}), Vehicle{});
+  const auto error_of = [](const Planner& planner, const std::vector<ObstacleKey>& removed) -> std::string {
+    try {
+      (void)planner.with_obstacles(removed, {});
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_NE(error_of(before, {4}).find("has the key 4"), std::string::npos);
+  EXPECT_NE(error_of(before, {1, 3, 1}).find("the key 1 is named twice"), std::string::npos);
+  const Planner after = before.with_obstacles(std::vector<ObstacleKey>{1}, {});
+  EXPECT_NE(error_of(after, {1}).find("has the key 1"), std::string::npos);
+  EXPECT_EQ(error_of(after, {3}), "");
+}
+
+TEST(ChangedPlanner, NeedsABackendThatIsOfMoreThanOneWorld) {
+  const World world = random_world({.obstacles = 4, .vertices = 5, .fill = 0.2, .seed = 3});
+  const Planner planner(world, Vehicle{}, backend_of(world, make_reference_queries(world)));
+  EXPECT_THROW((void)planner.with_obstacles({}, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // example
 #include <arcway/datasets/clutter.h>
 #include <arcway/planner.h>
-#include <arcway/world_change.h>
 
 #include <iostream>
+#include <vector>
 
 // A map that changes: a box is put across the plan. What lies far from it is not checked again.
 int main() {
@@ -17,11 +17,9 @@ int main() {
   const arcway::Path path = plan.path();
   const arcway::Pose halfway = path.at(path.length() / 2);
   const arcway::Polygon box = arcway::Polygon::rectangle(halfway.position(), 2.0, 1.0, halfway.heading);
-  const std::vector<arcway::ObstacleId> removed;  // none goes
-  const arcway::World after = before.changed(removed, {box});
 
-  const arcway::Planner next =
-      arcway::Planner::changed(planner, arcway::WorldChange(before, after, removed), arcway::reference_backend(after));
+  const std::vector<arcway::ObstacleKey> removed;  // none goes
+  const arcway::Planner next = planner.with_obstacles(removed, {box});
   if (next.is_free(path)) return 1;
   const arcway::PlanResult around = next.plan(request);
   std::cout << around << '\n';

@@ -33,6 +33,8 @@ class ARCWAY_API Backend {
     std::function<std::shared_ptr<const VisibilityRows>(const Backend&)> lazy_rows = nullptr;
     /// The reduced graph after a change, from that of the world before; empty: the graph is built anew.
     std::function<Graph(const Backend&, const VisibilityGraph& before, const WorldChange&)> changed_graph = nullptr;
+    /// The parts for the world after a change. They may use what this backend has made. Empty: `changed` is refused.
+    std::function<Parts(const Backend& before, const World& after, const WorldChange&)> changed_parts = nullptr;
   };
 
   /// @param executor  runs the functions above and the construction of planners; must outlive both.
@@ -58,6 +60,10 @@ class ARCWAY_API Backend {
   /// for bit, and takes less time: rows far from the change are kept. Precondition: has_graphs().
   /// @param change  from the world of `before` to this one.
   [[nodiscard]] Graph changed_graph(const VisibilityGraph& before, const WorldChange& change) const;
+  /// A backend of the same kind, with the same executor, for the world after a change.
+  /// @param change  from this world to `after`.
+  /// @throws std::invalid_argument if the parts of this backend are of its world alone, as those of backend_of.
+  [[nodiscard]] Backend changed(const World& after, const WorldChange& change) const;
 
  private:
   struct Data;
@@ -68,7 +74,7 @@ class ARCWAY_API Backend {
 /// each against all edges: for maps of some hundred vertices.
 ARCWAY_API Backend reference_backend(const World& world);
 
-/// Backends of parts that exist already, for tests and measurements of single parts.
+/// Backends of parts that exist already, for tests and measurements of single parts. They cannot be changed.
 ARCWAY_API Backend backend_of(const World& world, const QuerySet& queries, const Executor& executor = kSerialExecutor);
 ARCWAY_API Backend backend_of(const World& world, const QuerySet& queries, VisibilityGraph graph,
                               const Executor& executor = kSerialExecutor);

@@ -18,6 +18,7 @@
 #include "arcway/heuristic.h"
 #include "arcway/path.h"
 #include "arcway/plan_result.h"
+#include "arcway/polygon.h"
 #include "arcway/prepared_graph.h"
 #include "arcway/process_group.h"
 #include "arcway/query_set.h"
@@ -163,6 +164,22 @@ class ARCWAY_API Planner {
   /// @throws std::invalid_argument as the constructor does, or if the change is not one between the two worlds.
   static Planner changed(const Planner& before, const WorldChange& change, const Backend& backend,
                          const PlannerOptions& options = {});
+
+  /// A planner for the map without some obstacles, and with others after its last one. It plans as a planner built anew
+  /// with the same options, bit for bit, and keeps what was found far from the change: see `changed`. This planner
+  /// stays as it is; to change it in place, assign the result to it.
+  ///
+  ///     const std::vector<ObstacleKey> gone{planner.world().key_of(3)};
+  ///     planner = planner.with_obstacles(gone, {Polygon::rectangle({12, 7}, 2.0, 1.0)});
+  ///
+  /// Thread-safe. An assignment is one to this object alone: copies that other threads plan with keep the map before.
+  /// The executor of the backend that the planner was made with runs the change, and must still exist.
+  /// @param removed  keys of obstacles, in any order. Keys stay the same through changes, unlike ids: World::key_of.
+  /// @param added  get the last ids of the new world, in their order, and new keys.
+  /// @throws std::invalid_argument if a key is of no obstacle of the map or is named twice, or the backend cannot be
+  ///   changed (Backend::changed).
+  /// @throws WorldError with the index that a refused obstacle has in the new world.
+  [[nodiscard]] Planner with_obstacles(std::span<const ObstacleKey> removed, const std::vector<Polygon>& added) const;
 
   /// The fastest path of the roadmap under the true speed profile, within PlannerOptions::suboptimality, after
   /// refinement. Without `reverse`, no segment is driven backwards. With `reverse`, the result is the cheapest path of

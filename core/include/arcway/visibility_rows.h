@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "arcway/executor.h"
 #include "arcway/export.h"
 #include "arcway/visibility_graph.h"
+#include "arcway/visibility_query.h"
+#include "arcway/world.h"
+#include "arcway/world_change.h"
 
 namespace arcway {
 
@@ -31,6 +35,20 @@ class ARCWAY_API VisibilityRows {
   [[nodiscard]] virtual std::vector<Pair> pairs_within(double length,
                                                        const std::function<bool(VertexId, VertexId)>& wanted,
                                                        const Executor& executor) const = 0;
+
+  /// Rows of the world after a change.
+  struct Changed {
+    std::shared_ptr<const VisibilityRows> rows;
+    std::vector<VertexId> may_differ;  ///< all graph vertices that are new, or whose neighbors may be others; ascending
+  };
+  /// The rows after a change, in time that depends on what changed and what sees it; nothing if they are to be made
+  /// anew.
+  /// @param change  from the world of these rows to `after`.
+  /// @param visibility  of `after`.
+  [[nodiscard]] virtual std::optional<Changed> changed(const World& /*after*/, const WorldChange& /*change*/,
+                                                       std::shared_ptr<const VisibilityQuery> /*visibility*/) const {
+    return std::nullopt;
+  }
 };
 
 /// The rows of a graph that exists already. Memory: 8 bytes an edge and 8 a vertex; the graph is copied.

@@ -24,6 +24,9 @@ using VertexId = std::uint32_t;
 /// Index of an obstacle in the order of the input. The bounds, if any, count as the last one.
 using ObstacleId = std::uint32_t;
 
+/// Names an obstacle as long as the map has it, whatever else is removed or added. An ObstacleId is only its place.
+using ObstacleKey = std::uint64_t;
+
 /// No vertex, edge or obstacle.
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
@@ -95,9 +98,9 @@ class ARCWAY_API World {
   /// The world as flat arrays. O(n).
   [[nodiscard]] WorldSnapshot snapshot() const;
 
-  /// The world without some of the obstacles, and with others after its last one. The remaining ones keep their order.
-  /// Only what is new is checked, and coverage is updated near the change. O(n + m log m) for m vertices added or
-  /// removed, and O(k) for each of them among k obstacles.
+  /// The world without some of the obstacles, and with others after its last one. The remaining ones keep their order
+  /// and their keys, but not their ids. Only what is new is checked, and coverage is updated near the change. O(n + m
+  /// log m) for m vertices added or removed, and O(k) for each of them among k obstacles.
   /// @param removed  obstacles, ascending.
   /// @throws std::invalid_argument if `removed` does not ascend or names no obstacle.
   /// @throws WorldError with the index that a refused obstacle has in the new world.
@@ -137,6 +140,12 @@ class ARCWAY_API World {
   [[nodiscard]] bool has_bounds() const;
   /// The number of obstacles, with the bounds if there are any.
   [[nodiscard]] std::size_t region_count() const { return obstacle_count() + (has_bounds() ? 1 : 0); }
+  /// The key of an obstacle. A new world numbers its obstacles from 0, as their ids. `changed` gives an added obstacle
+  /// the next number that neither this world nor one that it came from has used. Keys therefore ascend by id. Snapshots
+  /// do not have them: the world of a snapshot is a new one. O(1). Precondition: not the bounds.
+  [[nodiscard]] ObstacleKey key_of(ObstacleId o) const;
+  /// The id of the obstacle with a key; kNone if there is none, or no longer. O(log obstacles).
+  [[nodiscard]] ObstacleId obstacle_with(ObstacleKey key) const;
   /// The vertices [first, last) of a region.
   struct VertexRange {
     VertexId first, last;

@@ -11,11 +11,15 @@ namespace arcway {
 /// How the vertices of two worlds correspond after World::changed, for graphs that are updated.
 struct ARCWAY_API WorldChange {
   /// @param removed  as given to before.changed(removed, added), which returned `after`. O(n).
+  /// @throws std::invalid_argument if the remaining obstacles and the bounds are not those of `after`, in their order
+  /// and
+  ///   in front of the added ones. Graphs of such a change would differ from new ones.
   WorldChange(const World& before, const World& after, std::span<const ObstacleId> removed);
 
-  std::vector<VertexId> vertex_after;           ///< by vertex of `before`: its id in `after`, or kNone; ascending
-  std::vector<Box> removed_boxes, added_boxes;  ///< boxes of the obstacles removed and added [m]
-  VertexId first_added, end_added;              ///< range of the added obstacles' vertices in `after`
+  std::vector<VertexId> vertex_after;                ///< by vertex of `before`: its id in `after`, or kNone; ascending
+  std::vector<Box> removed_boxes, added_boxes;       ///< boxes of the obstacles removed and added [m]
+  std::vector<World::VertexRange> removed_vertices;  ///< of each removed obstacle in `before`, ascending
+  VertexId first_added, end_added;                   ///< range of the added obstacles' vertices in `after`
 };
 
 }  // namespace arcway

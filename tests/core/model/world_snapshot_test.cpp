@@ -133,6 +133,31 @@ TEST(ChangedWorld, IsTheOneMadeOfItsPolygons) {
   }
 }
 
+TEST(ChangedWorld, KeepsKeysAndGivesNoneTwice) {
+  const Polygon box{test::square(0, 0, 4), {}};
+  World world({box, box, box}, test::square(-1, -1, 9));
+  const auto keys = [&world] {
+    std::vector<ObstacleKey> all;
+    for (ObstacleId o = 0; o < world.obstacle_count(); ++o) {
+      all.push_back(world.key_of(o));
+      EXPECT_EQ(world.obstacle_with(all.back()), o);
+    }
+    return all;
+  };
+  const auto change = [&](const std::vector<ObstacleId>& removed, std::size_t added) {
+    world = world.changed(removed, std::vector<Polygon>(added, box));
+    return keys();
+  };
+  using Keys = std::vector<ObstacleKey>;
+  EXPECT_EQ(keys(), (Keys{0, 1, 2}));
+  EXPECT_EQ(change({}, 1), (Keys{0, 1, 2, 3}));
+  EXPECT_EQ(change({1, 3}, 0), (Keys{0, 2}));
+  EXPECT_EQ(change({}, 2), (Keys{0, 2, 4, 5}));
+  for (const ObstacleKey gone : {1, 3, 6, 99}) EXPECT_EQ(world.obstacle_with(gone), kNone);
+  EXPECT_EQ(change({0, 1, 2, 3}, 0), Keys{});
+  EXPECT_EQ(change({}, 1), Keys{6});
+}
+
 TEST(ChangedWorld, RefusesWhatItCannotRemoveOrAdd) {
   const World world({{test::square(0, 0, 4), {}}, {test::square(9, 9, 2), {}}});
   EXPECT_THROW(static_cast<void>(world.changed(std::vector<ObstacleId>{2}, {})), std::invalid_argument);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "accel/graphs/lazy_rows.h"
+#include "arcway/visibility_query.h"
+#include "arcway/visibility_rows.h"
+#include "arcway/world.h"
+#include "core/model/vertex_map.h"
+
+namespace arcway::internal {
+
+/// Rows of a world after some changes, without a triangulation of it. A vertex that sees nothing of the places of
+/// removed and added obstacles keeps its row. The others are *stale*: only edges between two of them can be new, and
+/// visibility queries decide about those when a row is first asked for. Thread-safe.
+///
+/// What was added and removed again takes no part, so that an obstacle may move for ever. Nothing if much more changed,
+/// or if regions of one of the worlds touch themselves; new lazy rows are better then.
+/// @param base  rows of the world before all changes.
+/// @param map  from that world to `after`.
+/// @param visibility  of `after`.
+std::optional<VisibilityRows::Changed> change_rows(std::shared_ptr<const LazyRows> base, const World& after,
+                                                   const VertexMap& map,
+                                                   std::shared_ptr<const VisibilityQuery> visibility);
+
+}  // namespace arcway::internal

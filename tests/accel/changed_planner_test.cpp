@@ -1,0 +1,187 @@
+// Lazy planners on accel's backend after changes of the map, against planners built anew.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "arcway/accel/accel_backend.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/planner.h"
+#include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/lazy_feasible_graph.h"
+#include "tests/support/nasty_worlds.h"
+#include "tests/support/plans.h"
+#include "tests/support/same_graphs.h"
+#include "tests/support/touching_worlds.h"
+
+namespace arcway::internal {
+namespace {
+
+// Makes worlds out of others by removing some obstacles and adding others, and knows what they should be.
+class ChangingMap {
+ public:
+  ChangingMap(const World& world, std::uint64_t seed) : map_(to_map_file(world)), random_(seed) {
+    for (ObstacleKey key = 0; key < map_.obstacles.size(); ++key) keys_.push_back(key);
+    next_key_ = keys_.size();
+  }
+
+  // Removes each obstacle with a probability of one in `one_in`, and adds what `draw` gives.
+  Planner changed(const Planner& planner, std::int64_t one_in, const std::vector<Polygon>& added) {
+    std::vector<ObstacleKey> removed;
+    for (std::size_t o = keys_.size(); o-- > 0;) {
+      if (random_.integer(1, one_in) != 1) continue;
+      removed.push_back(keys_[o]);
+      keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(o));
+      map_.obstacles.erase(map_.obstacles.begin() + static_cast<std::ptrdiff_t>(o));
+    }
+    for (const Polygon& polygon : added) {
+      map_.obstacles.push_back(polygon);
+      keys_.push_back(next_key_++);
+    }
+    Planner after = planner.with_obstacles(removed, added);
+    for (ObstacleId o = 0; o < keys_.size(); ++o) EXPECT_EQ(after.world().key_of(o), keys_[o]);
+    return after;
+  }
+
+  [[nodiscard]] World anew() const { return World(map_.obstacles, map_.bounds); }
+  [[nodiscard]] const std::vector<Polygon>& obstacles() const { return map_.obstacles; }
+  test::RandomInputs& random() { return random_; }
+
+ private:
+  MapFile map_;
+  std::vector<ObstacleKey> keys_;
+  ObstacleKey next_key_ = 0;
+  test::RandomInputs random_;
+};
+
+template <class T>
+std::string bytes_of(std::span<const T> values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+void expect_same_rows(const Planner& planner, const Planner& anew) {
+  for (VertexId v = 0; v < anew.world().vertices().size(); ++v)
+    ASSERT_EQ(bytes_of(planner.visibility_rows()->of(v)), bytes_of(anew.visibility_rows()->of(v))) << "vertex " << v;
+}
+
+// Headings, links and verdicts of one circle in so many.
+void expect_same_links(const Planner& planner, const Planner& anew, std::uint32_t one_in) {
+  const FeasibleGraph &graph = planner.feasible_graph(), &expected = anew.feasible_graph();
+  ASSERT_EQ(graph.circles().size(), expected.circles().size());
+  for (std::uint32_t c = 0; c < graph.circles().size(); ++c) {
+    ASSERT_EQ(graph.circles()[c].center, expected.circles()[c].center) << "circle " << c;
+    ASSERT_EQ(graph.circles()[c].radius, expected.circles()[c].radius) << "circle " << c;
+    if (c % one_in != 0) continue;
+    ASSERT_EQ(bytes_of(std::span(graph.free_headings(c).intervals())),
+              bytes_of(std::span(expected.free_headings(c).intervals())))
+        << "circle " << c;
+    ASSERT_EQ(bytes_of(graph.links_from(c)), bytes_of(expected.links_from(c))) << "circle " << c;
+    for (std::size_t i = 0; i < graph.links_from(c).size(); ++i)
+      ASSERT_EQ(graph.is_kept(c, i), expected.is_kept(c, i)) << "circle " << c << ", link " << i;
+  }
+}
+
+TEST(ChangedPlanners, HaveTheRowsAndLinksOfNewOnesInNastyWorlds) {
+  const Vehicle vehicle({.length = 0.3, .width = 0.16, .wheelbase = 0.26, .safety_margin = 0.01});
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const World world = seed % 4 == 0 ? test::touching_world(seed, 6) : test::nasty_world(seed, 14);
+    ChangingMap map(world, seed);
+    const PlannerOptions options{.radii = {vehicle.min_turning_radius()}};
+    Planner planner(world, vehicle, accel_backend(world), options);
+    for (int step = 0; step < 5; ++step) {
+      SCOPED_TRACE("step " + std::to_string(step));
+      // Known in part, so that some of it is taken over.
+      for (std::uint32_t c = 0; c < planner.feasible_graph().circles().size(); c += 2)
+        for (std::size_t i = 0; i < planner.feasible_graph().links_from(c).size(); i += 2)
+          (void)planner.feasible_graph().is_kept(c, i);
+      const bool adds = map.random().integer(0, 2) != 0;
+      planner = map.changed(
+          planner, 6, adds ? to_map_file(test::nasty_world(map.random().bits(), 2)).obstacles : std::vector<Polygon>{});
+      const World after = map.anew();
+      const Planner anew(after, vehicle, accel_backend(after), options);
+      expect_same_rows(planner, anew);
+      expect_same_links(planner, anew, 1);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(ChangedPlanners, ThatAreEagerHaveTheGraphsOfNewOnes) {
+  const World world = catalog_world("clutter/star/n40/m9/f30/s5");
+  const PlannerOptions options{.graph_mode = GraphMode::kEager};
+  ChangingMap map(world, 1);
+  Planner planner(world, Vehicle{}, accel_backend(world), options);
+  for (int step = 0; step < 4; ++step) {
+    planner = map.changed(planner, 10, {map.obstacles()[static_cast<std::size_t>(step)]});
+    const World after = map.anew();
+    const Planner anew(after, Vehicle{}, accel_backend(after), options);
+    EXPECT_EQ(planner.visibility_graph(), anew.visibility_graph());
+    test::expect_same(planner.feasible_graph(), anew.feasible_graph());
+  }
+}
+
+// An obstacle moves in steps, as in a replanning loop.
+TEST(ChangedPlanners, PlanAsNewOnesWhereAnObstacleMoves) {
+  const char* name = "clutter/convex/n200/m8/f25/s3";
+  const World world = catalog_world(name);
+  const std::vector<PlanRequest> requests = catalog_queries(name, 4, 1);
+  Planner planner(world, Vehicle{}, accel_backend(world));
+  ObstacleKey key = 90;
+  Polygon moving = to_map_file(world).obstacles[90];
+  std::vector<Polygon> others = to_map_file(world).obstacles;
+  others.erase(others.begin() + 90);
+  for (int step = 0; step < 12; ++step) {
+    SCOPED_TRACE("step " + std::to_string(step));
+    for (const PlanRequest& request : requests) (void)planner.plan(request);
+    for (Vec2& p : moving.outer) p += Vec2(0.5, -0.25);
+    planner = planner.with_obstacles(std::vector<ObstacleKey>{key}, {moving});
+    key = planner.world().key_of(static_cast<ObstacleId>(planner.world().obstacle_count() - 1));
+    std::vector<Polygon> all = others;
+    all.push_back(moving);
+    const World after(all, to_map_file(world).bounds);
+    const Planner anew(after, Vehicle{}, accel_backend(after));
+    for (const PlanRequest& request : requests) test::expect_same_plan(planner.plan(request), anew.plan(request));
+    expect_same_rows(planner, anew);
+    expect_same_links(planner, anew, 7);
+    if (HasFailure()) return;
+  }
+  EXPECT_EQ(planner.world().obstacle_with(90), kNone);
+}
+
+TEST(ChangedPlanners, KeepWhatIsFarFromTheChange) {
+  const char* name = "clutter/convex/n1000/m8/f25/s3";
+  const World world = catalog_world(name);
+  const Planner planner(world, Vehicle{}, accel_backend(world));
+  for (const PlanRequest& request : catalog_queries(name, 10, 1)) (void)planner.plan(request);
+  const auto known_rows = [](const Planner& p) {
+    std::size_t known = 0;
+    for (std::uint32_t c = 0; c < p.feasible_graph().circles().size(); ++c)
+      known += p.feasible_graph().known_row(c).has_value() ? 1 : 0;
+    return known;
+  };
+  const std::size_t before = known_rows(planner);
+  Planner after = planner.with_obstacles(std::vector<ObstacleKey>{500}, {});
+  EXPECT_GT(known_rows(after), before - before / 3);
+  EXPECT_LT(known_rows(after), before);
+  // A chain of changes without a plan.
+  const auto graph = [&after]() -> const LazyFeasibleGraph& {
+    return dynamic_cast<const LazyFeasibleGraph&>(after.feasible_graph());
+  };
+  std::size_t most_behind = 0;
+  for (ObstacleKey key = 501; key < 513; ++key) {
+    after = after.with_obstacles(std::vector<ObstacleKey>{key}, {});
+    most_behind = std::max(most_behind, graph().graphs_behind());
+  }
+  EXPECT_GT(known_rows(after), before / 20);
+  EXPECT_GT(most_behind, 2u);
+  EXPECT_LE(most_behind, 8u);
+}
+
+}  // namespace
+}  // namespace arcway::internal

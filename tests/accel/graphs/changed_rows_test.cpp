@@ -1,0 +1,94 @@
+#include "accel/graphs/changed_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "accel/graphs/lazy_rows.h"
+#include "arcway/datasets/catalog.h"
+#include "arcway/datasets/map_file.h"
+#include "arcway/query_set.h"
+#include "arcway/world_change.h"
+#include "tests/support/nasty_worlds.h"
+
+namespace arcway::internal {
+namespace {
+
+// The rows are those of new lazy rows, and vertices that may not differ have the neighbors that they had.
+void expect_right(const VisibilityRows& before, const VisibilityRows::Changed& changed, const World& after,
+                  const WorldChange& change) {
+  const auto anew = make_lazy_rows(after);
+  for (VertexId v = 0; v < after.vertices().size(); ++v)
+    ASSERT_TRUE(std::ranges::equal(changed.rows->of(v), anew->of(v))) << "vertex " << v;
+  const VertexMap map(change);
+  for (const VertexId v : after.convex_vertices()) {
+    if (std::ranges::binary_search(changed.may_differ, v)) continue;
+    ASSERT_NE(map.before(v), kNone);
+    const auto row = before.of(map.before(v));
+    ASSERT_TRUE(std::ranges::equal(row, anew->of(v), {}, [&](VertexId w) { return map.after(w); })) << "vertex " << v;
+  }
+  const auto wanted = [](VertexId u, VertexId v) { return (u + v) % 3 != 0; };
+  EXPECT_EQ(changed.rows->pairs_within(2.5, wanted, SerialExecutor()),
+            anew->pairs_within(2.5, wanted, SerialExecutor()));
+}
+
+TEST(ChangedRows, AreThoseOfTheWorldAfterEachChange) {
+  std::size_t changes = 0, kept_rows = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomInputs random(seed);
+    World world = test::nasty_world(seed + 100, 14);
+    std::shared_ptr<const VisibilityRows> rows = make_lazy_rows(world);
+    for (int step = 0; step < 4; ++step) {
+      std::vector<ObstacleId> removed;
+      for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+        if (random.integer(0, 5) == 0) removed.push_back(o);
+      const World after = world.changed(removed, to_map_file(test::nasty_world(random.bits(), 1)).obstacles);
+      const WorldChange change(world, after, removed);
+      const auto changed = rows->changed(after, change, make_reference_queries(after).visibility);
+      if (!changed) break;
+      ++changes;
+      kept_rows += after.convex_vertices().size() - changed->may_differ.size();
+      expect_right(*rows, *changed, after, change);
+      if (HasFatalFailure()) return;
+      rows = changed->rows;
+      world = after;
+    }
+  }
+  EXPECT_GT(changes, 150u);
+  EXPECT_GT(kept_rows, 500u);
+}
+
+TEST(ChangedRows, FewMayDifferWhereAnObstacleMovesForEver) {
+  World world = catalog_world("clutter/convex/n200/m8/f30/s3");
+  Polygon moving = to_map_file(world).obstacles[100];
+  std::shared_ptr<const VisibilityRows> rows = make_lazy_rows(world);
+  std::vector<ObstacleId> removed{100};
+  for (int step = 0; step < 100; ++step) {
+    for (Vec2& p : moving.outer) p += step % 20 < 10 ? Vec2(0.5, 0.0) : Vec2(-0.5, 0.0);
+    const World after = world.changed(removed, {moving});
+    const auto changed =
+        rows->changed(after, WorldChange(world, after, removed), make_reference_queries(after).visibility);
+    ASSERT_TRUE(changed.has_value());
+    EXPECT_LT(changed->may_differ.size(), world.convex_vertices().size() / 3);
+    rows = changed->rows;
+    world = after;
+    removed = {199};
+  }
+  const auto anew = make_lazy_rows(world);
+  for (const VertexId v : world.convex_vertices()) ASSERT_TRUE(std::ranges::equal(rows->of(v), anew->of(v))) << v;
+}
+
+TEST(ChangedRows, AreMadeAnewWhereTheTriangulationEnds) {
+  const World world({{test::square(0, 0, 4), {}}, {test::square(9, 0, 2), {}}});
+  const World after = world.changed({}, {{test::square(1e6, 0, 1), {}}});
+  const auto rows = make_lazy_rows(world);
+  EXPECT_FALSE(rows->changed(after, WorldChange(world, after, {}), make_reference_queries(after).visibility));
+}
+
+}  // namespace
+}  // namespace arcway::internal
