@@ -10,6 +10,7 @@
 #include "core/attach/circle_places.h"
 #include "core/attach/circle_table.h"
 #include "core/attach/occlusion_horizon.h"
+#include "core/base/infinity.h"
 
 namespace arcway::internal {
 
@@ -124,8 +125,9 @@ void AttachmentLinks::append_circles(const PathEnd& end, std::span<const Attachm
     const std::size_t radii = plain ? std::min(end.radii, map.radii.size()) : 1;
     for (std::size_t k = 0; k < radii; ++k)
       for (const Side side : {Side::kLeft, Side::kRight}) {
-        const double radius = map.radii.of(side)[k];
-        if (attachments[t].shared == side) continue;
+        const double radius = std::max(map.radii.of(side)[k], attachments[t].tightest);
+        const bool is_known = k > 0 && radius == attachments[t].tightest;
+        if (attachments[t].shared == side || is_known || radius == kInfinity) continue;
         const Pose& pose = attachments[t].pose;
         const TurnCircle circle = turn_circle(pose, radius, side);
         const Side towards = end.direction == Direction::kFromStart ? side : opposite(side);

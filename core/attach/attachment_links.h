@@ -21,6 +21,7 @@ struct Attachment {
   /// Set if the circle of another attachment to this side passes through `pose`. That circle then has all straights of
   /// this one's.
   std::optional<Side> shared = {};
+  double tightest = 0.0;  ///< least radius of its circles [m]; infinity: it has none
 };
 
 /// The end of the path that a function works at.
@@ -63,8 +64,8 @@ struct PathEnd {
 class AttachmentLinks {
  public:
   /// Appends the circles of all attachments from `first` on: left and right ones of the end's radii, or of the smallest
-  /// radius for attachments with a connection. Circles that another attachment has too are left out. O(attachments *
-  /// radii) heading sets.
+  /// radius for attachments with a connection. Radii below an attachment's tightest one are replaced by that. Circles
+  /// that another attachment has too are left out. O(attachments * radii) heading sets.
   /// @param clock  may end that before all attachments have their circles.
   void append_circles(const PathEnd& end, std::span<const Attachment> attachments, std::size_t first,
                       std::vector<AttachmentCircle>& circles, const StopClock& clock = {});

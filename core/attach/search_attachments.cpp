@@ -98,8 +98,13 @@ void SearchAttachments::find_direct_paths(std::size_t known_starts, std::size_t 
       if (are_many && !plain_start && !plain_goal) continue;
       const bool few_radii = are_many && !(plain_start && plain_goal);
       const CircleRadii& radii = context_->map.radii;
-      for (std::size_t k = 0; k < (few_radii ? 1 : radii.size()); ++k)
-        for (const DubinsWord word : kDubinsWords) try_direct(s, g, radii[k], word);
+      const double tightest = std::max(context_->starts[s].tightest, context_->goals[g].tightest);
+      for (std::size_t k = 0; k < (few_radii ? 1 : radii.size()); ++k) {
+        const SideRadii allowed = radii[k].no_less_than(tightest);
+        const bool is_known = k > 0 && allowed == radii[k - 1].no_less_than(tightest);
+        if (is_known || tightest == kInfinity) continue;
+        for (const DubinsWord word : kDubinsWords) try_direct(s, g, allowed, word);
+      }
     }
 }
 
@@ -118,7 +123,9 @@ void SearchAttachments::try_direct(std::uint32_t start, std::uint32_t goal, cons
   context_->result.start_connected = context_->result.goal_connected = true;
   direct_paths_.push_back({start, goal, *between, 0.0});
   take_path(direct_paths_.back(), path_);
-  direct_paths_.back().time = travel_cost(path_, context_->vehicle, context_->options.cusp_cost, profile_);
+  const SearchOptions& options = context_->options;
+  direct_paths_.back().time = travel_cost(path_, context_->vehicle, options.ends, options.cusp_cost, profile_);
+  if (direct_paths_.back().time == kInfinity) direct_paths_.pop_back();
 }
 
 void SearchAttachments::take_path(const DirectPath& direct, Path& path) const {

@@ -10,6 +10,7 @@
 #include "arcway/stop_clock.h"
 #include "arcway/time_model.h"
 #include "arcway/world.h"
+#include "core/motion/end_speeds.h"
 
 namespace arcway::internal {
 
@@ -25,6 +26,7 @@ struct SearchOptions {
   /// to its start, and has the speeds of the reverse gear.
   Gear gear = Gear::kForward;
   TimeModel time_model = TimeModel::kProfile;
+  EndSpeeds ends = {};         ///< of the path found, in the direction of its motions
   double suboptimality = 0.0;  ///< w >= 0: the path may take 1 + w times as long as the fastest one
   /// Whether to continue the previous search of the same workspace, which had the same start and goal poses. What its
   /// starts reach is not searched again. If its map and vehicle were the same and its attachments the first of these,

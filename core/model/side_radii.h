@@ -24,6 +24,10 @@ struct SideRadii {
   [[nodiscard]] double larger() const { return std::max(left, right); }
   /// Both radii times a factor.
   [[nodiscard]] SideRadii times(double factor) const { return {factor * left, factor * right}; }
+  /// Both radii, or another one where they are less.
+  [[nodiscard]] SideRadii no_less_than(double radius) const {
+    return {std::max(left, radius), std::max(right, radius)};
+  }
   friend bool operator==(const SideRadii&, const SideRadii&) = default;
 };
 

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "core/base/infinity.h"
 #include "core/base/shortest_text.h"
 
 namespace arcway::internal {
 namespace {
 
-/// Share by which an end speed may exceed the reachable one by rounding; it is then taken for the reachable one.
-constexpr double kSpeedRounding = 1e-12;
 /// Share by which a duration may exceed that of the fastest motion by rounding, as in files.
 constexpr double kSameTime = 1e-6;
 
@@ -19,16 +19,31 @@ double reachable(double speed, double acceleration, double length) {
   return std::sqrt(speed * speed + 2.0 * acceleration * length);
 }
 
-void check_limit(const char* name, double speed, double limit) {
-  if (speed >= 0.0 && speed <= limit) return;
-  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + shortest_text(speed) +
-                              " m/s, must be >= 0 and <= " + shortest_text(limit));
+// Why no motion along a path has an end speed.
+struct Refusal {
+  const char* name;  // of the speed
+  double speed;      // in the direction of travel [m/s]
+  double bound;      // the highest one that is possible [m/s]
+  bool is_limit;     // whether the bound is the segment's limit
+};
+
+std::optional<Refusal> above_limit(const char* name, double speed, double limit) {
+  if (speed >= 0.0 && speed <= limit) return std::nullopt;
+  return Refusal{name, speed, limit, true};
 }
 
-void check_reached(const char* name, double speed, double bound) {
-  if (speed <= bound * (1.0 + kSpeedRounding)) return;
-  throw std::invalid_argument("speed_profile: " + std::string(name) + " is " + shortest_text(speed) +
-                              " m/s, but the path is long enough for " + shortest_text(bound) + " only");
+std::optional<Refusal> out_of_reach(const char* name, double speed, double bound) {
+  if (speed <= bound * (1.0 + kEndSpeedTolerance)) return std::nullopt;
+  return Refusal{name, speed, bound, false};
+}
+
+std::invalid_argument error_of(const Refusal& refusal) {
+  const std::string speed = "speed_profile: " + std::string(refusal.name) + " is " + shortest_text(refusal.speed);
+  if (refusal.is_limit)
+    return std::invalid_argument(speed +
+                                 " m/s in the segment's gear, must be >= 0 and <= " + shortest_text(refusal.bound));
+  return std::invalid_argument(speed + " m/s, but the path is long enough for " + shortest_text(refusal.bound) +
+                               " only");
 }
 
 /// Inlined into segment_time, as an exported function could not be: search and refinement call that one all the time.
@@ -89,67 +104,77 @@ double top_speed(const TimedSegment& timed, const Vehicle& vehicle) {
 
 namespace {
 
-void fill(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed, double end_speed,
-          SpeedProfile& profile) {
+// A vehicle that stays where it is.
+std::optional<Refusal> fill_empty(const Vehicle& vehicle, const EndSpeeds& ends, SpeedProfile& profile) {
+  const double start = std::abs(ends.start), goal = std::abs(ends.goal);
+  profile.speeds.assign(1, start);
+  if (auto refusal = above_limit("start_speed", start, vehicle.top_speed())) return refusal;
+  if (auto refusal = above_limit("goal_speed", goal, vehicle.top_speed())) return refusal;
+  if (ends.start != ends.goal) return Refusal{"goal_speed", ends.goal, ends.start, false};
+  return std::nullopt;
+}
+
+std::optional<Refusal> find_speeds(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
+                                   std::vector<double>& v) {
   const std::size_t n = path.size();
   const double a = vehicle.max_acceleration();
   const auto limit_of = [&vehicle](const PathSegment& segment) { return speed_limit(segment, vehicle); };
-  check_limit("start_speed", start_speed, n == 0 ? vehicle.max_speed() : limit_of(path.front()));
-  check_limit("end_speed", end_speed, n == 0 ? vehicle.max_speed() : limit_of(path.back()));
-  if (n == 0) {
-    check_reached("start_speed", start_speed, end_speed);
-    check_reached("end_speed", end_speed, start_speed);
-    profile.speeds.assign(1, start_speed);
-    profile.durations.clear();
-    profile.total_time = 0.0;
-    return;
-  }
-
-  std::vector<double>& v = profile.speeds;
+  const double start = sign_of(path.front().gear) * ends.start, goal = sign_of(path.back().gear) * ends.goal;
+  if (auto refusal = above_limit("start_speed", start, limit_of(path.front()))) return refusal;
+  if (auto refusal = above_limit("goal_speed", goal, limit_of(path.back()))) return refusal;
   v.resize(n + 1);
-  profile.durations.clear();
-  profile.total_time = 0.0;
-  v[n] = end_speed;
+  v[n] = goal;
   for (std::size_t i = n; i-- > 0;) {
     double limit = i == 0 ? limit_of(path[0]) : std::min(limit_of(path[i - 1]), limit_of(path[i]));
     if (i > 0 && path[i - 1].gear != path[i].gear) limit = 0.0;
     v[i] = std::min(limit, reachable(v[i + 1], a, path[i].length));
   }
-  check_reached("start_speed", start_speed, v[0]);
-  v[0] = start_speed;
+  if (auto refusal = out_of_reach("start_speed", start, v[0])) return refusal;
+  v[0] = start;
   for (std::size_t i = 0; i + 1 < n; ++i) v[i + 1] = std::min(v[i + 1], reachable(v[i], a, path[i].length));
-  check_reached("end_speed", end_speed, reachable(v[n - 1], a, path[n - 1].length));
+  return out_of_reach("goal_speed", goal, reachable(v[n - 1], a, path[n - 1].length));
+}
 
-  profile.durations.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
+std::optional<Refusal> fill(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
+                            SpeedProfile& profile) {
+  profile.durations.clear();
+  profile.total_time = 0.0;
+  if (path.empty()) return fill_empty(vehicle, ends, profile);
+  std::vector<double>& v = profile.speeds;
+  if (auto refusal = find_speeds(path, vehicle, ends, v)) return refusal;
+  const double a = vehicle.max_acceleration();
+  profile.durations.reserve(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
     const double duration =
-        path[i].length > 0.0 ? segment_time(path[i].length, v[i], limit_of(path[i]), v[i + 1], a) : 0.0;
+        path[i].length > 0.0 ? segment_time(path[i].length, v[i], speed_limit(path[i], vehicle), v[i + 1], a) : 0.0;
     profile.durations.push_back(duration);
     profile.total_time += duration;
   }
+  return std::nullopt;
 }
 
 }  // namespace
 
-SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed,
-                           double end_speed) {
+SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends) {
   SpeedProfile profile;
-  fill(path, vehicle, start_speed, end_speed, profile);
+  if (const auto refusal = fill(path, vehicle, ends, profile)) throw error_of(*refusal);
   return profile;
 }
 
-void speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, SpeedProfile& profile) {
-  fill(path, vehicle, 0.0, 0.0, profile);
+double travel_time(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
+                   SpeedProfile& profile) {
+  if (fill(path, vehicle, ends, profile)) profile.total_time = kInfinity;
+  return profile.total_time;
 }
 
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost) {
   SpeedProfile profile;
-  return travel_cost(path, vehicle, cusp_cost, profile);
+  return travel_cost(path, vehicle, {}, cusp_cost, profile);
 }
 
-double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost, SpeedProfile& profile) {
-  speed_profile(path, vehicle, profile);
-  return profile.total_time + cusp_cost * static_cast<double>(cusps_of(path));
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends, double cusp_cost,
+                   SpeedProfile& profile) {
+  return travel_time(path, vehicle, ends, profile) + cusp_cost * static_cast<double>(cusps_of(path));
 }
 
 }  // namespace arcway::internal

@@ -5,6 +5,7 @@
 
 #include "arcway/path.h"
 #include "arcway/vehicle.h"
+#include "core/motion/end_speeds.h"
 
 namespace arcway::internal {
 
@@ -44,20 +45,22 @@ double speed_limit(const PathSegment& segment, const Vehicle& vehicle);
 double top_speed(const TimedSegment& timed, const Vehicle& vehicle);
 
 /// The fastest speed profile along a path. Speeds are at most speed_limit, |dv/dt| <= max_acceleration, 0 where the
-/// gear changes, and given at both ends [m/s]. One backward and one forward pass over the joints find the speeds; (9)
-/// or (10) then gives the times. O(n). An empty path has no durations and total time 0.
-/// @throws std::invalid_argument if an end speed is negative, above its segment's limit, or cannot be reached within
-///   the path.
-SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, double start_speed = 0.0,
-                           double end_speed = 0.0);
+/// gear changes, and given at both ends. One backward and one forward pass over the joints find the speeds; (9) or (10)
+/// then gives the times. O(n). An empty path has no durations and total time 0.
+/// @throws std::invalid_argument if an end speed is of the other gear than its segment, above its segment's limit, or
+///   cannot be reached within the path, by more than kEndSpeedTolerance.
+SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends = {});
 
-/// The fastest profile from rest to rest, into a profile whose memory is used again.
-void speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, SpeedProfile& profile);
+/// The fastest profile, into a profile whose memory is used again.
+/// @return its total time [s]; infinity, also in the profile, if no motion along the path has these end speeds.
+double travel_time(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
+                   SpeedProfile& profile);
 
 /// The travel time of a path from rest to rest, plus `cusp_cost` for each gear change [s].
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost);
 
-/// Overload with memory for the profile.
-double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost, SpeedProfile& profile);
+/// The travel time between given end speeds, plus `cusp_cost` for each gear change [s]; infinity as for travel_time.
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends, double cusp_cost,
+                   SpeedProfile& profile);
 
 }  // namespace arcway::internal

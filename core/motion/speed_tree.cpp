@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/infinity.h"
 #include "core/motion/speed_profile.h"
 
 namespace arcway::internal {
@@ -16,15 +17,22 @@ constexpr double kTimeRounding = 1e-12;  // share of a time that rounding may ch
 
 }  // namespace
 
-void SpeedTree::reset(double acceleration, TimeModel time_model) {
+void SpeedTree::reset(double acceleration, TimeModel time_model, double start_speed, double goal_speed) {
   acceleration_ = acceleration;
   time_model_ = time_model;
-  top_limit_ = 0.0;
+  start_speed_ = start_speed;
+  goal_speed_ = goal_speed;
+  top_limit_ = start_speed;
   joints_.assign(1, Joint{});
+  joints_[0].speed = start_speed;
 }
 
 SpeedTree::Joint SpeedTree::extend(const Joint& from, double length, double limit, double next_limit) const {
   Joint joint{kNoJoint, length, limit, 0.0, 0.0};
+  if (from.speed > limit && from.before == kNoJoint) {  // a start that is too fast
+    joint.time = kInfinity;
+    return joint;
+  }
   if (time_model_ == TimeModel::kSegments) {
     joint.speed = std::min(limit, next_limit);
     joint.time = from.time + relaxed_segment_time(length, from.speed, limit, joint.speed, acceleration_);
@@ -64,6 +72,7 @@ std::uint32_t SpeedTree::add_stop(std::uint32_t from, double wait) {
 
 SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
   if (time_model_ == TimeModel::kSegments) return {joint.time, joint.speed};
+  if (joint.time == kInfinity) return {kInfinity, joint.speed};
   const double a = acceleration_;
   double braking = 0.0;
   const Joint* at = &joint;
@@ -84,11 +93,27 @@ SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
     }
     at = &before;
   }
-  return {at->time + braking, at->speed};
+  const bool is_too_slow = speed < at->speed * (1.0 - kTolerance);
+  return {is_too_slow ? kInfinity : at->time + braking, at->speed};
+}
+
+double SpeedTree::lowest(const Joint& joint) const {
+  if (start_speed_ == 0.0) return 0.0;
+  const double enough = 0.5 * start_speed_ * start_speed_ / acceleration_;  // length to brake on
+  double length = 0.0;
+  const Joint* at = &joint;
+  for (; at->before != kNoJoint; at = &joints_[at->before]) {
+    length += at->length;
+    if (length >= enough) return 0.0;
+  }
+  return std::sqrt(std::max(0.0, at->speed * at->speed - 2.0 * acceleration_ * length));
 }
 
 bool SpeedTree::dominates(const Joint& a, const Joint& b, double slack) const {
   if (time_model_ == TimeModel::kSegments) return a.time - slack <= b.time;
+  // A path that arrives slower than the goal's speed may not get that fast where the other one does.
+  if (a.speed < b.speed && a.speed < goal_speed_) return false;
+  const double slowest = lowest(b);
   // A path that arrives slower by d makes up for it by accelerating, and loses d / a_max at most.
   const auto upper = [&](double speed) {
     return (speed > a.speed ? a.time + (speed - a.speed) / acceleration_ : time_at(a, speed)) - slack -
@@ -96,8 +121,7 @@ bool SpeedTree::dominates(const Joint& a, const Joint& b, double slack) const {
   };
   const double at_top = upper(b.speed);
   if (at_top > b.time) return false;
-  const double at_rest = upper(0.0);
-  if (at_rest <= b.time) return true;
+  if (upper(slowest) <= b.time) return true;
 
   // T is convex: chords of a lie above it, tangents of b below it. Braking begins at no more than the top speed. T
   // falls at most by what this rises by, and by just as much where a path was at the top speed.
@@ -123,10 +147,10 @@ bool SpeedTree::dominates(const Joint& a, const Joint& b, double slack) const {
     const Sample middle = sample(0.5 * (low.speed + high.speed));
     return self(self, low, middle, halvings - 1) && self(self, middle, high, halvings - 1);
   };
-  Sample low = sample(0.0);
-  if (low.above > low.below) return false;
+  Sample low = sample(slowest);
+  if (low.above > low.below || low.below == kInfinity) return false;
   for (int i = 1; i < kSamples; ++i) {
-    const Sample high = sample(b.speed * i / (kSamples - 1));
+    const Sample high = sample(slowest + (b.speed - slowest) * i / (kSamples - 1));
     if (!is_above(is_above, low, high, kHalvings)) return false;
     low = high;
   }

@@ -15,6 +15,9 @@ namespace arcway::internal {
 namespace {
 
 constexpr double kBoundRounding = 1e-12;
+// Share that paths between moving ends may be faster, as speed_profile tolerates end speeds slightly out of reach. The
+// length of a change of speed depends on the square of the speed.
+constexpr double kMovingTolerance = 4.0 * kEndSpeedTolerance;
 // Rounding of the joints of a path in all, as a share of the largest coordinate, and of headings.
 constexpr double kJointUlps = 64.0 * std::numeric_limits<double>::epsilon();
 
@@ -50,8 +53,8 @@ double highest_turn_speed(const Vehicle& vehicle) {
   return std::min(top, std::visit(Highest{top}, vehicle.parameters().turn_speed));
 }
 
-// The integral of max(0, 1 / turn_speed - 1 / w) over the first `length` meters from an end.
-double time_lost_on_arcs(double length, double turn_speed, const Vehicle& vehicle) {
+// The integral of max(0, 1 / turn_speed - 1 / w) over the first `length` meters from an end at rest.
+double time_lost_from_rest(double length, double turn_speed, const Vehicle& vehicle) {
   const double a = vehicle.max_acceleration();
   const double top = vehicle.max_speed();
   const double from =
@@ -62,12 +65,26 @@ double time_lost_on_arcs(double length, double turn_speed, const Vehicle& vehicl
   return std::max(0.0, rising) + (length - until) * (1.0 / turn_speed - 1.0 / top);
 }
 
+// The least time that arcs of a length cost, wherever they lie.
+double time_lost_on_arcs(double arcs, const Vehicle& vehicle, const EndSpeeds& ends) {
+  const double twice = 2.0 * vehicle.max_acceleration();
+  const double turn_speed = highest_turn_speed(vehicle);
+  // An end of speed v is as one at rest that lies v^2 / (2 a_max) further out.
+  const double start_out = ends.start * ends.start / twice, goal_out = ends.goal * ends.goal / twice;
+  const double at_start = std::clamp(0.5 * (arcs + goal_out - start_out), 0.0, arcs);
+  const auto lost = [&](double out, double length) {
+    return time_lost_from_rest(out + length, turn_speed, vehicle) - time_lost_from_rest(out, turn_speed, vehicle);
+  };
+  return lost(start_out, at_start) + lost(goal_out, arcs - at_start);
+}
+
 }  // namespace
 
+// Many parameters because nearly all callers leave out the last two.
 double travel_time_lower_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
-                               bool reverse) {
+                               bool reverse, const EndSpeeds& ends) {
   if (reverse && vehicle.max_reverse_speed() > vehicle.max_speed())
-    return travel_time_lower_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse);
+    return travel_time_lower_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse, ends);
   const double radius = vehicle.min_turning_radius();
   const double heading_error = kJointUlps * (1.0 + std::abs(start.heading) + std::abs(goal.heading));
   const double place_error = radius * heading_error + kJointUlps * std::max(start.position().cwiseAbs().maxCoeff(),
@@ -78,11 +95,13 @@ double travel_time_lower_bound(const Pose& start, const Pose& goal, double dista
   const double word = reverse ? reeds_shepp_distance(start, goal, radius) - 5.0 * std::sqrt(radius * place_error)
                               : shortest_word(start, goal, radius);
   const double arcs = std::max(0.0, radius * turn - place_error);
-  const double length = std::max({0.0, std::max(distance, word) - place_error, arcs});
+  const double v0 = std::abs(ends.start), v1 = std::abs(ends.goal), a = vehicle.max_acceleration();
+  const double change = (1.0 - kMovingTolerance) * 0.5 * std::abs(v0 - v1) * (v0 + v1) / a;
+  const double length = std::max({0.0, std::max(distance, word) - place_error, arcs, change});
   if (!(length > 0.0) || std::isinf(length)) return length;
-  const double straight = segment_time(length, 0.0, vehicle.max_speed(), 0.0, vehicle.max_acceleration());
-  return (1.0 - kBoundRounding) *
-         (straight + 2.0 * time_lost_on_arcs(0.5 * arcs, highest_turn_speed(vehicle), vehicle));
+  const double straight = relaxed_segment_time(length, v0, vehicle.max_speed(), v1, a);
+  return (1.0 - (ends.is_moving() ? kMovingTolerance : kBoundRounding)) *
+         (straight + time_lost_on_arcs(arcs, vehicle, ends));
 }
 
 }  // namespace arcway::internal

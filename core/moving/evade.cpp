@@ -222,12 +222,11 @@ class Evader {
     if (part.empty()) return nullptr;
     const double start = from == 0 ? given_.segments().front().speed_in : 0.0;
     const double end = to + 1 == stops_.size() ? given_.segments().back().speed_out : 0.0;
-    if (start > speed_limit(part.front(), vehicle) || end > speed_limit(part.back(), vehicle)) return nullptr;
     SpeedProfile profile;
     try {
-      profile = speed_profile(part, vehicle, start, end);
+      profile = speed_profile(part, vehicle, {sign_of(part.front().gear) * start, sign_of(part.back().gear) * end});
     } catch (const std::invalid_argument&) {
-      return nullptr;  // too short to brake
+      return nullptr;  // too fast, or too short to brake
     }
     auto motion = std::make_unique<Motion>();
     Driven driven(stops_[from], vehicle.max_acceleration());

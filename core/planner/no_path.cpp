@@ -79,6 +79,28 @@ std::string tried_text(const NoPath& why, const PlanResult& result) {
   return text;
 }
 
+// What an end's speed asks for: the length to brake on or, at a goal, to gain the speed on.
+std::string speed_text(const Roadmap& map, const PlanResult& result, bool start) {
+  const double speed = start ? result.start_speed : result.goal_speed;
+  if (speed == 0.0) return "";
+  const Vehicle& vehicle = map.vehicle;
+  const bool ahead = speed > 0.0;
+  const double turns = ahead ? vehicle.turn_speed(vehicle.min_turning_radius())
+                             : vehicle.reverse_turn_speed(vehicle.min_turning_radius());
+  const auto length_to = [&](double other) {
+    return std::max(0.0, 0.5 * (speed * speed - other * other) / vehicle.max_acceleration());
+  };
+  // From the start on, or backwards from the goal.
+  const Gear gear = ahead == start ? Gear::kForward : Gear::kReverse;
+  const PathSegment line = PathSegment{start ? result.start : result.goal, length_to(turns), 0.0, gear}.forwards();
+  const bool is_free = map.queries.sweep->straight_free({line.start, line.length, map.body});
+  return std::string(start ? "; braking from the start speed of " : "; gaining the goal speed of ") +
+         rounded_text(std::abs(speed)) + " m/s takes " + rounded_text(length_to(0.0)) +
+         (start ? " m to a stop, " : " m from rest, ") + rounded_text(length_to(turns)) +
+         (start ? " m to" : " m from") + " the speed of the tightest turns, and a line of that length " +
+         (start ? "from the start" : "to the goal") + (is_free ? " is free" : " is blocked");
+}
+
 }  // namespace
 
 bool pose_is_free(const Roadmap& map, const Pose& pose, bool start, PlanResult& result) {
@@ -125,6 +147,7 @@ void explain(const Roadmap& map, const NoPath& why, const PlanLimits& limits, Pl
     explain_failure(map, why, result);
   }
   result.reason += tried_text(why, result);
+  for (const bool start : {true, false}) result.reason += speed_text(map, result, start);
   if (result.bottleneck)
     result.reason += "; " + result.bottleneck->text(map.world) + ", the body takes " +
                      rounded_text(result.bottleneck->needed) + " m, in its tightest turn " +

@@ -24,10 +24,12 @@ const PlanScene& scene_of(const PlanResult& result) {
   return *result.scene;
 }
 
-// A plan from a pose to itself stays there.
+// A plan from a pose to itself stays there, at the speed it has.
 std::vector<TimedSegment> segments_of(const PlanResult& result) {
-  if (result.segments.empty()) return {{.segment = {result.start}}};
-  return result.segments;
+  if (!result.segments.empty()) return result.segments;
+  const Gear gear = result.start_speed < 0.0 ? Gear::kReverse : Gear::kForward;
+  const double speed = std::abs(result.start_speed);
+  return {{.segment = {result.start, 0.0, 0.0, gear}, .speed_in = speed, .speed_out = speed}};
 }
 
 }  // namespace

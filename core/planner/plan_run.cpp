@@ -28,7 +28,8 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
       best_cost_(kInfinity),
       second_cost_(kInfinity) {
   if (query.request.max_gear_changes) gear_changes_.most = *query.request.max_gear_changes;
-  search_options_.time_model = query.options.time_model;
+  search_options_.ends = query.ends();
+  search_options_.time_model = query.ends().is_moving() ? TimeModel::kProfile : query.options.time_model;
   search_options_.suboptimality = query.options.suboptimality.value_or(0.0);
   search_options_.prefetch = query.limits.prefetch;
   workspace_.unrefined_times.clear();
@@ -95,17 +96,17 @@ void PlanRun::raise_lower_bound() {
   const PlanRequest& request = query_.request;
   distance_ = (*query_.maps.point_distance)(request.start.position(), request.goal.position(), *map_.queries.visibility,
                                             workspace_.point, query_.clock);
-  result_.lower_bound = travel_time_lower_bound(request.start, request.goal, distance_, map_.vehicle, request.reverse);
+  result_.lower_bound =
+      travel_time_lower_bound(request.start, request.goal, distance_, map_.vehicle, request.reverse, query_.ends());
   result_.statistics.lower_bound_seconds = bounding.seconds();
 }
 
 double PlanRun::cost_of(const Path& path) {
-  return travel_cost(path, map_.vehicle, query_.request.cusp_cost, workspace_.profile);
+  return travel_cost(path, map_.vehicle, query_.ends(), query_.request.cusp_cost, workspace_.profile);
 }
 
 double PlanRun::travel_time(const Path& path) {
-  speed_profile(path, map_.vehicle, workspace_.profile);
-  return workspace_.profile.total_time;
+  return arcway::internal::travel_time(path, map_.vehicle, query_.ends(), workspace_.profile);
 }
 
 void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
@@ -127,7 +128,8 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
                           .clock = search_options_.clock,
                           .world = &map_.world,
                           .outlines = map_.outlines.get(),
-                          .at_length = mode == RefineMode::kAtLength};
+                          .at_length = mode == RefineMode::kAtLength,
+                          .ends = query_.ends()};
   if (mode == RefineMode::kBothGears) {
     refined = refine_reversing_path(query, gear_changes_);
   } else {
@@ -152,6 +154,7 @@ const RefinedWay* PlanRun::refined_before(std::uint64_t way, double unrefined) c
 PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, RefineMode mode) {
   PlanStatistics& s = result_.statistics;
   const double unrefined = travel_time(path);
+  if (unrefined == kInfinity) return {kInfinity, kInfinity};
   workspace_.unrefined_times.push_back(unrefined);
   if (const RefinedWay* known = refined_before(way, unrefined)) {
     workspace_.find.search.reuse(std::move(path));
@@ -188,6 +191,7 @@ void PlanRun::keep_forwards(On on, FoundPath&& found, double trials) {
   const PlanMaps& maps = maps_on(on);
   const Roadmap& map = forward_search(on).used_narrow_places() ? maps.narrow->map() : maps.plain;
   const Times times = keep(std::move(*found.search.path), found.search.way, trials, RefineMode::kForwards);
+  if (times.cost == kInfinity) return;
   maps_ = &maps;
   fastest_ = {times, &map, 0, found.search.first_circle, found.search.last_circle};
 }
@@ -204,10 +208,10 @@ void PlanRun::keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t sho
   const bool is_first = !found_;
   if (refines()) {
     const std::size_t most = std::size_t{shortenings} * query_.options.refinement.max_trials;
-    path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock);
+    path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock, query_.ends());
   }
   const Times times = keep(std::move(path), 0, trials, RefineMode::kForwards);
-  if (!is_first && times.cost >= fastest_.times.cost) return;
+  if (times.cost == kInfinity || (!is_first && times.cost >= fastest_.times.cost)) return;
   maps_ = &maps;
   fastest_ = {times, &maps.plain, 0, kNone, kNone};
 }

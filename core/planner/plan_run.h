@@ -129,6 +129,7 @@ class PlanRun {
   void refine(const Path& path, double trials, RefineMode mode);
   void try_faster(const Roadmap& map, std::size_t poses, double least_gain, double trials);
   void try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials);
+  // Infinite if a path cannot be driven between the speeds at its ends.
   [[nodiscard]] double cost_of(const Path& path);
   [[nodiscard]] double travel_time(const Path& path);
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/infinity.h"
 #include "core/gaps/enclosure.h"
 #include "core/planner/plan_run.h"
 #include "core/planner/strategy.h"
@@ -71,8 +72,10 @@ void PlanRun::take(const FindSoon& step, double) {
       [&] { return forward_search(On::kTightest).join_by_single_arcs(end_radii(step.end_radii), step.suboptimality); });
   soon_expanded_ = found.search.counts.nodes_expanded;
   if (!found.search.path) return;
+  const double unrefined = travel_time(*found.search.path);
+  if (unrefined == kInfinity) return;
   soon_ = std::move(found.search.path);
-  note_first(*soon_, travel_time(*soon_));
+  note_first(*soon_, unrefined);
 }
 
 void PlanRun::take(const JoinByNarrowPlaces& step, double trials) {
@@ -143,7 +146,7 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   const Pose& goal = query_.request.goal;
   const auto widened = [&](const Path& path) -> std::optional<Path> {
     if (path.empty()) return std::nullopt;
-    const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock);
+    const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock, query_.ends());
     auto free = push_free(shorter, goal, map_.body, map_, clock);
     if (free || length_of(shorter) == length_of(path)) return free;
     return push_free(path, goal, map_.body, map_, clock);

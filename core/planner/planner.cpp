@@ -171,7 +171,7 @@ void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profil
   const Vehicle& vehicle = map().vehicle;
   result.status = PlanStatus::kSolved;
   result.bottleneck.reset();
-  speed_profile(path, vehicle, profile);
+  travel_time(path, vehicle, {result.start_speed, result.goal_speed}, profile);
   const Body bare = vehicle.body();
   // A point of the body is further from the obstacles than the body.
   result.min_clearance = map().queries.distance->closest(inner_point_of(bare, result.start)).distance;
@@ -300,12 +300,15 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   result.scene = d.scene;
   result.start = asked.start;
   result.goal = asked.goal;
+  result.start_speed = asked.start_speed;
+  result.goal_speed = asked.goal_speed;
   const double distance = (asked.goal.position() - asked.start.position()).norm();
   PlanRequest request = asked;
   request.start = without_many_turns(asked.start, distance);
   request.goal = without_many_turns(asked.goal, distance);
   result.statistics.suboptimality = d.options.suboptimality.value_or(0.0);
-  result.lower_bound = travel_time_lower_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse);
+  result.lower_bound = travel_time_lower_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse,
+                                               {request.start_speed, request.goal_speed});
   if (pose_is_free(d.map(), request.start, true, result) && pose_is_free(d.map(), request.goal, false, result)) {
     WorkspacePool<PlanWorkspace>::Lease workspace(d.workspaces);
     const QueryContext query{d.maps, d.options, request, limits, clock};
@@ -373,6 +376,8 @@ const PrepareStatistics& Planner::prepare_statistics() const { return data_->pre
 std::string to_string(const PlanRequest& request) {
   std::string text = "from " + to_string(request.start) + " to " + to_string(request.goal) +
                      (request.reverse ? " in both gears" : " forwards");
+  if (request.start_speed != 0.0) text += ", from " + shortest_text(request.start_speed) + " m/s";
+  if (request.goal_speed != 0.0) text += ", to " + shortest_text(request.goal_speed) + " m/s";
   if (request.max_gear_changes) text += ", at most " + std::to_string(*request.max_gear_changes) + " gear changes";
   return text;
 }

@@ -124,10 +124,21 @@ void require_pose(const std::string& name, const Pose& pose, const Vehicle& vehi
   require_margin(vehicle, pose.position().cwiseAbs().maxCoeff(), "the coordinate of the ", name);
 }
 
+// A speed at an end must be one that the vehicle can drive on a line.
+void require_speed(const std::string& name, double speed, bool reverse, const Vehicle& vehicle) {
+  const double ahead = vehicle.max_speed(), back = reverse ? vehicle.max_reverse_speed() : 0.0;
+  if (speed >= -back && speed <= ahead) return;
+  throw std::invalid_argument(name + ": " + shortest_text(speed) + " m/s, must be from " + shortest_text(0.0 - back) +
+                              " to " + shortest_text(ahead) + ", the vehicle's limits" +
+                              (reverse ? "" : "; driving backwards needs `reverse`"));
+}
+
 void require_request(const PlanRequest& request, const PlanLimits& limits, const Vehicle& vehicle) {
   require_pose("start pose", request.start, vehicle);
   require_pose("goal pose", request.goal, vehicle);
   if (std::isnan(limits.time)) throw std::invalid_argument("time limit: not a number");
+  require_speed("start speed", request.start_speed, request.reverse, vehicle);
+  require_speed("goal speed", request.goal_speed, request.reverse, vehicle);
   if (!(request.cusp_cost >= 0.0 && std::isfinite(request.cusp_cost)))
     throw std::invalid_argument("cusp cost: " + shortest_text(request.cusp_cost) + " s, must be finite and >= 0");
 }

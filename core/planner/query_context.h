@@ -2,6 +2,7 @@
 
 #include "arcway/planner.h"
 #include "arcway/stop_clock.h"
+#include "core/motion/end_speeds.h"
 #include "core/planner/planner_maps.h"
 
 namespace arcway::internal {
@@ -14,6 +15,8 @@ struct QueryContext {
   const PlanLimits& limits;
   const StopClock& clock;  ///< of the limits
 
+  /// The speeds at both ends.
+  [[nodiscard]] EndSpeeds ends() const { return {request.start_speed, request.goal_speed}; }
   /// The roadmap of all radii.
   [[nodiscard]] const Roadmap& map() const { return maps.all.plain; }
 };

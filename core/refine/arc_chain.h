@@ -26,6 +26,7 @@ struct ArcChain {
   };
 
   Pose start, goal;
+  double entry = 0.0, exit = 0.0;  ///< squares of the speeds there [m^2/s^2]
   std::vector<Arc> arcs;
   std::vector<Line> lines;  ///< one more than arcs; the headings of the first and the last one are given
 

@@ -44,8 +44,8 @@ void find_bounds(const ArcChain& chain, const ChainSpeeds& speeds, std::vector<B
   for (std::uint32_t i = 0; i <= n; ++i) {
     if (chain.lines[i].is_tied) continue;
     bounds.push_back({Limit::kLineLength, i, false});
-    if (i < n) bounds.push_back({Limit::kLineSpeedUp, i, false});
-    if (i > 0) bounds.push_back({Limit::kLineBrake, i, false});
+    if (i < n || chain.exit > 0.0) bounds.push_back({Limit::kLineSpeedUp, i, false});
+    if (i > 0 || chain.entry > 0.0) bounds.push_back({Limit::kLineBrake, i, false});
   }
 }
 

@@ -37,13 +37,13 @@ void ChainSystem::place_speeds() {
   const double twice = 2.0 * speeds.acceleration;
   auto& u = squares_;
   u.assign(2 * n, 0.0);
-  double square = 0.0;
+  double square = chain.entry;
   for (std::size_t i = 0; i < n; ++i) {
     const double limit = speeds.of(chain.arcs[i].radius);
     u[2 * i] = std::min(square + twice * chain.lines[i].length, limit);
     square = u[2 * i + 1] = std::min(u[2 * i] + twice * chain.turn(i) * chain.arcs[i].radius, limit);
   }
-  square = 0.0;
+  square = chain.exit;
   for (std::size_t i = n; i-- > 0;) {
     u[2 * i + 1] = std::min(u[2 * i + 1], square + twice * chain.lines[i + 1].length);
     square = u[2 * i] = std::min(u[2 * i], u[2 * i + 1] + twice * chain.turn(i) * chain.arcs[i].radius);

@@ -99,9 +99,11 @@ ChainSpeeds speeds_of(const Vehicle& vehicle) {
   return {vehicle.max_acceleration(), std::get<LateralAccelerationLimit>(law).lateral_acceleration, top};
 }
 
-double entry_of_line(const ArcChain& chain, std::size_t line) { return line > 0 ? chain.arcs[line - 1].exit : 0.0; }
+double entry_of_line(const ArcChain& chain, std::size_t line) {
+  return line > 0 ? chain.arcs[line - 1].exit : chain.entry;
+}
 double exit_of_line(const ArcChain& chain, std::size_t line) {
-  return line < chain.arcs.size() ? chain.arcs[line].entry : 0.0;
+  return line < chain.arcs.size() ? chain.arcs[line].entry : chain.exit;
 }
 
 double arc_time_alone(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds) {

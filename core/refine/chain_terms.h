@@ -60,14 +60,14 @@ bool has_chain_speeds(const Vehicle& vehicle);
 ChainSpeeds speeds_of(const Vehicle& vehicle);
 
 /// The time through an arc or a line [s], between the speeds at its ends, which need not be as high as they may. It is
-/// smooth where the top speed is just reached. Speeds of 0 at start and goal are given and do not count as numbers.
+/// smooth where the top speed is just reached. Speeds at start and goal are given and do not count as numbers.
 Term arc_time(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds);
 Term line_time(const ArcChain& chain, std::size_t line, const ChainSpeeds& speeds);
 /// Only the values of these times [s].
 double arc_time_alone(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds);
 double line_time_alone(const ArcChain& chain, std::size_t line, const ChainSpeeds& speeds);
 
-/// The squares of the speeds at the ends of a line: those of the arcs beside it, 0 at start and goal.
+/// The squares of the speeds at the ends of a line: those of the arcs beside it, or of start and goal.
 double entry_of_line(const ArcChain& chain, std::size_t line);
 double exit_of_line(const ArcChain& chain, std::size_t line);
 

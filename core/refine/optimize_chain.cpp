@@ -81,6 +81,8 @@ class InteriorPoint {
     const ChainEffort& effort = query_.effort;
     const TurnCuts cuts{effort.parts, effort.least_turn, speeds_of(vehicle).widest()};
     if (!cut_turns(query_.chain, query_.lines, cuts, system_.chain)) return {false, 0};
+    chain().entry = query_.ends.start * query_.ends.start;
+    chain().exit = query_.ends.goal * query_.ends.goal;
     const double unit = vehicle.footprint().length();
     system_.begin(vehicle, vehicle.footprint(0.5 * vehicle.safety_margin() + kGrowth * unit), query_.world,
                   query_.outlines, kReach * unit);

@@ -7,6 +7,7 @@
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 #include "core/model/outlines.h"
+#include "core/motion/end_speeds.h"
 #include "core/refine/circle_chain.h"
 
 namespace arcway::internal {
@@ -28,6 +29,7 @@ struct ChainQuery {
   const Outlines& outlines;  ///< of the world
   ChainEffort effort;
   StopClock clock = {};  ///< asked before each iteration
+  EndSpeeds ends = {};   ///< of the path
 };
 
 /// Makes a chain of turns faster by a primal-dual interior-point method. Each turn is driven in several arcs, whose

@@ -86,9 +86,9 @@ class Refiner {
     // A radius is known by its curvature alone, and may come out too small by rounding.
     for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_on(circle.side));
     chain.place_ends();
-    if (!chain_.begin(chain, vehicle_)) return;
+    if (!chain_.begin(chain, vehicle_, query_.ends)) return;
     const double straight = (chain.goal.position() - chain.start.position()).norm();
-    least_time_ = travel_time_lower_bound(chain.start, chain.goal, straight, vehicle_);
+    least_time_ = travel_time_lower_bound(chain.start, chain.goal, straight, vehicle_, false, query_.ends);
     radii_.clear();
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
@@ -245,7 +245,7 @@ class Refiner {
     effort.iterations = static_cast<int>(
         std::min<std::uint64_t>(static_cast<std::uint64_t>(effort.iterations), most_trials_ - result_.trials));
     const auto [is_optimized, iterations] = optimizer_.optimize(
-        {chain_.chain(), lines(), vehicle_, *query_.world, *query_.outlines, effort, clock_}, optimized_);
+        {chain_.chain(), lines(), vehicle_, *query_.world, *query_.outlines, effort, clock_, query_.ends}, optimized_);
     result_.trials += static_cast<std::uint64_t>(iterations);
     if (!is_optimized || !chain_.make(optimized_) || !is_made_faster() || !are_free(chain_.made_path())) return false;
     take_made();
@@ -548,8 +548,7 @@ void PathRefiner::refine(const RefineQuery& query, RefinedPath& result) {
   result.path = query.path;
   result.trials = result.improvements = result.straights_checked = result.turns_checked = 0;
   result.interrupted = false;
-  speed_profile(query.path, query.vehicle, memory_->profile);
-  result.travel_time = memory_->profile.total_time;
+  result.travel_time = travel_time(query.path, query.vehicle, query.ends, memory_->profile);
   if (chain_of(query.path, query.start, query.goal, memory_->first_chain))
     Refiner(query, *memory_, result).run(memory_->first_chain);
 }

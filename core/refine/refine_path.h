@@ -10,6 +10,7 @@
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 #include "core/model/outlines.h"
+#include "core/motion/end_speeds.h"
 
 namespace arcway::internal {
 
@@ -41,6 +42,7 @@ struct RefineQuery {
   const World* world = nullptr;
   const Outlines* outlines = nullptr;
   bool at_length = false;  ///< whether the path is one of the best, refined before: Stage::kOptimizeAtLength
+  EndSpeeds ends = {};     ///< of the path, which stay as they are
 };
 
 /// Makes a free path faster by local changes, as long as time falls:
@@ -55,7 +57,7 @@ struct RefineQuery {
 /// A change is accepted only if the travel time under the speed profile falls, and the swept area of the body grown by
 /// half of the safety margin is free by `sweep`. The result is therefore as free as the input and never slower. It is a
 /// local optimum of these changes, not the fastest path. A path that turns on fewer than two circles is returned as it
-/// is.
+/// is. So is one that cannot be driven between its end speeds.
 /// Deterministic unless stopped. Keeps its memory for the next path, and that of `result`; one path at a time.
 class PathRefiner {
  public:

@@ -21,13 +21,16 @@ constexpr double kSmallestSaving = 1e-4;             // share of the travel time
 
 class Shortener {
  public:
-  Shortener(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials, const StopClock& clock)
+  // Many parameters because these are those of shorten_path.
+  Shortener(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials, const StopClock& clock,
+            const EndSpeeds& ends)
       : path_(std::move(path)),
         vehicle_(vehicle),
         sweep_(sweep),
         body_(vehicle.body(0.5 * vehicle.safety_margin())),
         trials_left_(max_trials),
-        clock_(clock) {
+        clock_(clock),
+        ends_(ends) {
     time_ = time_of(path_);
   }
 
@@ -53,10 +56,7 @@ class Shortener {
 
   [[nodiscard]] bool done() const { return trials_left_ == 0 || clock_.is_over(); }
 
-  double time_of(const Path& path) {
-    speed_profile(path, vehicle_, profile_);
-    return profile_.total_time;
-  }
+  double time_of(const Path& path) { return travel_time(path, vehicle_, ends_, profile_); }
 
   void find_places() {
     places_.clear();
@@ -97,7 +97,7 @@ class Shortener {
     if (to.along < last.length) shorter_.push_back({to.pose, last.length - to.along, last.curvature});
     shorter_.insert(shorter_.end(), path_.begin() + static_cast<std::ptrdiff_t>(to.segment) + 1, path_.end());
     const double time = time_of(shorter_);
-    if (time >= (1.0 - kSmallestSaving) * time_ || !motion_free(sweep_, body_, between)) return false;
+    if (!(time < (1.0 - kSmallestSaving) * time_) || !motion_free(sweep_, body_, between)) return false;
     path_ = merged(shorter_);
     time_ = time;
     return true;
@@ -109,6 +109,7 @@ class Shortener {
   Body body_;
   std::size_t trials_left_;
   const StopClock& clock_;
+  EndSpeeds ends_;
   double time_ = 0.0;
   std::vector<Place> places_;
   SpeedProfile profile_;
@@ -116,9 +117,10 @@ class Shortener {
 
 }  // namespace
 
+// Many parameters because most callers leave out the end speeds.
 Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
-                  const StopClock& clock) {
-  return Shortener(std::move(path), vehicle, sweep, max_trials, clock).run();
+                  const StopClock& clock, const EndSpeeds& ends) {
+  return Shortener(std::move(path), vehicle, sweep, max_trials, clock, ends).run();
 }
 
 }  // namespace arcway::internal

@@ -6,6 +6,7 @@
 #include "arcway/stop_clock.h"
 #include "arcway/sweep_query.h"
 #include "arcway/vehicle.h"
+#include "core/motion/end_speeds.h"
 
 namespace arcway::internal {
 
@@ -15,7 +16,8 @@ namespace arcway::internal {
 /// and never slower.
 /// @param max_trials  number of paths whose travel time is computed, at most; some microseconds each.
 /// @param clock  asked before each trial; once over, the path so far is the result.
+/// @param ends  speeds of the path. A path that cannot be driven between them may become one that can.
 Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
-                  const StopClock& clock);
+                  const StopClock& clock, const EndSpeeds& ends = {});
 
 }  // namespace arcway::internal

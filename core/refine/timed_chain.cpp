@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/infinity.h"
+
 namespace arcway::internal {
 
 namespace {
@@ -19,8 +21,9 @@ ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t la
   return change;
 }
 
-bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle) {
+bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle, const EndSpeeds& ends) {
   vehicle_ = &vehicle;
+  ends_ = ends;
   if (!make(chain)) return false;
   take();
   return true;
@@ -29,8 +32,7 @@ bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle) {
 bool TimedChain::complete(State& state) const {
   if (!lines_of(state.chain, state.lines)) return false;
   path_of(state.chain, state.lines, state.path);
-  speed_profile(state.path, *vehicle_, state.profile);
-  return true;
+  return travel_time(state.path, *vehicle_, ends_, state.profile) < kInfinity;
 }
 
 double TimedChain::turn_on(std::size_t circle) const {
@@ -73,7 +75,7 @@ void TimedChain::time_parts() {
   }
 
   passings_.clear();
-  Passing at{0.0, 0.0};
+  Passing at{0.0, ends_.start};
   std::size_t segment = 0;
   for (const Stretch& stretch : stretches_) {
     passings_.push_back(at);
@@ -83,8 +85,8 @@ void TimedChain::time_parts() {
   }
   passings_.push_back(at);
 
-  from_start_.reset(vehicle_->max_acceleration());
-  from_goal_.reset(vehicle_->max_acceleration());
+  from_start_.reset(vehicle_->max_acceleration(), TimeModel::kProfile, ends_.start);
+  from_goal_.reset(vehicle_->max_acceleration(), TimeModel::kProfile, ends_.goal);
   start_joints_.resize(stretches_.size());
   goal_joints_.resize(stretches_.size());
   for (const bool forwards : {true, false}) {

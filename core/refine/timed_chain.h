@@ -32,8 +32,9 @@ ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t la
 class TimedChain {
  public:
   /// Takes a chain. The vehicle must outlive the use.
-  /// @return false if two neighbors have no bitangent.
-  bool begin(const CircleChain& chain, const Vehicle& vehicle);
+  /// @param ends  speeds of its path and those of all changed ones.
+  /// @return false if two neighbors have no bitangent, or no motion has these end speeds.
+  bool begin(const CircleChain& chain, const Vehicle& vehicle, const EndSpeeds& ends = {});
 
   [[nodiscard]] const CircleChain& chain() const { return now_.chain; }
   /// See lines_of.
@@ -64,13 +65,14 @@ class TimedChain {
   bool lay_out(const ChainChange& change);
   [[nodiscard]] const std::vector<Part>& laid_out() const { return laid_out_; }
   /// The travel time after the change laid out last [s], from its parts alone: exact up to rounding, or too small.
+  /// Infinity if no motion has the end speeds.
   [[nodiscard]] double time_after(const ChainChange& change);
 
   /// Makes the changed path.
-  /// @return false if two neighbors have no bitangent.
+  /// @return false if two neighbors have no bitangent, or no motion has the end speeds.
   bool make(const ChainChange& change);
   /// Makes the path of another chain.
-  /// @return false if two neighbors have no bitangent.
+  /// @return false as `make` of a change.
   bool make(const CircleChain& chain);
   [[nodiscard]] const Path& made_path() const { return made_.path; }
   [[nodiscard]] double made_time() const { return made_.profile.total_time; }
@@ -95,6 +97,7 @@ class TimedChain {
   void add_arc(const TurnCircle& circle, double from, double to);
 
   const Vehicle* vehicle_ = nullptr;
+  EndSpeeds ends_;
   State now_, made_;
   // Lines and circles alternate: line i has index 2 i, circle i has 2 i + 1.
   std::vector<Stretch> stretches_;

@@ -102,6 +102,7 @@ struct Question {
   Vehicle vehicle;  // with the gears as the path will be driven
   Heuristic heuristic;
   TimeModel time_model;
+  EndSpeeds ends;
   double cusp_cost;
   double suboptimality;
   std::uint32_t not_first, not_last;
@@ -111,7 +112,7 @@ struct Question {
 
 Question question_of(const SearchContext& context) {
   const SearchOptions& o = context.options;
-  return {context.vehicle, o.heuristic, o.time_model, o.cusp_cost,
+  return {context.vehicle, o.heuristic, o.time_model, o.ends,     o.cusp_cost,
           o.suboptimality, o.not_first, o.not_last,   o.end_radii};
 }
 
@@ -276,7 +277,8 @@ class ArrivalSearch::Run {
     const double distance = (context_.goal - p).norm();
     switch (context_.options.heuristic) {
       case Heuristic::kTravelTime:
-        return relaxed_segment_time(distance, speed, top_speed_, 0.0, vehicle_.max_acceleration());
+        return relaxed_segment_time(distance, speed, top_speed_, context_.options.ends.goal,
+                                    vehicle_.max_acceleration());
       case Heuristic::kPaperDistance:
         return distance;
       case Heuristic::kDijkstra:

@@ -12,8 +12,8 @@
 
 namespace arcway::internal {
 
-/// Finds the fastest path of the feasible graph under the true speed profile: from rest to rest, at most v_ms on lines
-/// and v_mc on arcs, |dv/dt| <= a_max. Speeding up and braking may take any number of segments.
+/// Finds the fastest path of the feasible graph under the true speed profile: between the end speeds of the options, at
+/// most v_ms on lines and v_mc on arcs, |dv/dt| <= a_max. Speeding up and braking may take any number of segments.
 ///
 /// **Search.** A* over directed arrivals, (11). A label is an arrival on a circle at the end of a bitangent, by some
 /// path, with the speed profile of that path (see SpeedTree). A label is dropped if another one on its circle goes on

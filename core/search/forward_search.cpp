@@ -7,32 +7,56 @@
 
 namespace arcway::internal {
 
-ForwardSearch::End::End(const Roadmap& map, const Pose& pose, Direction direction, ManeuverSearch& maneuvers,
-                        const StopClock& clock)
-    : map_(map),
-      direction_(direction),
+namespace {
+
+MovingEnd start_of(const Roadmap& map, const ForwardSearch::Query& query, const SearchOptions& options) {
+  return {map, map.vehicle, query.start, Direction::kFromStart, options.ends.start};
+}
+MovingEnd goal_of(const Roadmap& map, const ForwardSearch::Query& query, const SearchOptions& options) {
+  return {map, map.vehicle, query.goal, Direction::kToGoal, options.ends.goal};
+}
+
+}  // namespace
+
+EndAttachments::EndAttachments(const MovingEnd& end, ManeuverSearch& maneuvers, const StopClock& clock)
+    : map_(end.map),
+      direction_(end.direction),
       maneuvers_(maneuvers),
       clock_(clock),
-      plain_{pose, {}},
-      attachments_(&plain_, 1) {}
+      plain_{end.pose, {}},
+      all_(&plain_, 1) {
+  if (end.speed > 0.0) fast_ = fast_attachments(end);
+  if (!fast_.empty()) all_ = fast_;
+}
+
+std::size_t EndAttachments::find(const ManeuverPoses& poses) {
+  const ManeuveringBody body(map_.vehicle, map_.radii[0], *map_.queries.sweep);
+  const std::span<const Attachment> found = maneuvers_.find(plain_.pose, direction_, body, poses, clock_);
+  all_ = found;
+  if (!fast_.empty()) {
+    joined_ = fast_;
+    joined_.insert(joined_.end(), found.begin() + 1, found.end());
+    all_ = joined_;
+  }
+  return found.size();
+}
 
 bool ForwardSearch::End::extend(std::size_t first, std::size_t most) {
-  if (attachments_.size() < asked_ || asked_ >= most) return false;
+  if (found_ < asked_ || asked_ >= most) return false;
   find(asked_ == 0 ? std::min(most, first) : most, Spread::kDense);
-  return attachments_.size() > 1;
+  return found_ > 1;
 }
 
 bool ForwardSearch::End::extend_far(const ManeuverEffort& effort, std::size_t most) {
   if (extend(effort.first, most)) return true;
-  if (attachments_.size() < asked_ || asked_ > most || most == 0) return false;
+  if (found_ < asked_ || asked_ > most || most == 0) return false;
   find(effort.sparse_factor * most, Spread::kSparse);
-  return attachments_.size() > 1;
+  return found_ > 1;
 }
 
 void ForwardSearch::End::find(std::size_t poses, Spread spread) {
   asked_ = poses;
-  const ManeuveringBody body(map_.vehicle, map_.radii[0], *map_.queries.sweep);
-  attachments_ = maneuvers_.find(plain_.pose, direction_, body, {poses, spread}, clock_);
+  found_ = all_.find({poses, spread});
 }
 
 ForwardSearch::ForwardSearch(const Roadmap& map, const NarrowPlaces* places, const Query& query,
@@ -42,8 +66,8 @@ ForwardSearch::ForwardSearch(const Roadmap& map, const NarrowPlaces* places, con
       query_(query),
       options_(options),
       workspace_(workspace),
-      from_(map, query.start, Direction::kFromStart, workspace.from, options_.clock),
-      to_(map, query.goal, Direction::kToGoal, workspace.to, options_.clock) {}
+      from_(start_of(map, query, options_), workspace.from, options_.clock),
+      to_(goal_of(map, query, options_), workspace.to, options_.clock) {}
 
 bool ForwardSearch::search(const Roadmap& on, const End& from, const End& to, FoundPath& found) {
   SearchResult result = workspace_.search.find(on, from.attachments(), to.attachments(), options_);
@@ -69,7 +93,8 @@ const Roadmap* ForwardSearch::narrow_map() const {
 FoundPath ForwardSearch::join_by_single_arcs(std::size_t radii, double suboptimality) {
   FoundPath found;
   const bool is_there = (query_.start.position() - query_.goal.position()).isZero(0.0) &&
-                        wrap_signed(query_.start.heading - query_.goal.heading) == 0.0;
+                        wrap_signed(query_.start.heading - query_.goal.heading) == 0.0 &&
+                        options_.ends.start == options_.ends.goal;
   if (is_there) {
     found.search.path = Path{};
   } else {
@@ -122,8 +147,8 @@ FoundPath ForwardSearch::join_by_maneuvers_and_narrow_places(std::size_t poses) 
   FoundPath found;
   const Roadmap* narrow = query_.most_poses > 0 ? narrow_map() : nullptr;
   if (!narrow) return found;
-  End from(map_, query_.start, Direction::kFromStart, workspace_.from, options_.clock);
-  End to(map_, query_.goal, Direction::kToGoal, workspace_.to, options_.clock);
+  End from(start_of(map_, query_, options_), workspace_.from, options_.clock);
+  End to(goal_of(map_, query_, options_), workspace_.to, options_.clock);
   const std::size_t most = std::min(query_.most_poses, poses);
   if (obstruction() != Obstruction::kGoal) from.extend(most, most);
   if (obstruction() != Obstruction::kStart) to.extend(most, most);
@@ -139,13 +164,12 @@ Obstruction ForwardSearch::obstruction() const {
 
 FoundPath find_path_with_maneuvers(const Roadmap& map, const ForwardSearch::Query& query, const SearchOptions& options,
                                    FindWorkspace& workspace) {
-  const ManeuveringBody body(map.vehicle, map.radii[0], *map.queries.sweep);
   const ManeuverPoses sparse{query.most_poses, Spread::kSparse};
-  const auto from = workspace.from.find(query.start, Direction::kFromStart, body, sparse, options.clock);
-  const auto to = workspace.to.find(query.goal, Direction::kToGoal, body, sparse, options.clock);
+  EndAttachments from(start_of(map, query, options), workspace.from, options.clock);
+  EndAttachments to(goal_of(map, query, options), workspace.to, options.clock);
   FoundPath found;
-  found.search = workspace.search.find(map, from, to, options);
-  found.maneuver_poses = from.size() + to.size();
+  found.maneuver_poses = from.find(sparse) + to.find(sparse);
+  found.search = workspace.search.find(map, from.all(), to.all(), options);
   return found;
 }
 

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
+#include "core/attach/fast_attachments.h"
 #include "core/attach/maneuvers.h"
 #include "core/attach/narrow_places.h"
 #include "core/search/arrival_search.h"
@@ -28,6 +30,29 @@ struct FoundPath {
 struct FindWorkspace {
   ArrivalSearch search;
   ManeuverSearch from, to;
+};
+
+/// How one end joins the roadmap: by its own pose, by places where the vehicle is slow enough to turn, and by
+/// maneuvers.
+class EndAttachments {
+ public:
+  /// All that the end refers to must outlive this.
+  EndAttachments(const MovingEnd& end, ManeuverSearch& maneuvers, const StopClock& clock);
+  EndAttachments(const EndAttachments&) = delete;
+
+  /// Adds maneuvers in place of those before; returns their number, the end's own pose included.
+  std::size_t find(const ManeuverPoses& poses);
+  [[nodiscard]] std::span<const Attachment> all() const { return all_; }
+
+ private:
+  const Roadmap& map_;
+  Direction direction_;
+  ManeuverSearch& maneuvers_;
+  const StopClock& clock_;
+  Attachment plain_;
+  std::vector<Attachment> fast_;    // of an end that is too fast for the smallest turns; the first is its own pose
+  std::vector<Attachment> joined_;  // these and maneuvers
+  std::span<const Attachment> all_;
 };
 
 /// How many poses join the roadmap where single arcs do not.
@@ -72,10 +97,9 @@ class ForwardSearch {
   // One end of a path and the poses by which it may join the graph.
   class End {
    public:
-    End(const Roadmap& map, const Pose& pose, Direction direction, ManeuverSearch& maneuvers, const StopClock& clock);
-    End(const End&) = delete;
+    End(const MovingEnd& end, ManeuverSearch& maneuvers, const StopClock& clock) : all_(end, maneuvers, clock) {}
 
-    [[nodiscard]] std::span<const Attachment> attachments() const { return attachments_; }
+    [[nodiscard]] std::span<const Attachment> attachments() const { return all_.all(); }
     // Poses close to the end, more than before; false if there are no more.
     bool extend(std::size_t first, std::size_t most);
     // More poses, in the end sparse ones; false if there are no more.
@@ -84,13 +108,8 @@ class ForwardSearch {
    private:
     void find(std::size_t poses, Spread spread);
 
-    const Roadmap& map_;
-    Direction direction_;
-    std::size_t asked_ = 0;
-    ManeuverSearch& maneuvers_;
-    const StopClock& clock_;
-    Attachment plain_;
-    std::span<const Attachment> attachments_;
+    std::size_t asked_ = 0, found_ = 1;  // poses of maneuvers
+    EndAttachments all_;
   };
 
   // True if that ends the step: with a path, or as the time is up.

@@ -1,5 +1,6 @@
 #include "core/search/search_times.h"
 
+#include "core/base/infinity.h"
 #include "core/motion/speed_profile.h"
 
 namespace arcway::internal {
@@ -7,7 +8,10 @@ namespace arcway::internal {
 void SearchTimes::begin(const SearchContext& context, bool warm_start) {
   context_ = &context;
   line_speed_ = context.vehicle.max_speed();
-  if (!warm_start) speeds_.reset(context.vehicle.max_acceleration(), context.options.time_model);
+  if (!warm_start) {
+    const SearchOptions& options = context.options;
+    speeds_.reset(context.vehicle.max_acceleration(), options.time_model, options.ends.start, options.ends.goal);
+  }
 }
 
 std::uint32_t SearchTimes::add_connection(const AttachmentCircle& from) {
@@ -42,8 +46,10 @@ double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius,
     joint = add_stretch(joint, stretch, next);
     stretch = next;
   }
-  joint = add_stretch(joint, stretch, {0.0, 0.0, stretch.gear});
-  const double time = speeds_[joint].time;
+  const double goal_speed = context_->options.ends.goal;
+  joint = add_stretch(joint, stretch, {0.0, goal_speed, stretch.gear});
+  const bool is_fast_enough = speeds_[joint].speed >= goal_speed * (1.0 - SpeedTree::kTolerance);
+  const double time = is_fast_enough ? speeds_[joint].time : kInfinity;
   speeds_.truncate(size);
   return time;
 }

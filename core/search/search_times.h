@@ -34,6 +34,7 @@ class SearchTimes {
   /// The joint of add_drive, without adding it.
   [[nodiscard]] SpeedTree::Joint drive(const Drive& drive) const;
   /// The exact time of a complete path [s]: from a joint by an arc, a link to a goal's circle, and what follows.
+  /// Infinity if it cannot end at the goal's speed.
   double time_to_goal(std::uint32_t joint, double arc, double radius, const AttachmentLink& link,
                       const AttachmentCircle& to);
 

@@ -36,6 +36,7 @@ class Validation {
       for (std::size_t i = 0; i < n; ++i) check_shape(i);
       check_motion(start);
       for (std::size_t i = 0; has_times() && i < n; ++i) check_time(i);
+      check_end_speeds();
     }
     if (report_.valid() && n > 0 && !options_.moving.empty()) find_conflicts();
     return std::move(report_);
@@ -159,9 +160,8 @@ class Validation {
       add(Violation::kSpeedLimit, i, at,
           "the speed is " + shortest_text(speed) + " m/s, the limit " + shortest_text(limit));
     }
-    check_speed_jump(i, 0.0, i == 0 ? 0.0 : path_.speed_out[i - 1], v1);
+    if (i > 0) check_speed_jump(i, 0.0, path_.speed_out[i - 1], v1);
     if (i > 0 && s.gear != path_.segments[i - 1].gear) check_cusp(i, std::max(path_.speed_out[i - 1], v1));
-    if (i + 1 == path_.segments.size()) check_speed_jump(i, s.length, 0.0, v3);
 
     const double change = std::abs(v3 - v1) * (v3 + v1);
     const double rounding = tolerance * tolerance * vehicle_.max_speed() * vehicle_.max_speed();
@@ -196,6 +196,18 @@ class Validation {
     if (std::abs(before - after) <= options_.relative_tolerance * std::max(1.0, std::abs(before))) return;
     add(Violation::kSpeedJump, i, at,
         "the speed jumps from " + shortest_text(before) + " to " + shortest_text(after) + " m/s");
+  }
+
+  // Speeds at the ends count backwards where the gear is reverse.
+  void check_end_speeds() {
+    const Path& path = path_.segments;
+    if (path.empty()) {
+      check_speed_jump(0, 0.0, options_.start_speed, options_.goal_speed);
+    } else if (has_times()) {
+      const std::size_t last = path.size() - 1;
+      check_speed_jump(0, 0.0, options_.start_speed, sign_of(path.front().gear) * path_.speed_in.front());
+      check_speed_jump(last, path[last].length, sign_of(path[last].gear) * path_.speed_out[last], options_.goal_speed);
+    }
   }
 
   void check_cusp(std::size_t i, double speed) {

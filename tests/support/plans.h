@@ -10,8 +10,9 @@ namespace arcway::internal::test {
 /// A solved plan passes the validator and respects its own bounds.
 /// @param reverse  it may drive backwards.
 inline void expect_valid(const Planner& planner, const PlanResult& result, bool reverse = false) {
-  const ValidationReport report = validate(planner.world(), planner.vehicle(), result.start, result.goal,
-                                           result.timed_path(), {.reverse = reverse});
+  const ValidationReport report =
+      validate(planner.world(), planner.vehicle(), result.start, result.goal, result.timed_path(),
+               {.reverse = reverse, .start_speed = result.start_speed, .goal_speed = result.goal_speed});
   for (const ValidationIssue& issue : report.issues) ADD_FAILURE() << name_of(issue.violation) << ": " << issue.message;
   EXPECT_GE(result.travel_time, result.lower_bound * (1.0 - 1e-12));
   EXPECT_GT(result.min_clearance, 0.0);

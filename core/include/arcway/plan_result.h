@@ -86,6 +86,8 @@ struct ARCWAY_API PlanResult {
   std::string reason;                        ///< unless solved: what failed, where, by which value and limit
   Certainty certainty = Certainty::kGaveUp;  ///< unless solved: whether that is proved
   Pose start, goal;                          ///< as requested
+  double start_speed = 0.0;                  ///< as requested, negative backwards [m/s]
+  double goal_speed = 0.0;                   ///< as requested [m/s]
   /// Whether the time limit or the stop token ended the query. The path, if any, is the best one found by then.
   bool interrupted = false;
   std::vector<TimedSegment> segments;

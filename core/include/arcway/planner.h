@@ -90,6 +90,10 @@ struct PlanRequest {
                            ///< [s]; no part of travel times
   /// Largest number of gear changes of a plan; none: any number.
   std::optional<std::uint32_t> max_gear_changes = std::nullopt;
+  /// Speeds with which the plan begins and ends [m/s]: positive driven forwards, negative backwards, 0 at rest. A start
+  /// that moves forwards is that of a plan that is driven already: see TrajectoryState::signed_speed.
+  double start_speed = 0.0;
+  double goal_speed = 0.0;
 };
 
 /// "from (1, 2, 0) to (3, 4, 0) forwards", "... in both gears, at most 3 gear changes".
@@ -191,10 +195,16 @@ class ARCWAY_API Planner {
   /// A query without a path is no error: see PlanResult::status. A heading of very many turns is reduced to one turn
   /// where its rounding would show at the goal. Segments then start and end at the reduced heading; the result's start
   /// and goal are those of the request. Thread-safe. Cost: see the table in README.md.
+  ///
+  /// With a start or goal speed the plan is the fastest one that begins and ends so. An end that is too fast for the
+  /// tightest turns is also joined by straights and arcs to brake on. A plan that cannot brake before an obstacle has
+  /// no path; the reason names the length that braking takes. The time model is then TimeModel::kProfile.
   /// @throws std::invalid_argument if a number of a pose is neither 0 nor of magnitude 1e-50 to 1e9, or the time limit
   ///   is not a number.
   /// @throws std::invalid_argument if the safety margin is too small for the poses' coordinates (see the constructor),
   ///   or the cusp cost is negative or not finite.
+  /// @throws std::invalid_argument if a start or goal speed is above the vehicle's limit in its gear, or backwards
+  ///   without `reverse`.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, const PlanLimits& limits = {}) const;
   /// A plan between two poses with the defaults of PlanRequest: planner.plan({0, 0, 0}, {20, 5, 0}).
   [[nodiscard]] PlanResult plan(const Pose& start, const Pose& goal, const PlanLimits& limits = {}) const;

@@ -28,6 +28,9 @@ struct TrajectoryState {
   double steering_angle = 0.0;  ///< Vehicle::steering_angle of the curvature [rad]
   Gear gear = Gear::kForward;   ///< direction of travel along the body
   std::size_t segment = 0;      ///< index of the segment
+
+  /// The speed, negative while driving backwards [m/s]: PlanRequest::start_speed of a plan that goes on from here.
+  [[nodiscard]] double signed_speed() const { return gear == Gear::kReverse ? 0.0 - speed : speed; }
 };
 
 /// "1.5 s, 12 m: (13, 2, 0) at 12 m/s forwards, 0 m/s^2, curvature 0 1/m".

@@ -13,12 +13,14 @@
 
 namespace arcway {
 
-/// What the validator tolerates.
+/// What the validator tolerates, and what it expects beside the end poses.
 struct ValidationOptions {
   double position_tolerance = 1e-6;         ///< at joints and end poses [m]
   double heading_tolerance = 1e-6;          ///< at joints and end poses [rad]
   double relative_tolerance = 1e-6;         ///< of curvature, speeds, accelerations and durations
   bool reverse = true;                      ///< whether segments may be driven backwards
+  double start_speed = 0.0;                 ///< with which the path must begin, negative backwards [m/s]
+  double goal_speed = 0.0;                  ///< with which the path must end [m/s]
   std::vector<MovingObstacle> moving = {};  ///< that the motion must not meet, see conflicts()
 };
 
@@ -82,7 +84,7 @@ ARCWAY_API std::string to_string(const ValidationReport& report);
 /// | end poses, joints | positions and headings agree within the tolerances; headings are the body's in either gear |
 /// | curvature | at most 1 / rho_min |
 /// | collision | the bare body, without margin, touches no obstacle and stays within the bounds all the time |
-/// | speeds | within limits and acceleration limits; 0 at both ends and where the gear changes |
+/// | speeds | within limits and acceleration limits; the expected ones at both ends; 0 where the gear changes |
 /// | durations | at least the fastest ones for the given joint speeds |
 ///
 /// The motion is never sampled. On a line, the swept rectangle is compared with the edges. On an arc, the motion is
@@ -93,7 +95,8 @@ ARCWAY_API std::string to_string(const ValidationReport& report);
 ///
 /// An interval that is neither, and in which no point of the body travels 1e-9 of the body's reach, is a collision.
 ///
-/// An empty path is valid if start and goal agree within the tolerances and the body is free at the start. Cost: O(n)
+/// An empty path is valid if start and goal agree within the tolerances, in pose and speed, and the body is free at the
+/// start. Cost: O(n)
 /// to sort the map's edges, some 50 ns each; then one or two milliseconds for a path of a hundred segments. Use a
 /// Validator for many paths on one map.
 /// @throws std::invalid_argument if speeds or durations are given, but not one a segment.

@@ -108,7 +108,7 @@ TEST(SpeedProfile, EmptyPath) {
   EXPECT_TRUE(profile.durations.empty());
   EXPECT_EQ(profile.speeds.size(), 1u);
   EXPECT_EQ(profile.total_time, 0.0);
-  EXPECT_THROW(speed_profile({}, Vehicle(), 1.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(speed_profile({}, Vehicle(), {1.0, 0.0}), std::invalid_argument);
 }
 
 TEST(SpeedProfile, BrakesOverSeveralShortSegments) {
@@ -177,19 +177,59 @@ TEST(SpeedProfile, BackwardsWithItsOwnLimit) {
 TEST(SpeedProfile, EndSpeeds) {
   const Vehicle vehicle = slow_vehicle();
   const Path path{{{}, 4.0, 0.0}, {{}, 5.0, 0.0}};
-  EXPECT_NEAR(speed_profile(path, vehicle, 0.0, 6.0).total_time, 3.0, 1e-14);
-  EXPECT_NEAR(speed_profile(path, vehicle, 6.0, 0.0).total_time, 3.0, 1e-14);
-  EXPECT_NEAR(speed_profile(path, vehicle, 2.0, 3.0).total_time, grid_time(path, vehicle, 2.0, 3.0), 1e-4);
+  EXPECT_NEAR(speed_profile(path, vehicle, {0.0, 6.0}).total_time, 3.0, 1e-14);
+  EXPECT_NEAR(speed_profile(path, vehicle, {6.0, 0.0}).total_time, 3.0, 1e-14);
+  EXPECT_NEAR(speed_profile(path, vehicle, {2.0, 3.0}).total_time, grid_time(path, vehicle, 2.0, 3.0), 1e-4);
 }
 
 TEST(SpeedProfile, RefusesEndSpeedsOutOfReach) {
   const Vehicle vehicle = slow_vehicle();
   const Path path{{{}, 9.0, 0.0}};
-  EXPECT_THROW(speed_profile(path, vehicle, -1.0, 0.0), std::invalid_argument);
-  EXPECT_THROW(speed_profile(path, vehicle, 0.0, std::nan("")), std::invalid_argument);
-  EXPECT_THROW(speed_profile(path, vehicle, 12.5, 0.0), std::invalid_argument);
-  EXPECT_THROW(speed_profile(path, vehicle, 6.001, 0.0), std::invalid_argument);
-  EXPECT_THROW(speed_profile(path, vehicle, 0.0, 6.001), std::invalid_argument);
+  EXPECT_THROW(speed_profile(path, vehicle, {-1.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW(speed_profile(path, vehicle, {0.0, std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(speed_profile(path, vehicle, {12.5, 0.0}), std::invalid_argument);
+  EXPECT_THROW(speed_profile(path, vehicle, {6.001, 0.0}), std::invalid_argument);
+  EXPECT_THROW(speed_profile(path, vehicle, {0.0, 6.001}), std::invalid_argument);
+}
+
+TEST(SpeedProfile, EqualsFineGridBetweenMovingEnds) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const Vehicle vehicle = slow_vehicle();
+  SpeedProfile profile;
+  int possible = 0;
+  for (int round = 0; round < 100; ++round) {
+    Path path;
+    for (int i = 0; i < 4; ++i)
+      path.push_back(
+          {{}, std::pow(10.0, -1.0 + 2.0 * uniform(random)), uniform(random) < 0.4 ? 0.0 : uniform(random) - 0.5});
+    const EndSpeeds ends{uniform(random) * limit_of(path.front(), vehicle),
+                         uniform(random) * limit_of(path.back(), vehicle)};
+    const double time = travel_time(path, vehicle, ends, profile);
+    if (std::isinf(time)) {
+      EXPECT_THROW(speed_profile(path, vehicle, ends), std::invalid_argument);
+      continue;
+    }
+    ++possible;
+    EXPECT_EQ(profile.speeds.front(), ends.start);
+    EXPECT_EQ(profile.speeds.back(), ends.goal);
+    EXPECT_NEAR(time / grid_time(path, vehicle, ends.start, ends.goal), 1.0, 1e-4) << round;
+  }
+  EXPECT_GT(possible, 20);
+  EXPECT_LT(possible, 90);
+}
+
+TEST(SpeedProfile, EndSpeedsAreNegativeBackwards) {
+  const Vehicle vehicle = slow_vehicle();
+  const Path ahead{{{}, 4.0, 0.0}, {{4, 0, 0}, 5.0, 0.2}}, back = reversed(ahead);
+  SpeedProfile profile;
+  const double time = travel_time(ahead, vehicle, {1.0, 2.0}, profile);
+  EXPECT_NEAR(travel_time(back, vehicle, {-2.0, -1.0}, profile), time, 1e-12);
+  EXPECT_EQ(profile.speeds.front(), 2.0);
+  EXPECT_TRUE(std::isinf(travel_time(back, vehicle, {2.0, -1.0}, profile)));
+  EXPECT_TRUE(std::isinf(travel_time(ahead, vehicle, {1.0, -2.0}, profile)));
+  EXPECT_EQ(travel_time({}, vehicle, {-2.0, -2.0}, profile), 0.0);
+  EXPECT_TRUE(std::isinf(travel_time({}, vehicle, {2.0, -2.0}, profile)));
 }
 
 TEST(SpeedProfile, FillsAProfileThatWasInUse) {
@@ -199,7 +239,7 @@ TEST(SpeedProfile, FillsAProfileThatWasInUse) {
   for (std::size_t n = 0; n <= path.size(); ++n) {
     const auto part = std::span(path).first(n);
     const SpeedProfile fresh = speed_profile(part, vehicle);
-    speed_profile(part, vehicle, used);
+    travel_time(part, vehicle, {}, used);
     EXPECT_EQ(used.speeds, fresh.speeds);
     EXPECT_EQ(used.durations, fresh.durations);
     EXPECT_EQ(used.total_time, fresh.total_time);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/motion/speed_profile.h"
 #include "tests/support/random_inputs.h"
@@ -48,7 +49,7 @@ TEST(SpeedTree, AgreesWithTheSpeedProfileAtEveryEndSpeed) {
     const Path path = random_path(random, static_cast<std::size_t>(random.integer(1, 12)));
     const SpeedTree::Joint& end = tree[add_path(tree, vehicle, path, vehicle.max_speed())];
     for (const double speed : {0.0, 0.3 * end.speed, random.unit() * end.speed, end.speed}) {
-      const double time = speed_profile(path, vehicle, 0.0, speed).total_time;
+      const double time = speed_profile(path, vehicle, {0.0, speed}).total_time;
       EXPECT_NEAR(tree.time_at(end, speed), time, 1e-9 * (1.0 + time)) << i;
     }
     EXPECT_NEAR(tree.time_at(end, end.speed), end.time, 1e-9 * (1.0 + end.time));
@@ -81,6 +82,79 @@ TEST(SpeedTree, WhatOnePathDominatesIsNeverFasterInTheEnd) {
   }
   EXPECT_GT(dominated, 5000);
   EXPECT_GT(faster, 20000);
+}
+
+TEST(SpeedTree, AgreesWithTheSpeedProfileFromAMovingStart) {
+  test::RandomInputs random(6);
+  SpeedTree tree;
+  SpeedProfile profile;
+  int possible = 0, impossible = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vehicle vehicle = slow_in_turns(2.0);
+    const Path path = random_path(random, static_cast<std::size_t>(random.integer(1, 8)));
+    const double start = random.uniform(0.0, vehicle.max_speed());
+    tree.reset(vehicle.max_acceleration(), TimeModel::kProfile, start);
+    const SpeedTree::Joint& end = tree[add_path(tree, vehicle, path, vehicle.max_speed())];
+    const double most = std::isinf(end.time) ? limit_on(vehicle, path.back()) : end.speed;
+    for (const double speed : {0.0, 0.3 * most, random.unit() * most, most}) {
+      const double time = travel_time(path, vehicle, {start, speed}, profile);
+      ++(std::isinf(time) ? impossible : possible);
+      if (std::isinf(time)) {
+        EXPECT_TRUE(std::isinf(tree.time_at(end, speed))) << i;
+      } else {
+        EXPECT_NEAR(tree.time_at(end, speed), time, 1e-9 * (1.0 + time)) << i;
+      }
+    }
+  }
+  EXPECT_GT(possible, 1000);
+  EXPECT_GT(impossible, 1000);
+}
+
+TEST(SpeedTree, AStartThatIsTooFastForItsFirstSegmentLeadsNowhere) {
+  SpeedTree tree;
+  tree.reset(2.0, TimeModel::kProfile, 5.0);
+  const std::uint32_t slow = tree.add(0, 100.0, 2.0, 12.0);
+  EXPECT_TRUE(std::isinf(tree[tree.add(slow, 10.0, 12.0, 0.0)].time));
+  EXPECT_TRUE(std::isinf(tree[tree.add(0, 100.0, 4.9, 12.0)].time));
+  EXPECT_FALSE(std::isinf(tree[tree.add(0, 100.0, 5.0, 12.0)].time));
+}
+
+// The rests of paths are short: what matters is whether they can brake, and get as fast as the goal asks.
+TEST(SpeedTree, WhatOnePathDominatesIsNeverFasterBetweenMovingEnds) {
+  test::RandomInputs random(18);
+  SpeedTree tree;
+  SpeedProfile profile;
+  int dominated = 0, possible = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vehicle vehicle = slow_in_turns(2.0);
+    Path first = random_path(random, 3);
+    for (PathSegment& s : first) s.length *= 0.2;
+    Path second = first;
+    for (PathSegment& s : second) s.length *= random.uniform(0.7, 1.4);
+    const double start = random.uniform(0.0, limit_on(vehicle, first.front()));
+    const double goal = i % 2 == 0 ? 0.0 : random.uniform(0.0, 8.0);
+    tree.reset(vehicle.max_acceleration(), TimeModel::kProfile, start, goal);
+    const double limit = vehicle.turn_speed(random.uniform(1.3, 40.0));
+    const std::uint32_t a = add_path(tree, vehicle, first, limit);
+    const std::uint32_t b = add_path(tree, vehicle, second, limit);
+    if (std::isinf(tree[b].time) || !tree.dominates(tree[a], tree[b])) continue;
+    ++dominated;
+    for (int k = 0; k < 5; ++k) {
+      Path rest = random_path(random, static_cast<std::size_t>(random.integer(1, 4)));
+      for (PathSegment& s : rest) s.length *= 0.2;
+      rest.front() = {{}, rest.front().length, 2.0 / (limit * limit)};
+      const auto time_of = [&](Path path) {
+        path.insert(path.end(), rest.begin(), rest.end());
+        return travel_time(path, vehicle, {start, goal}, profile);
+      };
+      const double from_b = time_of(second);
+      if (std::isinf(from_b)) continue;
+      ++possible;
+      EXPECT_LE(time_of(first), from_b + 1e-9) << i;
+    }
+  }
+  EXPECT_GT(dominated, 3000);
+  EXPECT_GT(possible, 3000);
 }
 
 TEST(SpeedTree, SlackMakesUpForALaterStart) {

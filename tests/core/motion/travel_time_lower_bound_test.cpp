@@ -89,6 +89,49 @@ TEST(TravelTimeLowerBound, NoWordIsFaster) {
     }
 }
 
+TEST(TravelTimeLowerBound, NoWordBetweenMovingEndsIsFaster) {
+  test::RandomInputs random(14);
+  SpeedProfile profile;
+  int possible = 0, moved = 0;
+  for (const TurnSpeedLaw& law : {TurnSpeedLaw{ConstantTurnSpeed{8.0}}, TurnSpeedLaw{LateralAccelerationLimit{2.0}}})
+    for (const double acceleration : {0.5, 2.0, 50.0}) {
+      const Vehicle vehicle = vehicle_with(law, acceleration);
+      for (int i = 0; i < 1000; ++i) {
+        const double side = i % 2 == 0 ? 4.0 : 60.0;
+        const auto pose = [&] {
+          return Pose{random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(-kPi, kPi)};
+        };
+        const Pose start = pose(), goal = i % 7 == 0 ? start : pose();
+        const EndSpeeds ends{random.uniform(0.0, 6.0), random.uniform(0.0, 6.0)};
+        const double distance = (goal.position() - start.position()).norm();
+        const double bound = travel_time_lower_bound(start, goal, distance, vehicle, false, ends);
+        const double at_rest = travel_time_lower_bound(start, goal, distance, vehicle);
+        moved += bound < at_rest ? 1 : 0;
+        for (const DubinsWord word : kDubinsWords)
+          for (const double factor : {1.0, 4.0, 12.0}) {
+            const auto path = dubins_path(word, start, goal, factor * vehicle.min_turning_radius());
+            if (!path) continue;
+            const double time = travel_time(*path, vehicle, ends, profile);
+            possible += std::isinf(time) ? 0 : 1;
+            ASSERT_GE(time, bound) << "poses " << i;
+          }
+      }
+    }
+  EXPECT_GT(possible, 10000);
+  EXPECT_GT(moved, 4000);
+}
+
+TEST(TravelTimeLowerBound, IsMetByALineBetweenMovingEnds) {
+  const Vehicle vehicle = vehicle_with(ConstantTurnSpeed{8.0}, 2.0);
+  const Pose start{1, 2, 0.0}, goal{31, 2, 0.0};
+  for (const EndSpeeds& ends : {EndSpeeds{5.0, 0.0}, EndSpeeds{0.0, 6.0}, EndSpeeds{8.0, 3.0}, EndSpeeds{10.0, 12.0}}) {
+    const double bound = travel_time_lower_bound(start, goal, 30.0, vehicle, false, ends);
+    EXPECT_NEAR(bound, segment_time(30.0, ends.start, 12.0, ends.goal, 2.0), 1e-5);
+  }
+  // Too short to brake on: the path is at least 36 m long.
+  EXPECT_NEAR(travel_time_lower_bound(start, goal, 30.0, vehicle, false, {12.0, 0.0}), 6.0, 1e-5);
+}
+
 TEST(TravelTimeLowerBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
   for (const bool real : {false, true}) {
     const Vehicle vehicle = real ? vehicle_with(LateralAccelerationLimit{2.0}, 2.0) : Vehicle{};

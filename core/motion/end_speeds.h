@@ -1,0 +1,20 @@
+#pragma once
+
+namespace arcway::internal {
+
+/// Share by which an end speed may be out of reach; it is then taken for the reachable one. A plan that goes on from
+/// another one may have no braking to spare, and words that lead there are off by the square root of rounding.
+inline constexpr double kEndSpeedTolerance = 1e-7;
+
+/// The speeds with which a path begins and ends [m/s]: positive driven forwards, negative backwards, 0 at rest.
+struct EndSpeeds {
+  double start = 0.0;
+  double goal = 0.0;
+
+  [[nodiscard]] bool is_moving() const { return start != 0.0 || goal != 0.0; }
+  /// Those of the same path driven from its end to its start, in the other gear.
+  [[nodiscard]] EndSpeeds reversed() const { return {0.0 - goal, 0.0 - start}; }
+  friend bool operator==(const EndSpeeds&, const EndSpeeds&) = default;
+};
+
+}  // namespace arcway::internal
