@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "arcway/export.h"
+#include "arcway/planner.h"
+#include "arcway/text.h"
+#include "arcway/trajectory.h"
+
+namespace arcway {
+
+/// What a vehicle that moves does next.
+enum class NextMotion {
+  kKept,     ///< the rest of the motion before, which is still free
+  kPlanned,  ///< a new plan from where the vehicle is, with its speed
+  kBraking,  ///< it brakes to a stop, which is free: no motion to the goal was found in time
+  kNoMotion  ///< nothing found is free, not even braking; that is no proof that nothing is
+};
+/// "kept", "planned", "braking" or "none".
+ARCWAY_API const char* name_of(NextMotion motion);
+inline std::string to_string(NextMotion motion) { return name_of(motion); }
+
+/// A motion from a moment of another one on.
+struct Replan {
+  NextMotion motion = NextMotion::kNoMotion;
+  std::vector<TimedSegment> segments;  ///< empty without a motion, and of a vehicle that stands and stays
+  double travel_time = 0.0;            ///< [s]
+  std::string reason;                  ///< why it is no motion to the goal, if it is none
+  PlanResult plan;                     ///< of the query that was asked; its default if there was no time for one
+};
+
+/// Plans on from a moment of a motion that is being driven, perhaps on a map that changed since.
+///
+/// 1. The rest of the motion is checked on the planner's map, exactly.
+/// 2. A plan is made from the vehicle's pose and speed to the motion's goal and goal speed, with the time that is left.
+///    It may drive backwards if the motion before does. The faster of it and the rest, if that is free, is taken.
+/// 3. If there is neither, the vehicle brakes as hard as it may: along the rest of the motion, else along its curve,
+///    else straight on. The first of these that is free is taken.
+///
+/// Every motion given was decided to be free on the planner's map by exact queries. Time: that of the limits, as of
+/// Planner::plan, and some sweep queries. Thread-safe.
+/// @param driven  the motion before, for the planner's vehicle.
+/// @param time  of the motion, from 0 to its duration [s]: the vehicle is then where that says.
+/// @throws std::out_of_range as Trajectory::at does.
+/// @throws std::invalid_argument if the motion is of another vehicle, or as Planner::plan.
+ARCWAY_API Replan replan(const Planner& planner, const Trajectory& driven, double time, const PlanLimits& limits = {});
+
+}  // namespace arcway
