@@ -63,7 +63,8 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap&
   const auto [origin, vehicle] = robot_of(arguments, map, name, plan);
   warn_of(vehicle, map);
   const Stopwatch watch;
-  const ValidationReport report = validator(vehicle, plan.start, plan.goal, plan.path);
+  const ValidationOptions options{.start_speed = plan.start_speed, .goal_speed = plan.goal_speed};
+  const ValidationReport report = validator(vehicle, plan.start, plan.goal, plan.path, options);
   const double seconds = watch.seconds();
 
   std::vector<std::string> complaints;
