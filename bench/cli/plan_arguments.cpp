@@ -70,11 +70,7 @@ void PlanArguments::add_to(CLI::App& command) {
                   "Of planning, from the read map on: the graph's building is part of it; of --queries for each query, "
                   "without the building. Then the best path found so far, if any")
       ->type_name("SECONDS");
-  command.add_flag("--reverse", reverse, "Drive backwards as well, where that is faster or nothing else leads there");
-  command.add_option("--cusp-cost", cusp_cost, "Of a change of gear, beside the time to stop; default: 0")
-      ->type_name("SECONDS");
-  command.add_option("--max-gear-changes", max_gear_changes, "Only paths with at most so many; default: any number")
-      ->type_name("N");
+  add_driving_to(command);
   command.add_option("--refine-trials", refine_trials, "Paths that refinement may try; 0 leaves it out")
       ->type_name("N")
       ->capture_default_str();
@@ -84,6 +80,19 @@ void PlanArguments::add_to(CLI::App& command) {
       ->type_name("NAME");
   build.add_to(command);
   add_outputs_to(command);
+}
+
+void PlanArguments::add_driving_to(CLI::App& command) {
+  command.add_flag("--reverse", reverse, "Drive backwards as well, where that is faster or nothing else leads there");
+  command.add_option("--cusp-cost", cusp_cost, "Of a change of gear, beside the time to stop; default: 0")
+      ->type_name("SECONDS");
+  command.add_option("--max-gear-changes", max_gear_changes, "Only paths with at most so many; default: any number")
+      ->type_name("N");
+  command
+      .add_option("--start-speed", start_speed,
+                  "With which the plan begins, negative backwards; default: 0, at rest. With --queries of each plan")
+      ->type_name("M/S");
+  command.add_option("--goal-speed", goal_speed, "With which the plan ends; likewise")->type_name("M/S");
 }
 
 void PlanArguments::add_outputs_to(CLI::App& command) {
@@ -193,6 +202,13 @@ std::optional<std::uint32_t> PlanArguments::most_gear_changes() const {
   if (count > kMost)
     throw UsageError("--max-gear-changes: at most " + std::to_string(kMost) + ", got \"" + text + "\"");
   return static_cast<std::uint32_t>(count);
+}
+
+EndSpeeds PlanArguments::end_speeds() const {
+  const auto speed = [](const std::string& text, const char* option) {
+    return text.empty() ? 0.0 : parse_number(text, option);
+  };
+  return {speed(start_speed, "--start-speed"), speed(goal_speed, "--goal-speed")};
 }
 
 PathSampling PlanArguments::sampling() const {

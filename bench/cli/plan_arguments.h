@@ -10,6 +10,7 @@
 #include "arcway/planner.h"
 #include "arcway/process_group.h"
 #include "bench/cli/arguments.h"
+#include "core/motion/end_speeds.h"
 
 namespace arcway::internal::cli {
 
@@ -29,6 +30,7 @@ struct PlanArguments {
   std::string time_limit;
   bool reverse = false;
   std::string cusp_cost, max_gear_changes;
+  std::string start_speed, goal_speed;
   std::string refine_trials = std::to_string(RefineOptions{}.max_trials);
   std::vector<std::string> leave_out;
   std::string svg, json, csv, ros_path;
@@ -39,6 +41,8 @@ struct PlanArguments {
   BuildOptions build;
 
   void add_to(CLI::App& command);
+  /// Adds the options for gears and speeds.
+  void add_driving_to(CLI::App& command);
   /// Adds the options for files to write.
   void add_outputs_to(CLI::App& command);
   /// @throws UsageError for options that exclude each other, or invalid values.
@@ -47,11 +51,12 @@ struct PlanArguments {
   [[nodiscard]] bool batch() const { return !queries.empty(); }
   [[nodiscard]] std::vector<std::string> inputs() const;
   [[nodiscard]] std::vector<std::string> outputs() const { return {out, svg, json, csv, ros_path}; }
-  /// @throws UsageError, as the next three.
+  /// @throws UsageError, as the next ones.
   [[nodiscard]] PlannerOptions planner_options(const ProcessGroup& process_group) const;
   [[nodiscard]] PlanLimits limits() const;
   [[nodiscard]] double cusp_cost_seconds() const;  ///< 0 if not given
   [[nodiscard]] std::optional<std::uint32_t> most_gear_changes() const;
+  [[nodiscard]] EndSpeeds end_speeds() const;
   [[nodiscard]] PathSampling sampling() const;
 };
 

@@ -100,6 +100,7 @@ Requests read_requests(const PlanArguments& arguments) {
   Requests requests;
   const double cusp_cost = arguments.cusp_cost_seconds();
   const std::optional<std::uint32_t> max_gear_changes = arguments.most_gear_changes();
+  const EndSpeeds ends = arguments.end_speeds();
   requests.tour.reverse = arguments.reverse;
   requests.tour.cusp_cost = cusp_cost;
   requests.tour.max_gear_changes = max_gear_changes;
@@ -112,6 +113,8 @@ Requests read_requests(const PlanArguments& arguments) {
     query.request.reverse = arguments.reverse;
     query.request.cusp_cost = cusp_cost;
     query.request.max_gear_changes = max_gear_changes;
+    query.request.start_speed = ends.start;
+    query.request.goal_speed = ends.goal;
   }
   return requests;
 }

@@ -152,13 +152,16 @@ std::string plan_json(const PreparedPlanner& prepared, const TourRequest& reques
 }
 
 // Plans to the only goal, which has a heading.
-PlanRequest plain(const TourRequest& request) {
+PlanRequest plain(const PlanArguments& arguments, const TourRequest& request) {
+  const EndSpeeds ends = arguments.end_speeds();
   const Place& goal = request.goals.front();
   return {.start = request.start,
           .goal = {goal.position.x(), goal.position.y(), *goal.heading},
           .reverse = request.reverse,
           .cusp_cost = request.cusp_cost,
-          .max_gear_changes = request.max_gear_changes};
+          .max_gear_changes = request.max_gear_changes,
+          .start_speed = ends.start,
+          .goal_speed = ends.goal};
 }
 
 // The question whether polygons are free space, if one obstacle contains start and goal; else empty.
@@ -178,7 +181,8 @@ std::string free_space_row(const PlanArguments& arguments, const World& world, c
 std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner& planner, const TourRequest& request,
                                   const PlanLimits& limits) {
   std::vector<CheckedPlan> plans;
-  if (arguments.alternatives == 1) {
+  const bool is_moving = arguments.end_speeds().is_moving();
+  if (arguments.alternatives == 1 && !is_moving) {
     Tour tour = plan_tour(planner, request, limits);
     const Validator validator(planner.world());
     plans.push_back(checked(validator, planner.vehicle(), std::move(tour.plan), request.reverse));
@@ -188,8 +192,12 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
   }
   const Place& goal = request.goals.front();
   if (!request.waypoints.empty() || request.goals.size() > 1 || !goal.heading)
-    throw UsageError("--alternatives: only to one goal with a heading, and without --waypoint");
-  std::vector<PlanResult> results = plan_alternatives(planner, plain(request), arguments.alternatives, limits);
+    throw UsageError(std::string(is_moving ? "--start-speed, --goal-speed" : "--alternatives") +
+                     ": only to one goal with a heading, and without --waypoint");
+  const PlanRequest asked = plain(arguments, request);
+  std::vector<PlanResult> results = arguments.alternatives == 1
+                                        ? std::vector{planner.plan(asked, limits)}
+                                        : plan_alternatives(planner, asked, arguments.alternatives, limits);
   const Validator validator(planner.world());
   for (PlanResult& result : results)
     plans.push_back(checked(validator, planner.vehicle(), std::move(result), request.reverse));
@@ -276,7 +284,7 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
     build_seconds = watch.seconds();
     return planner;
   };
-  CurvedPlan plan = plan_among_curves(map.curved, plain(request), tolerances, timed, arguments.limits());
+  CurvedPlan plan = plan_among_curves(map.curved, plain(arguments, request), tolerances, timed, arguments.limits());
   const std::size_t curves = map.curved.curves.size();
   map.notes.push_back(count_text(curves) + (curves == 1 ? " curve" : " curves") + ", as rings within " +
                       shortest_text(tolerances.first) + " m, near the path within " +

@@ -24,7 +24,8 @@ CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResu
   CheckedPlan plan{.result = std::move(result), .report = std::nullopt};
   if (plan.result.solved()) {
     plan.report =
-        validator(vehicle, plan.result.start, plan.result.goal, plan.result.timed_path(), {.reverse = reverse});
+        validator(vehicle, plan.result.start, plan.result.goal, plan.result.timed_path(),
+                  {.reverse = reverse, .start_speed = plan.result.start_speed, .goal_speed = plan.result.goal_speed});
     plan.defect = defect_of(plan.result);
   }
   return plan;
@@ -49,6 +50,9 @@ std::string result_rows(const PlanResult& result) {
   std::string text;
   text += row("travel time", fixed(result.travel_time, 3) + " s" +
                                  (result.interrupted ? ", the best found within the time limit" : ""));
+  if (result.start_speed != 0.0 || result.goal_speed != 0.0)
+    text += row("speeds", fixed(result.start_speed, 3) + " m/s at the start, " + fixed(result.goal_speed, 3) +
+                              " m/s at the goal");
   text += row("before refinement", fixed(result.statistics.unrefined_travel_time, 3) + " s");
   text += row("length", fixed(result.length, 3) + " m in " + count_text(result.segments.size()) + " segments");
   const Path path = result.path();

@@ -66,7 +66,9 @@ std::optional<bool> validate_plan(const ValidateArguments& arguments, LoadedMap&
   const auto [origin, vehicle] = robot_of(arguments, map, name, plan);
   warn_of(vehicle, map);
   const Stopwatch watch;
-  const ValidationReport report = validator(vehicle, plan.start, plan.goal, plan.path, {.moving = arguments.obstacles});
+  const ValidationOptions options{
+      .start_speed = plan.start_speed, .goal_speed = plan.goal_speed, .moving = arguments.obstacles};
+  const ValidationReport report = validator(vehicle, plan.start, plan.goal, plan.path, options);
   const double seconds = watch.seconds();
 
   std::vector<std::string> complaints;

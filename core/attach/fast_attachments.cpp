@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 
 #include "arcway/angle.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double kRoundedUp = 1.0 + 1e-12;  // factor by which a radius grows until rounding leaves it fast enough
 // Number of places on each way to brake: more of them serve tighter places, and cost a search more circles.
-constexpr int kSteps = 4;
+constexpr std::size_t kSteps = 4;
 
 // The smallest radius that a law gives a speed, up to rounding.
 struct TightestTurn {
@@ -51,17 +52,18 @@ void add_along(const MovingEnd& end, double slow, std::optional<Side> side, std:
   const bool from_start = end.direction == Direction::kFromStart;
   const double fastest = end.speed * end.speed, change = (fastest - slow * slow) / kSteps;
   const double length = 0.5 * change / end.vehicle.max_acceleration();
+  const auto speed_after = [&](std::size_t steps) { return std::sqrt(fastest - static_cast<double>(steps) * change); };
   double turned = 0.0;
   Attachment at{end.pose, {}};
-  for (int i = 0; i < kSteps; ++i) {
-    const double curvature = curvature_at(end, std::sqrt(fastest - i * change), side);
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    const double curvature = curvature_at(end, speed_after(i), side);
     turned += length * std::abs(curvature);
     if (turned > kPi) return;
     const PathSegment motion = motion_at(at.pose, end.direction, length, curvature);
     if (!motion_free(*end.map.queries.sweep, end.map.body, std::span(&motion, 1))) return;
     at.pose = from_start ? motion.end() : motion.start;
     at.connection.insert(from_start ? at.connection.end() : at.connection.begin(), motion);
-    at.tightest = i + 1 < kSteps ? tightest_turn(end.vehicle, std::sqrt(fastest - (i + 1) * change)) : 0.0;
+    at.tightest = i + 1 < kSteps ? tightest_turn(end.vehicle, speed_after(i + 1)) : 0.0;
     attachments.push_back(at);
   }
 }
@@ -84,6 +86,18 @@ std::vector<Attachment> fast_attachments(const MovingEnd& end) {
   if (tightest < kInfinity)
     for (const Side side : {Side::kLeft, Side::kRight}) add_along(end, slow, side, attachments);
   return attachments;
+}
+
+std::optional<Attachment> way_to_stop(const MovingEnd& end) {
+  if (end.speed == 0.0) return Attachment{end.pose, {}};
+  const bool turns = tightest_turn(end.vehicle, end.speed) < kInfinity;
+  for (const std::optional<Side> side : {std::optional<Side>{}, {Side::kLeft}, {Side::kRight}}) {
+    if (side && !turns) break;
+    std::vector<Attachment> attachments;
+    add_along(end, 0.0, side, attachments);
+    if (attachments.size() == kSteps) return std::move(attachments.back());
+  }
+  return std::nullopt;
 }
 
 }  // namespace arcway::internal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "arcway/path.h"
@@ -28,5 +29,9 @@ struct MovingEnd {
 /// the speed allows. At a goal the vehicle gains speed on them instead. Circles of attachments are no tighter than the
 /// speed there allows. Attachments behind an obstacle are left out.
 std::vector<Attachment> fast_attachments(const MovingEnd& end);
+
+/// The way from a moving start to a stop or, at a goal, the way there from a stop: along a line or, where that is not
+/// free, on a spiral to either side. The end itself if it is at rest. Nothing if none is free.
+std::optional<Attachment> way_to_stop(const MovingEnd& end);
 
 }  // namespace arcway::internal

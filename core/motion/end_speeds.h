@@ -2,9 +2,9 @@
 
 namespace arcway::internal {
 
-/// Share by which an end speed may be out of reach; it is then taken for the reachable one. A plan that goes on from
-/// another one may have no braking to spare, and words that lead there are off by the square root of rounding.
-inline constexpr double kEndSpeedTolerance = 1e-7;
+/// Share by which a path may exceed the acceleration where its end speeds are out of reach else. A plan that goes on
+/// from another one may have no braking to spare, and words that lead there are off by the square root of rounding.
+inline constexpr double kEndTolerance = 4e-7;
 
 /// The speeds with which a path begins and ends [m/s]: positive driven forwards, negative backwards, 0 at rest.
 struct EndSpeeds {

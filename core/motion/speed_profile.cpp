@@ -33,7 +33,7 @@ std::optional<Refusal> above_limit(const char* name, double speed, double limit)
 }
 
 std::optional<Refusal> out_of_reach(const char* name, double speed, double bound) {
-  if (speed <= bound * (1.0 + kEndSpeedTolerance)) return std::nullopt;
+  if (speed <= bound) return std::nullopt;
   return Refusal{name, speed, bound, false};
 }
 
@@ -115,9 +115,8 @@ std::optional<Refusal> fill_empty(const Vehicle& vehicle, const EndSpeeds& ends,
 }
 
 std::optional<Refusal> find_speeds(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
-                                   std::vector<double>& v) {
+                                   double a, std::vector<double>& v) {
   const std::size_t n = path.size();
-  const double a = vehicle.max_acceleration();
   const auto limit_of = [&vehicle](const PathSegment& segment) { return speed_limit(segment, vehicle); };
   const double start = sign_of(path.front().gear) * ends.start, goal = sign_of(path.back().gear) * ends.goal;
   if (auto refusal = above_limit("start_speed", start, limit_of(path.front()))) return refusal;
@@ -141,8 +140,12 @@ std::optional<Refusal> fill(std::span<const PathSegment> path, const Vehicle& ve
   profile.total_time = 0.0;
   if (path.empty()) return fill_empty(vehicle, ends, profile);
   std::vector<double>& v = profile.speeds;
-  if (auto refusal = find_speeds(path, vehicle, ends, v)) return refusal;
-  const double a = vehicle.max_acceleration();
+  double a = vehicle.max_acceleration();
+  if (auto refusal = find_speeds(path, vehicle, ends, a, v)) {
+    if (refusal->is_limit) return refusal;
+    a *= 1.0 + kEndTolerance;
+    if (find_speeds(path, vehicle, ends, a, v)) return refusal;
+  }
   profile.durations.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     const double duration =

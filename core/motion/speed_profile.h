@@ -48,7 +48,7 @@ double top_speed(const TimedSegment& timed, const Vehicle& vehicle);
 /// gear changes, and given at both ends. One backward and one forward pass over the joints find the speeds; (9) or (10)
 /// then gives the times. O(n). An empty path has no durations and total time 0.
 /// @throws std::invalid_argument if an end speed is of the other gear than its segment, above its segment's limit, or
-///   cannot be reached within the path, by more than kEndSpeedTolerance.
+///   cannot be reached within the path, with kEndTolerance more acceleration.
 SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends = {});
 
 /// The fastest profile, into a profile whose memory is used again.

@@ -73,6 +73,7 @@ std::uint32_t SpeedTree::add_stop(std::uint32_t from, double wait) {
 SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
   if (time_model_ == TimeModel::kSegments) return {joint.time, joint.speed};
   if (joint.time == kInfinity) return {kInfinity, joint.speed};
+  const double exit = speed;
   const double a = acceleration_;
   double braking = 0.0;
   const Joint* at = &joint;
@@ -93,7 +94,8 @@ SpeedTree::Passing SpeedTree::pass(const Joint& joint, double speed) const {
     }
     at = &before;
   }
-  const bool is_too_slow = speed < at->speed * (1.0 - kTolerance);
+  const double gained = (speed - exit) * (speed + exit);
+  const bool is_too_slow = at->speed * at->speed > speed * speed + kTolerance * gained;
   return {is_too_slow ? kInfinity : at->time + braking, at->speed};
 }
 

@@ -19,8 +19,8 @@ namespace arcway::internal {
 class SpeedTree {
  public:
   static constexpr std::uint32_t kNoJoint = 0xFFFFFFFFu;
-  /// Share of an end's speed by which braking or speeding up may fall short: less than speed_profile tolerates.
-  static constexpr double kTolerance = 0.9 * kEndSpeedTolerance;
+  /// Share by which braking from the start may exceed the acceleration: less than speed_profile tolerates.
+  static constexpr double kTolerance = 0.9 * kEndTolerance;
   struct Joint {
     std::uint32_t before = kNoJoint;  ///< the joint at the start of the segment that ends here
     double length = 0.0;              ///< of that segment [m]

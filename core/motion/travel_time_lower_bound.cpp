@@ -15,9 +15,8 @@ namespace arcway::internal {
 namespace {
 
 constexpr double kBoundRounding = 1e-12;
-// Share that paths between moving ends may be faster, as speed_profile tolerates end speeds slightly out of reach. The
-// length of a change of speed depends on the square of the speed.
-constexpr double kMovingTolerance = 4.0 * kEndSpeedTolerance;
+// Share that paths between moving ends may be faster, as speed_profile may exceed the acceleration by half of it.
+constexpr double kMovingTolerance = 2.0 * kEndTolerance;
 // Rounding of the joints of a path in all, as a share of the largest coordinate, and of headings.
 constexpr double kJointUlps = 64.0 * std::numeric_limits<double>::epsilon();
 

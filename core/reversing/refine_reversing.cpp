@@ -39,6 +39,7 @@ class ReversingRefiner {
         clock_(query.clock),
         world_(query.world),
         outlines_(query.outlines),
+        ends_(query.ends),
         result_(result),
         body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
         most_cusps_(std::max(changes.most, cusps_of(result.path))),
@@ -51,7 +52,7 @@ class ReversingRefiner {
       if (!take_all(Stage::kImprove, round)) break;
     most_trials_ = options_.max_trials;
     take_all(Stage::kFinish, 0);
-    result_.travel_time = speed_profile(result_.path, vehicle_).total_time;
+    result_.travel_time = travel_time(result_.path, vehicle_, ends_, profile_);
   }
 
  private:
@@ -80,7 +81,7 @@ class ReversingRefiner {
     return result_.interrupted || result_.trials >= most_trials_;
   }
 
-  [[nodiscard]] double cost_of(const Path& path) const { return travel_cost(path, vehicle_, changes_.cost); }
+  [[nodiscard]] double cost_of(const Path& path) { return travel_cost(path, vehicle_, ends_, changes_.cost, profile_); }
 
   [[nodiscard]] bool is_cheaper(double cost) const { return cost < cost_ * (1.0 - kLeastSaving); }
 
@@ -96,7 +97,7 @@ class ReversingRefiner {
 
   [[nodiscard]] std::vector<Station> stations() const {
     const Path& path = result_.path;
-    const SpeedProfile profile = speed_profile(path, vehicle_);
+    const SpeedProfile profile = speed_profile(path, vehicle_, ends_);
     std::vector<Station> stations;
     double time = 0.0;
     std::size_t cusps = 0;
@@ -304,14 +305,17 @@ class ReversingRefiner {
       const auto run = std::span(old).subspan(first, last - first);
       const bool forward = run.front().gear == Gear::kForward;
       Path driven = forward ? Path(run.begin(), run.end()) : reversed(run);
-      if (!done()) driven = refined(driven, forward ? vehicle_ : vehicle_.with_gears_swapped());
+      const EndSpeeds ends{first == 0 ? ends_.start : 0.0, last == old.size() ? ends_.goal : 0.0};
+      if (!done())
+        driven =
+            forward ? refined(driven, vehicle_, ends) : refined(driven, vehicle_.with_gears_swapped(), ends.reversed());
       append(path, forward ? driven : reversed(driven));
       first = last;
     }
     return accept(path);
   }
 
-  Path refined(const Path& run, const Vehicle& vehicle) {
+  Path refined(const Path& run, const Vehicle& vehicle, const EndSpeeds& ends) {
     RefineOptions rest = options_;
     rest.max_trials -= static_cast<std::uint32_t>(result_.trials);
     RefinedPath refined = refine_path({.path = run,
@@ -323,7 +327,8 @@ class ReversingRefiner {
                                        .clock = clock_,
                                        .world = world_,
                                        .outlines = outlines_,
-                                       .at_length = true});
+                                       .at_length = true,
+                                       .ends = ends});
     result_.trials += refined.trials;
     result_.straights_checked += refined.straights_checked;
     result_.turns_checked += refined.turns_checked;
@@ -337,6 +342,8 @@ class ReversingRefiner {
   const StopClock& clock_;
   const World* world_;
   const Outlines* outlines_;
+  EndSpeeds ends_;
+  SpeedProfile profile_;  // memory
   RefinedPath& result_;
   Body body_;
   std::size_t most_cusps_;

@@ -20,13 +20,14 @@ struct GearChanges {
 /// Makes a free path in both gears cheaper. Its cost is its travel time plus that of its gear changes. The moves
 /// are kGearMoves of moves.h:
 /// 1. Words. Places are ends of segments and middles of long ones. Words are tried until none makes the path cheaper.
-/// 2. Parts between two cusps are refined by refine_path, which need not know of gears: a part from rest to rest takes
-///    the same time in either direction. With outlines of the world, their turns are optimized.
+/// 2. Parts between two cusps are refined by refine_path, which need not know of gears: a part takes the same time in
+///    either direction. With outlines of the world, their turns are optimized.
 /// 3. Cusps move and turn, in steps that are halved down to the smallest. Dubins words of the smallest radius lead
 ///    there from the path before, and on to the path behind.
 ///
 /// A change is accepted only if the cost falls and the body, grown by half of the safety margin, is free by `sweep`.
 /// The result is a local optimum of these changes. Deterministic.
+/// End speeds stay as they are. Precondition: the path can be driven between them.
 /// @param changes  paths with more gear changes than `most` are not taken, except for the given one.
 /// @param clock  asked before each trial; once over, the best path so far is the result.
 /// @throws std::invalid_argument as require_refinement does.

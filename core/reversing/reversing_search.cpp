@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "core/attach/fast_attachments.h"
 #include "core/collision/motion_free.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
@@ -13,18 +15,59 @@
 
 namespace arcway::internal {
 
+namespace {
+
+// The way between an end and a stop, in the gear of its speed.
+std::optional<Attachment> way_to_stop_of(const Roadmap& map, const Pose& end, Direction direction, double speed) {
+  if (speed >= 0.0) return way_to_stop({map, map.vehicle, end, direction, speed});
+  // Backwards from a start as forwards to a goal.
+  const Vehicle swapped = map.vehicle.with_gears_swapped();
+  const Direction other = direction == Direction::kFromStart ? Direction::kToGoal : Direction::kFromStart;
+  std::optional<Attachment> way = way_to_stop({map, swapped, end, other, -speed});
+  if (way) way->connection = reversed(way->connection);
+  return way;
+}
+
+}  // namespace
+
 ReversingSearch::ReversingSearch(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options,
                                  ArrivalSearch& arrivals)
-    : map_(map), query_(query), options_(options), arrivals_(arrivals), cost_(query.cutoff) {}
+    : map_(map),
+      query_(query),
+      options_(options),
+      ends_(options.ends),
+      start_(query.start),
+      goal_(query.goal),
+      arrivals_(arrivals),
+      cost_(query.cutoff) {
+  if (!ends_.is_moving()) return;
+  options_.ends = {};
+  const auto from = way_to_stop_of(map, start_, Direction::kFromStart, ends_.start);
+  const auto to = way_to_stop_of(map, goal_, Direction::kToGoal, ends_.goal);
+  has_stops_ = from && to && from->pose != to->pose;
+  if (!has_stops_) return;
+  query_.start = from->pose;
+  query_.goal = to->pose;
+  before_ = from->connection;
+  after_ = to->connection;
+  query_.distance = std::max(0.0, query.distance - length_of(before_) - length_of(after_));
+}
 
 FoundPath ReversingSearch::join_backwards() {
   FoundPath found;
-  join(GearAttachments{}, Gear::kReverse, found);
+  if (ends_.start > 0.0 || ends_.goal > 0.0) return found;
+  SearchOptions options = options_;
+  options.ends = ends_.reversed();
+  options.gear = Gear::kReverse;
+  options.faster_than = cost_;
+  const auto starts = end_alone(Direction::kFromStart), goals = end_alone(Direction::kToGoal);
+  if (const std::optional<Path> path = search(starts, goals, options, found)) offer(*path);
   return found;
 }
 
 FoundPath ReversingSearch::join_between(const GearAttachments& wanted) {
   FoundPath found;
+  if (!has_stops_) return found;
   for (const Gear gear : {Gear::kForward, Gear::kReverse}) join(wanted, gear, found);
   return found;
 }
@@ -47,11 +90,35 @@ bool ReversingSearch::join(std::span<const Attachment> starts, std::span<const A
   SearchOptions options = options_;
   options.gear = gear;
   options.faster_than = cost_;
+  const std::optional<Path> path = search(starts, goals, options, found);
+  return !path || offer(between_stops(*path));
+}
+
+std::optional<Path> ReversingSearch::search(std::span<const Attachment> starts, std::span<const Attachment> goals,
+                                            const SearchOptions& options, FoundPath& found) {
   SearchResult joined = arrivals_.find(map_, starts, goals, options);
   found.search.counts += joined.counts;
   found.search.interrupted = joined.interrupted;
   found.maneuver_poses += starts.size() + goals.size();
-  return !joined.path || offer(gear == Gear::kForward ? *joined.path : reversed(*joined.path));
+  if (joined.path && options.gear == Gear::kReverse) *joined.path = reversed(*joined.path);
+  return joined.path;
+}
+
+std::vector<Attachment> ReversingSearch::end_alone(Direction direction) const {
+  const bool from_start = direction == Direction::kFromStart;
+  const Pose& end = from_start ? goal_ : start_;
+  const EndSpeeds ends = ends_.reversed();
+  const Vehicle vehicle = map_.vehicle.with_gears_swapped();
+  std::vector<Attachment> fast = fast_attachments({map_, vehicle, end, direction, from_start ? ends.start : ends.goal});
+  if (fast.empty()) fast.push_back({end, {}});
+  return fast;
+}
+
+Path ReversingSearch::between_stops(const Path& path) const {
+  Path whole = before_;
+  whole.insert(whole.end(), path.begin(), path.end());
+  whole.insert(whole.end(), after_.begin(), after_.end());
+  return whole;
 }
 
 // The end itself, then poses that a motion in the other gear reaches from it.
@@ -90,11 +157,13 @@ double ReversingSearch::least_cost(const Pose& from, const Pose& to, double leng
 }
 
 FoundPath ReversingSearch::grow_gear_trees(std::size_t poses) {
+  if (!has_stops_) return {};
   return taken(search_gears({query_.start, query_.goal, map_.vehicle, *map_.queries.sweep, *map_.outlines},
                             gear_options(poses)));
 }
 
 FoundPath ReversingSearch::grow_narrow_gear_trees(std::size_t poses) {
+  if (!has_stops_) return {};
   return taken(search_narrow_gears(map_, query_.start, query_.goal, gear_options(poses)));
 }
 
@@ -112,13 +181,14 @@ FoundPath ReversingSearch::taken(const GearSearchResult& gears) {
   found.search.counts.turns_checked = gears.turns_checked;
   found.search.interrupted = gears.interrupted;
   found.maneuver_poses = gears.poses;
-  if (gears.path) offer(*gears.path);
+  if (gears.path) offer(between_stops(*gears.path));
   return found;
 }
 
 bool ReversingSearch::offer(const Path& path) {
   if (cusps_of(path) > query_.max_cusps) return false;
-  const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost);
+  SpeedProfile profile;
+  const double cost = travel_cost(path, map_.vehicle, ends_, options_.cusp_cost, profile);
   if (cost >= cost_) return true;
   path_ = merged(path);
   cost_ = cost;

@@ -27,9 +27,12 @@ struct GearAttachments {
   std::size_t most_expansions = 0;  ///< largest number of expansions of the tree that finds the poses
 };
 
-/// Finds the cheapest path of a vehicle that may drive backwards. The cost is the travel time plus a cost of each gear
-/// change. Each step searches for a path that is cheaper than those known so far. Steps may be left out. As the number
-/// of trials is limited, finding no path proves nothing.
+/// Finds the cheapest path of a vehicle that may drive backwards, between the end speeds of the options. The cost is
+/// the travel time plus a cost of each gear change. Each step searches for a path that is cheaper than those known so
+/// far. Steps may be left out. As the number of trials is limited, finding no path proves nothing.
+///
+/// Paths with gear changes are searched from rest to rest: from where a moving start can have stopped, to where the way
+/// to a moving goal can begin. Both ways are parts of the path, which need not stop between them and the rest.
 class ReversingSearch {
  public:
   /// All arguments but the query must outlive this.
@@ -57,6 +60,13 @@ class ReversingSearch {
   bool join(std::span<const Attachment> starts, std::span<const Attachment> goals, Gear gear, FoundPath& found);
   [[nodiscard]] std::vector<Attachment> attachments(Direction direction, const GearAttachments& wanted,
                                                     Gear gear) const;
+  // Searches with options; a path found is driven in their gear.
+  std::optional<Path> search(std::span<const Attachment> starts, std::span<const Attachment> goals,
+                             const SearchOptions& options, FoundPath& found);
+  // A path between the stops with the ways to them.
+  [[nodiscard]] Path between_stops(const Path& path) const;
+  // How the backward path between the ends themselves may begin or end, driven forwards.
+  [[nodiscard]] std::vector<Attachment> end_alone(Direction direction) const;
   // Least cost from rest to rest of a path of at least this length.
   [[nodiscard]] double least_cost(const Pose& from, const Pose& to, double length) const;
   [[nodiscard]] GearSearchOptions gear_options(std::size_t poses) const;
@@ -65,8 +75,12 @@ class ReversingSearch {
   bool offer(const Path& path);
 
   const Roadmap& map_;
-  ReversingQuery query_;
-  const SearchOptions& options_;
+  ReversingQuery query_;   // between the stops, if an end moves
+  SearchOptions options_;  // likewise, from rest to rest
+  EndSpeeds ends_;
+  Pose start_, goal_;
+  Path before_, after_;  // from the start to its stop, and from that of the goal to the goal
+  bool has_stops_ = true;
   ArrivalSearch& arrivals_;
   std::optional<Path> path_;
   double cost_;

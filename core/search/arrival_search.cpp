@@ -168,7 +168,8 @@ class ArrivalSearch::Run {
   }
 
   void run() {
-    if (context_.interrupted()) return;
+    const EndSpeeds& ends = context_.options.ends;
+    if (context_.interrupted() || ends.start < 0.0 || ends.goal < 0.0) return;
     if (!context_.options.warm_start)
       for (auto& reached : w_.reached) reached.map.reset();
     // If a path of that time is known, the goal is reachable.

@@ -21,6 +21,10 @@ namespace arcway::internal {
 /// turn: linear in the bitangents. Complete paths come off the open list with their exact time, so that the first one
 /// is the fastest.
 ///
+/// **Moving ends.** A label holds the time at every speed from the lowest one, as far as the vehicle can brake from the
+/// start, to the highest one. One that is slower than another one and than the goal replaces no other. No path of
+/// forward motions has a negative end speed.
+///
 /// **Many labels.** Up to 16 labels on one circle are compared exactly. The n-th label is also dropped if another one
 /// loses less than the share e = 1e-4 * floor(n / 16) of its time. A path of k circles then takes at most as long as
 /// the fastest one times the product of 1 + e over the k circles. Without a circle of more than 16 labels the path is

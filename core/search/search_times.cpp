@@ -5,6 +5,13 @@
 
 namespace arcway::internal {
 
+namespace {
+
+// Share by which a path may be too slow for its goal by rounding.
+constexpr double kGoalRounding = 1e-12;
+
+}  // namespace
+
 void SearchTimes::begin(const SearchContext& context, bool warm_start) {
   context_ = &context;
   line_speed_ = context.vehicle.max_speed();
@@ -48,7 +55,7 @@ double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius,
   }
   const double goal_speed = context_->options.ends.goal;
   joint = add_stretch(joint, stretch, {0.0, goal_speed, stretch.gear});
-  const bool is_fast_enough = speeds_[joint].speed >= goal_speed * (1.0 - SpeedTree::kTolerance);
+  const bool is_fast_enough = speeds_[joint].speed >= goal_speed * (1.0 - kGoalRounding);
   const double time = is_fast_enough ? speeds_[joint].time : kInfinity;
   speeds_.truncate(size);
   return time;

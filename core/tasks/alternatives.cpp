@@ -183,7 +183,7 @@ class AlternativeSearch {
   }
   [[nodiscard]] bool interrupted() const { return clock_.is_over(); }
   [[nodiscard]] double cost_of(const PlanResult& plan) const {
-    return travel_cost(plan.path(), planner_.vehicle(), request_.cusp_cost);
+    return plan.travel_time + request_.cusp_cost * static_cast<double>(cusps_of(plan.path()));
   }
 
   // The route of a plan; nothing if the clock is over before it can be told from others.
@@ -235,7 +235,8 @@ class AlternativeSearch {
                         .vehicle = planner_.vehicle(),
                         .sweep = sweep,
                         .options = planner_.options().refinement,
-                        .clock = clock_})
+                        .clock = clock_,
+                        .ends = {request_.start_speed, request_.goal_speed}})
         .travel_time;
   }
 

@@ -99,8 +99,8 @@ class CurvedPlanner {
   std::vector<std::vector<double>> tolerances_;  // of each curve and piece
 };
 
-double cost_of(const PlanResult& plan, const Vehicle& vehicle, double cusp_cost) {
-  return plan.solved() ? travel_cost(plan.path(), vehicle, cusp_cost) : kInfinity;
+double cost_of(const PlanResult& plan, double cusp_cost) {
+  return plan.solved() ? plan.travel_time + cusp_cost * static_cast<double>(cusps_of(plan.path())) : kInfinity;
 }
 
 // Whether a plan is free among the last rings. Finer rings lie inside coarser ones, up to the distance that both are
@@ -125,8 +125,7 @@ void measure_clearance(const Planner& planner, PlanResult& plan) {
 
 // Replaces a plan made on coarser rings by the planner's new one, unless that costs more.
 void keep_cheaper(const Planner& planner, double cusp_cost, PlanResult&& found, PlanResult& plan) {
-  const Vehicle& vehicle = planner.vehicle();
-  if (cost_of(found, vehicle, cusp_cost) <= cost_of(plan, vehicle, cusp_cost) || !is_free(planner, plan)) {
+  if (cost_of(found, cusp_cost) <= cost_of(plan, cusp_cost) || !is_free(planner, plan)) {
     plan = std::move(found);
     return;
   }

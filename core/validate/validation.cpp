@@ -205,8 +205,10 @@ class Validation {
       check_speed_jump(0, 0.0, options_.start_speed, options_.goal_speed);
     } else if (has_times()) {
       const std::size_t last = path.size() - 1;
-      check_speed_jump(0, 0.0, options_.start_speed, sign_of(path.front().gear) * path_.speed_in.front());
-      check_speed_jump(last, path[last].length, sign_of(path[last].gear) * path_.speed_out[last], options_.goal_speed);
+      const double first_speed = sign_of(path.front().gear) * path_.speed_in.front();
+      const double last_speed = sign_of(path.back().gear) * path_.speed_out.back();
+      if (std::isfinite(first_speed)) check_speed_jump(0, 0.0, options_.start_speed, first_speed);
+      if (std::isfinite(last_speed)) check_speed_jump(last, path[last].length, last_speed, options_.goal_speed);
     }
   }
 

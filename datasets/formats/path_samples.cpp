@@ -122,6 +122,8 @@ PlanFile parse_path_csv(std::string_view text, std::string_view name) {
   PlanFile file;
   file.start = pose_of(samples.front());
   file.goal = pose_of(samples.back());
+  file.start_speed = samples.front()[kDirection] * samples.front()[kV];
+  file.goal_speed = samples.back()[kDirection] * samples.back()[kV];
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const Sample &from = samples[i - 1], &to = samples[i];
     if (to[kS] == from[kS] && to[kT] == from[kT]) continue;  // a joint, once for each of its segments

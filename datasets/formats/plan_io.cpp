@@ -84,6 +84,8 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   append_pose(out, result.start);
   append_key(out, "goal");
   append_pose(out, result.goal);
+  if (result.start_speed != 0.0) append_member(out, "start_speed", result.start_speed);
+  if (result.goal_speed != 0.0) append_member(out, "goal_speed", result.goal_speed);
   if (result.solved()) {
     append_member(out, "travel_time", result.travel_time);
     append_member(out, "length", result.length);
@@ -171,9 +173,10 @@ std::string path_to_nav_msgs(const Trajectory& trajectory, std::string_view fram
 namespace {
 
 PlanFile plan_of(const JsonPlace& plan) {
-  plan.allow_keys({"format",      "version",       "q",     "status",     "reason",      "certainty", "bottleneck",
-                   "interrupted", "robot",         "start", "goal",       "travel_time", "length",    "gear_changes",
-                   "lower_bound", "min_clearance", "path",  "statistics", "goal_index",  "passed"});
+  plan.allow_keys({"format",     "version",      "q",           "status",        "reason", "certainty",
+                   "bottleneck", "interrupted",  "robot",       "start",         "goal",   "travel_time",
+                   "length",     "gear_changes", "lower_bound", "min_clearance", "path",   "statistics",
+                   "goal_index", "passed",       "start_speed", "goal_speed"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
   if (plan.has("q")) {
@@ -191,6 +194,8 @@ PlanFile plan_of(const JsonPlace& plan) {
   if (plan.has("gear_changes")) file.gear_changes = plan.at("gear_changes").number();
   file.start = plan.at("start").pose();
   file.goal = plan.at("goal").pose();
+  if (plan.has("start_speed")) file.start_speed = plan.at("start_speed").number();
+  if (plan.has("goal_speed")) file.goal_speed = plan.at("goal_speed").number();
   const JsonPlace path = plan.at("path");
   path.require_array();
   for (std::size_t i = 0; i < path.value.size(); ++i) {

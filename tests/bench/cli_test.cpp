@@ -172,6 +172,25 @@ TEST_F(Tool, DrivesBackwardsOnlyWhereAllowed) {
   expect_bad_input(plan + " --reverse --cusp-cost -1", "--cusp-cost");
 }
 
+TEST_F(Tool, PlansBetweenEndsThatMove) {
+  const std::string plan = "plan " + map_ + kAround + " --json " + file("p.json") + " --csv " + file("p.csv");
+  const Run moving = run(plan + " --start-speed 2.5 --goal-speed 3");
+  ASSERT_EQ(moving.code, 0) << moving.err << moving.out;
+  EXPECT_NE(moving.out.find("2.500 m/s at the start, 3.000 m/s at the goal"), std::string::npos) << moving.out;
+  EXPECT_NE(read("p.json").find("\"start_speed\":2.5"), std::string::npos);
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("p.json")).code, 0);
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("p.csv")).code, 0);
+  std::string text = read("p.json");
+  text.replace(text.find("\"start_speed\":2.5"), 17, "\"start_speed\":2.4");
+  put("wrong.json", text);
+  const Run wrong = run("validate " + map_ + " --path " + file("wrong.json"));
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_NE(wrong.out.find("the speed jumps from 2.4 to 2.5 m/s"), std::string::npos) << wrong.out;
+  expect_bad_input(plan + " --start-speed -1", "start speed: -1 m/s, must be from 0 to");
+  expect_bad_input(plan + " --goal-speed fast", "--goal-speed");
+  expect_bad_input(plan + " --start-speed 1 --waypoint 5,5", "--start-speed, --goal-speed: only to one goal");
+}
+
 TEST_F(Tool, SamplesAsDenselyAsToldTo) {
   const std::string plan = "plan " + map_ + kAround;
   const std::string files = " --csv " + file("p.csv") + " --ros-path " + file("p.json");

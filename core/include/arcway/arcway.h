@@ -33,6 +33,7 @@
 #include "arcway/progress.h"
 #include "arcway/query_set.h"
 #include "arcway/refine_options.h"
+#include "arcway/replan.h"
 #include "arcway/snapshot.h"
 #include "arcway/stop_clock.h"
 #include "arcway/sweep_query.h"

@@ -19,7 +19,7 @@ struct Place {
   std::optional<double> heading = std::nullopt;  ///< [rad]; none: any heading
 };
 
-/// From a start over waypoints to one of several goals.
+/// From a start over waypoints to one of several goals, at rest at both.
 struct TourRequest {
   Pose start;
   std::vector<Place> waypoints = {};  ///< passed in this order, without a stop unless the gear changes there

@@ -219,6 +219,23 @@ TEST(SpeedProfile, EqualsFineGridBetweenMovingEnds) {
   EXPECT_LT(possible, 90);
 }
 
+// The rest of a plan that brakes as hard as it can, off by rounding. The first segment is short.
+TEST(SpeedProfile, BrakesHarderByNextToNothingWhereRoundingAsksForIt) {
+  const Vehicle vehicle = slow_vehicle();
+  SpeedProfile profile;
+  for (const double longer : {1.0 - 1e-8, 1.0 - 3e-7, 1.0 - 1e-6}) {
+    const Path path{{{}, 0.05, 0.0}, {{}, 8.95 * longer, 0.0}};
+    const double time = travel_time(path, vehicle, {6.0, 0.0}, profile);
+    EXPECT_EQ(std::isinf(time), longer < 1.0 - 5e-7) << longer;
+    if (std::isinf(time)) continue;
+    EXPECT_NEAR(time, 3.0, 2e-6);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const double change = profile.speeds[i] * profile.speeds[i] - profile.speeds[i + 1] * profile.speeds[i + 1];
+      EXPECT_LE(change, 4.0 * path[i].length * (1.0 + 5e-7)) << i;
+    }
+  }
+}
+
 TEST(SpeedProfile, EndSpeedsAreNegativeBackwards) {
   const Vehicle vehicle = slow_vehicle();
   const Path ahead{{{}, 4.0, 0.0}, {{4, 0, 0}, 5.0, 0.2}}, back = reversed(ahead);

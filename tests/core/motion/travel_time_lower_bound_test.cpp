@@ -132,6 +132,32 @@ TEST(TravelTimeLowerBound, IsMetByALineBetweenMovingEnds) {
   EXPECT_NEAR(travel_time_lower_bound(start, goal, 30.0, vehicle, false, {12.0, 0.0}), 6.0, 1e-5);
 }
 
+// Of all ways to part the arcs between both ends, the one that costs least, by sums.
+TEST(TravelTimeLowerBound, CountsTheTimeLostOnArcsBetweenMovingEnds) {
+  const Vehicle vehicle = vehicle_with(ConstantTurnSpeed{3.0}, 2.0);
+  const Pose start{0, 0, kPi}, goal{100, 0, kPi};
+  const double arcs = vehicle.min_turning_radius() * kPi;
+  for (const EndSpeeds& ends : {EndSpeeds{2.5, 1.0}, EndSpeeds{0.0, 2.9}, EndSpeeds{4.0, 3.5}}) {
+    constexpr int kPieces = 4000;
+    const double piece = arcs / kPieces;
+    std::vector<double> from_start{0.0}, from_goal{0.0};  // lost on the first pieces
+    for (int i = 0; i < kPieces; ++i) {
+      const auto lost = [&](double speed) {
+        const double fastest = std::min(12.0, std::sqrt(speed * speed + 4.0 * (i + 0.5) * piece));
+        return piece * std::max(0.0, 1.0 / 3.0 - 1.0 / fastest);
+      };
+      from_start.push_back(from_start.back() + lost(ends.start));
+      from_goal.push_back(from_goal.back() + lost(ends.goal));
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i <= kPieces; ++i) least = std::min(least, from_start[i] + from_goal[kPieces - i]);
+    EXPECT_GT(least, 0.0);
+    const Vehicle even = vehicle_with(ConstantTurnSpeed{12.0}, 2.0);
+    EXPECT_NEAR(travel_time_lower_bound(start, goal, 100.0, vehicle, false, ends),
+                travel_time_lower_bound(start, goal, 100.0, even, false, ends) + least, 1e-4);
+  }
+}
+
 TEST(TravelTimeLowerBound, NoPlanIsFasterAndTheStraightLineIsWeaker) {
   for (const bool real : {false, true}) {
     const Vehicle vehicle = real ? vehicle_with(LateralAccelerationLimit{2.0}, 2.0) : Vehicle{};

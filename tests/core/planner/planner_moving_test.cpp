@@ -135,6 +135,45 @@ TEST(PlannerMoving, AStartThatStandsAtTheGoalButMovesGoesAround) {
   expect_valid(planner, stopping);
 }
 
+// In both gears: the start's gear is kept until the vehicle has stopped.
+TEST(PlannerMoving, PlansInBothGearsBeginAndEndInTheGearsOfTheirSpeeds) {
+  const World world({test::box(-2, 2, 12, 3), test::box(-2, -5, 4, -2), test::box(8, -5, 12, -2)});
+  const Planner planner(world, robot());
+  int backwards = 0, changing = 0;
+  test::RandomInputs random(12);
+  for (int i = 0; i < 40; ++i) {
+    const Pose start{random.uniform(0.0, 9.0), random.uniform(-0.6, 0.9), random.uniform(-0.3, 0.3)};
+    const Pose goal{random.uniform(0.0, 9.0), random.uniform(-0.6, 0.9), random.uniform(-0.3, 0.3)};
+    const PlanRequest request{.start = start,
+                              .goal = goal,
+                              .reverse = true,
+                              .start_speed = random.uniform(-1.5, 1.5),
+                              .goal_speed = i % 2 == 0 ? 0.0 : random.uniform(-1.0, 1.0)};
+    const PlanResult plan = planner.plan(request);
+    if (!plan.solved()) continue;
+    expect_valid(planner, plan, true);
+    EXPECT_EQ(plan.segments.front().segment.gear, request.start_speed < 0.0 ? Gear::kReverse : Gear::kForward);
+    backwards += request.start_speed < 0.0 ? 1 : 0;
+    changing += cusps_of(plan.path()) > 0 ? 1 : 0;
+  }
+  EXPECT_GT(backwards, 10);
+  EXPECT_GT(changing, 20);
+}
+
+TEST(PlannerMoving, ALineBackwardsTakesTheTimeOfItsProfile) {
+  const Planner planner(World({}), Vehicle({.max_speed = 3.0,
+                                            .turn_speed = LateralAccelerationLimit{0.8},
+                                            .max_reverse_speed = 2.0,
+                                            .max_acceleration = 1.0}));
+  for (const EndSpeeds& ends : {EndSpeeds{-1.5, 0.0}, EndSpeeds{0.0, -2.0}, EndSpeeds{-2.0, -1.0}}) {
+    const PlanResult plan = planner.plan(
+        {.start = {9, 0, 0}, .goal = {0, 0, 0}, .reverse = true, .start_speed = ends.start, .goal_speed = ends.goal});
+    ASSERT_TRUE(plan.solved()) << plan.reason;
+    EXPECT_NEAR(plan.travel_time, segment_time(9.0, -ends.start, 2.0, -ends.goal, 1.0), 1e-6);
+    expect_valid(planner, plan, true);
+  }
+}
+
 TEST(PlannerMoving, RefusesSpeedsThatTheVehicleDoesNotHave) {
   const Planner planner(World({}), robot());
   const auto refused = [&](double start_speed, double goal_speed, bool reverse, const std::string& text) {

@@ -39,8 +39,8 @@ Roadmap make_map(const World& world, const Vehicle& vehicle, const CircleRadii& 
 class Enumeration {
  public:
   Enumeration(const Roadmap& map, const Pose& start, const Pose& goal, double bound, std::uint32_t not_first = kNone,
-              std::uint32_t not_last = kNone)
-      : map_(map), start_(start), goal_(goal), best_(bound), not_first_(not_first), not_last_(not_last) {}
+              std::uint32_t not_last = kNone, const EndSpeeds& ends = {})
+      : map_(map), start_(start), goal_(goal), best_(bound), not_first_(not_first), not_last_(not_last), ends_(ends) {}
 
   double best() {
     for (std::size_t k = 0; k < map_.radii.size(); ++k)
@@ -81,16 +81,34 @@ class Enumeration {
     const double distance = (goal_.position() - here).norm();
     Path relaxed = path_;
     relaxed.push_back({straight.end(), distance, 0.0});
-    const bool hopeful = speed_profile(relaxed, map_.vehicle).total_time <= best_ + 1e-9;
+    const double least =
+        ends_.is_moving() ? time_without_braking(relaxed) : speed_profile(relaxed, map_.vehicle).total_time;
+    const bool hopeful = least <= best_ + 1e-9;
     if (hopeful && is_free(straight) && (turn == 0.0 || is_free(arc))) return true;
     pop();
     return false;
   }
   void pop() { path_.resize(path_.size() - 2); }
 
+  // A lower bound: at each place as fast as the start's speed, acceleration and limits allow.
+  [[nodiscard]] double time_without_braking(const Path& path) const {
+    double time = 0.0, speed = ends_.start;
+    for (const PathSegment& s : path) {
+      const double limit = speed_limit(s, map_.vehicle), a = map_.vehicle.max_acceleration();
+      speed = std::min(speed, limit);
+      const double next = std::min(limit, std::sqrt(speed * speed + 2.0 * a * s.length));
+      const double rising = 0.5 * (next * next - speed * speed) / a;
+      time += (next - speed) / a + std::max(0.0, s.length - rising) / limit;
+      speed = next;
+    }
+    return time;
+  }
+
   void end(const Path& path) {
+    const double time = travel_time(path, map_.vehicle, ends_, profile_);
+    if (std::isinf(time)) return;
     ++paths_;
-    best_ = std::min(best_, speed_profile(path, map_.vehicle).total_time);
+    best_ = std::min(best_, time);
   }
 
   void visit(std::uint32_t c, double heading) {
@@ -123,6 +141,8 @@ class Enumeration {
   Path path_;
   double best_;
   std::uint32_t not_first_, not_last_;
+  EndSpeeds ends_;
+  SpeedProfile profile_;
   std::size_t paths_ = 0;
 };
 
@@ -170,6 +190,53 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
   }
   EXPECT_GT(solved, 30);
   EXPECT_GT(paths, 120u);
+}
+
+TEST(ArrivalSearch, FindsTheFastestOfAllPathsBetweenMovingEnds) {
+  test::RandomInputs random(21);
+  ArrivalSearch search;
+  int solved = 0, unsolved = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const World world = random_world({.kind = ClutterKind::kConvex,
+                                      .obstacles = 4,
+                                      .vertices = 4,
+                                      .fill = 0.2,
+                                      .min_radius = 3.0,
+                                      .max_radius = 6.0,
+                                      .seed = seed});
+    VehicleParameters parameters;
+    parameters.max_acceleration = std::array{1.0, 2.0, 4.0}[seed % 3];
+    parameters.turn_speed = LateralAccelerationLimit{2.0};
+    const Vehicle vehicle(parameters);
+    const double radius = (seed % 2 == 0 ? 1.0 : 3.0) * vehicle.min_turning_radius();
+    const double fastest = vehicle.turn_speed(radius);
+    const Roadmap map = make_map(world, vehicle, {radius}, GraphMode::kEager);
+    const double side = world.box().max.x();
+    for (int i = 0; i < 20; ++i) {
+      const auto pose = [&] {
+        return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+      };
+      const Attachment start{pose(), {}}, goal{pose(), {}};
+      const EndSpeeds ends{i % 3 == 0 ? 0.0 : random.uniform(0.0, fastest),
+                           i % 3 == 1 ? 0.0 : random.uniform(0.0, fastest)};
+      const SearchResult result = search.find(map, {&start, 1}, {&goal, 1}, {.ends = ends});
+      if (!result.path) {
+        const double straight = (goal.pose.position() - start.pose.position()).norm() / vehicle.max_speed();
+        ++unsolved;
+        EXPECT_EQ(Enumeration(map, start.pose, goal.pose, 2.0 * straight + 5.0, kNone, kNone, ends).paths(), 0u)
+            << "seed " << seed << ", query " << i;
+        continue;
+      }
+      ++solved;
+      SpeedProfile profile;
+      const double time = travel_time(*result.path, vehicle, ends, profile);
+      Enumeration all(map, start.pose, goal.pose, time * (1.0 + 1e-9), kNone, kNone, ends);
+      EXPECT_NEAR(all.best(), time, 1e-9 * time) << "seed " << seed << ", query " << i;
+      EXPECT_GE(all.paths(), 1u);
+    }
+  }
+  EXPECT_GT(solved, 30);
+  EXPECT_GT(unsolved, 10);
 }
 
 // The next path may not join the graph, or leave it, by the circle of the fastest one.

@@ -241,6 +241,29 @@ TEST(Validation, Speeds) {
   EXPECT_THROW(check(kEmpty, bad), std::invalid_argument);
 }
 
+TEST(Validation, EndSpeedsAreThoseAskedFor) {
+  const auto look = [](const Path& path, const EndSpeeds& driven, const ValidationOptions& asked) {
+    const SpeedProfile profile = speed_profile(path, kCheckedVehicle, driven);
+    const TimedPath timed{path,
+                          {profile.speeds.begin(), profile.speeds.end() - 1},
+                          {profile.speeds.begin() + 1, profile.speeds.end()},
+                          profile.durations};
+    return validate(kEmpty, kCheckedVehicle, path.front().start, path.back().end(), timed, asked);
+  };
+  const Path ahead = straight(), back = reversed(ahead);
+  EXPECT_TRUE(look(ahead, {3.0, 2.0}, {.start_speed = 3.0, .goal_speed = 2.0}).valid());
+  EXPECT_TRUE(look(back, {-3.0, -2.0}, {.start_speed = -3.0, .goal_speed = -2.0}).valid());
+  EXPECT_EQ(kinds(look(ahead, {3.0, 2.0}, {.start_speed = 3.0})), Kinds{Violation::kSpeedJump});
+  EXPECT_EQ(kinds(look(ahead, {3.0, 2.0}, {.goal_speed = 2.0})), Kinds{Violation::kSpeedJump});
+  EXPECT_EQ(kinds(look(ahead, {3.0, 2.0}, {.start_speed = 3.0, .goal_speed = 2.001})), Kinds{Violation::kSpeedJump});
+  EXPECT_EQ(kinds(look(ahead, {3.0, 0.0}, {.start_speed = -3.0})), Kinds{Violation::kSpeedJump});
+  EXPECT_EQ(kinds(look(back, {-3.0, 0.0}, {.start_speed = 3.0})), Kinds{Violation::kSpeedJump});
+  const Pose here{1.0, 1.0, 0.0};
+  EXPECT_TRUE(validate(kEmpty, kCheckedVehicle, here, here, {}, {.start_speed = 1.0, .goal_speed = 1.0}).valid());
+  EXPECT_EQ(kinds(validate(kEmpty, kCheckedVehicle, here, here, {}, {.start_speed = 1.0})),
+            Kinds{Violation::kSpeedJump});
+}
+
 TEST(Validation, AnArcMayNotBeLeftFasterThanItIsDriven) {
   Path path{{{}, 3.0, 1.0 / kRadius}};
   path.push_back({path.back().end(), 3.0, 0.0});

@@ -67,6 +67,17 @@ TEST(PlanJson, RoundTripIsExact) {
   }
 }
 
+TEST(PlanJson, KeepsTheSpeedsAtBothEnds) {
+  PlanResult result = example();
+  EXPECT_EQ(plan_to_json(result, 0).find("_speed"), std::string::npos);
+  result.start_speed = 0.1;
+  result.goal_speed = -1.0 / 3.0;
+  const PlanFile file = parse_plan(plan_to_json(result, 0), "plan.json");
+  EXPECT_EQ(file.start_speed, 0.1);
+  EXPECT_EQ(file.goal_speed, -1.0 / 3.0);
+  EXPECT_EQ(parse_plan(plan_to_json(example(), 0), "plan.json").start_speed, 0.0);
+}
+
 TEST(PlanJson, TellsWhyThereIsNoPath) {
   PlanResult result;
   result.status = PlanStatus::kStartBlocked;

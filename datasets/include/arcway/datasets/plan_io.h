@@ -24,7 +24,8 @@ namespace arcway {
 ///      "path":[{"type":"line"|"arc","start":[x,y,heading],"length":..,"curvature":..,"direction":1|-1,
 ///               "speed_in":..,"speed_out":..,"duration":..}],"statistics":{..}}
 ///
-/// "direction" is -1 where the segment is driven backwards. With "reason" and an empty path unless solved; with
+/// "direction" is -1 where the segment is driven backwards. With "start_speed" and "goal_speed" if they are not 0,
+/// negative backwards. With "reason" and an empty path unless solved; with
 /// "interrupted": true if the time limit or a stop ended the search.
 /// @param q      number of the query.
 /// @param robot  that the plan is for, as robot.h writes it; left out if there is none.
@@ -51,7 +52,9 @@ struct ARCWAY_API PlanFile {
   std::optional<double> travel_time, length;  ///< as stated by the plan [s], [m]
   std::optional<double> gear_changes;         ///< as stated by the plan
   Pose start, goal;
-  TimedPath path;  ///< speeds and durations empty if the file has none
+  double start_speed = 0.0;  ///< with which the plan begins, negative backwards [m/s]
+  double goal_speed = 0.0;   ///< with which it ends [m/s]
+  TimedPath path;            ///< speeds and durations empty if the file has none
   /// The path in time for the robot that the plan names; if it names none, for that of VehicleParameters' defaults.
   /// @throws std::invalid_argument as Vehicle and Trajectory do, among others if the path has no segments.
   [[nodiscard]] Trajectory trajectory() const;
