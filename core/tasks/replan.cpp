@@ -50,50 +50,58 @@ double time_of(std::span<const TimedSegment> segments) {
 
 class Replanner {
  public:
-  Replanner(const Planner& planner, const Trajectory& driven, double time)
-      : planner_(planner), driven_(driven), now_(driven.at(time)), rest_(rest_of(driven, now_)) {
+  Replanner(const Planner& planner, const Trajectory& driven, double time, const ReplanOptions& options)
+      : planner_(planner),
+        last_(driven.segments().back()),
+        options_(options),
+        now_(driven.at(time)),
+        rest_(rest_of(driven, now_)) {
     if (!(driven.vehicle() == planner.vehicle()))
       throw std::invalid_argument("replan: the motion is of another vehicle than the planner's");
   }
 
-  Replan run(const PlanLimits& limits) {
+  Replan run() {
     const auto begun = std::chrono::steady_clock::now();
-    const bool is_rest_free = planner_.is_free(path_of(rest_));
+    const bool is_rest_free = planner_.is_free(path_of(rest_)), is_kept = is_rest_free && leads_to_goal();
     Replan next;
-    PlanLimits left = limits;
+    PlanLimits left = options_.limits;
     left.time -= std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    if (left.time > 0.0 && !limits.stop.stop_requested()) next.plan = planner_.plan(request(), left);
+    if (left.time > 0.0 && !left.stop.stop_requested()) next.plan = planner_.plan(request(), left);
     const double rest_time = time_of(rest_);
-    if (next.plan.solved() && !(is_rest_free && rest_time <= next.plan.travel_time)) {
+    if (next.plan.solved() && !(is_kept && rest_time <= next.plan.travel_time)) {
       next.motion = NextMotion::kPlanned;
       next.segments = next.plan.segments;
       next.travel_time = next.plan.travel_time;
-    } else if (is_rest_free) {
-      next.motion = NextMotion::kKept;
+    } else if (is_kept || (is_rest_free && last_.speed_out == 0.0)) {
+      next.motion = is_kept ? NextMotion::kKept : NextMotion::kBraking;
+      if (!is_kept) next.reason = reason_of(next.plan, "the motion before leads elsewhere");
       next.segments = std::move(rest_);
       next.travel_time = rest_time;
     } else {
+      next.reason = reason_of(next.plan,
+                              is_rest_free ? "the motion before leads elsewhere" : "the rest of the motion is blocked");
       brake(next);
     }
     return next;
   }
 
  private:
+  [[nodiscard]] bool leads_to_goal() const {
+    const Pose end = last_.segment.end();
+    return !options_.goal || (options_.goal->position() == end.position() && options_.goal->heading == end.heading);
+  }
   [[nodiscard]] PlanRequest request() const {
-    const std::span<const TimedSegment> segments = driven_.segments();
-    const TimedSegment& last = segments.back();
-    const bool reverses =
-        std::ranges::any_of(segments, [](const TimedSegment& t) { return t.segment.gear == Gear::kReverse; });
     return {.start = now_.pose,
-            .goal = last.segment.end(),
-            .reverse = reverses,
+            .goal = options_.goal.value_or(last_.segment.end()),
+            .reverse = options_.reverse,
             .start_speed = now_.signed_speed(),
-            .goal_speed = sign_of(last.segment.gear) * last.speed_out};
+            .goal_speed = options_.goal ? 0.0 : sign_of(last_.segment.gear) * last_.speed_out};
+  }
+  static std::string reason_of(const PlanResult& plan, const std::string& otherwise) {
+    return plan.reason.empty() ? otherwise + ", and there was no time for a plan" : plan.reason;
   }
 
   void brake(Replan& next) const {
-    next.reason = next.plan.reason.empty() ? "the rest of the motion is blocked, and there was no time for a plan"
-                                           : next.plan.reason;
     const double a = planner_.vehicle().max_acceleration(), length = 0.5 * now_.speed * now_.speed / a;
     const PathSegment curve{now_.pose, length, now_.curvature, now_.gear}, line{now_.pose, length, 0.0, now_.gear};
     for (const Path& path : {along_rest(length), Path{curve}, Path{line}}) {
@@ -128,7 +136,8 @@ class Replanner {
   }
 
   const Planner& planner_;
-  const Trajectory& driven_;
+  const TimedSegment& last_;
+  const ReplanOptions& options_;
   TrajectoryState now_;
   std::vector<TimedSegment> rest_;
 };
@@ -149,8 +158,8 @@ const char* name_of(NextMotion motion) {
   return "none";
 }
 
-Replan replan(const Planner& planner, const Trajectory& driven, double time, const PlanLimits& limits) {
-  return Replanner(planner, driven, time).run(limits);
+Replan replan(const Planner& planner, const Trajectory& driven, double time, const ReplanOptions& options) {
+  return Replanner(planner, driven, time, options).run();
 }
 
 }  // namespace arcway

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,13 +31,21 @@ struct Replan {
   PlanResult plan;                     ///< of the query that was asked; its default if there was no time for one
 };
 
+/// Where to go on to, and how long to look for a way.
+struct ReplanOptions {
+  std::optional<Pose> goal = std::nullopt;  ///< none: where the motion before ends, with its speed there
+  bool reverse = false;                     ///< see PlanRequest
+  PlanLimits limits = {};
+};
+
 /// Plans on from a moment of a motion that is being driven, perhaps on a map that changed since.
 ///
 /// 1. The rest of the motion is checked on the planner's map, exactly.
-/// 2. A plan is made from the vehicle's pose and speed to the motion's goal and goal speed, with the time that is left.
-///    It may drive backwards if the motion before does. The faster of it and the rest, if that is free, is taken.
-/// 3. If there is neither, the vehicle brakes as hard as it may: along the rest of the motion, else along its curve,
-///    else straight on. The first of these that is free is taken.
+/// 2. A plan is made from the vehicle's pose and speed to the goal, with the time that is left. The faster of it and
+///    the rest is taken, if the rest is free and leads to the goal.
+/// 3. If there is neither, the vehicle goes on to where the motion before ends, if that is free and at rest, as one
+///    that brakes already. Else it brakes as hard as it may: along the rest, along its curve, or straight on. The first
+///    of these that is free is taken.
 ///
 /// Every motion given was decided to be free on the planner's map by exact queries. Time: that of the limits, as of
 /// Planner::plan, and some sweep queries. Thread-safe.
@@ -45,6 +53,7 @@ struct Replan {
 /// @param time  of the motion, from 0 to its duration [s]: the vehicle is then where that says.
 /// @throws std::out_of_range as Trajectory::at does.
 /// @throws std::invalid_argument if the motion is of another vehicle, or as Planner::plan.
-ARCWAY_API Replan replan(const Planner& planner, const Trajectory& driven, double time, const PlanLimits& limits = {});
+ARCWAY_API Replan replan(const Planner& planner, const Trajectory& driven, double time,
+                         const ReplanOptions& options = {});
 
 }  // namespace arcway

@@ -54,7 +54,7 @@ TEST(Replan, IsNeverSlowerThanTheRestWhereThatIsFree) {
       EXPECT_LE(next.travel_time, (driven.duration() - now.time) * (1.0 + 1e-9));
       expect_valid(planner, next, now);
       // Without time the rest is kept.
-      const Replan kept = replan(planner, driven, now.time, {.time = 0.0});
+      const Replan kept = replan(planner, driven, now.time, {.limits = {.time = 0.0}});
       EXPECT_EQ(kept.motion, NextMotion::kKept);
       EXPECT_NEAR(kept.travel_time, driven.duration() - now.time, 1e-9);
       expect_valid(planner, kept, now);
@@ -88,16 +88,32 @@ TEST(Replan, BrakesWithoutTime) {
     return before.with_obstacles({}, {Polygon::rectangle({x, -20.0}, {x + 1.0, 20.0})});
   };
   const Planner room = with_wall(front + 0.01), none = with_wall(front - 0.01);
-  const Replan braking = replan(room, driven, now.time, {.time = 0.0});
+  const Replan braking = replan(room, driven, now.time, {.limits = {.time = 0.0}});
   EXPECT_EQ(braking.motion, NextMotion::kBraking);
   EXPECT_EQ(braking.reason, "the rest of the motion is blocked, and there was no time for a plan");
   expect_valid(room, braking, now);
   EXPECT_NEAR(braking.travel_time, 3.0, 1e-12);
   EXPECT_EQ(braking.segments.back().speed_out, 0.0);
-  const Replan lost = replan(none, driven, now.time, {.time = 0.0});
+  const Replan lost = replan(none, driven, now.time, {.limits = {.time = 0.0}});
   EXPECT_EQ(lost.motion, NextMotion::kNoMotion);
   EXPECT_TRUE(lost.segments.empty());
   EXPECT_NE(lost.reason.find("neither does any braking tried stay free"), std::string::npos);
+}
+
+TEST(Replan, LeadsToAnotherGoalOrGoesOnBraking) {
+  const World world(std::vector<Polygon>{Polygon::rectangle({60.0, 60.0}, {61.0, 61.0})});
+  const Planner planner(world, robot());
+  const Trajectory driven = planner.plan(Pose{0.0, 0.0, 0.0}, Pose{40.0, 0.0, 0.0}).trajectory();
+  const TrajectoryState now = driven.at(4.0);
+  const Pose goal{30.0, 10.0, 1.0};
+  const Replan next = replan(planner, driven, now.time, {.goal = goal});
+  ASSERT_EQ(next.motion, NextMotion::kPlanned) << next.reason;
+  expect_valid(planner, next, now);
+  EXPECT_NEAR((next.segments.back().segment.end().position() - goal.position()).norm(), 0.0, 1e-9);
+  const Replan without_time = replan(planner, driven, now.time, {.goal = goal, .limits = {.time = 0.0}});
+  EXPECT_EQ(without_time.motion, NextMotion::kBraking) << "it goes on to where it would stop";
+  EXPECT_EQ(without_time.reason, "the motion before leads elsewhere, and there was no time for a plan");
+  expect_valid(planner, without_time, now);
 }
 
 TEST(Replan, RefusesTheMotionOfAnotherVehicle) {
