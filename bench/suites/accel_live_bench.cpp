@@ -67,7 +67,8 @@ class LiveMap {
     const Pose goal = queries_[goal_ % queries_.size()].goal;
     const Replan next = replan(planner_, *driven_, time_, {.goal = goal, .limits = {.time = kDeadline}});
     drive.cycles.push_back(clock.seconds());
-    if (mover != nullptr && !added.empty()) mover->key = planner_.world().key_of(planner_.world().obstacle_count() - 1);
+    if (mover != nullptr && !added.empty())
+      mover->key = planner_.world().key_of(static_cast<ObstacleId>(planner_.world().obstacle_count() - 1));
     is_to_goal_ = next.motion == NextMotion::kPlanned || next.motion == NextMotion::kKept;
     drive.with_motion += next.motion != NextMotion::kNoMotion;
     drive.to_goal += is_to_goal_;
