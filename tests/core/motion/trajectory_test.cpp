@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/planner.h"
+#include "core/motion/speed_profile.h"
 #include "tests/support/boxes.h"
 
 namespace arcway::internal {
@@ -173,6 +176,39 @@ TEST(Trajectory, SamplesTimesAtOneStepAndTheEnd) {
             std::string::npos);
 }
 
+// A motion that takes longer than the fastest one holds a lower top speed.
+TEST(Trajectory, TakesTheTimeThatIsGiven) {
+  const Vehicle vehicle({.max_speed = 12.0, .max_acceleration = 2.0});
+  for (const auto& [v1, v3] : {std::pair(0.0, 0.0), {3.0, 0.0}, {1.0, 4.0}, {4.0, 4.0}})
+    for (const double slower : {1.0, 1.01, 1.2}) {
+      const double fastest = segment_time(30.0, v1, 12.0, v3, 2.0);
+      const Trajectory trajectory(std::vector{TimedSegment{{{}, 30.0, 0.0}, v1, v3, slower * fastest}}, vehicle);
+      double distance = 0.0, top = 0.0;
+      constexpr int kSteps = 20000;
+      for (int i = 0; i < kSteps; ++i) {
+        const TrajectoryState state = trajectory.at(slower * fastest * (i + 0.5) / kSteps);
+        distance += state.speed * slower * fastest / kSteps;
+        top = std::max(top, state.speed);
+        EXPECT_LE(std::abs(state.acceleration), 2.0 * (1.0 + 1e-12));
+      }
+      EXPECT_NEAR(distance, 30.0, 1e-4);
+      EXPECT_NEAR(trajectory.at(trajectory.duration()).distance, 30.0, 1e-12);
+      EXPECT_NEAR(trajectory.at(slower * fastest * (1.0 - 1e-9)).distance, 30.0, 1e-6);
+      EXPECT_GE(top, std::max(v1, v3) - 1e-3);
+    }
+}
+
+TEST(Trajectory, WaitsOnSegmentsWithoutLength) {
+  const PathSegment line{{}, 30.0, 0.0};
+  const Trajectory trajectory(
+      std::vector<TimedSegment>{{line, 0.0, 0.0, 2.74}, {{line.end(), 0.0, 0.0}, 0.0, 0.0, 5.0}}, Vehicle{});
+  EXPECT_EQ(trajectory.duration(), 7.74);
+  EXPECT_EQ(trajectory.at(5.0).distance, 30.0);
+  EXPECT_EQ(trajectory.at(5.0).speed, 0.0);
+  EXPECT_EQ(trajectory.at(5.0).segment, 1u);
+  EXPECT_EQ(trajectory.sample(PathSampling{}).back().time, 7.74);
+}
+
 TEST(Trajectory, RefusesWhatIsOutside) {
   const Trajectory trajectory(Path{{{}, 30.0, 0.0}}, Vehicle{});
   EXPECT_EQ(error_of<std::out_of_range>([&] { static_cast<void>(trajectory.at(3.0)); }),
@@ -191,8 +227,12 @@ TEST(Trajectory, RefusesMotionsThatTheVehicleCannotDrive) {
   const PathSegment line{{}, 30.0, 0.0};
   EXPECT_EQ(error({line, 0.0, 0.0, 2.74}), "no error");
   EXPECT_EQ(error({line, 0.0, 0.0, 2.74 + 1e-7}), "no error");
-  EXPECT_EQ(error({line, 0.0, 0.0, 3.0}),
-            "Trajectory: segment 0: duration is 3 s, but the fastest motion takes 2.74 s");
+  EXPECT_EQ(error({line, 0.0, 0.0, 2.5}),
+            "Trajectory: segment 0: duration is 2.5 s, but the fastest motion takes 2.74 s");
+  EXPECT_EQ(error({line, 6.0, 6.0, 6.0}),
+            "Trajectory: segment 0: duration is 6 s, but without braking below 6 m/s it takes at most 5 s; give "
+            "segments with lower speeds");
+  EXPECT_NE(error({line, 0.0, 0.0, INFINITY}), "no error");
   EXPECT_EQ(error({line, 13.0, 0.0, 2.74}), "Trajectory: segment 0: a speed is 13 m/s, must be >= 0 and <= 12");
   EXPECT_EQ(error({{{}, 0.01, 0.0}, 0.0, 8.0, 0.1}),
             "Trajectory: segment 0: its speeds are 0 and 8 m/s, but 0.01 m are long enough for 1 m/s only");
