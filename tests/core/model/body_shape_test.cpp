@@ -83,9 +83,10 @@ TEST(BodyShape, ErrorsNamePartAndVertex) {
   EXPECT_EQ(refusal_of({{{0, 0}, {1, 0}, {1, 1e51}}}),
             "vehicle: footprint[0][2] is (1, 1e+51), each coordinate must be 0 or of magnitude 1e-100 to 1e+50 m");
   EXPECT_EQ(refusal_of({{{0, 0}, {1, 1}, {2, 2}}}), "vehicle: footprint[0] has no area");
-  EXPECT_EQ(refusal_of({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}),
-            "vehicle: footprint[0]: the side from vertex 0 to 1 crosses the side from vertex 2 to 3 at (1, 1), give the "
-            "corners in their order around the body");
+  EXPECT_EQ(
+      refusal_of({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}),
+      "vehicle: footprint[0]: the side from vertex 0 to 1 crosses the side from vertex 2 to 3 at (1, 1), give the "
+      "corners in their order around the body");
   EXPECT_EQ(refusal_of({{{0, 0}, {2, 2}, {2, 0}, {0, 1}}}),
             "vehicle: footprint[0]: the side from vertex 0 to 1 crosses the side from vertex 2 to 3 at "
             "(0.6666666666666666, 0.6666666666666666), give the corners in their order around the body");
