@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace arcway::internal {
 
@@ -77,12 +77,14 @@ TimeSet blocked_starts(std::span<const MotionPhase> motion, std::span<const Bloc
       for (const MotionPhase& phase : motion)
         add_starts(phase, places.corners[i], places.corners[(i + 1) % places.corners.size()], starts);
     // The sides where the motion begins and ends are cut out of the polygon.
-    for (const auto& [s, time] :
-         {std::pair(motion.front().from, 0.0), std::pair(motion.back().to, motion.back().time_at(motion.back().to))})
-      for (const TimeInterval& stay : blocked_stays(s, {&places, 1}).intervals()) {
+    const MotionPhase& last = motion.back();
+    for (const auto& [s, time] : {std::pair(motion.front().from, 0.0), std::pair(last.to, last.time_at(last.to))}) {
+      const TimeSet stays = blocked_stays(s, {&places, 1});
+      for (const TimeInterval& stay : stays.intervals()) {
         starts.begin = std::min(starts.begin, stay.begin - time);
         starts.end = std::max(starts.end, stay.end - time);
       }
+    }
     if (starts.begin <= starts.end) found.push_back(starts);
   }
   return TimeSet(std::move(found));

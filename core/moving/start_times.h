@@ -26,6 +26,7 @@ class TimeSet {
   TimeSet() = default;
   /// The union of intervals in any order.
   explicit TimeSet(std::vector<TimeInterval> intervals);
+  /// Valid while the set lives.
   [[nodiscard]] std::span<const TimeInterval> intervals() const { return intervals_; }
   [[nodiscard]] bool contains(double time) const;
   /// The open intervals between from and to that are not covered, as closed ones.

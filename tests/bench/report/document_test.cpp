@@ -302,7 +302,7 @@ TEST(RealVehicles, AreFollowedByOtherBodies) {
   EXPECT_EQ(section.table.rows[0][0], "passenger car");
   EXPECT_EQ(section.table.rows[1][0], "city bus");
   EXPECT_EQ(std::ranges::count(section.table.rows[1], "16 of 20"), 1);
-  EXPECT_EQ(std::ranges::count(section.table.rows[1], "12.2 × 2.6 m"), 1);
+  EXPECT_EQ(std::ranges::count(section.table.rows[1], "12.1 × 2.6 m"), 1);
 }
 
 TEST(RealVehicles, AreMissedWhereNothingIsMeasured) {
