@@ -45,8 +45,9 @@ class ARCWAY_API VisibilityRows {
   /// anew.
   /// @param change  from the world of these rows to `after`.
   /// @param visibility  of `after`.
-  [[nodiscard]] virtual std::optional<Changed> changed(const World& /*after*/, const WorldChange& /*change*/,
-                                                       std::shared_ptr<const VisibilityQuery> /*visibility*/) const {
+  [[nodiscard]] virtual std::optional<Changed> changed(
+      [[maybe_unused]] const World& after, [[maybe_unused]] const WorldChange& change,
+      [[maybe_unused]] std::shared_ptr<const VisibilityQuery> visibility) const {
     return std::nullopt;
   }
 };
