@@ -28,7 +28,7 @@ SweptOutline::SweptOutline(std::span<const Ring> rings, Side side) {
 
 void SweptOutline::add_edges(const Ring& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 from = ring[i], to = ring[(i + 1) % ring.size()];
+    const Vec2 &from = ring[i], &to = ring[(i + 1) % ring.size()];
     const double length = (to - from).norm();
     const Vec2 along = (to - from) / length;
     edges_.push_back({from, to, along, perpendicular(along), length});

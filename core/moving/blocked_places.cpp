@@ -12,7 +12,7 @@ namespace arcway::internal {
 namespace {
 
 constexpr double kHullExcess = 0.25;  // of the safety margin: how far hulls of arcs may reach beyond what is swept
-constexpr double kWidestPiece = 0.1;  // of an arc [rad]
+constexpr double kNarrowestPiece = 1e-3, kWidestPiece = 0.1;  // of an arc [rad]
 
 // The half-plane of the points x with normal.x <= most.
 struct HalfPlane {
@@ -139,11 +139,14 @@ class Blocked {
     double farthest = 0.0;
     for (const Vec2& p : piece) farthest = std::max(farthest, (p - center).norm());
     const double excess = std::min(1.0, kHullExcess * vehicle_.safety_margin() / farthest);
-    const double widest = std::min(kWidestPiece, 2.0 * std::acos(1.0 - excess));
-    const double count = std::max(1.0, std::ceil(turn / widest));
-    const double height = farthest * (1.0 - std::cos(0.5 * turn / count));
-    for (double i = 0.0; i < count; ++i) {
-      const double from = arc.length * (i / count), to = arc.length * ((i + 1.0) / count);
+    const double widest = std::clamp(2.0 * std::acos(1.0 - excess), kNarrowestPiece, kWidestPiece);
+    const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(turn / widest)));
+    const double height = farthest * (1.0 - std::cos(0.5 * turn / static_cast<double>(count)));
+    const auto place = [&](std::size_t i) {
+      return arc.length * (static_cast<double>(i) / static_cast<double>(count));
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      const double from = place(i), to = place(i + 1);
       Ring corners;
       for (const double s : {from, to}) {
         const Pose pose = arc.at(s);

@@ -47,9 +47,9 @@ struct TimeInterval {
 };
 
 /// The times from 0 to the horizon at which an obstacle touches what the body, grown by half of the safety margin,
-/// sweeps on a segment. Exact on lines up to rounding; of arcs it contains the true times, as they are covered by
-/// polygons that exceed what is swept by a quarter of the margin at most. Ascending, disjoint. O(corners of both), on
-/// arcs for each piece of some hundredths of a radian.
+/// sweeps on a segment. Exact on lines up to rounding. On arcs it contains the true times: they are covered by polygons
+/// that exceed what is swept by a quarter of the margin at most, or by 2e-7 of the radius. Ascending, disjoint.
+/// O(corners of both), on arcs for each piece of 0.001 to 0.1 radians.
 /// @param horizon  [s], finite, > 0.
 /// @throws std::invalid_argument as conflicts(), or naming the horizon.
 ARCWAY_API std::vector<TimeInterval> blocked_times(const PathSegment& segment, const Vehicle& vehicle,

@@ -47,6 +47,7 @@ class ARCWAY_API VisibilityRows {
   /// @param visibility  of `after`.
   [[nodiscard]] virtual std::optional<Changed> changed(
       [[maybe_unused]] const World& after, [[maybe_unused]] const WorldChange& change,
+      // NOLINTNEXTLINE(performance-unnecessary-value-param): rows made from it keep it.
       [[maybe_unused]] std::shared_ptr<const VisibilityQuery> visibility) const {
     return std::nullopt;
   }
