@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "arcway/angle.h"
+#include "core/geometry/convex_hull.h"
 #include "core/geometry/convex_pieces.h"
-#include "core/geometry/predicates.h"
 
 namespace arcway::internal {
 namespace {
@@ -55,24 +55,6 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const HalfPlane& pla
       kept.push_back(a + (b - a) * (over_a / (over_a - over_b)));
   }
   return kept;
-}
-
-// The convex hull, counter-clockwise.
-Ring hull_of(Ring points) {
-  std::ranges::sort(points,
-                    [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-  Ring hull;
-  const auto add_half = [&](auto begin, auto end) {
-    const std::size_t first = hull.size();
-    for (auto p = begin; p != end; ++p) {
-      while (hull.size() >= first + 2 && orientation(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
-      hull.push_back(*p);
-    }
-    hull.pop_back();
-  };
-  add_half(points.begin(), points.end());
-  add_half(points.rbegin(), points.rend());
-  return hull.empty() ? points : hull;
 }
 
 // The body's convex pieces about F.
@@ -152,9 +134,10 @@ class Blocked {
         const Pose pose = arc.at(s);
         for (const Vec2& p : turned(piece, pose.heading)) corners.push_back(pose.position() + p);
       }
+      replace_by_hull(corners);
       double begin = std::max(0.0, moving.from), end = std::min(horizon_, moving.until);
       // The hull stands about the origin: normal . (-velocity t) <= most.
-      for (const auto& [normal, most] : touching(part, hull_of(std::move(corners)), height)) {
+      for (const auto& [normal, most] : touching(part, corners, height)) {
         const double rate = -normal.dot(moving.velocity);
         if (rate > 0.0) end = std::min(end, most / rate);
         if (rate < 0.0) begin = std::max(begin, most / rate);
