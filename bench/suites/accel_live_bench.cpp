@@ -112,12 +112,7 @@ class LiveMap {
   }
 
   [[nodiscard]] bool is_right(const Replan& next, const TrajectoryState& now) const {
-    TimedPath path;
-    for (const TimedSegment& timed : next.segments) {
-      path.segments.push_back(timed.segment);
-      path.speed_in.push_back(timed.speed_in), path.speed_out.push_back(timed.speed_out);
-      path.durations.push_back(timed.duration);
-    }
+    TimedPath path = timed_path_of(next.segments);
     if (corrupting()) path.segments.back().length += 0.01;
     return validate(planner_.world(), planner_.vehicle(), now.pose, next.segments.back().segment.end(), path,
                     {.start_speed = now.signed_speed()})

@@ -124,6 +124,23 @@ std::string to_string(const TimedSegment& timed) {
          " m/s in " + rounded_text(timed.duration) + " s";
 }
 
+Path path_of(std::span<const TimedSegment> segments) {
+  Path path;
+  path.reserve(segments.size());
+  for (const TimedSegment& timed : segments) path.push_back(timed.segment);
+  return path;
+}
+
+TimedPath timed_path_of(std::span<const TimedSegment> segments) {
+  TimedPath path{.segments = path_of(segments), .speed_in = {}, .speed_out = {}, .durations = {}};
+  for (const TimedSegment& timed : segments) {
+    path.speed_in.push_back(timed.speed_in);
+    path.speed_out.push_back(timed.speed_out);
+    path.durations.push_back(timed.duration);
+  }
+  return path;
+}
+
 std::size_t cusps_of(std::span<const PathSegment> path) {
   std::size_t cusps = 0;
   for (std::size_t i = 1; i < path.size(); ++i) cusps += path[i].gear != path[i - 1].gear ? 1 : 0;

@@ -9,6 +9,7 @@
 #include "arcway/angle.h"
 #include "core/base/shortest_text.h"
 #include "core/motion/clearance.h"
+#include "core/motion/motion_phases.h"
 #include "core/motion/speed_profile.h"
 
 namespace arcway {
@@ -19,46 +20,8 @@ namespace {
 /// Share by which claimed speeds and durations may differ from those that the vehicle can drive. Numbers of files are
 /// rounded; a larger share would let through motions that `at` cannot follow.
 constexpr double kClaimTolerance = 1e-6;
-/// Phases shorter than this share of the way from rest to the peak and back come from rounding of speeds near the peak.
-/// A unit in the last place of the speed makes up to 2e-16 of that way.
-constexpr double kRoundingShare = 1e-14;
 /// Share of a step by which the last one may be longer, so that rounding adds no state right before the end.
 constexpr double kLastStep = 1e-12;
-
-// A part of a segment that is driven at constant acceleration.
-struct Phase {
-  double length = 0.0;    // [m], > 0
-  double speed_in = 0.0;  // [m/s]; not both 0
-  double speed_out = 0.0;
-  // Within the phase, s from its start.
-  [[nodiscard]] double speed(double s) const {
-    return std::sqrt(std::lerp(speed_in * speed_in, speed_out * speed_out, s / length));
-  }
-  [[nodiscard]] double time(double s) const { return s > 0.0 ? 2.0 * s / (speed_in + speed(s)) : 0.0; }
-  [[nodiscard]] double acceleration() const { return 0.5 * (speed_out - speed_in) * (speed_out + speed_in) / length; }
-};
-
-// The phases of a segment; none of a segment without length.
-class Phases {
- public:
-  Phases(const TimedSegment& timed, double top_speed, double a) {
-    const double length = timed.segment.length, v1 = timed.speed_in, v3 = timed.speed_out;
-    if (!(length > 0.0)) return;
-    const auto [peak, accelerating, holding, braking] = segment_phases(length, v1, top_speed, v3, a);
-    const double rounding = kRoundingShare * peak * peak / a;
-    for (const Phase& phase : {Phase{accelerating, v1, peak}, Phase{holding, peak, peak}, Phase{braking, peak, v3}})
-      if (phase.length > rounding) phases_[count_++] = phase;
-    if (count_ == 0) phases_[count_++] = {length, v1, v3};
-    phases_[0].speed_in = v1;
-    phases_[count_ - 1].speed_out = v3;
-  }
-  [[nodiscard]] const Phase* begin() const { return phases_.data(); }
-  [[nodiscard]] const Phase* end() const { return phases_.data() + count_; }
-
- private:
-  std::array<Phase, 3> phases_;
-  std::size_t count_ = 0;
-};
 
 double steps_of(const Phase& phase, double curvature, const PathSampling& sampling) {
   return std::ceil(
@@ -143,7 +106,9 @@ struct Trajectory::Data {
     }
   }
 
-  [[nodiscard]] Phases phases(std::size_t k) const { return {segments[k], top_speeds[k], vehicle.max_acceleration()}; }
+  [[nodiscard]] MotionPhases phases(std::size_t k) const {
+    return {segments[k], top_speeds[k], vehicle.max_acceleration()};
+  }
 
   /// Where in a segment the vehicle is, and how it moves.
   struct Moment {
@@ -174,7 +139,7 @@ struct Trajectory::Data {
   /// The end of a segment. The acceleration is that of its last phase.
   [[nodiscard]] TrajectoryState end_of(std::size_t k) const {
     const TimedSegment& timed = segments[k];
-    const Phases driven = phases(k);
+    const MotionPhases driven = phases(k);
     const double acceleration = driven.begin() == driven.end() ? 0.0 : (driven.end() - 1)->acceleration();
     return state(k, {timed.segment.length, timed.duration, timed.speed_out, acceleration});
   }
@@ -284,11 +249,7 @@ double Trajectory::clearance_at(double time) const {
   return clearance_at(time, *data_->world);
 }
 
-std::vector<Vec2> Trajectory::polyline(double step) const {
-  Path path;
-  for (const TimedSegment& timed : segments()) path.push_back(timed.segment);
-  return arcway::polyline(path, step);
-}
+std::vector<Vec2> Trajectory::polyline(double step) const { return arcway::polyline(path_of(segments()), step); }
 
 std::vector<TrajectoryState> Trajectory::sample(double dt) const {
   require_positive(dt, "dt");
@@ -317,7 +278,7 @@ std::vector<TrajectoryState> Trajectory::sample(const PathSampling& sampling) co
     double from = 0.0, begun = 0.0;  // start of the phase within the segment [m], [s]
     const bool joined = k > 0 && d.segments[k - 1].segment.curvature == timed.segment.curvature &&
                         d.segments[k - 1].segment.gear == timed.segment.gear;
-    const Phases phases = d.phases(k);
+    const MotionPhases phases = d.phases(k);
     if (!joined)
       states.push_back(d.state(
           k, {0.0, 0.0, timed.speed_in, phases.begin() == phases.end() ? 0.0 : phases.begin()->acceleration()}));

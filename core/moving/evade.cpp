@@ -4,13 +4,15 @@
 #include <map>
 #include <memory>
 #include <queue>
-#include <stdexcept>
-#include <tuple>
+#include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "arcway/moving_obstacle.h"
+#include "core/base/infinity.h"
 #include "core/base/shortest_text.h"
+#include "core/motion/motion_phases.h"
 #include "core/motion/speed_profile.h"
 #include "core/moving/blocked_places.h"
 #include "core/moving/start_times.h"
@@ -73,16 +75,11 @@ class Driven {
   explicit Driven(double from, double acceleration) : from_(from), acceleration_(acceleration) {}
 
   void add(const TimedSegment& timed, double top_speed) {
-    const auto [peak, accelerating, holding, braking] =
-        segment_phases(timed.segment.length, timed.speed_in, top_speed, timed.speed_out, acceleration_);
     double at = from_, time = duration_;
-    for (const auto& [length, v1, v3] : {std::tuple(accelerating, timed.speed_in, peak),
-                                         std::tuple(holding, peak, peak), std::tuple(braking, peak, timed.speed_out)}) {
-      const MotionPhase phase{at, at + length, v1, v3, time};
-      if (!(phase.to > phase.from) || !(v1 + v3 > 0.0)) continue;
-      phases_.push_back(phase);
-      at = phase.to;
-      time = phase.time_at(phase.to);
+    for (const Phase& phase : MotionPhases(timed, top_speed, acceleration_)) {
+      phases_.push_back({at, time, phase});
+      at += phase.length;
+      time += phase.time(phase.length);
     }
     from_ += timed.segment.length;
     duration_ += timed.duration;
@@ -91,23 +88,23 @@ class Driven {
 
   [[nodiscard]] double place() const { return from_; }
   [[nodiscard]] double duration() const { return duration_; }
-  [[nodiscard]] std::span<const MotionPhase> phases() const { return phases_; }
+  [[nodiscard]] std::span<const PlacedPhase> phases() const { return phases_; }
 
  private:
   double from_, acceleration_, duration_ = 0.0;
-  std::vector<MotionPhase> phases_;
+  std::vector<PlacedPhase> phases_;
 };
 
 class Evader {
  public:
   Evader(const Trajectory& trajectory, std::span<const MovingObstacle> obstacles, double horizon)
-      : given_(trajectory), horizon_(horizon) {
-    for (const TimedSegment& timed : trajectory.segments()) path_.push_back(timed.segment);
-    blocked_ = blocked_places(path_, trajectory.vehicle(), obstacles, horizon);
-    for (const double share : kSlower) vehicles_.push_back(slower(trajectory.vehicle(), share));
-  }
+      : given_(trajectory),
+        horizon_(horizon),
+        path_(path_of(trajectory.segments())),
+        blocked_(blocked_places(path_, trajectory.vehicle(), obstacles, horizon)) {}
 
   Evasion run() {
+    for (const double share : kSlower) vehicles_.push_back(slower(given_.vehicle(), share));
     find_stops();
     search();
     if (goal_ == nullptr) return {.reason = reason()};
@@ -222,12 +219,9 @@ class Evader {
     if (part.empty()) return nullptr;
     const double start = from == 0 ? given_.segments().front().speed_in : 0.0;
     const double end = to + 1 == stops_.size() ? given_.segments().back().speed_out : 0.0;
+    const EndSpeeds ends{sign_of(part.front().gear) * start, sign_of(part.back().gear) * end};
     SpeedProfile profile;
-    try {
-      profile = speed_profile(part, vehicle, {sign_of(part.front().gear) * start, sign_of(part.back().gear) * end});
-    } catch (const std::invalid_argument&) {
-      return nullptr;  // too fast, or too short to brake
-    }
+    if (travel_time(part, vehicle, ends, profile) == kInfinity) return nullptr;
     auto motion = std::make_unique<Motion>();
     Driven driven(stops_[from], vehicle.max_acceleration());
     for (std::size_t i = 0; i < part.size(); ++i) {
@@ -256,19 +250,19 @@ class Evader {
   }
 
   [[nodiscard]] std::string reason() const {
-    const std::string until = " until the horizon of " + shortest_text(horizon_) + " s";
+    const std::string horizon = "the horizon of " + shortest_text(horizon_) + " s";
     if (stays_.front().empty() || stays_.front().front().begin > 0.0)
       return "a moving obstacle touches the body, grown by half of the safety margin, at the start";
     if (stays_.back().empty() || stays_.back().back().end < horizon_)
-      return "a moving obstacle is at the goal at the horizon of " + shortest_text(horizon_) + " s";
+      return "a moving obstacle is at the goal at " + horizon;
     return "no motion with stops at " + std::to_string(stops_.size() - 1) + " places and with " +
-           std::to_string(kSlower.size()) + " speeds is free of moving obstacles" + until +
+           std::to_string(kSlower.size()) + " speeds is free of moving obstacles until " + horizon +
            "; a later horizon or another path may help";
   }
 
   const Trajectory& given_;
   double horizon_;
-  std::vector<PathSegment> path_;
+  Path path_;
   std::vector<BlockedPlaces> blocked_;
   std::vector<Vehicle> vehicles_;  // by kSlower
   std::vector<double> stops_;

@@ -4,19 +4,19 @@
 #include <vector>
 
 #include "arcway/moving_obstacle.h"
+#include "core/motion/motion_phases.h"
 #include "core/moving/blocked_places.h"
 
 namespace arcway::internal {
 
-/// A part of a motion with constant acceleration.
-struct MotionPhase {
-  double from, to;             ///< arc lengths since the path's start [m], from < to
-  double speed_in, speed_out;  ///< [m/s], not both 0
-  double time;                 ///< at its start, since the motion's start [s]
-  [[nodiscard]] double acceleration() const {
-    return 0.5 * (speed_out - speed_in) * (speed_out + speed_in) / (to - from);
-  }
-  /// The time at an arc length within the phase [s].
+/// A phase of a motion along a path.
+struct PlacedPhase {
+  double from;  ///< arc length since the path's start [m]
+  double time;  ///< at its start, since the motion's start [s]
+  Phase phase;
+
+  [[nodiscard]] double to() const { return from + phase.length; }
+  /// The time at an arc length [s]; that of the nearer end off the phase.
   [[nodiscard]] double time_at(double s) const;
 };
 
@@ -41,7 +41,7 @@ class TimeSet {
 /// A motion that begins at t0 is at arc length s at t0 + time(s). It is at a corner or on a side of a polygon for t0 =
 /// t - time(s). On a side, t is an affine function of s, so that t0 is extreme at ends, where phases change, and where
 /// the speed is the side's. The polygon is convex, so that these times are one interval. O(corners x phases) a polygon.
-TimeSet blocked_starts(std::span<const MotionPhase> motion, std::span<const BlockedPlaces> blocked);
+TimeSet blocked_starts(std::span<const PlacedPhase> motion, std::span<const BlockedPlaces> blocked);
 
 /// The times at which a place is blocked.
 TimeSet blocked_stays(double place, std::span<const BlockedPlaces> blocked);

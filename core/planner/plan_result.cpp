@@ -87,23 +87,9 @@ PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
   return *this;
 }
 
-Path PlanResult::path() const {
-  Path path;
-  path.reserve(segments.size());
-  for (const TimedSegment& s : segments) path.push_back(s.segment);
-  return path;
-}
+Path PlanResult::path() const { return path_of(segments); }
 
-TimedPath PlanResult::timed_path() const {
-  TimedPath path;
-  for (const TimedSegment& s : segments) {
-    path.segments.push_back(s.segment);
-    path.speed_in.push_back(s.speed_in);
-    path.speed_out.push_back(s.speed_out);
-    path.durations.push_back(s.duration);
-  }
-  return path;
-}
+TimedPath PlanResult::timed_path() const { return timed_path_of(segments); }
 
 Trajectory::Trajectory(const PlanResult& result)
     : Trajectory(segments_of(result), scene_of(result).vehicle, scene_of(result).world) {}

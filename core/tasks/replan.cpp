@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <stdexcept>
-
-#include "core/motion/speed_profile.h"
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace arcway {
 
@@ -34,12 +36,6 @@ std::vector<TimedSegment> rest_of(const Trajectory& driven, const TrajectoryStat
     rest.push_back(timed);
   }
   return rest;
-}
-
-Path path_of(std::span<const TimedSegment> segments) {
-  Path path;
-  for (const TimedSegment& timed : segments) path.push_back(timed.segment);
-  return path;
 }
 
 double time_of(std::span<const TimedSegment> segments) {

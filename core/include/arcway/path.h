@@ -109,6 +109,11 @@ struct TimedPath {
   std::vector<double> durations;  ///< [s]
 };
 
+/// The segments without speeds.
+ARCWAY_API Path path_of(std::span<const TimedSegment> segments);
+/// The segments with speeds and durations, as the validator takes them.
+ARCWAY_API TimedPath timed_path_of(std::span<const TimedSegment> segments);
+
 /// The motion from end to start in the other gear. It sweeps the same area.
 ARCWAY_API Path reversed(std::span<const PathSegment> path);
 

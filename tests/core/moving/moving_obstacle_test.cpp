@@ -222,12 +222,7 @@ TEST(Evade, MotionsAreValidAndFree) {
     EXPECT_NEAR(evading.duration(), evasion.travel_time, 1e-9);
     EXPECT_NEAR(evading.length(), trajectory.length(), 1e-9);
     EXPECT_GE(evasion.travel_time, trajectory.duration() * (1.0 - 1e-12));
-    TimedPath path;
-    for (const TimedSegment& timed : evasion.segments) {
-      path.segments.push_back(timed.segment);
-      path.speed_in.push_back(timed.speed_in), path.speed_out.push_back(timed.speed_out);
-      path.durations.push_back(timed.duration);
-    }
+    const TimedPath path = timed_path_of(evasion.segments);
     const ValidationReport report = validate(open_world(), vehicle, trajectory.at(0.0).pose,
                                              trajectory.at(trajectory.duration()).pose, path, {.moving = obstacles});
     EXPECT_TRUE(report.valid()) << to_string(report);

@@ -20,12 +20,7 @@ Vehicle robot() {
 
 // A motion given is one of the vehicle on the planner's map, from the moment on.
 void expect_valid(const Planner& planner, const Replan& next, const TrajectoryState& now) {
-  TimedPath path;
-  for (const TimedSegment& timed : next.segments) {
-    path.segments.push_back(timed.segment);
-    path.speed_in.push_back(timed.speed_in), path.speed_out.push_back(timed.speed_out);
-    path.durations.push_back(timed.duration);
-  }
+  const TimedPath path = timed_path_of(next.segments);
   const Pose end = next.segments.empty() ? now.pose : path.segments.back().end();
   const ValidationReport report =
       validate(planner.world(), planner.vehicle(), now.pose, end, path, {.start_speed = now.signed_speed()});
