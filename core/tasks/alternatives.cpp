@@ -15,8 +15,8 @@
 #include "core/collision/walled_sweep.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
-#include "core/motion/speed_profile.h"
 #include "core/refine/refine_path.h"
+#include "core/tasks/plan_cost.h"
 
 namespace arcway {
 
@@ -182,9 +182,7 @@ class AlternativeSearch {
     return rest;
   }
   [[nodiscard]] bool interrupted() const { return clock_.is_over(); }
-  [[nodiscard]] double cost_of(const PlanResult& plan) const {
-    return plan.travel_time + request_.cusp_cost * static_cast<double>(cusps_of(plan.path()));
-  }
+  [[nodiscard]] double cost_of(const PlanResult& plan) const { return internal::cost_of(plan, request_.cusp_cost); }
 
   // The route of a plan; nothing if the clock is over before it can be told from others.
   [[nodiscard]] std::optional<Route> route_of(PlanResult plan, std::vector<LineSegment> walls) const {

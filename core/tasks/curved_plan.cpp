@@ -10,8 +10,8 @@
 #include "core/base/stopwatch.h"
 #include "core/collision/motion_free.h"
 #include "core/motion/clearance.h"
-#include "core/motion/speed_profile.h"
 #include "core/planner/no_path.h"
+#include "core/tasks/plan_cost.h"
 
 namespace arcway {
 
@@ -98,10 +98,6 @@ class CurvedPlanner {
   double level_;
   std::vector<std::vector<double>> tolerances_;  // of each curve and piece
 };
-
-double cost_of(const PlanResult& plan, double cusp_cost) {
-  return plan.solved() ? plan.travel_time + cusp_cost * static_cast<double>(cusps_of(plan.path())) : kInfinity;
-}
 
 // Whether a plan is free among the last rings. Finer rings lie inside coarser ones, up to the distance that both are
 // moved by (see circumscribed_ring). A plan stays free unless it was free by less than that.
