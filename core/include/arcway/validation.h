@@ -96,9 +96,12 @@ ARCWAY_API std::string to_string(const ValidationReport& report);
 /// An interval that is neither, and in which no point of the body travels 1e-9 of the body's reach, is a collision.
 ///
 /// An empty path is valid if start and goal agree within the tolerances, in pose and speed, and the body is free at the
-/// start. Cost: O(n)
-/// to sort the map's edges, some 50 ns each; then one or two milliseconds for a path of a hundred segments. Use a
+/// start. Cost:
+/// O(n) to sort the map's edges, some 50 ns each; then one or two milliseconds for a path of a hundred segments. Use a
 /// Validator for many paths on one map.
+///
+/// Moving obstacles are looked for by conflicts(). It shares exact predicates with the planner, but no decision with
+/// evade().
 /// @throws std::invalid_argument if speeds or durations are given, but not one a segment.
 ARCWAY_API ValidationReport validate(const World& world, const Vehicle& vehicle, const Pose& start, const Pose& goal,
                                      const TimedPath& path, const ValidationOptions& options = {});

@@ -12,8 +12,7 @@ namespace arcway {
 struct ARCWAY_API WorldChange {
   /// @param removed  as given to before.changed(removed, added), which returned `after`. O(n).
   /// @throws std::invalid_argument if the remaining obstacles and the bounds are not those of `after`, in their order
-  /// and
-  ///   in front of the added ones. Graphs of such a change would differ from new ones.
+  ///   and in front of the added ones. Graphs of such a change would differ from new ones.
   WorldChange(const World& before, const World& after, std::span<const ObstacleId> removed);
 
   std::vector<VertexId> vertex_after;                ///< by vertex of `before`: its id in `after`, or kNone; ascending

@@ -146,19 +146,29 @@ class Enumeration {
   std::size_t paths_ = 0;
 };
 
+// A few obstacles, so that all paths can be enumerated.
+World world_of_few(std::size_t obstacles, double fill, std::uint64_t seed) {
+  return random_world({.kind = ClutterKind::kConvex,
+                       .obstacles = obstacles,
+                       .vertices = 4,
+                       .fill = fill,
+                       .min_radius = 3.0,
+                       .max_radius = 6.0,
+                       .seed = seed});
+}
+
+Pose random_pose(test::RandomInputs& random, const World& world) {
+  const double side = world.box().max.x();
+  return {random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
+}
+
 TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
   test::RandomInputs random(11);
   ArrivalSearch search;
   int solved = 0;
   std::size_t paths = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const World world = random_world({.kind = ClutterKind::kConvex,
-                                      .obstacles = 4,
-                                      .vertices = 4,
-                                      .fill = 0.2,
-                                      .min_radius = 3.0,
-                                      .max_radius = 6.0,
-                                      .seed = seed});
+    const World world = world_of_few(4, 0.2, seed);
     VehicleParameters parameters;
     parameters.max_acceleration = std::array{1.0, 2.0, 4.0, 50.0}[seed % 4];
     if (seed % 3 != 0) parameters.turn_speed = LateralAccelerationLimit{2.0};
@@ -167,12 +177,8 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
     std::vector<double> radii{vehicle.min_turning_radius()};
     if (seed % 2 == 0) radii.push_back(3.0 * radii[0]);
     const Roadmap map = make_map(world, vehicle, CircleRadii(vehicle, radii), GraphMode::kEager);
-    const double side = world.box().max.x();
     for (int i = 0; i < 20; ++i) {
-      const auto pose = [&] {
-        return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
-      };
-      const Attachment start{pose(), {}}, goal{pose(), {}};
+      const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
       const SearchResult result = search.find(map, {&start, 1}, {&goal, 1}, {});
       if (!result.path) {
         const double straight = (goal.pose.position() - start.pose.position()).norm() / vehicle.max_speed();
@@ -197,13 +203,7 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsBetweenMovingEnds) {
   ArrivalSearch search;
   int solved = 0, unsolved = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const World world = random_world({.kind = ClutterKind::kConvex,
-                                      .obstacles = 4,
-                                      .vertices = 4,
-                                      .fill = 0.2,
-                                      .min_radius = 3.0,
-                                      .max_radius = 6.0,
-                                      .seed = seed});
+    const World world = world_of_few(4, 0.2, seed);
     VehicleParameters parameters;
     parameters.max_acceleration = std::array{1.0, 2.0, 4.0}[seed % 3];
     parameters.turn_speed = LateralAccelerationLimit{2.0};
@@ -211,12 +211,8 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsBetweenMovingEnds) {
     const double radius = (seed % 2 == 0 ? 1.0 : 3.0) * vehicle.min_turning_radius();
     const double fastest = vehicle.turn_speed(radius);
     const Roadmap map = make_map(world, vehicle, {radius}, GraphMode::kEager);
-    const double side = world.box().max.x();
     for (int i = 0; i < 20; ++i) {
-      const auto pose = [&] {
-        return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
-      };
-      const Attachment start{pose(), {}}, goal{pose(), {}};
+      const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
       const EndSpeeds ends{i % 3 == 0 ? 0.0 : random.uniform(0.0, fastest),
                            i % 3 == 1 ? 0.0 : random.uniform(0.0, fastest)};
       const SearchResult result = search.find(map, {&start, 1}, {&goal, 1}, {.ends = ends});
@@ -245,21 +241,11 @@ TEST(ArrivalSearch, FindsTheFastestPathThatJoinsOrLeavesTheGraphElsewhere) {
   ArrivalSearch search;
   int others = 0, alone = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const World world = random_world({.kind = ClutterKind::kConvex,
-                                      .obstacles = 5,
-                                      .vertices = 4,
-                                      .fill = 0.25,
-                                      .min_radius = 3.0,
-                                      .max_radius = 6.0,
-                                      .seed = seed});
+    const World world = world_of_few(5, 0.25, seed);
     const Vehicle vehicle;
     const Roadmap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
-    const double side = world.box().max.x();
     for (int i = 0; i < 20; ++i) {
-      const auto pose = [&] {
-        return Pose{random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
-      };
-      const Attachment start{pose(), {}}, goal{pose(), {}};
+      const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
       const SearchResult best = search.find(map, {&start, 1}, {&goal, 1}, {});
       if (!best.path || best.first_circle == kNone) continue;
       ASSERT_NE(best.last_circle, kNone);
