@@ -70,8 +70,10 @@ class Enumeration {
                .reach(s.start.heading, side) >= s.length * std::abs(s.curvature);
   }
 
-  bool try_push(const TurnCircle& circle, double heading, const Bitangent& line) {
+  // By a turn on a circle and a straight. On a circle of the graph, turns stay within its free headings.
+  bool try_push(const TurnCircle& circle, double heading, const Bitangent& line, std::uint32_t of_graph = kNone) {
     const double turn = turn_between(heading, line.start.heading, circle.side);
+    if (of_graph != kNone && turn > map_.graph->free_headings(of_graph).reach(heading, circle.side)) return false;
     const PathSegment arc{pose_on(circle, heading), turn * circle.radius, sign_of(circle.side) / circle.radius};
     const PathSegment straight{line.start, line.length, 0.0};
     path_.push_back(arc);
@@ -118,7 +120,7 @@ class Enumeration {
       for (const double radius : map_.radii.of(side)) {
         const TurnCircle last = turn_circle(goal_, radius, side);
         const auto line = directed_bitangent(circle, last);
-        if (c == not_last_ || !line || !try_push(circle, heading, *line)) continue;
+        if (c == not_last_ || !line || !try_push(circle, heading, *line, c)) continue;
         const double turn = turn_between(line->start.heading, goal_.heading, side);
         const PathSegment arc{pose_on(last, line->start.heading), turn * radius, sign_of(side) / radius};
         if (turn == 0.0 || is_free(arc)) {
@@ -130,7 +132,7 @@ class Enumeration {
       }
     const auto links = map_.graph->links_from(c);
     for (const FeasibleGraph::Link& link : links)
-      if (try_push(circle, heading, {pose_on(circle, link.heading), link.length})) {
+      if (try_push(circle, heading, {pose_on(circle, link.heading), link.length}, c)) {
         visit(link.to, link.heading);
         pop();
       }
@@ -208,9 +210,10 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsBetweenMovingEnds) {
     parameters.max_acceleration = std::array{1.0, 2.0, 4.0}[seed % 3];
     parameters.turn_speed = LateralAccelerationLimit{2.0};
     const Vehicle vehicle(parameters);
-    const double radius = (seed % 2 == 0 ? 1.0 : 3.0) * vehicle.min_turning_radius();
-    const double fastest = vehicle.turn_speed(radius);
-    const Roadmap map = make_map(world, vehicle, {radius}, GraphMode::kEager);
+    const double tightest = vehicle.min_turning_radius();
+    const std::vector<std::vector<double>> radii{{tightest}, {tightest, 4.0 * tightest}, {3.0 * tightest}};
+    const double fastest = vehicle.turn_speed(radii[seed % 3].back());
+    const Roadmap map = make_map(world, vehicle, radii[seed % 3], GraphMode::kEager);
     for (int i = 0; i < 20; ++i) {
       const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
       const EndSpeeds ends{i % 3 == 0 ? 0.0 : random.uniform(0.0, fastest),
