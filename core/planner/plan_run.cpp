@@ -129,7 +129,8 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
                           .world = &map_.world,
                           .outlines = map_.outlines.get(),
                           .at_length = mode == RefineMode::kAtLength,
-                          .ends = query_.ends()};
+                          .ends = query_.ends(),
+                          .lower_bound = result_.lower_bound};
   if (mode == RefineMode::kBothGears) {
     refined = refine_reversing_path(query, gear_changes_);
   } else {

@@ -112,7 +112,8 @@ ChainContacts::Place ChainContacts::look_from_arc(const ArcChain& chain, const C
   };
   const double off = r - arc.radius, inwards = beside(arc.sign);
   const bool is_abeam = off > -inwards && off < beside(-arc.sign);
-  if (is_abeam ? corner.sign == arc.sign : off <= -inwards) {
+  const bool is_inside = is_abeam ? corner.sign == arc.sign : off <= -inwards;
+  if (is_inside && arc.radius > inwards) {  // else the body covers the center, and leaves no room inside
     if (passes(chain, i, d, 0.0, 1.0)) nearer(arc.radius - r - inwards, kInside);
     return place;
   }

@@ -7,7 +7,6 @@
 
 #include "core/base/infinity.h"
 #include "core/refine/chain_system.h"
-#include "core/roadmap/circle_radii.h"
 
 namespace arcway::internal {
 
@@ -379,13 +378,7 @@ ChainOptimizer::~ChainOptimizer() = default;
 ChainOptimizer::ChainOptimizer(ChainOptimizer&&) noexcept = default;
 ChainOptimizer& ChainOptimizer::operator=(ChainOptimizer&&) noexcept = default;
 
-bool ChainOptimizer::serves(const Vehicle& vehicle) {
-  if (!has_chain_speeds(vehicle)) return false;
-  const Footprint body = vehicle.footprint();
-  const Footprint grown = vehicle.footprint(vehicle.safety_margin());
-  return std::min({body.front, body.rear, body.left, body.right}) > 0.0 &&
-         lead_round_vertices(grown, SideRadii(vehicle));
-}
+bool ChainOptimizer::serves(const Vehicle& vehicle) { return has_chain_speeds(vehicle); }
 
 ChainOptimizer::Result ChainOptimizer::optimize(const ChainQuery& query, CircleChain& optimized) {
   return InteriorPoint(query, *memory_).run(optimized);

@@ -48,8 +48,7 @@ class ChainOptimizer {
   ChainOptimizer& operator=(ChainOptimizer&&) noexcept;
 
   /// Whether chains of a vehicle can be optimized. It must be the faster the wider it turns, up to its top speed, by
-  /// its lateral acceleration or by a table that ascends so far. Its reference point must lie on its body, and turn
-  /// about centers beside the body.
+  /// its lateral acceleration or by a table that ascends so far. Contacts are those of the rectangle around its body.
   static bool serves(const Vehicle& vehicle);
 
   struct Result {

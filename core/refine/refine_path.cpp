@@ -124,9 +124,20 @@ class Refiner {
       any = true;
       if (result_.travel_time > (1.0 - kWorthRound) * before) break;
     }
+    if (any && result_.travel_time > kFarFromBound * std::max(query_.lower_bound, least_time_)) leave_optimum();
     // Where optimizing fails, the turns have mostly been optimized before.
     if (!any) most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsInVain);
     return any;
+  }
+
+  // Tries the moves that change the order of turns, and optimizes again where they help.
+  void leave_optimum() {
+    const double before = result_.travel_time;
+    most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsFarFromBound);
+    settle();
+    while (!done() && take_first(Stage::kEscape)) settle();
+    most_trials_ = options_.max_trials;
+    if (result_.travel_time < (1.0 - kWorthRound) * before) take_all(Stage::kOptimizeAtLength);
   }
 
   void simplify() {

@@ -41,8 +41,9 @@ struct RefineQuery {
   /// The world and its outlines. Without them no turns are optimized.
   const World* world = nullptr;
   const Outlines* outlines = nullptr;
-  bool at_length = false;  ///< whether the path is one of the best, refined before: Stage::kOptimizeAtLength
-  EndSpeeds ends = {};     ///< of the path, which stay as they are
+  bool at_length = false;    ///< whether the path is one of the best, refined before: Stage::kOptimizeAtLength
+  EndSpeeds ends = {};       ///< of the path, which stay as they are
+  double lower_bound = 0.0;  ///< on the time of all paths between the poses, as far as it is known [s]
 };
 
 /// Makes a free path faster by local changes, as long as time falls:
@@ -53,7 +54,7 @@ struct RefineQuery {
 /// - where wider turns are faster, parts of a turn become wider ones, step by step, and the ends tighter ones;
 /// - centers and radii slide, by steps that are halved down to the smallest.
 /// For vehicles that ChainOptimizer serves, the first three and rough slides are tried first, then all turns are
-/// optimized at once. The other changes follow only where that fails.
+/// optimized at once. The other changes follow only where that fails, or leaves a best path far from its bound.
 /// A change is accepted only if the travel time under the speed profile falls, and the swept area of the body grown by
 /// half of the safety margin is free by `sweep`. The result is therefore as free as the input and never slower. It is a
 /// local optimum of these changes, not the fastest path. A path that turns on fewer than two circles is returned as it
