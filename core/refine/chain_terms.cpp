@@ -70,16 +70,16 @@ ChainSpeeds::Square ChainSpeeds::square_by_table(double radius) const {
 
 namespace {
 
-// Where a table reaches a speed, if both ascend so far; else 0.
-double radius_of(const TurnSpeedTable& law, double speed) {
+// The radius from which on turns are as fast as a table lets them be, if it ascends until there; else 0.
+double widest_by(const TurnSpeedTable& law, double top_speed) {
   const auto& entries = law.entries;
   for (std::size_t i = 1; i < entries.size(); ++i) {
     const auto& [from, slow] = entries[i - 1];
     const auto& [to, fast] = entries[i];
     if (!(fast > slow)) return 0.0;
-    if (fast >= speed) return from + (to - from) * ((speed - slow) / (fast - slow));
+    if (fast >= top_speed) return from + (to - from) * ((top_speed - slow) / (fast - slow));
   }
-  return 0.0;
+  return entries.size() > 1 ? entries.back().first : 0.0;
 }
 
 }  // namespace
@@ -88,15 +88,18 @@ bool has_chain_speeds(const Vehicle& vehicle) {
   const TurnSpeedLaw& law = vehicle.parameters().turn_speed;
   if (!(vehicle.turn_speed(vehicle.min_turning_radius()) < vehicle.max_speed())) return false;
   const auto* table = std::get_if<TurnSpeedTable>(&law);
-  return table ? radius_of(*table, vehicle.max_speed()) > 0.0 : std::holds_alternative<LateralAccelerationLimit>(law);
+  return table ? widest_by(*table, vehicle.max_speed()) > vehicle.min_turning_radius()
+               : std::holds_alternative<LateralAccelerationLimit>(law);
 }
 
 ChainSpeeds speeds_of(const Vehicle& vehicle) {
   const double top = vehicle.max_speed() * vehicle.max_speed();
   const TurnSpeedLaw& law = vehicle.parameters().turn_speed;
-  if (const auto* table = std::get_if<TurnSpeedTable>(&law))
-    return {vehicle.max_acceleration(), top / radius_of(*table, vehicle.max_speed()), top, table->entries};
-  return {vehicle.max_acceleration(), std::get<LateralAccelerationLimit>(law).lateral_acceleration, top};
+  if (const auto* table = std::get_if<TurnSpeedTable>(&law)) {
+    const double widest = widest_by(*table, vehicle.max_speed()), fastest = vehicle.turn_speed(widest);
+    return {vehicle.max_acceleration(), fastest * fastest / widest, top, fastest * fastest, table->entries};
+  }
+  return {vehicle.max_acceleration(), std::get<LateralAccelerationLimit>(law).lateral_acceleration, top, top};
 }
 
 double entry_of_line(const ArcChain& chain, std::size_t line) {

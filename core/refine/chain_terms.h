@@ -32,19 +32,21 @@ struct Term {
 /// How fast the vehicle is on lines and in turns. Turns are driven by a lateral acceleration, or by a table.
 struct ChainSpeeds {
   double acceleration;  ///< [m/s^2]
-  double lateral;       ///< lateral acceleration of turns; with a table, on the radius of top speed [m/s^2]
+  double lateral;       ///< lateral acceleration of turns; with a table, on the radius of their top speed [m/s^2]
   double top;           ///< square of the top speed [m^2/s^2]
-  /// Pairs (radius [m], speed [m/s]), linear in between. Both ascend, up to the top speed. Empty: no table.
+  double turn_top;      ///< square of the top speed in turns [m^2/s^2]
+  /// Pairs (radius [m], speed [m/s]), linear in between. Both ascend up to the top speed or to the end. Empty: no
+  /// table.
   std::span<const std::pair<double, double>> table = {};
 
-  /// Radius from which on turns are as fast as lines [m].
-  [[nodiscard]] double widest() const { return top / lateral; }
+  /// Radius from which on turns have their top speed [m].
+  [[nodiscard]] double widest() const { return turn_top / lateral; }
   /// The square of the speed on a circle, with its first and second derivative by the radius.
   struct Square {
     double value, slope, curvature;
   };
   [[nodiscard]] Square square(double radius) const {
-    if (!(radius < widest())) return {top, 0.0, 0.0};
+    if (!(radius < widest())) return {turn_top, 0.0, 0.0};
     if (table.empty()) return {lateral * radius, lateral, 0.0};
     return square_by_table(radius);
   }
@@ -53,8 +55,8 @@ struct ChainSpeeds {
  private:
   [[nodiscard]] Square square_by_table(double radius) const;
 };
-/// Whether a vehicle drives turns by a lateral acceleration, or by such a table, and the tightest ones slower than
-/// lines.
+/// Whether a vehicle drives turns by a lateral acceleration, or by a table that ascends up to the top speed or to its
+/// end, and the tightest ones slower than lines.
 bool has_chain_speeds(const Vehicle& vehicle);
 /// The speeds of a vehicle that has them. It must outlive the use.
 ChainSpeeds speeds_of(const Vehicle& vehicle);

@@ -128,9 +128,7 @@ inline constexpr double kWorthRound = 1e-3;
 inline constexpr std::uint64_t kTrialsBetween = 200;
 /// Ratio of the travel time to its lower bound from which on an optimized path may lead around something in vain.
 inline constexpr double kFarFromBound = 1.5;
-/// Number of trials of all moves that such a path gets.
-inline constexpr std::uint64_t kTrialsFarFromBound = 1500;
-/// Number of trials of all moves where no round helps.
+/// Number of trials of all moves of such a path, or where no round helps.
 inline constexpr std::uint64_t kTrialsInVain = 4000;
 /// Number of local optima in a row, each faster by kWorthSettling than the one before, at which refinement ends.
 inline constexpr int kMostSettled = 4;

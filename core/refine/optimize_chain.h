@@ -48,7 +48,8 @@ class ChainOptimizer {
   ChainOptimizer& operator=(ChainOptimizer&&) noexcept;
 
   /// Whether chains of a vehicle can be optimized. It must be the faster the wider it turns, up to its top speed, by
-  /// its lateral acceleration or by a table that ascends so far. Contacts are those of the rectangle around its body.
+  /// its lateral acceleration or by a table that ascends so far or to its end. Contacts are those of the rectangle
+  /// around its body.
   static bool serves(const Vehicle& vehicle);
 
   struct Result {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "arcway/angle.h"
+#include "core/base/infinity.h"
 #include "core/base/shortest_text.h"
 #include "core/collision/motion_free.h"
 #include "core/model/side_radii.h"
@@ -124,16 +125,22 @@ class Refiner {
       any = true;
       if (result_.travel_time > (1.0 - kWorthRound) * before) break;
     }
-    if (any && result_.travel_time > kFarFromBound * std::max(query_.lower_bound, least_time_)) leave_optimum();
+    if (any && may_leave_optimum()) leave_optimum();
     // Where optimizing fails, the turns have mostly been optimized before.
     if (!any) most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsInVain);
     return any;
   }
 
+  // Where turns are slower than lines however wide they are, leaving one out is a jump.
+  [[nodiscard]] bool may_leave_optimum() const {
+    return vehicle_.turn_speed(kInfinity) < vehicle_.max_speed() ||
+           result_.travel_time > kFarFromBound * std::max(query_.lower_bound, least_time_);
+  }
+
   // Tries the moves that change the order of turns, and optimizes again where they help.
   void leave_optimum() {
     const double before = result_.travel_time;
-    most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsFarFromBound);
+    most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsInVain);
     settle();
     while (!done() && take_first(Stage::kEscape)) settle();
     most_trials_ = options_.max_trials;

@@ -15,7 +15,7 @@
 namespace arcway::internal {
 namespace {
 
-constexpr ChainSpeeds kBoundSpeeds{2.0, 1.5, 16.0};
+constexpr ChainSpeeds kBoundSpeeds{2.0, 1.5, 16.0, 16.0};
 constexpr double kBoundTightest = 1.3;  // [m]
 
 test::ChainPart chain_part_of(const Bound& bound) { return {bound.is_of_line(), bound.index}; }
@@ -139,7 +139,7 @@ TEST(ChainBounds, LengthsOfArcsAreCurvedByRadiusAndHeadings) {
 TEST(ChainBounds, SpeedsOfATableAreCurvedByTheRadius) {
   constexpr double kStep = 1e-4;
   constexpr std::pair<double, double> kTable[] = {{1.0, 1.0}, {8.0, 4.0}};
-  const ChainSpeeds speeds{2.0, 2.0, 16.0, kTable};
+  const ChainSpeeds speeds{2.0, 2.0, 16.0, 16.0, kTable};
   ArcChain chain;
   chain.lines = {{0.0, 1.0, false}, {1.0, 1.0, false}};
   chain.arcs = {{Vec2::Zero(), 5.0, 1.0, 3.0, 4.0}};

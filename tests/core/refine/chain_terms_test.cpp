@@ -13,7 +13,7 @@
 namespace arcway::internal {
 namespace {
 
-constexpr ChainSpeeds kTermSpeeds{2.0, 1.5, 16.0};  // the widest slow radius is 10.7 m
+constexpr ChainSpeeds kTermSpeeds{2.0, 1.5, 16.0, 16.0};  // the widest slow radius is 10.7 m
 
 // Speeds below the limits. Lengths need not suffice to reach one from the other.
 void set_random_speeds(test::RandomInputs& random, ArcChain& chain) {
@@ -124,7 +124,7 @@ TEST(ChainTerms, AnArcOfAKnownTime) {
   ArcChain chain;
   chain.lines = {{0.0, 1.0, false}, {-2.0, 1.0, false}};
   chain.arcs = {{Vec2::Zero(), 2.0, -1.0, 1.0, 1.0}};
-  const ChainSpeeds speeds{2.0, 2.0, 100.0};
+  const ChainSpeeds speeds{2.0, 2.0, 100.0, 100.0};
   EXPECT_NEAR(arc_time_alone(chain, 0, speeds), 1.0 + 2.5 / 2.0, 1e-14);
   EXPECT_EQ(entry_of_line(chain, 0), 0.0);
   EXPECT_EQ(exit_of_line(chain, 0), 1.0);
@@ -180,6 +180,22 @@ TEST(ChainTerms, SpeedsOfATableAreThoseOfTheVehicle) {
   }
 }
 
+TEST(ChainTerms, WhereATableEndsTurnsGetNoFasterAndLinesAreFaster) {
+  const Vehicle vehicle({.max_speed = 4.0, .turn_speed = TurnSpeedTable{{{2.0, 1.0}, {6.0, 3.0}}}});
+  const ChainSpeeds speeds = speeds_of(vehicle);
+  EXPECT_NEAR(speeds.widest(), 6.0, 1e-14);
+  for (const double radius : {1.4, 3.0, 5.9, 6.0, 6.1, 50.0}) {
+    const double speed = vehicle.turn_speed(radius);
+    EXPECT_NEAR(speeds.of(radius), speed * speed, 1e-13) << radius;
+  }
+  EXPECT_EQ(speeds.top, 16.0);
+  ArcChain chain;
+  chain.lines = {{0.0, 8.0, false}, {1.0, 8.0, false}};
+  chain.arcs = {{Vec2::Zero(), 20.0, 1.0, 9.0, 9.0}};
+  EXPECT_NEAR(arc_time(chain, 0, speeds).value, 20.0 / 3.0, 1e-12);
+  EXPECT_EQ(arc_time(chain, 0, speeds).gradient[kRadius], 1.0 / 3.0);
+}
+
 TEST(ChainTerms, TimesOfATableHaveItsDerivatives) {
   test::RandomInputs random(5);
   const ChainSpeeds speeds = speeds_of(vehicle_of_table());
@@ -210,7 +226,8 @@ TEST(ChainTerms, SomeTablesHaveNoSpeedsOfChains) {
   };
   EXPECT_TRUE(has({{{1.0, 1.0}, {9.0, 4.0}}}));
   EXPECT_TRUE(has({{{1.0, 1.0}, {9.0, 5.0}, {10.0, 2.0}}}));  // below the top speed it ascends
-  EXPECT_FALSE(has({{{1.0, 1.0}, {9.0, 3.0}}}));
+  EXPECT_TRUE(has({{{1.0, 1.0}, {9.0, 3.0}}}));               // to its end
+  EXPECT_FALSE(has({{{1.0, 1.0}, {1.2, 3.0}}}));              // all turns are as fast
   EXPECT_FALSE(has({{{1.0, 1.0}, {5.0, 1.0}, {9.0, 4.0}}}));
   EXPECT_FALSE(has({{{1.0, 4.0}}}));
   EXPECT_FALSE(has({{{1.0, 2.0}}}));

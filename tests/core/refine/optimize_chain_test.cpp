@@ -90,7 +90,9 @@ TEST(OptimizeChain, ServesVehiclesThatAreFasterOnWiderArcs) {
   const LateralAccelerationLimit lateral{2.0};
   EXPECT_FALSE(serves({}));
   EXPECT_FALSE(serves({.turn_speed = ConstantTurnSpeed{1.0}}));
-  EXPECT_FALSE(serves({.turn_speed = TurnSpeedTable{{{1.0, 1.0}, {9.0, 3.0}}}}));  // never as fast as on lines
+  EXPECT_TRUE(serves({.turn_speed = TurnSpeedTable{{{1.0, 1.0}, {9.0, 3.0}}}}));  // never as fast as on lines
+  EXPECT_FALSE(serves({.turn_speed = TurnSpeedTable{{{9.0, 3.0}}}}));
+  EXPECT_FALSE(serves({.turn_speed = TurnSpeedTable{{{0.5, 1.0}, {1.2, 3.0}}}}));  // no faster on wider arcs
   EXPECT_TRUE(serves({.max_speed = 3.0, .turn_speed = TurnSpeedTable{{{1.0, 1.0}, {9.0, 3.0}}}}));
   EXPECT_TRUE(serves({.turn_speed = lateral}));
   EXPECT_TRUE(serves({.steering = Steering::kRear, .turn_speed = lateral}));
