@@ -63,7 +63,7 @@ std::vector<PathSegment> part_of(std::span<const PathSegment> path, double from,
 }
 
 // A motion without a stop.
-struct Motion {
+struct NonstopMotion {
   std::vector<TimedSegment> segments;
   double duration = 0.0;
   TimeSet blocked;  // when it must not begin
@@ -137,7 +137,7 @@ class Evader {
     double time;
     const Arrival* before;
     double departure;  // from there
-    const Motion* motion;
+    const NonstopMotion* motion;
   };
 
   [[nodiscard]] bool may_stay(double place, double begin, double end) const {
@@ -192,12 +192,12 @@ class Evader {
       }
       for (std::size_t to = at->stop + 1; to < stops_.size(); ++to)
         for (std::size_t k = 0; k < kSlower.size(); ++k)
-          if (const Motion* motion = motion_between(at->stop, to, k)) go(*at, to, *motion, arrive);
+          if (const NonstopMotion* motion = motion_between(at->stop, to, k)) go(*at, to, *motion, arrive);
     }
   }
 
   template <class Arrive>
-  void go(const Arrival& at, std::size_t to, const Motion& motion, const Arrive& arrive) const {
+  void go(const Arrival& at, std::size_t to, const NonstopMotion& motion, const Arrive& arrive) const {
     const bool is_moving = at.stop == 0 && given_.segments().front().speed_in > 0.0;
     for (const TimeInterval& window : motion.blocked.gaps(at.time, at.stay.end)) {
       const double time = window.begin + motion.duration;
@@ -208,13 +208,14 @@ class Evader {
   }
 
   // Null if the vehicle cannot drive so.
-  const Motion* motion_between(std::size_t from, std::size_t to, std::size_t slower) {
+  const NonstopMotion* motion_between(std::size_t from, std::size_t to, std::size_t slower) {
     const auto [known, is_new] = motions_.try_emplace({from, to, slower}, nullptr);
     if (is_new) known->second = make_motion(from, to, vehicles_[slower]);
     return known->second.get();
   }
 
-  [[nodiscard]] std::unique_ptr<Motion> make_motion(std::size_t from, std::size_t to, const Vehicle& vehicle) const {
+  [[nodiscard]] std::unique_ptr<NonstopMotion> make_motion(std::size_t from, std::size_t to,
+                                                           const Vehicle& vehicle) const {
     const std::vector<PathSegment> part = part_of(path_, stops_[from], stops_[to]);
     if (part.empty()) return nullptr;
     const double start = from == 0 ? given_.segments().front().speed_in : 0.0;
@@ -222,7 +223,7 @@ class Evader {
     const EndSpeeds ends{sign_of(part.front().gear) * start, sign_of(part.back().gear) * end};
     SpeedProfile profile;
     if (travel_time(part, vehicle, ends, profile) == kInfinity) return nullptr;
-    auto motion = std::make_unique<Motion>();
+    auto motion = std::make_unique<NonstopMotion>();
     Driven driven(stops_[from], vehicle.max_acceleration());
     for (std::size_t i = 0; i < part.size(); ++i) {
       motion->segments.push_back({part[i], profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
@@ -267,7 +268,7 @@ class Evader {
   std::vector<Vehicle> vehicles_;  // by kSlower
   std::vector<double> stops_;
   std::vector<std::vector<TimeInterval>> stays_;  // by stop: when the vehicle may stand there
-  std::map<std::array<std::size_t, 3>, std::unique_ptr<Motion>> motions_;
+  std::map<std::array<std::size_t, 3>, std::unique_ptr<NonstopMotion>> motions_;
   std::vector<std::unique_ptr<Arrival>> arrivals_;
   const Arrival* goal_ = nullptr;
 };
